@@ -14,7 +14,7 @@ SOURCES := $(wildcard src tests tools benchmarks hatch_build.py)
 .NOTPARALLEL:
 .DELETE_ON_ERROR:
 .DEFAULT_GOAL := help
-.PHONY: help install page run test check format bench pictures lock clean
+.PHONY: help install page run test check format bench pictures site lock clean
 
 help: ## list the tasks
 	@awk -F ':.*## ' '/^[a-z]+:.*## / { printf "make %-8s %s\n", $$1, $$2 }' $(MAKEFILE_LIST)
@@ -30,9 +30,12 @@ test: install page ## run every test: the page's, Python's and those in a browse
 	@$(PY) -m tools.chromium --install
 	@$(PY) -m tools.qemu --install
 	@$(PY) -m tools.pico
-	@browser="$$($(PY) -m tools.chromium > /dev/null || echo 'not browser')"; \
-	boards="$$($(PY) -m tools.qemu > /dev/null || echo 'not boards')"; \
-	$(BIN)/pytest -n auto --dist worksteal --durations=50 --durations-min=2 -m "$$browser$${browser:+$${boards:+ and }}$$boards"
+	@$(PY) -m tools.site_parts --quiet
+	@browser="$$($(PY) -m tools.chromium > /dev/null || echo ' and not browser')"; \
+	boards="$$($(PY) -m tools.qemu > /dev/null || echo ' and not boards')"; \
+	site="$$($(PY) -m tools.site_parts > /dev/null || echo ' and not site')"; \
+	left="$$browser$$boards$$site"; \
+	$(BIN)/pytest -n auto --dist worksteal --durations=50 --durations-min=2 -m "$${left# and }"
 
 check: install ## format, lint, types, the stairs; changes nothing
 	$(BIN)/ruff format --check $(SOURCES)
@@ -58,6 +61,11 @@ page: $(STAMP) ## build the page into the package, if it is stale
 
 lock: ## choose the newest versions that pyproject.toml allows: constraints.txt
 	sh tools/lock.sh $(PYTHON)
+
+site: install page ## write the studio as a static site into build/site: any web server serves it
+	@$(PY) -m tools.site_parts
+	rm -rf build/site
+	$(BIN)/kitrobot site build/site --parts web --parts build/site-parts
 
 clean: ## remove what was built and installed
 	rm -rf $(VENV) build dist web/node_modules benchmarks/node_modules web/dist web/coverage src/kitrobot/server/static

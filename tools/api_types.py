@@ -17,8 +17,12 @@ from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
+from pydantic.json_schema import models_json_schema
+
 from kitrobot.server import create_app
+from kitrobot.server.class_app import class_api
 from kitrobot.server.shapes import REQUEST_MODELS, RUN_MESSAGE_MODELS
+from kitrobot.server.shapes.classroom import PUPIL_MESSAGE_MODELS, PUPIL_REQUEST_MODELS
 
 ROOT = Path(__file__).resolve().parent.parent
 TARGET = ROOT / "web" / "src" / "api" / "generated.ts"
@@ -38,13 +42,23 @@ _PLAIN = {"integer": "number", "number": "number", "string": "string", "boolean"
 def types() -> str:
     """The file as it should be."""
     with tempfile.TemporaryDirectory() as folder:
-        schemas = create_app(Path(folder), None, "").openapi()["components"]["schemas"]
+        schemas = create_app(Path(folder), None, "").openapi()["components"]["schemas"] | _of_class()
     named = {_name(name): schema for name, schema in schemas.items() if name not in _NOT_OURS}
     parts = [_HEAD]
     parts += [_interface(name, schema) for name, schema in sorted(named.items())]
     for union, models in (("RunMessage", RUN_MESSAGE_MODELS), ("RunRequest", REQUEST_MODELS)):
         parts.append(_alias(union, [_name(model.__name__) for model in models]))
     return "\n".join(parts)
+
+
+def _of_class() -> dict[str, Any]:
+    """The shapes of a class, which is an application of its own."""
+    models: Any = [(model, "validation") for model in PUPIL_REQUEST_MODELS]
+    models += [(model, "serialization") for model in PUPIL_MESSAGE_MODELS]
+    _, extra = models_json_schema(models, ref_template="#/components/schemas/{model}")
+    schemas: dict[str, Any] = class_api().openapi()["components"]["schemas"]
+    defined: dict[str, Any] = extra["$defs"]
+    return schemas | defined
 
 
 def _name(model: str) -> str:
@@ -110,7 +124,7 @@ def _type(schema: Mapping[str, Any]) -> str:
         if "prefixItems" in schema:
             return f"[{', '.join(_type(item) for item in schema['prefixItems'])}]"
         inner = _type(schema["items"])
-        return f"({inner})[]" if " " in re.sub(r"\[.*\]", "", inner) else f"{inner}[]"
+        return f"({inner})[]" if " " in re.sub(r"\[.*\]|<.*>", "", inner) else f"{inner}[]"
     if kind == "object" and "additionalProperties" in schema:
         return f"Record<string, {_type(schema['additionalProperties'])}>"
     if kind in _PLAIN:

@@ -31,6 +31,9 @@ ROOMS = {
     "workspace": "What is opened and checked",
 }
 
+ONLY_IN_A_PAGE = "kitrobot.server.in_worker"
+"""Imports what Pyodide alone has; it has no rules."""
+
 SEVERITIES = {
     Severity.ERROR: "An error: the program does not run, or the file is not used, until it is mended.",
     Severity.WARNING: "A warning: everything runs; something was left out or may not do what was meant.",
@@ -69,7 +72,7 @@ def _rooms() -> dict[str, list[str]]:
     """Room → codes of its rules; makes all rules known by importing every room."""
     found: dict[str, str] = {}
     for module in pkgutil.walk_packages(kitrobot.__path__, "kitrobot."):
-        if module.name.endswith("__main__"):
+        if module.name.endswith("__main__") or module.name == ONLY_IN_A_PAGE:
             continue
         room = module.name.split(".")[1]
         for value in vars(importlib.import_module(module.name)).values():

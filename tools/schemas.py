@@ -23,6 +23,7 @@ from kitrobot.primitives.kit_xml import KIT
 from kitrobot.primitives.robot_xml import ROBOT
 from kitrobot.tutorial.reading import TUTORIAL
 from kitrobot.workspace.beginnings import BEGINNINGS
+from kitrobot.workspace.example_list import EXAMPLES
 from kitrobot.world.reading import WORLD
 from kitrobot.xml import LANGUAGE, TEXT_VALUE, Attribute, Kind, Tag, attributes, escape_text
 
@@ -31,6 +32,7 @@ TABLES = {
     "beginnings": BEGINNINGS,
     "board": KIT,
     "constructors": CONSTRUCTORS,
+    "examples": EXAMPLES,
     "exercise": EXERCISE,
     "mission": MISSION,
     "robot": ROBOT,

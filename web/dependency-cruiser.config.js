@@ -5,6 +5,7 @@
  */
 const FLOORS = [
   ["main", "^src/main\\.tsx$"],
+  ["site", "^src/site/"],
   ["app", "^src/app/"],
   ["features", "^src/features/"],
   ["components", "^src/components/"],

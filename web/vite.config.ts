@@ -15,6 +15,7 @@ export default defineConfig({
   base: "./",
   plugins: [react(), catalogues(), smallFonts(), packFiles()],
   resolve: { alias: { "d3-color": fileURLToPath(new URL("build/no-colours.ts", import.meta.url)) } },
+  worker: { format: "es" },
   build: {
     target: "es2022",
     // The page travels inside a Python wheel: fonts and icons stay files, nothing is inlined as base64.

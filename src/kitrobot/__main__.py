@@ -5,7 +5,7 @@ The command line and the studio's server are strangers to each other; here the o
 
 from __future__ import annotations
 
-from kitrobot.cli import Opening, main
+from kitrobot.cli import ClassWish, Opening, main
 
 
 def _open_studio(opening: Opening) -> None:
@@ -15,9 +15,15 @@ def _open_studio(opening: Opening) -> None:
     serve(opening.target, opening.host, opening.port, opening.browser, opening.new)
 
 
+def _open_class(wish: ClassWish) -> None:
+    from kitrobot.server import ClassOpening, serve_class
+
+    serve_class(ClassOpening(wish.folder, wish.host, wish.port, wish.tls, wish.browser, wish.new_code))
+
+
 def run() -> None:
-    """Runs the command line with the studio in it."""
-    main(studio=_open_studio)
+    """Runs the command line with the studio and the class in it."""
+    main(studio=_open_studio, classroom=_open_class)
 
 
 if __name__ == "__main__":

@@ -20,11 +20,15 @@ from tests.strategies import Shape, random_program
 ROOT = Path(__file__).parents[2]
 
 
-IN_A_BROWSER = ("studio",)
+IN_A_BROWSER = ("site", "studio")
 
 
 @pytest.mark.parametrize(
-    "name", [pytest.param(name, marks=[pytest.mark.browser] * (name in IN_A_BROWSER)) for name in subjects()]
+    "name",
+    [
+        pytest.param(name, marks=[pytest.mark.browser] * (name in IN_A_BROWSER) + [pytest.mark.site] * (name == "site"))
+        for name in subjects()
+    ],
 )
 def test_every_subject_runs(name: str) -> None:
     subject = subjects()[name]

@@ -233,6 +233,17 @@ for volt in (65535, 50000, 30000, 10000, 0):
     volts[26] = volt
     result.append(finder.read())
 """,
+    "warmth": """
+sensor = make("machine.analog", pin="26", low="9929", high="19859", min="0", max="50")
+result = []
+for thousandths in (500, 750, 1000, 100, 3300):  # a TMP36 at 0, 25, 50, -40 and more than all degrees
+    volts[26] = thousandths * 65535 // 3300
+    result.append(sensor.read())
+try:
+    make("machine.analog", pin="26", low="7", high="7")
+except ValueError as error:
+    result.append(str(error))
+""",
 }
 BEFORE = """
 import sys
@@ -399,3 +410,9 @@ def test_a_buzzer_sounds_for_as_long_as_it_is_told(found: dict[str, Any]) -> Non
 
 def test_a_voltage_is_a_distance_in_a_straight_line_between_two_ends(found: dict[str, Any]) -> None:
     assert found["a voltage"] == [0, 0, 50, 100, 100]
+
+
+def test_a_sensor_of_warmth_says_degrees_from_its_voltage(found: dict[str, Any]) -> None:
+    *degrees, wrong = found["warmth"]
+    assert degrees == [0, 25, 50, 0, 50]
+    assert wrong == "low and high are the same"

@@ -250,7 +250,7 @@ def test_ctrl_c_ends_the_studio_in_the_middle_of_runs_and_pages_that_left_leave_
 
 
 def test_a_usual_port_that_is_taken_is_passed_over():
-    from kitrobot.server.start import USUAL_PORT, _listen
+    from kitrobot.server.start import USUAL_PORT, listen
 
     with socket.socket() as taken:
         taken.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
@@ -259,5 +259,5 @@ def test_a_usual_port_that_is_taken_is_passed_over():
             taken.listen()
         except OSError:
             pass  # somebody else has it: just as well
-        with _listen("127.0.0.1", None) as found:
+        with listen("127.0.0.1", None) as found:
             assert found.getsockname()[1] != USUAL_PORT

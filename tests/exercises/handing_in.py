@@ -9,7 +9,7 @@ from pathlib import Path
 from kitrobot.compiler import lll_to_graph
 from kitrobot.compiler.target import read_for, target_of
 from kitrobot.mission import Mission, write_mission
-from kitrobot.workspace import open_mission
+from kitrobot.workspace import OpenMission, open_mission
 
 ROOT = Path(__file__).resolve().parents[2]
 FOLDER = ROOT / "examples" / "exercises"
@@ -22,7 +22,11 @@ def exercise_file(name: str) -> Path:
 def submission(name: str, programs: Mapping[str, str]) -> Mission:
     """The mission that the exercise `name` begins with, with these programs in the place of its own."""
     opened = open_mission(FOLDER / f"{name}.krt")
-    mission = opened.mission
+    return with_programs(opened, opened.mission, programs)
+
+
+def with_programs(opened: OpenMission, mission: Mission, programs: Mapping[str, str]) -> Mission:
+    """A mission with these programs in the place of those of their names; `opened` has the parts."""
     made = []
     for program in mission.programs:
         text = programs.get(program.name)

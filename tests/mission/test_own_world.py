@@ -154,6 +154,7 @@ def test_differences_in_words() -> None:
         RING.replace('at="40"', 'at="60" side="right"')
         .replace('width="1200"', 'width="1300"')
         .replace('<dock name="B"', '<wall x1="0" y1="0" x2="1" y2="1"/><dock name="C"')
+        .replace("</world>", '<zone kind="warm" x="9" y="9" radius="9" value="30"/></world>')
     )
     assert [one.sentence for one in differences(base, Mission(own_world=changed))] == [
         "the world: its width changed",
@@ -161,6 +162,7 @@ def test_differences_in_words() -> None:
         "the world: dock B removed",
         "the world: dock A: at, side changed",
         "the world: dock C added",
+        "the world: zone 1 added",
     ]
     assert [one.sentence for one in differences(Mission(world_href="ring.world.xml"), base)] == [
         "the world: ring.world.xml → its own, ring"
@@ -196,6 +198,22 @@ def test_edits_of_two_people_come_together() -> None:
     torn = merge_missions(base, ours, Mission(world_href="merge.world.xml"))
     assert torn.mission == ours
     assert torn.conflicts == ("the world of the mission was changed in both: ours is kept",)
+
+
+def test_zones_of_two_people_come_together_and_one_that_says_no_shape_is_kept_word_for_word() -> None:
+    zone = '<zone kind="{}" x="9" y="9" {} value="30" falloff="0"/></world>'
+    one, other = (zone.format(kind, 'radius="9"') for kind in ("warm", "loud"))
+    base, ours, theirs = (
+        Mission(own_world=own(text)) for text in (RING, RING.replace("</world>", one), RING.replace("</world>", other))
+    )
+    merged = merge_missions(base, ours, theirs)
+    assert merged.conflicts == ()
+    assert merged.mission.own_world is not None
+    assert [found.kind for found in merged.mission.own_world.zones] == ["warm", "loud"]
+    wrong = RING.replace("</world>", zone.format("warm", 'radius="9" width="9"')).rstrip()
+    mission, problems = read(wrong)
+    assert (mission.own_world, mission.unknown) == (None, [wrong])
+    assert [item.code for item in problems] == ["world-zone"]
 
 
 def test_a_plan_is_written_as_its_file() -> None:

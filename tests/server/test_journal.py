@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import copy
+
 import pytest
 from starlette.websockets import WebSocketDisconnect
 
@@ -111,3 +113,24 @@ def test_the_difference_from_a_damaged_or_missing_file_is_a_sentence(page, folde
         answer = page.post("/api/mission/difference", json={"path": path, "mission": mission})
         assert answer.status_code == status
         assert answer.json()["message"].endswith(".")
+
+
+def test_a_mission_and_its_file_are_merged_and_conflicts_are_told_and_decided(page, folder):
+    base = opened(page)["mission"]
+    ours = copy.deepcopy(base)
+    vertices = ours["programs"][0]["vertices"]
+    next(vertex for vertex in vertices if vertex["id"] == "v2")["settings"]["duration"] = "9"
+    file = folder / "blink.krt"
+    file.write_text(file.read_text().replace('name="duration">2<', 'name="duration">7<', 1))
+    wanted = {"path": "blink.krt", "base": base, "mission": ours, "taken": []}
+    found = page.post("/api/mission/merge", json=wanted).json()
+    [conflict] = found["conflicts"]
+    assert conflict["what"] == "Blink: the duration of Wait (v2)"
+    assert (conflict["ours"], conflict["theirs"], conflict["taken"], conflict["open"]) == ("9", "7", False, True)
+    assert found["mission"] == ours
+    assert found["revision"] == opened(page)["revision"]
+    found = page.post("/api/mission/merge", json=wanted | {"taken": [conflict["name"]]}).json()
+    assert found["mission"] == found["theirs"] == opened(page)["mission"]
+    # Nothing is written, and nothing leads out of the folder.
+    assert page.post("/api/mission/merge", json=wanted | {"path": "../x.krt"}).status_code == 403
+    assert page.post("/api/mission/merge", json=wanted | {"path": "none.krt"}).status_code == 404

@@ -35,16 +35,10 @@ def test_missions_are_listed_with_the_examples_after_them(page, folder):
     assert own[0]["modified"].endswith("+00:00")
     examples = [entry for entry in listed if entry["example"]]
     assert examples[-1]["path"] == "example:transport-team/transport-team.krt"  # the easiest first
-    assert all(entry["label"]["fr"] and entry["help"]["ur"] and entry["picture"] for entry in examples)
+    assert all(entry["label"]["fr"] and entry["help"]["ur"] for entry in examples)
     transport = next(entry for entry in examples if entry["path"] == "example:transport/transport.krt")
     assert transport["title"] == transport["label"][""] == "Transport as a team"
-    assert transport["picture"]["world"]["name"] == "ring"
-    line = next(entry for entry in examples if entry["name"].startswith("line-follower"))
-    # The robot stands where its `start` says, not at the start of its name.
-    assert line["picture"]["agents"] == ["line"]
-    assert line["picture"]["world"]["floors"]
     assert own[0]["label"] == {}
-    assert own[0]["picture"] is None
 
 
 def test_a_mission_opens_with_its_world_and_catalogue(page):

@@ -12,10 +12,13 @@ from fastapi.testclient import TestClient
 from kitrobot.server.json_bodies import read_json
 from kitrobot.server.shapes import world_shape
 from kitrobot.server.shapes.own_world import OwnWorldShape, own_world, own_world_shape
-from kitrobot.world import SHIPPED, read_world
+from kitrobot.world import SHIPPED, make_maze, read_world
 
 HELD = Path(__file__).resolve().parents[2] / "web" / "src" / "model" / "testing" / "worlds.json"
 """Worlds as they travel, to be changed and to be drawn; `python -m tests.server.test_own_world` writes it anew."""
+
+
+MIDDLE = {"x_mm": 0, "y_mm": 0, "radius_mm": 9, "width_mm": 0, "height_mm": 0, "value": 9, "falloff_mm": 0}
 
 
 def _held() -> str:
@@ -89,11 +92,26 @@ def test_a_mission_with_it_is_saved_opened_and_checked(page: TestClient, transpo
         {"walls": [{"x1": 0, "y1": 0, "x2": 0, "y2": 0}] * 20_001},
         {"lines": [{"colour": "pink", "width_mm": 1, "closed": False, "points": []}]},
         {"starts": [{"name": "a", "at": "moon"}]},
+        {"zones": [{"kind": "wet", **MIDDLE}]},
+        {"zones": [{"kind": "warm", **MIDDLE, "value": 101}]},
     ],
 )
 def test_what_no_world_can_be_is_refused(page: TestClient, wrong: dict[str, Any]) -> None:
     world = plan(page)["world"]
     assert page.post("/api/world/text", json={**world, **wrong}).status_code == 422
+
+
+def test_templates_are_worlds_to_begin_with_and_a_seed_makes_its_maze(page: TestClient) -> None:
+    def of(seed: int) -> dict[str, Any]:
+        found = page.get("/api/world/templates", params={"seed": seed}).json()
+        return {one["name"]: one["world"] for one in found}
+
+    assert list(of(0)) == ["maze", "ring", "crossing", "football", "warehouse", "table"]
+    assert own_world(OwnWorldShape.model_validate(of(7)["maze"])).walls == make_maze(7).walls
+    assert of(7) == of(7)
+    assert [name for name, world in of(1).items() if world != of(2)[name]] == ["maze"]
+    for wrong in (-1, 2**32, "x"):
+        assert page.get("/api/world/templates", params={"seed": wrong}).status_code == 422
 
 
 def test_half_a_character_is_mended() -> None:

@@ -10,7 +10,7 @@ import pytest
 
 from kitrobot.server import presence as module
 from kitrobot.server.presence import Presence, PresenceError, Running
-from kitrobot.server.start import _listen
+from kitrobot.server.start import listen
 
 RUNNING = Running("http://127.0.0.1:1/", "secret")
 
@@ -59,15 +59,15 @@ def test_a_record_that_was_left_behind_is_no_studio(places):
 def test_pages_know_the_next_studio_by_the_same_secret_at_the_same_port(places):
     first = places()
     first.take()
-    with _listen("127.0.0.1", 0) as listening:
+    with listen("127.0.0.1", 0) as listening:
         port = listening.getsockname()[1]
         first.listens(RUNNING, port)
         first.leave()
         assert (places().secret, places().port) == (first.secret, port)
-        with _listen("127.0.0.1", 0, port) as other:
+        with listen("127.0.0.1", 0, port) as other:
             assert other.getsockname()[1] != port
     for wanted in (0, None):
-        with _listen("127.0.0.1", wanted, port) as again:
+        with listen("127.0.0.1", wanted, port) as again:
             assert again.getsockname()[1] == port
 
 

@@ -26,9 +26,9 @@ def mission_of(page, path: str) -> dict:
     return mission
 
 
-def test_five_tutorials_come_along_in_three_languages_without_a_problem(page):
+def test_eleven_tutorials_come_along_in_three_languages_without_a_problem(page):
     tutorials = listed(page)
-    assert len(tutorials) == 5
+    assert len(tutorials) == 11
     for tutorial in tutorials.values():
         assert tutorial["problems"] == []
         assert {"", "fr", "ur"} == set(tutorial["label"]) == set(tutorial["help"])
@@ -39,7 +39,13 @@ def test_five_tutorials_come_along_in_three_languages_without_a_problem(page):
             assert step["points"]
 
 
-@pytest.mark.parametrize("name", ["first-steps", "sensing", "together", "together-in-step", "when-one-fails"])
+@pytest.mark.parametrize(
+    "name",
+    [
+        *("first-steps", "dance", "draw", "sensing", "faster", "red-line", "bump", "together"),
+        *("take-turns", "together-in-step", "when-one-fails"),
+    ],
+)
 def test_a_tutorial_begins_with_a_mission_of_which_no_step_is_done(page, name):
     tutorial = listed(page)[f"example:tutorials/{name}/{name}.tutorial.xml"]
     mission = mission_of(page, tutorial["start"])

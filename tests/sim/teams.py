@@ -12,7 +12,22 @@ from kitrobot.graph import empty_program
 from kitrobot.mission import Agent, Failure, Mission, Radio, Team
 from kitrobot.primitives import Catalogue, Robot
 from kitrobot.sim import Simulation
-from kitrobot.world import ColouredLine, Corner, Dock, Floor, Pose, Road, Section, Start, Storehouse, Wall, World
+from kitrobot.world import (
+    WARM,
+    ZONE_KINDS,
+    ColouredLine,
+    Corner,
+    Dock,
+    Floor,
+    Pose,
+    Road,
+    Section,
+    Start,
+    Storehouse,
+    Wall,
+    World,
+    Zone,
+)
 from tests.sim.building import avatar
 
 SIZE = 3000.0
@@ -149,6 +164,7 @@ def robot(number: int) -> Robot:
         <procedure name="SwitchOn"/><procedure name="SwitchOff"/></actuator>"""
     )
     parts.append(_tests("Button", 0, 1, "button", some()))
+    parts += [_tests(f"Feels{at}", 0, 90, name, "") for at, name in enumerate(("temperature", "sound", "brightness"))]
     if rng.random() < 0.6:
         parts += _board_parts(rng)
     parts.sort(key=lambda part: ("<actuator" not in part, "<sensor" not in part))
@@ -250,5 +266,9 @@ def random_team(
         for colour, (x, y) in zip(("red", "blue"), places[: rng.randrange(3)], strict=False)
     )
     houses = (Storehouse("A", 0, 0, 100, 100, 9, 4), Storehouse("B", 500, 0, 100, 100, 9, 1))
-    world = World("anywhere", size, size, tuple(walls), lines, ROADS, DOCKS, houses, tuple(starts), floors)
+    zones = tuple(
+        Zone(kind, x, y, *((200, 0, 0) if kind == WARM else (0, 300, 200)), 80, rng.choice((0, 300)))
+        for kind, (x, y) in zip(ZONE_KINDS, places[: rng.randrange(4)], strict=False)
+    )
+    world = World("anywhere", size, size, tuple(walls), lines, ROADS, DOCKS, houses, tuple(starts), floors, zones=zones)
     return Simulation(mission, world, images, catalogue, seed, 600, fail_rate)

@@ -53,7 +53,8 @@ def test_devices_are_found_by_their_names() -> None:
     assert moving | {"display", "indicator", "music", "pen", "pin-out", "team", "work"} == set(actuators())
     places = {"button", "cargo", "collision", "colour", "presence", "range", "sign", "store"}
     alone = {"accelerometer", "chance", "key", "pin-in", "place", "random", "schedule", "slider"}
-    assert places | alone | {"hears", "neighbours", "team", "work"} == set(sensors())
+    zones = {"brightness", "sound", "temperature"}
+    assert places | alone | zones | {"hears", "neighbours", "team", "work"} == set(sensors())
     assert all(issubclass(device, Actuator) for device in actuators().values())
     assert all(issubclass(device, Sensor) for device in sensors().values())
 

@@ -12,6 +12,9 @@ from kitrobot.world import (
     LOAD,
     RIGHT,
     UNLOAD,
+    ZONE_KINDS,
+    Ball,
+    Box,
     ColouredLine,
     Corner,
     Dock,
@@ -23,6 +26,7 @@ from kitrobot.world import (
     Storehouse,
     Wall,
     World,
+    Zone,
 )
 
 names = st.text(alphabet="aZ09-_. é“<&'\"", min_size=1, max_size=6).filter(lambda name: name.strip() == name)
@@ -56,6 +60,24 @@ starts = st.one_of(
     st.builds(Start, names, pose=st.builds(Pose, places, places, st.just(0.0))),
 )
 
+kinds_of_zones = st.sampled_from(ZONE_KINDS)
+sizes = st.integers(5_000, 90_000).map(lambda thousandths: thousandths / 1000)
+percents = st.integers(0, 100_000).map(lambda thousandths: thousandths / 1000)
+zones = st.one_of(
+    st.builds(
+        Zone,
+        kinds_of_zones,
+        places,
+        places,
+        lengths,
+        st.just(0.0),
+        st.just(0.0),
+        percents,
+        st.one_of(st.just(0.0), lengths),
+    ),
+    st.builds(Zone, kinds_of_zones, places, places, st.just(0.0), lengths, lengths, percents, lengths),
+)
+
 worlds = st.builds(
     World,
     name=names,
@@ -72,6 +94,20 @@ worlds = st.builds(
         )
     ),
     starts=_distinct(starts),
+    boxes=st.lists(
+        st.builds(
+            Box,
+            places,
+            places,
+            sizes,
+            sizes,
+            lengths,
+            st.integers(0, 9_000).map(lambda thousandths: thousandths / 1000),
+        ),
+        max_size=2,
+    ).map(tuple),
+    balls=st.lists(st.builds(Ball, places, places, sizes, lengths, st.just(0.02)), max_size=2).map(tuple),
+    zones=st.lists(zones, max_size=2).map(tuple),
     label=st.dictionaries(st.sampled_from(["", "fr", "ur"]), names, max_size=2),
 )
 """Worlds whose parts may lie outside, cross, or name what is not there."""

@@ -169,7 +169,7 @@ def test_find_looks_through_all_programs_and_enter_goes_there(open_studio: OpenS
     studio.page.keyboard.type("no such words")
     expect(studio.at("find")).to_contain_text("Nothing says")
     studio.at("find-input").fill("wheel stop")
-    expect(studio.at("find-hit-1")).to_contain_text("Wheel Stop")
+    expect(studio.at("find-hit-1")).to_contain_text("Wheels Stop")
     studio.page.keyboard.press("Enter")
     expect(studio.page.locator(".vertex.is-selected", has_text="Stop")).to_be_in_viewport()
     expect(studio.at("find-input")).to_be_focused()
@@ -197,7 +197,7 @@ def test_a_collapsed_body_says_how_much_it_holds_and_glows_for_it(open_studio: O
     studio.at("stop-button").click()
     outer.click()
     studio.page.keyboard.press("c")
-    expect(studio.page.locator(".vertex", has_text="Wheel Advance").first).to_be_visible()
+    expect(studio.page.locator(".vertex", has_text="Wheels Drive").first).to_be_visible()
 
 
 def test_shift_drag_on_the_void_selects_what_the_box_touches(open_studio: OpenStudio) -> None:
@@ -220,7 +220,7 @@ def test_shift_drag_on_the_void_selects_what_the_box_touches(open_studio: OpenSt
 
 def test_keys_zoom_to_the_selection_show_the_map_and_follow_the_run(open_studio: OpenStudio) -> None:
     studio = open_studio(TRANSPORT)
-    deep = vertex(studio, "Collision released")
+    deep = vertex(studio, "Road ahead free")
     deep.click()
     studio.page.keyboard.press("z")
     expect(studio.page.locator(".zoom-percent")).to_have_text("125 %")

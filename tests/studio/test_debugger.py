@@ -19,7 +19,7 @@ PAUSED = re.compile("^paused$")
 def started(open_studio: OpenStudio, example: str = "blink/blink.krt") -> Studio:
     """A run on its way, with a breakpoint where the lamp goes on."""
     studio = open_studio(example)
-    light = studio.page.locator(".vertex", has_text="LightOn")
+    light = studio.page.locator(".vertex", has_text="Lamp On")
     light.click()
     studio.page.keyboard.press("b")
     expect(studio.page.locator(".breakpoint")).to_have_count(1)
@@ -51,7 +51,7 @@ def test_it_pauses_at_a_breakpoint_again_and_again_and_goes_on_without(open_stud
     expect(studio.page.locator('.breakpoint[data-reached="true"]')).to_have_count(1)
     studio.page.keyboard.press("F5")
     expect(studio.at("status")).to_contain_text("visit 2")
-    studio.page.locator(".vertex", has_text="LightOn").click()
+    studio.page.locator(".vertex", has_text="Lamp On").click()
     studio.page.keyboard.press("b")
     expect(studio.page.locator(".breakpoint")).to_have_count(0)
     studio.full_speed()
@@ -61,7 +61,7 @@ def test_it_pauses_at_a_breakpoint_again_and_again_and_goes_on_without(open_stud
 
 def test_the_breakpoint_is_kept_in_the_mission_and_undone(open_studio: OpenStudio) -> None:
     studio = open_studio("blink/blink.krt")
-    studio.page.locator(".vertex", has_text="LightOn").click()
+    studio.page.locator(".vertex", has_text="Lamp On").click()
     studio.at("breakpoint-switch").click()
     expect(studio.page.locator(".breakpoint")).to_have_count(1)
     studio.at("breakpoint-hits").fill("2")
@@ -71,7 +71,7 @@ def test_the_breakpoint_is_kept_in_the_mission_and_undone(open_studio: OpenStudi
     expect(studio.page.locator(".breakpoint")).to_have_attribute("data-more", "true")
     text = saved(studio)
     assert '<breakpoint program="blink" vertex="v8" when="Run.IsTrue()" hits="2"/>' in text
-    studio.page.locator(".vertex", has_text="LightOn").click()
+    studio.page.locator(".vertex", has_text="Lamp On").click()
     for _ in range(3):
         studio.page.keyboard.press("Control+z")
     expect(studio.page.locator(".breakpoint")).to_have_count(0)
@@ -139,11 +139,11 @@ def test_variables_are_set_and_sensors_forced_from_the_watch(open_studio: OpenSt
     studio.page.keyboard.press("Enter")
     expect(captor).to_have_attribute("data-forced", "true")
     studio.page.keyboard.press("F10")
-    expect(captor.get_by_role("textbox")).to_have_value("7")
+    expect(captor.get_by_role("textbox")).to_have_value("7 cm")
     studio.at("release-Captor").click()
     expect(captor).to_have_attribute("data-forced", "false")
     studio.page.keyboard.press("F10")
-    expect(captor.get_by_role("textbox")).to_have_value("100")
+    expect(captor.get_by_role("textbox")).to_have_value("100 cm")
     expect(captor.locator(".watch-line")).to_have_attribute("d", re.compile("^M"))
 
 
@@ -172,7 +172,7 @@ def test_what_is_done_in_the_past_begins_another_future(open_studio: OpenStudio)
 
 def test_a_condition_that_is_none_is_said(open_studio: OpenStudio) -> None:
     studio = open_studio("blink/blink.krt")
-    studio.page.locator(".vertex", has_text="LightOn").click()
+    studio.page.locator(".vertex", has_text="Lamp On").click()
     studio.at("breakpoint-switch").click()
     studio.at("breakpoint-when").fill("Count.")
     studio.page.keyboard.press("Enter")

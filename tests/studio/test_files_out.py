@@ -167,7 +167,7 @@ def test_the_sheet_has_everything_and_nothing_of_the_studio(open_studio: OpenStu
     names = ["carrier", "loader", "unloader", "store-manager-A", "store-manager-B"]
     expect(place.locator(".sheet-program > h2")).to_have_text(names)
     expect(place.locator("pre").first).to_contain_text("<Collision.IsPressed()>(")
-    assert place.locator("figure svg text", has_text="Advance").count() >= 2
+    assert place.locator("figure svg text", has_text="Drive").count() >= 2
     for chrome in ("menu-File", "canvas", "run-button", "code"):
         expect(studio.at(chrome)).to_be_hidden()
     studio.page.emulate_media(media="screen")

@@ -64,7 +64,7 @@ def test_a_slip_in_the_text_by_key(open_studio: OpenStudio) -> None:
     studio.page.keyboard.press("Control+.")
     studio.expect_code("\nLight.LightOn();")
     expect(studio.at("code-state")).to_be_empty()
-    expect(studio.page.locator(".vertex", has_text="LightOn")).to_have_count(2)
+    expect(studio.page.locator(".vertex", has_text="Lamp On")).to_have_count(2)
 
 
 def test_a_problem_without_one_right_answer_offers_none(open_studio: OpenStudio) -> None:
@@ -82,7 +82,7 @@ def test_a_program_that_ends_at_once_says_so_whole_and_is_mended(open_studio: Op
     studio = open_studio("blink/blink.krt", viewport={"width": width, "height": 900})
     (studio.folder / "blink.krt").write_text(AT_ONCE)
     studio.page.reload()
-    expect(studio.page.locator(".vertex", has_text="Advance")).to_have_count(1)
+    expect(studio.page.locator(".vertex", has_text="Drive")).to_have_count(1)
     studio.at("run-button").click()
     expect(studio.at("ending").locator("p").first).to_have_text(
         "Done after 0.0 s: the program came to its end at once, without a part that takes time; "

@@ -1,29 +1,50 @@
-"""A user finds an example by its picture and opens it, from an empty program and from Open."""
+"""A user finds an example by what it does and opens it, from an empty program and from Open."""
 
 from __future__ import annotations
 
 from collections.abc import Callable
 
 import pytest
-from playwright.sync_api import expect
+from playwright.sync_api import Locator, expect
 
-from tests.studio.conftest import EXAMPLES, Studio
+from tests.studio.conftest import EXAMPLES, LOOKS, Studio
+from tests.studio.test_reach import choose, find_nothing
 
 pytestmark = pytest.mark.browser
 
 OpenStudio = Callable[..., Studio]
 
+MOVING = 'canvas.picture-run[data-moves="true"]'
+DRAWS_ON = """async (canvas) => {
+    const frame = () => new Promise(requestAnimationFrame);
+    const before = canvas.toDataURL();
+    for (let tries = 0; tries < 600; tries++) {
+        await frame();
+        if (canvas.toDataURL() !== before) return true;
+    }
+    return false;
+}"""
+IS_DRAWN = """(canvas) => {
+    const pixels = canvas.getContext("2d").getImageData(0, 0, canvas.width, canvas.height).data;
+    return new Set(new Uint32Array(pixels.buffer)).size > 4;
+}"""
 
-def test_a_new_program_offers_four_examples_with_pictures_drawn_from_them(open_studio: OpenStudio) -> None:
+
+def open_gallery(studio: Studio) -> Locator:
+    studio.page.keyboard.press("Control+o")
+    expect(studio.at("gallery-count")).to_be_visible()
+    return studio.at("open-dialog")
+
+
+def test_a_new_program_offers_four_examples_with_pictures_of_what_they_do(open_studio: OpenStudio) -> None:
     studio = open_studio("blink/blink.krt")
     studio.new_mission()
     cards = studio.page.locator(".examples .card")
     expect(cards).to_have_count(4)
-    expect(cards.locator("svg.picture")).to_have_count(4)
+    expect(cards.locator("canvas.picture-run")).to_have_count(4)
+    assert [canvas.evaluate(IS_DRAWN) for canvas in cards.locator("canvas").all()] == [True] * 4
     expect(cards.last).to_contain_text("No box is lost")
-    expect(cards.last.locator(".picture-road")).to_have_count(1)
-    expect(cards.last.locator(".picture-box")).to_have_count(12)
-    expect(cards.first.locator('.picture-node[data-colour="action"]')).to_have_count(2)
+    expect(cards.last).to_contain_text("a team of")
     cards.first.click()
     studio.expect_code("Captor.GreaterThan(8)")
 
@@ -32,8 +53,8 @@ def test_an_example_that_gets_the_focus_comes_into_sight_and_stays_there(open_st
     studio = open_studio("blink/blink.krt", viewport={"width": 1280, "height": 720})
     studio.new_mission()
     last = studio.page.locator(".examples .card").last
-    expect(last.locator("svg.picture")).to_be_attached()
     last.focus()
+    expect(last.locator("canvas")).to_be_attached()
     # A frame for the browser's scrolling, and one for what answers it.
     studio.page.evaluate("() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done)))")
     expect(last).to_be_in_viewport(ratio=0.9)
@@ -41,16 +62,40 @@ def test_an_example_that_gets_the_focus_comes_into_sight_and_stays_there(open_st
     studio.expect_code("role carrying: carrier")
 
 
-def test_open_shows_every_example_and_the_keyboard_opens_one_that_runs_to_its_end(open_studio: OpenStudio) -> None:
+def test_search_filters_and_arrows_lead_to_an_example_that_runs_to_its_end(open_studio: OpenStudio) -> None:
     studio = open_studio("blink/blink.krt")
-    studio.page.keyboard.press("Control+o")
-    dialog = studio.at("open-dialog")
-    missions = [path for path in EXAMPLES.glob("*/*.krt") if path.parent.name != "exercises"]
-    expect(dialog.locator(".card")).to_have_count(len(missions))
-    card = studio.at("example-star")
-    expect(card).to_contain_text("three blinks at each point")
-    card.focus()
-    studio.page.keyboard.press("Enter")
+    dialog = open_gallery(studio)
+    cards = dialog.locator(".card")
+    every = len([path for path in EXAMPLES.glob("*/*.krt") if path.parent.name != "exercises"])
+    expect(cards).to_have_count(every)
+    expect(dialog.locator(".gallery-level h4")).to_have_text(["Easy", "Some practice", "For experts"])
+    studio.at("gallery-level-3").click()
+    studio.at("gallery-topic-teams").click()
+    expect(studio.at("example-convoy")).to_be_visible()
+    expect(studio.at("example-square")).to_have_count(0)
+    studio.at("gallery-robot").select_option("microbit")
+    expect(studio.at("gallery-count")).to_have_text("No example is like that.")
+    expect(cards).to_have_count(0)
+    studio.at("gallery-show-all").click()
+    expect(cards).to_have_count(every)
+    find = studio.at("gallery-find")
+    find.fill("blinks  star")
+    expect(cards).to_have_count(1)
+    expect(studio.at("gallery-count")).to_have_text("1 example")
+    find.press("Escape")
+    expect(find).to_have_value("")
+    expect(dialog).to_be_visible()
+    find.press("ArrowDown")
+    expect(cards.first).to_be_focused()
+    keys = studio.page.keyboard
+    keys.press("ArrowRight")
+    expect(cards.nth(1)).to_be_focused()
+    keys.press("ArrowUp")
+    expect(find).to_be_focused()
+    find.fill("blinks star")
+    find.press("Enter")
+    expect(studio.at("example-star")).to_be_focused()
+    keys.press("Enter")
     expect(dialog).to_have_count(0)
     studio.expect_code("Motor.AbsoluteTurn(40, 50)")
     studio.full_speed()
@@ -58,18 +103,45 @@ def test_open_shows_every_example_and_the_keyboard_opens_one_that_runs_to_its_en
     studio.wait_until_done()
 
 
-def test_a_card_shows_coloured_floor_and_robots_where_they_start_and_its_mission_runs_there(
-    open_studio: OpenStudio,
-) -> None:
+def test_pictures_move_while_they_are_seen_until_somebody_wants_them_still(open_studio: OpenStudio) -> None:
+    studio = open_studio("blink/blink.krt", reduced_motion="no-preference")
+    dialog = open_gallery(studio)
+    card = studio.at("example-square")
+    card.scroll_into_view_if_needed()
+    picture = card.locator("canvas")
+    expect(picture).to_have_attribute("data-moves", "true")
+    assert picture.evaluate(DRAWS_ON)
+    last = dialog.locator(".card").last
+    last.scroll_into_view_if_needed()
+    expect(last.locator("canvas")).to_have_attribute("data-moves", "true")
+    expect(picture).to_have_attribute("data-moves", "false")
+    studio.at("gallery-plays").uncheck()
+    expect(dialog.locator(MOVING)).to_have_count(0)
+    last.focus()
+    expect(dialog.locator(MOVING)).to_have_count(1)
+    # Remembered, and nothing moves for who wants less motion.
+    studio.page.keyboard.press("Escape")
+    open_gallery(studio)
+    expect(studio.at("gallery-plays")).not_to_be_checked()
+    studio.at("gallery-plays").check()
+    studio.page.keyboard.press("Escape")
+    studio.page.emulate_media(reduced_motion="reduce")
+    open_gallery(studio)
+    card.scroll_into_view_if_needed()
+    expect(picture).to_have_attribute("data-moves", "false")
+    assert picture.evaluate(IS_DRAWN)
+
+
+@pytest.mark.parametrize("look", LOOKS, ids=str)
+def test_the_gallery_has_no_barrier_and_fits_a_phone(open_studio: OpenStudio, look: tuple[str, ...]) -> None:
     studio = open_studio("blink/blink.krt")
-    studio.page.keyboard.press("Control+o")
-    card = studio.at("example-line-follower")
-    expect(card.locator(".picture-floor")).to_have_count(4)
-    # At the start “line”, which its agent names, not at the one of the agent's own name.
-    expect(card.locator(".picture-world g[transform^='translate(700 1350)']")).to_have_count(1)
-    expect(studio.at("example-sumo").locator(".picture-robot")).to_have_count(2)
-    card.click()
-    studio.expect_code("RightEye.IsBlue()")
-    studio.full_speed()
-    studio.at("run-button").click()
-    studio.wait_until_done()
+    choose(studio, *look)
+    dialog = open_gallery(studio)
+    find_nothing(studio, "the gallery")
+    studio.at("gallery-find").fill("zzz")
+    expect(dialog.locator(".card")).to_have_count(0)
+    find_nothing(studio, "no example")
+    studio.at("gallery-find").fill("")
+    studio.page.set_viewport_size({"width": 390, "height": 844})
+    expect(dialog.locator(".card").first).to_be_visible()
+    assert dialog.evaluate("(sheet) => sheet.scrollWidth <= sheet.clientWidth")

@@ -97,10 +97,10 @@ def context(browser: Browser) -> Iterator[BrowserContext]:
 
 
 def wait_for(page: Page, value: int) -> None:
-    """Sets the duration of the one Wait."""
+    """Sets the duration of the one Wait, in tenths of a second."""
     page.locator(".vertex", has_text="Wait").first.click()
-    page.get_by_test_id("inspector").locator('input:not([type="range"])').first.fill(str(value))
-    page.keyboard.press("Escape")
+    page.get_by_test_id("inspector").locator('input:not([type="range"])').first.fill(f"{value / 10} s")
+    page.keyboard.press("Enter")
     expect(page.get_by_test_id("code")).to_contain_text(f"WAIT({value})")
 
 
@@ -275,6 +275,33 @@ def test_a_save_over_a_changed_file_asks_and_shows_the_difference(
     expect(page.get_by_test_id("saved-state")).to_have_text("saved")
     assert mission.read_text() == MISSION.format(5)
     assert mission.with_name("blink.krt~").read_text() == MISSION.format(44)
+
+
+def test_the_file_is_merged_into_what_was_changed_here_and_undo_takes_it_back(
+    start: Start, mission: Path, context: BrowserContext
+) -> None:
+    page = start(mission).open(context)
+    wait_for(page, 5)
+    mission.write_text(MISSION.format(44))
+    page.keyboard.press("Control+s")
+    banner = page.get_by_test_id("banner")
+    banner.get_by_role("button", name="Show the difference").click()
+    page.get_by_test_id("merge").click()
+    conflicts = page.get_by_test_id("conflicts")
+    expect(conflicts).to_contain_text("the duration of Wait (v1)")
+    conflicts.get_by_label("The one on disk: 44").check()
+    page.get_by_test_id("merge-apply").click()
+    expect_wait(page, 44)
+    expect(banner).to_contain_text("are merged")
+    page.keyboard.press("Control+z")
+    expect_wait(page, 5)
+    # What was taken back is asked about again, what is merged is saved without a question.
+    page.keyboard.press("Control+s")
+    expect(banner).to_contain_text("changed on disk")
+    page.keyboard.press("Control+y")
+    page.keyboard.press("Control+s")
+    expect(page.get_by_test_id("saved-state")).to_have_text("saved")
+    assert mission.read_text() == MISSION.format(44)
 
 
 def test_two_windows_know_of_each_other_and_overwrite_nothing_silently(

@@ -97,7 +97,8 @@ def test_every_entry_of_the_context_menus_is_reached(open_studio: OpenStudio) ->
 NO_WAY = """() => {
     // Team and world belong to the list of tabs by `aria-owns`.
     const roving = '.tabs-last, [role=menubar], [role=tablist], [role=tree], [role=menu], [role=listbox], .cm-editor';
-    const byKey = '.fold, .folded, .note-strip, .react-flow__attribution, .chip, .hole, .arc-spot';
+    const byKey = '.fold, .folded, .note-strip, .react-flow__attribution, .chip, .hole, .arc-spot, '
+        + '[data-testid^=place-]';
     return [...document.querySelectorAll('button, a[href], input, select, textarea, [role=button], [role=treeitem]')]
         .filter(one => one.checkVisibility() && !one.disabled && one.tabIndex < 0)
         .filter(one => one.closest(roving) === null && one.closest(byKey) === null)
@@ -108,7 +109,7 @@ NO_WAY = """() => {
 def test_nothing_on_the_page_is_for_the_mouse_alone(open_studio: OpenStudio) -> None:
     studio = open_studio(TRANSPORT)
     assert studio.page.evaluate(NO_WAY) == []
-    vertex(studio, "Wheel Advance").click()
+    vertex(studio, "Wheels Drive").click()
     assert studio.page.evaluate(NO_WAY) == []
     studio.at("problems").click()
     studio.page.keyboard.press("Control+f")
@@ -164,7 +165,7 @@ def test_a_program_is_drawn_without_a_mouse(open_studio: OpenStudio) -> None:
     studio.expect_code("10*(")
     # Into the body, by its arc.
     keys.press("a")
-    expect(studio.page.locator(".arc.is-selected")).to_have_count(1)
+    expect(studio.page.locator(".arc.is-selected .arc-spot")).to_have_count(1)
     add(studio, "wait")
     expect(studio.at("code")).to_contain_text(re.compile(r"10\*\(\s*WAIT\(10\);"))
     keys.press("Alt+ArrowDown")
@@ -180,7 +181,7 @@ def test_a_program_is_drawn_without_a_mouse(open_studio: OpenStudio) -> None:
 def test_the_parts_are_walked_and_enter_puts_one_at_the_selection(open_studio: OpenStudio) -> None:
     studio = open_studio(TRANSPORT)
     keys = studio.page.keyboard
-    vertex(studio, "Wheel Stop").click()
+    vertex(studio, "Wheels Stop").click()
     for _ in range(8):
         if studio.page.evaluate("document.activeElement.closest('.parts') !== null"):
             break
@@ -225,7 +226,7 @@ def test_f7_goes_through_the_rooms_and_the_arena_answers_keys(open_studio: OpenS
 
 def test_keys_mean_the_same_on_a_keyboard_of_another_script(open_studio: OpenStudio) -> None:
     studio = open_studio(TRANSPORT)
-    vertex(studio, "Wheel Stop").click()
+    vertex(studio, "Wheels Stop").click()
     studio.page.evaluate(
         "document.activeElement.dispatchEvent("
         "new KeyboardEvent('keydown', { key: 'ن', code: 'KeyN', bubbles: true, cancelable: true }))"

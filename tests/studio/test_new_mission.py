@@ -8,6 +8,7 @@ import pytest
 from playwright.sync_api import expect
 
 from tests.studio.conftest import Studio
+from tests.studio.test_gallery import IS_DRAWN
 from tests.studio.test_reach import find_nothing
 
 pytestmark = pytest.mark.browser
@@ -49,7 +50,8 @@ def test_what_does_not_fit_gives_way_and_says_so_and_escape_keeps_what_was_open(
     expect(studio.at("new-starter-heart/heart.krt")).to_be_checked()
     expect(studio.at("new-starter-square/square.krt")).to_have_count(0)
     choose(studio, "new-robots-carriers")
-    expect(studio.page.locator(".new-stage .new-track")).to_have_count(7)
+    expect(studio.page.locator(".new-stage canvas.picture-run")).to_be_visible()
+    assert studio.page.locator(".new-stage canvas").evaluate(IS_DRAWN)
     studio.at("new-name").press("Escape")
     expect(studio.at("new-mission")).to_have_count(0)
     assert studio.code() == code

@@ -29,7 +29,7 @@ def name_of(at: Locator) -> str:
 def test_n_writes_a_note_that_stands_on_the_vertex_and_in_the_text(open_studio: OpenStudio) -> None:
     studio = open_studio(TRANSPORT)
     keys = studio.page.keyboard
-    stop = vertex(studio, "Wheel Stop")
+    stop = vertex(studio, "Wheels Stop")
     name = name_of(stop)
     stop.click()
     keys.press("n")
@@ -67,7 +67,7 @@ def test_a_note_is_edited_where_it_stands_and_escape_leaves_it_as_it_was(open_st
     expect(studio.at("saved-state")).to_have_text("saved")
     strip.click()
     studio.at("note-field").fill("Kept by a click elsewhere")
-    vertex(studio, "Wheel Stop").click()
+    vertex(studio, "Wheels Stop").click()
     studio.expect_code("# Kept by a click elsewhere")
     strip.click()
     studio.at("note-field").fill("")
@@ -77,7 +77,7 @@ def test_a_note_is_edited_where_it_stands_and_escape_leaves_it_as_it_was(open_st
 
 def test_the_menu_writes_and_removes_a_note(open_studio: OpenStudio) -> None:
     studio = open_studio(TRANSPORT)
-    stop = vertex(studio, "Wheel Stop")
+    stop = vertex(studio, "Wheels Stop")
     name = name_of(stop)
     stop.click(button="right")
     expect(studio.at("menu-context-unnote")).to_have_count(0)
@@ -96,7 +96,7 @@ def test_the_menu_writes_and_removes_a_note(open_studio: OpenStudio) -> None:
 
 def test_what_was_typed_is_kept_when_another_program_is_opened(open_studio: OpenStudio) -> None:
     studio = open_studio(TRANSPORT)
-    vertex(studio, "Wheel Stop").click()
+    vertex(studio, "Wheels Stop").click()
     studio.page.keyboard.press("n")
     studio.page.keyboard.type("Half a thought")
     studio.at("tab-loader").click()
@@ -107,7 +107,7 @@ def test_what_was_typed_is_kept_when_another_program_is_opened(open_studio: Open
 def test_a_break_has_a_lane_to_the_exit_of_its_loop(open_studio: OpenStudio) -> None:
     studio = open_studio(TRANSPORT)
     keys = studio.page.keyboard
-    vertex(studio, "Collision released").click()
+    vertex(studio, "Road ahead free").click()
     for part in ("if then else", "break"):
         keys.press("/")
         studio.at("add-find").fill(part)

@@ -219,7 +219,7 @@ def test_f1_explains_the_part_that_has_the_focus_with_its_range(open_studio: Ope
     studio.at("part-Wheel.Advance").focus()
     studio.page.keyboard.press("F1")
     expect(studio.at("part-help")).to_contain_text("Starts driving forward")
-    expect(studio.at("part-help")).to_contain_text("from 0 to 100")
+    expect(studio.at("part-help")).to_contain_text("from 0 % to 100 %")
     studio.page.keyboard.press("Escape")
     expect(studio.at("part-help")).to_have_count(0)
     expect(studio.at("part-Wheel.Advance")).to_be_focused()

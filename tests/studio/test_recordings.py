@@ -97,7 +97,7 @@ def test_a_dropped_recording_plays_is_stepped_sought_and_run_live(open_studio: O
 
 def test_the_run_is_saved_with_what_was_done_to_it_and_shows_it_again(open_studio: OpenStudio) -> None:
     studio = open_studio("blink/blink.krt")
-    studio.page.locator(".vertex", has_text="LightOn").click()
+    studio.page.locator(".vertex", has_text="Lamp On").click()
     studio.page.keyboard.press("b")
     studio.at("run-button").click()
     expect(studio.at("status")).to_have_attribute("data-status", PAUSED)

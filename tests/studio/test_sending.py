@@ -29,8 +29,13 @@ def numbers(page: Page) -> Locator:
     return page.locator(".vertex", has_text="Wait").locator(".box strong")
 
 
+def seconds(duration: int) -> str:
+    """How the graph shows it."""
+    return f"{duration / 10:.1f} s"
+
+
 def expect_waits(page: Page, durations: list[str]) -> None:
-    """The graph has these Waits, in this order, and the server has said all there is to say."""
+    """The graph has these Waits (in seconds), in this order, and the server has said all there is to say."""
     expect(numbers(page)).to_have_text(durations)
     expect(page.get_by_test_id("problems")).to_have_attribute("aria-busy", "false")
 
@@ -50,14 +55,14 @@ def test_a_key_and_an_edit_of_the_graph_send_what_changed(open_studio: OpenStudi
         page.keyboard.insert_text("\nWAIT(7);")
     assert program_in(typed.value)["of"]
     assert all(isinstance(row, list) for row in program_in(typed.value)["vertices"])  # type: ignore[attr-defined]
-    expect_waits(page, [*waits, "7"])
+    expect_waits(page, [*waits, seconds(7)])
     page.locator(".vertex", has_text="Wait").last.click()
     with page.expect_request(ABOUT_MISSIONS) as erased:
         page.keyboard.press("Delete")
     assert all(isinstance(row, list) for row in program_in(erased.value)["vertices"])  # type: ignore[attr-defined]
     expect_waits(page, waits)
     page.keyboard.press("Control+z")
-    expect_waits(page, [*waits, "7"])
+    expect_waits(page, [*waits, seconds(7)])
     studio.expect_code("WAIT(7);")
 
 
@@ -80,7 +85,7 @@ def test_a_server_that_forgot_is_sent_everything(open_studio: OpenStudio) -> Non
     page.route(ABOUT_MISSIONS, forgetting)
     writing(page)
     page.keyboard.insert_text("\nWAIT(7);")
-    expect_waits(page, [*waits, "7"])
+    expect_waits(page, [*waits, seconds(7)])
     studio.expect_code("WAIT(7);")
     assert names[0]
     assert names[1] is None
@@ -88,7 +93,7 @@ def test_a_server_that_forgot_is_sent_everything(open_studio: OpenStudio) -> Non
     assert [fault for fault in studio.faults if "410" not in fault] == []
     studio.faults.clear()
     page.keyboard.insert_text("\nWAIT(8);")
-    expect_waits(page, [*waits, "7", "8"])
+    expect_waits(page, [*waits, seconds(7), seconds(8)])
     assert names[2]
 
 
@@ -106,7 +111,7 @@ def test_two_windows_edit_the_same_mission_each_in_its_own_way(open_studio: Open
         for page, durations in ((one, range(10, 10 + number)), (other, range(20, 20 + number))):
             page.bring_to_front()
             page.keyboard.insert_text(f"\nWAIT({durations[-1]});")
-            expect_waits(page, [*waits, *map(str, durations)])
+            expect_waits(page, [*waits, *map(seconds, durations)])
 
 
 def test_keys_that_follow_each_other_faster_than_answers_come_end_as_they_were_typed(open_studio: OpenStudio) -> None:
@@ -120,8 +125,8 @@ def test_keys_that_follow_each_other_faster_than_answers_come_end_as_they_were_t
         page.keyboard.press(key)
     for digit in "2345":
         page.keyboard.press(digit)
-    expect_waits(page, [*waits, "12345"])
+    expect_waits(page, [*waits, seconds(12345)])
     page.keyboard.press("Backspace")
     page.keyboard.press("Backspace")
-    expect_waits(page, [*waits, "123"])
+    expect_waits(page, [*waits, seconds(123)])
     studio.expect_code("WAIT(123);")

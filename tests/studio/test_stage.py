@@ -28,7 +28,7 @@ def test_one_key_makes_the_arena_large_and_shows_the_robot_that_is_watched(open_
     studio.full_speed()
     studio.at("run-button").click()
     studio.wait_until_done()
-    expect(studio.at("stage-watched")).to_contain_text(re.compile(r"Captor\s*(≥ )?[\d.]+ cm"))
+    expect(studio.at("stage-watched")).to_contain_text(re.compile(r"Distance sensor\s*(≥ )?[\d.]+ cm"))
     # What was switched is remembered, and the result can be put away.
     studio.at("show-rays").click()
     expect(studio.at("show-rays")).to_have_attribute("aria-pressed", "false")

@@ -132,7 +132,7 @@ def test_the_projection_follows_each_edit_and_leads_to_vertices_and_back(open_st
     lines = studio.page.locator('[data-testid="projection"] .cm-line')
     lines.filter(has_text="Wheel.Advance").first.click()
     expect(studio.at("tab-square")).to_have_attribute("aria-selected", "true")
-    expect(studio.page.locator(".vertex.is-selected")).to_contain_text("Advance")
+    expect(studio.page.locator(".vertex.is-selected")).to_contain_text("Drive")
     expect(text.locator(".line-selected")).to_contain_text(["Wheel.Advance"])
     studio.at("tab-team").click()
     studio.page.locator(".vertex", has_text="ParOfSeq").first.click()

@@ -36,7 +36,7 @@ def test_an_empty_program_invites_to_a_tutorial(open_studio: OpenStudio) -> None
     studio = open_studio(BLINK)
     studio.new_mission()
     cards = studio.page.locator(".teaching .tutorial-card")
-    expect(cards).to_have_count(5)
+    expect(cards).to_have_count(4)
     cards.first.click()
     at_step(studio, 1)
     expect(studio.page.locator(".teaching .tutorial-card")).to_have_count(0)

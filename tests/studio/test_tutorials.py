@@ -132,8 +132,8 @@ def test_first_steps_by_keyboard_alone_in_urdu(open_studio: OpenStudio) -> None:
     keys.press("Control+a")
     keys.type("75")
     at_step(studio, 3)
-    keys.press("Escape")
-    studio.at("canvas").focus()
+    keys.press("Enter")
+    expect(studio.at("canvas")).to_be_focused()
     add("Wait")
     at_step(studio, 4)
     studio.at("canvas").focus()
@@ -194,7 +194,7 @@ def test_sensing_with_a_wrong_way_and_undo(open_studio: OpenStudio) -> None:
     stop = studio.page.locator('.vertex[aria-label*="Stop"]').first.get_attribute("data-testid") or ""
     drop(studio, "Motor.AbsoluteTurn", f"arc-{stop.removeprefix('vertex-')}.next", "actuator Motor")
     at_step(studio, 7)
-    turn = studio.page.locator('.vertex[aria-label*="AbsoluteTurn"]').get_attribute("data-testid") or ""
+    turn = studio.page.locator('.vertex[aria-label*="Turn by"]').get_attribute("data-testid") or ""
     studio.drop("If Then", f"arc-{turn.removeprefix('vertex-')}.next")
     choice = (studio.page.locator('.vertex[aria-label*="If Then"]').get_attribute("data-testid") or "")[7:]
     drop(studio, "Captor.GreaterThan", f"slot-{choice}.condition", "sensor Captor")
@@ -258,7 +258,7 @@ def test_hints_come_when_asked_for_and_lead_to_what_is_meant(open_studio: OpenSt
     expect(row).to_have_css("outline-style", "dashed")
     expect(studio.at("tutorial-hint")).to_have_count(0)
     studio.at("tutorial-show").click()
-    expect(studio.at("tutorial-hint")).to_contain_text("press /, type Advance")
+    expect(studio.at("tutorial-hint")).to_contain_text("press /, type Drive")
     studio.at("tutorial-go-part-Wheel.Advance").click()
     part = studio.at("part-Wheel.Advance")
     expect(part).to_be_focused()

@@ -84,13 +84,13 @@ def test_an_instruction_that_is_typed_appears_as_a_vertex_and_undo_takes_both_ba
 def test_a_burst_of_typing_is_one_step_of_undo(open_studio: OpenStudio) -> None:
     studio = empty(open_studio)
     editor(studio).keyboard.type("Light.LightOn();Light.LightOff();", delay=20)
-    expect_vertices(studio, "Light", 2)
+    expect_vertices(studio, "Lamp", 2)
     leave(studio)
     studio.at("menu-Edit").click()
     expect(studio.page.get_by_text("Edit text").first).to_be_visible()
     studio.page.keyboard.press("Escape")
     studio.page.keyboard.press("Control+z")
-    expect_vertices(studio, "Light", 0)
+    expect_vertices(studio, "Lamp", 0)
 
 
 def test_a_mistake_is_marked_on_both_sides_and_the_graph_stays(open_studio: OpenStudio) -> None:
@@ -118,7 +118,7 @@ def test_a_mistake_is_marked_on_both_sides_and_the_graph_stays(open_studio: Open
 def test_a_mistake_inside_an_instruction_is_marked_on_its_vertex(open_studio: OpenStudio) -> None:
     studio = empty(open_studio)
     replace_all(studio, "Light.LightOn();")
-    expect_vertices(studio, "Light", 1)
+    expect_vertices(studio, "Lamp", 1)
     page = editor(studio)
     for _ in range(len("On();")):
         page.keyboard.press("Backspace")
@@ -171,19 +171,19 @@ def test_a_program_is_written_with_completion_and_keys_alone(open_studio: OpenSt
     expect(options.first).to_contain_text("Advance")
     take_first(studio, "Wheel.Advance(")
     page.keyboard.type("33")
-    expect_vertices(studio, "Advance", 1)
+    expect_vertices(studio, "Drive", 1)
     studio.expect_code("Wheel.Advance(33);")
 
 
 def test_hover_shows_the_help_of_the_xml_and_outlines_the_vertex(open_studio: OpenStudio) -> None:
     studio = empty(open_studio)
     replace_all(studio, "Wheel.Advance(33);")
-    expect_vertices(studio, "Advance", 1)
+    expect_vertices(studio, "Drive", 1)
     box = studio.at("code").locator(".lll-action", has_text="Advance").first
     box.hover()
     expect(studio.page.locator(".code-help")).to_contain_text("0…100")
     assert studio.page.evaluate("document.adoptedStyleSheets.some(one => one.cssRules.length === 1)")
-    studio.page.locator(".vertex", has_text="Advance").hover()
+    studio.page.locator(".vertex", has_text="Drive").hover()
     expect(studio.at("code").locator(".line-pointed")).to_contain_text("Wheel.Advance")
 
 

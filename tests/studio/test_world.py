@@ -155,7 +155,7 @@ def test_everything_is_undone_to_the_bytes_of_the_file(open_studio: OpenStudio) 
     written = (studio.folder / "transport.krt").read_bytes()
     keys = studio.page.keyboard
     edit(studio)
-    for kind in ("wall", "floor", "line", "road", "storehouse", "dock", "start"):
+    for kind in ("wall", "floor", "line", "road", "storehouse", "dock", "start", "box", "ball", "zone"):
         studio.at(f"world-tool-{kind}").click()
         drag(studio, spot(studio, 400, 300, RING), spot(studio, 640, 520, RING))
         expect(studio.at(f"world-tool-{kind}")).to_have_attribute("aria-pressed", "false")

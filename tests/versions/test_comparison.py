@@ -11,7 +11,7 @@ from kitrobot.graph import Arc, Vertex
 from kitrobot.lll import RoleDeclaration, WorkDeclaration
 from kitrobot.primitives import Level
 from kitrobot.versions import differences, merge_missions
-from tests.versions.test_merging import base, edited
+from tests.versions.test_merging import base, edited, insert
 
 
 @given(st.integers(0, 10**6), st.integers(0, 6))
@@ -74,3 +74,19 @@ def test_another_level_of_a_program_is_told():
     assert [found.sentence for found in differences(base(), other)] == ["p: the level: agent → group"]
     merged = merge_missions(base(), other, base())
     assert merged.mission.programs[0].level is Level.GROUP
+
+
+def test_two_parts_that_share_an_id_are_one_gone_and_one_new():
+    one, other = base(), base()
+    insert(one.programs[0], "v3", "next", "v9", "Light.LightOn")
+    insert(other.programs[0], "v8", "next", "v9", duration="3")
+    assert [found.sentence for found in differences(one, other)] == [
+        "p: Light.LightOn (v9) removed, it stood after Wheel.Advance (v3) in the body of While (v1)",
+        "p: Wait (v9) added after Wait (v8)",
+    ]
+
+
+def test_a_part_in_the_place_of_another_is_told_once():
+    one, other = base(), base()
+    other.programs[0].vertices[4] = Vertex("v4", "Light.LightOff")
+    assert [found.sentence for found in differences(one, other)] == ["p: Wait (v4) became Light.LightOff"]

@@ -238,3 +238,34 @@ def test_a_program_removed_by_one_and_changed_by_the_other_is_a_conflict(ours_fi
 def test_both_added_the_file():
     merged = merge_missions(Mission(), new_mission(), base())
     assert [program.name for program in merged.mission.programs] == ["program-1", "p", "q"]
+
+
+def test_each_conflict_is_decided_by_its_name_and_the_others_stay_ours():
+    ours, theirs = base(), base()
+    for side, speed, duration in ((ours, "20", "8"), (theirs, "30", "9")):
+        side.programs[0].vertices[3].settings["speed"] = speed
+        side.programs[0].vertices[4].settings["duration"] = duration
+    both = merge_missions(base(), ours, theirs)
+    first, second = both.clashes
+    assert (first.ours, first.theirs, first.taken, first.open) == ("20", "30", False, True)
+    decided = merge_missions(base(), ours, theirs, {first.name})
+    assert decided.conflicts == (
+        "p: the speed of Wheel.Advance (v3) was changed in both: theirs is taken",
+        "p: the duration of Wait (v4) was changed in both: ours is kept",
+    )
+    assert [vertex.settings for vertex in decided.mission.programs[0].vertices[3:5]] == [
+        {"speed": "30"},
+        {"duration": "8"},
+    ]
+    assert merge_missions(base(), ours, theirs, {first.name, second.name, "nothing"}).mission == theirs
+
+
+def test_a_place_filled_by_both_and_a_program_removed_by_one_can_be_theirs():
+    ours, theirs = base(), base()
+    insert(ours.programs[0], "v3", "next", "v9", duration="33")
+    insert(theirs.programs[0], "v3", "next", "v10", duration="44")
+    del ours.programs[1]
+    theirs.programs[1].vertices[1].settings["duration"] = "7"
+    names = [one.name for one in merge_missions(base(), ours, theirs).clashes]
+    assert merge_missions(base(), ours, theirs, names).mission == theirs
+    assert merge_missions(base(), theirs, ours, names).mission == ours

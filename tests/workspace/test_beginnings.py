@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 
 from kitrobot.server.studio import Studio
-from kitrobot.workspace import NoBeginningError, tracks
+from kitrobot.workspace import NoBeginningError
 from kitrobot.workspace.beginnings import NOTHING, read_beginnings
 
 
@@ -55,19 +55,6 @@ def test_all_that_is_listed_is_there(studio: Studio) -> None:
         for name in choices.starters_of(kind, place)
     }
     assert fitting == used | {NOTHING}
-
-
-def test_a_preview_is_the_run(studio: Studio) -> None:
-    square = studio.choices.begin("mini-robot", "empty.world.xml", "square/square.krt")
-    [track] = tracks(studio.open(square, ""))
-    assert (track.agent, track.robot, len(track.points)) == ("robot-1", "mini-robot", 81)
-    xs = [x for x, _, _ in track.points]
-    assert max(xs) - min(xs) > 100
-
-
-def test_a_preview_of_nothing_has_only_its_beginning(studio: Studio) -> None:
-    [track] = tracks(studio.open(studio.choices.begin("microbit", "desk.world.xml", NOTHING), ""))
-    assert {point[:2] for point in track.points} == {(120.0, 90.0)}
 
 
 @pytest.mark.parametrize(

@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 
-from kitrobot.workspace import RunOptions, open_mission
+from kitrobot.workspace import RunOptions, child_processes, open_mission
 from kitrobot.workspace.drawing_check import RUN_S, look, look_through
 from kitrobot.workspace.running import PreparedRun
 from kitrobot.workspace.verification import runs_of
@@ -67,6 +67,13 @@ def test_a_wait_that_nothing_can_end_is_told_with_a_run_that_shows_it_and_what_n
     assert wait.shown.harms == ()
     assert wait.shown.tick < 100
     assert (idle.problem.code, idle.problem.vertices, idle.shown) == ("never-reached", ("on", "halt"), None)
+
+
+def test_where_there_are_no_processes_the_same_is_found_here(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    apart = look_through(of(WAIT, tmp_path), lambda: False, None)
+    monkeypatch.setattr(child_processes, "_possible", False)
+    assert look_through(of(WAIT, tmp_path), lambda: False, None) == apart
+    assert look_through(of(WAIT, tmp_path), lambda: True, None) == []
 
 
 def test_a_loop_that_never_lets_go_is_another_thing(tmp_path: Path) -> None:

@@ -20,7 +20,13 @@ function Spoken() {
 
 token();
 installTheme();
-void installLanguage().then(() => {
+const spoken = installLanguage();
+// A static site has Python in a worker of the page, and says so.
+const site =
+  document.documentElement.dataset["place"] === "page"
+    ? import("./site/open").then(({ openSite }) => openSite(spoken))
+    : null;
+void Promise.all([spoken, site]).then(() => {
   createRoot(root).render(
     <StrictMode>
       <Spoken />

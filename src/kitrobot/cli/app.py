@@ -25,6 +25,7 @@ import kitrobot
 from kitrobot.cli.agent import run_agent
 from kitrobot.cli.boards import list_boards
 from kitrobot.cli.check import check_files
+from kitrobot.cli.classroom import Classroom, open_class
 from kitrobot.cli.convert import convert_file
 from kitrobot.cli.deploy import deploy_program
 from kitrobot.cli.diff import diff_files
@@ -32,10 +33,12 @@ from kitrobot.cli.exec import execute_program
 from kitrobot.cli.format import format_files
 from kitrobot.cli.grade import grade_submissions
 from kitrobot.cli.log import show_log
+from kitrobot.cli.maze import give_maze
 from kitrobot.cli.merge import merge_missions_of_files
 from kitrobot.cli.output import NobodyReadsError, begin, complain, failure, give, remember, tell, use_utf8
 from kitrobot.cli.replay import replay_trace
 from kitrobot.cli.run import run_mission
+from kitrobot.cli.site import write_site
 from kitrobot.cli.start import start_boards, stop_boards
 from kitrobot.cli.studio import Studio, open_studio
 from kitrobot.cli.sweep import with_moments
@@ -66,6 +69,7 @@ app = typer.Typer(
     context_settings={"help_option_names": ["-h", "--help"], "max_content_width": 100},
 )
 app.command("studio")(open_studio)
+app.command("class")(open_class)
 app.command("run")(run_mission)
 app.command("verify")(verify_mission)
 app.command("grade")(grade_submissions)
@@ -82,8 +86,10 @@ app.command("convert")(convert_file)
 app.command("exec")(execute_program)
 app.command("check")(check_files)
 app.command("format")(format_files)
+app.command("maze")(give_maze)
 app.command("diff")(diff_files)
 app.command("merge")(merge_missions_of_files)
+app.command("site")(write_site)
 
 
 def _say_version(wanted: bool) -> None:
@@ -106,8 +112,10 @@ def _kitrobot(
     """
 
 
-def main(arguments: Sequence[str] | None = None, *, studio: Studio | None = None) -> None:
-    """Runs the command line and exits with its status. `studio` is what opens the studio.
+def main(
+    arguments: Sequence[str] | None = None, *, studio: Studio | None = None, classroom: Classroom | None = None
+) -> None:
+    """Runs the command line and exits with its status. `studio` and `classroom` are what opens those.
 
     Raises:
         SystemExit: always.
@@ -118,7 +126,7 @@ def main(arguments: Sequence[str] | None = None, *, studio: Studio | None = None
     words = with_moments(_with_command(given))
     failed = TROUBLE.get(words[0], FAILED)
     with _termination():
-        status = _status(lambda: _obey(words, studio), failed)
+        status = _status(lambda: _obey(words, classroom if words[0] == "class" else studio), failed)
         if status not in (0, INTERRUPTED, NOBODY_READS) and _wants_json(given):
             status = _status(lambda: _give_failure(status), failed) or status
     sys.exit(status)
@@ -158,11 +166,11 @@ def _command(name: str) -> Any:
     return typer.main.get_command(made)
 
 
-def _obey(arguments: list[str], studio: Studio | None) -> int:
+def _obey(arguments: list[str], door: Studio | Classroom | None) -> int:
     # What a shell asks to have completed is not in the arguments; the studio tells which commands there are.
     name = "" if COMPLETION_VARIABLE in os.environ or arguments[0] == "studio" else arguments[0]
     try:
-        status = _command(name).main(arguments, prog_name="kitrobot", obj=studio, standalone_mode=False)
+        status = _command(name).main(arguments, prog_name="kitrobot", obj=door, standalone_mode=False)
     except SystemExit as end:
         return end.code if isinstance(end.code, int) else int(end.code is not None)
     except _ClickError as error:

@@ -27,6 +27,7 @@ def run_mission(
     drawing: Annotated[
         Path | None, typer.Option(metavar="FILE.svg", help="Write what the pens drew as a picture.")
     ] = None,
+    floor: Annotated[bool, typer.Option("--floor", help="Put the world's floor and walls under the drawing.")] = False,
     fail_rate: Annotated[
         float,
         typer.Option(
@@ -65,6 +66,7 @@ def run_mission(
     from kitrobot.sim import MAX_SECONDS, MAX_SEED
     from kitrobot.trace import drawing_svg
     from kitrobot.workspace import RunOptions, open_mission
+    from kitrobot.world import floor_svg
 
     if not 0 < seconds <= MAX_SECONDS:
         words = f"a run takes more than 0 and at most {MAX_SECONDS:.0f} seconds"
@@ -76,6 +78,8 @@ def run_mission(
         raise typer.BadParameter("`--pairs`, `--jobs` and `--output` are of a sweep", param_hint="'--fail-sweep'")
     if fail_sweep is not None and drawing is not None:
         raise typer.BadParameter("the many runs of a sweep are not drawn", param_hint="'--drawing'")
+    if floor and drawing is None:
+        raise typer.BadParameter("`--floor` is of a drawing", param_hint="'--drawing'")
     if fail_sweep is not None and trace is not None:
         raise typer.BadParameter("the many runs of a sweep are not recorded", param_hint="'--trace'")
 
@@ -94,7 +98,8 @@ def run_mission(
         run = prepared.run(progress)
     if drawing is not None:
         world = prepared.simulation.world
-        replace_whole(drawing, drawing_svg(run.strokes, world.width_mm, world.height_mm).encode())
+        under = floor_svg(world) if floor else ()
+        replace_whole(drawing, drawing_svg(run.strokes, world.width_mm, world.height_mm, under).encode())
     give(json_text(run.to_json()) + "\n" if as_json else _summary(run))
     if run.outcome != "done":
         raise typer.Exit(1)

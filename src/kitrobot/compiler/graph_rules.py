@@ -67,7 +67,7 @@ WRONG_PLACE = rule(
 PARKED = rule(
     "parked",
     Severity.HINT,
-    "A part hangs on nothing",
+    "Nothing leads to a part",
     "Parts that no arc from Start leads to are kept and shown, and not compiled.",
 )
 TOO_DEEP = rule(

@@ -140,7 +140,7 @@ class _Walk:
             if vertex is not None and vertex not in reached:
                 element = self.wiring.vertices[vertex].element
                 message = Sentence(
-                    "`{vertex}` ({element}) hangs on nothing, so it is not part of the program", vertex, Word(element)
+                    "nothing leads to {element} (`{vertex}`), so it is not part of the program", Word(element), vertex
                 )
                 self.report(rules.PARKED, message, vertex, help=Sentence("join it to the flow, or leave it parked"))
                 reached.add(vertex)

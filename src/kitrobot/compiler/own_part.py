@@ -276,7 +276,11 @@ def _slot(label: str, placed: list[_Placed], taken: set[str]) -> Slot:
     if chosen.default is None:
         default = str(min(max(_whole(default, low), low), max(low, high)))
     unit = offer.unit if chosen.unit is None else chosen.unit
-    return Slot(name, kind, minimum=low, maximum=high, default=default, unit=unit, label=texts)
+    meaning = offer.meaning if unit == offer.unit else None
+    if meaning is not None:
+        left = tuple(one for one in meaning.choices if low <= one.value <= high)
+        meaning = replace(meaning, choices=left, field=meaning.field if left or not meaning.choices else "")
+    return Slot(name, kind, minimum=low, maximum=high, default=default, unit=unit, label=texts, meaning=meaning)
 
 
 def _whole(text: str, fallback: int) -> int:

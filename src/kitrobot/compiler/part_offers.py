@@ -14,7 +14,7 @@ from kitrobot.compiler.selection import Selection, chain_behind
 from kitrobot.compiler.wiring import Wiring
 from kitrobot.graph import NEXT, Vertex
 from kitrobot.lll import MAX_NUMBER, is_name
-from kitrobot.primitives import Kind, Slot, SlotKind, Texts, ValueType
+from kitrobot.primitives import Kind, Meaning, Slot, SlotKind, Texts, ValueType
 
 TAKEN_PORTS = ("in", "next", "return")
 TYPED = (SlotKind.NUMBER, SlotKind.VALUE, SlotKind.TEXT)
@@ -40,6 +40,7 @@ class Offer:
     minimum: int = 0
     maximum: int = MAX_NUMBER
     unit: str = ""
+    meaning: Meaning | None = None
     loop: bool = False
     repeat: bool = False
     least: int = 0
@@ -119,6 +120,7 @@ class _Offers:
                 default=str(min(max(parameter.default, low), high)),
                 unit=parameter.unit,
                 label=parameter.label,
+                meaning=parameter.meaning,
             )
             yield self.number(vertex, slot, "" if filled else typed, inside)
 
@@ -156,6 +158,7 @@ class _Offers:
             minimum=low,
             maximum=high,
             unit=slot.unit,
+            meaning=slot.meaning,
         )
 
 

@@ -120,7 +120,13 @@ def _from_robot(template: Template, robot: Robot) -> dict[str, Slot]:
                 kind = SlotKind.NUMBER if parameter.type is ValueType.BOOLEAN else SlotKind.VALUE
                 default = str(min(max(parameter.default, low), high))
                 made[given.name] = Slot(
-                    given.name, kind, minimum=low, maximum=high, default=default, unit=parameter.unit
+                    given.name,
+                    kind,
+                    minimum=low,
+                    maximum=high,
+                    default=default,
+                    unit=parameter.unit,
+                    meaning=parameter.meaning,
                 )
     return made
 

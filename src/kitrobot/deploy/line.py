@@ -14,9 +14,6 @@ import socket
 import time
 from typing import Any
 
-import serial
-from serial.tools import list_ports
-
 from kitrobot.deploy.errors import LineError
 from kitrobot.text import Help, Sentence, Word
 
@@ -31,7 +28,8 @@ MOST = 256 * 1024
 _WRITE_S = 10.0
 _SILICON_LABS = 0x10C4
 
-Trouble = (OSError, ValueError, serial.SerialException)
+Trouble = (OSError, ValueError)
+"""What pyserial raises: its own error is an OSError."""
 
 
 class Line:
@@ -150,6 +148,9 @@ class Line:
 
 
 def _opened(address: str) -> Any:
+    import serial  # only who opens a line waits for it, and needs it
+    from serial.tools import list_ports
+
     port = serial.serial_for_url(address, do_not_open=True, baudrate=BAUD, timeout=_SLICE_S, write_timeout=_WRITE_S)
     if "://" not in address:
         port.exclusive = True

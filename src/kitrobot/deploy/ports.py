@@ -8,8 +8,6 @@ from __future__ import annotations
 import os
 from typing import NamedTuple
 
-from serial.tools import list_ports as usb
-
 BOARDS_VARIABLE = "KITROBOT_BOARDS"
 
 
@@ -37,6 +35,8 @@ _KNOWN = {
 
 def list_ports() -> list[Port]:
     """The places where boards may be, in the order of their addresses; those of KITROBOT_BOARDS last."""
+    from serial.tools import list_ports as usb  # only who looks for ports needs it
+
     found = [
         Port(port.device, _KNOWN.get(port.vid, port.product or "USB serial"), port.description or "")
         for port in usb.comports()

@@ -15,6 +15,8 @@ from pathlib import Path
 
 from kitrobot.diagnostics import lock_handle
 
+_held: set[Path] | None = set() if sys.platform == "emscripten" else None
+"""The locks of this process, where the system says yes to everybody (WebAssembly): no other process is there."""
 _FIRST_PAUSE_S, _LONGEST_PAUSE_S = 0.001, 0.05
 
 
@@ -35,13 +37,15 @@ class FileLock:
         while True:
             handle = os.open(path, os.O_RDWR | os.O_CREAT | getattr(os, "O_CLOEXEC", 0), 0o666)
             try:
-                taken = lock_handle(handle)
+                taken = lock_handle(handle) and (_held is None or path not in _held)
                 # Whoever had it may have removed the file meanwhile: then this is a lock on nothing.
                 current = taken and _is_at(handle, path)
             except BaseException:
                 os.close(handle)
                 raise
             if current:
+                if _held is not None:
+                    _held.add(path)
                 return FileLock(path, handle)
             os.close(handle)
             if not taken:
@@ -86,10 +90,12 @@ class FileLock:
         if lock is None:
             return True
         os.close(lock.handle)
+        lock._forget()
         return False
 
     def release(self) -> None:
         """Gives it back."""
+        self._forget()
         # While it is held nobody else can lock the file that is removed. Windows removes no file that is open.
         if sys.platform != "win32":
             self._remove()
@@ -97,6 +103,10 @@ class FileLock:
             os.close(self.handle)
         if sys.platform == "win32":
             self._remove()
+
+    def _forget(self) -> None:
+        if _held is not None:
+            _held.discard(self.path)
 
     def _remove(self) -> None:
         with contextlib.suppress(OSError):

@@ -10,6 +10,7 @@ from kitrobot.primitives.kit import Kit, KitPart, Source, Tried, lacks, on_kit
 from kitrobot.primitives.kit_xml import KIT_SUFFIX, read_kit, write_kit
 from kitrobot.primitives.levels import Level
 from kitrobot.primitives.match_template import Bound, fill_with, unfill, unfill_all, unfill_row
+from kitrobot.primitives.meaning import Choice, Meaning
 from kitrobot.primitives.own_xml import (
     MOST_OWN,
     OWN,
@@ -55,6 +56,7 @@ __all__ = [
     "Bound",
     "Catalogue",
     "Category",
+    "Choice",
     "Constructor",
     "ConstructorTable",
     "Crew",
@@ -64,6 +66,7 @@ __all__ = [
     "Kit",
     "KitPart",
     "Level",
+    "Meaning",
     "Method",
     "OwnVariable",
     "Parameter",

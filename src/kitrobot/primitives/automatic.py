@@ -26,9 +26,9 @@ def texts(english: str, french: str, urdu: str) -> Texts:
     return {"": english, "fr": french, "ur": urdu}
 
 
-def _label(french: str, urdu: str) -> Texts:
-    """What stands for a name that is English."""
-    return {"fr": french, "ur": urdu}
+def _label(french: str, urdu: str, english: str = "") -> Texts:
+    """What stands for a name that is English, and in plain English where the name is not."""
+    return {"": english, "fr": french, "ur": urdu} if english else {"fr": french, "ur": urdu}
 
 
 def comparison(test: str, right: str) -> Texts:
@@ -42,21 +42,21 @@ _TESTS = (
         "EqualTo",
         "equal",
         "equal",
-        _label("Égal à", "برابر"),
+        _label("Égal à", "برابر", "Equal to"),
         texts("Is it exactly this number?", "Est-ce exactement ce nombre ?", "کیا یہ بالکل یہی عدد ہے؟"),
     ),
     (
         "LessThan",
         "less",
         "chevron-left",
-        _label("Plus petit que", "سے کم"),
+        _label("Plus petit que", "سے کم", "Less than"),
         texts("Is it smaller than this number?", "Est-ce plus petit que ce nombre ?", "کیا یہ اس عدد سے چھوٹا ہے؟"),
     ),
     (
         "GreaterThan",
         "greater",
         "chevron-right",
-        _label("Plus grand que", "سے زیادہ"),
+        _label("Plus grand que", "سے زیادہ", "Greater than"),
         texts("Is it bigger than this number?", "Est-ce plus grand que ce nombre ?", "کیا یہ اس عدد سے بڑا ہے؟"),
     ),
 )
@@ -105,7 +105,7 @@ def integer_methods(minimum: int, maximum: int, initial: int) -> tuple[Method, .
             (amount,),
             action="sub",
             icon="minus",
-            label=_label("Enlever", "گھٹاؤ"),
+            label=_label("Enlever", "گھٹاؤ", "Subtract"),
             help=texts(
                 "Makes the variable smaller by a number.",
                 "Enlève un nombre à la variable.",
@@ -163,7 +163,7 @@ def boolean_methods(initial: int) -> tuple[Method, ...]:
             test="equal",
             to=1,
             icon="toggle-right",
-            label=_label("Est vrai", "درست ہے"),
+            label=_label("Est vrai", "درست ہے", "Is true"),
             help=texts("Is the variable true?", "La variable est-elle vraie ?", "کیا متغیر درست ہے؟"),
             phrase=texts("{object} is true", "{object} est vrai", "{object} درست ہے"),
         ),
@@ -173,7 +173,7 @@ def boolean_methods(initial: int) -> tuple[Method, ...]:
             test="equal",
             to=0,
             icon="toggle-left",
-            label=_label("Est faux", "غلط ہے"),
+            label=_label("Est faux", "غلط ہے", "Is false"),
             help=texts("Is the variable false?", "La variable est-elle fausse ?", "کیا متغیر غلط ہے؟"),
             phrase=texts("{object} is false", "{object} est faux", "{object} غلط ہے"),
         ),
@@ -192,7 +192,7 @@ def fault_object() -> RobotObject:
                 test="equal",
                 to=1,
                 icon="triangle-alert",
-                label=_label("Est levé", "اٹھا ہوا ہے"),
+                label=_label("Est levé", "اٹھا ہوا ہے", "Is raised"),
                 help=texts(
                     "Did a number go out of its range since the last Clear?",
                     "Un nombre est-il sorti de ses limites depuis le dernier Effacer ?",
@@ -257,7 +257,7 @@ def work_object(name: str, units: int) -> RobotObject:
                 test="equal",
                 to=0,
                 icon="package-open",
-                label=_label("Est vide", "خالی ہے"),
+                label=_label("Est vide", "خالی ہے", "Is empty"),
                 help=texts(
                     "Are all units done?", "Toutes les unités sont-elles finies ?", "کیا سب اکائیاں مکمل ہو گئیں؟"
                 ),

@@ -13,6 +13,7 @@ from typing import Literal
 
 from kitrobot.lll import Condition, Instr, Seq
 from kitrobot.primitives.levels import Level
+from kitrobot.primitives.meaning import Meaning
 from kitrobot.primitives.robot import Texts
 
 
@@ -53,6 +54,7 @@ class Slot:
     unit: str = ""
     label: Texts = field(default_factory=dict)
     names: Literal["", "set", "program"] = ""
+    meaning: Meaning | None = None
 
 
 @dataclass(frozen=True)

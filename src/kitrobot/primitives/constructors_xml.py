@@ -18,6 +18,7 @@ from kitrobot.primitives import rules
 from kitrobot.primitives.attribute_kinds import COLOUR, COLOURS, IDENTIFIER, LEVEL, ROBOT_NUMBER
 from kitrobot.primitives.constructors import Constructor, Group, Role, Slot, SlotKind
 from kitrobot.primitives.levels import Level
+from kitrobot.primitives.meaning_xml import MEANING_ATTRIBUTES, MEANING_PARTS, read_meaning
 from kitrobot.primitives.robot import LARGEST_VALUE
 from kitrobot.primitives.template_xml import LONGEST_CODE, Template, read_template
 from kitrobot.primitives.templates import holes, named_by
@@ -101,11 +102,12 @@ def _slot(element: Element) -> Slot:
                 rules.RANGE, Sentence("expected min at most max, found {least} and {most}", least, most), "min"
             )
         default = element.optional("default")
+        low = least if least is not None else -LARGEST_VALUE
+        high = most if most is not None else LARGEST_VALUE
         if default:
-            low = least if least is not None else -LARGEST_VALUE
-            high = most if most is not None else LARGEST_VALUE
             element.between("default", low, max(low, high))
-        return replace(slot, minimum=least, maximum=most, default=default, unit=element.optional("unit"))
+        unit, meaning = read_meaning(element, low, high)
+        return replace(slot, minimum=least, maximum=most, default=default, unit=unit, meaning=meaning)
     return replace(slot, default=element.optional("default"))
 
 
@@ -268,8 +270,9 @@ _NUMBERS = {
     "min": optional(ROBOT_NUMBER),
     "max": optional(ROBOT_NUMBER),
     "default": optional(ROBOT_NUMBER),
-    "unit": optional(),
+    **MEANING_ATTRIBUTES,
 }
+_NUMBER_PARTS = {**_LABEL, **MEANING_PARTS}
 _FLOW = {
     **_NAMED,
     "loop": optional(YES_NO, "no", about="Whether the body is done again and again."),
@@ -281,8 +284,8 @@ _FLOW = {
 _SLOTS = {
     "flow": Tag(_slot, _FLOW, _LABEL, about="A chain of vertices."),
     "condition": Tag(_slot, _NAMED, _LABEL, about="One test."),
-    "value": Tag(_slot, _NUMBERS, _LABEL, about="A number, or a vertex that gives one."),
-    "number": Tag(_slot, _NUMBERS, _LABEL, about="A number that is typed in."),
+    "value": Tag(_slot, _NUMBERS, _NUMBER_PARTS, about="A number, or a vertex that gives one."),
+    "number": Tag(_slot, _NUMBERS, _NUMBER_PARTS, about="A number that is typed in."),
     "text": Tag(_slot, {**_NAMED, "default": optional()}, _LABEL, about="Something that is typed in."),
     "action": Tag(_slot, _NAMED, _LABEL, about="One call of a procedure."),
 }

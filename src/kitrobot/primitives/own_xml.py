@@ -18,6 +18,7 @@ from kitrobot.primitives import rules
 from kitrobot.primitives.attribute_kinds import NAMED_ROBOT
 from kitrobot.primitives.constructors import Constructor, Slot, SlotKind
 from kitrobot.primitives.constructors_xml import CONSTRUCTOR
+from kitrobot.primitives.meaning_xml import meaning_attributes, meaning_elements
 from kitrobot.primitives.robot import RobotObject, Texts, ValueType
 from kitrobot.primitives.robot_xml import VARIABLE
 from kitrobot.text import Sentence, shown
@@ -154,6 +155,7 @@ def _texts(name: str, texts: Texts) -> list[str]:
 
 
 def _slot(slot: Slot) -> str:
+    is_number = slot.kind in (SlotKind.NUMBER, SlotKind.VALUE)
     head = attributes(
         ("name", slot.name),
         ("loop", "yes" if slot.loop else None),
@@ -162,7 +164,8 @@ def _slot(slot: Slot) -> str:
         ("min", slot.minimum),
         ("max", slot.maximum),
         ("default", slot.default or None),
-        ("unit", slot.unit if slot.unit and slot.kind in (SlotKind.NUMBER, SlotKind.VALUE) else None),
+        ("unit", slot.unit if slot.unit and is_number else None),
+        *(meaning_attributes(slot.meaning) if is_number else ()),
     )
-    inside = "".join(_texts("label", slot.label))
+    inside = "".join([*_texts("label", slot.label), *(meaning_elements(slot.meaning) if is_number else ())])
     return f"<{slot.kind}{head}>{inside}</{slot.kind}>" if inside else f"<{slot.kind}{head}/>"

@@ -17,6 +17,7 @@ from functools import cached_property
 
 from kitrobot.diagnostics import Place
 from kitrobot.primitives.levels import Level
+from kitrobot.primitives.meaning import Meaning
 
 LARGEST_VALUE = 2**29 - 1
 """How far from zero a number of a robot may lie: the sum of two still fits the word of the smallest board (31 bits)."""
@@ -67,6 +68,7 @@ class Parameter:
     unit: str = ""
     label: Texts = field(default_factory=dict)
     help: Texts = field(default_factory=dict)
+    meaning: Meaning | None = None
 
 
 @dataclass(frozen=True)
@@ -76,7 +78,7 @@ class Method:
     `action` says what a procedure of a variable or of the system does: set, add, sub, clear ("" for a device command).
     `test` is equal, less or greater for a test; `to` is the number it compares with when that is not a parameter.
     `stop` names the procedure that ends the effect of this one (for a marked action), or None. `place` is where it
-    stands in the robot's file, None where it stands in none.
+    stands in the robot's file, None where it stands in none. `alone`: its label says all, without the object's name.
     """
 
     name: str
@@ -91,6 +93,7 @@ class Method:
     label: Texts = field(default_factory=dict)
     help: Texts = field(default_factory=dict)
     phrase: Texts = field(default_factory=dict)
+    alone: bool = False
     place: Place | None = field(default=None, compare=False, repr=False)
 
 
@@ -114,7 +117,8 @@ class RobotObject:
 
     `model` is the device of the simulator that stands for it, the `device` itself unless `<simulate>` names another,
     and `settings` are its settings. `board` is what the driver of a real robot is told. Variables and the system have
-    no model and no driver. `place` is where an actuator or a sensor stands in the robot's file.
+    no model and no driver. `place` is where an actuator or a sensor stands in the robot's file. `unit` and `meaning`
+    are those of a sensor's number.
     """
 
     name: str
@@ -132,6 +136,8 @@ class RobotObject:
     icon: str = ""
     label: Texts = field(default_factory=dict)
     help: Texts = field(default_factory=dict)
+    unit: str = ""
+    meaning: Meaning | None = None
     place: Place | None = field(default=None, compare=False, repr=False)
 
     def method(self, name: str) -> Method | None:

@@ -9,7 +9,6 @@ Left to others: what a device does with its settings (sim, drivers).
 
 from __future__ import annotations
 
-import re
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
 
@@ -17,30 +16,26 @@ from kitrobot.diagnostics import Diagnostic
 from kitrobot.primitives import rules
 from kitrobot.primitives.attribute_kinds import (
     FIGURE,
-    IDENTIFIER,
     RANGE,
     ROBOT_NAME,
-    ROBOT_NUMBER,
-    USUAL_MAXIMUM,
     VALUE,
-    VALUE_TYPE,
 )
-from kitrobot.primitives.automatic import FAULT, boolean_methods, comparison, fault_object, integer_methods
+from kitrobot.primitives.automatic import FAULT, boolean_methods, fault_object, integer_methods
 from kitrobot.primitives.board_xml import BOARD
 from kitrobot.primitives.constructors_xml import icon
+from kitrobot.primitives.meaning import Meaning
+from kitrobot.primitives.meaning_xml import MEANING_ATTRIBUTES, MEANING_PARTS, read_meaning
+from kitrobot.primitives.methods_xml import NAMED, OPERATION, PICTURE, PROCEDURE, TYPE, inside, range_of, texts, truth
 from kitrobot.primitives.robot import (
     Board,
     Category,
-    Kind,
     Method,
-    Parameter,
     Robot,
     RobotObject,
-    Texts,
     ValueType,
 )
 from kitrobot.text import Sentence, Word, shown
-from kitrobot.xml import ICON, TEXT, TEXTS, YES_NO, Element, Reader, Tag, needed, one, optional, version, whole
+from kitrobot.xml import TEXTS, YES_NO, Element, Reader, Tag, needed, optional, version, whole
 from kitrobot.xml import rules as xml_rules
 
 VERSION = 1
@@ -58,9 +53,6 @@ WAIT_UNIT_MS = 100
 LONGEST_WAIT_UNIT_MS = 10_000
 """The longest unit of WAIT."""
 
-_HOLE = re.compile(r"\{([^}]*)\}")
-_WORD = re.compile(r"[A-Z]?[^A-Z]+|[A-Z]+(?![^A-Z])")
-
 
 def read_robot(data: bytes, name: str) -> tuple[Robot | None, list[Diagnostic]]:
     """Reads a robot's file; None when it has an error."""
@@ -68,118 +60,6 @@ def read_robot(data: bytes, name: str) -> tuple[Robot | None, list[Diagnostic]]:
     root = reader.read(ROBOT)
     robots = root.found(Robot) if root is not None and not root.faulty else []
     return (robots[0] if robots else None), reader.diagnostics
-
-
-def _range(element: Element, least: int = 0, most: int = USUAL_MAXIMUM) -> tuple[int, int]:
-    minimum = element.integer("min", least)
-    maximum = element.integer("max", most)
-    if minimum > maximum:
-        where = "min" if "min" in element.attributes else "max"
-        message = Sentence("expected min at most max, found {least} and {most}", minimum, maximum)
-        element.report(rules.RANGE, message, where)
-        return maximum, minimum
-    return minimum, maximum
-
-
-def _inside(element: Element, name: str, minimum: int, maximum: int, usual: int) -> int:
-    value = element.integer(name, usual)
-    if not minimum <= value <= maximum:
-        message = Sentence(
-            "expected a number from {minimum} to {maximum} in {attribute}, found {found}", minimum, maximum, name, value
-        )
-        element.report(rules.RANGE, message, name)
-    return value
-
-
-def _truth(element: Element, name: str) -> int:
-    return int(element.choice(name, "false") in ("true", "1"))
-
-
-def _text(element: Element, kind: str) -> Texts:
-    return element.texts.get(kind, {})
-
-
-def _parameter(element: Element) -> Parameter:
-    name = element.matching("name")
-    if name in ("in", "next", "return"):
-        message = Sentence("a parameter cannot be named {name}, a port of every vertex", name)
-        element.report(xml_rules.BAD_VALUE, message, "name")
-    made = Parameter(
-        name, 0, 1, 0, unit=element.optional("unit"), label=_text(element, "label"), help=_text(element, "help")
-    )
-    if element.choice("type") == "boolean":
-        return replace(made, default=_truth(element, "default"), type=ValueType.BOOLEAN)
-    operation = element.parent
-    sensor = operation.parent if operation is not None and operation.name == "operation" else None
-    minimum, maximum = _range(element, *(_sensor_range(sensor) if sensor is not None else ()))
-    default = _inside(element, "default", minimum, maximum, max(minimum, min(0, maximum)))
-    return replace(made, minimum=minimum, maximum=maximum, default=default)
-
-
-def _method(element: Element, kind: Kind, phrase: Texts) -> Method:
-    """What procedures and operations have in common."""
-    name = element.matching("name")
-    parameters = element.distinct(Parameter, lambda parameter: parameter.name, "parameter")
-    given = _text(element, "phrase")
-    holes = {"object", *(parameter.name for parameter in parameters)}
-    for text in given.values():
-        for hole in _HOLE.findall(text):
-            if hole not in holes:
-                help = element.did_you_mean(hole, holes)
-                message = Sentence("the phrase {phrase} has a hole {{hole}} that nothing fills", shown(text), hole)
-                element.report(rules.PHRASE, message, None, help)
-    return Method(
-        name,
-        kind,
-        tuple(parameters),
-        icon=icon(element),
-        label=_text(element, "label"),
-        help=_text(element, "help"),
-        phrase=given or phrase,
-        place=element.place("name"),
-    )
-
-
-def _procedure(element: Element) -> Method:
-    later = element.choice("completes") == "later"
-    return replace(_method(element, Kind.PROCEDURE, {}), completes_later=later, stop=element.attributes.get("stop"))
-
-
-def _operation(element: Element) -> Method:
-    count = len(element.found(Parameter))
-    if element.flag("value"):
-        for extra in ("test", "to"):
-            if extra in element.attributes:
-                message = Sentence('expected no {attribute} beside value="yes", found one', extra)
-                element.report(rules.METHOD, message, extra)
-        if count:
-            element.report(rules.METHOD, Sentence("expected no parameter on a value, found {count}", count))
-        return _method(element, Kind.VALUE, {"": "{object}"})
-    if "test" not in element.attributes:
-        element.report(rules.METHOD, Sentence('expected test="…" or value="yes" on <operation>, found neither'))
-        return _method(element, Kind.TEST, {})
-    test = element.choice("test")
-    if ("to" in element.attributes) == bool(count) or count > 1:
-        parameters = Sentence.counted("{count} parameter", "{count} parameters", count)
-        found = Sentence("to and {parameters}", parameters) if "to" in element.attributes else parameters
-        message = Sentence('expected either to="…" or one parameter on a test, found {found}', found)
-        element.report(rules.METHOD, message)
-    if "to" not in element.attributes:
-        parameter = next((parameter.name for parameter in element.found(Parameter)), "value")
-        return replace(_method(element, Kind.TEST, comparison(test, f"{{{parameter}}}")), test=test)
-    least, most = _sensor_range(element.parent) if element.parent is not None else (0, 0)
-    to = _inside(element, "to", least, most, least)
-    words = " ".join(_WORD.findall(element.optional("name"))).lower()
-    return replace(_method(element, Kind.TEST, {"": f"{{object}} {words}"}), test=test, to=to)
-
-
-def _sensor_range(sensor: Element) -> tuple[int, int]:
-    """The range of the sensor around an operation, silently: the sensor itself reports what is wrong with it."""
-    if sensor.attributes.get("type") == "boolean":
-        return 0, 1
-    ends = [sensor.attributes.get("min", "0"), sensor.attributes.get("max", str(USUAL_MAXIMUM))]
-    numbers = [int(end) if re.fullmatch(r"[+-]?[0-9]{1,9}", end) else 0 for end in ends]
-    return min(numbers), max(numbers)
 
 
 def _device(element: Element, category: Category) -> RobotObject:
@@ -202,8 +82,8 @@ def _device(element: Element, category: Category) -> RobotObject:
         board=replace(first[0], driver=first[0].driver or device),
         settings={**settings, **simulated[0][0].settings} if simulated else settings,
         icon=icon(element),
-        label=_text(element, "label"),
-        help=_text(element, "help"),
+        label=texts(element, "label"),
+        help=texts(element, "help"),
         place=element.place("device"),
     )
 
@@ -246,9 +126,21 @@ def _actuator(element: Element) -> RobotObject:
 def _sensor(element: Element) -> RobotObject:
     made = _device(element, Category.SENSOR)
     if element.choice("type") == "boolean":
-        return replace(made, type=ValueType.BOOLEAN, minimum=0, maximum=1)
-    minimum, maximum = _range(element)
-    return replace(made, minimum=minimum, maximum=maximum)
+        unit, meaning = read_meaning(element, 0, 1)
+        return replace(made, type=ValueType.BOOLEAN, minimum=0, maximum=1, unit=unit, meaning=meaning)
+    minimum, maximum = range_of(element)
+    unit, meaning = read_meaning(element, minimum, maximum)
+    methods = tuple(_meaning_as_sensor(method, unit, meaning) for method in made.methods)
+    return replace(made, methods=methods, minimum=minimum, maximum=maximum, unit=unit, meaning=meaning)
+
+
+def _meaning_as_sensor(method: Method, unit: str, meaning: Meaning | None) -> Method:
+    """What a sensor's number means, that means what it is compared with, unless that says otherwise."""
+    parameters = tuple(
+        one if one.unit or one.meaning is not None else replace(one, unit=unit, meaning=meaning)
+        for one in method.parameters
+    )
+    return replace(method, parameters=parameters)
 
 
 def _variable(element: Element) -> RobotObject:
@@ -259,14 +151,14 @@ def _variable(element: Element) -> RobotObject:
         (),
         shared=element.flag("shared"),
         icon=icon(element),
-        label=_text(element, "label"),
-        help=_text(element, "help"),
+        label=texts(element, "label"),
+        help=texts(element, "help"),
     )
     if element.choice("type") == "boolean":
-        initial = _truth(element, "initial")
+        initial = truth(element, "initial")
         return replace(made, methods=boolean_methods(initial), type=ValueType.BOOLEAN, maximum=1, initial=initial)
-    minimum, maximum = _range(element)
-    initial = _inside(element, "initial", minimum, maximum, max(minimum, min(0, maximum)))
+    minimum, maximum = range_of(element)
+    initial = inside(element, "initial", minimum, maximum, max(minimum, min(0, maximum)))
     methods = integer_methods(minimum, maximum, initial)
     return replace(made, methods=methods, minimum=minimum, maximum=maximum, initial=initial)
 
@@ -298,65 +190,28 @@ def _robot(element: Element) -> Robot:
         (fault_object(),),
         tick_ms=element.integer("tick"),
         wait_unit_ms=element.integer("wait-unit"),
-        label=_text(element, "label"),
-        help=_text(element, "help"),
+        label=texts(element, "label"),
+        help=texts(element, "help"),
         figure=element.matching("figure", ""),
     )
 
 
-_NAMED = {"name": needed(IDENTIFIER)}
-_PICTURE = {"icon": optional(ICON)}
-_TYPE = {"type": optional(VALUE_TYPE, "integer")}
-_PARAMETER = Tag(
-    _parameter,
-    {
-        **_NAMED,
-        **_TYPE,
-        "min": optional(ROBOT_NUMBER),
-        "max": optional(ROBOT_NUMBER),
-        "default": optional(VALUE),
-        "unit": optional(),
-    },
-    TEXTS,
-)
-_METHOD_PARTS = {
-    **TEXTS,
-    "phrase": replace(TEXT, about="Words for a chip, with {object} and {PARAMETER} as holes."),
-    "parameter": _PARAMETER,
-}
-_COMPLETES = optional(
-    one("now", "later"), "now", about="now: the program goes on at once. later: when the device says done."
-)
-_STOP = optional(IDENTIFIER, about="The procedure of the same actuator, without parameters, that ends the effect.")
-_PROCEDURE = Tag(_procedure, {**_NAMED, "completes": _COMPLETES, "stop": _STOP, **_PICTURE}, _METHOD_PARTS)
-_OPERATION = Tag(
-    _operation,
-    {
-        **_NAMED,
-        "value": optional(YES_NO, "no"),
-        "test": optional(one("equal", "less", "greater")),
-        "to": optional(ROBOT_NUMBER),
-        **_PICTURE,
-    },
-    _METHOD_PARTS,
-    about="A value, or a test with either to or one parameter.",
-)
 VARIABLE = Tag(
     _variable,
     {
-        **_NAMED,
-        **_TYPE,
+        **NAMED,
+        **TYPE,
         **RANGE,
         "initial": optional(VALUE),
         "shared": optional(YES_NO, "no", about="Whether the whole team sees it."),
-        **_PICTURE,
+        **PICTURE,
     },
     TEXTS,
     about="Its methods come by themselves.",
 )
 """One variable of a robot."""
 
-_DEVICE = {**_NAMED, "device": optional(about="The simulator's model and the robot's driver."), **_PICTURE}
+_DEVICE = {**NAMED, "device": optional(about="The simulator's model and the robot's driver."), **PICTURE}
 _SIMULATE = Tag(
     _simulated,
     {"as": needed(about="A device of the simulator.")},
@@ -367,14 +222,14 @@ _DEVICE_PARTS = {**TEXTS, "board": BOARD, "simulate": _SIMULATE}
 _ACTUATOR = Tag(
     _actuator,
     _DEVICE,
-    {**_DEVICE_PARTS, "procedure": _PROCEDURE},
+    {**_DEVICE_PARTS, "procedure": PROCEDURE},
     free_attributes=True,
     about="Acts upon the world. Attributes beside name, device and icon are settings of the device.",
 )
 _SENSOR = Tag(
     _sensor,
-    {**_DEVICE, **_TYPE, **RANGE},
-    {**_DEVICE_PARTS, "operation": _OPERATION},
+    {**_DEVICE, **TYPE, **RANGE, **MEANING_ATTRIBUTES},
+    {**_DEVICE_PARTS, **MEANING_PARTS, "operation": OPERATION},
     free_attributes=True,
     about="Senses a number min to max, or with type boolean 0 or 1.",
 )

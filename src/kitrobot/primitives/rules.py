@@ -52,6 +52,14 @@ PHRASE = rule(
     "A phrase may hold `{object}` and `{NAME}` for each parameter.",
 )
 
+MEANING = rule(
+    "robot-meaning",
+    Severity.ERROR,
+    "What a number means cannot be shown",
+    "A `<choice>` has a `<label>` and one picture at most: `icon`, `lights` or `colour`. A number has 64 of them at "
+    "most, and the fields `lights` and `colour` need such a picture in each; `choices` needs one choice at least.",
+)
+
 BOARD = rule(
     "robot-board",
     Severity.ERROR,

@@ -6,8 +6,9 @@ from kitrobot.server.start import serve
 
 if TYPE_CHECKING:
     from kitrobot.server.app import create_app
+    from kitrobot.server.class_start import ClassOpening, serve_class
 
-__all__ = ["create_app", "serve"]
+__all__ = ["ClassOpening", "create_app", "serve", "serve_class"]
 
 
 def __getattr__(name: str) -> Any:
@@ -16,4 +17,8 @@ def __getattr__(name: str) -> Any:
         from kitrobot.server.app import create_app
 
         return create_app
+    if name in ("ClassOpening", "serve_class"):
+        from kitrobot.server import class_start
+
+        return getattr(class_start, name)
     raise AttributeError(f"module {__name__!r} has no attribute {name!r}")

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import secrets
+from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
@@ -102,16 +103,27 @@ def create_app(
     for router in ROUTERS:
         # As they are: included by FastAPI, each route would be built again for every application.
         app.router.routes.extend(router.routes)
-    app.add_exception_handler(KitRobotError, _failed)
-    app.add_exception_handler(OSError, _disk_failed)
-    app.add_exception_handler(RequestValidationError, _not_understood)
-    app.add_exception_handler(HTTPException, _refused)
+    install_failures(app)
     _serve_page(app, static)
     app.openapi = lambda: _openapi(app)  # type: ignore[method-assign]
     app.add_middleware(Deadlines, refuse=refuse)
     app.add_middleware(Guard, token=token)
     app.add_middleware(InReadersLanguage)
     return app
+
+
+def install_failures(app: FastAPI, status: Callable[[KitRobotError], int | None] | None = None) -> None:
+    """Has failures answered with a sentence; `status` knows that of failures of this application, None: as ever."""
+
+    def failed(request: Request, error: Exception) -> Response:
+        assert isinstance(error, KitRobotError)
+        known = None if status is None else status(error)
+        return _failed(request, error) if known is None else _failure(error, known)
+
+    app.add_exception_handler(KitRobotError, failed)
+    app.add_exception_handler(OSError, _disk_failed)
+    app.add_exception_handler(RequestValidationError, _not_understood)
+    app.add_exception_handler(HTTPException, _refused)
 
 
 def _serve_page(app: FastAPI, static: Path) -> None:
@@ -164,7 +176,11 @@ def _failed(request: Request, error: Exception) -> Response:
         status = 404
     elif isinstance(error, ForgottenError):
         status = 410
-    failure = FailureShape(message=message, help=help, problems=problem_shapes(error.diagnostics))
+    return _failure(error, status)
+
+
+def _failure(error: KitRobotError, status: int) -> Response:
+    failure = FailureShape(message=error.message, help=error.help, problems=problem_shapes(error.diagnostics))
     return JSONResponse(failure.model_dump(), status_code=status)
 
 

@@ -10,7 +10,6 @@ from __future__ import annotations
 import asyncio
 import logging
 import os
-import threading
 from abc import ABC, abstractmethod
 from contextlib import suppress
 from typing import Any, ClassVar
@@ -19,6 +18,7 @@ from fastapi import APIRouter, WebSocket, WebSocketDisconnect
 from pydantic import BaseModel, TypeAdapter, ValidationError
 
 from kitrobot.diagnostics import KitRobotError
+from kitrobot.server.beside_loop import Stop, beside_loop
 from kitrobot.server.routing import studio_of
 from kitrobot.server.sentences import not_understood
 from kitrobot.server.shapes import mission_from_shape, problem_shapes
@@ -50,7 +50,7 @@ class BackgroundWork(ABC):
     def __init__(self, socket: WebSocket, studio: Studio) -> None:
         self._socket = socket
         self.studio = studio
-        self.stop = threading.Event()
+        self.stop = Stop()
         self._loop = asyncio.get_running_loop()
         self._task: asyncio.Task[None] | None = None
         self._waiting: list[BaseModel] = []
@@ -117,7 +117,7 @@ class BackgroundWork(ABC):
         self._over = False
         telling = asyncio.create_task(self._tell_all())
         try:
-            answer: BaseModel = await asyncio.to_thread(self._work, request)
+            answer: BaseModel = await beside_loop(self._work, request)
         except KitRobotError as error:
             answer = _refusal(error)
         except Exception as error:

@@ -9,11 +9,11 @@ from kitrobot.server.shapes.beginning import (
     BeginningsShape,
     PreviewShape,
     beginning_place_shape,
-    preview_shape,
     robot_set_shape,
     starter_shape,
 )
-from kitrobot.workspace import tracks
+from kitrobot.server.shapes.gallery import run_preview_shape
+from kitrobot.workspace.beginnings import PREVIEW_S
 
 beginning_routes = api_router()
 
@@ -38,7 +38,7 @@ def previews(studio: ThisStudio, robot_set: Name, place: Name) -> list[PreviewSh
 
 def _preview(studio: ThisStudio, robot_set: str, place: str, starter: str) -> PreviewShape:
     opened = studio.open(studio.choices.begin(robot_set, place, starter), "")
-    return preview_shape(starter, opened.mission, tracks(opened))
+    return PreviewShape(starter=starter, run=run_preview_shape(opened, studio.previews.of(opened, PREVIEW_S)))
 
 
 @beginning_routes.get("/mission/begin")

@@ -7,7 +7,6 @@ elsewhere is refused, unless the studio was started for that.
 
 from __future__ import annotations
 
-import asyncio
 import logging
 import os
 import shutil
@@ -19,6 +18,7 @@ from pydantic import ValidationError
 from starlette.background import BackgroundTask
 
 from kitrobot.diagnostics import KitRobotError
+from kitrobot.server.beside_loop import beside_loop
 from kitrobot.server.robot_registry import AddressError, RobotRegistry, Subscriber
 from kitrobot.server.routing import refuse_visitors, studio_of
 from kitrobot.server.sentences import not_understood
@@ -72,9 +72,9 @@ async def board_trace(request: Request, address: Annotated[str, Query(max_length
     studio = studio_of(request)
     refuse_visitors(request)
     recorder = studio.boards.recorder(address)
-    path = await asyncio.to_thread(studio.recordings.new_file, f"robot{ENDING}")
+    path = await beside_loop(studio.recordings.new_file, f"robot{ENDING}")
     try:
-        await asyncio.to_thread(recorder.save, path)
+        await beside_loop(recorder.save, path)
     except BaseException:
         shutil.rmtree(path.parent, ignore_errors=True)
         raise
@@ -142,13 +142,13 @@ class BoardSession:
             case BoardConnectRequest():
                 program: BoardProgram | None = None
                 try:
-                    program = await asyncio.to_thread(self._program, request)
+                    program = await beside_loop(self._program, request)
                 except KitRobotError:
                     # A program with a mistake is on no robot; the robot can be greeted all the same.
                     _log.debug("greeted without a program", exc_info=True)
                 (await room.session(subscriber.name, request.address)).connect(program)
             case BoardSendRequest():
-                program = await asyncio.to_thread(self._program, request)
+                program = await beside_loop(self._program, request)
                 (await room.session(subscriber.name, request.address)).send(
                     program, request.then, request.replace, request.fresh
                 )
@@ -163,7 +163,7 @@ class BoardSession:
             case BoardForgetRequest():
                 await room.forget(room.taken(subscriber.name, request.address))
             case TeamSendRequest():
-                opened = await asyncio.to_thread(self._opened, request)
+                opened = await beside_loop(self._opened, request)
                 folder = self._studio.folder.folders_of(request.path)[0]
                 await room.team.send(subscriber.name, opened, request.path, request.boards, folder)
             case TeamCancelRequest():

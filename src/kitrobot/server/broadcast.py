@@ -17,10 +17,10 @@ from collections.abc import Callable, Iterable
 from dataclasses import replace
 from typing import Any, Protocol
 
-import orjson
 from fastapi import WebSocketDisconnect
 
 from kitrobot.mission import Mission
+from kitrobot.server.json_text import to_json
 from kitrobot.server.run_messages import MOST_EVENTS_TOLD
 from kitrobot.server.shapes import ErrorMessage, StartedMessage, StateMessage
 from kitrobot.translation import said, said_in
@@ -63,7 +63,7 @@ class Telling:
         made = self._texts.get(language)
         if made is None:
             events = [{**event, "text": said(event["text"])} for event in self._news["events"]]
-            made = self._texts[language] = orjson.dumps({**self._news, "events": events}).decode()
+            made = self._texts[language] = to_json({**self._news, "events": events}).decode()
         return made
 
     def after(self, before: Telling | None) -> Telling:

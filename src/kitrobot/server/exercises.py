@@ -7,8 +7,7 @@ steps (`workspace.judging`). Hidden goals and seeds are not told here.
 
 from __future__ import annotations
 
-from threading import Event
-
+from kitrobot.server.beside_loop import Stop
 from kitrobot.server.routing import ThisStudio, api_router
 from kitrobot.server.shapes import mission_from_shape, mission_shape
 from kitrobot.server.shapes.exercise import (
@@ -41,7 +40,7 @@ def exercise_judge(studio: ThisStudio, wanted: JudgeShape) -> JudgedShape:
     opened = studio.open(mission, start_name)
     checks = wanted.seed is None
     seeds = () if wanted.seed is None else (wanted.seed,)
-    stop = studio.judging.setdefault(wanted.judging, Event()) if wanted.judging else Event()
+    stop = studio.judging.setdefault(wanted.judging, Stop()) if wanted.judging else Stop()
     try:
         made = judge(exercise, opened, JudgingOptions(seeds=seeds, runs=not checks, checks=checks, stop=stop.is_set))
     finally:

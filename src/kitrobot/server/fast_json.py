@@ -10,13 +10,13 @@ from __future__ import annotations
 from collections.abc import Iterable
 from typing import Any
 
-import orjson
 from fastapi import Response
 
 from kitrobot.compiler import Followed, VertexPlace
 from kitrobot.diagnostics import Diagnostic
 from kitrobot.graph import Arc, Program, Vertex
 from kitrobot.lll import TeamProgram
+from kitrobot.server.json_text import to_json
 from kitrobot.server.list_delta import stretched
 from kitrobot.server.shapes import problem_shapes
 from kitrobot.server.shapes.mission import DeclaredShape
@@ -96,4 +96,4 @@ def _problems(diagnostics: Iterable[Diagnostic]) -> list[dict[str, Any]]:
 
 
 def _answer(value: dict[str, Any]) -> Response:
-    return Response(orjson.dumps(value), media_type="application/json")
+    return Response(to_json(value), media_type="application/json")

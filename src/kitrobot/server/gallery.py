@@ -1,8 +1,8 @@
 """What can be opened, as a list: the missions of the folder by path, then the examples, the easiest first.
 
-An example says its title, what happens in it, and what its picture is drawn from; the page draws the picture itself, so
-there is none to keep up to date. Examples are read again only when their file changed. A mission of the folder is known
-by its file's name alone: what was copied from an example keeps the example's title inside, which would mislead.
+An example says its title, what happens in it, how hard it is and what it is about; what it does is fetched for each
+picture that is seen. An example is read again only when its file changed. A mission of the folder is known by its
+file's name alone: what was copied from an example keeps the example's title inside, which would mislead.
 """
 
 from __future__ import annotations
@@ -11,9 +11,11 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from kitrobot.diagnostics import KitRobotError
-from kitrobot.files import MissionEntry
-from kitrobot.server.shapes import MissionEntryShape, PictureShape, mission_shape, world_shape
-from kitrobot.workspace import OpenMission
+from kitrobot.files import EXAMPLE, MissionEntry
+from kitrobot.mission import Mission, read_mission
+from kitrobot.server.shapes import MissionEntryShape
+from kitrobot.server.shapes.gallery import ExampleShape, RunPreviewShape, TopicShape, run_preview_shape
+from kitrobot.workspace import shipped_examples
 
 if TYPE_CHECKING:
     from kitrobot.server.studio import Studio
@@ -42,13 +44,25 @@ class Gallery:
     def _example(self, studio: Studio, entry: MissionEntry) -> MissionEntryShape:
         try:
             data, revision = studio.folder.read(entry.path)
-            kept = self._kept.get(entry.path)
-            if kept is None or kept.revision != revision:
-                opened = studio.read(data, entry.path, entry.path)
-                kept = self._kept[entry.path] = _Kept(revision, _told(entry, opened))
         except KitRobotError:
             return _plain(entry)  # opening it says what is wrong
+        kept = self._kept.get(entry.path)
+        if kept is None or kept.revision != revision:
+            mission, _ = read_mission(data, entry.path)
+            kept = self._kept[entry.path] = _Kept(revision, _plain(entry) if mission is None else _told(entry, mission))
         return kept.shape
+
+    def preview(self, studio: Studio, path: str) -> RunPreviewShape:
+        """What an example does in its first seconds.
+
+        Raises:
+            KitRobotError: there is no such example, or it cannot be opened.
+        """
+        data, _ = studio.folder.read(path)
+        opened = studio.read(data, path, path)
+        listed = shipped_examples().examples.get(path.removeprefix(EXAMPLE))
+        preview = studio.previews.of(opened, hands=listed.hands if listed is not None else ())
+        return run_preview_shape(opened, preview)
 
 
 def _plain(entry: MissionEntry) -> MissionEntryShape:
@@ -56,29 +70,42 @@ def _plain(entry: MissionEntry) -> MissionEntryShape:
         path=entry.path,
         name=entry.name,
         title=entry.title,
-        example=entry.example,
         modified=entry.modified,
         label={},
         help={},
-        picture=None,
+        example=None if not entry.example else _listed(entry, None),
         problem=entry.problem,
     )
 
 
-def _told(entry: MissionEntry, opened: OpenMission) -> MissionEntryShape:
-    shape = mission_shape(opened.mission)
+def _told(entry: MissionEntry, mission: Mission) -> MissionEntryShape:
     plain = _plain(entry)
-    plain.title = shape.label.get("", plain.title)
-    plain.label, plain.help = shape.label, shape.help
-    if shape.programs:
-        world = world_shape(opened.world) if opened.world is not None else None
-        agents = [agent.start or agent.name for agent in shape.agents]
-        plain.picture = PictureShape(program=shape.programs[0], world=world, agents=agents)
+    plain.label, plain.help = dict(mission.label), dict(mission.help)
+    plain.title = plain.label.get("", plain.title)
+    plain.example = _listed(entry, mission)
     return plain
 
 
+def _listed(entry: MissionEntry, mission: Mission | None) -> ExampleShape:
+    known = shipped_examples()
+    listed = known.examples.get(entry.path.removeprefix(EXAMPLE))
+    topics = [topic for topic in known.topics if listed is not None and topic.name in listed.topics]
+    programs = mission.programs if mission is not None else []
+    agents = mission.team.agents if mission is not None else []
+    targets = [one.target for one in programs if one.target] + [one.robot for one in agents if one.robot]
+    return ExampleShape(
+        level=listed.level if listed is not None else 0,
+        topics=[TopicShape(name=topic.name, label=dict(topic.label)) for topic in topics],
+        robots=list(dict.fromkeys(targets)),
+        agents=len(agents),
+        # Start and Stop are in every program.
+        parts=max(0, len(programs[0].vertices) - 2) if programs else 0,
+    )
+
+
 def _difficulty(entry: MissionEntryShape) -> tuple[int, int, str]:
-    """Fewer robots first, then fewer parts."""
-    if entry.picture is None:
+    """Fewer robots first, then fewer parts; what cannot be opened last."""
+    made = entry.example
+    if made is None or made.agents == 0:
         return 10**9, 0, entry.path
-    return len(entry.picture.agents), len(entry.picture.program.vertices), entry.path
+    return made.agents, made.parts, entry.path

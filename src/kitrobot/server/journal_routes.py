@@ -12,6 +12,7 @@ import contextlib
 from fastapi import WebSocket, WebSocketDisconnect
 
 from kitrobot.files import Journal, MissionNameError
+from kitrobot.server.beside_loop import beside_loop
 from kitrobot.server.routing import ThisStudio, api_router, studio_of
 from kitrobot.server.shapes import (
     ClaimShape,
@@ -24,11 +25,13 @@ from kitrobot.server.shapes import (
     JournalSizeShape,
     NewsMessage,
     mission_from_shape,
+    mission_shape,
 )
+from kitrobot.server.shapes.journal import ConflictedShape, MergeAskShape, MergedShape
 from kitrobot.server.shapes.values import ClaimedValue, LeftValue
 from kitrobot.server.studio import Studio
 from kitrobot.translation import said
-from kitrobot.versions import Difference, differences
+from kitrobot.versions import Difference, differences, merge_missions
 
 LOOK_S = 0.5
 """How often a tab's files are looked at."""
@@ -81,6 +84,36 @@ def difference(studio: ThisStudio, wanted: DifferenceAskShape) -> DifferenceShap
     return DifferenceShape(revision=revision, changes=[_in_words(one) for one in found])
 
 
+@journal_routes.post("/mission/merge")
+def merge(studio: ThisStudio, wanted: MergeAskShape) -> MergedShape:
+    """A mission with the edits of its file, both made of `base`; nothing is written."""
+    data, revision = studio.folder.read(wanted.path)
+    theirs = studio.read(data, wanted.path, wanted.path).mission
+    base, ours = mission_from_shape(wanted.base), mission_from_shape(wanted.mission)
+    merged = merge_missions(base, ours, theirs, frozenset(wanted.taken))
+    return MergedShape(
+        revision=revision,
+        mission=mission_shape(merged.mission),
+        theirs=mission_shape(theirs),
+        conflicts=[
+            ConflictedShape(
+                name=one.name,
+                what=_capital(said(one.what)),
+                sentence=_capital(said(one.sentence)),
+                ours=said(one.ours),
+                theirs=said(one.theirs),
+                taken=one.taken,
+                open=one.open,
+            )
+            for one in merged.clashes
+        ],
+    )
+
+
+def _capital(words: str) -> str:
+    return words[:1].upper() + words[1:]
+
+
 def _in_words(difference: Difference) -> str:
     """What is different, after the program that it is about: the words are a sentence, the name stays as it is."""
     words = said(difference.words)
@@ -98,7 +131,7 @@ async def watch(socket: WebSocket) -> None:
         await socket.send_text(HelloMessage(tab=tab).model_dump_json())
         told: object = None
         while not closed.done():
-            message = await asyncio.to_thread(_news, studio, tab)
+            message = await beside_loop(_news, studio, tab)
             if message != told:
                 told = message
                 await socket.send_text(message.model_dump_json())

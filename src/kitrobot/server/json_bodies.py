@@ -10,9 +10,10 @@ import json
 from collections.abc import Callable, Coroutine
 from typing import Any
 
-import orjson
 from fastapi import Request, Response
 from fastapi.routing import APIRoute
+
+from kitrobot.server.json_text import from_json
 
 
 def read_json(body: bytes) -> Any:
@@ -22,8 +23,8 @@ def read_json(body: bytes) -> Any:
         json.JSONDecodeError: it is no JSON, or nested too deeply.
     """
     try:
-        return orjson.loads(body)
-    except orjson.JSONDecodeError:
+        return from_json(body)
+    except json.JSONDecodeError:
         if rb"\u" not in body:
             raise
         try:
@@ -32,7 +33,7 @@ def read_json(body: bytes) -> Any:
             text = ""
         if not text:
             raise
-        return orjson.loads(text.encode("utf-16", "surrogatepass").decode("utf-16", "replace"))
+        return from_json(text.encode("utf-16", "surrogatepass").decode("utf-16", "replace"))
 
 
 class _JsonRequest(Request):

@@ -16,6 +16,7 @@ from kitrobot.server.shapes.parts import (
     PartsFileShape,
     PartsShape,
     PlanShape,
+    TemplateShape,
     VariableAskShape,
     WorldEntryShape,
     WorldFileShape,
@@ -29,7 +30,7 @@ from kitrobot.workspace import (
     read_world_file,
     worlds_at_hand,
 )
-from kitrobot.world import write_world
+from kitrobot.world import MOST_SEED, TEMPLATES, write_world
 
 LONGEST_NAME = 1000
 
@@ -67,6 +68,12 @@ def world_plan(studio: ThisStudio, path: Name, href: Name) -> PlanShape:
     found, problems = read_world_file(file)
     sound = found is not None and not any(problem.is_error for problem in problems)
     return PlanShape(world=own_world_shape(found) if found and sound else None, problems=problem_shapes(problems))
+
+
+@parts_routes.get("/world/templates")
+def world_templates(seed: Annotated[int, Query(ge=0, le=MOST_SEED)] = 0) -> list[TemplateShape]:
+    """Worlds to begin with; the maze is made from the seed."""
+    return [TemplateShape(name=name, world=own_world_shape(make(seed))) for name, make in TEMPLATES.items()]
 
 
 @parts_routes.post("/world/text")

@@ -22,6 +22,7 @@ from fastapi import WebSocketDisconnect
 from pydantic import BaseModel
 
 from kitrobot.diagnostics import KitRobotError
+from kitrobot.server.beside_loop import beside_loop
 from kitrobot.server.robot_gateway import RobotGateway
 from kitrobot.server.shapes import (
     BoardGoneMessage,
@@ -171,7 +172,7 @@ class RobotRegistry:
     async def _end(self, subscriber: Subscriber, sessions: list[RobotWorker]) -> None:
         await subscriber.end()
         for session in sessions:
-            await asyncio.to_thread(session.wait, CLOSE_WITHIN_S)
+            await beside_loop(session.wait, CLOSE_WITHIN_S)
             self._let_go(session)
 
     # -- ports
@@ -195,7 +196,7 @@ class RobotRegistry:
 
     async def _find_ports(self) -> None:
         try:
-            found = await asyncio.to_thread(self.links.list_ports)
+            found = await beside_loop(self.links.list_ports)
         except (KitRobotError, OSError) as error:
             _log.debug("the ports cannot be listed: %s", error)
             found = []
@@ -224,7 +225,7 @@ class RobotRegistry:
         name = await self._name_of(address)
         while (found := self._sessions.get(address)) is not None and found.closing:
             # Whoever had it is gone; a page that was loaded again asks before all is done.
-            await asyncio.to_thread(found.wait, CLOSE_WITHIN_S)
+            await beside_loop(found.wait, CLOSE_WITHIN_S)
             self._let_go(found)
         if found is not None:
             return _mine(holder, found)
@@ -305,7 +306,7 @@ class RobotRegistry:
     async def forget(self, session: RobotWorker) -> None:
         """Lets go of a robot."""
         session.close()
-        await asyncio.to_thread(session.wait, CLOSE_WITHIN_S)
+        await beside_loop(session.wait, CLOSE_WITHIN_S)
         self._let_go(session)
 
     async def free(self, holder: str, address: str) -> None:

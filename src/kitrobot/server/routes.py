@@ -31,6 +31,7 @@ from kitrobot.server.shapes import (
     problem_shapes,
     world_shape,
 )
+from kitrobot.server.shapes.gallery import RunPreviewShape
 from kitrobot.server.shapes.sent import sent_mission
 from kitrobot.server.studio import Studio
 from kitrobot.sim import expect_run
@@ -78,6 +79,12 @@ def session(request: Request, studio: ThisStudio) -> SessionShape:
 def missions(studio: ThisStudio) -> list[MissionEntryShape]:
     """The missions of the folder, and the examples."""
     return studio.gallery.entries(studio)
+
+
+@routes.get("/missions/preview")
+def mission_preview(studio: ThisStudio, path: Name) -> RunPreviewShape:
+    """What an example does in its first seconds."""
+    return studio.gallery.preview(studio, path)
 
 
 @routes.get("/mission")

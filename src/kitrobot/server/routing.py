@@ -35,8 +35,13 @@ def refuse_visitors(connection: HTTPConnection) -> None:
     """Ports belong to who sits at this machine, unless the studio was started for others too.
 
     Raises:
-        AddressError: the page is on another machine.
+        AddressError: the page is on another machine, or is all that there is of the studio.
     """
+    if studio_of(connection).in_page:
+        raise AddressError(
+            Sentence("this page cannot reach robots that are plugged in"),
+            Sentence("install KitRobot on this computer: its studio can"),
+        )
     host = connection.client.host if connection.client is not None else ""
     try:
         here = ipaddress.ip_address(host).is_loopback

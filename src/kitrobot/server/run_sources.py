@@ -14,6 +14,7 @@ from starlette.requests import HTTPConnection
 
 from kitrobot.diagnostics import KitRobotError, ProblemsError
 from kitrobot.mission import Mission
+from kitrobot.server.beside_loop import beside_loop
 from kitrobot.server.live_run import LiveRun
 from kitrobot.server.replay import Replay
 from kitrobot.server.routing import refuse_visitors, studio_of
@@ -46,14 +47,15 @@ async def run_of(
     studio = studio_of(connection)
     if isinstance(request, RobotsRequest):
         refuse_visitors(connection)
-        opened = await asyncio.to_thread(_opened, studio, request)
+        opened = await beside_loop(_opened, studio, request)
         return _robots(studio, request, opened, wake)
     if isinstance(request, FleetRequest):
-        refuse_visitors(connection)
+        if not studio.in_page:
+            refuse_visitors(connection)
         return await _fleet(studio, request, wake)
     if isinstance(request, ReplayRequest):
-        return await asyncio.to_thread(_replay, studio, request)
-    return await asyncio.to_thread(_simulated, studio, request)
+        return await beside_loop(_replay, studio, request)
+    return await beside_loop(_simulated, studio, request)
 
 
 def come_with(request: Beginning) -> list[Steering]:
@@ -88,13 +90,18 @@ def _from_any_thread(wake: Callable[[], None]) -> Callable[[], None]:
 
 async def _fleet(studio: Studio, request: FleetRequest, wake: Callable[[], None]) -> WatchedRun | ProblemsMessage:
     """Nothing is waited for once the fleet is made: whoever calls this off leaves none."""
+    if studio.in_page:
+        raise KitRobotError(
+            Sentence("a team as processes cannot run in a page"),
+            Sentence("run it as a simulation here, or install KitRobot on this computer"),
+        )
     if find_spec("zenoh") is None:
         raise KitRobotError(
             Sentence("a team as processes needs the package `{package}`", "eclipse-zenoh"),
             Sentence("install it: {command}", "`pip install kitrobot[fleet]`"),
         )
     try:
-        prepared, mission = await asyncio.to_thread(_prepared, studio, request)
+        prepared, mission = await beside_loop(_prepared, studio, request)
     except ProblemsError as error:
         return ProblemsMessage(problems=problem_shapes(error.diagnostics))
     from kitrobot.server.fleet_run import FleetRunning, FleetWatch

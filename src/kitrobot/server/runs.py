@@ -23,6 +23,7 @@ from fastapi import APIRouter, WebSocket, WebSocketDisconnect
 from pydantic import ValidationError
 
 from kitrobot.diagnostics import KitRobotError
+from kitrobot.server.beside_loop import beside_loop
 from kitrobot.server.broadcast import MOST_WATCHERS, Broadcast, Subscriber
 from kitrobot.server.realtime_clock import Pace, speed_of
 from kitrobot.server.routing import studio_of
@@ -172,7 +173,7 @@ class Session:
             return
         await self._stand_up()
         try:
-            mission = await asyncio.to_thread(mission_from_shape, request.mission)
+            mission = await beside_loop(mission_from_shape, request.mission)
         except KitRobotError as error:
             await self._telling.fail(error.message, error.help, ended=True)
             return
@@ -307,7 +308,7 @@ class Session:
             if pace.paused:
                 due, self._steps = self._steps, 0
             if due != 0:
-                await asyncio.to_thread(watch.advance, due, began + FRAME_S, self._clock)
+                await beside_loop(watch.advance, due, began + FRAME_S, self._clock)
                 if watch.hits:
                     pace.set_paused(True, watch.tick)
                 await self._telling.news(watch)
@@ -330,7 +331,7 @@ class Session:
             if self._stopping:
                 break
             try:
-                await asyncio.to_thread(job)
+                await beside_loop(job)
             except KitRobotError as error:
                 await self._telling.fail(error.message, error.help)
         return bool(jobs)

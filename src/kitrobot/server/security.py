@@ -25,11 +25,11 @@ import os
 from typing import Any
 from urllib.parse import parse_qs
 
-import orjson
 from starlette.datastructures import Headers, MutableHeaders
 from starlette.types import ASGIApp, Message, Receive, Scope, Send
 
 from kitrobot.server import pages
+from kitrobot.server.json_text import to_json
 from kitrobot.server.sentences import spoken
 from kitrobot.text import Sentence
 
@@ -105,7 +105,7 @@ class Guard:
             nonlocal started
             if message["type"] == "http.response.start":
                 started = True
-                _dress(message, scope)
+                dress(message, scope)
             await send(message)
 
         if not _host_is_ours(headers):
@@ -224,7 +224,8 @@ def _cookies(headers: Headers) -> list[str]:
     return [value.strip().strip('"') for name, _, value in pairs if name.strip() == wanted]
 
 
-def _dress(message: Message, scope: Scope) -> None:
+def dress(message: Message, scope: Scope) -> None:
+    """Puts the headers of every answer onto this one."""
     headers = MutableHeaders(scope=message)
     for name, value in _HEADERS.items():
         headers.setdefault(name, value)
@@ -239,7 +240,7 @@ async def refuse(scope: Scope, send: Send, status: int, message: str, help: str)
     """An answer without the application: a page for people, JSON for the page's own requests."""
     if scope["path"].startswith("/api"):
         body, kind = (
-            orjson.dumps({"message": spoken(message), "help": spoken(help)}),
+            to_json({"message": spoken(message), "help": spoken(help)}),
             "application/json",
         )
     else:

@@ -2,14 +2,15 @@
 
 from __future__ import annotations
 
-import gc
 import socket
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from contextlib import suppress
+from pathlib import Path
 
 import uvicorn
 from starlette.types import ASGIApp
 
+from kitrobot.server.collector import calm_collector
 from kitrobot.server.connections import LARGEST_HEAD_BYTES, MOST_CONNECTIONS, BoundedConnection
 from kitrobot.server.runs import LARGEST_MESSAGE_BYTES
 
@@ -17,18 +18,23 @@ END_WITHIN_S = 2
 """How long open connections may take to close after Ctrl-C."""
 
 
-def run_server(app: ASGIApp, listening: socket.socket, ready: Callable[[], None]) -> None:
-    """Serves until Ctrl-C; `ready` is called once it listens."""
-    config = server_config(app)
-    _calm_collector()
+def run_server(
+    app: ASGIApp, listening: Sequence[socket.socket], ready: Callable[[], None], tls: tuple[Path, Path] | None = None
+) -> None:
+    """Serves until Ctrl-C; `ready` is called once it listens, `tls` is a certificate and its key."""
+    config = server_config(app, tls)
+    calm_collector()
     with suppress(KeyboardInterrupt):
-        _Server(config, ready).run(sockets=[listening])
+        _Server(config, ready).run(sockets=list(listening))
 
 
-def server_config(app: ASGIApp) -> uvicorn.Config:
+def server_config(app: ASGIApp, tls: tuple[Path, Path] | None = None) -> uvicorn.Config:
     """How the studio is served. Nothing is compressed on a WebSocket: to the same machine that only costs time."""
+    certificate, key = (None, None) if tls is None else map(str, tls)
     return uvicorn.Config(
         app,
+        ssl_certfile=certificate,
+        ssl_keyfile=key,
         log_level="warning",
         access_log=False,
         server_header=False,
@@ -42,17 +48,6 @@ def server_config(app: ASGIApp) -> uvicorn.Config:
         ws_per_message_deflate=False,
         timeout_graceful_shutdown=END_WITHIN_S,
     )
-
-
-def _calm_collector() -> None:
-    """Has Python's garbage collector look at everything less often, and never at what is there now.
-
-    Hardly anything here is garbage that counting references does not find, and a look at a large mission's programs
-    takes longer than the answer that it delays.
-    """
-    gc.collect()
-    gc.freeze()
-    gc.set_threshold(100_000, 50, 100)
 
 
 class _Server(uvicorn.Server):

@@ -75,12 +75,12 @@ def _join(presence: Presence, running: Running, place: Place, browser: bool) -> 
         file=sys.stderr,
         flush=True,
     )
-    if browser and _has_screen():
+    if browser and has_screen():
         _show(presence, address)
 
 
 def _serve(place: Place, presence: Presence, bound: str, port: int | None, browser: bool) -> None:
-    listening = _listen(bound, port, presence.port)
+    listening = listen(bound, port, presence.port)
     # Only now: where the studio is not served, nobody waits for the web server to load.
     from kitrobot.server.app import create_app
     from kitrobot.server.serving import run_server
@@ -95,12 +95,12 @@ def _serve(place: Place, presence: Presence, bound: str, port: int | None, brows
         threading.Thread(target=app.state.studio.folder.sweep, daemon=True).start()
         print(address, flush=True)
         print("Ctrl-C ends the studio.", file=sys.stderr, flush=True)
-        if browser and _has_screen():
+        if browser and has_screen():
             # A browser that is slow to start must not keep the server waiting.
             threading.Thread(target=_show, args=(presence, address), daemon=True).start()
 
     try:
-        run_server(app, listening, ready)
+        run_server(app, [listening], ready)
     finally:
         app.state.studio.boards.team.end()
         listening.close()
@@ -144,7 +144,7 @@ def _name(host: str) -> str:
     return f"[{host.strip('[]')}]" if ":" in host else host
 
 
-def _listen(address: str, port: int | None, last: int | None = None) -> socket.socket:
+def listen(address: str, port: int | None, last: int | None = None) -> socket.socket:
     """A socket that listens: on the port, or, where none is named, on the last one if it is free."""
     family = socket.AF_INET6 if ":" in address else socket.AF_INET
     wanted = [*range(USUAL_PORT, USUAL_PORT + MORE_PORTS), 0] if port is None else [port]
@@ -168,7 +168,7 @@ def _listen(address: str, port: int | None, last: int | None = None) -> socket.s
     )
 
 
-def _has_screen() -> bool:
+def has_screen() -> bool:
     """Whether a browser can open a window; one that lives in the terminal would take the terminal over."""
     if sys.platform in ("win32", "darwin"):
         return True

@@ -31,6 +31,7 @@ from kitrobot.workspace import (
     KeptPrograms,
     OpenMission,
     OpenTrace,
+    Previews,
     SearchPath,
     Tutorials,
     read_mission_data,
@@ -75,10 +76,14 @@ class Studio:
         """The real robots."""
         self.boards_for_visitors = False
         """Whether pages on other machines may use the ports of this one."""
+        self.in_page = False
+        """Whether it runs in the page itself, which reaches neither ports nor a network (`in_page`)."""
         self.recordings = Recordings(self._recordings_are_in)
         self.saving = threading.Lock()
         """Held while a run is recorded once more: one at a time is quick enough."""
         self.gallery = Gallery()
+        self.previews = Previews()
+        """What missions do in their first seconds."""
         self.tutorials = Tutorials(self.folder)
         self.exercises = Exercises(self.folder)
         self.judging: dict[str, threading.Event] = {}

@@ -18,7 +18,7 @@ from kitrobot.server.shapes.sweep import (
 )
 from kitrobot.text import Sentence
 from kitrobot.workspace import OpenMission, RunOptions
-from kitrobot.workspace.child_processes import cores
+from kitrobot.workspace.child_processes import cores, has_processes
 from kitrobot.workspace.sweep import SweepError, SweepOptions, run_sweep
 
 MOST_FIELDS = 5000
@@ -38,7 +38,7 @@ class _Sweep(BackgroundWork):
             message = Sentence("this sweep has {total} fields; the studio shows at most {most}", fields, MOST_FIELDS)
             raise SweepError(message, Sentence("choose fewer moments, or use `kitrobot run --fail-sweep`"))
         prepared = opened.prepare(RunOptions(request.seed, request.seconds, request.fail_rate))
-        options = SweepOptions(request.moments, jobs=max(2, cores() - 1))
+        options = SweepOptions(request.moments, jobs=max(2, cores() - 1) if has_processes() else 1)
         return sweep_map(run_sweep(prepared, options, self._came_to, self.stop.is_set))
 
     def _came_to(self, done: int, total: int) -> None:

@@ -17,6 +17,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any, Literal, get_args
 
 from kitrobot.diagnostics import KitRobotError
+from kitrobot.server.beside_loop import beside_loop
 from kitrobot.server.shapes import (
     BoardProgressShape,
     BoardStep,
@@ -159,7 +160,7 @@ class TeamRoom:
 
         if self._claimed and self._fleet is not None and self.standing.phase == "stopping":
             # Its page is gone; a page that was loaded again asks before all is done.
-            await asyncio.to_thread(self._fleet.wait, END_WITHIN_S)
+            await beside_loop(self._fleet.wait, END_WITHIN_S)
         if self._claimed:
             doing = self.standing.phase
             raise TeamBusyError(

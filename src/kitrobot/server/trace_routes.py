@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import shutil
-from asyncio import to_thread
 from pathlib import Path, PurePosixPath
 from typing import Annotated
 
@@ -11,6 +10,7 @@ from fastapi import BackgroundTasks, Query, Request
 from fastapi.responses import FileResponse
 
 from kitrobot.files import RECORDING, FileError, read_bytes, revision_of
+from kitrobot.server.beside_loop import beside_loop
 from kitrobot.server.recordings import RecordingError
 from kitrobot.server.routes import LONGEST_NAME, mission_file
 from kitrobot.server.routing import ThisStudio, api_router
@@ -48,12 +48,12 @@ def trace(studio: ThisStudio, path: Name) -> RecordingShape:
 async def trace_read(studio: ThisStudio, request: Request, name: Name = f"recording{ENDING}") -> RecordingShape:
     """A recording that is not in the folder, from its bytes; they go to the disk as they come."""
     shown = PurePosixPath(name.replace("\\", "/")).name[-100:]
-    path = await to_thread(studio.recordings.new_file, shown if is_trace(shown) else f"recording{ENDING}")
+    path = await beside_loop(studio.recordings.new_file, shown if is_trace(shown) else f"recording{ENDING}")
     try:
         with path.open("wb") as file:
             async for piece in request.stream():
                 file.write(piece)
-        return await to_thread(_opened, studio, path)
+        return await beside_loop(_opened, studio, path)
     except BaseException:
         shutil.rmtree(path.parent, ignore_errors=True)
         raise

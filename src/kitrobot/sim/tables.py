@@ -289,6 +289,8 @@ class Tables:
 
     def _sensor_tables(self) -> DeviceTables:
         made = DeviceTables(self._sensors, len(sensors()), c.SENSOR_WHOLES, c.SENSOR_REALS)
+        # Where the numbers of sensors stand: those that are the same stand there once.
+        places: dict[tuple[float, ...], int] = {}
         for k, item in enumerate(made.fitted):
             robot = self.robots[item.robot]
             size = ticks(item.values.number("latency"), robot.tick_ms / 1000) + 1
@@ -297,8 +299,11 @@ class Tables:
             noise = 0.0 if unit is None else item.values.part("noise") if flips else item.values.number("noise")
             dropout = item.values.part("dropout")
             assert issubclass(item.device, Sensor)
-            first = len(made.numbers)
-            made.numbers += item.device.table(item.part, item.values, self.world)
+            numbers = tuple(item.device.table(item.part, item.values, self.world))
+            if numbers not in places:
+                places[numbers] = len(made.numbers)
+                made.numbers += numbers
+            first = places[numbers]
             made.put_ints(
                 k,
                 {
@@ -317,7 +322,7 @@ class Tables:
                     c.S_DOCK: item.standing.dock,
                     c.S_STORE: item.standing.storehouse,
                     c.S_FIRST: first,
-                    c.S_END: len(made.numbers),
+                    c.S_END: first + len(numbers),
                     c.S_RESTLESS: 1 if noise > 0 or dropout > 0 or item.device.restless else 0,
                 },
             )

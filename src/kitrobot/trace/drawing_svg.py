@@ -10,12 +10,13 @@ COLOURS = ("#1b1f27", "#d3202f", "#1c8548", "#1d6ad4", "#e07a1f", "#7549cc", "#d
 """The colours of pens by number: black, red, green, blue, orange, violet, yellow, pink."""
 
 
-def drawing_svg(strokes: Iterable[Stroke], width_mm: float, height_mm: float) -> str:
-    """The file; the same drawing gives the same bytes."""
+def drawing_svg(strokes: Iterable[Stroke], width_mm: float, height_mm: float, floor: Iterable[str] = ()) -> str:
+    """The file; the same drawing gives the same bytes. `floor` is SVG that lies under it, line by line."""
     size = f"{_number(width_mm)} {_number(height_mm)}"
     lines = [
         f'<svg xmlns="http://www.w3.org/2000/svg" width="{_number(width_mm)}mm" height="{_number(height_mm)}mm" '
         f'viewBox="0 0 {size}" fill="none" stroke-linecap="round" stroke-linejoin="round">',
+        *floor,
         *(_line(stroke, height_mm) for stroke in strokes),
         "</svg>",
     ]

@@ -1,7 +1,7 @@
 """Tutorials: what a person is asked to do step by step, and whether a program shows that it is done."""
 
 from kitrobot.tutorial.matching import fits, steps_fit
-from kitrobot.tutorial.model import EVENTS, GroupWant, Pattern, Point, SpareWant, Step, Tutorial
+from kitrobot.tutorial.model import EVENTS, GroupWant, Pattern, Point, SpareWant, Step, TeacherPage, Tutorial
 from kitrobot.tutorial.reading import read_tutorial
 
 __all__ = [
@@ -11,6 +11,7 @@ __all__ = [
     "Point",
     "SpareWant",
     "Step",
+    "TeacherPage",
     "Tutorial",
     "fits",
     "read_tutorial",

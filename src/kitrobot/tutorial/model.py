@@ -36,6 +36,9 @@ run: a member waits for others; a robot failed; another one took over for it; th
 the members was open while one is missed. The projection of the team's program was shown.
 """
 
+LAST = 1000
+"""The order of a tutorial that says none."""
+
 Range = tuple[int, int]
 PointKind = Literal["part", "vertex", "button", "panel", "program", "group"]
 
@@ -100,11 +103,23 @@ class Step:
 
 
 @dataclass(frozen=True)
+class TeacherPage:
+    """What a teacher wants to know of a tutorial: its aim, how long it takes, what goes wrong, what to ask after it."""
+
+    minutes: int
+    aim: Texts
+    troubles: tuple[Texts, ...] = ()
+    questions: tuple[Texts, ...] = ()
+
+
+@dataclass(frozen=True)
 class Tutorial:
-    """A tutorial; `start` is the `.krt` beside it that it begins with."""
+    """A tutorial; `start` is the `.krt` beside it that it begins with, `order` its place among those of a folder."""
 
     start: str
     label: Texts
     help: Texts
     icon: str
     steps: tuple[Step, ...]
+    order: int = LAST
+    teacher: TeacherPage | None = None

@@ -7,15 +7,16 @@ used, and its diagnostics say where it is wrong. Left to others: whether `start`
 from __future__ import annotations
 
 from dataclasses import replace
-from typing import cast, get_args
+from typing import NamedTuple, cast, get_args
 
 from kitrobot.diagnostics import Diagnostic
 from kitrobot.lll import FAILURES, Failure, Node, children
-from kitrobot.primitives import IDENTIFIER, Template, holes, read_template
+from kitrobot.primitives import IDENTIFIER, Template, Texts, holes, read_template
 from kitrobot.text import Sentence, Series, Word, one_of
 from kitrobot.tutorial import rules
 from kitrobot.tutorial.model import (
     EVENTS,
+    LAST,
     GroupWant,
     Pattern,
     Point,
@@ -23,6 +24,7 @@ from kitrobot.tutorial.model import (
     Range,
     SpareWant,
     Step,
+    TeacherPage,
     Tutorial,
 )
 from kitrobot.xml import (
@@ -85,7 +87,8 @@ def read_tutorial(data: bytes, name: str) -> tuple[Tutorial | None, list[Diagnos
     if root.faulty:
         return None, reader.diagnostics
     label, help = root.texts.get("label", {}), root.texts.get("help", {})
-    return Tutorial(start, label, help, icon, tuple(steps)), reader.diagnostics
+    teacher = next(iter(root.found(TeacherPage)), None)
+    return Tutorial(start, label, help, icon, tuple(steps), root.integer("order"), teacher), reader.diagnostics
 
 
 def _code(element: Element) -> Template | None:
@@ -191,6 +194,27 @@ def _spare(element: Element) -> SpareWant:
     return SpareWant(element.integer("robots"))
 
 
+class _Said(NamedTuple):
+    """A text of a teacher's page, and which of its lists it is of."""
+
+    kind: str
+    texts: Texts
+
+
+def _said(element: Element) -> _Said:
+    return _Said(element.name, element.texts.get("label", {}))
+
+
+def _teacher(element: Element) -> TeacherPage:
+    found = element.found(_Said)
+    return TeacherPage(
+        element.integer("minutes"),
+        element.texts.get("aim", {}),
+        tuple(one.texts for one in found if one.kind == "trouble"),
+        tuple(one.texts for one in found if one.kind == "question"),
+    )
+
+
 def _step(element: Element) -> Step:
     if "" not in element.texts.get("label", {}):
         element.report(rules.START, Sentence("expected a <label> in English in the step, found none"))
@@ -277,11 +301,21 @@ _STEP = Tag(
     about="One thing to do: done when all patterns, one of each any and all that is said of the team hold, and an "
     "event came. A step with none of these is read.",
 )
+_TEACHER = Tag(
+    _teacher,
+    {"minutes": needed(whole(1, 240), about="How long it takes.")},
+    {
+        "aim": replace(TEXT, about="What a child knows afterwards."),
+        "trouble": Tag(_said, children=TEXTS, least=1, about="What goes wrong, and what helps."),
+        "question": Tag(_said, children=TEXTS, least=1, about="What to ask afterwards."),
+    },
+    about="For teachers; one is enough.",
+)
 TUTORIAL = {
     "tutorial": lesson_tag(
         VERSION,
-        {"step": _STEP},
-        {},
+        {"step": _STEP, "teacher": _TEACHER},
+        {"order": optional(whole(0, LAST), str(LAST), about="Its place among the tutorials of a folder.")},
         about="A tutorial: steps, and what a program has to be like so that each is done.",
     )
 }

@@ -1,10 +1,12 @@
 """Versions of a mission held against each other: what is different, in words, and three-way merges."""
 
 from kitrobot.versions.comparison import CompareError, Difference, compare_files, differences, text_differences
+from kitrobot.versions.conflicts import Conflict
 from kitrobot.versions.merging import Merged, merge_files, merge_missions
 
 __all__ = [
     "CompareError",
+    "Conflict",
     "Difference",
     "Merged",
     "compare_files",

@@ -1,6 +1,7 @@
 """What is different between two missions, or two LLL texts, in words.
 
-Programs are found again by name, or by what they hold when they were renamed; vertices by their id. What stands in a
+Programs are found again by name, or by what they hold when they were renamed; vertices by their id, unless another
+element stands at another place under the same one. What stands in a
 chain is held against the same chain, so one instruction put in is one difference and not one for each that follows.
 Nothing different is ever left out: where no words fit better, the part that differs is named.
 """
@@ -10,7 +11,7 @@ from __future__ import annotations
 from bisect import bisect_left
 from collections import deque
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass, fields
+from dataclasses import dataclass, fields, replace
 from pathlib import Path
 
 from kitrobot.compiler.common_order import common_order
@@ -207,16 +208,22 @@ def _program(before: Program, after: Program) -> Iterator[Difference]:
         yield Difference("order", Sentence("the same vertices and arcs in another order of the file"), name)
 
 
+def _is_another(before: Vertex, after: Vertex, moved: set[str]) -> bool:
+    """Whether two parts only share their id: another element at another place."""
+    return before.element != after.element and after.id in moved
+
+
 def _vertices(old: Outline, new: Outline, name: str) -> Iterator[Difference]:
+    moved = _moved(old, new)
     for id, vertex in old.vertices.items():
-        if id not in new.vertices:
+        now = new.vertices.get(id)
+        if now is None or _is_another(vertex, now, moved):
             yield Difference(
                 "removed", Sentence("{vertex} removed, it stood{where}", named(vertex), where(old, id)), name, id
             )
-    moved = _moved(old, new)
     for id, vertex in new.vertices.items():
         before = old.vertices.get(id)
-        if before is None:
+        if before is None or _is_another(before, vertex, moved):
             yield Difference("added", Sentence("{vertex} added{where}", named(vertex), where(new, id)), name, id)
             yield from _inside(Vertex(id, vertex.element, vertex.settings), vertex, name)
             continue
@@ -232,6 +239,8 @@ def _inside(before: Vertex, after: Vertex, name: str) -> Iterator[Difference]:
         yield Difference(
             "element", Sentence("{before} became {after}", named(before), Word(after.element)), name, after.id
         )
+        # Its settings are those of another part: one added says none of them either.
+        before = replace(before, settings=after.settings)
     for setting in dict.fromkeys((*before.settings, *after.settings)):
         one, other = before.settings.get(setting), after.settings.get(setting)
         if one != other:

@@ -2,14 +2,14 @@
 
 What only one side changed is taken from it. In a program each out-port leads to one place, so two edits of different
 places change different ports and both stand; ids that both sides gave to different new vertices are made fresh first.
-Where both changed the same thing differently ours stays and a sentence says so. A program whose merged graph would not
-hang together as both sides' graphs do stays whole as ours, and that is said too. So the result is always a mission
-that opens. Left to others: what the sentences are written to.
+Where both changed the same thing differently ours stays, unless theirs was decided on, and a sentence says so. A
+program whose merged graph would not hang together as both sides' graphs do stays whole as ours, and that is said too.
+So the result is always a mission that opens. Left to others: what the sentences are written to.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable, Hashable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Collection, Hashable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, fields, replace
 from pathlib import Path
 from typing import Any, TypeVar
@@ -18,9 +18,12 @@ from kitrobot.files import expect_unchanged, read_bytes, same_file, saving_in
 from kitrobot.graph import IN, RETURN, START, STOP, Arc, Program, Vertex
 from kitrobot.mission import Agent, Breakpoint, Failure, Goal, Mission, Team, save
 from kitrobot.primitives import Constructor, OwnVariable
+from kitrobot.text import Sentence, Word
 from kitrobot.versions.comparison import mission_whole, renamed_programs
+from kitrobot.versions.conflicts import Conflict, Decisions
 from kitrobot.versions.outline import Outline
 from kitrobot.versions.own_worlds import merge_places
+from kitrobot.versions.wording import named
 
 T = TypeVar("T")
 Port = tuple[str, str]
@@ -28,10 +31,15 @@ Port = tuple[str, str]
 
 @dataclass(frozen=True)
 class Merged:
-    """What became of it, and a sentence for each conflict, in which ours was kept."""
+    """What became of it, and what both changed differently."""
 
     mission: Mission
-    conflicts: tuple[str, ...]
+    clashes: tuple[Conflict, ...] = ()
+
+    @property
+    def conflicts(self) -> tuple[str, ...]:
+        """A sentence for each."""
+        return tuple(one.sentence for one in self.clashes)
 
 
 def merge_files(base: Path, ours: Path, theirs: Path, out: Path) -> Merged:
@@ -54,41 +62,43 @@ def merge_files(base: Path, ours: Path, theirs: Path, out: Path) -> Merged:
     return merged
 
 
-def merge_missions(base: Mission, ours: Mission, theirs: Mission) -> Merged:
-    """The mission with both sides' edits of `base`."""
+def merge_missions(base: Mission, ours: Mission, theirs: Mission, taken: Collection[str] = ()) -> Merged:
+    """The mission with both sides' edits of `base`; `taken` are the names of conflicts in which theirs is taken."""
     if theirs in (base, ours):
-        return Merged(ours, ())
+        return Merged(ours)
     if ours == base:
-        return Merged(theirs, ())
-    conflicts: list[str] = []
-
-    def choose(what: str, one: T, mine: T, other: T) -> T:
-        """The side that changed it; ours where both did, with a word."""
-        if other in (one, mine):
-            return mine
-        if mine == one:
-            return other
-        conflicts.append(f"{what} was changed in both: ours is kept")
-        return mine
-
-    programs = _programs(base, ours, theirs, conflicts)
-    agents = _by_name(*_with_new_names(base, ours, theirs), _agent_name, "the agent", choose)
-    _bring_back(programs, agents, (ours, theirs), conflicts)
-    goals = _by_name(base.team.goals, ours.team.goals, theirs.team.goals, _goal_name, "the goal of", choose)
+        return Merged(theirs)
+    decisions = Decisions(taken)
+    choose = decisions.choose
+    programs = _programs(base, ours, theirs, decisions)
+    agents = _by_name(*_with_new_names(base, ours, theirs), _agent_name, Sentence("the agent"), choose)
+    _bring_back(programs, agents, (ours, theirs), decisions)
+    goals = _by_name(base.team.goals, ours.team.goals, theirs.team.goals, _goal_name, Sentence("the goal of"), choose)
     own: dict[str, Any] = {
         "constructors": _by_name(
-            base.constructors, ours.constructors, theirs.constructors, _own_name, "the own part", choose
+            base.constructors, ours.constructors, theirs.constructors, _own_name, Sentence("the own part"), choose
         ),
         "breakpoints": _by_name(
-            base.breakpoints, ours.breakpoints, theirs.breakpoints, _breakpoint_name, "the breakpoint at", choose
+            base.breakpoints,
+            ours.breakpoints,
+            theirs.breakpoints,
+            _breakpoint_name,
+            Sentence("the breakpoint at"),
+            choose,
         ),
-        "failures": _by_name(base.failures, ours.failures, theirs.failures, _failure_name, "the failure of", choose),
-        "properties": _by_name(base.properties, ours.properties, theirs.properties, _declared, "the property", choose),
-        "variables": _by_name(base.variables, ours.variables, theirs.variables, _own_name, "the variable", choose),
+        "failures": _by_name(
+            base.failures, ours.failures, theirs.failures, _failure_name, Sentence("the failure of"), choose
+        ),
+        "properties": _by_name(
+            base.properties, ours.properties, theirs.properties, _declared, Sentence("the property"), choose
+        ),
+        "variables": _by_name(
+            base.variables, ours.variables, theirs.variables, _own_name, Sentence("the variable"), choose
+        ),
     }
     rest = {
         field.name: choose(
-            f"the {field.name} of the mission",
+            Sentence("the {field} of the mission", Word(field.name)),
             getattr(base, field.name),
             getattr(ours, field.name),
             getattr(theirs, field.name),
@@ -98,11 +108,15 @@ def merge_missions(base: Mission, ours: Mission, theirs: Mission) -> Merged:
     }
     href, own["own_world"] = merge_places(base, ours, theirs, _by_name, choose)
     team = Team(agents, goals)
-    for what, word in (("roles", "the role"), ("groups", "the group"), ("works", "the work")):
+    for what, word in (
+        ("roles", Sentence("the role")),
+        ("groups", Sentence("the group")),
+        ("works", Sentence("the work")),
+    ):
         old, mine, other = (getattr(side.team, what) for side in (base, ours, theirs))
         setattr(team, what, _by_name(old, mine, other, _declared, word, choose))
     mission = Mission(programs=programs, team=team, world_href=href, **own, **rest)
-    return Merged(mission, tuple(conflicts))
+    return Merged(mission, tuple(decisions.found))
 
 
 def _with_new_names(base: Mission, ours: Mission, theirs: Mission) -> tuple[list[Agent], list[Agent], list[Agent]]:
@@ -116,7 +130,7 @@ def _with_new_names(base: Mission, ours: Mission, theirs: Mission) -> tuple[list
 
 
 def _bring_back(
-    programs: list[Program], agents: Sequence[Agent], sides: Iterable[Mission], conflicts: list[str]
+    programs: list[Program], agents: Sequence[Agent], sides: Iterable[Mission], decisions: Decisions
 ) -> None:
     """Programs that one side removed and that the other's agents run."""
     have = {program.name for program in programs}
@@ -127,7 +141,10 @@ def _bring_back(
             if found is not None and name not in have:
                 programs.append(found)
                 have.add(name)
-                conflicts.append(f"the program {name} was removed in one and runs on an agent of the other: it is kept")
+                words = Sentence(
+                    "the program {program} was removed in one and runs on an agent of the other: it is kept", name
+                )
+                decisions.tell(Sentence("the program {program}", name), words)
 
 
 def _agent_name(agent: Agent) -> Hashable:
@@ -166,11 +183,12 @@ def _by_name(
     """Lists of things with names; as a whole where a name stands twice."""
     sides = [{name_of(item): item for item in side} for side in (base, ours, theirs)]
     if any(len(side) != len(list_) for side, list_ in zip(sides, (base, ours, theirs), strict=True)):
-        found: list[T] = choose(f"the list with {what} …", list(base), list(ours), list(theirs))
+        found: list[T] = choose(Sentence("the list with {what} …", what), list(base), list(ours), list(theirs))
         return found
     old, mine, other = sides
     kept = {
-        name: choose(f"{what} {name}", old.get(name), mine.get(name), other.get(name)) for name in {**mine, **other}
+        name: choose(Sentence("{what} {name}", what, str(name)), old.get(name), mine.get(name), other.get(name))
+        for name in {**mine, **other}
     }
     return [kept[name] for name in _order(old, mine, other) if kept[name] is not None]
 
@@ -192,7 +210,7 @@ def _order(base: Iterable[Any], ours: Iterable[Any], theirs: Iterable[Any]) -> l
     return [one for name in (*mine, None) for one in (*([] if name is None else [name]), *behind.get(name, ()))]
 
 
-def _programs(base: Mission, ours: Mission, theirs: Mission, conflicts: list[str]) -> list[Program]:
+def _programs(base: Mission, ours: Mission, theirs: Mission, decisions: Decisions) -> list[Program]:
     our_names, their_names = renamed_programs(base, ours), renamed_programs(base, theirs)
     old = {program.name: program for program in base.programs}
     mine = _by_old_name(ours, our_names)
@@ -201,19 +219,32 @@ def _programs(base: Mission, ours: Mission, theirs: Mission, conflicts: list[str
     for name in _order(old, mine, other):
         one, two, three = old.get(name), mine.get(name), other.get(name)
         if two is not None and three is not None:
-            merged = _program(one or Program(two.name, two.target, level=two.level), two, three, conflicts)
+            merged = _program(one or Program(two.name, two.target, level=two.level), two, three, decisions)
             found.append(replace(merged, name=_side(name, two.name, three.name)))
-        elif two is not None and (one is None or three != one):
-            if one is not None and two != one:
-                conflicts.append(f"the program {two.name} was removed by them and changed by us: ours is kept")
-            if one is None or two != one:
+        elif two is not None:
+            if two != one and (one is None or not _goes(two.name, decisions)):
                 found.append(two)
-        elif three is not None and (one is None or three != one):
-            if one is None:
-                found.append(three)
-            else:
-                conflicts.append(f"the program {name} was removed by us and changed by them: ours is kept")
+        elif three is not None and three != one and (one is None or _comes_back(name, decisions)):
+            found.append(three)
     return list({program.name: program for program in reversed(found)}.values())[::-1]
+
+
+def _goes(name: str, decisions: Decisions) -> bool:
+    """Whether a program goes that they removed and we changed."""
+    return decisions.takes(
+        Sentence("the program {program}", name),
+        Sentence("the program {program} was removed by them and changed by us: ours is kept", name),
+        Sentence("the program {program} was removed by them and changed by us: it is removed", name),
+    )
+
+
+def _comes_back(name: str, decisions: Decisions) -> bool:
+    """Whether a program is back that we removed and they changed."""
+    return decisions.takes(
+        Sentence("the program {program}", name),
+        Sentence("the program {program} was removed by us and changed by them: ours is kept", name),
+        Sentence("the program {program} was removed by us and changed by them: theirs is taken", name),
+    )
 
 
 def _by_old_name(mission: Mission, renamed: Mapping[str, str]) -> dict[str, Program]:
@@ -225,19 +256,24 @@ def _side(base: str, ours: str, theirs: str) -> str:
     return theirs if ours == base else ours
 
 
-def _program(base: Program, ours: Program, theirs: Program, conflicts: list[str]) -> Program:
+def _program(base: Program, ours: Program, theirs: Program, decisions: Decisions) -> Program:
     """Both sides' edits of one program; its name is ours."""
     same = replace(theirs, name=base.name)
     if same in (base, replace(ours, name=base.name)):
         return ours
     if replace(ours, name=base.name) == base:
         return replace(theirs, name=ours.name)
-    merge = _ProgramMerge(base, ours, _fresh(base, ours, theirs))
-    merged = merge.whole()
+    inner = decisions.within(ours.name)
+    merged = _ProgramMerge(base, ours, _fresh(base, ours, theirs), inner).whole()
     if merged is None:
-        conflicts.append(f"{ours.name}: both changed how its instructions hang together: ours is kept as a whole")
-        return ours
-    conflicts += [f"{ours.name}: {words}" for words in merge.conflicts]
+        inner = decisions.within(ours.name)
+        takes = inner.takes(
+            Sentence("how its instructions hang together"),
+            Sentence("both changed how its instructions hang together: ours is kept as a whole"),
+            Sentence("both changed how its instructions hang together: theirs is taken as a whole"),
+        )
+        merged = replace(theirs, name=ours.name) if takes else ours
+    decisions.found += inner.found
     return merged
 
 
@@ -264,17 +300,9 @@ def _fresh(base: Program, ours: Program, theirs: Program) -> Program:
 
 
 class _ProgramMerge:
-    def __init__(self, base: Program, ours: Program, theirs: Program) -> None:
+    def __init__(self, base: Program, ours: Program, theirs: Program, decisions: Decisions) -> None:
         self.sides = (base, ours, theirs)
-        self.conflicts: list[str] = []
-
-    def choose(self, what: str, one: T, mine: T, other: T) -> T:
-        if other in (one, mine):
-            return mine
-        if mine == one:
-            return other
-        self.conflicts.append(f"{what} was changed in both: ours is kept")
-        return mine
+        self.choose = decisions.choose
 
     def whole(self) -> Program | None:
         """The merged program; None when it would not hang together."""
@@ -289,7 +317,7 @@ class _ProgramMerge:
         arcs = self.arcs([found or {} for found in ports], known)
         if arcs is None:
             return None
-        robot, level = self.choose("the robot", *((side.target, side.level) for side in self.sides))
+        robot, level = self.choose(Sentence("the robot"), *((side.target, side.level) for side in self.sides))
         merged = Program(ours.name, robot, vertices, arcs, level)
         return merged if _hangs_together(merged, ours, theirs) else None
 
@@ -307,19 +335,19 @@ class _ProgramMerge:
         return list(found.values())
 
     def vertex(self, one: Vertex, two: Vertex, three: Vertex) -> Vertex:
-        what = f"{two.element} ({two.id})"
+        what = named(two)
         settings: dict[str, str] = {}
         for name in _order(one.settings, two.settings, three.settings):
             values = (one.settings.get(name), two.settings.get(name), three.settings.get(name))
-            value = self.choose(f"the {name} of {what}", *values)
+            value = self.choose(Sentence("the {setting} of {vertex}", Word(name), what), *values)
             if value is not None:
                 settings[name] = value
         return Vertex(
             two.id,
-            self.choose(f"the element of {what}", one.element, two.element, three.element),
+            self.choose(Sentence("the element of {vertex}", what), one.element, two.element, three.element),
             settings,
-            self.choose(f"the notes of {what}", one.notes, two.notes, three.notes),
-            self.choose(f"what is inside {what}", one.unknown, two.unknown, three.unknown),
+            self.choose(Sentence("the notes of {vertex}", what), one.notes, two.notes, three.notes),
+            self.choose(Sentence("what is inside {vertex}", what), one.unknown, two.unknown, three.unknown),
         )
 
     def arcs(self, ports: Sequence[Mapping[Port, Arc]], known: set[str]) -> list[Arc] | None:

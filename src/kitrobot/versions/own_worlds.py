@@ -1,7 +1,7 @@
 """The worlds that missions bring along, held against each other: differences in words, and three-way merges.
 
-Things with names are found again by them; walls, floors, lines, boxes and balls have none and are found again by what
-they are. What stands at one place of the list in both and differs is one thing that changed.
+Things with names are found again by them; walls, floors, lines, boxes, balls and zones have none and are found again by
+what they are. What stands at one place of the list in both and differs is one thing that changed.
 """
 
 from __future__ import annotations
@@ -18,7 +18,7 @@ from kitrobot.world import KINDS, World
 Choose = Callable[[str, Any, Any, Any], Any]
 Merge = Callable[[Sequence[Any], Sequence[Any], Sequence[Any], Callable[[Any], Any], str, Choose], list[Any]]
 
-_NAMELESS = ("wall", "floor", "line", "box", "ball")
+_NAMELESS = ("wall", "floor", "line", "box", "ball", "zone")
 _UNITS = ("_mm", "_rad")
 
 

@@ -12,10 +12,11 @@ from kitrobot.lazy import lazy_names
 
 if TYPE_CHECKING:
     from kitrobot.workspace.adding import AddedParts, PartsFileError, add_parts
-    from kitrobot.workspace.beginnings import Choices, FoundPlace, NoBeginningError, RobotSet, Starter, Track, tracks
+    from kitrobot.workspace.beginnings import Choices, FoundPlace, NoBeginningError, RobotSet, Starter
     from kitrobot.workspace.checking import FileReport, check_file
     from kitrobot.workspace.compile_cache import KeptPrograms
     from kitrobot.workspace.conversion import ConversionError, Converted, convert
+    from kitrobot.workspace.example_list import shipped_examples
     from kitrobot.workspace.executables import Executable, load_executable
     from kitrobot.workspace.execution import Executed, execute
     from kitrobot.workspace.exercises import Exercises, FoundExercise, handed_in
@@ -32,6 +33,7 @@ if TYPE_CHECKING:
         read_mission_data,
         with_mission,
     )
+    from kitrobot.workspace.previews import Preview, Previews
     from kitrobot.workspace.program_report import ProgramReport, Span
     from kitrobot.workspace.replay import state_at, summary_of
     from kitrobot.workspace.robot_programs import board_program, load_board_program, look_at_boards, send_program
@@ -68,13 +70,15 @@ else:
                 "read_mission_data",
                 "with_mission",
             ),
-            "beginnings": ("Choices", "FoundPlace", "NoBeginningError", "RobotSet", "Starter", "Track", "tracks"),
+            "beginnings": ("Choices", "FoundPlace", "NoBeginningError", "RobotSet", "Starter"),
+            "previews": ("Preview", "Previews"),
             "program_report": ("ProgramReport", "Span"),
             "replay": ("state_at", "summary_of"),
             "robot_programs": ("board_program", "load_board_program", "look_at_boards", "send_program"),
             "robots": ("find_robot",),
             "run_hints": ("advice",),
             "search_path": ("SearchPath",),
+            "example_list": ("shipped_examples",),
             "running": ("PreparedRun", "Run", "RunOptions", "Timing"),
             "variables": ("VariableError", "WantedVariable", "make_variable"),
             "worlds": ("FoundWorld", "read_world_file", "worlds_at_hand"),
@@ -108,6 +112,8 @@ __all__ = [
     "OpenTrace",
     "PartsFileError",
     "PreparedRun",
+    "Preview",
+    "Previews",
     "ProgramOnKit",
     "ProgramReport",
     "Report",
@@ -118,7 +124,6 @@ __all__ = [
     "Span",
     "Starter",
     "Timing",
-    "Track",
     "Tutorials",
     "VariableError",
     "WantedVariable",
@@ -154,9 +159,9 @@ __all__ = [
     "run_fleet",
     "send_program",
     "send_team",
+    "shipped_examples",
     "state_at",
     "summary_of",
-    "tracks",
     "unpack",
     "watched",
     "with_mission",

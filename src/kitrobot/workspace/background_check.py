@@ -5,19 +5,17 @@ Left to others: checking (`verification`), telling people (server).
 
 from __future__ import annotations
 
-import multiprocessing
 import sys
 import time
 from collections.abc import Callable
 from dataclasses import dataclass, replace
-from multiprocessing.connection import Connection
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from kitrobot.diagnostics import KitRobotError
 from kitrobot.text import Sentence
 from kitrobot.verifier import Answer, Confirmed, Timing
 from kitrobot.verifier.scenes import Guilty, Scene
-from kitrobot.workspace.child_processes import end_with_parent
+from kitrobot.workspace.child_processes import end_with_parent, has_processes
 from kitrobot.workspace.running import PreparedRun
 from kitrobot.workspace.verification import (
     Column,
@@ -28,6 +26,9 @@ from kitrobot.workspace.verification import (
     runs_of,
     verify_runs,
 )
+
+if TYPE_CHECKING:
+    from multiprocessing.connection import Connection
 
 MOST_EVENTS = 600
 """Events of one run that are told; of a longer one the first and the last."""
@@ -126,6 +127,10 @@ def verify_apart(prepared: PreparedRun, options: VerificationOptions, told: Told
         VerificationError: the options make no sense, or the process died.
         AbstractionError: as a `KitRobotError` with the same words: the mission cannot be checked.
     """
+    if not has_processes():
+        return _verify_here(prepared, options, told)
+    import multiprocessing
+
     context = multiprocessing.get_context("spawn")
     mine, its = context.Pipe(duplex=False)
     leave_off = context.Event()
@@ -169,6 +174,29 @@ def _follow(mine: Connection, stop: Callable[[], bool], leave_off: Any, told: To
 def _check(parts: tuple[Any, ...], seed: int, chosen: VerificationOptions, leave_off: Any, out: Connection) -> None:
     """In the process of the check."""
     end_with_parent()
+    _whole_check(parts, seed, replace(chosen, stop=leave_off.is_set, draws=True), out.send)
+    out.close()
+
+
+def _verify_here(prepared: PreparedRun, options: VerificationOptions, told: Told) -> Ended:
+    """Where there are no processes; whoever wants to break it off says so in `options.stop`."""
+    last: list[Ended | _Refused] = []
+
+    def tell(message: Any) -> None:
+        if isinstance(message, Ended | _Refused):
+            last.append(message)
+        else:
+            told(message)
+
+    _whole_check(prepared.parts(), prepared.options.seed, replace(options, draws=True), tell)
+    end = last[-1]
+    if isinstance(end, _Refused):
+        raise KitRobotError(end.message, end.help)
+    return end
+
+
+def _whole_check(parts: tuple[Any, ...], seed: int, options: VerificationOptions, tell: Callable[[Any], None]) -> None:
+    """Tells how far it is, what came of it, and at last an `Ended` or a `_Refused`."""
     began = time.monotonic()
     assumption: list[tuple[Timing, int]] = []
     last = 0.0
@@ -181,15 +209,13 @@ def _check(parts: tuple[Any, ...], seed: int, chosen: VerificationOptions, leave
             began = now
         if now >= last + _EACH_S:
             last = now
-            out.send(Explored(timing, failures, states, depth, now - began, _memory()))
+            tell(Explored(timing, failures, states, depth, now - began, _memory()))
 
-    options = replace(chosen, stop=leave_off.is_set, draws=True)
     try:
-        made = verify_runs(runs_of(parts), seed, options, progress, lambda column: out.send(_plain(column)))
-        out.send(_end(made))
+        made = verify_runs(runs_of(parts), seed, options, progress, lambda column: tell(_plain(column)))
+        tell(_end(made))
     except KitRobotError as error:
-        out.send(_Refused(error.message, error.help))
-    out.close()
+        tell(_Refused(error.message, error.help))
 
 
 def _end(made: Verification) -> Ended:

@@ -18,8 +18,7 @@ from kitrobot.files import EXAMPLE, MissionFolder
 from kitrobot.graph import Program, empty_program
 from kitrobot.mission import Mission, read_mission
 from kitrobot.text import Sentence
-from kitrobot.workspace.opening import NEW_PROGRAM, OpenMission, mission_of
-from kitrobot.workspace.running import RunOptions, prepare
+from kitrobot.workspace.opening import NEW_PROGRAM, mission_of
 from kitrobot.workspace.worlds import read_world_file
 from kitrobot.world import EMPTY, World, find_world
 from kitrobot.xml import LONGEST_NAME, NAME, TEXTS, Element, Kind, Reader, Tag, needed, optional, version
@@ -30,10 +29,8 @@ VERSION = 1
 NOTHING = "nothing"
 """The starter without parts: start and stop alone. It fits every set in every place."""
 
-TRACK_S = 8.0
-"""Simulated seconds that a preview shows."""
-TICKS_A_POINT = 5
-"""Steps of the simulator between two points of a track: a tenth of a second."""
+PREVIEW_S = 7.9
+"""Simulated seconds that a preview shows: as many as are shown as quickly as they pass."""
 
 _SHIPPED = Path(__file__).parent / "shipped" / "beginnings.xml"
 
@@ -74,15 +71,6 @@ class Beginnings:
     robot_sets: tuple[RobotSet, ...]
     places: tuple[str, ...]
     starters: tuple[Starter, ...]
-
-
-@dataclass(frozen=True)
-class Track:
-    """The way of an agent in a preview: (x mm, y mm, heading rad), one each tenth of a second."""
-
-    agent: str
-    robot: str
-    points: tuple[tuple[float, float, float], ...]
 
 
 # -- reading
@@ -296,18 +284,3 @@ def _no_beginning(name: str) -> NoBeginningError:
     return NoBeginningError(
         Sentence("a new mission cannot begin with `{choice}` here", name), Sentence("choose again under File, New")
     )
-
-
-# -- what is shown of one
-
-
-def tracks(opened: OpenMission, seconds: float = TRACK_S) -> list[Track]:
-    """The ways of the agents in the first seconds of a run, as the simulator drives them."""
-    run = prepare(opened, RunOptions(seconds=seconds)).simulation
-    run.stays_plain = True
-    points = [[pose[:3]] for pose in run.poses()]
-    while run.outcome is None:
-        run.advance(TICKS_A_POINT)
-        for known, pose in zip(points, run.poses(), strict=True):
-            known.append(pose[:3])
-    return [Track(agent.name, agent.robot.name, tuple(known)) for agent, known in zip(run.members, points, strict=True)]

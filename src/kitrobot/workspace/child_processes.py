@@ -2,17 +2,32 @@
 
 from __future__ import annotations
 
-import multiprocessing
 import os
 import signal
+import sys
 import threading
 from typing import Final
 
 MOST_JOBS: Final = 256
 
+_possible = sys.platform != "emscripten"
+
+
+def has_processes() -> bool:
+    """Whether processes can be begun: not in a page, where all is done in the one that there is."""
+    return _possible
+
+
+def do_without_processes() -> None:
+    """From now on none are begun here."""
+    global _possible
+    _possible = False
+
 
 def cores() -> int:
     """The cores that this process may use, at most `MOST_JOBS`."""
+    if not _possible:
+        return 1
     usable = getattr(os, "sched_getaffinity", None)
     return max(1, min(MOST_JOBS, len(usable(0)) if usable is not None else os.cpu_count() or 1))
 
@@ -24,6 +39,8 @@ def end_with_parent() -> None:
 
 
 def _end() -> None:
+    import multiprocessing
+
     parent = multiprocessing.parent_process()
     if parent is not None:
         parent.join()

@@ -9,14 +9,12 @@ Left to others: finding (`verifier.traps`), a check of properties (`background_c
 
 from __future__ import annotations
 
-import multiprocessing
 import os
 import time
 from collections.abc import Callable
 from contextlib import suppress
 from dataclasses import dataclass
-from multiprocessing.connection import Connection
-from typing import Any, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 from kitrobot.diagnostics import Diagnostic, KitRobotError, Severity, rule
 from kitrobot.mission import BreakdownRule, Mission
@@ -24,9 +22,12 @@ from kitrobot.sim import Simulation
 from kitrobot.text import Sentence
 from kitrobot.verifier import Budget, Confirmed, Model, Timing, take_apart
 from kitrobot.verifier.parts import Parts
-from kitrobot.workspace.child_processes import end_with_parent
+from kitrobot.workspace.child_processes import end_with_parent, has_processes
 from kitrobot.workspace.running import PreparedRun
 from kitrobot.workspace.verification import VerificationError, runs_of
+
+if TYPE_CHECKING:
+    from multiprocessing.connection import Connection
 
 EXPLORE_S = 1.0
 """Seconds for going through the states; a mission that needs longer is left to Check."""
@@ -38,6 +39,8 @@ RUN_S = 120.0
 PATIENCE_S = 15.0
 """Seconds after which the process is ended, whatever it does."""
 _LOOK_S = 0.05
+_SHARE_HERE = 0.3
+"""Of these seconds, where there are no processes."""
 
 WAITS = rule(
     "waits-for-ever",
@@ -98,6 +101,26 @@ def look_through(
     """
     if prepared.simulation.team_plan is not None:
         return []  # No discrete form: a process would only find that out.
+    found = _look_apart(prepared, stop, explore_s) if has_processes() else _look_here(prepared, stop, explore_s)
+    known = {(one.program, vertex) for one in prepared.opened.before_setup for vertex in one.vertices}
+    return [
+        *map(_trap, found.traps),
+        *(one for row in found.idle for one in _idle(prepared.opened.mission, *row, known)),
+    ]
+
+
+def _look_here(prepared: PreparedRun, stop: Callable[[], bool], explore_s: float | None) -> _Found:
+    """Where there are no processes: shorter, because whoever draws may have to wait for it."""
+    short = None if explore_s is None else explore_s * _SHARE_HERE
+    try:
+        return look(runs_of(prepared.parts()), prepared.options.seed, short, stop)
+    except KitRobotError:
+        return _Found()
+
+
+def _look_apart(prepared: PreparedRun, stop: Callable[[], bool], explore_s: float | None) -> _Found:
+    import multiprocessing
+
     context = multiprocessing.get_context("spawn")
     mine, its = context.Pipe(duplex=False)
     process = context.Process(target=_look, args=(prepared.parts(), prepared.options.seed, explore_s, its), daemon=True)
@@ -107,19 +130,15 @@ def look_through(
     try:
         while not mine.poll(_LOOK_S):
             if stop() or (explore_s is not None and time.monotonic() > until):
-                return []
+                return _Found()
         found: _Found = mine.recv()
+        return found
     except (EOFError, OSError) as error:
         raise VerificationError(Sentence("the process of the check died"), "") from error
     finally:
         mine.close()
         process.kill()
         process.join()
-    known = {(one.program, vertex) for one in prepared.opened.before_setup for vertex in one.vertices}
-    return [
-        *map(_trap, found.traps),
-        *(one for row in found.idle for one in _idle(prepared.opened.mission, *row, known)),
-    ]
 
 
 def _trap(one: _Trapped) -> DrawingFinding:
@@ -161,7 +180,12 @@ def _look(parts: tuple[Any, ...], seed: int, explore_s: float | None, out: Conne
     out.close()
 
 
-def look(runs: Callable[[int], Simulation], seed: int, explore_s: float | None = EXPLORE_S) -> _Found:
+def look(
+    runs: Callable[[int], Simulation],
+    seed: int,
+    explore_s: float | None = EXPLORE_S,
+    stop: Callable[[], bool] = lambda: False,
+) -> _Found:
     """What `look_through` tells, as plain values, in this process.
 
     Raises:
@@ -174,13 +198,13 @@ def look(runs: Callable[[int], Simulation], seed: int, explore_s: float | None =
     run = runs(seed)
     parts = take_apart(run)
     watch_programs(parts)
-    made = explore(Model(run, parts, 0, Timing.LOCKSTEP), Budget(MOST_STATES, explore_s), True, PLAIN)
+    made = explore(Model(run, parts, 0, Timing.LOCKSTEP), Budget(MOST_STATES, explore_s, stop=stop), True, PLAIN)
     if not made.complete:
         return _Found()
-    until = time.monotonic() + SHOW_S
+    until = time.monotonic() + (SHOW_S if has_processes() else SHOW_S * _SHARE_HERE)
 
     def late() -> bool:
-        return explore_s is not None and time.monotonic() > until
+        return stop() or (explore_s is not None and time.monotonic() > until)
 
     found: dict[tuple[str, str], _Trapped] = {}
     for trap in traps(made, late):

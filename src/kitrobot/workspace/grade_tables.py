@@ -36,12 +36,12 @@ def as_csv(grades: Sequence[Grade]) -> str:
     lines.writerow(["submission", "exercise", "goal", "reached", "points", "of", "seed", "seconds", "why"])
     for one in grades:
         if one.problem is not None:
-            lines.writerow(map(_cell, [one.submission, "", "", "no", 0, "", "", "", one.problem["en"]]))
+            lines.writerow(map(as_cell, [one.submission, "", "", "no", 0, "", "", "", one.problem["en"]]))
             continue
         for goal in one.goals:
-            lines.writerow(map(_cell, _line(one, goal)))
+            lines.writerow(map(as_cell, _line(one, goal)))
         lines.writerow(
-            map(_cell, [one.submission, one.exercise["en"], "all", _yes(one.full), one.points, one.of, "", "", ""])
+            map(as_cell, [one.submission, one.exercise["en"], "all", _yes(one.full), one.points, one.of, "", "", ""])
         )
     return "\ufeff" + out.getvalue()
 
@@ -59,7 +59,8 @@ def _yes(value: bool) -> str:
     return "yes" if value else "no"
 
 
-def _cell(value: object) -> object:
+def as_cell(value: object) -> object:
+    """A cell that no spreadsheet takes for a formula."""
     return f"'{value}" if isinstance(value, str) and value.startswith(_FORMULA) else value
 
 

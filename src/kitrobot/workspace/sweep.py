@@ -7,13 +7,11 @@ number: fields are sorted, and nothing that the clock on the wall decides is in 
 
 from __future__ import annotations
 
-import multiprocessing
 import queue
 import time
 from collections import Counter
 from collections.abc import Callable, Iterator, Sequence
-from concurrent.futures import Future, ProcessPoolExecutor
-from concurrent.futures.process import BrokenProcessPool
+from concurrent.futures import Future
 from dataclasses import dataclass
 from typing import Any, Final
 
@@ -221,6 +219,11 @@ def _run(
         for task in tasks:
             yield list(run_task(simulation, task, stop))
         return
+    # Where there are no processes, these modules cannot be had either.
+    import multiprocessing
+    from concurrent.futures import ProcessPoolExecutor
+    from concurrent.futures.process import BrokenProcessPool
+
     is_plain = not expect_many_runs(work)
     # Not forked: the threads of this process would be missing in its copies.
     context = multiprocessing.get_context("spawn")

@@ -5,11 +5,12 @@ from __future__ import annotations
 from dataclasses import replace
 
 from kitrobot.compiler import graph_to_lll
-from kitrobot.files import TUTORIAL_ENDING, MissionFolder
+from kitrobot.files import EXAMPLE, TUTORIAL_ENDING, MissionFolder
 from kitrobot.mission import Mission
 from kitrobot.primitives import Catalogue
 from kitrobot.text import Sentence
 from kitrobot.tutorial import Tutorial, read_tutorial, steps_fit
+from kitrobot.tutorial.model import LAST
 from kitrobot.tutorial.rules import START
 from kitrobot.workspace.lessons import Found, LessonKind, Lessons
 
@@ -29,6 +30,14 @@ class Tutorials(Lessons[Tutorial]):
 
     def __init__(self, folder: MissionFolder) -> None:
         super().__init__(folder, _KIND)
+
+    def all(self) -> list[FoundTutorial]:
+        """Those that come with KitRobot, then those of the folder; each of them in their order, then by path."""
+        return sorted(super().all(), key=_place)
+
+
+def _place(found: FoundTutorial) -> tuple[bool, int, str]:
+    return not found.name.startswith(EXAMPLE), found.lesson.order if found.lesson is not None else LAST, found.name
 
 
 def watched(tutorial: Tutorial, mission: Mission, catalogue: Catalogue) -> list[bool]:

@@ -1,13 +1,19 @@
 """Places where robots move: walls, coloured floor, roads, docks, storehouses; reading, writing, geometry."""
 
 from kitrobot.world.finding import EMPTY, SHIPPED, SUFFIX, find_world
+from kitrobot.world.floor_svg import floor_svg
 from kitrobot.world.geometry import Corner, Polyline, Pose, distance_to_stretch, normalised, polyline
+from kitrobot.world.maze import MOST_SEED, make_maze
 from kitrobot.world.model import (
+    BRIGHT,
     COLOURS,
     LEFT,
     LOAD,
+    LOUD,
     RIGHT,
     UNLOAD,
+    WARM,
+    ZONE_KINDS,
     Ball,
     Box,
     ColouredLine,
@@ -19,33 +25,43 @@ from kitrobot.world.model import (
     Storehouse,
     Wall,
     World,
+    Zone,
 )
 from kitrobot.world.parts import MAX_NUMBER, MAX_SIZE_MM, PARTS
 from kitrobot.world.reading import (
     ATTRIBUTES,
     KINDS,
+    MAX_ZONES,
     check_plan,
     keep_unknown,
     read_plan,
     read_world,
     with_things,
 )
+from kitrobot.world.template import TEMPLATES
 from kitrobot.world.writing import world_lines, write_world
 
 __all__ = [
     "ATTRIBUTES",
+    "BRIGHT",
     "COLOURS",
     "EMPTY",
     "KINDS",
     "LEFT",
     "LOAD",
+    "LOUD",
     "MAX_NUMBER",
     "MAX_SIZE_MM",
+    "MAX_ZONES",
+    "MOST_SEED",
     "PARTS",
     "RIGHT",
     "SHIPPED",
     "SUFFIX",
+    "TEMPLATES",
     "UNLOAD",
+    "WARM",
+    "ZONE_KINDS",
     "Ball",
     "Box",
     "ColouredLine",
@@ -60,10 +76,13 @@ __all__ = [
     "Storehouse",
     "Wall",
     "World",
+    "Zone",
     "check_plan",
     "distance_to_stretch",
     "find_world",
+    "floor_svg",
     "keep_unknown",
+    "make_maze",
     "normalised",
     "polyline",
     "read_plan",

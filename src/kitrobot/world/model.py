@@ -1,4 +1,4 @@
-"""A world: its size, walls, coloured floor and lines, roads cut into numbered sections, docks, storehouses and starts.
+"""A world: its size, walls, coloured floor and lines, roads in numbered sections, docks, storehouses, starts and zones.
 
 Frozen values, in the order of the file, in mm and radians; x goes right, y goes up, heading 0 looks along +x and grows
 counter-clockwise. A world made by `read_world` holds: names are unique a kind, every road has a sampled line, sections
@@ -27,6 +27,11 @@ RIGHT = "right"
 
 COLOURS = {"red": 1, "green": 2, "blue": 3}
 """What a colour sensor reads above a line or a coloured floor; 0 beside them."""
+
+
+WARM, LOUD, BRIGHT = "warm", "loud", "bright"
+ZONE_KINDS = (WARM, LOUD, BRIGHT)
+"""What sensors feel in a zone."""
 
 
 @dataclass(frozen=True)
@@ -183,6 +188,23 @@ class Ball:
 
 
 @dataclass(frozen=True)
+class Zone:
+    """Where it is warm, loud or bright, around its middle: a circle, or a rectangle where `radius_mm` is 0.
+
+    Inside it has its value, in °C (warm) or percent; beyond its edge that fades evenly, to nothing at `falloff_mm`.
+    """
+
+    kind: str
+    x_mm: float
+    y_mm: float
+    radius_mm: float
+    width_mm: float
+    height_mm: float
+    value: float
+    falloff_mm: float
+
+
+@dataclass(frozen=True)
 class World:
     """A whole world; `unknown` is XML of its file that nobody knows, kept word for word."""
 
@@ -198,6 +220,7 @@ class World:
     floors: tuple[Floor, ...] = ()
     boxes: tuple[Box, ...] = ()
     balls: tuple[Ball, ...] = ()
+    zones: tuple[Zone, ...] = ()
     unknown: tuple[str, ...] = ()
     label: Texts = field(default_factory=dict)
     help: Texts = field(default_factory=dict)

@@ -18,6 +18,7 @@ from kitrobot.world.model import (
     LOAD,
     RIGHT,
     UNLOAD,
+    ZONE_KINDS,
     Ball,
     Box,
     ColouredLine,
@@ -28,6 +29,7 @@ from kitrobot.world.model import (
     Start,
     Storehouse,
     Wall,
+    Zone,
     rectangle_corners,
 )
 from kitrobot.xml import NAME, YES_NO, Element, Tag, decimal, needed, one, optional, whole
@@ -201,6 +203,22 @@ def _ball(element: Element) -> Ball:
     return Ball(*(in_mm(element, name) for name in ("x", "y", "radius", "mass", "friction")))
 
 
+def has_shape(zone: Element) -> bool:
+    """Whether a zone says one of a radius, or a width and a height."""
+    said = {"radius", "width", "height"} & zone.attributes.keys()
+    return said in ({"radius"}, {"width", "height"})
+
+
+def _zone(element: Element) -> Zone:
+    said = [name for name in ("radius", "width", "height") if name in element.attributes]
+    if not has_shape(element):
+        found = Series(Sentence(" and "), said) if said else Sentence("none of them")
+        element.report(rules.ZONE, Sentence("expected a radius, or width and height, on <zone>, found {found}", found))
+    radius, width, height = (in_mm(element, name) if name in said else 0.0 for name in ("radius", "width", "height"))
+    x_mm, y_mm, value, falloff = (in_mm(element, name) for name in ("x", "y", "value", "falloff"))
+    return Zone(element.choice("kind"), x_mm, y_mm, radius, width, height, value, falloff)
+
+
 _COORDINATE = decimal(-MAX_SIZE_MM, MAX_SIZE_MM, "coordinate")
 _LENGTH = decimal(0.0, MAX_SIZE_MM, "length")
 _THICKNESS = decimal(0.1, MAX_SIZE_MM, "thickness")
@@ -210,6 +228,7 @@ SIZE = decimal(1.0, MAX_SIZE_MM, "size")
 _THING_SIZE = decimal(5.0, 100_000.0, "thing-size")
 _MASS = decimal(1.0, 1_000_000.0, "mass")
 _FRICTION = decimal(0.0, 10.0, "friction")
+_ZONE_VALUE = decimal(0.0, 100.0, "zone-value")
 _COUNT = whole(0, MAX_NUMBER, "count")
 _COLOUR = {"colour": needed(one(*COLOURS, name="floor-colour"))}
 _CLOSED = {"closed": optional(YES_NO, "no")}
@@ -307,6 +326,19 @@ PARTS = {
             "friction": optional(_FRICTION, "0.02", about="What slows it down: 0 rolls for ever."),
         },
         about="A ball that robots push, around its middle.",
+    ),
+    "zone": Tag(
+        _zone,
+        {
+            "kind": needed(one(*ZONE_KINDS, name="zone-kind")),
+            **_POSITION,
+            "radius": optional(SIZE, about="Of a circle."),
+            "width": optional(SIZE, about="Of a rectangle, with its height."),
+            "height": optional(SIZE),
+            "value": needed(_ZONE_VALUE, about="In °C where it is warm, in percent where it is loud or bright."),
+            "falloff": optional(_LENGTH, "200", about="How far beyond its edge it is felt, less and less."),
+        },
+        about="Where it is warm, loud or bright, around its middle: sensors feel it.",
     ),
 }
 """What a `<world>` may hold."""

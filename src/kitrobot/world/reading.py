@@ -17,8 +17,8 @@ from kitrobot.diagnostics import Diagnostic
 from kitrobot.text import Sentence, shown
 from kitrobot.world import rules
 from kitrobot.world.geometry import Corner, distance_to_stretch
-from kitrobot.world.model import Ball, Box, ColouredLine, Dock, Floor, Road, Start, Storehouse, Wall, World
-from kitrobot.world.parts import PARTS, SIZE, in_mm, mm
+from kitrobot.world.model import Ball, Box, ColouredLine, Dock, Floor, Road, Start, Storehouse, Wall, World, Zone
+from kitrobot.world.parts import PARTS, SIZE, has_shape, in_mm, mm
 from kitrobot.world.writing import write_world
 from kitrobot.xml import TEXTS, Element, Reader, Tag, needed, version
 from kitrobot.xml import rules as xml_rules
@@ -27,6 +27,9 @@ VERSION = 1
 
 WALL_CLEARANCE_MM = 10.0
 """A start nearer to a wall than this is in it, whatever the robot's size."""
+
+MAX_ZONES = 200
+"""Each sensor looks at every zone of its kind at each tick."""
 
 P = TypeVar("P")
 N = TypeVar("N", Road, Storehouse, Dock, Start)
@@ -47,6 +50,7 @@ KINDS: Mapping[str, tuple[str, type[object]]] = {
     "start": ("starts", Start),
     "box": ("boxes", Box),
     "ball": ("balls", Ball),
+    "zone": ("zones", Zone),
 }
 """Kind of thing → the field of a world that holds them, and what they are."""
 
@@ -144,6 +148,7 @@ def _says_it_all(root: Element) -> bool:
         if item.code == xml_rules.TOO_MANY.code:
             return False
     placed = all(start.road or start.dock or start.storehouse or start.pose for start in root.found(Start))
+    placed &= all(has_shape(element) for _, element in root.found_at(Zone))
     return placed and not any(
         element.found(Corner) and not {"x", "y", "width", "height"}.isdisjoint(element.attributes)
         for _, element in root.found_at(Floor)
@@ -215,7 +220,13 @@ class _Whole:
         self.so_far = replace(self.so_far, docks=tuple(self._named(Dock, "dock", self._dock)))
         self.so_far = replace(self.so_far, starts=tuple(self._named(Start, "start", self._start)))
         boxes, balls = tuple(self._sound(Box, self._thing)), tuple(self._sound(Ball, self._thing))
-        return replace(self.so_far, boxes=boxes, balls=balls)
+        return replace(self.so_far, boxes=boxes, balls=balls, zones=tuple(self._zones()))
+
+    def _zones(self) -> list[Zone]:
+        for _, element in self.root.found_at(Zone)[MAX_ZONES:]:
+            element.report(rules.ZONE, Sentence("expected at most {most} zones, found more", MAX_ZONES))
+            break
+        return self._sound(Zone, self._thing)[:MAX_ZONES]
 
     def _sound(self, kind: type[P], check: Callable[[P, Element], None]) -> list[P]:
         sound = []
@@ -238,7 +249,7 @@ class _Whole:
     def _line(self, line: Road | ColouredLine | Floor, where: Element) -> None:
         self._inside(where, zip(line.line.xs, line.line.ys, strict=True))
 
-    def _thing(self, thing: Box | Ball, where: Element) -> None:
+    def _thing(self, thing: Box | Ball | Zone, where: Element) -> None:
         self._inside(where, [(thing.x_mm, thing.y_mm)])
 
     def _storehouse(self, house: Storehouse, where: Element) -> None:

@@ -44,6 +44,13 @@ START = rule(
     "A start says one of: `road` and `at`, `dock`, `storehouse`, or `x` and `y` (with `heading` in degrees, counter-"
     "clockwise, 0 to the right). It lies in the world and not in a wall.",
 )
+ZONE = rule(
+    "world-zone",
+    Severity.ERROR,
+    "A zone has no shape, or there are too many",
+    "A zone is a circle with a `radius`, or a rectangle with `width` and `height`, around its middle `x`, `y`. A world "
+    "has at most 200 of them.",
+)
 OUTSIDE = rule(
     "world-outside",
     Severity.ERROR,

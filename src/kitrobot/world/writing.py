@@ -7,7 +7,7 @@ from collections.abc import Iterator
 
 from kitrobot.primitives import Texts
 from kitrobot.world.geometry import Corner
-from kitrobot.world.model import LEFT, ColouredLine, Dock, Floor, Road, Start, World
+from kitrobot.world.model import LEFT, ColouredLine, Dock, Floor, Road, Start, World, Zone
 from kitrobot.xml import attributes, text_element
 
 
@@ -50,6 +50,8 @@ def world_lines(world: World) -> Iterator[str]:
     for ball in world.balls:
         sides = _numbers(x=ball.x_mm, y=ball.y_mm, radius=ball.radius_mm)
         yield f"  <ball{sides}{_numbers(mass=ball.mass_g, friction=ball.friction)}/>"
+    for zone in world.zones:
+        yield f"  <zone{_zone(zone)}/>"
     for raw in world.unknown:
         yield f"  {raw}"
     yield "</world>"
@@ -106,6 +108,15 @@ def _length(road: Road) -> float:
         return road.line.length_mm
     except ValueError:
         return math.inf
+
+
+def _zone(zone: Zone) -> str:
+    place = _numbers(x=zone.x_mm, y=zone.y_mm)
+    if zone.radius_mm:
+        shape = _numbers(radius=zone.radius_mm)
+    else:
+        shape = _numbers(width=zone.width_mm, height=zone.height_mm)
+    return attributes(("kind", zone.kind)) + place + shape + _numbers(value=zone.value, falloff=zone.falloff_mm)
 
 
 def _dock(dock: Dock) -> str:

@@ -4,6 +4,7 @@
  * Whoever listens at the address after a lost connection may be anybody, so nobody is told anything before they have proved
  * that they know the folder's secret; server/handshake.py has the other half. The secret stays in this page's memory.
  */
+import { talk } from "./line";
 import { takeToken, token } from "./token";
 
 let secret = "";
@@ -29,14 +30,19 @@ async function proof(who: "studio" | "page", asked: string, answered: string): P
 
 async function post<T>(address: string, json: object): Promise<T | null> {
   const headers = { "Content-Type": "application/json" };
-  const response = await fetch(address, { method: "POST", headers, body: JSON.stringify(json) });
+  const response = await talk().fetch(address, { method: "POST", headers, body: JSON.stringify(json) });
   return response.ok ? ((await response.json()) as T) : null;
 }
 
 /** Finds out which studio, if any, listens at the address. */
 export async function meetAgain(): Promise<Met> {
-  // Only pages of this very machine can prove anything.
-  if (secret === "" || !window.isSecureContext) return "stranger";
+  // Only pages of this very machine can prove anything; the others still see whether anybody is there.
+  if (secret === "" || !window.isSecureContext) {
+    return fetch("api/again", { method: "POST" }).then(
+      () => "stranger",
+      () => "nobody",
+    );
+  }
   const asked = hex(crypto.getRandomValues(new Uint8Array(32)));
   try {
     const said = await post<{ answered: string; proof: string }>("api/again", { asked });

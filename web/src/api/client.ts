@@ -9,6 +9,7 @@ import type { Fragment, Mission, MissionFile, Problem, Program, Report } from ".
 import { meetAgain } from "./again";
 import type * as server from "./generated";
 import { drawn, forget, learn, sent } from "./known";
+import { talk } from "./line";
 import { token } from "./token";
 
 /**
@@ -97,7 +98,7 @@ async function request(address: string, { method = "GET", json, bytes, signal }:
   if (bytes !== undefined) headers["Content-Type"] = "application/octet-stream";
   let response: Response;
   try {
-    response = await fetch(`api/${address}`, {
+    response = await talk().fetch(`api/${address}`, {
       method,
       headers,
       body: json === undefined ? (bytes ?? null) : JSON.stringify(json),

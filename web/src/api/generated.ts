@@ -297,6 +297,15 @@ export interface CheckedProperty {
   guilty: Guilty[];
 }
 
+/** A value with a name, and one picture at most: an icon, lights (digits, five by five) or a `#rrggbb`. */
+export interface Choice {
+  value: number;
+  label: Record<string, string>;
+  icon?: string;
+  lights?: string;
+  colour?: string;
+}
+
 /** An offer that becomes a slot under that name; numbers with one name become one slot. */
 export interface Chosen {
   vertex: string;
@@ -324,6 +333,85 @@ export interface Claimed {
   damaged: boolean;
 }
 
+/** What anybody may know of a class: its name, and whether a code lets new pupils in. */
+export interface Class {
+  name: string;
+  joining: boolean;
+}
+
+/** The answer: not yet, in with the key, or no. */
+export interface ClassAnswered {
+  state: "waiting" | "in" | "no";
+  key?: string;
+}
+
+/** The code, and as whom the teacher shall let somebody in. */
+export interface ClassAsk {
+  code: string;
+  name: string;
+}
+
+/** The name of a question to the teacher. */
+export interface ClassAsked {
+  asked: string;
+}
+
+/** Somebody asks to be let in as that pupil. */
+export interface ClassAsking {
+  asked: string;
+  folder: string;
+  name: string;
+}
+
+/** A goal as the pupil's page judged it; null: not yet. */
+export interface ClassGoal {
+  reached: boolean | null;
+  why?: string;
+}
+
+/** A goal of the exercise of the class, by language. */
+export interface ClassGoalName {
+  label: Record<string, string>;
+}
+
+/** How far grading is; `page` names what it wrote, "" until then. */
+export interface ClassGrading {
+  done: number;
+  total: number;
+  page: string;
+}
+
+/** The class as a whole; each time something of it changed. `kept_s`: how long ago work came in last. */
+export interface ClassNewsMessage {
+  type: "class";
+  name: string;
+  folder: string;
+  code: string;
+  address: string;
+  qr: string[];
+  reach: string;
+  frozen: boolean;
+  exercise: string;
+  exercise_label: Record<string, string>;
+  goals: ClassGoalName[];
+  asking: ClassAsking[];
+  grading: ClassGrading | null;
+  bytes: number;
+}
+
+/** What a card's picture is drawn from: the first program that an agent runs. */
+export interface ClassPicture {
+  version: number;
+  program: Program;
+}
+
+/** A file that the pupil handed in; `modified` is a moment in UTC (ISO 8601). */
+export interface ClassWork {
+  name: string;
+  bytes: number;
+  modified: string;
+}
+
 /** What befell an agent in a run of the simulator. */
 export interface ConfirmingFailure {
   agent: string;
@@ -347,6 +435,20 @@ export interface Conflict {
   message: string;
   help: string;
   revision: string;
+}
+
+/**
+ * What both changed differently: what it is, what became of it, and both values in words, "" where they are long.
+ * `taken`: the file's is taken. `open`: there is something to decide.
+ */
+export interface Conflicted {
+  name: string;
+  what: string;
+  sentence: string;
+  ours: string;
+  theirs: string;
+  taken: boolean;
+  open: boolean;
 }
 
 /** A building block of programs. */
@@ -449,6 +551,18 @@ export interface ErrorMessage {
   message: string;
   help: string;
   ended: boolean;
+}
+
+/**
+ * What is told of an example: its level from 1, 0 where nobody said one; the kinds of its robots; how many there are,
+ * and how many parts its first program has.
+ */
+export interface Example {
+  level: number;
+  topics: Topic[];
+  robots: string[];
+  agents: number;
+  parts: number;
 }
 
 /**
@@ -593,6 +707,25 @@ export interface Guilty {
   repeats: boolean;
 }
 
+/** A mission to be kept: `name` is what the page calls it, `base` what was kept under that name before, or "". */
+export interface HandIn {
+  name: string;
+  base?: string;
+  mission: Mission;
+}
+
+/** The pupil asks for help, or does not any more. */
+export interface HandMessage {
+  type: "hand";
+  up: boolean;
+}
+
+/** It is kept; the name is another one where that was taken. */
+export interface HandedIn {
+  name: string;
+  revision: string;
+}
+
 /** Let an agent fail for good, miss its ticks or lose its radio, or make it well again. */
 export interface HarmRequest {
   type: "harm";
@@ -625,6 +758,21 @@ export interface ImageAsk {
   mission: Mission;
   path: string;
   program: string;
+}
+
+/** The code of the class and the pupil's name; `word` from another computer. */
+export interface Join {
+  code: string;
+  name: string;
+  word?: string;
+}
+
+/** In, with the key that every later request brings along; or there is a pupil of that name already. */
+export interface Joined {
+  state: "in" | "taken";
+  key?: string;
+  name?: string;
+  word?: string;
 }
 
 /** A whole journal, to take the place of the one that the page writes; without records there is none any more. */
@@ -689,10 +837,24 @@ export interface Line {
   points: [number, number][];
 }
 
+/** The teacher looks on, or at nobody. */
+export interface LookMessage {
+  type: "look";
+  folder: string;
+}
+
 /** Of a run with very many agents: tell what these do; others are told only as poses. */
 export interface LookRequest {
   type: "look";
   agents: string[];
+}
+
+/** What a number means. `scale`: how many units one is, or `wait-unit`; `units`: other languages than English. */
+export interface Meaning {
+  scale?: string;
+  units?: Record<string, string>;
+  field?: "" | "slider" | "time" | "dial" | "ruler" | "choices" | "lights" | "piano" | "colour";
+  choices?: Choice[];
 }
 
 /**
@@ -718,6 +880,22 @@ export interface Member {
   missed: boolean;
 }
 
+/** A mission to be merged with its file: both were made of `base`. `taken` are the conflicts that the file wins. */
+export interface MergeAsk {
+  path: string;
+  base: Mission;
+  mission: Mission;
+  taken: string[];
+}
+
+/** A mission with the edits of its file, and what both changed differently. `theirs` is that revision. */
+export interface Merged {
+  revision: string;
+  mission: Mission;
+  theirs: Mission;
+  conflicts: Conflicted[];
+}
+
 /** What a robot object can do or tell. `phrase`: words for chips, with holes, `{object} = {value}`. */
 export interface Method {
   name: string;
@@ -729,6 +907,9 @@ export interface Method {
   completes_later: boolean;
   stop: string | null;
   phrase: Record<string, string>;
+  test?: "" | "equal" | "less" | "greater";
+  to?: number | null;
+  alone?: boolean;
 }
 
 /**
@@ -761,17 +942,16 @@ export interface Mission {
 /**
  * A mission that can be opened; `modified` is a moment in UTC (ISO 8601). `problem` is why it cannot be opened, ""
  * where nothing is known against it. Examples are read-only and say more: title (`label`) and what happens (`help`) by
- * language, and their picture.
+ * language, and `example`.
  */
 export interface MissionEntry {
   path: string;
   name: string;
   title: string;
-  example: boolean;
   modified: string;
   label: Record<string, string>;
   help: Record<string, string>;
-  picture: Picture | null;
+  example: Example | null;
   problem: string;
 }
 
@@ -832,6 +1012,7 @@ export interface Offer {
   min: number;
   max: number;
   unit: string;
+  meaning?: Meaning | null;
 }
 
 /** What a selection offers, or why it cannot be a part. */
@@ -960,9 +1141,22 @@ export interface OwnWorld {
   starts: OwnStart[];
   boxes?: OwnBox[];
   balls?: OwnBall[];
+  zones?: OwnZone[];
   unknown: string[];
   label: Record<string, string>;
   help: Record<string, string>;
+}
+
+/** Where it is warm, loud or bright, around its middle: a circle, or a rectangle where its radius is 0. */
+export interface OwnZone {
+  kind: "warm" | "loud" | "bright";
+  x_mm: number;
+  y_mm: number;
+  radius_mm: number;
+  width_mm: number;
+  height_mm: number;
+  value: number;
+  falloff_mm: number;
 }
 
 /** A parameter of a method; `min` and `max` are included. */
@@ -975,6 +1169,7 @@ export interface Parameter {
   unit: string;
   label: Record<string, string>;
   help: Record<string, string>;
+  meaning?: Meaning | null;
 }
 
 /** The part, its LLL, and the program with a vertex of it in the selection's place. */
@@ -1052,16 +1247,6 @@ export interface PauseRequest {
   type: "pause";
 }
 
-/**
- * What a small picture of a mission is drawn from: its first program, and where it takes place. `agents` are the starts
- * of its team, by their names in the world.
- */
-export interface Picture {
-  program: Program;
-  world: World | null;
-  agents: string[];
-}
-
 /** A slot or parameter of a vertex; the slot "" is the vertex itself. */
 export interface Place {
   vertex: string;
@@ -1084,11 +1269,34 @@ export interface Point {
   inner: string;
 }
 
-/** A starter with its first program, and what its agents do in the first seconds. */
+/** A starter, and what its agents do in the first seconds. */
 export interface Preview {
   starter: string;
-  program: Program;
-  tracks: Track[];
+  run: RunPreview;
+}
+
+/** An agent of a preview; `start` is the place in the world where it begins, "" where that has its own name. */
+export interface PreviewAgent {
+  name: string;
+  program: string;
+  robot: string;
+  number: number;
+  start: string;
+}
+
+/** From that frame on an agent's actuator shows these numbers. */
+export interface PreviewShown {
+  frame: number;
+  agent: number;
+  part: string;
+  numbers: number[];
+}
+
+/** From that frame on so many boxes lie in a storehouse. */
+export interface PreviewStock {
+  frame: number;
+  storehouse: string;
+  boxes: number;
 }
 
 /** A diagnostic; lines and columns count from 1 and are 0 where there is no file. */
@@ -1153,6 +1361,48 @@ export interface ProjectionSpan {
   program: string;
 }
 
+/**
+ * A pupil as the overview shows them; `seconds` is how long the state lasts, where that counts. `version` is another
+ * one with each picture, 0 while there is none.
+ */
+export interface Pupil {
+  folder: string;
+  name: string;
+  word: string;
+  state: "asks" | "stuck" | "running" | "editing" | "done" | "away";
+  seconds: number | null;
+  running: boolean;
+  file: string;
+  version: number;
+  exercise: string;
+  goals: ClassGoal[];
+  pages: number;
+}
+
+/** What the pupil's page is to know. `handed` and `note` count: a higher number is a new one. */
+export interface PupilNewsMessage {
+  type: "pupil";
+  class_name: string;
+  name: string;
+  word: string;
+  frozen: boolean;
+  exercise: string;
+  handed: number;
+  handed_name: string;
+  note: number;
+  note_text: string;
+  looked: boolean;
+  hand: boolean;
+}
+
+/** Pupils that changed since the last message, and who is gone; `kept_s`: seconds since work came in last. */
+export interface PupilsMessage {
+  type: "pupils";
+  changed: Pupil[];
+  gone: string[];
+  kept_s: number | null;
+}
+
 /** How the robots hear each other: how far (null: everywhere), how late, how many messages of a hundred get lost. */
 export interface Radio {
   range_mm?: number | null;
@@ -1203,6 +1453,17 @@ export interface Report {
   projections?: Projection[];
 }
 
+/** What the page says of itself. `edits` and `runs` count: another number is something that moved. */
+export interface ReportMessage {
+  type: "report";
+  running: boolean;
+  edits: number;
+  runs: number;
+  file: string;
+  exercise: string;
+  goals: ClassGoal[];
+}
+
 /** Go on; with `latest` from the latest tick, which with real robots is now. */
 export interface ResumeRequest {
   type: "resume";
@@ -1246,6 +1507,8 @@ export interface RobotObject {
   max: number;
   initial: number;
   shared: boolean;
+  unit?: string;
+  meaning?: Meaning | null;
 }
 
 /** Robots to begin with; `places` are the names of those they fit, `can` and `feels` their actuators and sensors. */
@@ -1291,6 +1554,26 @@ export interface RunEvent {
   agent: string;
   text: string;
   cause: "program" | "world" | "person" | "mission" | "chance" | "robot" | "link";
+}
+
+/**
+ * The first seconds of a run in `frames` pictures; none where it cannot run, and then its program is what there is.
+ * `ways`: of each agent five numbers a frame (x and y in mm, the heading in thousandths of a radian, load, flags); of
+ * one that never changes only five. `things`: of each thing that can be pushed x and y, likewise. `marks`: points of
+ * lines of pens, each (frame, pen, what, x, y, colour, width), and `pens` who has them.
+ */
+export interface RunPreview {
+  program: Program | null;
+  world: World | null;
+  seconds: number;
+  frames: number;
+  agents: PreviewAgent[];
+  ways: number[][];
+  shown: PreviewShown[];
+  stock: PreviewStock[];
+  things: number[][];
+  pens: number[];
+  marks: number[][];
 }
 
 /** A mission to be written; `revision` is the one that the page last read or wrote, "" for a new file. */
@@ -1406,6 +1689,7 @@ export interface Slot {
   default: string;
   unit: string;
   names?: "" | "set" | "program";
+  meaning?: Meaning | null;
 }
 
 /** The stretch of LLL that a vertex became: character offsets, the end exclusive, and the line from 1. */
@@ -1588,6 +1872,73 @@ export interface SweepStopRequest {
   type: "stop";
 }
 
+/** A pupil who comes later. */
+export interface TeacherAdd {
+  name: string;
+}
+
+/** The teacher's answer to who asks to be let in. */
+export interface TeacherAnswer {
+  asked: string;
+  yes: boolean;
+}
+
+/** A new code, or none. */
+export interface TeacherCode {
+  on: boolean;
+}
+
+/** The exercise of the class from now on, "" for none. */
+export interface TeacherExercise {
+  exercise: string;
+}
+
+/** Everybody is to look up, or goes on. */
+export interface TeacherFreeze {
+  on: boolean;
+}
+
+/** Whose work is to be graded with the exercise of the class; null: everybody's. */
+export interface TeacherGrade {
+  folders?: string[] | null;
+}
+
+/** A mission of the class's folder or of the examples for those pupils; null: for all. */
+export interface TeacherHandOut {
+  path: string;
+  to?: string[] | null;
+}
+
+/** The name it has, and how many got it. */
+export interface TeacherHandedOut {
+  name: string;
+  pupils: number;
+}
+
+/** The last lines of the log, the newest first. */
+export interface TeacherLog {
+  lines: string[];
+}
+
+/** A few words for one pupil. */
+export interface TeacherNote {
+  folder: string;
+  text: string;
+}
+
+/** What a teacher wants to know of a tutorial; each text by language. */
+export interface TeacherPage {
+  minutes: number;
+  aim: Record<string, string>;
+  troubles: Record<string, string>[];
+  questions: Record<string, string>[];
+}
+
+/** One pupil. */
+export interface TeacherPupil {
+  folder: string;
+}
+
 /**
  * An agent of the team that programs were sent to, or that was started, last; `address` of its board, "" for none.
  * `message` is what it said last, or (`failed`) what went wrong.
@@ -1656,6 +2007,12 @@ export interface TeamSendRequest {
   boards: TeamBoard[];
 }
 
+/** A world to begin with; `world` has its label and help. */
+export interface Template {
+  name: string;
+  world: OwnWorld;
+}
+
 /** The canonical text of a `.krt`. */
 export interface Text {
   text: string;
@@ -1699,11 +2056,10 @@ export interface TickMessage {
   drawing: Drawing | null;
 }
 
-/** The way of an agent: (x mm, y mm, heading rad), one each tenth of a second. */
-export interface Track {
-  agent: string;
-  robot: string;
-  points: [number, number, number][];
+/** What an example is about. */
+export interface Topic {
+  name: string;
+  label: Record<string, string>;
 }
 
 /** A tutorial; `start` is the mission it begins with. One that cannot be used has no steps but `problems`. */
@@ -1714,6 +2070,7 @@ export interface Tutorial {
   help: Record<string, string>;
   icon: string;
   steps: TutorialStep[];
+  teacher: TeacherPage | null;
   problems: Problem[];
 }
 
@@ -1858,6 +2215,7 @@ export interface World {
   storehouses: Storehouse[];
   starts: StartPose[];
   things?: Thing[];
+  zones?: Zone[];
 }
 
 /** A world that a mission can take place in; `href` is what the mission calls it, "" for the empty one. */
@@ -1873,6 +2231,18 @@ export interface WorldEntry {
 /** The world of a mission: None when its file is not there, or is no world. */
 export interface WorldFile {
   world: World | null;
+}
+
+/** Where it is warm, loud or bright, around its middle: a circle, or a rectangle where its radius is 0. */
+export interface Zone {
+  kind: "warm" | "loud" | "bright";
+  x_mm: number;
+  y_mm: number;
+  radius_mm: number;
+  width_mm: number;
+  height_mm: number;
+  value: number;
+  falloff_mm: number;
 }
 
 export type RunMessage = StartedMessage | StateMessage | TickMessage | ProblemsMessage | ErrorMessage;

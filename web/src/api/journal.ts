@@ -1,7 +1,7 @@
 /** Routes of the journal: records are texts that the server does not read. */
 import type { Mission } from "../model/types";
 import { ask } from "./client";
-import type { Claimed, Difference, JournalSize, Left } from "./generated";
+import type { Claimed, Difference, JournalSize, Left, Merged } from "./generated";
 
 const post = <T>(address: string, json: unknown) => ask<T>(address, { method: "POST", json });
 
@@ -13,5 +13,7 @@ export const journalApi = {
     post<JournalSize>("journal", { tab, first, records, unsaved }),
   left: () => ask<Left[]>("journal/left"),
   forget: (journal: string) => post<Left[]>("journal/forget", { journal }),
+  merge: (path: string, base: Mission, mission: Mission, taken: readonly string[]) =>
+    post<Merged>("mission/merge", { path, base, mission, taken }),
   difference: (path: string, mission: Mission) => post<Difference>("mission/difference", { path, mission }),
 };

@@ -1,7 +1,7 @@
 /** Routes of parts: the files beside a mission, and new or changed variables. */
 import type { OwnVariable, OwnWorld, WorldEntry } from "../model/types";
 import { ask } from "./client";
-import type { KitEntry, Parts, PartsFile, Plan, Text, VariableAsk, WorldFile } from "./generated";
+import type { KitEntry, Parts, PartsFile, Plan, Template, Text, VariableAsk, WorldFile } from "./generated";
 
 /** A new or changed variable; `was`: the name of the one that it replaces, "" for a new one. */
 export type WantedVariable = Required<Omit<VariableAsk, "path" | "variables">>;
@@ -13,6 +13,8 @@ export const partsApi = {
   world: (path: string, href: string) => ask<WorldFile>(`world?${at(path)}&href=${encodeURIComponent(href)}`),
   /** What a world's file is made of; null when it is not there or has mistakes. */
   plan: (path: string, href: string) => ask<Plan>(`world/plan?${at(path)}&href=${encodeURIComponent(href)}`),
+  /** Worlds to begin with; the maze is made from the seed. */
+  templates: (seed: number) => ask<Template[]>(`world/templates?seed=${String(seed)}`),
   worldText: async (world: OwnWorld) => (await ask<Text>("world/text", { method: "POST", json: world })).text,
   worlds: (path: string) => ask<WorldEntry[]>(`worlds?${at(path)}`),
   kits: (path: string) => ask<KitEntry[]>(`kits?${at(path)}`),

@@ -5,6 +5,7 @@
  */
 import { t } from "../i18n/words";
 import { socketAddress } from "./address";
+import { talk } from "./line";
 import { decodeFrame, type PoseFrame, type RunMessage, type RunRequest } from "./wire";
 
 export interface Failure {
@@ -25,7 +26,7 @@ interface Listener {
 }
 
 export function openRunSocket(listener: Listener): RunSocket {
-  const socket = new WebSocket(socketAddress("api/run"));
+  const socket = talk().socket(socketAddress("api/run"));
   socket.binaryType = "arraybuffer";
   let ours = false;
   const hand: RunSocket = {

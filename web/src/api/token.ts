@@ -2,9 +2,14 @@
  * The secret that the server put into the address when it opened the page.
  *
  * It moves from the address bar to the storage of this address at once, so that it is neither bookmarked nor shown. Another
- * tab finds it there. It serves for one studio only: the next one has another.
+ * tab finds it there. It serves for one studio only: the next one has another. In a class it is the key of the pupil or of the
+ * teacher.
  */
-const KEY = "kitrobot.token";
+/** For whom a server of a class has sent the page: "pupil", "teacher", or nobody in particular. */
+export const pageRole = document.querySelector<HTMLMetaElement>('meta[name="kitrobot-class"]')?.content ?? "";
+
+/** A teacher may be at a pupil's page, too. */
+const KEY = `kitrobot.token${pageRole}`;
 
 let held: string | null = null;
 

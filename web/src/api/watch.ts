@@ -6,6 +6,7 @@
  */
 import { type Met, meetAgain } from "./again";
 import type { HelloMessage, NewsMessage } from "./generated";
+import { talk } from "./line";
 import { token } from "./token";
 
 /** What is on disk and who else has the mission open; the page keeps it without the name of the message. */
@@ -38,7 +39,7 @@ export function openWatch({ onHello, onNews, onLost, onReturn, onStranger }: Wat
     address.protocol = address.protocol === "https:" ? "wss:" : "ws:";
     address.search = `?token=${encodeURIComponent(given)}`;
     address.hash = "";
-    socket = new WebSocket(address);
+    socket = talk().socket(address);
     socket.addEventListener("message", (event: MessageEvent<string>) => {
       if (over) return;
       const message = JSON.parse(event.data) as HelloMessage | NewsMessage;

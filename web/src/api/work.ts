@@ -1,5 +1,6 @@
 /** Work that takes long, over a socket of its own: begun by a request, broken off by another, over with its last message. */
 import { socketAddress } from "./address";
+import { talk } from "./line";
 
 export interface Work {
   /** Asks the server to break it off; false where it has not even begun. */
@@ -14,7 +15,7 @@ export function beginWork<Message>(
   request: object,
   { onMessage, onLost }: { onMessage: (message: Message) => boolean; onLost: () => void },
 ): Work {
-  const socket = new WebSocket(socketAddress(path));
+  const socket = talk().socket(socketAddress(path));
   let over = false;
   const hangUp = () => {
     over = true;

@@ -12,7 +12,13 @@ import { MenuButton } from "../ui/MenuButton";
 /** The robots as entries of a menu. */
 export function robotEntries(robots: readonly { name: string; label: Record<string, string> }[]): MenuEntry[] {
   const kinds = robots.filter(({ name }) => name !== TEAM_ROBOT);
-  return kinds.map(({ name, label }) => menuItem(`add-${name}`, text(label, name), null, () => addProgramFor(name)));
+  const labels = kinds.map(({ name, label }) => text(label, name));
+  return kinds.map(({ name }, at) => {
+    const label = labels[at] ?? name;
+    // A copy of a robot that kept its label is told from it by its name.
+    const alone = labels.indexOf(label) === labels.lastIndexOf(label);
+    return menuItem(`add-${name}`, alone ? label : `${label} (${name})`, null, () => addProgramFor(name));
+  });
 }
 
 /** A program of the whole team; where there is one, of a group. */

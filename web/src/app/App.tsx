@@ -218,6 +218,8 @@ function Studio() {
 }
 
 export function App() {
+  const Instead = FEATURES.find((feature) => feature.Instead)?.Instead;
+  if (Instead) return <Instead />;
   return (
     <>
       <Studio />

@@ -1,30 +1,128 @@
-/** What is different between the open mission and its file, in words. */
-import { useEffect, useState } from "react";
+/** What is different between the open mission and its file, in words; and both merged, with a choice where both changed the same. */
+import { useCallback, useRef, useState } from "react";
 
+import type { Conflicted, Merged } from "../api/generated";
 import { journalApi } from "../api/journal";
 import { Said } from "../i18n/Said";
 import { t } from "../i18n/words";
 import { useStudio } from "../model/studio";
-import { closeOverlay } from "../session/document";
+import type { Mission } from "../model/types";
+import { closeOverlay, complain, dismissBanner, question, show } from "../session/document";
+import { commonBase, keepMerge, revisionMerged } from "../session/merges";
 import { Sheet } from "../ui/Sheet";
+import { useFetched } from "../ui/use-fetched";
+
+/** What was asked to be merged: a later edit is not in it. */
+interface Asked {
+  base: Mission;
+  mission: Mission;
+}
+
+function apply({ revision, mission, theirs }: Merged, asked: Asked): void {
+  const studio = useStudio.getState();
+  if (studio.mission !== asked.mission) {
+    // It was edited meanwhile: what was merged is not what there is now.
+    show("difference");
+    return;
+  }
+  const from = revisionMerged();
+  studio.execute({ label: t("merge.step"), execute: () => mission });
+  keepMerge(mission, { from, to: revision, theirs });
+  show(null);
+  dismissBanner();
+  question(t("merge.done"), [], "note", t("merge.done-help"));
+}
+
+interface ConflictProps {
+  conflict: Conflicted;
+  choose: (theirs: boolean) => void;
+}
+
+function Conflict({ conflict: { name, what, sentence, ours, theirs, taken, open }, choose }: ConflictProps) {
+  if (!open)
+    return (
+      <li>
+        <Said text={sentence} />
+      </li>
+    );
+  return (
+    <li>
+      <fieldset className="merge-choice">
+        <legend>
+          <Said text={what} />
+        </legend>
+        <label>
+          <input type="radio" name={name} checked={!taken} data-testid="merge-yours" onChange={() => choose(false)} />
+          {ours === "" ? t("merge.yours") : t("merge.yours-is", { value: ours })}
+        </label>
+        <label>
+          <input type="radio" name={name} checked={taken} data-testid="merge-theirs" onChange={() => choose(true)} />
+          {theirs === "" ? t("merge.theirs") : t("merge.theirs-is", { value: theirs })}
+        </label>
+      </fieldset>
+    </li>
+  );
+}
 
 export function DifferenceSheet() {
-  const [changes, setChanges] = useState<string[] | null>(null);
-  useEffect(() => {
-    let alive = true;
+  const ask = useCallback(() => {
     const { file, mission } = useStudio.getState();
-    journalApi.difference(file.path, mission).then(
-      (found) => {
-        if (alive) setChanges(found.changes);
-      },
-      (cause: unknown) => {
-        if (alive) setChanges([cause instanceof Error ? cause.message : String(cause)]);
-      },
-    );
-    return () => {
-      alive = false;
-    };
+    return journalApi.difference(file.path, mission).then((found) => found.changes);
   }, []);
+  const changes = useFetched(ask, (cause) => [cause instanceof Error ? cause.message : String(cause)]);
+  const [merging, setMerging] = useState<{ asked: Asked; merged: Merged; waits: boolean } | null>(null);
+  /** Which request is the last one: an answer to an earlier choice is too late. */
+  const last = useRef(0);
+
+  const merge = (asked: Asked, taken: readonly string[], first: boolean) => {
+    const number = ++last.current;
+    journalApi.merge(useStudio.getState().file.path, asked.base, asked.mission, taken).then((merged) => {
+      if (number !== last.current) return;
+      if (first && merged.conflicts.length === 0) apply(merged, asked);
+      else setMerging({ asked, merged, waits: false });
+    }, complain);
+  };
+
+  if (merging !== null) {
+    const { asked, merged, waits } = merging;
+    const taken = merged.conflicts.filter((one) => one.taken).map(({ name }) => name);
+    return (
+      <Sheet title={t("merge.title")} testId="merge-dialog" wide onClose={closeOverlay}>
+        <p>{t("merge.intro")}</p>
+        <ul data-testid="conflicts" className="merge-conflicts">
+          {merged.conflicts.map((conflict) => (
+            <Conflict
+              key={conflict.name}
+              conflict={conflict}
+              choose={(theirs) => {
+                const others = taken.filter((name) => name !== conflict.name);
+                const conflicts = merged.conflicts.map((one) =>
+                  one.name === conflict.name ? { ...one, taken: theirs } : one,
+                );
+                setMerging({ asked, merged: { ...merged, conflicts }, waits: true });
+                merge(asked, theirs ? [...others, conflict.name] : others, false);
+              }}
+            />
+          ))}
+        </ul>
+        <div className="sheet-foot">
+          <button type="button" className="button" onClick={closeOverlay}>
+            {t("open.cancel")}
+          </button>
+          <button
+            type="button"
+            className="button button-ink"
+            data-testid="merge-apply"
+            disabled={waits}
+            onClick={() => apply(merged, asked)}
+          >
+            {t("merge.apply")}
+          </button>
+        </div>
+      </Sheet>
+    );
+  }
+  const base = commonBase();
   return (
     <Sheet title={t("difference.title")} testId="difference-dialog" wide onClose={closeOverlay}>
       {changes === null ? (
@@ -41,6 +139,20 @@ export function DifferenceSheet() {
               </li>
             ))}
           </ul>
+          {base === null ? (
+            <p className="sheet-note">{t("merge.no-base")}</p>
+          ) : (
+            <div className="sheet-foot">
+              <button
+                type="button"
+                className="button"
+                data-testid="merge"
+                onClick={() => merge({ base, mission: useStudio.getState().mission }, [], true)}
+              >
+                {t("merge.merge")}
+              </button>
+            </div>
+          )}
         </>
       )}
     </Sheet>

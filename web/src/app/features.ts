@@ -8,6 +8,7 @@ import { accessibility } from "../features/accessibility";
 import { arena } from "../features/arena";
 import { canvas } from "../features/canvas";
 import { check } from "../features/check";
+import { classroom } from "../features/class";
 import { code } from "../features/code";
 import { customBlocks } from "../features/custom-blocks";
 import { debug } from "../features/debug";
@@ -47,6 +48,7 @@ export const FEATURES: readonly Feature[] = [
   gallery,
   tutorial,
   exercise,
+  classroom,
   importFiles,
   exporting,
   accessibility,

@@ -1,10 +1,9 @@
 /**
- * A small picture of a mission, drawn from the mission itself: its graph in the colours of its parts, laid out as on the
- * canvas, or for a team and a place of its own the world from above. Nothing here has words; the card around it has.
+ * Small pictures that stand: a program's graph in the colours of its parts, laid out as on the canvas, and a world from
+ * above with those who start in it. Nothing here has words; the card around it has.
  */
 import { type ReactNode, useMemo } from "react";
 
-import type { Picture as MissionPicture } from "../api/generated";
 import { headPath, layoutStructure, type LayoutNode, roundedPath } from "../model/layout";
 import { partsOf } from "../model/parts";
 import { readStructure } from "../model/structure";
@@ -16,12 +15,6 @@ import "./world-picture.css";
 const MARGIN = 24;
 /** Room above a robot's size in an open place, so that it can be seen in a small picture. */
 const ROBOT_PART = 0.075;
-
-export function Picture({ picture: { program, world, agents } }: { picture: MissionPicture }) {
-  const place =
-    world !== null && (world.roads.length > 0 || agents.length > 1 || [...world.lines, ...world.floors].length > 0);
-  return place ? <WorldPicture world={world} agents={agents} /> : <GraphPicture program={program} />;
-}
 
 export function GraphPicture({ program }: { program: Program }) {
   const catalogue = useStudio((studio) => studio.catalogue);
@@ -105,20 +98,18 @@ interface WorldPictureProps {
   world: World;
   /** Whose starts are shown, by their names in the world. */
   agents: readonly string[];
-  /** What of it is seen: left, top, width and height in mm; all of it without. */
-  view?: readonly [number, number, number, number];
   /** What is drawn above it, in mm, with y downward. */
   children?: ReactNode;
 }
 
 /** A world from above, with those who start in it. */
-export function WorldPicture({ world, agents, view, children }: WorldPictureProps) {
+export function WorldPicture({ world, agents, children }: WorldPictureProps) {
   const { width_mm: width, height_mm: height } = world;
   const size = Math.max(135, width * ROBOT_PART);
   const path = (points: [number, number][], closed: boolean) =>
     `M${points.map(([x, y]) => `${String(x)} ${String(height - y)}`).join("L")}${closed ? "Z" : ""}`;
   return (
-    <svg className="picture picture-world" viewBox={(view ?? [0, 0, width, height]).join(" ")} aria-hidden="true">
+    <svg className="picture picture-world" viewBox={[0, 0, width, height].join(" ")} aria-hidden="true">
       {world.floors.map((floor, index) => (
         <path
           key={index}
@@ -145,6 +136,13 @@ export function WorldPicture({ world, agents, view, children }: WorldPictureProp
       {world.walls.map(({ x1, y1, x2, y2 }, index) => (
         <line key={index} className="picture-wall" x1={x1} y1={height - y1} x2={x2} y2={height - y2} />
       ))}
+      {(world.zones ?? []).map((zone, index) => {
+        const [x, y] = [zone.x_mm, height - zone.y_mm];
+        const shape = { className: "picture-zone", "data-kind": zone.kind };
+        if (zone.radius_mm > 0) return <circle key={index} {...shape} cx={x} cy={y} r={zone.radius_mm} />;
+        const [wide, high] = [zone.width_mm, zone.height_mm];
+        return <rect key={index} {...shape} x={x - wide / 2} y={y - high / 2} width={wide} height={high} />;
+      })}
       {world.storehouses.map((house) => (
         <g
           key={house.name}

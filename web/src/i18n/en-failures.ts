@@ -15,7 +15,6 @@ export const FAILURES_EN = {
   "members.title": "Members",
   "strip.planned": "Planned at {time}: {agent}: {kind}",
   "strip.failures": { one: "{count} failure.", other: "{count} failures." },
-  "help.keys-robot-menu": "Menu of the robot that is chosen",
   "team.chance-on": "By chance, each robot fails within a minute with a probability of {percent} % (tab Team)",
   "team.fail": "fails",
   "team.stall": "stalls",

@@ -35,7 +35,4 @@ export const JOURNAL_EN = {
   "disk.no-locks-help": "Two people who save the same mission at the same moment may overwrite each other.",
   "disk.also-open": "also open in another window",
   "disk.also-open-help": "Each window keeps its own changes. Whoever saves second is asked what to do.",
-  "difference.title": "Yours and the one on disk",
-  "difference.none": "They are the same.",
-  "difference.intro": "This is different in yours:",
 } as const;

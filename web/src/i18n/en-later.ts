@@ -1,16 +1,44 @@
 /** English for the rooms of the team and the world, which are fetched later, and their words with them (`moreWords`). */
 import { ARENA_EN } from "./en-later-arena";
 import { CHECK_EN } from "./en-later-check";
+import { CLASS_EN } from "./en-later-class";
 import { LATER_TEAM_EN } from "./en-later-team";
 import { NEW_EN } from "./en-later-new";
+import { FIELDS_EN } from "./en-later-fields";
+import { KEYS_EN } from "./en-later-keys";
 import { KITS_EN } from "./en-later-kits";
+import { LATER_WORLD_EN } from "./en-later-world";
+import { GALLERY_EN } from "./en-later-gallery";
+import { SITE_EN } from "./en-later-site";
 
 export const LATER_EN = {
   ...ARENA_EN,
   ...LATER_TEAM_EN,
   ...CHECK_EN,
+  ...CLASS_EN,
   ...NEW_EN,
   ...KITS_EN,
+  ...FIELDS_EN,
+  ...KEYS_EN,
+  ...LATER_WORLD_EN,
+  ...GALLERY_EN,
+  "difference.title": "Yours and the one on disk",
+  "difference.none": "They are the same.",
+  "difference.intro": "This is different in yours:",
+  "merge.merge": "Merge them",
+  "merge.title": "Both have changed this",
+  "merge.intro": "Everything else of both is merged. Choose what stays here:",
+  "merge.yours": "Yours",
+  "merge.yours-is": "Yours: {value}",
+  "merge.theirs": "The one on disk",
+  "merge.theirs-is": "The one on disk: {value}",
+  "merge.apply": "Merge",
+  "merge.done": "Your changes and those on disk are merged.",
+  "merge.done-help": "Save it when it is right. Undo takes the merge back.",
+  "merge.step": "Merge with the file",
+  "merge.no-base": "What both began with is not known any more, so they cannot be merged.",
+
+  ...SITE_EN,
   "exercise.title": "Exercises",
   "exercise.count": { one: "{count} goal", other: "{count} goals" },
   "exercise.broken": "This exercise cannot be used.",
@@ -41,7 +69,7 @@ export const LATER_EN = {
   "own.colour": "Colour",
   "own.open-title": "What can be set each time",
   "own.open-none": "Nothing in the selection can be left open.",
-  "own.open-slot": "{slot} of {part}",
+  "own.open-slot": "{part}: {slot}",
   "own.open-vertex": "Another action instead of {part}",
   "own.open-name": "Name of {what}",
   "own.must": "has to be left open",
@@ -103,6 +131,10 @@ export const LATER_EN = {
   "tutorial.again": "Begin again",
   "tutorial.finished": "That was {name}. Well done!",
   "tutorial.finished-help": "Keep the program and change it as you like, or take the next tutorial.",
+  "tutorial.next-one": "Next: {name}",
+  "tutorial.teachers": { one: "For teachers: {count} minute", other: "For teachers: {count} minutes" },
+  "tutorial.troubles": "What goes wrong",
+  "tutorial.questions": "Questions for afterwards",
   "tutorial.left-over": "You are at the end. Some steps are still open.",
   "tutorial.count": { one: "{count} step", other: "{count} steps" },
   "tutorial.at": "step {number} of {total}",

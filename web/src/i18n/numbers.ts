@@ -22,9 +22,9 @@ export function grouped(number: number): string {
     .join("");
 }
 
-/** 4.25 → "4.25", in French "4,25". */
-export function decimal(number: number): string {
-  return format({ maximumFractionDigits: 2, useGrouping: false }).format(number);
+/** 4.25 → "4.25", in French "4,25"; `least` to `most` digits behind the sign. */
+export function decimal(number: number, least = 0, most = 2): string {
+  return format({ minimumFractionDigits: least, maximumFractionDigits: most, useGrouping: false }).format(number);
 }
 
 const made = new Map<string, Intl.NumberFormat>();

@@ -66,6 +66,7 @@ const NAMES: Key[] = [
   "graph.action",
   "graph.condition",
   "graph.zoom",
+  "gallery.robot",
   "parts.robot",
   "parts.variables",
   "inspector.note",
@@ -81,7 +82,10 @@ const NAMES: Key[] = [
   "strip.collision",
   "file.untitled",
   "code.projection",
+  "fields.octave",
   "members.who",
+  "world.kind-zone",
+  "world.rectangle",
 ];
 
 function forms(sentence: Sentence): string[] {

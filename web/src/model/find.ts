@@ -31,8 +31,8 @@ function linesOf(report: Report | null, program: string): Map<string, string> {
 
 function valuesOf(block: Block): string {
   const { shape } = block;
-  const fields = shape.fields.map(({ name, label, unit }) =>
-    [text(label, name), fieldWords(block, name), unit].filter((word) => word !== "").join(" "),
+  const fields = shape.fields.map(({ name, label }) =>
+    [text(label, name), fieldWords(block, name)].filter((word) => word !== "").join(" "),
   );
   const conditions = block.plugs.flatMap(({ slot, block: filler }) =>
     filler === null || shape.fields.some((field) => field.name === slot) ? [] : [wordsOf(filler)],

@@ -5,6 +5,7 @@
  * a constructor that nobody has thought of yet is drawn, edited and read like the shipped ones. An element whose XML is
  * missing has the shape `unknown`: its ports are read off its arcs (structure.ts).
  */
+import { type Measure, measureOf } from "./meaning";
 import { TEAM_ROBOT } from "./team-robot";
 import { text } from "./texts";
 import type { Catalogue, Colour, Constructor, Group, Method, Robot, RobotObject, Slot, Texts } from "./types";
@@ -29,7 +30,7 @@ export interface Plug {
 }
 
 /** Something typed in: a number in a range, a switch or a text. A field of the same name as a plug is typed or plugged. */
-export interface Field {
+export interface Field extends Measure {
   name: string;
   label: Texts;
   help: Texts;
@@ -37,7 +38,6 @@ export interface Field {
   min: number;
   max: number;
   default: string;
-  unit: string;
 }
 
 export interface Shape {
@@ -87,7 +87,7 @@ function bare(element: string, kind: Shape["kind"], role: Role, icon: string): S
   };
 }
 
-function slotField(slot: Slot): Field {
+function slotField(slot: Slot, robot: Robot | null): Field {
   return {
     name: slot.name,
     label: slot.label,
@@ -96,11 +96,11 @@ function slotField(slot: Slot): Field {
     min: slot.min ?? 0,
     max: slot.max ?? INTEGER_LIMIT,
     default: slot.default !== "" || slot.kind === "text" ? slot.default : String(slot.min ?? 0),
-    unit: slot.unit,
+    ...measureOf(slot, robot),
   };
 }
 
-function constructorShape(one: Constructor): Shape {
+function constructorShape(one: Constructor, robot: Robot | null): Shape {
   const plugKind = { condition: "condition", value: "value", action: "action" } as const;
   return {
     element: one.name,
@@ -118,14 +118,16 @@ function constructorShape(one: Constructor): Shape {
         ? [{ name: slot.name, label: slot.label, accepts: plugKind[slot.kind] }]
         : [],
     ),
-    fields: one.slots.filter((slot) => ["number", "text", "value"].includes(slot.kind)).map(slotField),
+    fields: one.slots
+      .filter((slot) => ["number", "text", "value"].includes(slot.kind))
+      .map((slot) => slotField(slot, robot)),
     constructor_: one,
     object: null,
     method: null,
   };
 }
 
-function methodShape(object: RobotObject, method: Method): Shape {
+function methodShape(object: RobotObject, method: Method, robot: Robot | null): Shape {
   const roles = { procedure: "instruction", test: "condition", value: "value" } as const;
   return {
     element: `${object.name}.${method.name}`,
@@ -141,15 +143,10 @@ function methodShape(object: RobotObject, method: Method): Shape {
       label,
       accepts: kind === "boolean" ? "condition" : "value",
     })),
-    fields: method.parameters.map(({ name, label, help, kind, min, max, default: start, unit }) => ({
-      name,
-      label,
-      help,
-      kind,
-      min,
-      max,
-      default: String(start),
-      unit,
+    fields: method.parameters.map((parameter) => ({
+      ...parameter,
+      ...measureOf(parameter, robot),
+      default: String(parameter.default),
     })),
     constructor_: null,
     object,
@@ -171,8 +168,9 @@ function makeParts(catalogue: Catalogue, robot: Robot | null): Parts {
     all.push(shape);
   };
   for (const group of catalogue.groups)
-    for (const one of group.constructors) if (standsFor(one, robot)) add(constructorShape(one));
-  for (const object of robot?.objects ?? []) for (const method of object.methods) add(methodShape(object, method));
+    for (const one of group.constructors) if (standsFor(one, robot)) add(constructorShape(one, robot));
+  for (const object of robot?.objects ?? [])
+    for (const method of object.methods) add(methodShape(object, method, robot));
   table.set("Start", bare("Start", "start", "start", "play"));
   table.set("Stop", bare("Stop", "stop", "stop", "square"));
   return {
@@ -226,13 +224,18 @@ export function standsInChain(shape: Shape): boolean {
   return shape.role === "instruction";
 }
 
-/** The name as the reader knows it: "While", "Wheel Advance". */
+/** The name as the reader knows it: "Repeat while", "Wheels Drive". */
 export function title(shape: Shape): string {
-  const own = text(shape.label, shape.method?.name ?? shape.element);
-  return shape.object === null ? own : `${text(shape.object.label, shape.object.name)} ${own}`;
+  const object = objectTitle(shape);
+  return object === "" ? shortTitle(shape) : `${object} ${shortTitle(shape)}`;
 }
 
-/** The name without its object: "Advance". */
+/** The name of its object; "" where its own name says all. */
+export function objectTitle({ object, method }: Shape): string {
+  return object === null || method?.alone === true ? "" : text(object.label, object.name);
+}
+
+/** The name without its object: "Drive". */
 export function shortTitle(shape: Shape): string {
   return text(shape.label, shape.method?.name ?? shape.element);
 }

@@ -1,6 +1,6 @@
 /**
- * Where a part goes when no place is pointed at: after the selected vertex, on the selected arc, into the first empty
- * slot that it fits, else at the end of the program; what fits nowhere is parked.
+ * Where a part goes when no place is pointed at: into the empty body of the selected vertex, after that vertex, on the
+ * selected arc, into the first empty slot that it fits, else at the end of the program; what fits nowhere is parked.
  */
 import { fits, isMark, type Shape, standsInChain } from "./parts";
 import type { Block, Structure } from "./structure";
@@ -23,6 +23,9 @@ export function placeFor(structure: Structure, around: Around, shape: Shape): Pl
     if (action !== null) return action;
     if (isMark(shape) && withMark(spot) === spot && canMark(spot))
       return { kind: "vertex", vertex: spot.block.vertex.id };
+    // What has an empty body wants its body first.
+    const [body] = spot.block.bodies;
+    if (spot.kind === "chain" && body?.chain.length === 0) return arcPlace(spot.block.vertex.id, body.out);
     return arcPlace(inChain(spot).block.vertex.id);
   }
   if (around.vertex !== null && around.vertex === structure.start?.id) return arcPlace(around.vertex);

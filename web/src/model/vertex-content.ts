@@ -2,17 +2,20 @@
  * What a vertex shows: its name, a box for each value, a chip for each condition. Layout measures it, the canvas draws it.
  */
 import { t } from "../i18n/words";
+import { choiceOf } from "./meaning";
 import { textWidth } from "./measure";
-import { type Shape, shortTitle } from "./parts";
+import { objectTitle, type Shape, shortTitle } from "./parts";
 import type { Block } from "./structure";
 import { text } from "./texts";
+import type { Choice } from "./types";
 import { fieldWords, type Piece, piecesOf } from "./words";
 
 export interface Box {
   slot: string;
   label: string;
   value: string;
-  unit: string;
+  /** What is chosen, where it has a picture. */
+  picture: Choice | null;
   /** The value vertex that is plugged in instead of something typed. */
   plugged: string | null;
 }
@@ -45,7 +48,7 @@ export const MOST_CHIP = 360;
 export function faceOf(block: Block): Face {
   const { shape } = block;
   return {
-    object: shape.object === null ? "" : text(shape.object.label, shape.object.name),
+    object: objectTitle(shape),
     name: shortTitle(shape),
     boxes: shape.fields.map((field) => box(block, field)),
     chips: chips(block),
@@ -56,11 +59,15 @@ function box(block: Block, field: Shape["fields"][number]): Box {
   // A constructor's only number says itself what it counts: "10 ×".
   const plain = block.shape.kind === "constructor" && block.shape.fields.length === 1 && field.unit !== "";
   const filler = block.plugs.find((plug) => plug.slot === field.name)?.block ?? null;
+  const chosen = choiceOf(field, Number(block.vertex.settings[field.name]));
+  const pictured = filler === null && chosen !== undefined && (chosen.icon || chosen.lights || chosen.colour) !== "";
+  // What says itself what it counts or is needs no name: "10 ×", "90°", "heart".
+  const speaks = block.shape.fields.length === 1 && (field.meaning?.field ?? "") !== "";
   return {
     slot: field.name,
-    label: plain ? "" : text(field.label, field.name),
+    label: plain || speaks ? "" : text(field.label, field.name),
     value: fieldWords(block, field.name),
-    unit: filler === null ? field.unit : "",
+    picture: pictured ? chosen : null,
     plugged: filler?.vertex.id ?? null,
   };
 }
@@ -99,9 +106,12 @@ export function chipWidth(chip: Chip): number {
   return Math.min(width, MOST_CHIP);
 }
 
-export function boxWidth({ label, value, unit }: Box): number {
+/** A picture in a box. */
+export const PICTURE = 18;
+
+export function boxWidth({ label, value, picture }: Box): number {
   const gap = 4;
-  const parts = [textWidth(label, 14), textWidth(value, 14, true), textWidth(unit, 14, true)].filter(
+  const parts = [textWidth(label, 14), picture === null ? 0 : PICTURE, textWidth(value, 14, true)].filter(
     (width) => width > 0,
   );
   return 2 * PAD + 2 + parts.reduce((sum, width) => sum + width, 0) + gap * (parts.length - 1);

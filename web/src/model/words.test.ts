@@ -51,7 +51,7 @@ describe("a condition in words", () => {
 
 describe("a field in words", () => {
   it("is the number typed, a switch's true or false, or what is plugged in", () => {
-    expect(fieldWords(block(CARRIER, "v8"), "speed")).toBe("50");
+    expect(fieldWords(block(CARRIER, "v8"), "speed")).toBe("50 %");
     expect(fieldWords(block(put(CARRIER, "v8", "speed", "Count.Value"), "v8"), "speed")).toBe("Count");
     const place: Place = { kind: "arc", source: "v13", out: "next" };
     const set = insertPart(CARRIER, PARTS, place, "Run.Set")?.execute(missionOf(CARRIER)).programs[0] ?? CARRIER;

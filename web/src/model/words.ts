@@ -5,9 +5,11 @@
  * more) or stands in front by the name of its slot (one). Empty slots stay visible as holes.
  */
 import { t } from "../i18n/words";
+import { choiceOf, inWords, measureOf } from "./meaning";
 import { shortTitle, title } from "./parts";
 import type { Block } from "./structure";
 import { text } from "./texts";
+import type { RobotObject } from "./types";
 
 /** A run of words, or an empty slot. `vertex` is the vertex they speak of, or whose slot it is. */
 export type Piece =
@@ -26,7 +28,7 @@ export function wordsOf(block: Block): string {
 }
 
 function methodPieces(block: Block): Piece[] {
-  const { shape, vertex, plugs } = block;
+  const { shape, vertex } = block;
   const { object, method } = shape;
   const phrase = method === null ? "" : text(method.phrase);
   if (phrase === "" || object === null) {
@@ -35,8 +37,7 @@ function methodPieces(block: Block): Piece[] {
   }
   const words = phrase.replace(/\{([^}]*)\}/g, (_, hole: string) => {
     if (hole === "object") return text(object.label, object.name);
-    const filler = plugs.find((plug) => plug.slot === hole)?.block;
-    return filler == null ? (vertex.settings[hole] ?? "…") : wordsOf(filler);
+    return fieldWords(block, hole) || "…";
   });
   return [{ kind: "words", vertex: vertex.id, words }];
 }
@@ -76,6 +77,7 @@ export function fieldWords(block: Block, name: string): string {
   if (filler != null) return wordsOf(filler);
   const typed = block.vertex.settings[name] ?? "";
   const field = block.shape.fields.find((one) => one.name === name);
+  if (field?.kind === "integer" && /^-?[0-9]+$/.test(typed)) return inWords(field, Number(typed));
   if (field?.kind !== "boolean") return typed;
   return t(isOn(typed) ? "parts.on" : "parts.off");
 }
@@ -83,4 +85,12 @@ export function fieldWords(block: Block, name: string): string {
 /** Whether a switch's setting means on. */
 export function isOn(setting: string): boolean {
   return setting !== "" && setting !== "0" && setting !== "false";
+}
+
+/** What a sensor or variable says now: "77 cm", "red", "free". */
+export function valueWords(object: RobotObject, value: number): string {
+  const measure = measureOf(object, null);
+  if (object.type === "boolean" && choiceOf(measure, value) === undefined)
+    return t(value === 0 ? "parts.off" : "parts.on");
+  return inWords(measure, value);
 }

@@ -11,6 +11,8 @@ import { closeTeam, openTeam } from "./team-view";
 import { useView } from "./view";
 
 export function run(): void {
+  // Over the mission lies the page of another one: nothing runs below it.
+  if (useDocument.getState().overlay === "new") return;
   const { status, start, resume } = useRun.getState();
   if (status === "paused") {
     resume();

@@ -54,6 +54,8 @@ export interface Feature {
   stop?: () => void;
   /** Files were dropped on the page. */
   takeFiles?: (files: File[]) => void;
+  /** A component that stands in place of the studio, where the page is for something else. */
+  Instead?: ComponentType | null;
   /** Begins what goes on while the page is there; the returned function ends it. */
   start?: () => () => void;
 }

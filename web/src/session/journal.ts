@@ -144,9 +144,11 @@ function heard(after: Mission, before: Mission): void {
   } else {
     waiting.push({ change, before, after });
   }
-  // The file's name may be another one now.
-  if (change.kind === "save") sendAll();
-  soon();
+  if (change.kind === "save") {
+    // At once: the file's name may be another one now, and a page that is loaded again must find it.
+    sendAll();
+    void flush();
+  } else soon();
 }
 
 function soon(): void {

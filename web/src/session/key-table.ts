@@ -103,6 +103,7 @@ export const ARENA_KEYS = {
   menu: { chords: ["Enter", "Shift+F10", "ContextMenu"], says: "help.keys-robot-menu" },
   follow: { chords: ["Shift+F"], says: "harm.follow" },
   hand: { chords: ["A", "B", "S"], says: "help.keys-hand" },
+  take: { chords: ["M", "Shift+M"], says: "help.keys-take" },
 } as const satisfies Rows;
 
 /** Keys of the world while it is changed and its place has the focus. */
@@ -126,6 +127,7 @@ export const WORLD_KEYS = {
 export const WEB_KEYS = {
   menus: { chords: ["Alt"], says: "help.keys-menu" },
   clipboard: { chords: ["Ctrl+X", "Ctrl+C", "Ctrl+V"], says: "help.keys-clipboard" },
+  type: { chords: ["0…9"], says: "help.keys-type" },
   tabs: { chords: ["←", "→", "Home", "End"], says: "help.keys-tabs" },
   removeTab: { chords: ["Delete"], says: "help.keys-tab-delete" },
   tree: { chords: ["↑", "↓", "←", "→"], says: "help.keys-tree" },

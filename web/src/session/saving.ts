@@ -6,6 +6,7 @@ import { useStudio } from "../model/studio";
 import type { Mission } from "../model/types";
 import { complain, fileName, question, show, useDocument } from "./document";
 import { loadFromDisk } from "./opening";
+import { revisionMerged } from "./merges";
 import { isFromRecording } from "./recordings";
 
 const set = useDocument.setState;
@@ -19,12 +20,12 @@ export function hasPlace(path: string): boolean {
 export async function save(): Promise<boolean> {
   // One after another: the next needs the revision that this one gives.
   while (writing !== null) await writing;
-  const { path, revision } = useStudio.getState().file;
+  const { path } = useStudio.getState().file;
   if (!hasPlace(path)) {
     show("save-as");
     return false;
   }
-  return write(path, revision);
+  return write(path, revisionMerged());
 }
 
 /** Whether it was said already that the folder has no file locks. */

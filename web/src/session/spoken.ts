@@ -8,9 +8,7 @@ import { currentDrawing } from "./drawing";
 /** Name, values and conditions in words. */
 export function spoken({ block, face, mark, inside }: LayoutNode): string {
   if (block === null) return face.name;
-  const values = face.boxes.map(({ label, value, unit }) =>
-    [label, value, unit].filter((word) => word !== "").join(" "),
-  );
+  const values = face.boxes.map(({ label, value }) => `${label} ${value}`.trim());
   const conditions = block.plugs.flatMap((plug) =>
     plug.block === null || face.boxes.some((box) => box.slot === plug.slot) ? [] : [wordsOf(plug.block)],
   );

@@ -16,6 +16,9 @@ export interface Target {
   key: string;
 }
 
+/** Half the height of a vertex, which stands on the edge of its frame. */
+const HALF_ROW = 22;
+
 /** How near one must come, in px on the screen. */
 export const REACH = 60;
 
@@ -61,8 +64,24 @@ export function wrapTarget(drawing: Drawing, point: Point, shape: Shape, selecti
   return node === undefined ? null : target({ kind: "vertex", vertex: node.vertex });
 }
 
-function arcTarget({ layout }: Drawing, point: Point, reach: number, moving: Set<string>): Target | null {
-  const place = layout.nodes.find((node) => node.kind === "place");
+/** The arc into the innermost empty body whose frame the point is in, below its vertex. */
+function bodyTarget({ layout, nodes }: Drawing, point: Point, moving: Set<string>): Target | null {
+  let found: Target | null = null;
+  for (const frame of layout.frames) {
+    const out = nodes.get(frame.id)?.block?.shape.flows[0]?.name ?? "";
+    const below = point.y > frame.y + HALF_ROW && contains(frame, point);
+    if (!below) continue;
+    const isOpen = nodes.get(`${frame.id}.${out}`)?.kind === "place" && !moving.has(frame.id);
+    found = isOpen ? target({ kind: "arc", source: frame.id, out }) : null;
+  }
+  return found;
+}
+
+function arcTarget(drawing: Drawing, point: Point, reach: number, moving: Set<string>): Target | null {
+  const body = bodyTarget(drawing, point, moving);
+  if (body !== null) return body;
+  const { layout } = drawing;
+  const place = layout.nodes.find((node) => node.id === "place");
   let nearest = place !== undefined && contains(place, point) ? 0 : Infinity;
   let found = nearest === 0 ? layout.arcs[0] : undefined;
   for (const arc of layout.arcs) {

@@ -38,11 +38,15 @@ interface ViewState {
   viewport: Viewport | null;
   /** A sentence about what was tried and could not be done; "" for none. */
   said: string;
+  /** The vertex whose field is open under it: that of a slot, or with "" the first one; and what was typed to open it. */
+  editing: { vertex: string; slot: string; typed: string } | null;
   /** The vertex whose note is being written. */
   noting: string | null;
   /** Whether the canvas moves along with the run. */
   following: boolean;
   minimap: boolean;
+  /** Whether chips show what their sensors say while a run exists; remembered in this browser. */
+  live: boolean;
   /** Whether the find panel is open. */
   finding: boolean;
   /** Where the menu of the canvas is open, in px of the window. */
@@ -51,14 +55,26 @@ interface ViewState {
   setAdding: (adding: Adding | null) => void;
 }
 
+const LIVE = "kitrobot.live";
+
+function remembered(): boolean {
+  try {
+    return localStorage.getItem(LIVE) !== "off";
+  } catch {
+    return true;
+  }
+}
+
 export const useView = create<ViewState>((set) => ({
   arc: null,
   adding: null,
   viewport: null,
   said: "",
   noting: null,
+  editing: null,
   following: false,
   minimap: false,
+  live: remembered(),
   finding: false,
   menu: null,
   selectArc: (arc) => {
@@ -84,6 +100,16 @@ export function toggleMinimap(): void {
   useView.setState({ minimap: !useView.getState().minimap });
 }
 
+export function toggleLive(): void {
+  const live = !useView.getState().live;
+  useView.setState({ live });
+  try {
+    localStorage.setItem(LIVE, live ? "on" : "off");
+  } catch {
+    // It then holds until the page is closed.
+  }
+}
+
 let still_until_ms = 0;
 
 /** What is selected by pointing at it is in view already: the canvas does not move for it. */
@@ -97,9 +123,14 @@ export function standsStill(): boolean {
 
 useStudio.subscribe((state, before) => {
   if (state.activeProgram !== before.activeProgram)
-    useView.setState({ arc: null, adding: null, menu: null, noting: null });
+    useView.setState({ arc: null, adding: null, menu: null, noting: null, editing: null });
   else if (state.selection !== before.selection && state.selection.length > 0) useView.setState({ arc: null });
 });
+
+/** Opens a field under a vertex; `typed` is what is in it at first. */
+export function openField(vertex: string, slot: string, typed = ""): void {
+  useView.setState({ editing: { vertex, slot, typed }, adding: null });
+}
 
 /** Puts the focus into the first field of what is selected; false when it has none. */
 export function editSelected(): boolean {

@@ -3,9 +3,11 @@ import { partsApi } from "../api/parts";
 import { t } from "../i18n/words";
 import type { Command } from "../model/command";
 import { bringWorld, changeOwnWorld, isFreeName, isNamed, removeThings } from "../model/commands/changeOwnWorld";
+import { startOf } from "../model/starts";
 import { changeWorld } from "../model/commands/changeWorld";
 import { useStudio } from "../model/studio";
 import type { OwnWorld } from "../model/types";
+import { withStartsFor } from "../model/world/begun";
 import { drawNew, type Spot } from "../model/world/make";
 import { moved, startMoved } from "../model/world/moving";
 import { nameOf } from "../model/world/names";
@@ -46,6 +48,15 @@ export async function editWorld(): Promise<void> {
   if (world === null || mission.own_world != null) return;
   execute(bringWorld(mission, world));
   say(t("world.brought", { name: world.name }));
+}
+
+/** A world to begin with takes the place of the mission's, whatever that was; all robots have a start there. */
+export function beginWith(world: OwnWorld, name: string): void {
+  const { mission } = useStudio.getState();
+  const label = t("world.template-taken", { name });
+  execute({ ...bringWorld(mission, withStartsFor(world, mission.agents.map(startOf))), label });
+  useWorld.setState({ chosen: [], tool: null, draft: null });
+  say(label);
 }
 
 /** The names of several things, as a label of undo. */
@@ -154,14 +165,18 @@ export async function saveWorldFile(name: string): Promise<string> {
 /** A robot dropped somewhere before a run starts there; the world is copied into the mission first where it must be. */
 export async function moveStart(name: string, x: number, y: number): Promise<void> {
   const plan = await worldAsPlan();
-  const { mission } = useStudio.getState();
   const at = plan?.starts.findIndex((start) => start.name === name) ?? -1;
   if (plan === null || at < 0) return;
   const world = startMoved(plan, at, x, y);
   if (world === plan) return;
-  const label = t("command.move", { name });
+  keepMoved(plan, world, t("command.move", { name }));
+}
+
+/** Keeps `plan` as `world`, in which something was moved; a world of a file is copied into the mission, which is said. */
+export function keepMoved(plan: OwnWorld, world: OwnWorld, label: string, joins?: string): void {
+  const { mission } = useStudio.getState();
   if (mission.own_world != null) {
-    change(label, world);
+    change(label, world, joins);
     return;
   }
   execute({ ...bringWorld(mission, world), label });

@@ -6,11 +6,10 @@ from collections.abc import Iterable
 
 from pydantic import BaseModel
 
-from kitrobot.mission import Mission
 from kitrobot.primitives import Catalogue, RobotObject
-from kitrobot.server.shapes.mission import ProgramShape, mission_shape
+from kitrobot.server.shapes.gallery import RunPreviewShape
 from kitrobot.server.shapes.world import WorldShape, world_shape
-from kitrobot.workspace import Choices, FoundPlace, RobotSet, Starter, Track
+from kitrobot.workspace import Choices, FoundPlace, RobotSet, Starter
 
 
 class AbilityShape(BaseModel):
@@ -58,20 +57,11 @@ class BeginningsShape(BaseModel):
     starters: list[StarterShape]
 
 
-class TrackShape(BaseModel):
-    """The way of an agent: (x mm, y mm, heading rad), one each tenth of a second."""
-
-    agent: str
-    robot: str
-    points: list[tuple[float, float, float]]
-
-
 class PreviewShape(BaseModel):
-    """A starter with its first program, and what its agents do in the first seconds."""
+    """A starter, and what its agents do in the first seconds."""
 
     starter: str
-    program: ProgramShape
-    tracks: list[TrackShape]
+    run: RunPreviewShape
 
 
 def robot_set_shape(robot_set: RobotSet, choices: Choices, catalogue: Catalogue) -> RobotSetShape:
@@ -111,13 +101,4 @@ def starter_shape(starter: Starter, choices: Choices) -> StarterShape:
         label=dict(made.label),
         help=dict(made.help),
         places={robot_set: names for robot_set, names in places.items() if names},
-    )
-
-
-def preview_shape(starter: str, mission: Mission, tracks: Iterable[Track]) -> PreviewShape:
-    """A starter as it is previewed."""
-    return PreviewShape(
-        starter=starter,
-        program=mission_shape(mission).programs[0],
-        tracks=[TrackShape(agent=one.agent, robot=one.robot, points=list(one.points)) for one in tracks],
     )

@@ -16,6 +16,25 @@ LevelName = Literal["agent", "group", "social"]
 Colour = Literal["loop", "choice", "parallel", "action", "test", "team"]
 
 
+class ChoiceShape(View):
+    """A value with a name, and one picture at most: an icon, lights (digits, five by five) or a `#rrggbb`."""
+
+    value: int
+    label: Texts
+    icon: str = ""
+    lights: str = ""
+    colour: str = ""
+
+
+class MeaningShape(View):
+    """What a number means. `scale`: how many units one is, or `wait-unit`; `units`: other languages than English."""
+
+    scale: str = "1"
+    units: Texts = Field(default_factory=dict)
+    field: Literal["", "slider", "time", "dial", "ruler", "choices", "lights", "piano", "colour"] = ""
+    choices: list[ChoiceShape] = Field(default_factory=list)
+
+
 class SlotShape(View):
     """A hole of a constructor."""
 
@@ -30,6 +49,7 @@ class SlotShape(View):
     default: str
     unit: str
     names: Literal["", "set", "program"] = ""
+    meaning: MeaningShape | None = None
 
 
 class AddsShape(View):
@@ -80,6 +100,7 @@ class ParameterShape(View):
     unit: str
     label: Texts
     help: Texts
+    meaning: MeaningShape | None = None
 
 
 class MethodShape(View):
@@ -94,6 +115,9 @@ class MethodShape(View):
     completes_later: bool
     stop: str | None
     phrase: Texts
+    test: Literal["", "equal", "less", "greater"] = ""
+    to: int | None = None
+    alone: bool = False
 
 
 class RayShape(BaseModel):
@@ -120,6 +144,8 @@ class RobotObjectShape(View):
     max: Most[int]
     initial: int
     shared: bool
+    unit: str = ""
+    meaning: MeaningShape | None = None
 
 
 class RobotShape(View):

@@ -6,7 +6,8 @@ from pydantic import BaseModel
 
 from kitrobot.server.sentences import Spoken
 from kitrobot.server.shapes.catalogue import CatalogueShape
-from kitrobot.server.shapes.mission import MissionShape, ProgramShape
+from kitrobot.server.shapes.gallery import ExampleShape
+from kitrobot.server.shapes.mission import MissionShape
 from kitrobot.server.shapes.problem import ProblemShape
 from kitrobot.server.shapes.world import WorldShape
 
@@ -23,32 +24,20 @@ class SessionShape(BaseModel):
     secret: str
 
 
-class PictureShape(BaseModel):
-    """What a small picture of a mission is drawn from: its first program, and where it takes place.
-
-    `agents` are the starts of its team, by their names in the world.
-    """
-
-    program: ProgramShape
-    world: WorldShape | None
-    agents: list[str]
-
-
 class MissionEntryShape(BaseModel):
     """A mission that can be opened; `modified` is a moment in UTC (ISO 8601).
 
     `problem` is why it cannot be opened, "" where nothing is known against it.
-    Examples are read-only and say more: title (`label`) and what happens (`help`) by language, and their picture.
+    Examples are read-only and say more: title (`label`) and what happens (`help`) by language, and `example`.
     """
 
     path: str
     name: str
     title: str
-    example: bool
     modified: str
     label: dict[str, str]
     help: dict[str, str]
-    picture: PictureShape | None
+    example: ExampleShape | None
     problem: Spoken
 
 

@@ -66,6 +66,39 @@ class DifferenceShape(BaseModel):
     changes: list[str]
 
 
+class MergeAskShape(BaseModel):
+    """A mission to be merged with its file: both were made of `base`. `taken` are the conflicts that the file wins."""
+
+    path: str
+    base: MissionShape
+    mission: MissionShape
+    taken: list[str]
+
+
+class ConflictedShape(BaseModel):
+    """What both changed differently: what it is, what became of it, and both values in words, "" where they are long.
+
+    `taken`: the file's is taken. `open`: there is something to decide.
+    """
+
+    name: str
+    what: str
+    sentence: str
+    ours: str
+    theirs: str
+    taken: bool
+    open: bool
+
+
+class MergedShape(BaseModel):
+    """A mission with the edits of its file, and what both changed differently. `theirs` is that revision."""
+
+    revision: str
+    mission: MissionShape
+    theirs: MissionShape
+    conflicts: list[ConflictedShape]
+
+
 class _Message(BaseModel):
     model_config = ConfigDict(json_schema_serialization_defaults_required=True)
 

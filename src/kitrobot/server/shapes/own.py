@@ -13,8 +13,10 @@ from typing import TypeVar
 from kitrobot.diagnostics import KitRobotError
 from kitrobot.primitives import (
     Category,
+    Choice,
     Constructor,
     Level,
+    Meaning,
     OwnVariable,
     RobotObject,
     Role,
@@ -25,7 +27,7 @@ from kitrobot.primitives import (
     write_constructor,
     write_variable,
 )
-from kitrobot.server.shapes.catalogue import ConstructorShape, RobotObjectShape
+from kitrobot.server.shapes.catalogue import ConstructorShape, MeaningShape, RobotObjectShape
 from kitrobot.server.shapes.values import View
 from kitrobot.text import Sentence
 
@@ -84,6 +86,7 @@ def raw_constructor(shape: ConstructorShape) -> Constructor:
             slot.default,
             slot.unit,
             slot.label,
+            meaning=raw_meaning(slot.meaning),
         )
         for slot in shape.slots
     ]
@@ -102,6 +105,14 @@ def raw_constructor(shape: ConstructorShape) -> Constructor:
         shape.help,
         level=Level(shape.level),
     )
+
+
+def raw_meaning(shape: MeaningShape | None) -> Meaning | None:
+    """What a number means, as it travelled, unread."""
+    if shape is None:
+        return None
+    choices = tuple(Choice(one.value, one.label, one.icon, one.lights, one.colour) for one in shape.choices)
+    return Meaning(shape.scale, shape.units, shape.field, choices)
 
 
 @lru_cache(KEPT)

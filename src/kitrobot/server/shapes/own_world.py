@@ -27,6 +27,7 @@ from kitrobot.world import (
     Storehouse,
     Wall,
     World,
+    Zone,
     normalised,
 )
 
@@ -38,6 +39,7 @@ Millimetres = Annotated[float, Field(ge=-MAX_SIZE_MM, le=MAX_SIZE_MM, allow_inf_
 Length = Annotated[float, Field(ge=0, le=MAX_SIZE_MM, allow_inf_nan=False)]
 Count = Annotated[int, Field(ge=0, le=MAX_NUMBER)]
 Colour = Literal["red", "green", "blue"]
+Percent = Annotated[float, Field(ge=0, le=100, allow_inf_nan=False)]
 
 
 class CornerShape(BaseModel):
@@ -150,6 +152,19 @@ class OwnBallShape(BaseModel):
     friction: Length
 
 
+class OwnZoneShape(BaseModel):
+    """Where it is warm, loud or bright, around its middle: a circle, or a rectangle where its radius is 0."""
+
+    kind: Literal["warm", "loud", "bright"]
+    x_mm: Millimetres
+    y_mm: Millimetres
+    radius_mm: Length
+    width_mm: Length
+    height_mm: Length
+    value: Percent
+    falloff_mm: Length
+
+
 class OwnWorldShape(BaseModel):
     """All of a world; `unknown` is XML that nobody knows, kept word for word."""
 
@@ -165,6 +180,7 @@ class OwnWorldShape(BaseModel):
     starts: Annotated[list[OwnStartShape], Field(max_length=MOST_THINGS)]
     boxes: Annotated[list[OwnBoxShape], Field(max_length=MOST_THINGS)] = []
     balls: Annotated[list[OwnBallShape], Field(max_length=MOST_THINGS)] = []
+    zones: Annotated[list[OwnZoneShape], Field(max_length=MOST_THINGS)] = []
     unknown: list[str]
     label: dict[str, str]
     help: dict[str, str]
@@ -218,6 +234,7 @@ def own_world_shape(world: World) -> OwnWorldShape:
         starts=[_start_shape(one) for one in world.starts],
         boxes=[OwnBoxShape(**vars(one)) for one in world.boxes],
         balls=[OwnBallShape(**vars(one)) for one in world.balls],
+        zones=[OwnZoneShape(**vars(one)) for one in world.zones],
         unknown=list(world.unknown),
         label=dict(world.label),
         help=dict(world.help),
@@ -244,6 +261,7 @@ def own_world(shape: OwnWorldShape) -> World:
         starts=tuple(_start(one) for one in shape.starts),
         boxes=tuple(Box(**one.model_dump()) for one in shape.boxes),
         balls=tuple(Ball(**one.model_dump()) for one in shape.balls),
+        zones=tuple(Zone(**one.model_dump()) for one in shape.zones),
         unknown=tuple(shape.unknown),
         label=dict(shape.label),
         help=dict(shape.help),

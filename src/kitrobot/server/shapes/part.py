@@ -7,7 +7,7 @@ from typing import Annotated, Any, Literal
 from pydantic import BaseModel, Field, model_validator
 
 from kitrobot.compiler import Chosen
-from kitrobot.server.shapes.catalogue import Colour, ConstructorShape, Texts
+from kitrobot.server.shapes.catalogue import Colour, ConstructorShape, MeaningShape, Texts
 from kitrobot.server.shapes.mission import MOST_VERTICES, MissionShape, ProgramShape
 from kitrobot.server.shapes.problem import FailureShape, ProblemShape
 from kitrobot.server.shapes.values import Least, Most, View
@@ -51,6 +51,7 @@ class OfferShape(View):
     min: Least[int]
     max: Most[int]
     unit: str
+    meaning: MeaningShape | None = None
 
 
 class OfferedShape(BaseModel):

@@ -35,6 +35,13 @@ class PlanShape(BaseModel):
     problems: list[ProblemShape]
 
 
+class TemplateShape(BaseModel):
+    """A world to begin with; `world` has its label and help."""
+
+    name: str
+    world: OwnWorldShape
+
+
 class WorldEntryShape(BaseModel):
     """A world that a mission can take place in; `href` is what the mission calls it, "" for the empty one."""
 

@@ -7,6 +7,7 @@ from pydantic import BaseModel
 from kitrobot.server.shapes.mission import MissionShape
 from kitrobot.server.shapes.problem import ProblemShape, problem_shapes
 from kitrobot.server.shapes.values import PointValue
+from kitrobot.tutorial import TeacherPage
 from kitrobot.workspace import FoundTutorial
 
 
@@ -21,6 +22,15 @@ class TutorialStepShape(BaseModel):
     events: list[str]
 
 
+class TeacherPageShape(BaseModel):
+    """What a teacher wants to know of a tutorial; each text by language."""
+
+    minutes: int
+    aim: dict[str, str]
+    troubles: list[dict[str, str]]
+    questions: list[dict[str, str]]
+
+
 class TutorialShape(BaseModel):
     """A tutorial; `start` is the mission it begins with. One that cannot be used has no steps but `problems`."""
 
@@ -30,6 +40,7 @@ class TutorialShape(BaseModel):
     help: dict[str, str]
     icon: str
     steps: list[TutorialStepShape]
+    teacher: TeacherPageShape | None
     problems: list[ProblemShape]
 
 
@@ -67,5 +78,15 @@ def tutorial_shape(found: FoundTutorial) -> TutorialShape:
             )
             for step in (tutorial.steps if tutorial is not None else ())
         ],
+        teacher=_teacher(tutorial.teacher) if tutorial is not None and tutorial.teacher is not None else None,
         problems=problem_shapes(found.problems),
+    )
+
+
+def _teacher(page: TeacherPage) -> TeacherPageShape:
+    return TeacherPageShape(
+        minutes=page.minutes,
+        aim=dict(page.aim),
+        troubles=[dict(texts) for texts in page.troubles],
+        questions=[dict(texts) for texts in page.questions],
     )

@@ -10,6 +10,7 @@ from kitrobot.server.shapes.values import SectionValue, StorehouseValue
 from kitrobot.world import LOAD, Dock, Start, World
 
 FloorColour = Literal["red", "green", "blue"]
+ZoneKind = Literal["warm", "loud", "bright"]
 
 
 class WallShape(BaseModel):
@@ -80,6 +81,19 @@ class ThingShape(BaseModel):
     height_mm: float
 
 
+class ZoneShape(BaseModel):
+    """Where it is warm, loud or bright, around its middle: a circle, or a rectangle where its radius is 0."""
+
+    kind: ZoneKind
+    x_mm: float
+    y_mm: float
+    radius_mm: float
+    width_mm: float
+    height_mm: float
+    value: float
+    falloff_mm: float
+
+
 class WorldShape(BaseModel):
     """The place of a mission."""
 
@@ -95,6 +109,7 @@ class WorldShape(BaseModel):
     starts: list[StartPoseShape]
     things: list[ThingShape] = []
     """Boxes and then balls, in the order of the frames of a run."""
+    zones: list[ZoneShape] = []
 
 
 def world_shape(world: World) -> WorldShape:
@@ -144,6 +159,7 @@ def world_shape(world: World) -> WorldShape:
                 for one in world.balls
             ),
         ],
+        zones=[ZoneShape.model_validate(vars(one)) for one in world.zones],
     )
 
 

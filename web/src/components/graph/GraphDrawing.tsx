@@ -9,7 +9,9 @@ import { mirrored } from "../../i18n/language";
 import { t } from "../../i18n/words";
 import { headPath, LANE, type Layout, type LayoutLane, type LayoutNode, NOTE, roundedPath } from "../../model/layout";
 import { textWidth } from "../../model/measure";
-import { type Box, boxWidth, type Chip, chipWidth, chipOf, type Face } from "../../model/vertex-content";
+import { lightsPath } from "../../model/meaning";
+import type { Choice } from "../../model/types";
+import { type Box, boxWidth, type Chip, chipWidth, chipOf, type Face, PICTURE } from "../../model/vertex-content";
 import { Icon } from "../../theme";
 import { token } from "./ink";
 
@@ -98,15 +100,30 @@ function ChipDrawing({ chip, x, y }: { chip: Chip; x: number; y: number }) {
   );
 }
 
+/** Stands for the picture among the words of a box. */
+const PICTURE_PLACE = "\uFFFC";
+
+function PictureDrawing({ choice, x, y, own }: { choice: Choice | null; x: number; y: number; own: string }) {
+  if (choice === null) return null;
+  const { icon, lights, colour } = choice;
+  if (icon) return <Sign name={icon} x={x} y={y} size={PICTURE} colour={`${own}-word`} />;
+  return (
+    <g transform={`translate(${String(x)} ${String(y - PICTURE / 2)}) scale(${String(PICTURE / 5)})`}>
+      {colour ? <rect width="4.8" height="4.8" rx=".8" fill={colour} /> : null}
+      <path d={lightsPath(lights ?? "")} fill={token(`${own}-word`)} />
+    </g>
+  );
+}
+
 function BoxDrawing({ box, x, y, colour }: { box: Box; x: number; y: number; colour: string }) {
   const own = box.plugged === null ? colour : "test";
   const all: [string, boolean][] = [
     [box.label, false],
+    [box.picture === null ? "" : PICTURE_PLACE, true],
     [box.value === "" ? "…" : box.value, true],
-    [box.unit, true],
   ];
   const parts = all.filter(([words]) => words !== "");
-  const widths = parts.map(([words, bold]) => textWidth(words, 14, bold));
+  const widths = parts.map(([words, bold]) => (words === PICTURE_PLACE ? PICTURE : textWidth(words, 14, bold)));
   const lefts = places(x + 9, widths, 4);
   // Latin words and numbers keep their order among themselves.
   const at = parts.some(([words]) => RIGHT_TO_LEFT.test(words)) ? turned(x, boxWidth(box)) : null;
@@ -121,18 +138,31 @@ function BoxDrawing({ box, x, y, colour }: { box: Box; x: number; y: number; col
         fill={token(box.plugged === null ? "field" : "test-tint")}
         stroke={token(`${own}-field`)}
       />
-      {parts.map(([words, bold], index) => (
-        <Text
-          key={index}
-          x={at === null ? (lefts[index] ?? 0) : at.text(lefts[index] ?? 0, words, 14, bold)}
-          y={y}
-          size={14}
-          bold={bold}
-          colour={bold ? `${own}-word` : "muted"}
-        >
-          {words}
-        </Text>
-      ))}
+      {parts.map(([words, bold], index) => {
+        const left = lefts[index] ?? 0;
+        if (words === PICTURE_PLACE)
+          return (
+            <PictureDrawing
+              key={index}
+              choice={box.picture}
+              x={at === null ? left : at.box(left, PICTURE)}
+              y={y}
+              own={own}
+            />
+          );
+        return (
+          <Text
+            key={index}
+            x={at === null ? left : at.text(left, words, 14, bold)}
+            y={y}
+            size={14}
+            bold={bold}
+            colour={bold ? `${own}-word` : "muted"}
+          >
+            {words}
+          </Text>
+        );
+      })}
     </>
   );
 }
@@ -280,7 +310,22 @@ function NoteDrawing({ node: { x, y, w, h, kind, note, noteWidth } }: { node: La
 function NodeDrawing({ node }: { node: LayoutNode }) {
   if (node.kind === "start" || node.kind === "stop") return <TerminalDrawing node={node} />;
   if (node.kind === "bar" || node.kind === "barEnd") return <BarDrawing node={node} />;
-  if (node.kind === "place" || node.block === null) return null;
+  if (node.kind === "place" && node.id !== "place") {
+    const { x, y, w, h, colour } = node;
+    return (
+      <rect
+        x={x}
+        y={y}
+        width={w}
+        height={h}
+        rx={8}
+        fill="none"
+        stroke={token(`${colour}-line`)}
+        strokeDasharray="5 4"
+      />
+    );
+  }
+  if (node.block === null) return null;
   if (node.kind === "chip") return <ChipDrawing chip={chipOf(node.block)} x={node.x} y={node.y + node.h / 2} />;
   return <VertexDrawing node={node} />;
 }

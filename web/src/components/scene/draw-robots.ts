@@ -136,14 +136,7 @@ function drawKeeper(brush: Brush, scene: Scene, one: Seen, figures: typeof Figur
   pen.restore();
 }
 
-function drawSeen(
-  usual: Brush,
-  one: Seen,
-  selected: boolean,
-  { boards, figures }: Seldom,
-  count: number,
-  said: Said,
-): void {
+function drawSeen(usual: Brush, one: Seen, selected: boolean, { boards, figures }: Seldom, count: number): void {
   const { actor, pose } = one;
   const board = actor.face === null ? null : boards;
   const real = robotUnit(usual.camera, actor.length_mm);
@@ -166,14 +159,26 @@ function drawSeen(
     pen.arc(0, 0, away, 0, Math.PI * 2);
     line(brush, 2, colours.ink);
   }
-  if (actor.role === "robot" && actor.indicators.length === 0 && (selected || count <= MOST_NAMED))
-    drawName(
-      brush,
-      one,
-      board === null && !(said.names && selected) ? Math.max((said.names ? 30 : 25) * unit, 8) : away,
-      said.names,
-    );
   pen.restore();
+}
+
+/** What is said of a robot beside it: after everybody was drawn, so that no arm covers it. */
+function drawTag(usual: Brush, one: Seen, selected: boolean, { boards }: Seldom, count: number, said: Said): void {
+  const { actor, pose } = one;
+  if (actor.role !== "robot" || actor.indicators.length > 0 || (!selected && count > MOST_NAMED)) return;
+  const board = actor.face === null ? null : boards;
+  const unit = board === null ? robotUnit(usual.camera, actor.length_mm) : board.boardUnit(usual.unit, count);
+  const brush = { ...usual, unit };
+  const away = board === null ? ringOf(actor, unit) : board.boardReach(unit);
+  brush.pen.save();
+  brush.pen.translate(...toScreen(usual.camera, pose.x_mm, pose.y_mm));
+  drawName(
+    brush,
+    one,
+    board === null && !(said.names && selected) ? Math.max((said.names ? 30 : 25) * unit, 8) : away,
+    said.names,
+  );
+  brush.pen.restore();
 }
 
 /** The middle of the first ring road, where the score stands. */
@@ -264,7 +269,8 @@ export function drawActors(
   };
   if (figures !== null) draw("keeper", (one) => drawKeeper(brush, scene, one, figures));
   for (const role of ["robot", "arm"] as const)
-    draw(role, (one) => drawSeen(brush, one, one.actor.name === selected, seldom, closely.length, said));
+    draw(role, (one) => drawSeen(brush, one, one.actor.name === selected, seldom, closely.length));
+  draw("robot", (one) => drawTag(brush, one, one.actor.name === selected, seldom, closely.length, said));
   pen.globalAlpha = 1;
   const watched = seen.find((one) => one.actor.name === selected);
   // A board shows itself; what it senses changes all the time.

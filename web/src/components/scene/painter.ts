@@ -4,6 +4,7 @@
  * It keeps the camera: fitted to the panel until the person zooms or pans, then left alone. Robots are on the move between
  * two frames, so painting goes on until they stand where the last frame says.
  */
+import { moreWords } from "../../i18n/words";
 import type { World } from "../../model/types";
 import { drawnByPens } from "../../session/pen-marks";
 import { posesAt } from "../../session/poses";
@@ -272,15 +273,17 @@ export class Painter {
   /** Fetches what draws there once there is something; a fetch that failed is tried again. */
   private drawOnFloor(brush: Brush, seen: readonly Seen[]): void {
     const scene = this.scene;
-    if (scene === null || (drawnByPens().marks.length === 0 && (scene.world.things ?? []).length === 0)) return;
+    if (scene === null) return;
+    const { things = [], zones = [] } = scene.world;
+    if (drawnByPens().marks.length + things.length + zones.length === 0) return;
     if (this.onFloor !== null) {
       this.onFloor.drawOnFloor(brush, scene, seen);
       return;
     }
     if (this.fetching) return;
     this.fetching = true;
-    void import("./on-floor")
-      .then((chunk) => {
+    void Promise.all([import("./on-floor"), moreWords()])
+      .then(([chunk]) => {
         this.onFloor = chunk;
         this.paintSoon();
       })

@@ -7,6 +7,7 @@
 import type { Catalogue, Goal, Mission, Robot, World } from "../../model/types";
 import { COLLISION, FAILED, MUTED, type Pose, STALLED } from "../../api/wire";
 import { text } from "../../model/texts";
+import { valueWords } from "../../model/words";
 import type { RunAgent, RunState } from "../../session/run";
 import {
   type Face,
@@ -90,10 +91,11 @@ interface Place {
 const FIGURES: Readonly<Record<Role, string>> = { robot: "mini-robot", arm: "loader", keeper: "store-manager" };
 
 /** The places of one mission in one world, worked out once: there may be thousands of robots, and thirty frames a second. */
-const known = new WeakMap<World, { mission: Mission; places: Map<string, Place> }>();
+type Starting = Pick<Mission, "agents">;
+const known = new WeakMap<World, { mission: Starting; places: Map<string, Place> }>();
 
 /** Where each agent starts, by its name; without those whose start the world does not have. */
-function placesOf(world: World, mission: Mission): Map<string, Place> {
+function placesOf(world: World, mission: Starting): Map<string, Place> {
   const before = known.get(world);
   if (before?.mission.agents === mission.agents) return before.places;
   const starts = new Map(world.starts.map((start) => [start.name, start]));
@@ -123,8 +125,11 @@ export function totalOf(world: World, goals: readonly Goal[]): number {
   return total;
 }
 
+/** What is drawn of somebody who takes part in a run. */
+export type SceneAgent = Pick<RunAgent, "name" | "program" | "robot" | "number" | "state" | "inputs" | "shown">;
+
 /** A robot's sensors in words; tests say their name only while they are true. */
-function sensesOf(agent: RunAgent, robot: Robot | undefined): string[] {
+function sensesOf(agent: SceneAgent, robot: Robot | undefined): string[] {
   const objects = robot?.objects ?? [];
   const words: string[] = [];
   for (const [name, value] of Object.entries(agent.inputs)) {
@@ -132,11 +137,9 @@ function sensesOf(agent: RunAgent, robot: Robot | undefined): string[] {
     const object = objects.find((one) => one.name === name && one.category === "sensor");
     if (object === undefined) continue;
     const label = text(object.label, name);
-    if (object.type === "boolean") {
-      if (value !== 0) words.push(label);
-    } else {
-      words.push(`${label} = ${String(value)}`);
-    }
+    if (object.meaning != null || object.unit) words.push(`${label}: ${valueWords(object, value)}`);
+    else if (object.type !== "boolean") words.push(`${label} = ${String(value)}`);
+    else if (value !== 0) words.push(label);
   }
   return words;
 }
@@ -197,7 +200,12 @@ type Standing = Pick<RunState, "stock" | "delivered" | "total" | "collisions">;
 const LOST: Place = { start: NOWHERE, role: "robot", free: true, lid: 0 };
 
 /** Those who take part in a run. */
-export function actorsOf(agents: readonly RunAgent[], mission: Mission, catalogue: Catalogue, world: World): Actor[] {
+export function actorsOf(
+  agents: readonly SceneAgent[],
+  mission: Starting,
+  catalogue: Catalogue,
+  world: World,
+): Actor[] {
   const places = placesOf(world, mission);
   return agents.map((agent) => {
     const { name, program, number } = agent;

@@ -12,14 +12,15 @@ import { Compartment, type Extension, Prec } from "@codemirror/state";
 import type { EditorView } from "@codemirror/view";
 import { hoverTooltip, keymap } from "@codemirror/view";
 
-import { sentence, t } from "../../i18n/words";
+import { moreWords, sentence, t } from "../../i18n/words";
 import { useStudio } from "../../model/studio";
+import { partsOf } from "../../model/parts";
 import type { Catalogue, Problem, Robot } from "../../model/types";
 import { applyFix } from "../../session/fixes";
 import { stretchOf } from "../../session/places";
 import { isUnfinished } from "../../session/typing";
 import { completionSource } from "./completion";
-import { callHelp, constructHelp } from "./help";
+import { callHelp, constructHelp, numberHelp } from "./help";
 
 export interface Surroundings {
   program: string;
@@ -51,11 +52,15 @@ function doAgain(view: EditorView): boolean {
 }
 
 function help({ parts, elementAt }: Surroundings): Extension {
-  return hoverTooltip((view, pos) => {
+  return hoverTooltip(async (view, pos) => {
+    await moreWords();
     const { robot, catalogue } = parts();
     const line = view.state.doc.lineAt(pos);
-    const called = callHelp(line.text, pos - line.from, robot);
-    const element = called === null && /\S/.test(view.state.sliceDoc(pos, pos + 1)) ? elementAt(pos) : null;
+    const at = pos - line.from;
+    const around = elementAt(pos);
+    const shape = around === null ? null : partsOf(catalogue, robot?.name ?? "").shape(around);
+    const called = numberHelp(line.text, at, shape) ?? callHelp(line.text, at, robot);
+    const element = called === null && /\S/.test(view.state.sliceDoc(pos, pos + 1)) ? around : null;
     const words = called ?? (element === null ? null : constructHelp(catalogue, element));
     if (words === null) return null;
     const from = called === null ? pos : line.from + called.from;

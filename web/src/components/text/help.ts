@@ -1,4 +1,7 @@
 /** What the words of a text mean, in the words of the XML: a call's object, method and parameters, or a construct. */
+import { t } from "../../i18n/words";
+import { inWords, measureOf } from "../../model/meaning";
+import { type Shape, title } from "../../model/parts";
 import { text as said } from "../../model/texts";
 import type { Catalogue, Constructor, Robot } from "../../model/types";
 
@@ -28,14 +31,43 @@ export function callHelp(line: string, at: number, robot: Robot | undefined): He
       const end = from + object.name.length;
       return { from, to: end, title: said(object.label, object.name), help: said(object.help), parameters: [] };
     }
-    const parameters = method.parameters.map(({ name, label, kind, min, max, unit }) => {
-      const range = kind === "boolean" ? "0, 1" : `${String(min)}…${String(max)}${unit === "" ? "" : ` ${unit}`}`;
-      return `${said(label, name)} · ${range}`;
+    const parameters = method.parameters.map((parameter) => {
+      const { name, label, kind, min, max, unit } = parameter;
+      const measure = measureOf(parameter, robot);
+      const range =
+        kind === "boolean"
+          ? "0, 1"
+          : `${String(min)}…${String(max)}${unit === "" || measure.scale !== 1 ? "" : ` ${unit}`}`;
+      const meant = measure.scale === 1 ? "" : ` = ${inWords(measure, min)}…${inWords(measure, max)}`;
+      return `${said(label, name)} · ${range}${meant}`;
     });
-    const title = `${said(object.label, object.name)} · ${said(method.label, method.name)}`;
-    return { from, to, title, help: said(method.help), parameters };
+    const name = `${said(object.label, object.name)} · ${said(method.label, method.name)}`;
+    return { from, to, title: name, help: said(method.help), parameters };
   }
   return null;
+}
+
+/** What the number at an offset of a line means, and where it stands: "25 means 90°", "angle of “Turn by”". */
+export function numberHelp(line: string, at: number, shape: Shape | null): HelpWords | null {
+  const found = [...line.matchAll(/[0-9]+/g)].find(
+    ({ index, 0: digits }) => at >= index && at <= index + digits.length,
+  );
+  const comment = line.indexOf("#");
+  if (found === undefined || shape === null || (comment >= 0 && at >= comment)) return null;
+  const from = found.index;
+  const open = line.lastIndexOf("(", from);
+  const place = open < 0 || shape.kind !== "method" ? 0 : line.slice(open, from).split(",").length - 1;
+  const numbers = shape.fields.filter((one) => one.kind === "integer");
+  const field = shape.kind === "method" ? shape.fields[place] : numbers.length === 1 ? numbers[0] : undefined;
+  const words = field?.kind === "integer" ? inWords(field, Number(found[0])) : found[0];
+  if (field === undefined || words === found[0]) return null;
+  return {
+    from,
+    to: from + found[0].length,
+    title: t("fields.means", { number: found[0], words }),
+    help: t("fields.where", { field: said(field.label, field.name), part: title(shape) }),
+    parameters: [],
+  };
 }
 
 /** The help of a construct of that name; null for what is no constructor. */

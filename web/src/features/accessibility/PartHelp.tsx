@@ -2,6 +2,7 @@
 import { useEffect, useRef } from "react";
 
 import { t } from "../../i18n/words";
+import { inWords } from "../../model/meaning";
 import { type Field, partsOf, type Shape, title } from "../../model/parts";
 import { programInView, useStudio } from "../../model/studio";
 import { text } from "../../model/texts";
@@ -60,11 +61,11 @@ function helpOf(shape: Shape): string {
 }
 
 /** "0 to 100 %, at first 50", or how a switch or text is set. */
-function rangeOf({ kind, min, max, unit, default: first }: Field): string {
-  if (kind === "text") return t("part-help.text");
-  if (kind === "boolean") return t("part-help.switch");
-  const range = t("part-help.range", { min, max, first });
-  return unit === "" ? range : `${range} (${unit})`;
+function rangeOf(field: Field): string {
+  if (field.kind === "text") return t("part-help.text");
+  if (field.kind === "boolean") return t("part-help.switch");
+  const [min, max, first] = [field.min, field.max, Number(field.default)].map((one) => inWords(field, one));
+  return t("part-help.range", { min: min ?? "", max: max ?? "", first: first ?? "" });
 }
 
 function Explained({ shape }: { shape: Shape }) {

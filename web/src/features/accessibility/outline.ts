@@ -63,9 +63,7 @@ export function blockWords(block: Block): string {
 
 function valueWords(block: Block, field: Field): string {
   const value = fieldWords(block, field.name);
-  const typed = /^-?[0-9]+$/.test(value);
-  const words = [text(field.label, field.name), value, typed ? field.unit : ""];
-  return value === "" ? "" : words.filter((word) => word !== "").join(" ");
+  return value === "" ? "" : `${text(field.label, field.name)} ${value}`;
 }
 
 /** "then", or "branch 2" where one slot has several bodies. */

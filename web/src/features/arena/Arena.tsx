@@ -1,7 +1,7 @@
 /** The place where the robots are: before a run as the mission starts, during a run as it goes. */
 import { type KeyboardEvent, type MouseEvent, type PointerEvent, useEffect, useRef, useState } from "react";
 
-import { startOf } from "../../model/commands/changeAgents";
+import { startOf } from "../../model/starts";
 import { useStudio } from "../../model/studio";
 import { GRID_MM } from "../../model/world/thing";
 import { ARENA_KEYS, keyFor, keyIn } from "../../session/key-table";
@@ -30,6 +30,8 @@ const RobotMenu = later(
 );
 const Crowd = later(() => Promise.all([import("./Crowd"), moreWords()]).then(([chunk]) => chunk.Crowd), complain);
 const Hands = later(() => import("./Hands").then((chunk) => chunk.Hands), complain);
+
+const Placing = later(() => Promise.all([import("./Placing"), moreWords()]).then(([chunk]) => chunk.Placing), complain);
 
 const CLICK_PX = 4;
 const NOWHERE = { scale: 1, x: 0, y: 0 };
@@ -106,6 +108,7 @@ export function Arena() {
   const frame = useRef<HTMLDivElement>(null);
   const canvas = useRef<HTMLCanvasElement>(null);
   const [painter, setPainter] = useState<Painter | null>(null);
+  const [near, setNear] = useState(false);
   const holding = useRef<{ agent: string; sensor: string } | null>(null);
   const grip = useRef<{ x: number; y: number; moved: boolean; actor: string } | null>(null);
   const resting = useRef<ReturnType<typeof setTimeout>>(undefined);
@@ -281,6 +284,7 @@ export function Arena() {
       menu: menuOfSelected,
       follow: () => follow(selected),
       hand: () => undefined,
+      take: () => undefined,
     };
     acts[id]();
   };
@@ -299,6 +303,8 @@ export function Arena() {
           aria-describedby="arena-summary"
           onKeyDown={onKeyDown}
           onKeyUp={onKeyUp}
+          onFocus={() => setNear(true)}
+          onPointerEnter={() => setNear(true)}
           onBlur={() => painter?.boards?.releaseAll()}
           onContextMenu={onContextMenu}
           onPointerDown={onPointerDown}
@@ -312,6 +318,9 @@ export function Arena() {
           }}
         />
         <EmptyArena scene={scene} />
+        {near && painter !== null && scene?.running === false ? (
+          <Placing painter={painter} canvas={canvas} selected={selected} />
+        ) : null}
         {stage === null || painter === null ? null : (
           <stage.Shown scene={scene} selected={selected} painter={painter} />
         )}

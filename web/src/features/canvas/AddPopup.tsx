@@ -32,14 +32,19 @@ export function rank(shape: Shape, query: string): number | null {
   return names.some((name) => name.includes(wanted)) ? 2 : null;
 }
 
-function candidates({ parts, program }: Drawing, { slot, wrap }: Adding, query: string): Shape[] {
+/** For a test, what a robot feels comes before what puts tests together. */
+function order(shape: Shape, forSlot: boolean): number {
+  return forSlot && shape.object === null ? 1 : 0;
+}
+
+export function candidates({ parts, program }: Drawing, { slot, wrap }: Adding, query: string): Shape[] {
   const owner = parts.shape(program.vertices.find((one) => one.id === slot?.vertex)?.element ?? "");
   const plug = owner.plugs.find((one) => one.name === slot?.slot);
   const ranked = parts.all.flatMap((shape) => {
     if (plug !== undefined && !fits(shape, plug)) return [];
     if (wrap === true && !wraps(shape)) return [];
     const at = rank(shape, query);
-    return at === null ? [] : [{ shape, at }];
+    return at === null ? [] : [{ shape, at: at + order(shape, plug !== undefined) / 2 }];
   });
   return ranked
     .sort((a, b) => a.at - b.at)

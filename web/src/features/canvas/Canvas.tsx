@@ -11,7 +11,7 @@ import "./vertex.css";
 import { Background, BackgroundVariant, ReactFlow, ReactFlowProvider, useReactFlow } from "@xyflow/react";
 import { useEffect, useMemo, useRef } from "react";
 
-import { t } from "../../i18n/words";
+import { moreWords, t } from "../../i18n/words";
 import { useStudio } from "../../model/studio";
 import { complain } from "../../session/document";
 import { setResolver, useDrag } from "../../session/drag";
@@ -39,6 +39,11 @@ import { ZoomControl } from "./ZoomControl";
 const ContextMenu = later(() => import("./ContextMenu").then((chunk) => chunk.ContextMenu), complain);
 const Pinch = later(() => import("./pinch").then((chunk) => chunk.Pinch), complain);
 const Find = later(() => import("./Find").then((chunk) => chunk.Find), complain, true);
+const InPlace = later(
+  () => Promise.all([import("./InPlace"), moreWords()]).then(([chunk]) => chunk.InPlace),
+  complain,
+  true,
+);
 const Minimap = later(() => import("./Minimap").then((chunk) => chunk.Minimap), complain);
 const EmptyTeaching = later(() => import("./EmptyTeaching").then((chunk) => chunk.EmptyTeaching), complain);
 
@@ -89,6 +94,7 @@ function Graph({ drawing }: { drawing: Drawing }) {
   const minimap = useView((state) => state.minimap);
   const menu = useView((state) => state.menu !== null);
   const noting = useView((state) => state.noting);
+  const editing = useView((state) => state.editing);
   const empty = drawing.nodes.has("place");
   const last = useStudio((state) => state.selection.at(-1));
 
@@ -138,6 +144,7 @@ function Graph({ drawing }: { drawing: Drawing }) {
       <ZoomControl />
       <AddPopup key={drawing.program.name} />
       {noting === null ? null : <NoteEditor key={noting} id={noting} program={drawing.program.name} />}
+      {editing === null ? null : <InPlace key={`${editing.vertex} ${editing.slot}`} drawing={drawing} {...editing} />}
       {minimap ? <Minimap layout={drawing.layout} /> : null}
       <Marquee root={root} />
       {navigator.maxTouchPoints > 0 ? <Pinch root={root} /> : null}

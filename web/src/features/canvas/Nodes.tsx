@@ -150,21 +150,26 @@ function Loose({ node }: { node: LayoutNode }) {
   );
 }
 
-/** The dashed place on the only arc of a new program. */
-function FirstPlace({ node: { w, h } }: { node: LayoutNode }) {
-  const aimed = useDrag((state) => state.target?.key === "arc:start.next");
+/** The dashed place on the only arc of a new program, and in an empty body. */
+function FirstPlace({ node: { id, colour, w, h } }: { node: LayoutNode }) {
+  const isFirst = id === "place";
+  const aimed = useDrag((state) => state.target?.key === `arc:${isFirst ? "start.next" : id}`);
   return (
     <button
       type="button"
       className={`first-place${aimed ? " is-aimed" : ""}`}
-      data-testid="first-place"
+      data-testid={isFirst ? "first-place" : `place-${id}`}
+      data-colour={isFirst ? undefined : colour}
+      tabIndex={isFirst ? 0 : -1}
       style={{ width: w, height: h }}
-      onClick={() => {
+      onClick={(event) => {
+        event.stopPropagation();
+        if (!isFirst) useView.getState().selectArc(id);
         useView.getState().setAdding({ vertex: null, slot: null });
       }}
     >
       <Icon name="plus" size={16} />
-      <strong>{t("graph.drop-here")}</strong>
+      <strong>{t(isFirst ? "graph.drop-here" : colour === "loop" ? "graph.drop-repeats" : "graph.drop-inside")}</strong>
       <span>{t("graph.or-press")}</span>
       <kbd>/</kbd>
     </button>

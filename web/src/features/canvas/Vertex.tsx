@@ -1,15 +1,17 @@
 /** A vertex that is a box or a stretched diamond: tile, name, chips for its conditions, boxes for its values. */
 import { memo, type PointerEvent } from "react";
 
-import { t } from "../../i18n/words";
+import { ChoicePicture } from "../../components/ChoicePicture";
 import type { LayoutNode } from "../../model/layout";
 import { useStudio } from "../../model/studio";
-import { type Box, type Chip, chipWidth, faceWidth, MOST_CHIP } from "../../model/vertex-content";
+import { type Box, type Chip, chipWidth, faceWidth, MOST_CHIP, PICTURE } from "../../model/vertex-content";
+import { complain } from "../../session/document";
 import { beginDrag, justDragged, useDrag } from "../../session/drag";
-import { useRun, watchedAgent } from "../../session/run";
+import { useRun } from "../../session/run";
 import { spoken } from "../../session/spoken";
-import { holdStill, useView } from "../../session/view";
+import { holdStill, openField, useView } from "../../session/view";
 import { Icon, Tile } from "../../theme";
+import { later } from "../../ui/later";
 import { useThreadsAt } from "./active";
 import { Badges } from "./Badges";
 import { FoldedWords } from "./Folding";
@@ -29,8 +31,7 @@ export function dragVertices(event: PointerEvent, id: string, element: string): 
   beginDrag(event, { kind: "vertices", ids: selection.includes(id) ? selection : [id], element });
 }
 
-/** Room that the value beside a chip needs. */
-const SPARE = 48;
+const LiveValue = later(() => import("./LiveValue").then((chunk) => chunk.LiveValue), complain);
 
 export const Vertex = memo(function Vertex({ node }: { node: LayoutNode }) {
   const { vertex: id, face, block, kind, w, h, colour } = node;
@@ -68,6 +69,12 @@ export const Vertex = memo(function Vertex({ node }: { node: LayoutNode }) {
       onClick={(event) => {
         if (!justDragged()) selectVertex(id, event);
       }}
+      onDoubleClick={({ target }) => {
+        openField(
+          id,
+          target instanceof Element ? (target.closest<HTMLElement>("[data-slot]")?.dataset["slot"] ?? "") : "",
+        );
+      }}
     >
       <Outline w={w} h={h} hexagon={hexagon} />
       <Tile icon={block.shape.icon} colour={colour} />
@@ -78,7 +85,7 @@ export const Vertex = memo(function Vertex({ node }: { node: LayoutNode }) {
       {face.chips.map((chip) => (
         <ChipView key={chip.slot} chip={chip} vertex={id} />
       ))}
-      {spare >= SPARE ? <Now node={node} /> : null}
+      {face.chips.length === 1 ? <Live node={node} spare={spare} /> : null}
       <span className="vertex-space" />
       {face.boxes.map((box) => (
         <BoxView key={box.slot} box={box} vertex={id} />
@@ -207,21 +214,15 @@ function BoxView({ box, vertex }: { box: Box; vertex: string }) {
       }}
     >
       {box.label === "" ? null : <span className="box-label">{box.label}</span>}
+      {box.picture === null ? null : <ChoicePicture choice={box.picture} size={PICTURE} />}
       <strong>{box.value === "" ? "…" : box.value}</strong>
-      {box.unit === "" ? null : <strong>{box.unit}</strong>}
     </span>
   );
 }
 
-/** Beside a chip that compares a sensor's number: what the sensor says now, while a run exists. */
-function Now({ node }: { node: LayoutNode }) {
-  const test = node.block?.plugs.length === 1 ? node.block.plugs[0]?.block : null;
-  const object = test?.shape.object ?? null;
-  const program = useStudio((state) => state.activeProgram);
-  const value = useRun((state) => {
-    if (object?.type !== "integer" || test?.shape.fields.length === 0) return undefined;
-    const agent = watchedAgent(state, program);
-    return agent?.inputs[object.name] ?? agent?.values[object.name];
-  });
-  return value === undefined ? null : <span className="vertex-now">{t("graph.now", { value })}</span>;
+/** While a run exists, what the sensor of its chip says now. */
+function Live({ node, spare }: { node: LayoutNode; spare: number }) {
+  const on = useView((state) => state.live);
+  const runs = useRun((run) => run.agents.length > 0);
+  return on && runs ? <LiveValue node={node} spare={spare} /> : null;
 }

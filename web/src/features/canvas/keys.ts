@@ -13,7 +13,7 @@ import {
   unwrapSelection,
 } from "../../session/edits";
 import { GRAPH_KEYS, keyIn } from "../../session/key-table";
-import { editSelected, openAdding, toggleFollowing, toggleMinimap, useView } from "../../session/view";
+import { editSelected, openAdding, openField, toggleFollowing, toggleMinimap, useView } from "../../session/view";
 import { openContextMenu } from "./context";
 import { toggleFoldOfSelection } from "./folded";
 import { openNote } from "./Notes";
@@ -131,6 +131,14 @@ export function useCanvasKeys(root: RefObject<HTMLDivElement | null>): void {
       // A focused button of the canvas keeps its own Enter.
       if (event.key === "Enter" && target.closest("button") !== null) return;
       const id = keyIn(GRAPH_KEYS, event);
+      const last = useStudio.getState().selection.at(-1);
+      // A digit is typed over the value of what is selected.
+      if (id === null && last !== undefined && /^\p{Nd}$/u.test(event.key) && !event.ctrlKey && !event.altKey) {
+        // More digits may come before the field is there.
+        const before = useView.getState().editing;
+        openField(last, "", (before?.vertex === last ? before.typed : "") + event.key);
+        event.preventDefault();
+      }
       if (id !== null && ACTIONS[id]()) event.preventDefault();
     };
     window.addEventListener("keydown", onKey, true);

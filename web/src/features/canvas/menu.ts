@@ -4,7 +4,7 @@ import { useStudio } from "../../model/studio";
 import { deleteSelection, duplicateSelection } from "../../session/edits";
 import { keyFor } from "../../session/key-table";
 import type { MenuEntries } from "../../session/menu-table";
-import { openFind, useView } from "../../session/view";
+import { openFind, toggleLive, useView } from "../../session/view";
 import { menuItem } from "../../ui/menu-model";
 import { copySelection, cutSelection, pasteFromMenu } from "./clipboard";
 import { selectAll } from "./keys";
@@ -12,6 +12,7 @@ import { selectAll } from "./keys";
 export function useCanvasMenu(): MenuEntries {
   const nothing = useStudio((studio) => studio.selection.length === 0);
   const viewport = useView((view) => view.viewport);
+  const live = useView((view) => view.live);
   const away = viewport === null;
   return {
     clipboard: [
@@ -35,6 +36,7 @@ export function useCanvasMenu(): MenuEntries {
       menuItem("view-home", t("view.home"), keyFor.graph("home"), () => viewport?.home(), away),
       menuItem("view-zoom-in", t("view.zoom-in"), keyFor.graph("zoomIn"), () => viewport?.zoomIn(), away),
       menuItem("view-zoom-out", t("view.zoom-out"), keyFor.graph("zoomOut"), () => viewport?.zoomOut(), away),
+      { kind: "check", id: "view-live", label: t("graph.live"), checked: live, run: toggleLive },
     ],
   };
 }

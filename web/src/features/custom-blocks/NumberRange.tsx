@@ -1,5 +1,7 @@
 /** The least, the greatest and the first value of a number that can be set, and its unit. */
 import { t } from "../../i18n/words";
+import { inWords, measureOf } from "../../model/meaning";
+import type { Meaning } from "../../model/types";
 
 export interface Range {
   min: string;
@@ -10,11 +12,14 @@ export interface Range {
 
 interface NumberRangeProps {
   of: Range;
+  /** What the numbers mean, which is said beside them where it is more than their unit. */
+  means?: Meaning | null | undefined;
   what: string;
   onChange: (to: Partial<Range>) => void;
 }
 
-export function NumberRange({ of, what, onChange }: NumberRangeProps) {
+export function NumberRange({ of, means, what, onChange }: NumberRangeProps) {
+  const measure = means == null || means.scale === "1" ? null : measureOf({ unit: of.unit, meaning: means }, null);
   const field = (name: keyof Range, words: string) => (
     <label className={name === "unit" ? "own-unit" : "own-number"}>
       <span>{words}</span>
@@ -35,6 +40,13 @@ export function NumberRange({ of, what, onChange }: NumberRangeProps) {
       {field("max", t("own.max"))}
       {field("first", t("own.first"))}
       {field("unit", t("own.unit"))}
+      {measure === null ? null : (
+        <span className="own-aside">
+          {[of.min, of.max, of.first]
+            .map((one) => (/^[0-9]+$/.test(one) ? inWords(measure, Number(one)) : "…"))
+            .join(" · ")}
+        </span>
+      )}
     </>
   );
 }

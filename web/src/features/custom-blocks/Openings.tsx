@@ -90,7 +90,9 @@ function Row({ opening, depth, program, onChange }: RowProps) {
               onChange={(event) => onChange({ name: event.target.value })}
             />
           </label>
-          {TYPED.includes(offer.kind) ? <NumberRange of={opening} what={name} onChange={onChange} /> : null}
+          {TYPED.includes(offer.kind) ? (
+            <NumberRange of={opening} means={offer.meaning} what={name} onChange={onChange} />
+          ) : null}
         </div>
       ) : null}
     </li>

@@ -67,6 +67,7 @@ export function Slots({ slots, onChange }: SlotsProps) {
                 {slot.kind === "number" || slot.kind === "value" ? (
                   <NumberRange
                     of={range}
+                    means={slot.meaning}
                     what={text(slot.label, slot.name)}
                     onChange={(to) => change(slot.name, (one) => ranged(one, to))}
                   />

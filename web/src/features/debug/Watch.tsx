@@ -7,7 +7,10 @@ import "./watch.css";
 
 import { useMemo, useState } from "react";
 
+import { numberTyped, within } from "../../components/fields/typed";
 import { t } from "../../i18n/words";
+import { inWords, measureOf } from "../../model/meaning";
+import type { Field } from "../../model/parts";
 import { useStudio } from "../../model/studio";
 import { text } from "../../model/texts";
 import type { RobotObject } from "../../model/types";
@@ -117,6 +120,10 @@ function Row({ object, agent, sensor }: { object: RobotObject; agent: RunAgent; 
     else setVariable(agent.name, name, wanted);
   };
   const label = text(object.label, name);
+  const choice = (at: number) => {
+    const found = object.meaning?.choices?.find((one) => one.value === at);
+    return found === undefined ? undefined : text(found.label);
+  };
   return (
     <tr data-testid={`watch-${name}`} data-forced={forced}>
       <th scope="row">{label}</th>
@@ -128,8 +135,8 @@ function Row({ object, agent, sensor }: { object: RobotObject; agent: RunAgent; 
             value={value}
             onChange={(event) => put(Number(event.target.value))}
           >
-            <option value={1}>{t("debug.yes")}</option>
-            <option value={0}>{t("debug.no")}</option>
+            <option value={1}>{choice(1) ?? t("debug.yes")}</option>
+            <option value={0}>{choice(0) ?? t("debug.no")}</option>
           </select>
         ) : (
           <NumberCell key={agent.name} label={label} value={value} object={object} live={live} put={put} />
@@ -170,10 +177,11 @@ function NumberCell({
   put: (value: number) => void;
 }) {
   const [typed, setTyped] = useState<string | null>(null);
-  const wanted = typed === null ? NaN : Number(typed);
-  const wrong = typed !== null && !(Number.isInteger(wanted) && wanted >= object.min && wanted <= object.max);
+  const field = useMemo(() => fieldOf(object), [object]);
+  const wanted = typed === null ? null : numberTyped(typed, field);
+  const wrong = typed !== null && (wanted === null || within(wanted, field) !== wanted);
   const keep = () => {
-    if (typed !== null && typed.trim() !== "" && !wrong && wanted !== value) put(wanted);
+    if (wanted !== null && !wrong && wanted !== value) put(wanted);
     setTyped(null);
   };
   return (
@@ -182,11 +190,11 @@ function NumberCell({
       inputMode="numeric"
       aria-label={label}
       aria-invalid={wrong}
-      title={`${String(object.min)} … ${String(object.max)}`}
+      title={`${inWords(field, object.min)} … ${inWords(field, object.max)}`}
       disabled={!live}
-      value={typed ?? String(value)}
+      value={typed ?? inWords(field, value)}
       onFocus={(event) => {
-        setTyped(String(value));
+        setTyped(inWords(field, value));
         event.target.select();
       }}
       onChange={(event) => setTyped(event.target.value)}
@@ -202,6 +210,12 @@ function NumberCell({
       }}
     />
   );
+}
+
+/** A sensor or variable as something that is typed in. */
+function fieldOf({ name, label, help, min, max, unit = "", meaning = null }: RobotObject): Field {
+  const measure = measureOf({ unit, meaning }, null);
+  return { name, label, help, kind: "integer", min, max, default: "0", ...measure };
 }
 
 function Plot({ agent, object, label }: { agent: string; object: RobotObject; label: string }) {

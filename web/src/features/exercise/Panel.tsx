@@ -21,7 +21,7 @@ import {
   useExercise,
 } from "./judging";
 import { type Mark, OPEN } from "./marks";
-import { useOpenExercise } from "./memory";
+import { useOpenExercise } from "../../session/open-exercise";
 import "./exercise.css";
 
 const ICONS = { open: "circle", reached: "circle-check", missed: "circle-x" } as const;

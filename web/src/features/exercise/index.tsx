@@ -3,7 +3,7 @@ import { moreWords } from "../../i18n/words";
 import { complain } from "../../session/document";
 import type { Feature } from "../../session/features";
 import { later } from "../../ui/later";
-import { useOpenExercise } from "./memory";
+import { useOpenExercise } from "../../session/open-exercise";
 
 const ExercisePanel = later(
   () => Promise.all([import("./Panel"), moreWords()]).then(([chunk]) => chunk.ExercisePanel),

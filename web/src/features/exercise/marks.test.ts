@@ -2,7 +2,7 @@ import { expect, test } from "vitest";
 
 import type { Exercise, GoalVerdict } from "../../api/generated";
 import { noMarks, OPEN, pieces, withVerdicts } from "./marks";
-import { readRemembered } from "./memory";
+import { readRemembered } from "../../session/open-exercise";
 
 const goal = (kind: "program" | "run" | "check") => ({ label: { "": kind }, kind });
 const exercise: Exercise = {

@@ -14,7 +14,7 @@ function first<T>(all: readonly T[]): T[] {
 }
 
 export function Examples() {
-  const examples = first((useMissions() ?? []).filter((entry) => entry.example));
+  const examples = first((useMissions() ?? []).filter((entry) => entry.example !== null));
   if (examples.length === 0) return null;
   return (
     <section className="examples" aria-label={t("open.examples")}>

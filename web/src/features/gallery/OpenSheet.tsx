@@ -2,7 +2,7 @@
 import { useRef } from "react";
 
 import type { MissionEntry } from "../../api/generated";
-import { Card } from "./Card";
+import { Gallery } from "./Gallery";
 import { Icon } from "../../theme";
 import { Slot } from "../../components/Slot";
 import { languageInUse, t } from "../../i18n/words";
@@ -53,8 +53,8 @@ export function OpenSheet() {
   const chooser = useRef<HTMLInputElement>(null);
   const recordings = useRecordings();
   const left = useLeft();
-  const own = missions?.filter((entry) => !entry.example) ?? [];
-  const examples = missions?.filter((entry) => entry.example) ?? [];
+  const own = missions?.filter((entry) => entry.example === null) ?? [];
+  const examples = missions?.filter((entry) => entry.example !== null) ?? [];
   return (
     <Sheet title={t("open.title")} testId="open-dialog" wide onClose={closeOverlay}>
       <div className="open-lists">
@@ -106,13 +106,7 @@ export function OpenSheet() {
               </>
             )}
             {examples.length === 0 ? null : <h3>{t("open.examples")}</h3>}
-            <ul className="gallery">
-              {examples.map((entry) => (
-                <li key={entry.path}>
-                  <Card entry={entry} choose={() => open(entry)} />
-                </li>
-              ))}
-            </ul>
+            {examples.length === 0 ? null : <Gallery examples={examples} open={open} />}
           </>
         )}
       </div>

@@ -1,45 +1,41 @@
 /** What can be opened: lists of missions and recordings, fetched when they are shown. */
-import { useEffect, useState } from "react";
-
-import { api } from "../../api/client";
-import type { Left, MissionEntry, RecordingEntry } from "../../api/generated";
+import { api, ask } from "../../api/client";
+import type { Left, MissionEntry, RecordingEntry, RunPreview } from "../../api/generated";
 import { journalApi } from "../../api/journal";
 import { traceApi } from "../../api/traces";
 import { complain } from "../../session/document";
+import { useFetched } from "../../ui/use-fetched";
 
-/** null while the list is on its way. */
-function useList<T>(ask: () => Promise<T[]>): T[] | null {
-  const [list, setList] = useState<T[] | null>(null);
-  useEffect(() => {
-    let alive = true;
-    ask().then(
-      (found) => {
-        if (alive) setList(found);
-      },
-      (cause: unknown) => {
-        if (!alive) return;
-        setList([]);
-        complain(cause);
-      },
-    );
-    return () => {
-      alive = false;
-    };
-  }, [ask]);
-  return list;
+function none(cause: unknown): never[] {
+  complain(cause);
+  return [];
 }
 
 /** null while the list is on its way. */
 export function useMissions(): MissionEntry[] | null {
-  return useList(api.missions);
+  return useFetched<MissionEntry[]>(api.missions, none);
 }
 
 /** Unsaved work that is open in no page; empty while the list is on its way. */
 export function useLeft(): Left[] {
-  return useList(journalApi.left) ?? [];
+  return useFetched<Left[]>(journalApi.left, none) ?? [];
 }
 
 /** Empty while the list is on its way. */
 export function useRecordings(): RecordingEntry[] {
-  return useList(traceApi.all) ?? [];
+  return useFetched<RecordingEntry[]>(traceApi.all, none) ?? [];
+}
+
+/** Previews that were fetched, by the example as it was then. */
+const known = new Map<string, Promise<RunPreview>>();
+
+/** What an example does; fetched once for each state of its file. A fetch that failed is tried again. */
+export function previewOf({ path, modified }: MissionEntry): Promise<RunPreview> {
+  const name = `${modified} ${path}`;
+  const before = known.get(name);
+  if (before !== undefined) return before;
+  const asked = ask<RunPreview>(`missions/preview?path=${encodeURIComponent(path)}`);
+  known.set(name, asked);
+  asked.catch(() => known.delete(name));
+  return asked;
 }

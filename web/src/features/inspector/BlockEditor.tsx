@@ -12,7 +12,7 @@ import type { Spot } from "../../model/tree";
 import { wordsOf } from "../../model/words";
 import type { Drawing } from "../../session/drawing";
 import { Icon } from "../../theme";
-import { FieldRow } from "./FieldRow";
+import { FieldRow } from "../../components/fields/FieldRow";
 
 /** Runs a command and leaves the selection where it is. */
 function runHere(command: Command | null): void {

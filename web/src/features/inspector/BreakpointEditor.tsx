@@ -10,7 +10,7 @@ import type { Breakpoint } from "../../model/types";
 import { instructionOf } from "../../session/breakpoints";
 import { type Drawing, useDrawing } from "../../session/drawing";
 import { keyFor } from "../../session/key-table";
-import { Switch } from "./FieldRow";
+import { Switch } from "../../components/fields/FieldRow";
 
 const MOST_HITS = 1_000_000;
 

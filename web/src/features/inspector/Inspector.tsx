@@ -1,7 +1,9 @@
 /** What can be set on the selected part. */
 import "./inspector.css";
 
-import { t } from "../../i18n/words";
+import { useEffect } from "react";
+
+import { moreWords, t } from "../../i18n/words";
 import { useStudio } from "../../model/studio";
 import { findSpot } from "../../model/tree";
 import { complain } from "../../session/document";
@@ -10,12 +12,16 @@ import { Icon } from "../../theme";
 import { later } from "../../ui/later";
 import { Tools } from "./Tools";
 
-const Part = later(() => import("./Part").then((chunk) => chunk.Part), complain);
+const Part = later(() => Promise.all([import("./Part"), moreWords()]).then(([chunk]) => chunk.Part), complain);
 
 export function Inspector() {
   const drawing = useDrawing();
   const selection = useStudio((state) => state.selection);
   const [id] = selection;
+  useEffect(() => {
+    // What scrolls is around it: another part begins at its top.
+    document.querySelector(".side-inspector")?.scrollTo({ top: 0 });
+  }, [id]);
   if (drawing === null || id === undefined) return <Nothing />;
   if (selection.length > 1) return <Many count={selection.length} />;
   const { start, stop } = drawing.structure;

@@ -5,7 +5,7 @@ import { useStudio } from "../../model/studio";
 import { text } from "../../model/texts";
 import { canMark, markAround, type Spot } from "../../model/tree";
 import type { Drawing } from "../../session/drawing";
-import { Switch } from "./FieldRow";
+import { Switch } from "../../components/fields/FieldRow";
 
 /** Whether the spot is in a branch: in a body of a repeated slot. */
 function inBranch(spot: Spot): boolean {

@@ -27,6 +27,11 @@ export function Part({ drawing, spot }: { drawing: Drawing; spot: Spot }) {
       <header className="inspector-head">
         <Tile icon={icon} colour={shape.colour} size={22} />
         <h2>{title(shape)}</h2>
+        {shape.kind === "unknown" || shape.element === title(shape) ? null : (
+          <code className="inspector-element" title={t("fields.in-lll", { name: shape.element })}>
+            {shape.element}
+          </code>
+        )}
         {line === null ? null : <span className="inspector-line">{t("inspector.line", { line })}</span>}
         <Tools />
       </header>

@@ -3,11 +3,11 @@
  *
  * It is one form: Enter begins from anywhere in it. Its rows are radio groups of the browser's own.
  */
-import { type ReactNode, useEffect, useRef, useState } from "react";
+import { type ReactNode, useCallback, useEffect, useRef, useState } from "react";
 import { create } from "zustand";
 
 import { beginningsApi } from "../../api/beginnings";
-import type { Ability, Beginnings, Preview } from "../../api/generated";
+import type { Ability, Beginnings, Preview, RunPreview } from "../../api/generated";
 import { t } from "../../i18n/words";
 import { text } from "../../model/texts";
 import { closeOverlay, complain, show } from "../../session/document";
@@ -15,57 +15,39 @@ import { beginMission } from "../../session/open-requests";
 import { Icon } from "../../theme";
 import { later } from "../../ui/later";
 import { Tool } from "../../ui/Tool";
+import { useFetched } from "../../ui/use-fetched";
 import { type Choice, chosenPlace, fittingFirst, NOTHING, placeFits, settled, starterFits } from "./choosing";
 import { RobotsPicture } from "./RobotsPicture";
-import { Stage } from "./Stage";
 import "./new-mission.css";
 
 const GraphPicture = later(() => import("../../components/WorldPicture").then((chunk) => chunk.GraphPicture), complain);
+const WorldPicture = later(() => import("../../components/WorldPicture").then((chunk) => chunk.WorldPicture), complain);
+const RunPicture = later(() => import("../../components/RunPicture").then((chunk) => chunk.RunPicture), complain);
 
 /** What was chosen last stays chosen while the page is open. */
 const useLastChoice = create<Choice>(() => ({ robotSet: "", place: "", starter: "" }));
 
 function useBeginnings(): Beginnings | null {
-  const [all, setAll] = useState<Beginnings | null>(null);
-  useEffect(() => {
-    let there = true;
-    beginningsApi.all().then(
-      (found) => {
-        if (there) setAll(found);
-      },
-      (cause: unknown) => {
-        if (!there) return;
-        closeOverlay();
-        complain(cause);
-      },
-    );
-    return () => {
-      there = false;
-    };
-  }, []);
-  return all;
+  return useFetched(beginningsApi.all, (cause) => {
+    closeOverlay();
+    complain(cause);
+    return null;
+  });
 }
+
+const NO_PREVIEWS: Preview[] = [];
 
 /** How the starters of a robotSet run in a place; those of the choice before are gone at once. */
 function usePreviews({ robotSet, place }: Choice): Preview[] {
-  const [found, setFound] = useState<{ of: string; previews: Preview[] }>({ of: "", previews: [] });
-  const wanted = `${robotSet} ${place}`;
-  useEffect(() => {
-    if (robotSet === "" || place === "") return;
-    let there = true;
-    beginningsApi.previews(robotSet, place).then(
-      (previews) => {
-        if (there) setFound({ of: `${robotSet} ${place}`, previews });
-      },
-      (cause: unknown) => {
-        if (there) complain(cause);
-      },
-    );
-    return () => {
-      there = false;
-    };
-  }, [robotSet, place]);
-  return found.of === wanted ? found.previews : [];
+  const ask = useCallback(
+    () => (robotSet === "" || place === "" ? Promise.resolve(NO_PREVIEWS) : beginningsApi.previews(robotSet, place)),
+    [robotSet, place],
+  );
+  const found = useFetched(ask, (cause) => {
+    complain(cause);
+    return NO_PREVIEWS;
+  });
+  return found ?? NO_PREVIEWS;
 }
 
 interface CardProps {
@@ -136,6 +118,14 @@ function Abilities({ title, all }: { title: string; all: readonly Ability[] }) {
   );
 }
 
+function ProgramOf({ run }: { run: RunPreview | undefined }) {
+  return run === undefined || run.program === null ? null : <GraphPicture program={run.program} />;
+}
+
+function RunOf({ run, plays }: { run: RunPreview | undefined; plays: boolean }) {
+  return run === undefined ? null : <RunPicture preview={run} plays={plays} />;
+}
+
 export function NewMission() {
   const all = useBeginnings();
   return all === null || all.robot_sets.length === 0 ? null : <Form all={all} />;
@@ -146,7 +136,7 @@ function Form({ all }: { all: Beginnings }) {
   const [name, setName] = useState(t("new.name-first"));
   const form = useRef<HTMLFormElement>(null);
   const previews = usePreviews(choice);
-  const preview = previews.find(({ starter }) => starter === choice.starter);
+  const runOf = (name: string) => previews.find(({ starter }) => starter === name)?.run;
   const place = chosenPlace(all, choice);
   const robotSet = all.robot_sets.find((one) => one.name === choice.robotSet);
   const starter = all.starters.find((one) => one.name === choice.starter);
@@ -213,7 +203,7 @@ function Form({ all }: { all: Beginnings }) {
               reason={placeFits(all, choice.robotSet, one.name) ? "" : t("new.place-not")}
               choose={() => choose({ place: one.name })}
             >
-              <Stage world={one.world} tracks={[]} still />
+              <WorldPicture world={one.world} agents={[]} />
             </Card>
           ))}
         </Row>
@@ -226,11 +216,7 @@ function Form({ all }: { all: Beginnings }) {
             chosen={choice.starter === NOTHING}
             choose={() => choose({ starter: NOTHING })}
           >
-            {previews
-              .filter((one) => one.starter === NOTHING)
-              .map((one) => (
-                <GraphPicture key={one.starter} program={one.program} />
-              ))}
+            <ProgramOf run={runOf(NOTHING)} />
           </Card>
           {starters.map((one) => (
             <Card
@@ -243,14 +229,7 @@ function Form({ all }: { all: Beginnings }) {
               reason={starterFits(one, choice) ? "" : t("new.starter-not")}
               choose={() => choose({ starter: one.name })}
             >
-              {place === undefined ? null : (
-                <Stage
-                  world={place.world}
-                  tracks={previews.find(({ starter: name }) => name === one.name)?.tracks ?? []}
-                  close
-                  still
-                />
-              )}
+              <RunOf run={runOf(one.name)} plays={false} />
             </Card>
           ))}
         </Row>
@@ -261,9 +240,7 @@ function Form({ all }: { all: Beginnings }) {
           <Tool small icon="x" label={t("help.close")} titled={false} onClick={closeOverlay} />
         </div>
         <div className="new-stage">
-          {place === undefined ? null : (
-            <Stage key={`${choice.robotSet} ${choice.starter}`} world={place.world} tracks={preview?.tracks ?? []} />
-          )}
+          <RunOf key={`${choice.robotSet} ${choice.starter}`} run={runOf(choice.starter)} plays />
         </div>
         <p className="new-sentence" role="status">
           {t(choice.starter === NOTHING ? "new.sentence-nothing" : "new.sentence", {
@@ -276,11 +253,11 @@ function Form({ all }: { all: Beginnings }) {
           <Abilities title={t("new.can")} all={robotSet?.can ?? []} />
           <Abilities title={t("new.feels")} all={robotSet?.feels ?? []} />
         </div>
-        {preview === undefined || choice.starter === NOTHING ? null : (
+        {choice.starter === NOTHING || runOf(choice.starter) === undefined ? null : (
           <section className="new-program">
             <h3>{t("new.program")}</h3>
             <div className="new-graph">
-              <GraphPicture program={preview.program} />
+              <ProgramOf run={runOf(choice.starter)} />
             </div>
           </section>
         )}

@@ -9,6 +9,7 @@ import { partsOf } from "../../model/parts";
 import { programInView, useStudio } from "../../model/studio";
 import { text } from "../../model/texts";
 import type { RobotObject } from "../../model/types";
+import { valueWords } from "../../model/words";
 import { isOwn } from "../../session/custom-blocks";
 import { complain } from "../../session/document";
 import { beginDrag, justDragged } from "../../session/drag";
@@ -278,6 +279,5 @@ function Live({ object }: { object: RobotObject }) {
     return object.category === "sensor" ? agent?.inputs[object.name] : agent?.values[object.name];
   });
   if (value === undefined) return null;
-  const words = object.type === "boolean" ? t(value === 0 ? "parts.off" : "parts.on") : String(value);
-  return <span className="palette-live">{words}</span>;
+  return <span className="palette-live">{valueWords(object, value)}</span>;
 }

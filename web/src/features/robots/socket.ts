@@ -3,6 +3,7 @@
  * is open; when it closes, the server lets the robots go, and those that are held stop.
  */
 import { socketAddress } from "../../api/address";
+import { talk } from "../../api/line";
 import { t } from "../../i18n/words";
 import { applyMessage, NOBODY, useBoards } from "./boards";
 import { useRobotsPanel } from "./state";
@@ -25,7 +26,7 @@ function lost(): void {
 /** Opens the socket, if it is not. */
 export function connect(): void {
   if (socket !== null) return;
-  const opened = new WebSocket(socketAddress("api/boards"));
+  const opened = talk().socket(socketAddress("api/boards"));
   socket = opened;
   useBoards.setState({ barred: null });
   useRobotsPanel.setState({ stopAll: () => send({ type: "stop", address: "" }) });

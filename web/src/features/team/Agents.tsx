@@ -12,8 +12,8 @@ import {
   moveAgent,
   removeAgent,
   renameAgent,
-  startOf,
 } from "../../model/commands/changeAgents";
+import { startOf } from "../../model/starts";
 import { giveKind } from "../../model/commands/castAgents";
 import { placeAgents } from "../../model/commands/placeAgents";
 import { useStudio } from "../../model/studio";

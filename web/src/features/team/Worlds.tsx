@@ -10,6 +10,7 @@ import { text } from "../../model/texts";
 import type { WorldEntry } from "../../model/types";
 import { complain } from "../../session/document";
 import { foreseeWorld, useFiles } from "../../session/world-files";
+import { editWorld } from "../../session/world-edits";
 import { openWorld } from "../../session/world-view";
 import { Icon } from "../../theme";
 import { later } from "../../ui/later";
@@ -90,7 +91,15 @@ export function Worlds() {
       <h2 id="team-world">{t("team.world")}</h2>
       <p className="team-note">
         {own === null ? null : `${t("world.mine")} `}
-        <button type="button" className="button" data-testid="team-open-world" onClick={() => openWorld()}>
+        <button
+          type="button"
+          className="button"
+          data-testid="team-open-world"
+          onClick={() => {
+            openWorld();
+            void editWorld();
+          }}
+        >
           <Icon name="pencil" size={16} /> {t("world.edit")}
         </button>
       </p>

@@ -1,5 +1,5 @@
 /** Which starts of the world are taken, and by whom. */
-import { startOf } from "../../model/commands/changeAgents";
+import { startOf } from "../../model/starts";
 import type { Mission, World } from "../../model/types";
 
 /** The first start that no agent uses, or null. */

@@ -1,7 +1,7 @@
 /** The tutorials as a row of cards: in the gallery, under an empty program, and in the welcome. */
 import type { ReactNode } from "react";
 
-import type { Tutorial } from "../../api/generated";
+import type { TeacherPage, Tutorial } from "../../api/generated";
 import { Said } from "../../i18n/Said";
 import { t } from "../../i18n/words";
 import { text } from "../../model/texts";
@@ -38,6 +38,32 @@ function Card({ tutorial, brief }: { tutorial: Tutorial; brief: boolean }) {
   );
 }
 
+/** What a teacher wants to know of it. */
+function Teachers({ page }: { page: TeacherPage }) {
+  const lists = [
+    { title: t("tutorial.troubles"), texts: page.troubles },
+    { title: t("tutorial.questions"), texts: page.questions },
+  ];
+  return (
+    <details className="tutorial-teachers">
+      <summary>{t("tutorial.teachers", { count: page.minutes })}</summary>
+      <p>{text(page.aim)}</p>
+      {lists
+        .filter(({ texts }) => texts.length > 0)
+        .map(({ title, texts }) => (
+          <div key={title}>
+            <h4>{title}</h4>
+            <ul>
+              {texts.map((one, at) => (
+                <li key={at}>{text(one)}</li>
+              ))}
+            </ul>
+          </div>
+        ))}
+    </details>
+  );
+}
+
 /** One that has a mistake: its author sees which. */
 function Broken({ tutorial: { name, problems } }: { tutorial: Tutorial }) {
   const [first] = problems;
@@ -57,14 +83,24 @@ function Broken({ tutorial: { name, problems } }: { tutorial: Tutorial }) {
   );
 }
 
+/** Under an empty program there is room for so many. */
+const MOST = 4;
+
+/** The first ones that are not done; the first ones where all are. */
+function nextTutorials(all: readonly Tutorial[]): Tutorial[] {
+  const usable = all.filter(({ steps }) => steps.length > 0);
+  const open = usable.filter((one) => (rememberedProgress(one)?.at ?? 0) < one.steps.length);
+  return (open.length > 0 ? open : usable).slice(0, MOST);
+}
+
 interface CardsProps {
-  /** Under an empty program: without the sentences, and without those that cannot be used. */
+  /** Under an empty program: the next few, without the sentences. */
   brief?: boolean;
 }
 
 export function TutorialCards({ brief = false }: CardsProps) {
-  const all = useTutorial((found) => found.all);
-  const shown = (all ?? []).filter((one) => !brief || one.steps.length > 0);
+  const all = useTutorial((found) => found.all) ?? [];
+  const shown = brief ? nextTutorials(all) : all;
   if (shown.length === 0) return null;
   return (
     <section className="tutorial-cards" aria-label={t("tutorial.title")}>
@@ -73,6 +109,7 @@ export function TutorialCards({ brief = false }: CardsProps) {
         {shown.map((one) => (
           <li key={one.name}>
             {one.steps.length > 0 ? <Card tutorial={one} brief={brief} /> : <Broken tutorial={one} />}
+            {brief || one.teacher === null ? null : <Teachers page={one.teacher} />}
           </li>
         ))}
       </ul>

@@ -8,9 +8,9 @@ import { programInView, useStudio } from "../../model/studio";
 import { text } from "../../model/texts";
 import { Icon } from "../../theme";
 import { Tool } from "../../ui/Tool";
-import { beginAnew } from "./opening";
+import { begin, beginAnew } from "./opening";
 import { goToPoint, type Page, selectorOf, told, wordsOf } from "./points";
-import { doneSteps } from "./progress";
+import { doneSteps, nextTutorial } from "./progress";
 import { goBack, goForward, goTo, leave, showHint, useTutorial } from "./state";
 import { keepWatching } from "./watching";
 import "./tutorial.css";
@@ -150,6 +150,14 @@ function StepView({ tutorial, done, page }: StepProps) {
 function End({ tutorial, done, page }: StepProps) {
   const whole = done.every(Boolean);
   const open = done.findIndex((is) => !is);
+  const all = useTutorial((state) => state.all);
+  const next = whole ? nextTutorial(all, tutorial) : null;
+  const button = useRef<HTMLButtonElement>(null);
+  useEffect(() => {
+    // Enter goes on to the next one; who types somewhere goes on typing.
+    if (next !== null && document.activeElement?.matches("input, textarea, [contenteditable='true']") !== true)
+      button.current?.focus();
+  }, [next]);
   return (
     <>
       <div className="tutorial-words" data-testid="tutorial-end">
@@ -157,6 +165,18 @@ function End({ tutorial, done, page }: StepProps) {
         <p>{whole ? t("tutorial.finished-help") : t("tutorial.open-again", { number: open + 1 })}</p>
       </div>
       <div className="tutorial-ways">
+        {next === null ? null : (
+          <button
+            ref={button}
+            type="button"
+            className="button button-ink"
+            onClick={() => void begin(next)}
+            data-testid="tutorial-next-one"
+          >
+            {t("tutorial.next-one", { name: text(next.label) })}
+            <Icon name="arrow-right" size={16} />
+          </button>
+        )}
         {whole ? (
           <button
             type="button"

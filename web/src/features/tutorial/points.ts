@@ -5,7 +5,7 @@
  */
 import type { Point } from "../../api/generated";
 import { type Key, t } from "../../i18n/words";
-import { type Parts, shortTitle } from "../../model/parts";
+import { type Parts, shortTitle, title } from "../../model/parts";
 import { text } from "../../model/texts";
 import type { Program, Texts } from "../../model/types";
 import { reveal as revealVertex } from "../../session/actions";
@@ -78,7 +78,7 @@ export function selectorOf(point: Point, page: Page): string {
       if (point.inner === "") return byTestid(`vertex-${first}`);
       return [
         byTestid(`slot-${first}.${point.inner}`),
-        `.inspector-number:has(${byTestid(`field-${first}.${point.inner}`)})`,
+        `.field-number:has(${byTestid(`field-${first}.${point.inner}`)})`,
         `body:not(:has(${byTestid(`field-${first}.${point.inner}`)})):not(:has(${byTestid(`slot-${first}.${point.inner}`)})) ${byTestid(`vertex-${first}`)}`,
       ].join(", ");
     }
@@ -103,9 +103,7 @@ export function selectorOf(point: Point, page: Page): string {
 function partName(element: string, { parts }: Page): string {
   const shape = parts.all.find((one) => one.element === element);
   if (shape === undefined) return element;
-  return shape.object === null
-    ? shortTitle(shape)
-    : `${text(shape.object.label, shape.object.name)} ${shortTitle(shape)}`;
+  return title(shape);
 }
 
 /** What a text says in braces, as the page names it: {Wheel}, {Wheel.Advance}, {Wheel.Advance speed}; null for none. */

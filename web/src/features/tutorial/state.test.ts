@@ -19,6 +19,7 @@ const tutorial: Tutorial = {
   label: {},
   help: {},
   icon: "",
+  teacher: null,
   problems: [],
   steps: [step(true), step(true), step(true, "run-done"), step(false)],
 };

@@ -1,11 +1,11 @@
-/** The mission's world as a file of its own, for other missions: its name, and why it cannot be. */
-import { useState } from "react";
+/** At the end of the side: templates, and the mission's world as a file of its own, for other missions: its name, and why it cannot be. */
+import { type ReactNode, useState } from "react";
 
 import { t } from "../../i18n/words";
 import { saveWorldFile } from "../../session/world-edits";
 import { ownWorld } from "../../session/world-view";
 
-export function Keep() {
+export function Keep({ templates }: { templates: ReactNode }) {
   const [name, setName] = useState<string | null>(null);
   const [why, setWhy] = useState("");
   if (name === null) {
@@ -19,6 +19,7 @@ export function Keep() {
         >
           {t("world.save-file")}
         </button>
+        {templates}
       </div>
     );
   }

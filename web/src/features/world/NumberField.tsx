@@ -55,7 +55,7 @@ export function NumberField({ label, value, unit = "mm", min, max, step = 10, te
             }
           }}
         />
-        {unit === "" ? null : <small>{unit}</small>}
+        {unit === "" ? null : <small dir="ltr">{unit}</small>}
       </span>
     </span>
   );

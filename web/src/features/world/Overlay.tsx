@@ -1,11 +1,12 @@
 /** Drawn over the world: free starts, what is chosen with its grips, and places of problems. */
 import { type Camera, toScreen } from "../../components/scene/camera";
-import { startOf } from "../../model/commands/changeAgents";
+import { startOf } from "../../model/starts";
 import { useStudio } from "../../model/studio";
 import type { Mission, OwnWorld } from "../../model/types";
 import { dockPlace, lineOf, startPlace } from "../../model/world/drawn";
 import { gripsOf } from "../../model/world/grips";
 import { anchorOf } from "../../model/world/moving";
+import { shapeOf } from "../../model/world/shape";
 import { type Thing, thingNamed } from "../../model/world/thing";
 
 interface OverlayProps {
@@ -62,6 +63,17 @@ function Outline({ world, camera, thing }: { world: OwnWorld; camera: Camera; th
       const [x, y] = toScreen(camera, house.x_mm, house.y_mm + house.height_mm);
       const [width, height] = [house.width_mm * camera.scale, house.height_mm * camera.scale];
       return <rect className="world-outline" x={x} y={y} width={width} height={height} rx="6" />;
+    }
+    case "box":
+    case "ball":
+    case "zone": {
+      const shape = shapeOf(world, { kind, at });
+      if (shape === null) return null;
+      const [x, y] = toScreen(camera, shape.x, shape.y);
+      const { scale } = camera;
+      if (shape.radius > 0) return <circle className="world-outline" cx={x} cy={y} r={shape.radius * scale} />;
+      const [width, height] = [shape.width * scale, shape.height * scale];
+      return <rect className="world-outline" x={x - width / 2} y={y - height / 2} width={width} height={height} />;
     }
     case "dock":
     case "start": {

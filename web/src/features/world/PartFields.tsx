@@ -8,6 +8,7 @@ import { LARGEST_MM, type Part, partOf, type Thing, tidy } from "../../model/wor
 import { withPart } from "../../model/world/things";
 import { Closed, Corners } from "./Corners";
 import { NumberField } from "./NumberField";
+import { ThingFields, ZoneFields } from "./MiddledFields";
 import { Choice, Colour, Count, Numbers, type PartProps, set } from "./part-fields";
 
 function names(list: readonly { name: string }[]): [string, string][] {
@@ -206,6 +207,15 @@ export function PartFields({ world, thing }: { world: OwnWorld; thing: Thing }) 
     case "start": {
       const part = partOf(world, { kind, at });
       return part && <StartFields world={world} thing={thing} part={part} />;
+    }
+    case "box":
+    case "ball": {
+      const part = partOf(world, { kind, at });
+      return part && <ThingFields world={world} thing={thing} part={part} />;
+    }
+    case "zone": {
+      const part = partOf(world, { kind, at });
+      return part && <ZoneFields world={world} thing={thing} part={part} />;
     }
   }
 }

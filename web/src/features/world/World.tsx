@@ -4,20 +4,24 @@
  *
  * A world of a file is shown and can be copied into the mission; only a world of the mission's own is changed.
  */
-import { useEffect } from "react";
+import { useEffect, useState } from "react";
 
 import { t } from "../../i18n/words";
 import { useStudio } from "../../model/studio";
+import { useNarrow } from "../../session/narrow";
+import { isLive, useRun } from "../../session/run";
+import { closeTeam } from "../../session/team-view";
 import { editWorld } from "../../session/world-edits";
 import { chosenIn, choose, useWorld } from "../../session/world-view";
 import { Fields } from "./Fields";
 import { Keep } from "./Keep";
 import { Stage } from "./Stage";
 import { Things } from "./Things";
+import { Templates } from "./Templates";
 import { Tools } from "./Tools";
 import "./world.css";
 
-function FromFile() {
+function FromFile({ templates }: { templates: () => void }) {
   const world = useStudio((studio) => studio.world);
   const href = useStudio((studio) => studio.mission.world);
   return (
@@ -28,13 +32,33 @@ function FromFile() {
       <button type="button" className="button" data-testid="edit-world" onClick={() => void editWorld()}>
         {t("world.edit")}
       </button>
+      <OpenTemplates open={templates} />
     </section>
   );
 }
 
+function OpenTemplates({ open }: { open: () => void }) {
+  return (
+    <button type="button" className="button" data-testid="world-templates-open" onClick={open}>
+      {t("world.templates-open")}
+    </button>
+  );
+}
+
 export default function World() {
+  const [templates, setTemplates] = useState(false);
+  const openTemplates = () => setTemplates(true);
   const own = useStudio((studio) => studio.mission.own_world ?? null);
   const said = useWorld((state) => state.said);
+  useEffect(() => useNarrow.setState({ room: null }), []);
+  // Who starts a run wants to see it.
+  useEffect(
+    () =>
+      useRun.subscribe((now, before) => {
+        if (isLive(now.status) && !isLive(before.status)) closeTeam();
+      }),
+    [],
+  );
   useEffect(() => {
     const { chosen } = useWorld.getState();
     const there = chosenIn(own, chosen);
@@ -47,13 +71,15 @@ export default function World() {
         <Stage />
       </div>
       <div className="world-side">
-        {own === null ? (
-          <FromFile />
+        {templates ? (
+          <Templates done={() => setTemplates(false)} />
+        ) : own === null ? (
+          <FromFile templates={openTemplates} />
         ) : (
           <>
             <Fields world={own} />
             <Things world={own} />
-            <Keep />
+            <Keep templates={<OpenTemplates open={openTemplates} />} />
           </>
         )}
       </div>

@@ -6,6 +6,7 @@
 import { t } from "../../i18n/words";
 import { becomes, type Command } from "../command";
 import { TEAM_ROBOT } from "../team-robot";
+import { startOf } from "../starts";
 import type { Agent, Catalogue, Mission } from "../types";
 import { kindOf } from "./castAgents";
 import { declaredNames, groupsOf, rolesOf, withMember } from "./changeDeclared";
@@ -16,11 +17,6 @@ function withAgents(label: string, before: Mission, agents: Agent[], trial: Part
 
 function has(mission: Mission, name: string): boolean {
   return mission.agents.some((agent) => agent.name === name);
-}
-
-/** Where an agent starts: the name of a start of the world. */
-export function startOf(agent: Agent): string {
-  return agent.start === "" ? agent.name : agent.start;
 }
 
 /** The agent at that start, said in the shortest way. */

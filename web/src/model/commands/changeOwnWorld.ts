@@ -9,7 +9,7 @@ import { becomes, type Command } from "../command";
 import type { Mission, OwnWorld } from "../types";
 import { type Kind, partsOfKind, type Thing } from "../world/thing";
 import { removed, withDependents, withPart } from "../world/things";
-import { startOf } from "./changeAgents";
+import { startOf } from "../starts";
 
 /** The mission takes place in this world, which it brings along from now on. */
 export function bringWorld(mission: Mission, world: OwnWorld): Command {

@@ -2,7 +2,7 @@
 import { t } from "../../i18n/words";
 import { becomes, type Command } from "../command";
 import type { Mission } from "../types";
-import { startOf } from "./changeAgents";
+import { startOf } from "../starts";
 
 /** `starts` are those of the world; null when every agent has one, or none is free. */
 export function placeAgents(mission: Mission, starts: readonly string[]): Command | null {

@@ -30,6 +30,11 @@ export class Leaps {
     return this.open.length;
   }
 
+  /** Whether such an arc is open since that mark. */
+  isOpen(mark: number): boolean {
+    return this.open.length > mark;
+  }
+
   begin({ shown, width }: Measured, x: number, middle: number): void {
     const from = { x: x + width / 2, y: middle };
     const label = { text: t("graph.leave"), x: from.x + 8, y: middle - 11, anchor: "start" as const };

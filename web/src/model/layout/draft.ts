@@ -101,6 +101,12 @@ export class Draft {
     });
   }
 
+  /** Where something is to be dropped. `id` is that of the arc that it stands on, or "place" in an empty program. */
+  place(id: string, colour: Colour, box: { x: number; y: number; w: number; h: number }): void {
+    const nothing = { vertex: "", face: NO_FACE, block: null, mark: null, inside: null, note: "", noteWidth: 0 };
+    this.nodes.push({ id, ...box, kind: "place", colour, parked: this.parked, ...nothing });
+  }
+
   bar({ shown, face, half, width, note }: Measured, kind: "bar" | "barEnd", x: number, y: number): void {
     const { id } = shown.vertex;
     this.nodes.push({

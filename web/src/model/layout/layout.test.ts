@@ -134,7 +134,8 @@ describe("other programs", () => {
 
   it("gives an empty body an arc one can drop on", () => {
     const program = growFrom("While");
-    expect(arc(layout(program), "v1.body").points.length).toBeGreaterThan(3);
+    const place = layout(program).nodes.find((node) => node.id === "v1.body");
+    expect(place).toMatchObject({ kind: "place", w: 304, h: 48 });
     expect(arc(layout(program), "v1.body").label?.text).toBe("do");
   });
 
@@ -168,18 +169,41 @@ describe("other programs", () => {
   });
 });
 
+/** Puts parts one into the other: "If Then Else.then" is a body. */
+function built(...steps: [place: Place, element: string][]): Program {
+  return steps.reduce(
+    (program, [place, element]) => {
+      const command = insertPart(program, PARTS, place, element);
+      return command?.execute(missionOf(program)).programs[0] ?? program;
+    },
+    emptyProgram("p", "carrier"),
+  );
+}
+const at = (source: string, out: string): Place => ({ kind: "arc", source, out });
+
+describe("a loop without a test", () => {
+  const FOREVER = {
+    ...PARTS,
+    shape: (element: string) => ({
+      ...PARTS.shape(element),
+      ...(element === "While" ? { plugs: [], fields: [] } : {}),
+    }),
+  };
+  const leaving = (program: Program, parts = FOREVER) =>
+    arc(layoutStructure(readStructure(program, parts)), "v1.next").label?.text;
+
+  it("is done only where a Break in it ends it", () => {
+    const endless = built([at("start", "next"), "While"], [at("v1", "body"), "Wait"]);
+    expect(leaving(endless)).toBeUndefined();
+    expect(leaving(endless, PARTS)).toBe("done");
+    expect(leaving(built([at("start", "next"), "While"], [at("v1", "body"), "Break"]))).toBe("done");
+    // One in a loop inside ends that one alone.
+    const inner = built([at("start", "next"), "While"], [at("v1", "body"), "While"], [at("v2", "body"), "Break"]);
+    expect(leaving(inner)).toBeUndefined();
+  });
+});
+
 describe("a Break", () => {
-  /** Puts parts one into the other: "If Then Else.then" is a body. */
-  function built(...steps: [place: Place, element: string][]): Program {
-    return steps.reduce(
-      (program, [place, element]) => {
-        const command = insertPart(program, PARTS, place, element);
-        return command?.execute(missionOf(program)).programs[0] ?? program;
-      },
-      emptyProgram("p", "carrier"),
-    );
-  }
-  const at = (source: string, out: string): Place => ({ kind: "arc", source, out });
   const only = (of: Layout) => {
     expect(of.leaps).toHaveLength(1);
     return of.leaps[0]?.points ?? [];

@@ -17,8 +17,8 @@ import { text } from "../texts";
 import { verticesOf } from "../tree";
 import type { Colour, Vertex } from "../types";
 import { LEAP_ROW, leapsOut } from "./break-edges";
-import { Draft, NO_FACE, type Piece, startPiece } from "./draft";
-import { ceilTo, GAP, HALF_BAR, HALF_ROW, LANE, type Measured, NOTE, PITCH, Sizes, TO_BAR } from "./sizes";
+import { Draft, type Piece, startPiece } from "./draft";
+import { BODY_PLACE, ceilTo, GAP, HALF_BAR, HALF_ROW, LANE, type Measured, NOTE, PITCH, Sizes, TO_BAR } from "./sizes";
 import type { ArcLabel, Layout, Point } from "./types";
 
 interface Tail {
@@ -81,19 +81,7 @@ export class Placer {
   /** A new program: a place to drop the first part on, in the middle of its only arc. */
   private placeEmpty(stop: Vertex, from: Piece): void {
     const { w, h, middle } = PLACE;
-    const face = NO_FACE;
-    const common = { colour: "action" as const, face, block: null, mark: null, parked: false, inside: null, note: "" };
-    this.draft.nodes.push({
-      ...common,
-      id: "place",
-      vertex: "",
-      x: -w / 2,
-      y: middle - h / 2,
-      w,
-      h,
-      kind: "place",
-      noteWidth: 0,
-    });
+    this.draft.place("place", "action", { x: -w / 2, y: middle - h / 2, w, h });
     from.points.push({ x: 0, y: middle - h / 2 });
     this.draft.emit([from]);
     const below = startPiece(from.source, "next", "flow", { x: 0, y: middle + h / 2 });
@@ -212,6 +200,9 @@ export class Placer {
     );
     const bottom = ceilTo(8, inner.bottom + (inner.tail.lane ? EXIT_BELOW : 8));
     frame.h = bottom - middle;
+    const { plugs, fields } = shown.shape;
+    // A loop that nothing ends, neither a test or a number nor a part inside, is never done.
+    const ends = plugs.length + fields.length > 0 || this.draft.leaps.isOpen(leaps);
     this.draft.leaps.endAt(leaps, x + half);
     const left = x - half;
     this.close(
@@ -228,7 +219,7 @@ export class Placer {
     const leaving = startPiece(arcId(measured), "next", colour, { x: x + width / 2, y: middle });
     leaving.fixed = true;
     leaving.points.push({ x: x + half, y: middle });
-    leaving.label = { text: t("graph.done"), x: x + width / 2 + 8, y: middle - 11, anchor: "start" };
+    if (ends) leaving.label = { text: t("graph.done"), x: x + width / 2 + 8, y: middle - 11, anchor: "start" };
     return { tail: { pieces: [leaving], lane: true }, bottom, laneY: bottom + EXIT_BELOW, next: bottom + 56 };
   }
 
@@ -342,6 +333,15 @@ export class Placer {
     leaving.label = label;
     if (from.x !== x) this.bend(leaving, from, x, owner, first);
     const chain = body?.chain ?? [];
+    if (body !== undefined && isOpenPlace(owner, body)) {
+      const { w, h } = BODY_PLACE;
+      const [top, bottom] = [first - h / 2, first + h / 2];
+      this.draft.place(`${vertex.id}.${body.out}`, shape.colour, { x: x - w / 2, y: top, w, h });
+      leaving.points.push({ x, y: top });
+      this.draft.emit([leaving]);
+      const below = startPiece(vertex.id, body.out, shape.colour, { x, y: bottom });
+      return { tail: { pieces: [below], lane: false }, bottom, laneY: bottom + EXIT_BELOW, next: first + PITCH };
+    }
     const bottom = chain.length === 0 ? from.y + empty : from.y;
     const placed = this.placeChain(chain, { pieces: [leaving], lane: false }, x, first, bottom);
     if (body?.closed !== false) return placed;
@@ -380,6 +380,11 @@ export class Placer {
     last.points.push({ x: placed.tail.lane ? at.x : x, y: placed.bottom + EXIT_BELOW });
     this.draft.emit(placed.tail.pieces, false, true);
   }
+}
+
+/** Whether an empty body has a place to drop on: where it is the only one. */
+function isOpenPlace({ style }: Measured, body: Body): boolean {
+  return (style === "loop" || style === "legend") && body.chain.length === 0 && body.closed;
 }
 
 /** The vertex by which arcs leave: the mark around an action, else the vertex itself. */

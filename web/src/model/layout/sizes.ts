@@ -26,6 +26,8 @@ export const NOTE = 24;
 /** The height of the head of a lane. */
 export const LANE = 36;
 export const GAP = 24;
+/** Where something is to be dropped in an empty body. */
+export const BODY_PLACE = { w: 304, h: 48 };
 export const LOOP_SIDE = 24;
 export const LEGEND_SIDE = 16;
 const LEAP_SIDE = 40;
@@ -101,7 +103,8 @@ export class Sizes {
       note: noteOf(block, shown),
     };
     const halves = inside !== null ? [] : shown.bodies.map((body) => this.halfOf(body.chain));
-    const size = extent(style, width, halves);
+    const isEmpty = (style === "loop" || style === "legend") && shown.bodies[0]?.chain.length === 0;
+    const size = extent(style, width, isEmpty ? [BODY_PLACE.w / 2] : halves);
     // The word at the lane of a Break stands beside it.
     if (leapsOut(shown.shape)) size.half = ceilTo(8, width / 2 + LEAP_SIDE);
     return { ...measured, ...size };

@@ -111,6 +111,7 @@ export function drawnWorld(own: OwnWorld): World {
         kind: "ball" as const,
       })),
     ],
+    zones: own.zones ?? [],
   };
   drawn.set(own, world);
   return world;

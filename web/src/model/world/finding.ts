@@ -4,6 +4,7 @@ import { lineOf } from "./drawn";
 import { gripsOf } from "./grips";
 import { nearestOn, offStretch } from "./line";
 import { anchorOf } from "./moving";
+import { offShape, shapeOf } from "./shape";
 import { GRID_MM, type Kind, partsOfKind, sameThing, type Thing } from "./thing";
 
 const DOCK_MM = 70;
@@ -42,17 +43,31 @@ function offThing(world: OwnWorld, thing: Thing, x: number, y: number): number {
       const reach = thing.kind === "dock" ? DOCK_MM : ROBOT_MM;
       return place === null ? Infinity : Math.hypot(place.x - x, place.y - y) - reach;
     }
+    case "box":
+    case "ball":
+    case "zone": {
+      const shape = shapeOf(world, { kind: thing.kind, at: thing.at });
+      return shape === null ? Infinity : offShape(shape, x, y);
+    }
   }
 }
 
-const ON_TOP: readonly Kind[] = ["start", "wall", "dock", "storehouse", "line", "road", "floor"];
+const ON_TOP: readonly Kind[] = ["start", "ball", "box", "wall", "dock", "storehouse", "line", "road", "zone", "floor"];
+/** What has to be pressed itself: it may cover most of a world. */
+const LARGE: readonly Kind[] = ["floor", "zone"];
 
-/** What lies at a place, at most `reach` mm off: what is drawn on top comes first. */
-export function thingAt(world: OwnWorld, x: number, y: number, reach: number): Thing | null {
-  for (const kind of ON_TOP) {
+/** What lies at a place, at most `reach` mm off: of these kinds, the first one first; without, what is drawn on top. */
+export function thingAt(
+  world: OwnWorld,
+  x: number,
+  y: number,
+  reach: number,
+  kinds: readonly Kind[] = ON_TOP,
+): Thing | null {
+  for (const kind of kinds) {
     const near = partsOfKind(world, kind)
       .map((_, at) => ({ at, off: offThing(world, { kind, at }, x, y) }))
-      .filter(({ off }) => off <= (kind === "floor" ? 0 : reach))
+      .filter(({ off }) => off <= (LARGE.includes(kind) ? 0 : reach))
       .sort((a, b) => a.off - b.off || b.at - a.at)[0];
     if (near !== undefined) return { kind, at: near.at };
   }

@@ -4,10 +4,11 @@ import { dockPlace, lineOf } from "./drawn";
 import { nearestOn } from "./line";
 import { withCut, withPoints } from "./roads";
 import { type Part, partOf, partsOfKind, type Thing, tidy } from "./thing";
+import { shapeOf } from "./shape";
 import { withPart } from "./things";
 
 export interface Grip {
-  /** "end:0", "corner:2", "cut:1", "size", "heading", "at". */
+  /** "end:0", "corner:2", "cut:1", "size", "heading", "radius", "corner-of", "falloff". */
   id: string;
   x: number;
   y: number;
@@ -48,6 +49,18 @@ export function gripsOf(world: OwnWorld, thing: Thing): Grip[] {
       const [x, y] = [start.x_mm + HEADING_MM * Math.cos(heading), start.y_mm + HEADING_MM * Math.sin(heading)];
       return [{ id: "heading", x, y }];
     }
+    case "box":
+    case "ball":
+    case "zone": {
+      const shape = shapeOf(world, { kind: thing.kind, at: thing.at });
+      if (shape === null) return [];
+      const { x, y, radius, width, height } = shape;
+      const size =
+        radius > 0 ? { id: "radius", x: x + radius, y } : { id: "corner-of", x: x + width / 2, y: y + height / 2 };
+      const zone = thing.kind === "zone" ? world.zones?.[thing.at] : undefined;
+      if (zone === undefined) return [size];
+      return [size, { id: "falloff", x, y: y + (radius || height / 2) + zone.falloff_mm }];
+    }
   }
 }
 
@@ -61,6 +74,29 @@ function cutsOf(world: OwnWorld, at: number): Grip[] {
     const place = dockPlace(world, dock as Part<"dock">);
     return { id: `cut:${String(index + 1)}`, x: place?.x ?? 0, y: place?.y ?? 0 };
   });
+}
+
+const LEAST_MM = 5;
+
+/** What lies around its middle, with its edge dragged to a place; the lower left corner of a rectangle stays. */
+function resized(world: OwnWorld, thing: Thing, what: string, x: number, y: number): OwnWorld {
+  const { kind, at } = thing;
+  if (kind !== "box" && kind !== "ball" && kind !== "zone") return world;
+  const part = partOf(world, { kind, at });
+  const shape = shapeOf(world, { kind, at });
+  if (part === undefined || shape === null) return world;
+  if (what === "radius") {
+    const radius_mm = Math.max(LEAST_MM, Math.round(Math.hypot(x - shape.x, y - shape.y)));
+    return withPart(world, thing, { ...part, radius_mm });
+  }
+  if (what === "falloff") {
+    const falloff_mm = Math.max(0, tidy(y - shape.y - (shape.radius || shape.height / 2)));
+    return withPart(world, thing, { ...part, falloff_mm });
+  }
+  const [left, bottom] = [shape.x - shape.width / 2, shape.y - shape.height / 2];
+  const [width_mm, height_mm] = [Math.max(LEAST_MM, tidy(x - left)), Math.max(LEAST_MM, tidy(y - bottom))];
+  const middle = { x_mm: tidy(left + width_mm / 2), y_mm: tidy(bottom + height_mm / 2) };
+  return withPart(world, thing, { ...part, ...middle, width_mm, height_mm });
 }
 
 /** The world with a grip of a thing brought to a place. */
@@ -97,6 +133,10 @@ export function dragged(world: OwnWorld, thing: Thing, grip: string, x: number, 
       const heading_deg = Math.round((Math.atan2(y - start.y_mm, x - start.x_mm) * 180) / Math.PI);
       return withPart(world, thing, { ...start, heading_deg });
     }
+    case "radius":
+    case "corner-of":
+    case "falloff":
+      return resized(world, thing, what, tx, ty);
     default:
       return world;
   }

@@ -18,6 +18,9 @@ const SIZE: Record<Kind, [number, number]> = {
   storehouse: [180, 240],
   dock: [0, 0],
   start: [0, 0],
+  box: [80, 80],
+  ball: [60, 60],
+  zone: [400, 400],
 };
 
 /** `stem-1`, `stem-2`, …, or A, B, C for storehouses and docks: the first that is free. */
@@ -42,6 +45,8 @@ function box(a: Spot, b: Spot): { x: number; y: number; width: number; height: n
 function made(world: OwnWorld, kind: Kind, a: Spot, b: Spot): Part<Kind> | null {
   const corner = (x: number, y: number, radius = 0) => ({ x: tidy(x), y: tidy(y), radius: tidy(radius) });
   const { x, y, width, height } = box(a, b);
+  const middle = { x_mm: tidy(x + width / 2), y_mm: tidy(y + height / 2) };
+  const round = tidy(Math.max(width, height) / 2);
   switch (kind) {
     case "wall":
       return { x1: tidy(a.x), y1: tidy(a.y), x2: tidy(b.x), y2: tidy(b.y) };
@@ -108,6 +113,12 @@ function made(world: OwnWorld, kind: Kind, a: Spot, b: Spot): Part<Kind> | null 
         heading_deg: 0,
       };
     }
+    case "box":
+      return { ...middle, width_mm: tidy(width), height_mm: tidy(height), mass_g: 200, friction: 0.5 };
+    case "ball":
+      return { ...middle, radius_mm: round, mass_g: 50, friction: 0.02 };
+    case "zone":
+      return { kind: "warm", ...middle, radius_mm: round, width_mm: 0, height_mm: 0, value: 35, falloff_mm: 200 };
   }
 }
 

@@ -68,6 +68,12 @@ export function anchorOf(world: OwnWorld, { kind, at }: Thing): { x: number; y: 
       const start = world.starts[at];
       return start === undefined ? null : startPlace(world, start);
     }
+    case "box":
+    case "ball":
+    case "zone": {
+      const part = partsOfKind(world, kind)[at];
+      return part === undefined ? null : { x: part.x_mm, y: part.y_mm };
+    }
   }
 }
 
@@ -105,6 +111,13 @@ export function moved(world: OwnWorld, thing: Thing, dx: number, dy: number): Ow
     case "start": {
       const place = anchorOf(world, thing);
       return place === null ? world : startMoved(world, at, place.x + dx, place.y + dy);
+    }
+    case "box":
+    case "ball":
+    case "zone": {
+      const part = partsOfKind(world, kind)[at];
+      if (part === undefined) return world;
+      return withPart(world, thing, { ...part, x_mm: tidy(part.x_mm + dx), y_mm: tidy(part.y_mm + dy) });
     }
   }
 }

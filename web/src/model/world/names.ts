@@ -11,6 +11,9 @@ export const KIND_ICONS: Record<Kind, string> = {
   storehouse: "warehouse",
   dock: "map-pin",
   start: "flag",
+  box: "package",
+  ball: "circle",
+  zone: "thermometer",
 };
 
 export function kindName(kind: Kind): string {

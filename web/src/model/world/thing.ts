@@ -8,7 +8,7 @@ import type { OwnWorld } from "../types";
 /** Places that are dragged go by this. */
 export const GRID_MM = 10;
 
-export const KINDS = ["wall", "floor", "line", "road", "storehouse", "dock", "start"] as const;
+export const KINDS = ["wall", "floor", "line", "road", "storehouse", "dock", "start", "box", "ball", "zone"] as const;
 export type Kind = (typeof KINDS)[number];
 
 export interface Thing {
@@ -24,9 +24,12 @@ export const FIELD = {
   storehouse: "storehouses",
   dock: "docks",
   start: "starts",
+  box: "boxes",
+  ball: "balls",
+  zone: "zones",
 } as const;
 
-export type Part<K extends Kind> = OwnWorld[(typeof FIELD)[K]][number];
+export type Part<K extends Kind> = NonNullable<OwnWorld[(typeof FIELD)[K]]>[number];
 export type AnyPart = Part<Kind>;
 
 export const LARGEST_MM = 1_000_000;
@@ -38,7 +41,8 @@ export function tidy(value: number): number {
 }
 
 export function partsOfKind<K extends Kind>(world: OwnWorld, kind: K): readonly Part<K>[] {
-  return world[FIELD[kind]];
+  // A server from before there were such things sends none.
+  return world[FIELD[kind]] ?? [];
 }
 
 export function partOf<K extends Kind>(world: OwnWorld, thing: { kind: K; at: number }): Part<K> | undefined {

@@ -1,5 +1,6 @@
 /** The switches in the bar of a large arena: icon and word, icons alone where there is little room. */
 import type { LucideIcon } from "lucide-react";
+import ImageDown from "lucide-react/icons/image-down";
 import Radar from "lucide-react/icons/radar";
 import Radio from "lucide-react/icons/radio";
 import Route from "lucide-react/icons/route";
@@ -8,6 +9,7 @@ import Tag from "lucide-react/icons/tag";
 import Volume2 from "lucide-react/icons/volume-2";
 
 import { t } from "../../../i18n/words";
+import { openKeep } from "./shown-menu";
 import { flip, SHOWS, type Shows, useOn } from "./switches";
 
 const ICONS: Readonly<Record<Shows, LucideIcon>> = {
@@ -40,6 +42,20 @@ export function Switches() {
           </button>
         );
       })}
+      <button
+        type="button"
+        className="stage-switch stage-keep"
+        data-testid="arena-keep"
+        aria-haspopup="menu"
+        title={t("arena.keep")}
+        onClick={({ currentTarget }) => {
+          const { left, bottom } = currentTarget.getBoundingClientRect();
+          openKeep(left, bottom + 4);
+        }}
+      >
+        <ImageDown size={16} aria-hidden="true" />
+        <span>{t("arena.keep")}</span>
+      </button>
     </span>
   );
 }

@@ -9,6 +9,7 @@ import type { Actor } from "../../../components/scene/scene";
 import { decimal } from "../../../i18n/numbers";
 import { t } from "../../../i18n/words";
 import { text } from "../../../model/texts";
+import { valueWords } from "../../../model/words";
 import type { Robot } from "../../../model/types";
 import { useStudio } from "../../../model/studio";
 import { FAILED, LAMP } from "../../../api/wire";
@@ -23,6 +24,8 @@ const PORTRAIT_PX = 56;
 /** "77", "yes", "34.5 cm": what a sensor reads, in the words of its robot. */
 export function reading(robot: Robot | undefined, name: string, value: number): string {
   const part = robot?.objects.find((one) => one.name === name && one.category === "sensor");
+  if (part !== undefined && (part.meaning != null || part.unit))
+    return `${part.ray != null && value >= part.max ? "≥ " : ""}${valueWords(part, value)}`;
   if (part?.type === "boolean") return t(value === 0 ? "arena.no" : "arena.yes");
   if (part?.ray != null && part.max > part.min) {
     const mm = ((value - part.min) / (part.max - part.min)) * part.ray.reach_mm;

@@ -1,28 +1,40 @@
-/** The same switches as a menu, for an arena that is small. */
+/** The same switches as a menu, for an arena that is small; and what the pens drew as a file, from any arena. */
 import { create } from "zustand";
 
 import { t } from "../../../i18n/words";
 import { FloatingMenu } from "../../../ui/FloatingMenu";
-import type { MenuEntry } from "../../../ui/menu-model";
+import { type MenuEntry, menuItem } from "../../../ui/menu-model";
+import { hasDrawn, saveDrawing } from "./save-drawing";
 import { flip, SHOWS, useOn } from "./switches";
 
-const useMenuPlace = create<{ at: { x: number; y: number } | null }>(() => ({ at: null }));
+const useMenuPlace = create<{ at: { x: number; y: number } | null; keep: boolean }>(() => ({ at: null, keep: false }));
 
 export function openShown(x: number, y: number): void {
-  useMenuPlace.setState({ at: { x, y } });
+  useMenuPlace.setState({ at: { x, y }, keep: false });
+}
+
+/** The menu with nothing but the ways to keep the drawing. */
+export function openKeep(x: number, y: number): void {
+  useMenuPlace.setState({ at: { x, y }, keep: true });
 }
 
 export function ShownMenu() {
-  const at = useMenuPlace((state) => state.at);
+  const { at, keep } = useMenuPlace();
   const on = useOn();
   if (at === null) return null;
-  const entries: MenuEntry[] = SHOWS.map(({ id, label }) => ({
+  const shows = SHOWS.map(({ id, label }): MenuEntry => ({
     kind: "check",
     id: `show-${id}`,
     label: t(label),
     checked: on[id],
     run: () => flip(id),
   }));
+  const none = !hasDrawn();
+  const ways: MenuEntry[] = [
+    menuItem("drawing", t("arena.keep-drawing"), null, () => saveDrawing(false), none),
+    menuItem("drawing-floor", t("arena.keep-with-floor"), null, () => saveDrawing(true), none),
+  ];
+  const entries = keep ? ways : [...shows, { kind: "line" as const, id: "keep" }, ...ways];
   const close = () => useMenuPlace.setState({ at: null });
   return (
     <FloatingMenu
@@ -33,7 +45,8 @@ export function ShownMenu() {
       onLeave={close}
       onClose={() => {
         close();
-        document.querySelector<HTMLElement>("[data-testid=arena-show]")?.focus();
+        const opener = keep ? "[data-testid=arena-keep]" : "[data-testid=arena-show]";
+        document.querySelector<HTMLElement>(opener)?.focus();
       }}
     />
   );

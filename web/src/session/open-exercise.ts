@@ -1,4 +1,4 @@
-/** Which exercise is open in this browser, and as which mission; kept over a reload. */
+/** Which exercise is open in this browser, and as which mission, kept over a reload; and how far its goals are. */
 import { create } from "zustand";
 
 const KEY = "kitrobot.exercise";
@@ -29,8 +29,14 @@ function stored(): Remembered | null {
   }
 }
 
+interface OpenExercise {
+  open: Remembered | null;
+  /** Whether each goal is reached, null where that is not known, and why not. */
+  goals: readonly { reached: boolean | null; why: string }[];
+}
+
 /** The exercise that is open; the panel, which is fetched later, shows it. */
-export const useOpenExercise = create<{ open: Remembered | null }>(() => ({ open: stored() }));
+export const useOpenExercise = create<OpenExercise>(() => ({ open: stored(), goals: [] }));
 
 export function remember(open: Remembered | null): void {
   useOpenExercise.setState({ open });

@@ -1,0 +1,143 @@
+"""The static site as its user waits for it, in Chromium, from a plain file server on this machine.
+
+A first visit is one of a browser that has nothing of it; a second visit is another page of the same browser, whose
+service worker has the files. Both wait for the graph of the transport mission, then run it once at full speed. Memory
+is what the largest process of the browser keeps after that run: page and worker are in it. There is no peer.
+"""
+
+from __future__ import annotations
+
+import gzip
+import statistics
+import sys
+import tempfile
+import threading
+import time
+from collections import defaultdict
+from collections.abc import Iterator
+from contextlib import contextmanager
+from dataclasses import dataclass
+from functools import partial
+from http.server import SimpleHTTPRequestHandler, ThreadingHTTPServer
+from pathlib import Path
+
+from playwright.sync_api import Browser, Page
+
+from benchmarks import browser as web
+from benchmarks.measuring import Rate, Row
+from kitrobot.workspace.site import PACKED, make_site
+from tools.site_parts import PARTS, ROOT, fetch
+
+TITLE = "site"
+PATIENCE_MS = 120_000
+GRAPH = "document.querySelector('.react-flow__node .vertex')"
+DONE = "document.querySelector('[data-testid=status]')?.textContent.includes('Done')"
+
+
+@dataclass(frozen=True)
+class Size:
+    rounds: int
+    second: bool
+    """Whether second visits are measured too."""
+
+
+FULL, TINY = Size(3, True), Size(1, False)
+
+Found = dict[str, list[float]]
+
+
+def run(size: Size, *, peers: bool) -> list[Row]:
+    with web.browser() as browser:
+        if browser is None or not fetch():
+            print("benchmarks: site was left out: there is no Chromium, or no wheel for Pyodide", file=sys.stderr)
+            return []
+        found: Found = defaultdict(list)
+        with tempfile.TemporaryDirectory() as folder:
+            place = Path(folder, "site")
+            make_site(place, [ROOT / "web", PARTS])
+            found["files, compressed (kB)"] = [_weight(place) / 1000]
+            with _served(Path(folder)) as address:
+                for _ in range(size.rounds):
+                    _visits(browser, f"{address}site/", size, found)
+    return [
+        Row(
+            what.partition(" (")[0],
+            what.partition("(")[2].rstrip(")"),
+            Rate(statistics.median(values), max(values), min(values)),
+            lower_is_better=True,
+        )
+        for what, values in found.items()
+    ]
+
+
+def _weight(place: Path) -> int:
+    """As a server sends it that compresses what is not packed already."""
+    files = [path for path in place.rglob("*") if path.is_file()]
+    return sum(
+        path.stat().st_size
+        if path.suffix in (PACKED, ".woff", ".woff2")
+        else len(gzip.compress(path.read_bytes(), 6, mtime=0))
+        for path in files
+    )
+
+
+def _visits(browser: Browser, address: str, size: Size, found: Found) -> None:
+    context = browser.new_context(viewport={"width": web.WIDTH, "height": web.HEIGHT})
+    context.set_default_timeout(PATIENCE_MS)
+    try:
+        page = context.new_page()
+        _visit(page, address, "first visit", found)
+        found["memory after a run (MB)"].append(_memory(browser))
+        if size.second:
+            page.evaluate("navigator.serviceWorker.ready.then(() => null)")
+            page.close()
+            _visit(context.new_page(), address, "second visit", found)
+    finally:
+        context.close()
+
+
+def _visit(page: Page, address: str, which: str, found: Found) -> None:
+    begun = time.monotonic()
+    page.goto(address, wait_until="commit")
+    page.wait_for_selector(".studio")
+    found[f"page, {which} (ms)"].append(1000 * (time.monotonic() - begun))
+    page.wait_for_function(f"() => {GRAPH}", polling=20)
+    found[f"graph, {which} (ms)"].append(1000 * (time.monotonic() - begun))
+    page.wait_for_function("() => document.querySelector('[data-testid=run-button]:not(:disabled)')", polling=20)
+    page.get_by_test_id("speed").press("End")
+    pressed = time.monotonic()
+    page.get_by_test_id("run-button").click()
+    page.wait_for_function(f"() => {DONE}", polling=20)
+    ended = time.monotonic()
+    found[f"first run to its end, {which} (ms)"].append(1000 * (ended - begun))
+    found[f"transport at full speed, {which} (ms)"].append(1000 * (ended - pressed))
+
+
+def _memory(browser: Browser) -> float:
+    """What the largest process of the browser keeps in memory, in MB."""
+    session = browser.new_browser_cdp_session()
+    pages = [one["id"] for one in session.send("SystemInfo.getProcessInfo")["processInfo"] if one["type"] == "renderer"]
+    kept = [0]
+    for number in pages:
+        status = Path(f"/proc/{number}/status")
+        lines = status.read_text().splitlines() if status.is_file() else []
+        kept += [int(line.split()[1]) for line in lines if line.startswith("VmRSS:")]
+    return max(kept) / 1000 or 1.0
+
+
+@contextmanager
+def _served(root: Path) -> Iterator[str]:
+    server = ThreadingHTTPServer(("127.0.0.1", 0), partial(_Quiet, directory=str(root)))
+    thread = threading.Thread(target=server.serve_forever, daemon=True)
+    thread.start()
+    try:
+        yield f"http://127.0.0.1:{server.server_port}/"
+    finally:
+        server.shutdown()
+        server.server_close()
+        thread.join()
+
+
+class _Quiet(SimpleHTTPRequestHandler):
+    def log_message(self, *_: object) -> None:
+        pass

@@ -1,0 +1,40 @@
+"""A class: pupils with a folder each, what they hand in, and what their teacher does with all of them; without HTTP."""
+
+from kitrobot.classroom.allowance import Allowance, Guesses
+from kitrobot.classroom.desk import Desk
+from kitrobot.classroom.entrance import Entrance, NotLetInError, TakenNameError
+from kitrobot.classroom.names import WrongNameError
+from kitrobot.classroom.pupil import Goal, Pupil, Report, State, met, state_of
+from kitrobot.classroom.record import ClassRecord, PupilRecord, read_record, write_record
+from kitrobot.classroom.room import HANDED_OUT, MOST_PUPILS, ClassError, ClassRoom
+from kitrobot.classroom.told import Handed, HandIn, Told
+from kitrobot.classroom.work import QuotaError, Work
+
+__all__ = [
+    "HANDED_OUT",
+    "MOST_PUPILS",
+    "Allowance",
+    "ClassError",
+    "ClassRecord",
+    "ClassRoom",
+    "Desk",
+    "Entrance",
+    "Goal",
+    "Guesses",
+    "HandIn",
+    "Handed",
+    "NotLetInError",
+    "Pupil",
+    "PupilRecord",
+    "QuotaError",
+    "Report",
+    "State",
+    "TakenNameError",
+    "Told",
+    "Work",
+    "WrongNameError",
+    "met",
+    "read_record",
+    "state_of",
+    "write_record",
+]

@@ -1,0 +1,96 @@
+"""What the teacher does with a class: lets nobody in, freezes, hands out, writes, looks on."""
+
+from __future__ import annotations
+
+from typing import Final
+
+from kitrobot.classroom.entrance import TakenNameError
+from kitrobot.classroom.names import clean_name, new_code, work_name
+from kitrobot.classroom.pupil import Pupil
+from kitrobot.classroom.room import HANDED_OUT, ClassRoom
+from kitrobot.files import write_atomic
+from kitrobot.text import Sentence
+
+LONGEST_NOTE: Final = 500
+
+
+class Desk:
+    """The teacher's desk. Safe to use from many threads."""
+
+    def __init__(self, room: ClassRoom) -> None:
+        self._room = room
+
+    def add(self, name: str) -> Pupil:
+        """A pupil who comes later, with the word.
+
+        Raises:
+            TakenNameError: there is one of that name.
+        """
+        with self._room.lock:
+            name = clean_name(name)
+            if self._room.named(name) is not None:
+                raise TakenNameError(Sentence("`{name}` is in this class already", name), "")
+            return self._room.enter(name, "")
+
+    def remove(self, pupil: Pupil) -> None:
+        """Nobody comes in as this pupil any more; the folder stays."""
+        with self._room.lock:
+            self._room.pupils.pop(pupil.folder, None)
+            pupil.record.keys = []
+            self._room.record.pupils = [one for one in self._room.record.pupils if one is not pupil.record]
+            self._room.changed(kept=True)
+            self._room.log.say(f"{pupil.record.name} was taken out of the class; the folder {pupil.folder} stays")
+
+    def set_code(self, on: bool) -> None:
+        """A new code; or none, and nobody can join. Who is in stays in."""
+        with self._room.lock:
+            self._room.record.code = new_code() if on else ""
+            self._room.changed(kept=True)
+            self._room.log.say("the class has a new code" if on else "the code was revoked")
+
+    def set_frozen(self, on: bool) -> None:
+        """Everybody is to look up, or goes on."""
+        with self._room.lock:
+            self._room.record.frozen = on
+            self._room.changed(kept=True)
+            self._room.log.say("everybody was frozen" if on else "everybody goes on")
+
+    def set_exercise(self, name: str) -> None:
+        """The exercise of the class from now on; "" for none."""
+        with self._room.lock:
+            self._room.record.exercise = name
+            self._room.changed(kept=True)
+            self._room.log.say(f"the exercise is {name}" if name else "there is no exercise")
+
+    def hand_out(self, shown: str, data: bytes, to: list[str] | None = None) -> tuple[str, int]:
+        """Gives a mission to those pupils, or to all; gives its name and to how many.
+
+        Raises:
+            FileError: it cannot be written.
+        """
+        with self._room.lock:
+            folder = self._room.folder / HANDED_OUT
+            folder.mkdir(exist_ok=True)
+            name = work_name(shown)
+            write_atomic(folder / f"{name}.krt", data)
+            number = max((one.handed for one in self._room.record.pupils), default=0) + 1
+            chosen = [one for one in self._room.record.pupils if to is None or one.folder in to]
+            for record in chosen:
+                record.handed, record.handed_file = number, name
+            self._room.changed(kept=True)
+            self._room.log.say(f"{name} was handed out to {len(chosen)}")
+            return name, len(chosen)
+
+    def write_to(self, pupil: Pupil, text: str) -> None:
+        """A few words for one pupil."""
+        with self._room.lock:
+            pupil.note = (pupil.note[0] + 1, " ".join(text.split())[:LONGEST_NOTE])
+            self._room.changed()
+
+    def look_on(self, pupil: Pupil | None) -> None:
+        """The teacher looks on, or at nobody."""
+        with self._room.lock:
+            looked = "" if pupil is None else pupil.folder
+            if looked != self._room.looked:
+                self._room.looked = looked
+                self._room.changed()

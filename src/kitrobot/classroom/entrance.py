@@ -1,0 +1,147 @@
+"""Who is let into a class: with the code, back with a word, or with the teacher's yes. Guessing is limited."""
+
+from __future__ import annotations
+
+import hmac
+import secrets
+from dataclasses import dataclass
+from typing import Final
+
+from kitrobot.classroom.allowance import Guesses
+from kitrobot.classroom.names import clean_code, clean_name
+from kitrobot.classroom.pupil import Pupil
+from kitrobot.classroom.room import ClassError, ClassRoom
+from kitrobot.diagnostics import KitRobotError
+from kitrobot.text import Sentence
+
+MOST_ASKING: Final = 20
+ASKING_S: Final = 15 * 60
+"""How long a question for the teacher's yes is kept."""
+
+
+class NotLetInError(KitRobotError):
+    """A wrong code, word or key, or too many of them."""
+
+
+class TakenNameError(KitRobotError):
+    """A pupil of that name is in the class: it may be the same one at another computer."""
+
+
+@dataclass
+class _Asking:
+    """Somebody says to be that pupil; `yes` is what the teacher answered, `key` what lets them in then."""
+
+    pupil: str
+    at: float
+    yes: bool | None = None
+    key: str = ""
+
+
+class Entrance:
+    """The door of a class. Safe to use from many threads."""
+
+    def __init__(self, room: ClassRoom) -> None:
+        self._room = room
+        self._guesses = Guesses()
+        self._asking: dict[str, _Asking] = {}
+
+    def join(self, code: str, name: str, word: str, who: str) -> tuple[Pupil, str]:
+        """Lets a pupil in, new or with the word from another computer; gives the key for the browser.
+
+        Args:
+            code: the code of the class.
+            name: as the pupil typed it.
+            word: the pupil's own, "" for a new pupil.
+            who: the address that asks.
+
+        Raises:
+            NotLetInError: a wrong code or word, or too many wrong ones.
+            TakenNameError: there is a pupil of that name, and no word.
+            ClassError: the class is full.
+        """
+        with self._room.lock:
+            self._expect_code(code, who)
+            name = clean_name(name)
+            known = self._room.named(name)
+            if known is None:
+                key = secrets.token_urlsafe(24)
+                return self._room.enter(name, key), key
+            if not word.strip():
+                raise TakenNameError(
+                    Sentence("`{name}` is in this class already", name),
+                    Sentence("if that is you, type your word or ask your teacher; else add a letter to your name"),
+                )
+            if not _same(clean_code(word), known.record.word):
+                self._wrong(Sentence("that is not the word of `{name}`", name), who)
+            return known, self._room.let_in(known, "came back with the word")
+
+    def ask(self, code: str, name: str, who: str) -> str:
+        """Asks the teacher to let somebody in as a pupil that there is; gives the name of the question.
+
+        Raises:
+            NotLetInError: as for `join`.
+            ClassError: there is no such pupil, or too many ask.
+        """
+        with self._room.lock:
+            self._expect_code(code, who)
+            known = self._room.named(clean_name(name))
+            if known is None:
+                raise ClassError(Sentence("there is no `{name}` in this class", name[:80]), Sentence("join the class"))
+            now = self._room.clock()
+            self._asking = {key: one for key, one in self._asking.items() if now - one.at < ASKING_S}
+            if len(self._asking) >= MOST_ASKING:
+                raise ClassError(Sentence("too many ask to be let in"), Sentence("tell your teacher"))
+            asked = secrets.token_urlsafe(16)
+            self._asking[asked] = _Asking(known.folder, now)
+            self._room.log.say(f"asked to be let in as {known.record.name}, from {who}")
+            return asked
+
+    def asking(self) -> dict[str, str]:
+        """The questions that wait for the teacher, with the folder of the pupil each is about."""
+        with self._room.lock:
+            now = self._room.clock()
+            return {key: one.pupil for key, one in self._asking.items() if one.yes is None and now - one.at < ASKING_S}
+
+    def answer(self, asked: str, yes: bool) -> None:
+        """What the teacher says to it."""
+        with self._room.lock:
+            one = self._asking.get(asked)
+            pupil = self._room.pupils.get(one.pupil) if one is not None else None
+            if one is None or one.yes is not None:
+                return
+            one.yes = yes and pupil is not None
+            if one.yes and pupil is not None:
+                one.key = self._room.let_in(pupil, "let in by the teacher")
+
+    def answered(self, asked: str) -> tuple[bool | None, Pupil | None, str]:
+        """The answer, once: None while there is none, else whether the pupil is let in, who, and the key.
+
+        Raises:
+            NotLetInError: nobody asked that.
+        """
+        with self._room.lock:
+            one = self._asking.get(asked)
+            if one is None:
+                raise NotLetInError(Sentence("this question is not known any more"), Sentence("join again"))
+            if one.yes is None:
+                return None, None, ""
+            del self._asking[asked]
+            return one.yes, self._room.pupils.get(one.pupil), one.key
+
+    def _expect_code(self, code: str, who: str) -> None:
+        if not self._guesses.may(who, self._room.clock()):
+            self._room.log.say(f"too many wrong codes from {who}")
+            raise NotLetInError(Sentence("too many wrong codes came from here"), Sentence("wait a minute"))
+        if not self._room.record.code:
+            raise NotLetInError(Sentence("nobody can join this class now"), Sentence("ask your teacher for a code"))
+        if not _same(clean_code(code), self._room.record.code):
+            self._wrong(Sentence("that is not the code of this class"), who)
+
+    def _wrong(self, message: Sentence, who: str) -> None:
+        self._guesses.wrong(who, self._room.clock())
+        self._room.log.say(f"{message} (from {who})")
+        raise NotLetInError(message, Sentence("look at the letters again, or ask your teacher"))
+
+
+def _same(one: str, other: str) -> bool:
+    return hmac.compare_digest(one.encode(errors="replace"), other.encode())

@@ -1,0 +1,247 @@
+"""A running class: its folder, its pupils, what their pages say and are told.
+
+Its folder holds `class.toml` (record), `log.txt`, a folder for each pupil with what was handed in, and `Handed out`.
+What a caller was told is on the disk by then. Safe to use from many threads. Left to others: who is let in (entrance),
+what the teacher does (desk), HTTP, pictures, judging.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import hmac
+import secrets
+import threading
+import time
+from collections.abc import Callable
+from contextlib import suppress
+from pathlib import Path
+from typing import Final
+
+from kitrobot.classroom.log import Log
+from kitrobot.classroom.names import as_file_name, free_name, key_of, new_code
+from kitrobot.classroom.pupil import Pupil, Report
+from kitrobot.classroom.record import ClassRecord, PupilRecord, read_record, write_record
+from kitrobot.classroom.told import Handed, HandIn, Told
+from kitrobot.classroom.work import Work, keep_work, read_work, works
+from kitrobot.diagnostics import KitRobotError
+from kitrobot.files import FileError, FileLock, read_bytes, revision_of
+from kitrobot.text import Sentence
+
+MOST_PUPILS: Final = 100
+HANDED_OUT: Final = "Handed out"
+LOCK: Final = ".class.lock"
+_RESERVED: Final = (HANDED_OUT, "grades", "class", "log")
+
+
+class ClassError(KitRobotError):
+    """Something that this class cannot do."""
+
+
+class ClassRoom:
+    """One class. `clock` gives seconds, as `time.monotonic` does."""
+
+    def __init__(self, folder: Path, clock: Callable[[], float] = time.monotonic) -> None:
+        """Opens the class of a folder, or begins one.
+
+        Raises:
+            FileError: the folder cannot be used.
+            ClassError: it is open in another process.
+        """
+        try:
+            folder.mkdir(parents=True, exist_ok=True)
+            self._alone = FileLock.take(folder / LOCK)
+        except OSError as error:
+            raise FileError(
+                Sentence("`{path}` cannot be the folder of a class: {reason}", folder, error.strerror or str(error)),
+                Sentence("name a folder that you may write to"),
+                path=folder,
+            ) from None
+        if self._alone is None:
+            raise ClassError(
+                Sentence("the class of this folder runs already"), Sentence("end it in its terminal first")
+            )
+        self.folder = folder.resolve()
+        self.clock = clock
+        self.log = Log(self.folder)
+        try:
+            self.record = read_record(self.folder) or ClassRecord(self.folder.name, new_code())
+        except BaseException:
+            self.close()
+            raise
+        self.pupils = {one.folder: self._pupil(one) for one in self.record.pupils}
+        self.looked = ""
+        """Whom the teacher looks on, by the folder."""
+        self.lock = threading.RLock()
+        self._keeping = {one: threading.Lock() for one in self.pupils}
+        self._heard: list[Callable[[], None]] = []
+        self.last_kept: float | None = None
+        write_record(self.folder, self.record)
+
+    def close(self) -> None:
+        """Another process may open the class."""
+        if self._alone is not None:
+            self._alone.release()
+            self._alone = None
+
+    def _pupil(self, record: PupilRecord) -> Pupil:
+        pupil = Pupil(record, record.folder)
+        newest = next(iter(works(self.folder / record.folder)), None)
+        if newest is not None:
+            pupil.work = newest.name
+            with suppress(FileError):
+                pupil.revision = revision_of(read_bytes(self.folder / record.folder / newest.name))
+        return pupil
+
+    # -- who hears of changes
+
+    def hear(self, changed: Callable[[], None]) -> Callable[[], None]:
+        """Calls back, from any thread, when what pupils are told changes; gives what ends that."""
+        with self.lock:
+            self._heard.append(changed)
+
+        def end() -> None:
+            with self.lock, suppress(ValueError):
+                self._heard.remove(changed)
+
+        return end
+
+    def changed(self, kept: bool = False) -> None:
+        """What pupils are told is another; `kept`: the record too."""
+        if kept:
+            write_record(self.folder, self.record)
+        for changed in list(self._heard):
+            changed()
+
+    def named(self, name: str) -> Pupil | None:
+        """The pupil of that name."""
+        key = key_of(name)
+        return next((one for one in self.pupils.values() if key_of(one.record.name) == key), None)
+
+    def enter(self, name: str, key: str) -> Pupil:
+        """A new pupil with a folder; `key` is what a browser keeps, "" for none. For who holds the lock.
+
+        Raises:
+            ClassError: the class is full.
+        """
+        if len(self.pupils) >= MOST_PUPILS:
+            raise ClassError(
+                Sentence("this class has {most} pupils already", MOST_PUPILS),
+                Sentence("the teacher can begin a second class in another folder"),
+            )
+        folder = free_name(as_file_name(name), [*_RESERVED, *(entry.name for entry in self.folder.iterdir())])
+        record = PupilRecord(name, folder, new_code(), [digest(key)] if key else [])
+        (self.folder / folder).mkdir()
+        self.record.pupils.append(record)
+        pupil = self.pupils[folder] = Pupil(record, folder)
+        self._keeping[folder] = threading.Lock()
+        self.changed(kept=True)
+        self.log.say(f"{name} joined" if key else f"{name} was added")
+        return pupil
+
+    def let_in(self, pupil: Pupil, how: str) -> str:
+        """Another browser of a pupil; gives its key. For who holds the lock."""
+        key = secrets.token_urlsafe(24)
+        pupil.record.gets(digest(key))
+        self.changed(kept=True)
+        self.log.say(f"{pupil.record.name} {how}")
+        return key
+
+    def pupil_of(self, key: str) -> Pupil | None:
+        """Whose key that is."""
+        if not key or len(key) > 200:
+            return None
+        wanted = digest(key)
+        found = None
+        with self.lock:
+            for pupil in self.pupils.values():
+                for one in pupil.record.keys:
+                    if hmac.compare_digest(one, wanted):
+                        found = pupil
+        return found
+
+    # -- pages of pupils
+
+    def comes(self, pupil: Pupil) -> None:
+        """A page of that pupil is there."""
+        with self.lock:
+            pupil.comes(self.clock())
+            if pupil.pages == 1:
+                self.log.say(f"{pupil.record.name} is here")
+
+    def goes(self, pupil: Pupil) -> None:
+        """It is gone."""
+        with self.lock:
+            pupil.goes(self.clock())
+            if pupil.pages == 0:
+                self.log.say(f"{pupil.record.name} is away")
+
+    def take(self, pupil: Pupil, report: Report) -> None:
+        """What the page says of itself."""
+        with self.lock:
+            pupil.take(report, self.clock())
+
+    def put_hand(self, pupil: Pupil, up: bool) -> None:
+        """The pupil asks for help, or does not any more."""
+        with self.lock:
+            if up != (pupil.asked is not None):
+                pupil.asked = self.clock() if up else None
+                self.changed()
+
+    def told(self, pupil: Pupil) -> Told:
+        """What the pupil's page is to know."""
+        with self.lock:
+            record = pupil.record
+            return Told(
+                self.record.name,
+                record.name,
+                record.word,
+                self.record.frozen,
+                self.record.exercise,
+                Handed(record.handed, record.handed_file),
+                pupil.note,
+                self.looked == pupil.folder,
+                pupil.asked is not None,
+            )
+
+    def hand_in(self, pupil: Pupil, shown: str, data: bytes, base: str) -> HandIn:
+        """Keeps a mission of that pupil.
+
+        Raises:
+            QuotaError: the folder is full.
+            FileError: it cannot be written.
+        """
+        with self._keeping[pupil.folder]:
+            fresh = pupil.work
+            kept = keep_work(self.folder / pupil.folder, shown, data, base)
+        with self.lock:
+            pupil.work, pupil.revision = kept.name, kept.revision
+            pupil.kept = self.last_kept = self.clock()
+            pupil.version += 1
+        if fresh != kept.name:
+            self.log.say(f"{pupil.record.name} handed in {kept.name}")
+        return kept
+
+    def works(self, pupil: Pupil) -> list[Work]:
+        """What the pupil handed in, the newest first."""
+        return works(self.folder / pupil.folder)
+
+    def read_work(self, pupil: Pupil, name: str) -> tuple[bytes, str]:
+        """One of them, and its revision.
+
+        Raises:
+            FileError: there is none of that name.
+        """
+        return read_work(self.folder / pupil.folder, name)
+
+    def read_handed(self, pupil: Pupil) -> bytes:
+        """The mission that was handed out to the pupil last.
+
+        Raises:
+            FileError: there is none.
+        """
+        return read_work(self.folder / HANDED_OUT, f"{pupil.record.handed_file}.krt")[0]
+
+
+def digest(key: str) -> str:
+    """What is kept of a key."""
+    return hashlib.sha256(key.encode(errors="replace")).hexdigest()

@@ -1,0 +1,64 @@
+"""`kitrobot class [FOLDER]`: a class whose pupils join from their browsers."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Annotated, Protocol
+
+import typer
+
+from kitrobot.cli.studio import StudioError
+from kitrobot.text import Sentence
+
+
+@dataclass(frozen=True)
+class ClassWish:
+    """How a class is to be opened; `tls` is a certificate and its key, None for plain HTTP."""
+
+    folder: Path
+    host: str
+    port: int | None
+    tls: tuple[Path, Path] | None
+    browser: bool
+    new_code: bool
+
+
+class Classroom(Protocol):
+    """Opens a class and comes back when it is closed."""
+
+    def __call__(self, wish: ClassWish, /) -> None: ...
+
+
+def open_class(
+    context: typer.Context,
+    folder: Annotated[
+        Path, typer.Argument(metavar="FOLDER", help="The folder of the class; made where there is none.")
+    ] = Path("Class"),
+    host: Annotated[
+        str, typer.Option(help="The address of this machine to listen on; pupils at other machines need it.")
+    ] = "127.0.0.1",
+    port: Annotated[
+        int | None,
+        typer.Option(min=0, max=65535, help="The port to listen on; 0 is any free one.", show_default="8765 or near"),
+    ] = None,
+    tls: Annotated[
+        tuple[Path, Path] | None,
+        typer.Option(metavar="CERT KEY", help="Encrypt, with this certificate and its key (PEM).", show_default=False),
+    ] = None,
+    browser: Annotated[bool, typer.Option(help="Open the teacher's page in the browser.")] = True,
+    new_code: Annotated[bool, typer.Option("--new-code", help="Another code than the one it had.")] = False,
+) -> None:
+    """Open a class: pupils join with a code, the teacher sees what each one does. Ctrl-C ends it.
+
+    The first line of the output is the address of the teacher's page. What pupils make is in the folder, a folder for
+    each of them.
+    """
+    if folder.exists() and not folder.is_dir():
+        raise StudioError(Sentence("`{path}` is no folder", folder), Sentence("name a folder for the class"))
+    classroom: Classroom | None = context.obj
+    if classroom is None:
+        raise StudioError(
+            Sentence("this command line was started without a studio"), Sentence("start it with `python -m kitrobot`")
+        )
+    classroom(ClassWish(folder, host, port, tls, browser, new_code))

@@ -1,0 +1,202 @@
+"""Who may talk to a class: an ASGI shell around the class, the teacher's studio and the studios of pupils.
+
+- `Host` must be a number, or a name of this machine: a foreign name that was bent to it is refused. `Origin`, when a
+  browser sends one, must be that host.
+- The teacher's key counts on the teacher's machine only: from elsewhere it is no key.
+- A pupil's key leads to that pupil and nowhere else: it is looked up, and what lies behind is told who it is.
+- Without a key one can load the page, see the name of the class and come in (`entrance` limits guessing).
+- Each pupil, and each address without a key, may ask so much in a second.
+
+What lies behind has a token of its own, which this door puts in the place of the key; so nothing that a page sends can
+name another pupil's studio. `Guard` around each of them bounds bodies and dresses answers.
+"""
+
+from __future__ import annotations
+
+import hmac
+import ipaddress
+import secrets
+import socket
+import time
+from collections import OrderedDict
+from collections.abc import Callable
+from typing import Any, Final
+from urllib.parse import parse_qs
+
+from starlette.datastructures import Headers
+from starlette.types import ASGIApp, Message, Receive, Scope, Send
+
+from kitrobot.classroom import Allowance, ClassRoom, Pupil
+from kitrobot.server.class_studios import PupilStudios
+from kitrobot.server.security import TOKEN_HEADER, dress, refuse
+from kitrobot.text import Sentence
+
+A_SECOND: Final = 40.0
+AT_ONCE: Final = 300.0
+"""Requests of one pupil: loading the page takes some sixty."""
+STRANGERS_A_SECOND: Final = 20.0
+STRANGERS_AT_ONCE: Final = 200.0
+MOST_KNOWN: Final = 2000
+TEACHER_PATH: Final = "/api/class/teacher"
+_ASK = Sentence("ask your teacher")
+
+
+class ClassDoor:
+    """The shell. `behind` is the class, which takes `token`; `studio` the teacher's studio, which takes `key`, as the
+    teacher's page does.
+    """
+
+    def __init__(
+        self,
+        room: ClassRoom,
+        behind: ASGIApp,
+        token: str,
+        studio: ASGIApp,
+        key: str,
+        studios: PupilStudios,
+        clock: Callable[[], float] = time.monotonic,
+    ) -> None:
+        self._room = room
+        self._behind = behind
+        self._token = token
+        self._studio = studio
+        self._key = key
+        self._studios = studios
+        self._clock = clock
+        self._names = _names_of_this_machine()
+        self._allowances: OrderedDict[str, Allowance] = OrderedDict()
+
+    async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
+        if scope["type"] not in ("http", "websocket"):
+            await self._behind(scope, receive, send)
+            return
+        headers, path = Headers(scope=scope), scope["path"]
+        client = scope["client"][0] if scope.get("client") else ""
+        if not self._host_is_ours(headers) or not _origin_is_ours(headers, scope["scheme"]):
+            await _no(scope, receive, send, 403, Sentence("this request comes from another page"), _ASK)
+            return
+        key = _key_of(scope, headers)
+        is_api = path == "/api" or path.startswith("/api/")
+        teacher = bool(key) and _here(scope) and hmac.compare_digest(self._key.encode(), key.encode())
+        pupil = None if teacher or not is_api else self._room.pupil_of(key)
+        if is_api and not teacher and not self._may(pupil, client):
+            await _no(scope, receive, send, 429, Sentence("that was too much at once"), Sentence("wait a moment"))
+        elif teacher and is_api and not _below(path, "/api/class"):
+            await self._studio(_led(scope, key, {}, keep_client=True), receive, send)
+        elif _below(path, TEACHER_PATH) and not teacher:
+            await _no(scope, receive, send, 403, Sentence("this is for the teacher"), _ASK)
+        elif not is_api or _below(path, "/api/class"):
+            await self._behind(_led(scope, self._token, {"class_pupil": pupil}, keep_client=True), receive, send)
+        elif pupil is None:
+            await _no(scope, receive, send, 403, _NOT_IN, _JOIN)
+        else:
+            await self._to_studio(pupil, scope, receive, send)
+
+    async def _to_studio(self, pupil: Pupil, scope: Scope, receive: Receive, send: Send) -> None:
+        studio = self._studios.of(pupil.folder)
+        if self._studios.refuses(scope["path"]):
+            await _no(scope, receive, send, 403, Sentence("a class does not do this"), _NOT_HERE)
+        elif scope["type"] == "http" and self._studios.is_full(studio, scope["method"], scope["path"]):
+            await _no(scope, receive, send, 413, Sentence("your folder in the class is full"), _ASK)
+        else:
+            # Without an address: ports and processes of this machine are for those who sit at it.
+            await studio.app(_led(scope, studio.token, {}, keep_client=False), receive, send)
+
+    def _may(self, pupil: Pupil | None, client: str) -> bool:
+        who = f"pupil {pupil.folder}" if pupil is not None else f"address {client}"
+        known = self._allowances.get(who)
+        if known is None:
+            rate = (A_SECOND, AT_ONCE) if pupil is not None else (STRANGERS_A_SECOND, STRANGERS_AT_ONCE)
+            known = self._allowances[who] = Allowance(*rate)
+        self._allowances.move_to_end(who)
+        while len(self._allowances) > MOST_KNOWN:
+            self._allowances.popitem(last=False)
+        return known.take(self._clock())
+
+    def _host_is_ours(self, headers: Headers) -> bool:
+        host = headers.get("host", "").lower()
+        name, _, port = host.rpartition(":") if not host.endswith("]") and ":" in host else (host, "", "")
+        if port and not port.isdecimal():
+            return False
+        try:
+            ipaddress.ip_address(name.strip("[]"))
+        except ValueError:
+            return name in self._names
+        return True
+
+
+_NOT_IN, _JOIN = Sentence("you are not in this class"), Sentence("join it with the code")
+_NOT_HERE = Sentence("use a KitRobot of your own for it")
+
+
+def _names_of_this_machine() -> frozenset[str]:
+    name = socket.gethostname().lower()
+    return frozenset(("localhost", name, f"{name.split('.')[0]}.local") if name else ("localhost",))
+
+
+def _origin_is_ours(headers: Headers, scheme: str) -> bool:
+    origin = headers.get("origin")
+    secure = "https" if scheme in ("https", "wss") else "http"
+    return origin is None or origin.lower() == f"{secure}://{headers.get('host', '').lower()}"
+
+
+def _here(scope: Scope) -> bool:
+    """Whether the request comes from this very machine, by whichever of its addresses."""
+    client, server = scope.get("client"), scope.get("server")
+    try:
+        address = ipaddress.ip_address(client[0] if client else "")
+    except ValueError:
+        return False
+    return address.is_loopback or bool(server and client and client[0] == server[0])
+
+
+def _below(path: str, place: str) -> bool:
+    return path == place or path.startswith(f"{place}/")
+
+
+def _key_of(scope: Scope, headers: Headers) -> str:
+    """The key that came along; of several there is none."""
+    try:
+        query = parse_qs(scope.get("query_string", b"").decode("latin-1"), max_num_fields=100)
+    except ValueError:
+        return ""
+    given = [*query.get("token", []), *headers.getlist(TOKEN_HEADER)]
+    return given[0] if len(set(given)) == 1 else ""
+
+
+_OURS: Final = (b"host", b"origin", b"cookie", TOKEN_HEADER.encode(), b"x-forwarded-for", b"forwarded")
+
+
+def _led(scope: Scope, token: str, state: dict[str, Any], keep_client: bool) -> Scope:
+    """The request as what lies behind the door gets it: with its own token, from this machine, and who asks."""
+    headers = [(name, value) for name, value in scope["headers"] if name.lower() not in _OURS]
+    headers += [(b"host", b"127.0.0.1"), (TOKEN_HEADER.encode(), token.encode())]
+    query = b"&".join(
+        part for part in scope.get("query_string", b"").split(b"&") if part.partition(b"=")[0] != b"token"
+    )
+    return {
+        **scope,
+        "headers": headers,
+        "query_string": query,
+        "state": {**scope.get("state", {}), **state},
+        "client": scope.get("client") if keep_client else None,
+    }
+
+
+async def _no(scope: Scope, receive: Receive, send: Send, status: int, message: Sentence, help: Sentence) -> None:
+    if scope["type"] == "websocket":
+        await receive()
+        await send({"type": "websocket.close", "code": 1008, "reason": "not allowed"})
+        return
+
+    async def dressed(answer: Message) -> None:
+        if answer["type"] == "http.response.start":
+            dress(answer, scope)
+        await send(answer)
+
+    await refuse(scope, dressed, status, message, help)
+
+
+def new_key() -> str:
+    """A secret of one process."""
+    return secrets.token_urlsafe(24)

@@ -1,0 +1,58 @@
+"""What the pictures on the cards of a class are drawn from: of each pupil the program that was handed in last.
+
+Made when work comes in, or from the file when the class was started anew. Safe to use from many threads.
+"""
+
+from __future__ import annotations
+
+import threading
+
+from kitrobot.classroom import ClassRoom, Pupil
+from kitrobot.diagnostics import KitRobotError
+from kitrobot.mission import read_mission
+from kitrobot.server.shapes.classroom import ClassPictureShape
+from kitrobot.server.shapes.mission import MissionShape, mission_shape
+
+MOST_VERTICES = 500
+"""Of a program that is drawn; nobody could tell a larger one's parts apart on a card."""
+
+
+class Pictures:
+    """The pictures of one class."""
+
+    def __init__(self, room: ClassRoom) -> None:
+        self._room = room
+        self._kept: dict[str, bytes] = {}
+        self._lock = threading.Lock()
+        for pupil in room.pupils.values():
+            if pupil.work:
+                pupil.version = 1
+
+    def take(self, pupil: Pupil, mission: MissionShape) -> None:
+        """That was handed in."""
+        with self._lock:
+            self._kept[pupil.folder] = _picture(pupil.version, mission)
+
+    def of(self, pupil: Pupil) -> bytes | None:
+        """The picture as JSON; None where there is nothing to draw."""
+        with self._lock:
+            kept = self._kept.get(pupil.folder)
+        if kept is None and pupil.work:
+            try:
+                data, _ = self._room.read_work(pupil, pupil.work)
+                mission = read_mission(data, pupil.work)[0]
+            except KitRobotError:
+                return None
+            if mission is not None:
+                self.take(pupil, mission_shape(mission))
+            with self._lock:
+                kept = self._kept.get(pupil.folder)
+        return kept or None
+
+
+def _picture(version: int, mission: MissionShape) -> bytes:
+    runs = {agent.program for agent in mission.agents}
+    program = next((one for one in mission.programs if one.name in runs), next(iter(mission.programs), None))
+    if program is None or len(program.vertices) > MOST_VERTICES:
+        return b""
+    return ClassPictureShape(version=version, program=program).model_dump_json().encode()

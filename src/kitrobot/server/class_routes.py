@@ -1,0 +1,131 @@
+"""The requests of pupils to their class: coming in, handing in, getting what was handed out.
+
+Who asks is known by then: the door (`class_door`) has looked at the key and put the pupil into the request's state.
+"""
+
+from __future__ import annotations
+
+from typing import Annotated
+
+from fastapi import Depends, Query, Request, Response
+from starlette.requests import HTTPConnection
+
+from kitrobot.classroom import ClassRoom, Entrance, NotLetInError, Pupil, TakenNameError
+from kitrobot.mission import write_mission
+from kitrobot.server.class_pictures import Pictures
+from kitrobot.server.routing import api_router
+from kitrobot.server.shapes.classroom import (
+    ClassAnsweredShape,
+    ClassAskedShape,
+    ClassAskShape,
+    ClassShape,
+    ClassWorkShape,
+    HandedInShape,
+    HandInShape,
+    JoinedShape,
+    JoinShape,
+)
+from kitrobot.server.shapes.mission import mission_from_shape
+from kitrobot.text import Sentence
+
+class_routes = api_router("/api/class")
+
+
+def room_of(connection: HTTPConnection) -> ClassRoom:
+    """The class that a request or a socket came to."""
+    room = connection.app.state.room
+    assert isinstance(room, ClassRoom)
+    return room
+
+
+def pupil_of(connection: HTTPConnection) -> Pupil:
+    """Who asks.
+
+    Raises:
+        NotLetInError: no pupil does.
+    """
+    pupil = connection.scope.get("state", {}).get("class_pupil")
+    if not isinstance(pupil, Pupil):
+        raise NotLetInError(Sentence("you are not in this class"), Sentence("join it with the code"))
+    return pupil
+
+
+def _entrance(request: Request) -> Entrance:
+    entrance = request.app.state.entrance
+    assert isinstance(entrance, Entrance)
+    return entrance
+
+
+def _pictures(request: Request) -> Pictures:
+    pictures = request.app.state.pictures
+    assert isinstance(pictures, Pictures)
+    return pictures
+
+
+def _from(request: Request) -> str:
+    return request.client.host if request.client is not None else ""
+
+
+ThisRoom = Annotated[ClassRoom, Depends(room_of)]
+ThisPupil = Annotated[Pupil, Depends(pupil_of)]
+Door = Annotated[Entrance, Depends(_entrance)]
+From = Annotated[str, Depends(_from)]
+Name = Annotated[str, Query(max_length=1000)]
+
+
+@class_routes.get("")
+def class_(room: ThisRoom) -> ClassShape:
+    """What anybody may know of the class."""
+    return ClassShape(name=room.record.name, joining=room.record.code != "")
+
+
+@class_routes.post("/join")
+def join(entrance: Door, who: From, wanted: JoinShape) -> JoinedShape:
+    """Lets a pupil in."""
+    try:
+        pupil, key = entrance.join(wanted.code, wanted.name, wanted.word, who)
+    except TakenNameError:
+        return JoinedShape(state="taken")
+    return JoinedShape(state="in", key=key, name=pupil.record.name, word=pupil.record.word)
+
+
+@class_routes.post("/ask")
+def ask(entrance: Door, who: From, wanted: ClassAskShape) -> ClassAskedShape:
+    """Asks the teacher to let somebody in as a pupil that there is."""
+    return ClassAskedShape(asked=entrance.ask(wanted.code, wanted.name, who))
+
+
+@class_routes.post("/asked")
+def asked(entrance: Door, wanted: ClassAskedShape) -> ClassAnsweredShape:
+    """What the teacher said to that."""
+    yes, _, key = entrance.answered(wanted.asked)
+    if yes is None:
+        return ClassAnsweredShape(state="waiting")
+    return ClassAnsweredShape(state="in" if yes and key else "no", key=key)
+
+
+@class_routes.put("/work")
+def hand_in(room: ThisRoom, pupil: ThisPupil, request: Request, wanted: HandInShape) -> HandedInShape:
+    """Keeps a mission; once this is answered it is on the disk."""
+    kept = room.hand_in(pupil, wanted.name, write_mission(mission_from_shape(wanted.mission)), wanted.base)
+    _pictures(request).take(pupil, wanted.mission)
+    return HandedInShape(name=kept.name, revision=kept.revision)
+
+
+@class_routes.get("/work")
+def work(room: ThisRoom, pupil: ThisPupil) -> list[ClassWorkShape]:
+    """What was handed in, the newest first."""
+    return [ClassWorkShape(name=one.name, bytes=one.bytes, modified=one.modified) for one in room.works(pupil)]
+
+
+@class_routes.get("/work/file", response_class=Response)
+def work_file(room: ThisRoom, pupil: ThisPupil, name: Name) -> Response:
+    """One of them as it is on the disk; its revision is the ETag."""
+    data, revision = room.read_work(pupil, name)
+    return Response(data, media_type="application/octet-stream", headers={"etag": f'"{revision}"'})
+
+
+@class_routes.get("/handed", response_class=Response)
+def handed(room: ThisRoom, pupil: ThisPupil) -> Response:
+    """The mission that was handed out last."""
+    return Response(room.read_handed(pupil), media_type="application/octet-stream")

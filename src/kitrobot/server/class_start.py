@@ -1,0 +1,202 @@
+"""Starting a class: where it listens, who can reach that, the code and its picture in the terminal, and a clean end."""
+
+from __future__ import annotations
+
+import io
+import ipaddress
+import socket
+import ssl
+import sys
+import threading
+import webbrowser
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING, Final
+
+from kitrobot.classroom import ClassRoom, Desk
+from kitrobot.server.presence import Presence
+from kitrobot.server.start import ServerError, has_screen, listen
+from kitrobot.text import Sentence
+from kitrobot.translation import said
+
+if TYPE_CHECKING:
+    from kitrobot.server.class_overview import Reach
+
+USUAL_FOLDER: Final = "Class"
+
+
+@dataclass(frozen=True)
+class ClassOpening:
+    """How a class is to be opened: `tls` is a certificate and its key; `new_code` instead of the one it had."""
+
+    folder: Path
+    host: str = "127.0.0.1"
+    port: int | None = None
+    tls: tuple[Path, Path] | None = None
+    browser: bool = True
+    new_code: bool = False
+
+
+def serve_class(opening: ClassOpening) -> None:
+    """Serves a class until Ctrl-C.
+
+    Raises:
+        ServerError: it cannot listen there, or the certificate cannot be used.
+        ClassError: the class of the folder runs already.
+        FileError: the folder cannot be used.
+    """
+    address = _address(opening.host)
+    tls = _tls(opening.tls)
+    room = ClassRoom(opening.folder)
+    try:
+        if opening.new_code or not room.record.code:
+            Desk(room).set_code(True)
+        _serve(room, address, opening, tls)
+    finally:
+        room.close()
+
+
+def _serve(room: ClassRoom, address: str, opening: ClassOpening, tls: tuple[Path, Path] | None) -> None:
+    first = listen(address, opening.port)
+    number = first.getsockname()[1]
+    listening = [first]
+    if not _is_loopback(address) and not _is_any(address):
+        # The teacher's page is for this machine; it is at the number that all machines have for themselves.
+        listening.append(listen("127.0.0.1", number))
+    # Only now: where it cannot listen, nobody waits for the web server to load.
+    from kitrobot.server.class_app import create_class_app
+    from kitrobot.server.class_door import new_key
+    from kitrobot.server.class_overview import Reach
+    from kitrobot.server.serving import run_server
+
+    scheme = "http" if tls is None else "https"
+    shown = _own_address() if _is_any(address) else address
+    pupils = f"{scheme}://{_name(shown)}:{number}/"
+    home = f"{scheme}://{'127.0.0.1' if tls is None else _name(shown)}:{number}/"
+    key = new_key()
+    reach = Reach(pupils, tuple(qr_rows(pupils)), _who(address, tls is not None))
+    made = create_class_app(room, key, reach)
+    teacher = f"{home}teacher?token={key}"
+
+    def ready() -> None:
+        print(teacher, flush=True)
+        for line in _welcome(room, reach):
+            print(line, file=sys.stderr, flush=True)
+        if opening.browser and has_screen():
+            threading.Thread(target=_show, args=(room.folder, teacher), daemon=True).start()
+
+    try:
+        run_server(made.app, listening, ready, tls)
+    finally:
+        made.close()
+        for one in listening:
+            one.close()
+
+
+def _welcome(room: ClassRoom, reach: Reach) -> list[str]:
+    code = room.record.code
+    return [
+        said(Sentence("The page for the teacher is at the address above; keep it to yourself.")),
+        "",
+        qr_text(reach.address) if sys.stderr.isatty() else "",
+        said(Sentence("Pupils open {address}", reach.address)),
+        said(Sentence("and type the code {code}", f"{code[:3]} {code[3:]}")),
+        "",
+        said(reach.sentence),
+        said(Sentence("The work of the class is in the folder {folder}. Ctrl-C ends the class.", room.folder)),
+    ]
+
+
+def qr_rows(text: str) -> list[str]:
+    """A QR code: rows of 0 and 1, without the quiet zone."""
+    import segno
+
+    return ["".join("1" if module else "0" for module in row) for row in segno.make(text, micro=False).matrix]
+
+
+def qr_text(text: str) -> str:
+    """The same for a terminal."""
+    import segno
+
+    out = io.StringIO()
+    segno.make(text, micro=False).terminal(out, compact=True)
+    return out.getvalue()
+
+
+def _who(address: str, secure: bool) -> Sentence:
+    """Who can reach the class."""
+    if _is_loopback(address):
+        return Sentence(
+            "Only this machine can reach the class; for pupils at others start it with `--host {address}`.",
+            _own_address(),
+        )
+    if secure:
+        return Sentence("Everybody in the network of this machine can reach the class; who has the code comes in.")
+    return Sentence(
+        "Everybody in the network of this machine can reach the class; who has the code comes in. What is sent can be"
+        " read in that network: `--tls` prevents it."
+    )
+
+
+def _address(host: str) -> str:
+    """The address to bind to.
+
+    Raises:
+        ServerError: it is no number.
+    """
+    address = "127.0.0.1" if host == "localhost" else host.strip("[]")
+    try:
+        return str(ipaddress.ip_address(address))
+    except ValueError:
+        raise ServerError(
+            Sentence("`{host}` is no address of this machine", host),
+            Sentence("give its number in the network: perhaps {address}", _own_address()),
+        ) from None
+
+
+def _is_loopback(address: str) -> bool:
+    return ipaddress.ip_address(address).is_loopback
+
+
+def _is_any(address: str) -> bool:
+    return ipaddress.ip_address(address).is_unspecified
+
+
+def _own_address() -> str:
+    """What others in the network know this machine by, as far as it can tell; nothing is sent for it."""
+    with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as asked:
+        try:
+            asked.connect(("192.0.2.1", 9))
+            return str(asked.getsockname()[0])
+        except OSError:
+            return "127.0.0.1"
+
+
+def _name(host: str) -> str:
+    return f"[{host}]" if ":" in host else host
+
+
+def _tls(given: tuple[Path, Path] | None) -> tuple[Path, Path] | None:
+    """The certificate and its key, tried.
+
+    Raises:
+        ServerError: they cannot be used.
+    """
+    if given is None:
+        return None
+    try:
+        ssl.SSLContext(ssl.PROTOCOL_TLS_SERVER).load_cert_chain(*given)
+    except (OSError, ValueError) as error:  # an SSLError is an OSError
+        reason = getattr(error, "strerror", None) or str(error)
+        raise ServerError(
+            Sentence("the certificate `{path}` and its key cannot be used: {reason}", given[0], reason),
+            Sentence("both are files in PEM; the key has no password"),
+        ) from None
+    return given
+
+
+def _show(folder: Path, address: str) -> None:
+    """Opens the browser, without the key in its command line: other users of this machine can read that."""
+    page = Presence(folder).page_to(address)
+    if page is not None:
+        webbrowser.open(page.as_uri())

@@ -1,0 +1,187 @@
+"""The requests of the teacher's page: everything that is done with all pupils or with one.
+
+The door lets nobody but the teacher come as far as here.
+"""
+
+from __future__ import annotations
+
+from typing import Annotated
+
+from fastapi import Depends, Query, Request, Response
+
+from kitrobot.classroom import ClassError, Desk, Entrance, Pupil
+from kitrobot.files import EXAMPLE, carried_mission
+from kitrobot.server.class_collecting import Collected, collect, table
+from kitrobot.server.class_grading import Grading
+from kitrobot.server.class_pictures import Pictures
+from kitrobot.server.class_routes import ThisRoom, room_of
+from kitrobot.server.routing import api_router
+from kitrobot.server.shapes.classroom import (
+    ClassPictureShape,
+    TeacherAddShape,
+    TeacherAnswerShape,
+    TeacherCodeShape,
+    TeacherExerciseShape,
+    TeacherFreezeShape,
+    TeacherGradeShape,
+    TeacherHandedOutShape,
+    TeacherHandOutShape,
+    TeacherLogShape,
+    TeacherNoteShape,
+    TeacherPupilShape,
+)
+from kitrobot.server.studio import Studio
+from kitrobot.text import Sentence
+
+teacher_routes = api_router("/api/class/teacher")
+
+
+def _desk(request: Request) -> Desk:
+    return Desk(room_of(request))
+
+
+def _studio(request: Request) -> Studio:
+    studio = request.app.state.studio
+    assert isinstance(studio, Studio)
+    return studio
+
+
+def _grading(request: Request) -> Grading:
+    grading = request.app.state.grading
+    assert isinstance(grading, Grading)
+    return grading
+
+
+ThisDesk = Annotated[Desk, Depends(_desk)]
+TheStudio = Annotated[Studio, Depends(_studio)]
+TheGrading = Annotated[Grading, Depends(_grading)]
+Folder = Annotated[str, Query(max_length=300)]
+Folders = Annotated[list[str] | None, Query(max_length=1000)]
+
+
+def _one(room: ThisRoom, folder: str) -> Pupil:
+    """A pupil.
+
+    Raises:
+        ClassError: there is none of that folder.
+    """
+    pupil = room.pupils.get(folder)
+    if pupil is None:
+        raise ClassError(Sentence("this pupil is not in the class any more"), "")
+    return pupil
+
+
+@teacher_routes.get("/picture", responses={200: {"model": ClassPictureShape}})
+def picture(room: ThisRoom, request: Request, folder: Folder) -> Response:
+    """What a card's picture is drawn from; 204 where there is nothing to draw."""
+    pictures = request.app.state.pictures
+    assert isinstance(pictures, Pictures)
+    found = pictures.of(_one(room, folder))
+    return Response(status_code=204) if found is None else Response(found, media_type="application/json")
+
+
+@teacher_routes.post("/code")
+def code(desk: ThisDesk, wanted: TeacherCodeShape) -> bool:
+    """A new code, or none: then nobody can join."""
+    desk.set_code(wanted.on)
+    return wanted.on
+
+
+@teacher_routes.post("/freeze")
+def freeze(desk: ThisDesk, wanted: TeacherFreezeShape) -> bool:
+    """Everybody is to look up, or goes on."""
+    desk.set_frozen(wanted.on)
+    return wanted.on
+
+
+@teacher_routes.post("/exercise")
+def exercise(desk: ThisDesk, studio: TheStudio, wanted: TeacherExerciseShape) -> bool:
+    """Chooses the exercise of the class."""
+    if wanted.exercise:
+        studio.exercises.usable(wanted.exercise)
+        if not wanted.exercise.startswith(EXAMPLE):
+            raise ClassError(
+                Sentence("the pages of pupils do not have this exercise"),
+                Sentence("choose one that comes with KitRobot, or hand the mission out"),
+            )
+    desk.set_exercise(wanted.exercise)
+    return True
+
+
+@teacher_routes.post("/hand-out")
+def hand_out(desk: ThisDesk, studio: TheStudio, wanted: TeacherHandOutShape) -> TeacherHandedOutShape:
+    """Gives a mission of the folder or of the examples to pupils; what cannot be opened is not handed out."""
+    data, _ = studio.folder.read(wanted.path)
+    data, name = carried_mission(data, wanted.path)
+    opened = studio.read(data, name, wanted.path)
+    if not opened.mission.programs:
+        raise ClassError(Sentence("there is no program in `{name}`", name), "")
+    name, pupils = desk.hand_out(name, data, wanted.to)
+    return TeacherHandedOutShape(name=name, pupils=pupils)
+
+
+@teacher_routes.post("/note")
+def note(desk: ThisDesk, room: ThisRoom, wanted: TeacherNoteShape) -> bool:
+    """Writes a few words to one pupil."""
+    desk.write_to(_one(room, wanted.folder), wanted.text)
+    return True
+
+
+@teacher_routes.post("/hand-down")
+def hand_down(room: ThisRoom, wanted: TeacherPupilShape) -> bool:
+    """The teacher was there."""
+    room.put_hand(_one(room, wanted.folder), up=False)
+    return True
+
+
+@teacher_routes.post("/add")
+def add(desk: ThisDesk, wanted: TeacherAddShape) -> TeacherPupilShape:
+    """A pupil who comes later, with the word."""
+    return TeacherPupilShape(folder=desk.add(wanted.name).folder)
+
+
+@teacher_routes.post("/remove")
+def remove(desk: ThisDesk, room: ThisRoom, wanted: TeacherPupilShape) -> bool:
+    """Nobody comes in as this pupil any more; the folder stays."""
+    desk.remove(_one(room, wanted.folder))
+    return True
+
+
+@teacher_routes.post("/answer")
+def answer(request: Request, wanted: TeacherAnswerShape) -> bool:
+    """Lets somebody in who asks for it, or does not."""
+    entrance = request.app.state.entrance
+    assert isinstance(entrance, Entrance)
+    entrance.answer(wanted.asked, wanted.yes)
+    return wanted.yes
+
+
+@teacher_routes.get("/log")
+def log(room: ThisRoom) -> TeacherLogShape:
+    """What happened in this process."""
+    return TeacherLogShape(lines=room.log.last())
+
+
+@teacher_routes.get("/collect", response_class=Response)
+def collected(room: ThisRoom, studio: TheStudio, folder: Folders = None) -> Response:
+    """Everything that those pupils, or all, handed in, and a table of it: a ZIP file."""
+    made: Collected = collect(room, studio, folder)
+    return Response(made.data, media_type="application/zip", headers={"x-kitrobot-files": str(made.files)})
+
+
+@teacher_routes.get("/table", response_class=Response)
+def class_table(room: ThisRoom, studio: TheStudio) -> Response:
+    """The table alone, for a spreadsheet."""
+    return Response(table(room, studio, None).encode(), media_type="text/csv; charset=utf-8")
+
+
+@teacher_routes.post("/grade")
+def grade(grading: TheGrading, wanted: TeacherGradeShape) -> int:
+    """Begins to grade what was handed in last, with the exercise of the class; gives how many."""
+    return grading.begin(wanted.folders)
+
+
+@teacher_routes.get("/grades", response_class=Response)
+def grades(grading: TheGrading) -> Response:
+    """The page that grading wrote last."""
+    return Response(grading.page(), media_type="text/html; charset=utf-8")

@@ -1,0 +1,182 @@
+"""A folder with the whole studio in it, for any web server that only hands out files: Python runs in the page.
+
+The folder holds the built page, Pyodide (CPython for WebAssembly), and the Python packages that the studio needs as one
+archive. The same sources make the same bytes. What this machine cannot bring along by itself, Pyodide and the one wheel
+that is compiled for it, is looked for in the folders `parts`.
+
+Left to others: the Python packages (`site_packages`), running in a page (`server.in_page`), the page's side of it.
+"""
+
+from __future__ import annotations
+
+import gzip
+import hashlib
+import io
+import json
+import re
+import zipfile
+from collections.abc import Iterable
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Final
+
+from kitrobot.diagnostics import KitRobotError
+from kitrobot.text import Sentence
+from kitrobot.workspace.site_packages import archive_of_packages
+
+PYODIDE: Final = "314.0.7"
+"""The version of Pyodide; its Python and its ABI are those of the wheel."""
+PYTHON: Final = "3.14"
+WHEEL_TAGS: Final = "cp314-cp314-pyemscripten_2026_0_wasm32"
+
+PACKED: Final = ".packed"
+"""The ending of files that the worker unpacks: gzip, under a name that no web server has a rule for."""
+
+_PACKAGE = Path(__file__).resolve().parent.parent
+PAGE: Final = _PACKAGE / "server" / "static"
+"""The built page."""
+_FILES = Path(__file__).parent / "site_files"
+_RUNTIME = {"pyodide.mjs": False, "pyodide.asm.mjs": False, "pyodide.asm.wasm": True, "python_stdlib.zip": True}
+"""What Pyodide consists of, and whether it is packed."""
+
+POLICY: Final = (
+    "default-src 'self'; script-src 'self'; style-src 'self' 'unsafe-inline'; img-src 'self' data: blob:; "
+    "font-src 'self'; connect-src 'self'; object-src 'none'; base-uri 'none'; form-action 'none'"
+)
+"""As the server's; what a page cannot say of itself (who may frame it) is left out."""
+
+
+class SiteError(KitRobotError):
+    """The site cannot be made."""
+
+
+@dataclass(frozen=True)
+class Site:
+    """A site that was made: how many files, how many bytes they are, and how many of them Python is."""
+
+    files: int
+    size: int
+    python: int
+
+
+def make_site(folder: Path, parts: Iterable[Path], page: Path = PAGE) -> Site:
+    """Writes the site into a folder that is new or empty.
+
+    Raises:
+        SiteError: there is something in it, or a part of the site is not there.
+        OSError: it cannot be written.
+    """
+    _expect_empty(folder)
+    index = page / "index.html"
+    if not index.is_file():
+        message = Sentence("the studio's page has not been built")
+        raise SiteError(message, Sentence("run `python tools/page.py build`, then this command again"))
+    places = list(parts)
+    pyodide, wheel = _pyodide_in(places), _wheel_in(places)
+    files = {f"pyodide/{name}": data for name, data in _runtime(pyodide)}
+    files[f"python{PACKED}"] = gzip.compress(archive_of_packages(wheel), 9, mtime=0)
+    python = {name: len(data) for name, data in files.items()}
+    for path in sorted(page.rglob("*")):
+        if path.is_file() and path.suffix not in (".br", ".gz") and not path.name.startswith("."):
+            files[path.relative_to(page).as_posix()] = path.read_bytes()
+    files["index.html"] = _index(index.read_text(encoding="utf-8"))
+    told = {
+        "pyodide": "pyodide/",
+        "packages": "python",
+        "place": f"/lib/python{PYTHON}/site-packages",
+        "files": python,
+    }
+    files["site.json"] = json.dumps(told, indent=1, sort_keys=True).encode()
+    files["service-worker.js"] = _service_worker(files)
+    for name, data in files.items():
+        path = folder / name
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_bytes(data)
+    return Site(len(files), sum(map(len, files.values())), sum(python.values()))
+
+
+def _expect_empty(folder: Path) -> None:
+    if folder.is_dir():
+        if next(folder.iterdir(), None) is None:
+            return
+        message = Sentence("there is something in the folder `{folder}` already", str(folder))
+        raise SiteError(message, Sentence("name a folder that is new or empty"))
+    if folder.exists():
+        raise SiteError(Sentence("`{folder}` is a file, not a folder", str(folder)), Sentence("name another one"))
+
+
+def _index(text: str) -> bytes:
+    """The page that says where its studio is, and what it may fetch."""
+    policy = f'<meta http-equiv="Content-Security-Policy" content="{POLICY}" />'
+    head = text.replace("<html ", '<html data-place="page" ', 1)
+    found = re.sub(r'(<meta charset="[^"]*" />)', lambda one: f"{one[0]}\n    {policy}", head, count=1)
+    assert found.count(policy) == found.count('data-place="page"') == 1, "index.html has another form"
+    return found.encode()
+
+
+def _service_worker(files: dict[str, bytes]) -> bytes:
+    digest = hashlib.sha256()
+    for name, data in sorted(files.items()):
+        digest.update(f"{name}\0{len(data)}\0".encode() + hashlib.sha256(data).digest())
+    text = (_FILES / "service-worker.js").read_text(encoding="utf-8")
+    names = ", ".join(json.dumps(name) for name in sorted(files))
+    digest.update(text.encode())
+    return text.replace("@VERSION@", digest.hexdigest()[:20]).replace('"@FILES@"', names).encode()
+
+
+def _pyodide_in(places: Iterable[Path]) -> Path:
+    found = ""
+    for place in places:
+        for folder in (place, place / "pyodide", place / "node_modules" / "pyodide"):
+            try:
+                version = json.loads((folder / "package.json").read_bytes())
+            except (OSError, ValueError):
+                continue
+            if not isinstance(version, dict) or version.get("name") != "pyodide":
+                continue
+            found = str(version.get("version"))
+            if found == PYODIDE and all((folder / name).is_file() for name in _RUNTIME):
+                return folder
+    help = Sentence(
+        "get it with `npm install --prefix PARTS pyodide@{version}`, and name that folder: `--parts PARTS`", PYODIDE
+    )
+    if found:
+        raise SiteError(Sentence("Pyodide {found} is here, and {wanted} is needed", found, PYODIDE), help)
+    raise SiteError(Sentence("Pyodide is not here: the Python that runs in a page"), help)
+
+
+def _wheel_in(places: Iterable[Path]) -> Path:
+    from importlib.metadata import version
+
+    wanted = f"pydantic_core-{version('pydantic_core')}-{WHEEL_TAGS}.whl"
+    found = next((place / wanted for place in places if (place / wanted).is_file()), None)
+    if found is None:
+        _, abi, platform = WHEEL_TAGS.split("-")
+        message = Sentence("the wheel `{wheel}` is not here, which was compiled for Pyodide", wanted)
+        command = (
+            f"pip download --no-deps --only-binary :all: --implementation cp --python-version {PYTHON} --abi {abi}"
+            f" --platform {platform} --dest PARTS pydantic_core=={version('pydantic_core')}"
+        )
+        help = Sentence("get it with `{command}`, and name that folder: `--parts PARTS`", command)
+        raise SiteError(message, help)
+    return found
+
+
+def _runtime(folder: Path) -> Iterable[tuple[str, bytes]]:
+    for name, packed in _RUNTIME.items():
+        data = (folder / name).read_bytes()
+        if name.endswith(".zip"):
+            data = _stored(data)
+        yield (name + PACKED, gzip.compress(data, 9, mtime=0)) if packed else (name, data)
+    lock = json.loads((folder / "pyodide-lock.json").read_bytes())
+    # Its packages are not here: nothing may be fetched from elsewhere.
+    yield "pyodide-lock.json", json.dumps({**lock, "packages": {}}, sort_keys=True).encode()
+
+
+def _stored(data: bytes) -> bytes:
+    """A zip archive whose files are not compressed one by one: all together they get smaller."""
+    made = io.BytesIO()
+    with zipfile.ZipFile(io.BytesIO(data)) as old, zipfile.ZipFile(made, "w", zipfile.ZIP_STORED) as new:
+        for name in sorted(old.namelist()):
+            new.writestr(zipfile.ZipInfo(name), old.read(name))
+    return made.getvalue()

@@ -1,0 +1,366 @@
+"""A class without HTTP: who comes in, what is kept, what outlives a kill."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+import kitrobot.classroom.room as room_module
+import kitrobot.classroom.work as work_module
+from kitrobot.classroom import (
+    ClassError,
+    ClassRoom,
+    Desk,
+    Entrance,
+    Goal,
+    NotLetInError,
+    QuotaError,
+    Report,
+    TakenNameError,
+    read_record,
+    state_of,
+)
+from kitrobot.diagnostics import KitRobotError
+from kitrobot.files import FileError
+
+
+class Clock:
+    def __init__(self) -> None:
+        self.now = 1000.0
+
+    def __call__(self) -> float:
+        return self.now
+
+
+@pytest.fixture
+def clock():
+    return Clock()
+
+
+@pytest.fixture
+def room(tmp_path: Path, clock: Clock):
+    room = ClassRoom(tmp_path / "Class 5b", clock)
+    yield room
+    room.close()
+
+
+@pytest.fixture
+def entrance(room: ClassRoom):
+    return Entrance(room)
+
+
+def join(room: ClassRoom, entrance: Entrance, name: str = "Ada"):
+    return entrance.join(room.record.code, name, "", "10.0.0.5")
+
+
+@pytest.mark.parametrize(
+    ("name", "folder"),
+    [
+        ("Ada", "Ada"),
+        ("  Ada   Lovelace ", "Ada Lovelace"),
+        ("فاطمہ", "فاطمہ"),
+        ("José", "José"),
+        ("李小龙", "李小龙"),
+        ("../../etc/passwd", "-..-etc-passwd"),
+        ("C:\\Windows", "C--Windows"),
+        ("CON", "CON-"),
+        ("...a...", "a"),
+        ("~a", "a"),
+        ("\u202eada\u0000", "ada"),
+        ("Handed out", "Handed out 2"),
+        ("class.toml", "class.toml 2"),
+    ],
+)
+def test_a_name_in_any_script_gets_a_folder_that_leads_nowhere_else(room, entrance, name, folder):
+    pupil, _ = join(room, entrance, name)
+    assert pupil.folder == folder
+    assert (room.folder / folder).is_dir()
+    assert (room.folder / folder).resolve().parent == room.folder
+
+
+@pytest.mark.parametrize("name", ["", "   ", "...", "\u202e", "-/-", "x" * 41, "😀😀", "a" * 2000])
+def test_a_name_that_nobody_can_have_is_a_sentence(room, entrance, name):
+    with pytest.raises(KitRobotError, match="this name"):
+        join(room, entrance, name)
+    assert room.pupils == {}
+
+
+def test_a_key_leads_to_its_pupil_and_only_its_digest_is_kept(room, entrance):
+    pupil, key = join(room, entrance)
+    other, _ = join(room, entrance, "Ben")
+    assert room.pupil_of(key) is pupil is not other
+    assert room.pupil_of(key + "x") is None
+    assert room.pupil_of("") is None
+    assert room.pupil_of("x" * 10_000) is None
+    assert room.pupil_of("\ud800") is None
+    assert key not in (room.folder / "class.toml").read_text()
+
+
+def test_a_class_is_the_same_after_a_kill(tmp_path, clock):
+    folder = tmp_path / "Class 5b"
+    first = ClassRoom(folder, clock)
+    pupil, key = join(first, Entrance(first), 'Ada "\\ \x7f؟ K.')
+    kept = first.hand_in(pupil, "square.krt", b"<kitrobot/>", "")
+    Desk(first).set_exercise("example:exercises/03-square.exercise.xml")
+    Desk(first).set_frozen(True)
+    # As a kill leaves it: nothing is closed, the lock alone is gone.
+    first.close()
+    again = ClassRoom(folder, clock)
+    found = again.pupil_of(key)
+    assert found is not None
+    assert (found.record.name, found.record.word) == (pupil.record.name, pupil.record.word)
+    assert (found.work, found.revision) == (kept.name, kept.revision)
+    assert again.record == first.record
+    again.close()
+
+
+def test_one_folder_is_one_class_at_a_time(room):
+    with pytest.raises(ClassError, match="runs already"):
+        ClassRoom(room.folder)
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "name = 3",
+        "[[pupil]]\nname = 'a'\nfolder = '../a'",
+        "[[pupil]]\nname = 'a'\nfolder = 'a'\n[[pupil]]\nname = 'A'\nfolder = 'b'",
+        "pupil = 3",
+        "\x00",
+        "[" * 100_000,
+        "[[pupil]]\nname = 'a'\nfolder = 'a'\nhanded_file = '../../x'",
+    ],
+)
+def test_a_class_file_that_makes_no_sense_is_a_sentence(tmp_path, text):
+    (tmp_path / "class.toml").write_text(text)
+    with pytest.raises(FileError, match=r"class\.toml") as raised:
+        ClassRoom(tmp_path)
+    assert "mend it" in raised.value.help
+    assert (tmp_path / "class.toml").read_text() == text
+
+
+def test_a_class_file_cut_off_before_its_first_line_is_a_new_class(tmp_path):
+    (tmp_path / "class.toml").write_text("")
+    assert read_record(tmp_path) is None
+
+
+def test_wrong_codes_are_counted_until_nobody_may_guess(room, entrance, clock):
+    wrong = "AAAAAA"
+    for _ in range(10):
+        with pytest.raises(NotLetInError, match="not the code"):
+            entrance.join(wrong, "Eve", "", "10.0.0.9")
+    with pytest.raises(NotLetInError, match="too many"):
+        entrance.join(room.record.code, "Eve", "", "10.0.0.9")
+    # Others are let in, and after a while who guessed is, too.
+    join(room, entrance)
+    clock.now += 60
+    entrance.join(room.record.code, "Eve", "", "10.0.0.9")
+
+
+def test_guesses_from_many_addresses_are_counted_together(room, entrance):
+    for at in range(120):
+        with pytest.raises(NotLetInError):
+            entrance.join("AAAAAA", "Eve", "", f"10.0.1.{at}")
+    with pytest.raises(NotLetInError, match="too many"):
+        entrance.join(room.record.code, "Eve", "", "10.0.2.1")
+
+
+def test_a_code_is_typed_in_any_case_with_spaces(room, entrance):
+    code = room.record.code
+    assert entrance.join(f" {code[:3].lower()} - {code[3:]}", "Ada", "", "x")[0].record.name == "Ada"
+
+
+def test_a_revoked_code_lets_nobody_in_and_who_is_in_stays(room, entrance):
+    code = room.record.code
+    pupil, key = join(room, entrance)
+    Desk(room).set_code(False)
+    for given in (code, ""):
+        with pytest.raises(NotLetInError, match="nobody can join"):
+            entrance.join(given, "Ben", "", "x")
+    assert room.pupil_of(key) is pupil
+    Desk(room).set_code(True)
+    assert room.record.code not in ("", code)
+
+
+def test_a_pupil_comes_back_with_the_word_and_with_no_other(room, entrance):
+    pupil, key = join(room, entrance)
+    with pytest.raises(TakenNameError):
+        entrance.join(room.record.code, "ADA", "", "x")
+    with pytest.raises(NotLetInError, match="not the word"):
+        entrance.join(room.record.code, "Ada", "WRONGS", "x")
+    again, other = entrance.join(room.record.code, "ada", pupil.record.word.lower(), "x")
+    assert again is pupil
+    assert other != key
+    assert room.pupil_of(key) is room.pupil_of(other) is pupil
+
+
+def test_a_pupil_comes_back_with_the_teachers_yes_and_the_answer_is_given_once(room, entrance, clock):
+    pupil, _ = join(room, entrance)
+    asked = entrance.ask(room.record.code, "Ada", "x")
+    assert entrance.asking() == {asked: "Ada"}
+    assert entrance.answered(asked) == (None, None, "")
+    entrance.answer(asked, True)
+    entrance.answer(asked, False)
+    yes, who, key = entrance.answered(asked)
+    assert yes
+    assert who is pupil
+    assert room.pupil_of(key) is pupil
+    with pytest.raises(NotLetInError):
+        entrance.answered(asked)
+    no = entrance.ask(room.record.code, "Ada", "x")
+    entrance.answer(no, False)
+    assert entrance.answered(no) == (False, pupil, "")
+    late = entrance.ask(room.record.code, "Ada", "x")
+    clock.now += 3600
+    assert late not in entrance.asking()
+    with pytest.raises(ClassError, match="no `Eve`"):
+        entrance.ask(room.record.code, "Eve", "x")
+
+
+def test_a_removed_pupil_is_out_and_the_work_stays(room, entrance):
+    pupil, key = join(room, entrance)
+    room.hand_in(pupil, "a", b"1", "")
+    Desk(room).remove(pupil)
+    assert room.pupil_of(key) is None
+    assert (room.folder / "Ada" / "a.krt").read_bytes() == b"1"
+    again, _ = join(room, entrance)
+    assert again.folder == "Ada 2"
+
+
+def test_a_class_takes_so_many_pupils_and_not_one_more(room, entrance, monkeypatch):
+    monkeypatch.setattr(room_module, "MOST_PUPILS", 3)
+    for at in range(3):
+        join(room, entrance, f"Pupil {at}")
+    with pytest.raises(ClassError, match="3 pupils already"):
+        join(room, entrance, "One more")
+
+
+def test_work_goes_on_where_it_was_and_never_over_another(room, entrance):
+    pupil, _ = join(room, entrance)
+    first = room.hand_in(pupil, "Square.krt", b"1", "")
+    second = room.hand_in(pupil, first.name, b"2", first.revision)
+    assert first.name == second.name == "Square.krt"
+    anew = room.hand_in(pupil, "square", b"the exercise begun again", "")
+    assert anew.name == "square 2.krt"
+    assert room.read_work(pupil, "Square.krt")[0] == b"2"
+    # The same bytes once more are the same file: an answer that was lost makes no second one.
+    assert room.hand_in(pupil, "square.krt", b"2", "").name == "Square.krt"
+    assert {one.name for one in room.works(pupil)} == {"Square.krt", "square 2.krt"}
+
+
+@pytest.mark.parametrize(
+    "name", ["../../x", "/etc/passwd", "..", "", "a/b/../../c", "a\\..\\b", "x\0y", ".", "CON", "~x"]
+)
+def test_work_stays_in_the_folder_of_its_pupil(room, entrance, name):
+    pupil, _ = join(room, entrance)
+    kept = room.hand_in(pupil, name, b"1", "")
+    assert [path.name for path in (room.folder / "Ada").iterdir()] == [kept.name]
+    assert kept.name.endswith(".krt")
+
+
+@pytest.mark.parametrize("name", ["../Ben/secret.krt", "../class.toml", "/etc/passwd", "a\0", "", "nothing.krt", "."])
+def test_only_a_pupils_own_files_are_read(room, entrance, name):
+    pupil, _ = join(room, entrance)
+    ben, _ = join(room, entrance, "Ben")
+    room.hand_in(ben, "secret", b"1", "")
+    with pytest.raises(FileError):
+        room.read_work(pupil, name)
+
+
+def test_a_folder_takes_so_many_files_and_bytes(room, entrance, monkeypatch):
+    monkeypatch.setattr(work_module, "MOST_FILES", 2)
+    monkeypatch.setattr(work_module, "MOST_BYTES", 100)
+    monkeypatch.setattr(work_module, "LARGEST_BYTES", 80)
+    pupil, _ = join(room, entrance)
+    a = room.hand_in(pupil, "a", b"x" * 80, "")
+    with pytest.raises(QuotaError, match="larger"):
+        room.hand_in(pupil, "b", b"x" * 81, "")
+    with pytest.raises(QuotaError, match="MB already"):
+        room.hand_in(pupil, "b", b"x" * 21, "")
+    room.hand_in(pupil, "b", b"x" * 20, "")
+    room.hand_in(pupil, "a", b"y" * 80, a.revision)
+    with pytest.raises(QuotaError, match="2 files already"):
+        room.hand_in(pupil, "c", b"", "")
+
+
+def test_the_state_of_a_pupil(room, entrance, clock):
+    pupil, _ = join(room, entrance)
+    exercise = "x"
+
+    def state():
+        return state_of(pupil, exercise, 2, clock.now)
+
+    assert state() == ("away", None)
+    room.comes(pupil)
+    assert state() == ("editing", None)
+    clock.now += 239
+    assert state() == ("editing", None)
+    clock.now += 1
+    assert state() == ("stuck", 240)
+    room.take(pupil, Report(edits=1))
+    assert state() == ("editing", None)
+    room.take(pupil, Report(running=True, edits=1, runs=1))
+    assert state() == ("running", None)
+    goals = (Goal(True), Goal(True))
+    room.take(pupil, Report(edits=1, runs=1, exercise="x", goals=goals))
+    clock.now += 1000
+    assert state() == ("done", None)
+    room.take(pupil, Report(edits=1, runs=1, exercise="another", goals=goals))
+    assert state() == ("stuck", 1000)
+    room.put_hand(pupil, up=True)
+    clock.now += 30
+    assert state() == ("asks", 30)
+    room.put_hand(pupil, up=False)
+    room.goes(pupil)
+    clock.now += 60
+    assert state() == ("away", 60)
+
+
+def test_what_pupils_are_told_is_told_when_it_changes(room, entrance):
+    pupil, _ = join(room, entrance)
+    desk = Desk(room)
+    heard: list[int] = []
+    end = room.hear(lambda: heard.append(1))
+    name, count = desk.hand_out("My mission.krt", b"<kitrobot/>")
+    assert (name, count) == ("My mission", 1)
+    assert room.told(pupil).handed.number == 1
+    assert room.read_handed(pupil) == b"<kitrobot/>"
+    desk.write_to(pupil, "look\nat the loop " + "x" * 1000)
+    assert room.told(pupil).note[0] == 1
+    assert len(room.told(pupil).note[1]) == 500
+    desk.look_on(pupil)
+    desk.set_frozen(True)
+    told = room.told(pupil)
+    assert told.looked
+    assert told.frozen
+    assert len(heard) == 4
+    end()
+    desk.set_frozen(False)
+    assert len(heard) == 4
+
+
+def test_a_mission_is_handed_out_to_some(room, entrance):
+    ada, _ = join(room, entrance)
+    ben, _ = join(room, entrance, "Ben")
+    assert Desk(room).hand_out("x", b"1", ["Ben"]) == ("x", 1)
+    assert (room.told(ada).handed.number, room.told(ben).handed.number) == (0, 1)
+    with pytest.raises(FileError):
+        room.read_handed(ada)
+
+
+def test_the_log_says_who_came_and_what_was_refused(room, entrance):
+    pupil, _ = join(room, entrance)
+    room.comes(pupil)
+    room.hand_in(pupil, "a", b"1", "")
+    room.hand_in(pupil, "a", b"1", "")
+    with pytest.raises(NotLetInError):
+        entrance.join("AAAAAA", "Eve", "", "10.0.0.9")
+    lines = [line[21:] for line in (room.folder / "log.txt").read_text().splitlines()]
+    assert lines == [
+        "Ada joined",
+        "Ada is here",
+        "Ada handed in a.krt",
+        "that is not the code of this class (from 10.0.0.9)",
+    ]
+    assert room.log.last()[0].endswith("(from 10.0.0.9)")

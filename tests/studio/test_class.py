@@ -1,0 +1,193 @@
+"""A class in the browser: a pupil joins, works and is seen; a kill in the middle loses nothing."""
+
+from __future__ import annotations
+
+import os
+import re
+import subprocess
+import sys
+import tomllib
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+from playwright.sync_api import Browser, Page, expect
+
+from tests.patience import STATE_MS
+from tests.studio.conftest import HEIGHT, WIDTH
+
+pytestmark = pytest.mark.browser
+
+SQUARE = "example:exercises/03-square.exercise.xml"
+
+
+class Class:
+    """The process of a class on a folder, started again at the same port after a kill."""
+
+    def __init__(self, browser: Browser, folder: Path, state: Path) -> None:
+        self._browser = browser
+        self.folder = folder
+        self._state = state
+        self._port = "0"
+        self.faults: list[str] = []
+        self.pages: list[Page] = []
+        self.start()
+
+    def start(self) -> None:
+        command = [sys.executable, "-m", "kitrobot", "class", str(self.folder), "--no-browser", "--port", self._port]
+        environment = {**os.environ, "KITROBOT_STATE": str(self._state)}
+        self.process = subprocess.Popen(
+            command, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True, env=environment
+        )
+        assert self.process.stdout is not None
+        self.teacher = self.process.stdout.readline().strip()
+        found = re.match(r"http://127\.0\.0\.1:(\d+)/", self.teacher)
+        assert found is not None
+        self.address, self._port = found.group(0), found.group(1)
+
+    @property
+    def code(self) -> str:
+        return str(tomllib.loads((self.folder / "class.toml").read_text())["code"])
+
+    def kill(self) -> None:
+        """Ends it as a power cut would."""
+        self.process.kill()
+        self.process.wait(10)
+        assert self.process.stdout is not None
+        self.process.stdout.close()
+
+    def page(self, address: str, language: str = "en") -> Page:
+        """A page of a browser that was never here."""
+        context = self._browser.new_context(
+            viewport={"width": WIDTH, "height": HEIGHT}, reduced_motion="reduce", locale=language
+        )
+        context.set_default_timeout(STATE_MS)
+        page = context.new_page()
+        page.on("pageerror", lambda error: self.faults.append(str(error)))
+        page.goto(address)
+        self.pages.append(page)
+        return page
+
+    def join(self, name: str, language: str = "en") -> Page:
+        """A pupil's page, with the studio open."""
+        page = self.page(self.address, language)
+        page.get_by_test_id("join-code").fill(self.code.lower())
+        page.get_by_test_id("join-name").fill(name)
+        page.get_by_test_id("join-go").click()
+        expect(page.get_by_test_id("class-hand")).to_be_visible()
+        return page
+
+    def close(self) -> None:
+        for page in self.pages:
+            page.context.close()
+        self.kill()
+
+
+@pytest.fixture
+def school(browser: Browser, tmp_path: Path) -> Iterator[Class]:
+    made = Class(browser, tmp_path / "Class 5b", tmp_path / "state")
+    yield made
+    made.close()
+    assert made.faults == [], "the page reported errors of its own"
+
+
+def add_part(page: Page, words: str) -> None:
+    """Puts a part into the program with the keyboard."""
+    expect(page.locator(".studio")).to_have_attribute("aria-busy", "false")
+    page.get_by_test_id("canvas").click()
+    page.keyboard.press("/")
+    page.keyboard.type(words)
+    page.keyboard.press("Enter")
+
+
+def expect_kept(page: Page, how: str = "yes") -> None:
+    expect(page.get_by_test_id("class-kept")).to_have_attribute("data-kept", how)
+
+
+def test_a_pupil_joins_works_and_is_seen_by_the_teacher(school: Class) -> None:
+    teacher = school.page(school.teacher)
+    expect(teacher.get_by_test_id("class-empty")).to_contain_text("Nobody is here yet")
+    expect(teacher.get_by_test_id("class-code")).to_have_text(f"{school.code[:3]} {school.code[3:]}")
+    # A wrong code is said, in the pupil's language.
+    pupil = school.page(school.address, "fr")
+    pupil.get_by_test_id("join-code").fill("AAAAAA")
+    pupil.get_by_test_id("join-name").fill("Zoé")
+    pupil.get_by_test_id("join-go").click()
+    expect(pupil.get_by_test_id("join-failure")).to_contain_text("Ce n'est pas le code de cette classe.")
+    pupil.get_by_test_id("join-code").fill(school.code)
+    pupil.get_by_test_id("join-go").click()
+    expect(pupil.get_by_test_id("class-hand")).to_be_visible()
+    card = teacher.get_by_test_id("card-Zoé")
+    expect(card).to_have_attribute("data-state", "editing")
+    # The exercise opens where nothing is unsaved, and what is made of it comes in without a word.
+    teacher.get_by_test_id("change-exercise").click()
+    teacher.locator(f"[data-path='{SQUARE}']").click()
+    expect(pupil.get_by_test_id("exercise")).to_be_visible()
+    add_part(pupil, "stop")
+    expect_kept(pupil)
+    assert (school.folder / "Zoé" / "03-square.krt").is_file()
+    expect(card.locator(".class-picture .picture-node")).to_have_count(1)
+    pupil.get_by_test_id("run-button").click()
+    expect(card.locator('.class-box[data-met="true"]').first).to_be_visible()
+    # The hand, looking on, a few words.
+    pupil.get_by_test_id("class-hand").click()
+    expect(card).to_have_attribute("data-state", "asks")
+    teacher.get_by_test_id("filter-help").click()
+    card.focus()
+    teacher.keyboard.press("Enter")
+    expect(teacher.get_by_test_id("look")).to_contain_text("03-square.krt")
+    expect(pupil.get_by_test_id("class-looked")).to_be_visible()
+    teacher.get_by_test_id("write").fill("Look at the turn")
+    teacher.get_by_test_id("write").press("Enter")
+    expect(pupil.get_by_test_id("class-note")).to_contain_text("Look at the turn")
+    teacher.get_by_test_id("look").get_by_role("button", name="I was there").click()
+    expect(pupil.get_by_test_id("class-hand")).to_have_attribute("aria-pressed", "false")
+    # Frozen: nothing can be typed, but STOP is there.
+    teacher.get_by_test_id("freeze").click()
+    expect(pupil.get_by_test_id("class-frozen")).to_be_visible()
+    expect(teacher.get_by_test_id("freeze")).to_have_attribute("aria-pressed", "true")
+    pupil.keyboard.press("Control+z")
+    assert pupil.locator(".middle").evaluate("(one) => one.inert")
+    pupil.get_by_test_id("team-stop").click()
+    teacher.get_by_test_id("freeze").click()
+    expect(pupil.get_by_test_id("class-frozen")).to_have_count(0)
+    assert not pupil.locator(".middle").evaluate("(one) => one.inert")
+    # A mission for all is offered where something is unsaved.
+    teacher.keyboard.press("Escape")
+    expect(teacher.get_by_test_id("look")).to_have_count(0)
+    teacher.get_by_test_id("filter-all").click()
+    teacher.get_by_test_id("send").click()
+    teacher.locator("[data-path='example:blink/blink.krt']").click()
+    expect(pupil.get_by_test_id("class-handed")).to_contain_text("blink")
+    with teacher.expect_download() as downloaded:
+        teacher.get_by_test_id("collect").click()
+    assert downloaded.value.suggested_filename == "Class 5b.zip"
+
+
+def test_a_kill_in_the_middle_loses_nothing_and_a_pupil_comes_back_from_another_computer(school: Class) -> None:
+    pupil = school.join("Ada", "ur")
+    # Where the class has no exercise a pupil begins with a new mission.
+    pupil.get_by_test_id("new-name").press("Escape")
+    add_part(pupil, "stop")
+    expect_kept(pupil)
+    school.kill()
+    expect_kept(pupil, "here")
+    # The page goes on; what is done meanwhile is handed in when the class is back.
+    pupil.get_by_test_id("canvas").click()
+    pupil.keyboard.press("Control+z")
+    expect_kept(pupil, "here")
+    school.start()
+    expect_kept(pupil)
+    (kept,) = (school.folder / "Ada").glob("*.krt")
+    assert "Stop" not in kept.read_text().replace('element="Stop"', "")
+    word = tomllib.loads((school.folder / "class.toml").read_text())["pupil"][0]["word"]
+    # Another browser: the name is taken, the word brings the pupil back to what was made.
+    other = school.page(school.address)
+    other.get_by_test_id("join-code").fill(school.code)
+    other.get_by_test_id("join-name").fill("ada")
+    other.get_by_test_id("join-go").click()
+    expect(other.get_by_test_id("join-taken")).to_be_visible()
+    other.get_by_test_id("join-word").fill(word)
+    other.get_by_test_id("join-go").click()
+    expect(other.get_by_test_id("class-hand")).to_be_visible()
+    expect(other.get_by_role("heading", level=1)).to_contain_text(kept.stem)

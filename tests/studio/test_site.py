@@ -1,0 +1,172 @@
+"""The static site from a plain file server, under a path: nothing but files is asked for, and Python runs in the page.
+
+One test, because a page with Python in it takes seconds to begin. Building the folder has tests of its own
+(`tests/workspace/test_site.py`), and so have what is said in each state and links (`web/src/site`).
+"""
+
+from __future__ import annotations
+
+import base64
+import re
+import threading
+import zlib
+from collections.abc import Iterator
+from functools import partial
+from http.server import SimpleHTTPRequestHandler, ThreadingHTTPServer
+from pathlib import Path
+
+import pytest
+from playwright.sync_api import Browser, BrowserContext, Page, expect
+
+from kitrobot.workspace.site import make_site
+from tests.patience import STATE_MS
+from tests.studio.conftest import HEIGHT, IS_OPEN, WIDTH, Studio
+from tools.site_parts import PARTS, ROOT
+
+pytestmark = [pytest.mark.browser, pytest.mark.site]
+
+PATH = "/school/kit/"
+
+
+BLINK = """<kitrobot version="1">
+  <program name="blink" robot="mini-robot">
+    <vertex id="start" element="Start"/>
+    <vertex id="v1" element="Wait"><set name="duration">17</set></vertex>
+    <vertex id="stop" element="Stop"/>
+    <arc from="start" to="v1"/>
+    <arc from="v1" to="stop"/>
+  </program>
+  <team>
+    <agent name="robot-1" program="blink"/>
+  </team>
+</kitrobot>
+"""
+
+
+def link(text: str, name: str) -> str:
+    """The part of a link behind its `#`, made without the page's own code."""
+    packer = zlib.compressobj(9, zlib.DEFLATED, -15)
+    packed = packer.compress(text.encode()) + packer.flush()
+    return f"mission={base64.urlsafe_b64encode(packed).decode().rstrip('=')}&name={name}"
+
+
+class Files(SimpleHTTPRequestHandler):
+    """A file server as Python brings it along: no header of ours, nothing compressed."""
+
+    def log_message(self, *_: object) -> None:
+        """Says nothing."""
+
+
+class FileServer:
+    """Hands out a folder under PATH."""
+
+    def __init__(self, root: Path) -> None:
+        self.folder = root / PATH.strip("/")
+        self._server = ThreadingHTTPServer(("127.0.0.1", 0), partial(Files, directory=str(root)))
+        self.address = f"http://127.0.0.1:{self._server.server_port}{PATH}"
+        self._thread = threading.Thread(target=self._server.serve_forever, daemon=True)
+        self._thread.start()
+
+    def end(self) -> None:
+        self._server.shutdown()
+        self._server.server_close()
+        self._thread.join()
+
+
+@pytest.fixture(scope="module")
+def site(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """The root of a file server with the site in it."""
+    root = tmp_path_factory.mktemp("web")
+    make_site(root / PATH.strip("/"), [ROOT / "web", PARTS])
+    return root
+
+
+@pytest.fixture
+def server(site: Path) -> Iterator[FileServer]:
+    server = FileServer(site)
+    yield server
+    server.end()
+
+
+@pytest.fixture
+def context(browser: Browser) -> Iterator[BrowserContext]:
+    context = browser.new_context(viewport={"width": WIDTH, "height": HEIGHT}, reduced_motion="reduce")
+    context.set_default_timeout(STATE_MS)
+    yield context
+    context.close()
+
+
+def opened(page: Page, address: str) -> Studio:
+    page.goto(address)
+    page.wait_for_function(IS_OPEN)
+    return Studio(page, Path(), [])
+
+
+def test_a_site_runs_keeps_what_is_saved_and_works_without_its_server(
+    server: FileServer, context: BrowserContext
+) -> None:
+    asked: list[str] = []
+    faults: list[str] = []
+    context.on("request", lambda request: asked.append(request.url))
+    context.on("weberror", lambda error: faults.append(str(error.error)))
+    context.on("console", lambda message: faults.append(message.text) if message.type == "error" else None)
+    page = context.new_page()
+    studio = opened(page, server.address)
+
+    # The example runs to its end.
+    studio.full_speed()
+    studio.at("run-button").click()
+    studio.wait_until_done()
+    expect(studio.at("arena-summary")).to_contain_text("12 of 12 delivered")
+
+    # An edit is saved under a name of its own, and is there after a reload.
+    studio.drop("Wait", "arc-start.next")
+    studio.expect_code("WAIT(10);")
+    page.keyboard.press("Control+s")
+    page.get_by_test_id("save-name").fill("mine")
+    page.get_by_test_id("save-name").press("Enter")
+    expect(studio.at("saved-state")).to_have_text("saved")
+    # Answered after the journal was told of the new name.
+    page.keyboard.press("Control+o")
+    expect(studio.at("open-dialog")).to_contain_text("mine")
+    page.keyboard.press("Escape")
+    page.reload()
+    page.wait_for_function(IS_OPEN)
+    studio.expect_code("WAIT(10);")
+    expect(page).to_have_title(re.compile("mine"))
+
+    # A second tab waits for the first, and goes on when that is closed.
+    page.evaluate("navigator.serviceWorker.ready.then(() => null)")
+    other = context.new_page()
+    other.goto(server.address)
+    expect(other.get_by_test_id("site")).to_contain_text("open in another tab")
+    page.close()
+    other.wait_for_function(IS_OPEN)
+    studio = Studio(other, Path(), [])
+
+    # A mission in a link is opened, a damaged one is told; where robots are looked for it is said why none are there.
+    other.evaluate("location.hash = 'mission=AAAA&name=x'")
+    expect(studio.at("banner")).to_contain_text("The mission in this link is damaged.")
+    other.evaluate("hash => location.hash = hash", link(BLINK, "linked"))
+    expect(other).to_have_title(re.compile("linked"))
+    studio.expect_code("WAIT(17);")
+    studio.at("run-on-robot").click()
+    expect(studio.at("robots-barred")).to_contain_text("This page cannot reach robots that are plugged in.")
+    studio.at("robots-close").click()
+
+    # A new version is offered, and comes when somebody wants it.
+    worker = server.folder / "service-worker.js"
+    worker.write_text(worker.read_text().replace('const VERSION = "', 'const VERSION = "newer-'))
+    other.evaluate("navigator.serviceWorker.ready.then((found) => found.update()).then(() => null)")
+    expect(studio.at("site")).to_contain_text("There is a new version")
+    with other.expect_navigation():
+        studio.at("site").get_by_role("button").click()
+    studio.expect_code("WAIT(17);")
+    assert "newer-" in other.evaluate("caches.keys().then((names) => names.join())")
+
+    # The server is gone: the page is still there, with what was saved.
+    server.end()
+    other.reload()
+    other.wait_for_function(IS_OPEN)
+    assert [address for address in asked if not address.startswith((server.address, "data:", "blob:"))] == []
+    assert faults == []

@@ -1,0 +1,172 @@
+"""Numbers as people read and type them: on vertices, in their fields, in the inspector, in the hover, in a run."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable
+
+import pytest
+from playwright.sync_api import Locator, expect
+
+from tests.studio.conftest import Studio
+
+pytestmark = pytest.mark.browser
+
+OpenStudio = Callable[..., Studio]
+BLINK = "blink/blink.krt"
+PROGRAM = "Motor.AbsoluteTurn(25, 50);\nWAIT(10);\nPen.Colour(3);\n<Captor.LessThan(20)>(Wheel.Stop(););\n"
+
+
+def vertex(studio: Studio, words: str) -> Locator:
+    return studio.page.locator(".vertex", has_text=words).first
+
+
+def written(studio: Studio, text: str) -> None:
+    """The program is this text, and the graph shows it."""
+    studio.edit_code()
+    studio.page.keyboard.press("Control+a")
+    studio.page.keyboard.insert_text(text)
+    expect(studio.at("code-state")).to_be_empty()
+    studio.at("canvas").focus()
+
+
+def opened(open_studio: OpenStudio) -> Studio:
+    studio = open_studio(BLINK, locale="en")
+    written(studio, PROGRAM)
+    expect(vertex(studio, "Turn by")).to_be_visible()
+    return studio
+
+
+def test_a_value_is_shown_with_its_unit_and_edited_where_it_stands(open_studio: OpenStudio) -> None:
+    studio = opened(open_studio)
+    keys = studio.page.keyboard
+    expect(vertex(studio, "Turn by")).to_contain_text("90°")
+    expect(vertex(studio, "Wait")).to_contain_text("1.0 s")
+    expect(vertex(studio, "Pen colour")).to_contain_text("blue")
+    expect(vertex(studio, "When")).to_contain_text("nearer than 20 cm")
+    # A digit is typed over the value of what is selected; the unit may be typed or not.
+    vertex(studio, "Turn by").locator(".vertex-name").click()
+    keys.type("180")
+    expect(studio.at("in-place")).to_be_visible()
+    keys.press("Enter")
+    expect(studio.at("in-place")).to_have_count(0)
+    expect(studio.at("canvas")).to_be_focused()
+    studio.expect_code("Motor.AbsoluteTurn(50, 50)")
+    # A double click opens the field of that value; Escape leaves it as it was.
+    vertex(studio, "Wait").locator(".box").dblclick()
+    field = studio.at("in-place").locator("[data-testid^=field-]")
+    expect(field).to_be_focused()
+    keys.type("2.5 s")
+    studio.expect_code("WAIT(25)")
+    keys.press("Escape")
+    studio.expect_code("WAIT(10)")
+    expect(studio.at("canvas")).to_be_focused()
+    # Out of range: a dashed border, one sentence, and Enter takes the nearest.
+    vertex(studio, "Turn by").locator(".box").first.dblclick()
+    keys.type("400")
+    expect(studio.at("in-place").get_by_role("alert")).to_have_text("At most 360°. Enter keeps 360°.")
+    expect(studio.at("in-place").locator(".field-number")).to_have_css("border-top-style", "dashed")
+    keys.press("Enter")
+    studio.expect_code("Motor.AbsoluteTurn(100, 50)")
+    # The number of a test is edited on its chip.
+    vertex(studio, "When").locator(".chip").dblclick()
+    keys.type("35")
+    keys.press("Enter")
+    studio.expect_code("Captor.LessThan(35)")
+
+
+def test_the_inspector_has_the_same_field_with_what_fits_and_the_name_of_lll(open_studio: OpenStudio) -> None:
+    studio = opened(open_studio)
+    keys = studio.page.keyboard
+    vertex(studio, "Turn by").click()
+    inspector = studio.at("inspector")
+    expect(inspector.locator("h2")).to_have_text("Turn by")
+    expect(inspector.locator(".inspector-element")).to_have_text("Motor.AbsoluteTurn")
+    expect(inspector).to_contain_text("a quarter turn")
+    dial = inspector.get_by_role("slider", name="angle")
+    expect(dial).to_have_attribute("aria-valuetext", "90°")
+    dial.focus()
+    keys.press("ArrowUp")
+    studio.expect_code("Motor.AbsoluteTurn(26, 50)")
+    keys.press("PageDown")
+    studio.expect_code("Motor.AbsoluteTurn(16, 50)")
+    keys.press("End")
+    studio.expect_code("Motor.AbsoluteTurn(100, 50)")
+    keys.press("Home")
+    studio.expect_code("Motor.AbsoluteTurn(0, 50)")
+    keys.press("Escape")
+    expect(studio.at("canvas")).to_be_focused()
+    studio.expect_code("Motor.AbsoluteTurn(25, 50)")
+    vertex(studio, "When").locator(".chip").click()
+    ruler = inspector.get_by_role("slider", name="distance")
+    expect(ruler).to_have_attribute("aria-valuetext", "20 cm")
+    ruler.focus()
+    keys.press("PageUp")
+    studio.expect_code("Captor.LessThan(30)")
+    vertex(studio, "Pen colour").click()
+    inspector.get_by_role("radio", name="orange").click()
+    studio.expect_code("Pen.Colour(4)")
+    expect(vertex(studio, "Pen colour")).to_contain_text("orange")
+    keys.press("ArrowRight")
+    studio.expect_code("Pen.Colour(5)")
+    # The hover over a number of the text says what it means and where it stands.
+    studio.at("code").locator(".lll-number", has_text="25").first.hover()
+    expect(studio.page.locator(".code-help")).to_contain_text("25 means 90°")
+    expect(studio.page.locator(".code-help")).to_contain_text("angle of “Turn by”")
+
+
+def test_chips_show_what_sensors_say_while_a_run_exists_and_can_be_switched(open_studio: OpenStudio) -> None:
+    studio = open_studio(BLINK, locale="en")
+    written(studio, "*([Captor.LessThan(20)](Light.LightOn(););[Light.IsRed()]();WAIT(1););\n")
+    near, ground = (studio.page.locator(".vertex", has_text=words) for words in ("nearer than", "Ground is red"))
+    expect(near).to_be_visible()
+    expect(studio.page.locator(".live-value")).to_have_count(0)
+    studio.at("run-button").click()
+    live = near.locator(".live-value")
+    expect(live).to_have_text(re.compile(r"now \d+ cm"))
+    expect(live).to_have_attribute("data-on", "false")
+    expect(ground.locator(".live-value")).to_have_text("now none")
+    studio.at("watch-button").click()
+    expect(studio.at("watch-Captor").get_by_role("textbox")).to_have_value(re.compile(r"\d+ cm"))
+    expect(studio.at("watch-Light").get_by_role("textbox")).to_have_value("none")
+    box = studio.at("watch-Captor").get_by_role("textbox")
+    box.click()
+    box.fill("12 cm")
+    studio.page.keyboard.press("Enter")
+    expect(live).to_have_text("now 12 cm")
+    expect(live).to_have_attribute("data-on", "true")
+    studio.at("menu-View").click()
+    studio.at("menu-view-live").click()
+    expect(studio.page.locator(".live-value")).to_have_count(0)
+
+
+def test_an_empty_body_shows_where_to_drop_and_what_follows_a_new_loop_goes_inside(open_studio: OpenStudio) -> None:
+    studio = open_studio(BLINK, locale="en")
+    written(studio, "")
+    keys = studio.page.keyboard
+    keys.press("/")
+    studio.at("add-find").fill("forever")
+    keys.press("Enter")
+    place = studio.page.locator("[data-testid^='place-']")
+    expect(place).to_contain_text("Drop here what repeats")
+    keys.press("/")
+    studio.at("add-find").fill("repeat")
+    keys.press("Enter")
+    studio.expect_code("*(")
+    studio.expect_code("10*(")
+    place = studio.page.locator("[data-testid^='place-']")
+    expect(place).to_have_count(1)
+    # The whole frame takes what is dropped.
+    frame = studio.page.locator(".frame-loop").last.bounding_box()
+    part = studio.at("part-Wait").bounding_box()
+    assert frame is not None
+    assert part is not None
+    mouse = studio.page.mouse
+    mouse.move(part["x"] + 30, part["y"] + 10)
+    mouse.down()
+    mouse.move(part["x"] + 60, part["y"] + 30, steps=3)
+    mouse.move(frame["x"] + frame["width"] - 16, frame["y"] + frame["height"] - 12, steps=8)
+    expect(place).to_have_class(re.compile("is-aimed"))
+    mouse.up()
+    studio.expect_code("WAIT(10)")
+    expect(place).to_have_count(0)

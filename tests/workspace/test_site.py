@@ -1,0 +1,81 @@
+"""The folder of a static site: the same bytes twice, and a sentence where a part of it is missing."""
+
+from __future__ import annotations
+
+import json
+import re
+from pathlib import Path
+
+import pytest
+
+from kitrobot.server.security import _CONTENT_POLICY
+from kitrobot.workspace.site import PAGE, POLICY, PYODIDE, SiteError, make_site
+from tools.site_parts import PARTS, ROOT
+
+
+def pyodide_of(version: str, folder: Path) -> Path:
+    """A folder that says it is Pyodide."""
+    package = folder / "node_modules" / "pyodide"
+    package.mkdir(parents=True)
+    (package / "package.json").write_text(json.dumps({"name": "pyodide", "version": version}))
+    return folder
+
+
+def refused(folder: Path, *parts: Path, page: Path = PAGE) -> SiteError:
+    with pytest.raises(SiteError) as found:
+        make_site(folder, parts, page)
+    return found.value
+
+
+def test_a_folder_with_something_in_it_and_a_file_are_left_alone(tmp_path: Path) -> None:
+    (tmp_path / "mine.txt").write_text("mine")
+    assert "something in the folder" in refused(tmp_path).message
+    assert "is a file" in refused(tmp_path / "mine.txt").message
+    assert [path.name for path in tmp_path.iterdir()] == ["mine.txt"]
+
+
+def test_without_the_built_page_it_says_how_to_build_it(tmp_path: Path) -> None:
+    assert "tools/page.py build" in refused(tmp_path / "site", page=tmp_path).help
+
+
+def test_without_pyodide_or_with_another_it_says_how_to_get_it(tmp_path: Path) -> None:
+    missing = refused(tmp_path / "site", tmp_path)
+    assert missing.message == "Pyodide is not here: the Python that runs in a page"
+    assert f"pyodide@{PYODIDE}" in missing.help
+    other = refused(tmp_path / "site", pyodide_of("0.1.0", tmp_path / "old"))
+    assert other.message == f"Pyodide 0.1.0 is here, and {PYODIDE} is needed"
+    assert not (tmp_path / "site").exists()
+
+
+@pytest.mark.site
+def test_without_the_wheel_it_says_how_to_get_it(tmp_path: Path) -> None:
+    missing = refused(tmp_path / "site", ROOT / "web")
+    assert "pydantic_core-" in missing.message
+    assert "pip download" in missing.help
+    assert "--platform pyemscripten" in missing.help
+
+
+def test_the_page_of_a_site_is_as_strict_as_that_of_the_server() -> None:
+    assert f"{POLICY}; frame-ancestors 'none'" == _CONTENT_POLICY
+
+
+@pytest.mark.site
+def test_the_same_sources_make_the_same_bytes_and_nothing_of_the_machine_is_in_them(tmp_path: Path) -> None:
+    parts = [ROOT / "web", PARTS]
+    one, other = tmp_path / "one", tmp_path / "deeper" / "other"
+    made = make_site(one, parts)
+    make_site(other, parts)
+    files = {path.relative_to(one).as_posix(): path.read_bytes() for path in one.rglob("*") if path.is_file()}
+    again = {path.relative_to(other).as_posix(): path.read_bytes() for path in other.rglob("*") if path.is_file()}
+    assert files == again
+    assert len(files) == made.files
+    assert sum(map(len, files.values())) == made.size
+    page = files["index.html"].decode()
+    assert POLICY in page
+    assert re.findall(r"(?:src|href)=\"(?!\./)[^\"]*\"", page) == [], "an address that depends on the place"
+    worker = files["service-worker.js"].decode()
+    assert "@" not in worker
+    listed = set(json.loads(re.search(r"FILES = (\[.*\]);", worker)[1]))  # type: ignore[index]
+    assert listed == files.keys() - {"service-worker.js"}
+    told = json.loads(files["site.json"])
+    assert {name: len(files[name]) for name in told["files"]} == told["files"]

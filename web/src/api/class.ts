@@ -1,0 +1,135 @@
+/**
+ * Requests to the class that this page belongs to: a server of its own, whichever Python answers what the page asks of its
+ * mission. A pupil's key, or the teacher's, comes along (`token.ts`).
+ */
+import { languageInUse, t } from "../i18n/words";
+import type { Mission } from "../model/types";
+import { ApiError } from "./client";
+import type * as server from "./generated";
+import { token } from "./token";
+
+interface Asked {
+  method?: "GET" | "POST" | "PUT";
+  json?: unknown;
+}
+
+async function answer(path: string, { method = "GET", json }: Asked = {}): Promise<Response> {
+  const headers: Record<string, string> = { "Accept-Language": languageInUse() };
+  if (token() !== "") headers["X-KitRobot-Token"] = token();
+  if (json !== undefined) headers["Content-Type"] = "application/json";
+  let response: Response;
+  try {
+    response = await fetch(`api/class${path}`, {
+      method,
+      headers,
+      body: json === undefined ? null : JSON.stringify(json),
+    });
+  } catch {
+    throw new ApiError(t("class.offline"), t("class.offline-help"));
+  }
+  if (response.ok) return response;
+  let said: { message?: unknown; help?: unknown } = {};
+  try {
+    said = (await response.json()) as typeof said;
+  } catch {
+    // Not our server's words.
+  }
+  const words = (value: unknown) => (typeof value === "string" ? value : "");
+  const message = words(said.message) || t("error.unexpected", { status: response.status });
+  throw new ApiError(message, words(said.help), response.status);
+}
+
+async function ask<T>(path: string, asked: Asked = {}): Promise<T> {
+  return (await (await answer(path, asked)).json()) as T;
+}
+
+async function bytes(path: string): Promise<{ bytes: ArrayBuffer; revision: string }> {
+  const response = await answer(path);
+  return { bytes: await response.arrayBuffer(), revision: (response.headers.get("etag") ?? "").replaceAll('"', "") };
+}
+
+const post = (json: unknown): Asked => ({ method: "POST", json });
+const chosen = (folders: readonly string[] | null) =>
+  folders === null ? "" : `?${folders.map((one) => `folder=${encodeURIComponent(one)}`).join("&")}`;
+
+export const classApi = {
+  about: () => ask<server.Class>(""),
+  join: (code: string, name: string, word: string) => ask<server.Joined>("/join", post({ code, name, word })),
+  ask: (code: string, name: string) => ask<server.ClassAsked>("/ask", post({ code, name })),
+  asked: (asked: string) => ask<server.ClassAnswered>("/asked", post({ asked })),
+
+  handIn: (name: string, base: string, mission: Mission) =>
+    ask<server.HandedIn>("/work", { method: "PUT", json: { name, base, mission } }),
+  works: () => ask<server.ClassWork[]>("/work"),
+  work: (name: string) => bytes(`/work/file?name=${encodeURIComponent(name)}`),
+  handed: () => bytes("/handed"),
+
+  picture: async (folder: string): Promise<server.ClassPicture | null> => {
+    const found = await answer(`/teacher/picture?folder=${encodeURIComponent(folder)}`);
+    return found.status === 204 ? null : ((await found.json()) as server.ClassPicture);
+  },
+  setCode: (on: boolean) => ask<boolean>("/teacher/code", post({ on })),
+  freeze: (on: boolean) => ask<boolean>("/teacher/freeze", post({ on })),
+  setExercise: (exercise: string) => ask<boolean>("/teacher/exercise", post({ exercise })),
+  handOut: (path: string, to: readonly string[] | null) =>
+    ask<server.TeacherHandedOut>("/teacher/hand-out", post({ path, to })),
+  write: (folder: string, text: string) => ask<boolean>("/teacher/note", post({ folder, text })),
+  handDown: (folder: string) => ask<boolean>("/teacher/hand-down", post({ folder })),
+  add: (name: string) => ask<server.TeacherPupil>("/teacher/add", post({ name })),
+  remove: (folder: string) => ask<boolean>("/teacher/remove", post({ folder })),
+  answer: (asked: string, yes: boolean) => ask<boolean>("/teacher/answer", post({ asked, yes })),
+  log: () => ask<server.TeacherLog>("/teacher/log"),
+  collect: (folders: readonly string[] | null) => bytes(`/teacher/collect${chosen(folders)}`),
+  table: () => bytes("/teacher/table"),
+  grade: (folders: readonly string[] | null) => ask<number>("/teacher/grade", post({ folders })),
+  grades: () => bytes("/teacher/grades"),
+};
+
+const AGAIN_MS = 2000;
+
+export interface ClassSocket<Said> {
+  say: (said: Said) => void;
+  close: () => void;
+}
+
+interface Hears<Heard> {
+  onMessage: (message: Heard) => void;
+  onOpen: () => void;
+  onLost: () => void;
+}
+
+/** A socket that is sought again until it is closed here. */
+export function openClassSocket<Said, Heard>(path: string, hears: Hears<Heard>): ClassSocket<Said> {
+  let socket: WebSocket | null = null;
+  let timer: ReturnType<typeof setTimeout> | undefined;
+  let over = false;
+  const open = () => {
+    const address = new URL(`api/class/${path}`, window.location.href);
+    address.protocol = address.protocol === "https:" ? "wss:" : "ws:";
+    address.search = `?language=${languageInUse()}&token=${encodeURIComponent(token())}`;
+    address.hash = "";
+    socket = new WebSocket(address);
+    socket.addEventListener("open", () => {
+      if (!over) hears.onOpen();
+    });
+    socket.addEventListener("message", ({ data }: MessageEvent<string>) => {
+      if (!over) hears.onMessage(JSON.parse(data) as Heard);
+    });
+    socket.addEventListener("close", () => {
+      if (over) return;
+      timer = setTimeout(open, AGAIN_MS);
+      hears.onLost();
+    });
+  };
+  open();
+  return {
+    say: (said) => {
+      if (socket?.readyState === WebSocket.OPEN) socket.send(JSON.stringify(said));
+    },
+    close: () => {
+      over = true;
+      clearTimeout(timer);
+      socket?.close();
+    },
+  };
+}

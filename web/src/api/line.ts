@@ -1,0 +1,23 @@
+/**
+ * What the page talks to its studio through: the network; in a static site it is the worker that Python runs in (`site`).
+ *
+ * Addresses are the same for both.
+ */
+export interface Line {
+  fetch: (address: string, asked: RequestInit) => Promise<Response>;
+  socket: (address: URL) => WebSocket;
+}
+
+let line: Line = {
+  fetch: (address, asked) => fetch(address, asked),
+  socket: (address) => new WebSocket(address),
+};
+
+export function talk(): Line {
+  return line;
+}
+
+/** Everything is said through that line from now on. */
+export function talkThrough(other: Line): void {
+  line = other;
+}

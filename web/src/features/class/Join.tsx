@@ -1,0 +1,195 @@
+/** Coming in: the code of the class and a name; a name that is there needs the word, or the teacher's yes. */
+import { type FormEvent, type ReactNode, useEffect, useRef, useState } from "react";
+
+import { classApi } from "../../api/class";
+import { ApiError } from "../../api/client";
+import { takeToken } from "../../api/token";
+import { Said } from "../../i18n/Said";
+import { t } from "../../i18n/words";
+import { Icon } from "../../theme";
+import "./class.css";
+
+const ASK_MS = 2000;
+
+function comeIn(key: string): void {
+  takeToken(key);
+  // The studio begins with nothing of who was here before.
+  window.location.reload();
+}
+
+function Field({ label, help, children }: { label: string; help?: string; children: ReactNode }) {
+  return (
+    <label className="join-field">
+      <span>{label}</span>
+      {children}
+      {help === undefined ? null : <small>{help}</small>}
+    </label>
+  );
+}
+
+export function Join() {
+  const [about, setAbout] = useState<{ name: string; joining: boolean } | null>(null);
+  const [code, setCode] = useState("");
+  const [name, setName] = useState("");
+  const [word, setWord] = useState("");
+  /** The name that is taken. */
+  const [taken, setTaken] = useState("");
+  const [asked, setAsked] = useState("");
+  const [failure, setFailure] = useState<{ message: string; help: string } | null>(null);
+  const [busy, setBusy] = useState(false);
+  const nameField = useRef<HTMLInputElement>(null);
+
+  const fail = (cause: unknown) => {
+    const help = cause instanceof ApiError ? cause.help : "";
+    setFailure({ message: cause instanceof Error ? cause.message : String(cause), help });
+  };
+  useEffect(() => {
+    const look = () => {
+      classApi.about().then(
+        (found) => {
+          setAbout(found);
+          setFailure((before) => (before?.message === t("class.offline") ? null : before));
+        },
+        (cause: unknown) => fail(cause),
+      );
+    };
+    look();
+    const timer = setInterval(look, 5 * ASK_MS);
+    return () => clearInterval(timer);
+  }, []);
+  useEffect(() => {
+    if (asked === "") return;
+    const timer = setInterval(() => {
+      classApi.asked(asked).then(
+        (said) => {
+          if (said.state === "waiting") return;
+          setAsked("");
+          if (said.state === "in" && said.key) comeIn(said.key);
+          else setFailure({ message: t("class.said-no"), help: "" });
+        },
+        (cause: unknown) => {
+          if (!(cause instanceof ApiError) || cause.status !== 0) setAsked("");
+          fail(cause);
+        },
+      );
+    }, ASK_MS);
+    return () => clearInterval(timer);
+  }, [asked]);
+
+  const join = (event: FormEvent) => {
+    event.preventDefault();
+    setBusy(true);
+    setFailure(null);
+    classApi
+      .join(code, name, taken === "" ? "" : word)
+      .then((said) => {
+        if (said.state === "in" && said.key) comeIn(said.key);
+        else setTaken(name.trim());
+      }, fail)
+      .finally(() => setBusy(false));
+  };
+  const askTeacher = () => {
+    setFailure(null);
+    classApi.ask(code, name).then((said) => setAsked(said.asked), fail);
+  };
+  const again = () => {
+    setTaken("");
+    setWord("");
+    setAsked("");
+    nameField.current?.focus();
+  };
+
+  return (
+    <main className="join" aria-label={t("class.join-title", { name: about?.name ?? "" })}>
+      <form className="join-card" onSubmit={join} data-testid="join">
+        <h1 dir="auto">{t("class.join-title", { name: about?.name ?? "…" })}</h1>
+        {about?.joining === false ? <p>{t("class.no-joining")}</p> : null}
+        <Field label={t("class.code")} help={t("class.code-help")}>
+          <input
+            className="field join-code"
+            data-testid="join-code"
+            value={code}
+            onChange={(event) => setCode(event.target.value.toUpperCase())}
+            autoCapitalize="characters"
+            autoComplete="off"
+            spellCheck={false}
+            maxLength={12}
+            dir="ltr"
+            required
+            autoFocus
+          />
+        </Field>
+        <Field label={t("class.your-name")}>
+          <input
+            className="field"
+            data-testid="join-name"
+            ref={nameField}
+            value={name}
+            onChange={(event) => {
+              setName(event.target.value);
+              setTaken("");
+            }}
+            autoComplete="off"
+            spellCheck={false}
+            maxLength={60}
+            dir="auto"
+            required
+          />
+        </Field>
+        {taken === "" ? null : (
+          <div className="join-taken" data-testid="join-taken">
+            <p role="status">
+              <strong>{t("class.taken", { name: taken })}</strong> {t("class.taken-help", { name: taken })}
+            </p>
+            <Field label={t("class.word")}>
+              <input
+                className="field join-code"
+                data-testid="join-word"
+                value={word}
+                onChange={(event) => setWord(event.target.value.toUpperCase())}
+                autoComplete="off"
+                spellCheck={false}
+                maxLength={12}
+                dir="ltr"
+                autoFocus
+              />
+            </Field>
+          </div>
+        )}
+        <p className="join-failure" role="alert" data-testid="join-failure">
+          {failure === null ? null : (
+            <>
+              <Said text={failure.message} /> <Said text={failure.help} />
+            </>
+          )}
+        </p>
+        {asked === "" ? null : (
+          <p role="status" className="join-asking">
+            <Icon name="hourglass" size={18} /> {t("class.asking")}
+          </p>
+        )}
+        <div className="join-foot">
+          <button type="submit" className="button button-ink" disabled={busy} data-testid="join-go">
+            {t(taken === "" ? "class.join" : "class.come-back")}
+          </button>
+          {taken === "" ? null : (
+            <>
+              <button
+                type="button"
+                className="button"
+                onClick={askTeacher}
+                disabled={asked !== ""}
+                data-testid="join-ask"
+              >
+                {t("class.ask-teacher")}
+              </button>
+              <button type="button" className="button" onClick={again}>
+                {t("class.other-name")}
+              </button>
+            </>
+          )}
+        </div>
+      </form>
+    </main>
+  );
+}

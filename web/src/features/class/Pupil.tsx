@@ -1,0 +1,159 @@
+/** What a pupil's page shows of the class: what the teacher wants, whether the work is kept, the hand, and "look up". */
+import { useEffect } from "react";
+import { createPortal } from "react-dom";
+
+import { Said } from "../../i18n/Said";
+import { type Key, t } from "../../i18n/words";
+import { Icon } from "../../theme";
+import type { MenuEntry } from "../../ui/menu-model";
+import { menuItem } from "../../ui/menu-model";
+import { MenuButton } from "../../ui/MenuButton";
+import { done, keepClass, leaveClass, type Offer, putHand, useClassroom } from "./keeping";
+import "./class.css";
+
+const WORDS: Record<Offer["kind"], (words: string) => string> = {
+  handed: (name) => t("class.sent", { name }),
+  exercise: (name) => t("class.exercise-sent", { name }),
+  note: (words) => t("class.note", { text: words }),
+};
+
+function OfferRow({ offer }: { offer: Offer }) {
+  const { open } = offer;
+  return (
+    <div className="banner banner-note" role="status" data-testid={`class-${offer.kind}`}>
+      <Icon name={offer.kind === "note" ? "message-circle" : "send"} size={18} />
+      <p dir="auto">{WORDS[offer.kind](offer.words)}</p>
+      {open === null ? null : (
+        <button
+          type="button"
+          className="button"
+          onClick={() => {
+            done(offer);
+            open();
+          }}
+        >
+          {t("class.open")}
+        </button>
+      )}
+      <button type="button" className="button" onClick={() => done(offer)}>
+        {t(open === null ? "class.read" : "class.later")}
+      </button>
+    </div>
+  );
+}
+
+/** Everything but STOP waits. */
+const WAITS = ".head-menu, .toolbar, .middle, .bottom-bar, .sheet";
+
+function Frozen() {
+  useEffect(() => {
+    const all = [...document.querySelectorAll<HTMLElement>(WAITS)];
+    for (const one of all) one.inert = true;
+    const hold = (event: KeyboardEvent) => {
+      const stops = event.key === "F5" && event.shiftKey;
+      if (stops || (event.target instanceof Element && event.target.closest(".team-stop") !== null)) return;
+      event.preventDefault();
+      event.stopPropagation();
+    };
+    window.addEventListener("keydown", hold, true);
+    return () => {
+      for (const one of all) one.inert = false;
+      window.removeEventListener("keydown", hold, true);
+    };
+  }, []);
+  return createPortal(
+    <div className="class-frozen" role="alert" data-testid="class-frozen">
+      <div className="class-frozen-card">
+        <Icon name="snowflake" size={40} />
+        <h2>{t("class.frozen")}</h2>
+        <p>{t("class.frozen-help")}</p>
+      </div>
+    </div>,
+    document.body,
+  );
+}
+
+export function PupilBar() {
+  const { news, offers } = useClassroom();
+  useEffect(keepClass, []);
+  return (
+    <>
+      {offers.map((offer) => (
+        <OfferRow key={offer.kind} offer={offer} />
+      ))}
+      {news?.frozen === true ? <Frozen /> : null}
+    </>
+  );
+}
+
+const KEPT: Record<string, [Key, string]> = {
+  yes: ["class.kept", "circle-check"],
+  waits: ["class.keeping", "hourglass"],
+  here: ["class.kept-here", "hard-drive"],
+};
+
+function KeptWords() {
+  const { kept, problem, connected } = useClassroom();
+  if (kept === "refused") {
+    return (
+      <span className="class-kept" role="status" data-testid="class-kept" data-kept="refused">
+        <Icon name="triangle-alert" size={16} />
+        <Said text={t("class.not-kept", { why: problem })} />
+      </span>
+    );
+  }
+  const [words, icon] = KEPT[connected ? kept : "here"] ?? ["class.kept", "circle-check"];
+  const away = words === "class.kept-here";
+  return (
+    <span
+      className="class-kept"
+      role="status"
+      data-testid="class-kept"
+      data-kept={connected ? kept : "here"}
+      title={away ? t("class.kept-here-help") : t(words)}
+    >
+      <Icon name={icon} size={16} />
+      <span>{t(words)}</span>
+    </span>
+  );
+}
+
+export function PupilKept() {
+  const news = useClassroom((state) => state.news);
+  if (news === null) return <KeptWords />;
+  const { name, class_name: of, word, hand, looked } = news;
+  const entries: MenuEntry[] = [
+    { kind: "heading", id: "class-word", label: t("class.you-word", { word: `${word.slice(0, 3)} ${word.slice(3)}` }) },
+    menuItem("class-leave", t("class.leave"), null, leaveClass),
+  ];
+  const up = t(hand ? "class.hand-up" : "class.hand");
+  return (
+    <div className="class-pupil">
+      <KeptWords />
+      {looked ? (
+        <span className="class-looked" role="status" title={t("class.looked")} data-testid="class-looked">
+          <Icon name="eye" size={16} label={t("class.looked")} />
+        </span>
+      ) : null}
+      <button
+        type="button"
+        className="tool tool-named class-hand"
+        aria-pressed={hand}
+        data-testid="class-hand"
+        onClick={() => putHand(!hand)}
+      >
+        <Icon name="hand" size={18} />
+        {up}
+      </button>
+      <MenuButton
+        id="class-me"
+        label={t("class.you", { name, class: of })}
+        className="tool tool-named class-me"
+        entries={entries}
+      >
+        <Icon name="user-round" size={18} />
+        <span dir="auto">{name}</span>
+      </MenuButton>
+    </div>
+  );
+}

@@ -1,0 +1,99 @@
+/** The cards of the pupils: picture, name, state, goals. Arrows walk them, Enter looks on. */
+import { type KeyboardEvent, memo, useRef } from "react";
+
+import { GraphPicture } from "../../../components/WorldPicture";
+import { mirrored } from "../../../i18n/language";
+import { t } from "../../../i18n/words";
+import { Icon } from "../../../theme";
+import { met, minutes, type Seen, stateWords, walkCards } from "./order";
+import { look, useDesk } from "./store";
+
+export function Boxes({ goals, count }: { goals: Seen["pupil"]["goals"]; count: number }) {
+  if (count === 0) return null;
+  return (
+    <span className="class-boxes" aria-hidden="true">
+      {Array.from({ length: Math.min(count, 10) }, (_, at) => (
+        <span key={at} className="class-box" data-met={goals[at]?.reached === true}>
+          {goals[at]?.reached === true ? <Icon name="check" size={10} /> : null}
+        </span>
+      ))}
+    </span>
+  );
+}
+
+interface CardProps {
+  seen: Seen;
+  goals: number;
+  /** Minutes, so that a card is drawn anew only when its words change. */
+  now: number;
+  chosen: boolean;
+  tab: boolean;
+}
+
+const Card = memo(function Card({ seen, goals, now, chosen, tab }: CardProps) {
+  const { pupil } = seen;
+  const picture = useDesk(({ pictures }) => pictures.get(pupil.folder)?.program ?? null);
+  const { icon, words, calls } = stateWords(seen, goals, now);
+  const asked = pupil.state === "asks" ? minutes(seen, now) : null;
+  const done = t("teacher.goals", { done: met(pupil), count: goals });
+  return (
+    <button
+      type="button"
+      className="class-card"
+      data-card={pupil.folder}
+      data-testid={`card-${pupil.folder}`}
+      data-state={pupil.state}
+      data-calls={calls}
+      data-running={pupil.running}
+      aria-pressed={chosen}
+      tabIndex={tab ? 0 : -1}
+      aria-label={[pupil.name, words, ...(goals > 0 ? [done] : [])].join(", ")}
+      onClick={() => look(chosen ? "" : pupil.folder)}
+    >
+      <span className="class-picture">{picture === null ? null : <GraphPicture program={picture} />}</span>
+      <span className="class-name">
+        <strong dir="auto">{pupil.name}</strong>
+        {asked === null || asked === 0 ? null : <small>{t("teacher.minutes", { count: asked })}</small>}
+      </span>
+      <span className="class-state">
+        <Icon name={icon} size={14} />
+        <span>{words}</span>
+      </span>
+      <span className="class-goals">
+        <Boxes goals={pupil.goals} count={goals} />
+        {goals === 0 ? <small dir="auto">{pupil.file}</small> : <small>{done}</small>}
+      </span>
+    </button>
+  );
+});
+
+export function Cards({ folders, now }: { folders: readonly string[]; now: number }) {
+  const { seen, looked, news } = useDesk();
+  const grid = useRef<HTMLDivElement>(null);
+  const goals = news?.goals.length ?? 0;
+  const first = folders.includes(looked) ? looked : folders[0];
+
+  const onKeyDown = (event: KeyboardEvent) => {
+    if (event.ctrlKey || event.altKey || event.metaKey) return;
+    const cards = [...(grid.current?.querySelectorAll<HTMLElement>("[data-card]") ?? [])];
+    const at = cards.findIndex((card) => card === document.activeElement);
+    const top = cards[0]?.offsetTop;
+    const columns = Math.max(1, cards.filter((card) => card.offsetTop === top).length);
+    const to = at < 0 ? null : walkCards(event.key, at, cards.length, columns, mirrored());
+    if (to === null) return;
+    event.preventDefault();
+    cards[to]?.focus();
+  };
+
+  if (folders.length === 0) return <p className="class-nobody">{t("teacher.nobody")}</p>;
+  return (
+    <div className="class-cards" role="group" aria-label={t("teacher.cards")} ref={grid} onKeyDown={onKeyDown}>
+      {folders.map((folder) => {
+        const one = seen.get(folder);
+        return one === undefined ? null : (
+          <Card key={folder} seen={one} goals={goals} now={now} chosen={looked === folder} tab={folder === first} />
+        );
+      })}
+    </div>
+  );
+}

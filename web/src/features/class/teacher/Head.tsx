@@ -1,0 +1,161 @@
+/** The head of the teacher's page: its menus, and what is done with all pupils, or with those that the filter shows. */
+import { classApi } from "../../../api/class";
+import { useLanguage } from "../../../i18n/language";
+import { type Language, languageInUse, LANGUAGES, t } from "../../../i18n/words";
+import { Icon, type ThemeChoice, useTheme } from "../../../theme";
+import { download } from "../../../ui/download";
+import { type MenuEntry, menuItem } from "../../../ui/menu-model";
+import { MenuButton } from "../../../ui/MenuButton";
+import type { SheetName } from "./Sheets";
+import { act, useDesk } from "./store";
+
+const THEMES: readonly ThemeChoice[] = ["light", "dark", "contrast", "system"];
+
+interface HeadProps {
+  open: (sheet: SheetName) => void;
+  /** Those that the filter shows; null: all. */
+  folders: readonly string[] | null;
+  here: number;
+  away: number;
+}
+
+function useEntries(open: (sheet: SheetName) => void): { menus: [string, string, MenuEntry[]][] } {
+  const news = useDesk((desk) => desk.news);
+  const { choice, choose } = useTheme();
+  const { choose: speak } = useLanguage.getState();
+  const coded = news?.code !== "";
+  const ofClass: MenuEntry[] = [
+    menuItem("class-new-code", t("teacher.new-code"), null, () => act(classApi.setCode(true))),
+    menuItem("class-revoke", t("teacher.revoke"), null, () => act(classApi.setCode(false)), !coded),
+    { kind: "line", id: "class-line" },
+    menuItem("class-table", t("teacher.table"), null, () =>
+      act(classApi.table().then(({ bytes }) => download("class.csv", new Uint8Array(bytes), "text/csv"))),
+    ),
+    menuItem("class-log", t("teacher.log"), null, () => open("log")),
+  ];
+  const spoken = Object.keys(LANGUAGES) as Language[];
+  const view: MenuEntry[] = [
+    ...spoken.map((language): MenuEntry => ({
+      kind: "radio",
+      id: `view-${language}`,
+      label: LANGUAGES[language].name,
+      checked: language === languageInUse(),
+      run: () => void speak(language),
+    })),
+    { kind: "line", id: "view-line" },
+    ...THEMES.map((theme): MenuEntry => ({
+      kind: "radio",
+      id: `view-${theme}`,
+      label: t(`view.${theme}`),
+      checked: theme === choice,
+      run: () => choose(theme),
+    })),
+  ];
+  return {
+    menus: [
+      ["teacher-class", t("teacher.menu-class"), ofClass],
+      ["teacher-view", t("teacher.menu-view"), view],
+    ],
+  };
+}
+
+function collect(folders: readonly string[] | null, name: string): void {
+  act(classApi.collect(folders).then(({ bytes }) => download(`${name}.zip`, new Uint8Array(bytes), "application/zip")));
+}
+
+function openGrades(): void {
+  act(classApi.grades().then(({ bytes }) => download("grades.html", new Uint8Array(bytes), "text/html")));
+}
+
+function GradeTool({ folders }: { folders: readonly string[] | null }) {
+  const news = useDesk((desk) => desk.news);
+  const grading = news?.grading ?? null;
+  if (grading !== null && grading.page === "" && grading.done < grading.total) {
+    return (
+      <span className="tool-named class-grading" role="status">
+        {t("teacher.grading", { done: grading.done, total: grading.total })}
+      </span>
+    );
+  }
+  return (
+    <>
+      <button
+        type="button"
+        className="tool tool-named"
+        data-testid="grade"
+        disabled={news?.exercise === ""}
+        onClick={() => act(classApi.grade(folders))}
+      >
+        <Icon name="list-checks" size={18} />
+        {folders === null ? t("teacher.grade") : t("teacher.grade-some", { count: folders.length })}
+      </button>
+      {grading !== null && grading.page !== "" ? (
+        <button type="button" className="tool tool-named" data-testid="grades" onClick={openGrades}>
+          <Icon name="file" size={18} />
+          {t("teacher.grades")}
+        </button>
+      ) : null}
+    </>
+  );
+}
+
+/** At once, so that a second press is the other one. */
+function heardFrozen(frozen: boolean): void {
+  useDesk.setState(({ news }) => ({ news: news === null ? null : { ...news, frozen } }));
+}
+
+export function Head({ open, folders, here, away }: HeadProps) {
+  const news = useDesk((desk) => desk.news);
+  const { menus } = useEntries(open);
+  const frozen = news?.frozen === true;
+  const some = folders === null ? null : folders.length;
+  return (
+    <header className="class-head">
+      <div className="class-head-menu">
+        {menus.map(([id, label, entries]) => (
+          <MenuButton key={id} id={id} label={label} entries={entries} className="menubar-title">
+            {label}
+          </MenuButton>
+        ))}
+        <h1 dir="auto">{news?.name ?? ""}</h1>
+      </div>
+      <div className="class-tools" role="toolbar" aria-label={t("teacher.menu-class")}>
+        <button type="button" className="run-button" data-testid="send" onClick={() => open("send")}>
+          <Icon name="send" size={18} />
+          {some === null ? t("teacher.send") : t("teacher.send-some", { count: some })}
+        </button>
+        <button
+          type="button"
+          className="tool tool-named"
+          data-testid="freeze"
+          aria-pressed={frozen}
+          onClick={() => act(classApi.freeze(!frozen).then(heardFrozen))}
+        >
+          <Icon name="snowflake" size={18} />
+          {t(frozen ? "teacher.frozen" : "teacher.freeze")}
+        </button>
+        <button
+          type="button"
+          className="tool tool-named"
+          data-testid="collect"
+          onClick={() => collect(folders, news?.folder ?? "class")}
+        >
+          <Icon name="folder-down" size={18} />
+          {some === null ? t("teacher.collect") : t("teacher.collect-some", { count: some })}
+        </button>
+        <GradeTool folders={folders} />
+        <span className="tool-line" />
+        <button type="button" className="tool tool-named" data-testid="add" onClick={() => open("add")}>
+          <Icon name="user-plus" size={18} />
+          {t("teacher.add")}
+        </button>
+        <p className="class-there" data-testid="class-there">
+          <Icon name="circle-dot" size={14} />
+          {t("teacher.here", { count: here })}
+          <Icon name="circle-dashed" size={14} />
+          {t("teacher.away", { count: away })}
+        </p>
+      </div>
+    </header>
+  );
+}

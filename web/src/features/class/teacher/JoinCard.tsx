@@ -1,0 +1,86 @@
+/** How pupils come in: address, code and QR code, small beside the exercise or large over the page. */
+import { useEffect, useRef } from "react";
+
+import { t } from "../../../i18n/words";
+import { Icon } from "../../../theme";
+import { useDesk } from "./store";
+
+/** A QR code as one path: black on white in every theme, with its quiet zone, for cameras want it so. */
+function Qr({ rows }: { rows: readonly string[] }) {
+  const size = rows.length;
+  const path = rows
+    .flatMap((row, y) => [...row].map((one, x) => (one === "1" ? `M${String(x)} ${String(y)}h1v1h-1z` : "")))
+    .join("");
+  return (
+    <svg
+      className="class-qr"
+      viewBox={`-2 -2 ${String(size + 4)} ${String(size + 4)}`}
+      role="img"
+      aria-label={t("teacher.qr")}
+      shapeRendering="crispEdges"
+    >
+      <rect x="-2" y="-2" width={size + 4} height={size + 4} fill="#fff" />
+      <path d={path} fill="#000" />
+    </svg>
+  );
+}
+
+export function codeWords(code: string): string {
+  return `${code.slice(0, 3)} ${code.slice(3)}`;
+}
+
+export function JoinCard({ large, onLarge }: { large: boolean; onLarge?: () => void }) {
+  const news = useDesk((desk) => desk.news);
+  if (news === null) return null;
+  const address = news.address.replace(/^http:\/\//, "").replace(/\/$/, "");
+  return (
+    <section className="class-join" data-large={large} data-testid="class-join">
+      <Qr rows={news.qr} />
+      <div className="class-join-words">
+        <span className="class-muted">{t("teacher.join-at")}</span>
+        <code dir="ltr">{address}</code>
+        {news.code === "" ? (
+          <strong>{t("teacher.no-code")}</strong>
+        ) : (
+          <strong className="class-code" dir="ltr" data-testid="class-code">
+            {codeWords(news.code)}
+          </strong>
+        )}
+        {onLarge === undefined ? null : (
+          <button type="button" className="class-plain" onClick={onLarge}>
+            <Icon name="maximize" size={16} />
+            {t("teacher.show-large")}
+          </button>
+        )}
+      </div>
+    </section>
+  );
+}
+
+/** Fills the screen, for a projector; any key or press closes it. */
+export function LargeJoin({ onClose }: { onClose: () => void }) {
+  const place = useRef<HTMLDivElement>(null);
+  useEffect(() => {
+    const before = document.activeElement;
+    place.current?.focus();
+    return () => {
+      if (before instanceof HTMLElement) before.focus();
+    };
+  }, []);
+  return (
+    <div
+      className="class-large"
+      role="dialog"
+      aria-label={t("teacher.join-at")}
+      tabIndex={-1}
+      ref={place}
+      onClick={onClose}
+      onKeyDown={(event) => {
+        event.stopPropagation();
+        onClose();
+      }}
+    >
+      <JoinCard large />
+    </div>
+  );
+}

@@ -1,0 +1,169 @@
+/** One pupil, looked on: the graph as it was handed in last, goals and why not, and a few words to the pupil. */
+import { type FormEvent, useMemo, useState } from "react";
+
+import { classApi } from "../../../api/class";
+import { token } from "../../../api/token";
+import { GraphDrawing } from "../../../components/graph/GraphDrawing";
+import { Said } from "../../../i18n/Said";
+import { t } from "../../../i18n/words";
+import { layoutStructure } from "../../../model/layout";
+import { partsOf } from "../../../model/parts";
+import { readStructure } from "../../../model/structure";
+import { useStudio } from "../../../model/studio";
+import { text } from "../../../model/texts";
+import type { Program } from "../../../model/types";
+import { Icon, useTheme } from "../../../theme";
+import { Tool } from "../../../ui/Tool";
+import { codeWords } from "./JoinCard";
+import { stateWords } from "./order";
+import { act, look, say, useDesk } from "./store";
+
+function Graph({ program, name }: { program: Program; name: string }) {
+  const catalogue = useStudio((studio) => studio.catalogue);
+  // Colours are written into the drawing: another theme is another drawing.
+  const theme = useTheme((state) => state.theme);
+  const layout = useMemo(
+    () => layoutStructure(readStructure(program, partsOf(catalogue, program.robot))),
+    [catalogue, program],
+  );
+  return (
+    <div className="class-look-graph">
+      <GraphDrawing key={theme} layout={layout} title={name} inside="" />
+    </div>
+  );
+}
+
+function Write({ folder, name }: { folder: string; name: string }) {
+  const [words, setWords] = useState("");
+  const send = (event: FormEvent) => {
+    event.preventDefault();
+    if (words.trim() === "") return;
+    act(
+      classApi.write(folder, words).then(() => {
+        setWords("");
+        say(t("teacher.written"));
+      }),
+    );
+  };
+  return (
+    <form className="class-write" onSubmit={send}>
+      <input
+        className="field"
+        data-testid="write"
+        value={words}
+        maxLength={500}
+        dir="auto"
+        placeholder={t("teacher.write", { name })}
+        aria-label={t("teacher.write", { name })}
+        onChange={(event) => setWords(event.target.value)}
+      />
+      <button type="submit" className="button">
+        <Icon name="send" size={16} />
+        {t("teacher.write-send")}
+      </button>
+    </form>
+  );
+}
+
+function Goals({ folder }: { folder: string }) {
+  const { news, seen } = useDesk();
+  const goals = seen.get(folder)?.pupil.goals ?? [];
+  if (news === null || news.goals.length === 0) return null;
+  return (
+    <ul className="class-look-goals">
+      {news.goals.map(({ label }, at) => {
+        const goal = goals[at];
+        const reached = goal?.reached === true;
+        return (
+          <li key={at} data-met={reached}>
+            <Icon
+              name={reached ? "circle-check" : "circle-dashed"}
+              size={18}
+              label={t(
+                reached
+                  ? "exercise.goal-reached"
+                  : goal?.reached === false
+                    ? "exercise.goal-missed"
+                    : "exercise.goal-open",
+              )}
+            />
+            <span>
+              {text(label)}
+              {goal === undefined || reached || !goal.why ? null : (
+                <small>
+                  <Said text={goal.why} />
+                </small>
+              )}
+            </span>
+          </li>
+        );
+      })}
+    </ul>
+  );
+}
+
+export function Look({ now }: { now: number }) {
+  const { looked, seen, pictures, news } = useDesk();
+  const [removing, setRemoving] = useState("");
+  const one = seen.get(looked);
+  if (one === undefined || news === null) return null;
+  const { folder, name, file, state, word } = one.pupil;
+  const { icon, words } = stateWords(one, news.goals.length, now);
+  const program = pictures.get(folder)?.program ?? null;
+  const copy = `studio?token=${encodeURIComponent(token())}&open=${encodeURIComponent(`${folder}/${file}`)}`;
+  return (
+    <aside className="class-look" aria-label={name} data-testid="look">
+      <header className="class-look-head">
+        <h2 dir="auto">{name}</h2>
+        <span className="class-muted" dir="auto">
+          {file}
+        </span>
+        <span className="class-look-state">
+          <Icon name={icon} size={14} />
+          {words}
+        </span>
+        {state === "asks" ? (
+          <button type="button" className="button" onClick={() => act(classApi.handDown(folder))}>
+            {t("teacher.was-there")}
+          </button>
+        ) : null}
+        <Tool small icon="x" label={t("help.close")} titled={false} onClick={() => look("")} />
+      </header>
+      <p className="class-look-note">
+        <Icon name="eye" size={16} />
+        {t("teacher.look-on", { name })}
+      </p>
+      {program === null ? (
+        <p className="class-nobody">{t("teacher.look-none")}</p>
+      ) : (
+        <Graph program={program} name={name} />
+      )}
+      <Goals folder={folder} />
+      <div className="class-look-more">
+        {file === "" ? null : (
+          <a className="class-plain" href={copy} target="_blank" rel="noopener" data-testid="look-copy">
+            <Icon name="maximize-2" size={16} />
+            {t("teacher.look-large")}
+          </a>
+        )}
+        <span className="class-muted" data-testid="look-word">
+          {t("teacher.word", { name, word: codeWords(word) })}
+        </span>
+        {removing === folder ? (
+          <p role="alert" className="class-look-sure">
+            {t("teacher.remove-sure", { name })}{" "}
+            <button type="button" className="button" onClick={() => act(classApi.remove(folder))}>
+              {t("teacher.remove-yes")}
+            </button>
+          </p>
+        ) : (
+          <button type="button" className="class-plain" onClick={() => setRemoving(folder)}>
+            <Icon name="trash-2" size={16} />
+            {t("teacher.remove")}
+          </button>
+        )}
+      </div>
+      <Write key={folder} folder={folder} name={name} />
+    </aside>
+  );
+}

@@ -1,0 +1,167 @@
+/** The examples with pictures of what they do: by level, with a search and filters. */
+import { type KeyboardEvent, useRef, useState } from "react";
+
+import type { MissionEntry } from "../../api/generated";
+import { t } from "../../i18n/words";
+import { useStudio } from "../../model/studio";
+import { text } from "../../model/texts";
+import { Icon } from "../../theme";
+import { Card } from "./Card";
+import { ALL, byLevel, fitting, robotsOf, topicsOf, type Wish } from "./filter";
+import { nextCard } from "./grid";
+import { playsAlways, usePlays } from "./plays";
+
+const LEVELS = [1, 2, 3] as const;
+
+interface ChipProps {
+  label: string;
+  pressed: boolean;
+  testId: string;
+  choose: () => void;
+}
+
+function Chip({ label, pressed, testId, choose }: ChipProps) {
+  return (
+    <button type="button" className="gallery-chip" aria-pressed={pressed} data-testid={testId} onClick={choose}>
+      {label}
+    </button>
+  );
+}
+
+interface GalleryProps {
+  examples: readonly MissionEntry[];
+  open: (entry: MissionEntry) => void;
+}
+
+export function Gallery({ examples, open }: GalleryProps) {
+  const [wish, setWish] = useState<Wish>(ALL);
+  const plays = usePlays(({ on }) => on);
+  const room = useRef<HTMLElement>(null);
+  const field = useRef<HTMLInputElement>(null);
+  const robots = useStudio((studio) => studio.catalogue.robots);
+  const robotName = (name: string) => text(robots.find((one) => one.name === name)?.label ?? {}, name);
+  const found = fitting(examples, wish, text, robotName);
+  const change = (part: Partial<Wish>) => {
+    setWish({ ...wish, ...part });
+  };
+
+  const cards = () => [...(room.current?.querySelectorAll<HTMLElement>(".card") ?? [])];
+  const move = (event: KeyboardEvent<HTMLButtonElement>) => {
+    const all = cards();
+    const places = all.map((card) => card.getBoundingClientRect());
+    const to = nextCard(event.key, all.indexOf(event.currentTarget), places, document.dir === "rtl");
+    if (to === null) return;
+    event.preventDefault();
+    (all[to] ?? field.current)?.focus();
+  };
+
+  return (
+    <section className="gallery-room" aria-label={t("open.examples")} ref={room} data-testid="gallery">
+      <div className="gallery-tools">
+        <label className="gallery-find">
+          <Icon name="search" size={16} />
+          <span className="only-spoken">{t("gallery.find")}</span>
+          <input
+            ref={field}
+            className="field"
+            type="search"
+            placeholder={t("gallery.find")}
+            data-testid="gallery-find"
+            maxLength={100}
+            spellCheck={false}
+            autoComplete="off"
+            value={wish.words}
+            onChange={(event) => change({ words: event.target.value })}
+            onKeyDown={(event) => {
+              if (event.key === "ArrowDown" || event.key === "Enter") {
+                event.preventDefault();
+                cards()[0]?.focus();
+              } else if (event.key === "Escape" && wish.words !== "") {
+                // The first Escape empties the search, the next one closes the sheet.
+                event.stopPropagation();
+                change({ words: "" });
+              }
+            }}
+          />
+        </label>
+        <select
+          className="field gallery-robot"
+          aria-label={t("gallery.robot")}
+          data-testid="gallery-robot"
+          value={wish.robot}
+          onChange={(event) => change({ robot: event.target.value })}
+        >
+          <option value="">{t("gallery.robot-all")}</option>
+          {robotsOf(examples).map((name) => (
+            <option key={name} value={name}>
+              {robotName(name)}
+            </option>
+          ))}
+        </select>
+        <label className="gallery-plays">
+          <input
+            type="checkbox"
+            data-testid="gallery-plays"
+            checked={plays}
+            onChange={(event) => playsAlways(event.target.checked)}
+          />
+          {t("gallery.move")}
+        </label>
+      </div>
+      <div className="gallery-chips" role="group" aria-label={t("gallery.level")}>
+        <Chip
+          label={t("gallery.level-all")}
+          pressed={wish.level === 0}
+          testId="gallery-level-0"
+          choose={() => change({ level: 0 })}
+        />
+        {LEVELS.map((level) => (
+          <Chip
+            key={level}
+            label={t(`gallery.level-${level}`)}
+            pressed={wish.level === level}
+            testId={`gallery-level-${String(level)}`}
+            choose={() => change({ level })}
+          />
+        ))}
+      </div>
+      <div className="gallery-chips" role="group" aria-label={t("gallery.topic")}>
+        <Chip
+          label={t("gallery.topic-all")}
+          pressed={wish.topic === ""}
+          testId="gallery-topic-all"
+          choose={() => change({ topic: "" })}
+        />
+        {topicsOf(examples).map(({ name, label }) => (
+          <Chip
+            key={name}
+            label={text(label, name)}
+            pressed={wish.topic === name}
+            testId={`gallery-topic-${name}`}
+            choose={() => change({ topic: name })}
+          />
+        ))}
+      </div>
+      <p className="gallery-count" role="status" data-testid="gallery-count">
+        {found.length === 0 ? t("gallery.none") : t("gallery.count", { count: found.length })}
+      </p>
+      {found.length === 0 ? (
+        <button type="button" className="button" data-testid="gallery-show-all" onClick={() => setWish(ALL)}>
+          {t("gallery.show-all")}
+        </button>
+      ) : null}
+      {byLevel(found).map(({ level, entries }) => (
+        <div key={level} className="gallery-level">
+          <h4>{t(`gallery.level-${level === 1 || level === 2 || level === 3 ? level : 0}`)}</h4>
+          <ul className="gallery">
+            {entries.map((entry) => (
+              <li key={entry.path}>
+                <Card entry={entry} plays={plays} choose={() => open(entry)} onKeyDown={move} />
+              </li>
+            ))}
+          </ul>
+        </div>
+      ))}
+    </section>
+  );
+}

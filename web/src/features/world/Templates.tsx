@@ -1,0 +1,68 @@
+/** Worlds to begin with: each a picture that takes the place of the world at a press; a maze for every number. */
+import { useEffect, useState } from "react";
+
+import type { Template } from "../../api/generated";
+import { partsApi } from "../../api/parts";
+import { WorldPicture } from "../../components/WorldPicture";
+import { t } from "../../i18n/words";
+import { text } from "../../model/texts";
+import { drawnWorld } from "../../model/world/drawn";
+import { complain } from "../../session/document";
+import { beginWith } from "../../session/world-edits";
+import { Tool } from "../../ui/Tool";
+import { NumberField } from "./NumberField";
+
+const MOST_SEED = 2 ** 32 - 1;
+
+export function Templates({ done }: { done: () => void }) {
+  const [seed, setSeed] = useState(1);
+  const [templates, setTemplates] = useState<readonly Template[]>([]);
+  useEffect(() => {
+    let wanted = true;
+    partsApi.templates(seed).then((found) => {
+      if (wanted) setTemplates(found);
+    }, complain);
+    return () => {
+      wanted = false;
+    };
+  }, [seed]);
+  return (
+    <section className="world-templates" aria-labelledby="world-templates" data-testid="world-templates">
+      <header className="world-chosen-head">
+        <h2 id="world-templates">{t("world.templates")}</h2>
+        <Tool small icon="x" label={t("world.templates-close")} testId="world-templates-close" onClick={done} />
+      </header>
+      <p className="world-hint">{t("world.templates-help")}</p>
+      <ul>
+        {templates.map(({ name, world }) => (
+          <li key={name}>
+            <button
+              type="button"
+              data-testid={`template-${name}`}
+              title={text(world.help, "")}
+              onClick={() => {
+                beginWith(world, text(world.label, name));
+                done();
+              }}
+            >
+              <WorldPicture world={drawnWorld(world)} agents={world.starts.map((start) => start.name)} />
+              <span>{text(world.label, name)}</span>
+            </button>
+            {name === "maze" ? (
+              <NumberField
+                label={t("world.maze-seed")}
+                unit=""
+                value={seed}
+                min={0}
+                max={MOST_SEED}
+                step={1}
+                testId="world-maze-seed"
+                keep={(value) => setSeed(Math.round(value))}
+              />
+            ) : null}
+          </li>
+        ))}
+      </ul>
+    </section>
+  );
+}

@@ -1,0 +1,28 @@
+/** English for the gallery and the sheet for opening, which are fetched later. */
+export const GALLERY_EN = {
+  "open.title": "Open a mission",
+  "open.workspace": "In {folder}",
+  "open.workspace-empty": "No mission in this folder yet.",
+  "open.examples": "Examples",
+  "open.computer": "From this computer…",
+  "examples.or": "Or open an example",
+  "examples.all": "all examples",
+  "examples.parts": { one: "{count} part", other: "{count} parts" },
+  "examples.robots": { one: "{count} robot", other: "a team of {count} robots" },
+
+  "gallery.find": "Find an example",
+  "gallery.level": "How hard",
+  "gallery.level-all": "All",
+  "gallery.level-1": "Easy",
+  "gallery.level-2": "Some practice",
+  "gallery.level-3": "For experts",
+  "gallery.level-0": "Others",
+  "gallery.topic": "What about",
+  "gallery.topic-all": "Everything",
+  "gallery.robot": "Robot",
+  "gallery.robot-all": "Any robot",
+  "gallery.count": { one: "{count} example", other: "{count} examples" },
+  "gallery.none": "No example is like that.",
+  "gallery.show-all": "Show all examples",
+  "gallery.move": "Pictures move",
+} as const;

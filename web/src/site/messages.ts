@@ -1,0 +1,31 @@
+/** What the page and the worker with Python in it tell each other. */
+
+/** From the page: `begin` comes first, and once; the rest waits until Python is there. */
+export type ToWorker =
+  | { kind: "begin"; base: string }
+  | {
+      kind: "fetch";
+      id: number;
+      method: string;
+      address: string;
+      headers: Record<string, string>;
+      body: ArrayBuffer | string | null;
+    }
+  | { kind: "open"; id: number; address: string }
+  | { kind: "say"; id: number; words: string }
+  | { kind: "close"; id: number };
+
+/** Whether the browser keeps what is written: `full` and `denied` say why not. */
+export type Keeping = "kept" | "full" | "denied";
+
+export type FromWorker =
+  | { kind: "progress"; fetched: number; total: number }
+  | { kind: "starting" }
+  | { kind: "ready" }
+  | { kind: "broken"; unfetched: boolean; reason: string }
+  | { kind: "keeping"; keeping: Keeping }
+  | { kind: "answer"; id: number; status: number; headers: [string, string][]; body: ArrayBuffer }
+  | { kind: "failed"; id: number; reason: string }
+  | { kind: "opened"; id: number }
+  | { kind: "heard"; id: number; words: string | ArrayBuffer }
+  | { kind: "closed"; id: number };

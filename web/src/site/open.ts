@@ -1,0 +1,134 @@
+/**
+ * Begins a static site: one tab of the browser has the studio, with Python in a worker of it.
+ *
+ * Two tabs would each have a copy of the same files, so a second one waits until the first is closed. The files of the site
+ * are kept by its service worker once Python is there, so that they are fetched once.
+ */
+import { createElement } from "react";
+import { createRoot } from "react-dom/client";
+
+import { talkThrough } from "../api/line";
+import { moreWords } from "../i18n/words";
+import { features, install } from "../session/features";
+import { flush } from "../session/journal";
+import { links, openLinked } from "./links";
+import type { FromWorker, ToWorker } from "./messages";
+import { SiteStrip } from "./SiteStrip";
+import { useSite } from "./state";
+import { WorkerLine } from "./worker-line";
+
+const set = useSite.setState;
+
+/** Begins it; `spoken` resolves once there are words. What is asked of the studio meanwhile waits; the page may be drawn then. */
+export function openSite(spoken: Promise<unknown>): Promise<void> {
+  const base = new URL(".", document.baseURI).href;
+  const path = new URL(base).pathname;
+  let give: (worker: Worker) => void = () => undefined;
+  const worker = new Promise<Worker>((resolve) => {
+    give = resolve;
+  });
+  const line = new WorkerLine((message, transfer) => {
+    void worker.then((there) => there.postMessage(message, transfer ?? []));
+  }, path);
+  talkThrough(line);
+  install([...features(), links]);
+  alone(`kitrobot ${path}`, () => give(begun(line, base)));
+  const begin = () => {
+    draw();
+    openLinked();
+  };
+  // Without these words the page still says most.
+  return spoken.then(moreWords).then(begin, begin);
+}
+
+function draw(): void {
+  const place = document.createElement("div");
+  document.body.append(place);
+  createRoot(place).render(createElement(SiteStrip));
+}
+
+/** Calls it once no other tab has the studio; it has it as long as the page is there. */
+function alone(name: string, begin: () => void): void {
+  // Only pages of a safe address have locks, and other tabs of an unsafe one keep nothing either way.
+  if (!("locks" in navigator)) {
+    begin();
+    return;
+  }
+  const hold = () => {
+    begin();
+    return new Promise<never>(() => undefined);
+  };
+  void navigator.locks.request(name, { ifAvailable: true }, (lock) => {
+    if (lock !== null) return hold();
+    set({ phase: "other-tab" });
+    void navigator.locks.request(name, () => {
+      set({ phase: "fetching" });
+      return hold();
+    });
+    return undefined;
+  });
+}
+
+function begun(line: WorkerLine, base: string): Worker {
+  const worker = new Worker(new URL("./worker.ts", import.meta.url), { type: "module" });
+  worker.addEventListener("message", ({ data }: MessageEvent<FromWorker>) => {
+    if (!line.hear(data)) follow(data);
+  });
+  worker.addEventListener("error", (event) => set({ phase: "broken", reason: event.message || "" }));
+  const first: ToWorker = { kind: "begin", base };
+  worker.postMessage(first);
+  return worker;
+}
+
+function follow(message: FromWorker): void {
+  switch (message.kind) {
+    case "progress":
+      set({ fetched: message.fetched / message.total });
+      break;
+    case "starting":
+      set({ phase: "starting" });
+      break;
+    case "ready":
+      set({ phase: "ready" });
+      void navigator.storage?.persist?.();
+      void keepFiles();
+      break;
+    case "broken":
+      set({ phase: message.unfetched ? "unfetched" : "broken", reason: message.reason });
+      break;
+    case "keeping":
+      set({ keeping: message.keeping });
+      break;
+    default:
+      break;
+  }
+}
+
+/** Has the service worker keep the files of the site, and says when there are newer ones. */
+async function keepFiles(): Promise<void> {
+  if (!("serviceWorker" in navigator)) return;
+  try {
+    const registered = await navigator.serviceWorker.register("service-worker.js");
+    const look = (found: ServiceWorker | null) => {
+      const offer = () => {
+        // The first one is no news.
+        if (found?.state === "installed" && navigator.serviceWorker.controller !== null) offerNew(found);
+      };
+      offer();
+      found?.addEventListener("statechange", offer);
+    };
+    look(registered.waiting);
+    registered.addEventListener("updatefound", () => look(registered.installing));
+  } catch {
+    // Without it the page works as long as there is a network.
+  }
+}
+
+function offerNew(found: ServiceWorker): void {
+  set({
+    renew: () => {
+      navigator.serviceWorker.addEventListener("controllerchange", () => window.location.reload());
+      void flush().finally(() => found.postMessage("take over"));
+    },
+  });
+}

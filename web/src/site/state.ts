@@ -1,0 +1,25 @@
+/** How far the studio of a static site is, and what a person should know of it. */
+import { create } from "zustand";
+
+import type { Keeping } from "./messages";
+
+export type Phase = "other-tab" | "fetching" | "starting" | "ready" | "broken" | "unfetched";
+
+interface SiteState {
+  phase: Phase;
+  /** From 0 to 1. */
+  fetched: number;
+  /** What broke, as the browser says it. */
+  reason: string;
+  keeping: Keeping;
+  /** Loads the new version that is there, or null. */
+  renew: (() => void) | null;
+}
+
+export const useSite = create<SiteState>(() => ({
+  phase: "fetching",
+  fetched: 0,
+  reason: "",
+  keeping: "kept",
+  renew: null,
+}));
