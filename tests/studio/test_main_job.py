@@ -60,7 +60,7 @@ def test_a_part_dropped_on_an_arc_is_set_in_the_inspector_deleted_undone_and_sav
     studio.drop("Wait", "arc-start.next")
     studio.expect_code("WAIT(10);")
     number = studio.at("inspector").locator('input:not([type="range"])').first
-    number.fill("7")
+    number.fill("0.7 s")
     studio.expect_code("WAIT(7);")
     studio.page.keyboard.press("Escape")
     studio.page.locator(".vertex.is-selected, .vertex:has-text('Wait')").first.click()

@@ -54,7 +54,7 @@ def test_the_studio_in_the_middle_of_the_transport(open_studio: OpenStudio, pict
     studio.page.mouse.up()
     expect(studio.at("status")).to_contain_text("Paused")
     expect(studio.at("arena-summary")).to_contain_text(re.compile("[3-9] of 12 delivered"))
-    studio.page.locator(".vertex", has_text="Drive").first.click()
+    studio.page.locator(".vertex", has_text="Wheels Drive").first.click()
     expect(studio.at("inspector")).to_contain_text("speed")
     take(studio, pictures / ("studio.png" if theme == "light" else "studio-dark.png"))
 

@@ -47,10 +47,10 @@ def test_an_exported_picture_holds_the_whole_mission_and_opens_again(
 def test_the_svg_shows_every_vertex_in_words(open_studio: OpenStudio, tmp_path: Path) -> None:
     studio = open_studio("blink/blink.krt")
     text = export(studio, "svg", tmp_path).read_text(encoding="utf-8")
-    assert text.count(">LightOn</text>") == 1
+    assert text.count(">On</text>") == 1
     assert text.count(">Wait</text>") == 3
     assert ">Run is true</text>" in text
-    assert ">Parallelism</text>" in text
+    assert ">At the same time</text>" in text
     assert "var(" not in text
 
 

@@ -135,7 +135,7 @@ def test_the_projection_follows_each_edit_and_leads_to_vertices_and_back(open_st
     expect(studio.page.locator(".vertex.is-selected")).to_contain_text("Drive")
     expect(text.locator(".line-selected")).to_contain_text(["Wheel.Advance"])
     studio.at("tab-team").click()
-    studio.page.locator(".vertex", has_text="ParOfSeq").first.click()
+    studio.page.locator(".vertex", has_text="Each on its own").first.click()
     expect(text.locator(".line-selected").first).to_contain_text("Team.Enter(0);")
     studio.page.keyboard.press("Control+d")
     expect(text).to_contain_text("Team.Enter(2);")

@@ -122,7 +122,7 @@ def test_a_road_with_a_hole_in_a_file_is_told_at_the_road_and_mended(open_studio
     assert 'to="150"' in text
     (studio.folder / "hole.krt").write_text(text.replace('to="150"', 'to="120"'))
     studio.page.keyboard.press("Control+o")
-    studio.at("open-dialog").get_by_text("hole", exact=False).first.click()
+    studio.at("open-dialog").locator('[data-path="hole.krt"]').click()
     studio.at("tab-of-world").click()
     expect(studio.at("wrong-road-0")).to_be_attached()
     studio.at("thing-road-0").click()
