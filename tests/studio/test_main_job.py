@@ -62,7 +62,7 @@ def test_a_part_dropped_on_an_arc_is_set_in_the_inspector_deleted_undone_and_sav
     number = studio.at("inspector").locator('input:not([type="range"])').first
     number.fill("0.7 s")
     studio.expect_code("WAIT(7);")
-    studio.page.keyboard.press("Escape")
+    studio.page.keyboard.press("Enter")
     studio.page.locator(".vertex.is-selected, .vertex:has-text('Wait')").first.click()
     studio.page.keyboard.press("Delete")
     expect(studio.at("code")).not_to_contain_text("WAIT")
