@@ -41,7 +41,7 @@ not there yet makes a description of the whole page."""
 
 
 LOOKS = [("light",), *([("dark", "ur"), ("contrast", "fr")] if THOROUGH else [])]
-"""Theme and language that axe looks at whole; it holds the contrast of every screen in every theme besides."""
+"""Theme and language that axe looks at whole; it holds the contrast of each screen in one of the themes, by turns."""
 
 
 WHAT_A_PAGE_SHOWS = """() => {
@@ -179,6 +179,7 @@ class Studio:
     page: Page
     folder: Path
     faults: list[str]
+    address: str = ""
 
     def at(self, testid: str) -> Locator:
         """The element of that test id."""
@@ -225,6 +226,14 @@ class Studio:
         """Waits until the mission that was asked for is there."""
         expect(self.page.locator(".studio")).to_have_attribute("aria-busy", "false")
 
+    def take_back(self) -> None:
+        """Undoes all that was edited, for the next fact of the same test."""
+        self.at("canvas").focus()
+        self.page.keyboard.press("Escape")
+        while self.at("undo").is_enabled():
+            self.page.keyboard.press("Control+z")
+        expect(self.at("saved-state")).to_have_text("saved")
+
     def full_speed(self) -> None:
         """As fast as it goes: the last notch of the speed slider."""
         self.at("speed").press("End")
@@ -257,7 +266,7 @@ def open_studio(tabs: Tabs, servers: ServerThread, tmp_path: Path, monkeypatch: 
         faults: list[str] = []
         tab.hear("pageerror", lambda error: faults.append(str(error)))
         tab.hear("console", lambda message: faults.append(message.text) if message.type == "error" else None)
-        studio = Studio(page, target, faults)
+        studio = Studio(page, target, faults, running.address)
         opened.append((studio, running, tab))
         page.goto(running.address)
         page.wait_for_function(IS_OPEN)

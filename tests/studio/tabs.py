@@ -17,8 +17,8 @@ from tests.patience import STATE_MS
 
 NOTHING = "/nothing"
 """The path of the empty page: between two tests a tab is of no studio, and yet at the address of all of them."""
-IDLE, USES = 3, 40
-"""How many tabs wait for the next test, and how many tests use one."""
+IDLE, USES = 2, 12
+"""How many tabs wait for the next test, and how many tests use one: the browser frees little between them."""
 
 
 @dataclass
