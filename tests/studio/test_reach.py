@@ -138,8 +138,7 @@ def left(studio: Studio, testid: str) -> float:
     return box["x"]
 
 
-def test_urdu_mirrors_the_page_and_cuts_nothing_off(open_studio: OpenStudio) -> None:
-    studio = open_studio(TRANSPORT)
+def urdu_mirrors_the_page_and_cuts_nothing_off(studio: Studio) -> None:
     assert left(studio, "part-While") < left(studio, "canvas") < left(studio, "arena")
     choose(studio, "ur")
     html = studio.page.locator("html")
@@ -160,9 +159,7 @@ def test_urdu_mirrors_the_page_and_cuts_nothing_off(open_studio: OpenStudio) -> 
     assert start["y"] < stop["y"], "the program still goes down"
 
 
-def test_a_menu_and_arrow_keys_follow_the_mirrored_page(open_studio: OpenStudio) -> None:
-    studio = open_studio(TRANSPORT)
-    choose(studio, "ur")
+def a_menu_and_arrow_keys_follow_the_mirrored_page(studio: Studio) -> None:
     studio.at("menu-File").focus()
     studio.page.keyboard.press("ArrowLeft")
     expect(studio.at("menu-Edit")).to_be_focused()
@@ -171,8 +168,13 @@ def test_a_menu_and_arrow_keys_follow_the_mirrored_page(open_studio: OpenStudio)
     expect(studio.at("speed")).to_have_attribute("aria-valuetext", "2×")
 
 
-def test_language_and_theme_are_remembered(open_studio: OpenStudio) -> None:
+def test_urdu_mirrors_the_page_its_menus_and_arrow_keys_and_cuts_nothing_off(open_studio: OpenStudio) -> None:
     studio = open_studio(TRANSPORT)
+    urdu_mirrors_the_page_and_cuts_nothing_off(studio)
+    a_menu_and_arrow_keys_follow_the_mirrored_page(studio)
+
+
+def language_and_theme_are_remembered(studio: Studio) -> None:
     choose(studio, "fr", "contrast")
     expect(studio.at("run-button")).to_have_text("Lancer")
     studio.page.reload()
@@ -180,14 +182,12 @@ def test_language_and_theme_are_remembered(open_studio: OpenStudio) -> None:
     expect(studio.page.locator("html")).to_have_attribute("data-theme", "contrast")
 
 
-def test_a_system_that_wants_more_contrast_gets_it(open_studio: OpenStudio) -> None:
-    studio = open_studio(TRANSPORT)
+def a_system_that_wants_more_contrast_gets_it(studio: Studio) -> None:
     studio.page.emulate_media(contrast="more")
     expect(studio.page.locator("html")).to_have_attribute("data-theme", "contrast")
 
 
-def test_another_language_keeps_the_document_and_its_history(open_studio: OpenStudio) -> None:
-    studio = open_studio(TRANSPORT)
+def another_language_keeps_the_document_and_its_history(studio: Studio) -> None:
     studio.drop("Wait", "arc-start.next")
     choose(studio, "fr")
     expect(studio.at("undo")).to_be_enabled()
@@ -195,8 +195,15 @@ def test_another_language_keeps_the_document_and_its_history(open_studio: OpenSt
     expect(studio.at("undo")).to_be_disabled()
 
 
-def test_the_outline_walks_the_program_and_deletes_with_the_keyboard_alone(open_studio: OpenStudio) -> None:
+def test_another_language_keeps_the_document_with_its_history_and_is_remembered_with_the_theme(
+    open_studio: OpenStudio,
+) -> None:
     studio = open_studio(TRANSPORT)
+    another_language_keeps_the_document_and_its_history(studio)
+    language_and_theme_are_remembered(studio)
+
+
+def the_outline_walks_the_program_and_deletes_with_the_keyboard_alone(studio: Studio) -> None:
     keys = studio.page.keyboard
     keys.press("F4")
     rows = studio.at("outline").get_by_role("treeitem")
@@ -217,8 +224,7 @@ def test_the_outline_walks_the_program_and_deletes_with_the_keyboard_alone(open_
     expect(studio.at("canvas")).to_be_focused()
 
 
-def test_f1_explains_the_part_that_has_the_focus_with_its_range(open_studio: OpenStudio) -> None:
-    studio = open_studio(TRANSPORT)
+def f1_explains_the_part_that_has_the_focus_with_its_range(studio: Studio) -> None:
     studio.at("part-Wheel.Advance").focus()
     studio.page.keyboard.press("F1")
     expect(studio.at("part-help")).to_contain_text("Starts driving forward")
@@ -228,8 +234,7 @@ def test_f1_explains_the_part_that_has_the_focus_with_its_range(open_studio: Ope
     expect(studio.at("part-Wheel.Advance")).to_be_focused()
 
 
-def test_the_empty_program_fits_a_small_window(open_studio: OpenStudio) -> None:
-    studio = open_studio(TRANSPORT)
+def the_empty_program_fits_a_small_window(studio: Studio) -> None:
     studio.page.set_viewport_size({"width": 1366, "height": 768})
     studio.new_mission()
     card, canvas = studio.page.locator(".teaching").bounding_box(), studio.at("canvas").bounding_box()
@@ -239,8 +244,18 @@ def test_the_empty_program_fits_a_small_window(open_studio: OpenStudio) -> None:
     assert card["x"] + card["width"] <= canvas["x"] + canvas["width"]
 
 
-def test_whoever_wants_less_motion_gets_none(open_studio: OpenStudio) -> None:
-    studio = open_studio(TRANSPORT)
+def whoever_wants_less_motion_gets_none(studio: Studio) -> None:
     studio.page.emulate_media(reduced_motion="reduce")
     node = studio.page.locator(".react-flow__node").first
     assert node.evaluate("one => getComputedStyle(one).transitionDuration") in ("0s", "")
+
+
+def test_the_outline_and_f1_help_by_keys_more_contrast_and_less_motion_are_there_and_a_small_window_is_enough(
+    open_studio: OpenStudio,
+) -> None:
+    studio = open_studio(TRANSPORT)
+    whoever_wants_less_motion_gets_none(studio)
+    f1_explains_the_part_that_has_the_focus_with_its_range(studio)
+    the_outline_walks_the_program_and_deletes_with_the_keyboard_alone(studio)
+    a_system_that_wants_more_contrast_gets_it(studio)
+    the_empty_program_fits_a_small_window(studio)
