@@ -61,7 +61,8 @@ def pytest_runtest_makereport(
     report = yield
     browser = getattr(item, "funcargs", {}).get("browser")
     if call.when == "call" and call.excinfo is not None and browser is not None:
-        for page in [page for context in browser.contexts for page in context.pages]:
+        pages = [page for context in browser.contexts for page in context.pages]
+        for page in [page for page in pages if not page.url.endswith(NOTHING)]:
             with suppress(PlaywrightError):
                 report.sections.append(("a page shows", "\n".join(page.evaluate(WHAT_A_PAGE_SHOWS))))
     return report
