@@ -12,6 +12,7 @@ from dataclasses import dataclass, field
 from typing import Any
 
 from playwright.sync_api import Browser, Page
+from playwright.sync_api import Error as PlaywrightError
 
 from tests.patience import STATE_MS
 
@@ -88,7 +89,11 @@ class Tabs:
 
     def give_back(self, tab: Tab, address: str) -> None:
         """Keeps a tab whose test has ended for another one, or closes it."""
-        if not tab.clear(address):
+        try:
+            kept = tab.clear(address)
+        except PlaywrightError:
+            kept = False  # its page has crashed, which its test has told
+        if not kept:
             tab.page.context.close()
             return
         self._idle.append(tab)

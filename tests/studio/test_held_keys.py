@@ -115,14 +115,15 @@ def test_a_board_is_held_by_mouse_and_keys_shaken_and_watched_once_it_runs(open_
     begin(studio)
     expect(studio.at("hand-Shake")).to_be_enabled()
     a_press_on_the_canvas_beside_the_buttons_holds_nothing(studio)
-    dice_are_thrown_by_a_shake(studio)
-    what_a_hand_did_stands_on_the_timeline_and_in_the_watch(studio)
     a_press_while_the_run_pauses_waits_for_it(studio)
     for key in cases(["b", "Space"], ["Enter"]):
         begin(studio)
         a_button_is_held_with_the_keyboard(studio, key)
     begin(studio)
     a_button_of_the_board_is_pressed_with_the_mouse_in_the_arena(studio)
+    begin(studio)
+    what_a_hand_did_stands_on_the_timeline_and_in_the_watch(studio)
+    dice_are_thrown_by_a_shake(studio)
 
 
 def test_the_heart_beats_on_the_lights(open_studio: OpenStudio) -> None:
