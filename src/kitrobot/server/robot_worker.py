@@ -24,9 +24,11 @@ from typing import Any, get_args
 from kitrobot.deploy import Fault, ForeignError, FullError, LineError, SilentError
 from kitrobot.diagnostics import KitRobotError
 from kitrobot.robots import BoardNames, BoardProgram, Change, Happening, RobotSession, RobotState
+from kitrobot.server.robot_bench import Tried
 from kitrobot.server.robot_gateway import RobotGateway
 from kitrobot.server.robot_recorder import LastRun
 from kitrobot.server.shapes import (
+    BoardBenchShape,
     BoardFaultShape,
     BoardMessage,
     BoardPhase,
@@ -35,6 +37,8 @@ from kitrobot.server.shapes import (
     BoardWay,
 )
 from kitrobot.text import Recorded, Sentence
+from kitrobot.workspace.bench import Bench, PartKey
+from kitrobot.workspace.kept_firmware import kept_firmware
 
 LISTEN_S = 0.05
 """How long the robot is listened to before what was asked for meanwhile is looked at."""
@@ -69,7 +73,9 @@ class Standing:
     message: str = ""
     help: str = ""
     way: BoardWay = ""
+    micropython: str = ""
     recorded: bool = False
+    bench: BoardBenchShape | None = None
 
 
 class RobotWorker:
@@ -93,6 +99,7 @@ class RobotWorker:
         self.standing = Standing()
         self.session = RobotSession(clock)
         self.recorder = LastRun(name, self.session)
+        self._tried: Tried | None = None
         self.session.subscribe(self._robot_changed)
         self._thread = threading.Thread(target=self._serve, name=f"board-{address}", daemon=True)
         self._thread.start()
@@ -109,6 +116,15 @@ class RobotWorker:
         """
         self._cancelled = False
         self._order(lambda: self._send(program, then, replace, fresh))
+
+    def bench(self, bench: Bench, replace: bool = False) -> None:
+        """Puts the program that tries its parts on the robot, which then waits for steps."""
+        self._cancelled = False
+        self._order(lambda: self._begin_bench(Tried(self.session, bench), None, replace))
+
+    def try_step(self, at: int | None) -> None:
+        """Does that step of the bench until the next one; None ends it."""
+        self._order(lambda: self._try(at))
 
     def cancel(self) -> None:
         """Breaks off the sending."""
@@ -238,26 +254,16 @@ class RobotWorker:
             raise
         known = program.known if program is not None and program.is_called(hello.program) else None
         self.session.open(link, hello, known)
-        self._say(phase="open")
+        self._say(phase="open", micropython=kept_firmware(self.address, hello))
         if known is not None:
             self.session.watch(WATCH_MS)
 
     def _send(self, program: BoardProgram, then: str, replace: bool, fresh: bool) -> None:
-        self.session.close()
-        self.session.replaced()
-        self._say(phase="sending", message="", help="", way="")
-        try:
+        def put() -> BoardProgram:
             self._links.deploy(self.address, program, self._progress, replace, fresh)
-            self._say(progress=None)
-            self._greet(program)
-        except _Cancelled:
-            self._say(phase="closed", progress=None, message=Sentence("the sending was broken off"), help=_KEPT)
-            return
-        except (KitRobotError, OSError) as error:
-            self.session.close()
-            said = error if isinstance(error, KitRobotError) else no_answer(self.name)
-            way = self._links.way(said)
-            self._say(phase="closed", progress=None, message=said.message, help=way_out(said), way=way)
+            return program
+
+        if not self._put(put):
             return
         if then == "ready":
             self._stop()
@@ -265,6 +271,47 @@ class RobotWorker:
             self._start(then == "held")
         if (warning := program.warning) is not None:
             self._say(message=warning.message, help=warning.help)
+
+    def _put(self, put: Callable[[], BoardProgram]) -> bool:
+        """Has a program put on the robot and greets it; whether that went well, else it is said what did not."""
+        self._tried = None
+        self.session.close()
+        self.session.replaced()
+        self._say(phase="sending", message="", help="", way="")
+        try:
+            program = put()
+            self._say(progress=None)
+            self._greet(program)
+        except _Cancelled:
+            self._say(phase="closed", progress=None, message=Sentence("the sending was broken off"), help=_KEPT)
+            return False
+        except (KitRobotError, OSError) as error:
+            self.session.close()
+            said = error if isinstance(error, KitRobotError) else no_answer(self.name)
+            way = self._links.way(said)
+            self._say(phase="closed", progress=None, message=said.message, help=way_out(said), way=way)
+            return False
+        return True
+
+    def _begin_bench(self, tried: Tried, needed: PartKey | None, replace: bool) -> None:
+        def deploy(program: BoardProgram) -> None:
+            self._links.deploy(self.address, program, self._progress, replace, False)
+
+        if self._put(lambda: tried.load(needed, deploy)):
+            self._tried = tried
+            tried.hand.restart()
+            self._say()
+
+    def _try(self, at: int | None) -> None:
+        tried = self._tried
+        if tried is None or not self.session.is_open:
+            return
+        needed = tried.needs(at)
+        if needed is not None:
+            self._begin_bench(tried, needed, False)
+        if self._tried is not None:
+            tried.do(at)
+            self._say()
 
     def _progress(self, step: Any, done: int, total: int) -> None:
         if self._cancelled:
@@ -277,6 +324,8 @@ class RobotWorker:
         self._say(message="", help="")
 
     def _stop(self) -> None:
+        if self._tried is not None:
+            self._tried.hand.step = None
         if self.session.is_open:
             self.session.stop()
 
@@ -284,6 +333,9 @@ class RobotWorker:
 
     def _listen(self) -> None:
         self.session.poll(LISTEN_S)
+        if self._tried is not None:
+            self._tried.check()
+            self._say()
         error = self.recorder.error()
         if error is not None:
             self._say(message=error.message, help=Sentence("what was recorded before can be saved"))
@@ -304,7 +356,8 @@ class RobotWorker:
         names = session.known.names if session.known is not None else None
         # What its program does changes all the time, and is told as a run.
         state = replace(session.state, tick=0, late=0, threads={}, cells={}, forced={})
-        now = replace(self.standing, robot=state, names=names, recorded=recorded, **changes)
+        bench = self._tried.shape() if self._tried is not None else None
+        now = replace(self.standing, robot=state, names=names, recorded=recorded, bench=bench, **changes)
         if now == self.standing:
             return
         self.standing = replace(now, version=self.standing.version + 1)
@@ -330,7 +383,9 @@ class RobotWorker:
             message=now.message,
             help=now.help,
             way=now.way,
+            micropython=now.micropython,
             recorded=now.recorded,
+            bench=now.bench,
         )
 
 
