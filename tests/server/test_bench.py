@@ -69,4 +69,4 @@ def test_what_cannot_be_tried_is_refused_and_a_robot_whose_parts_nobody_tries_ta
             page.send("try", address, step=step)
             assert page.until("refused")["address"] == ""
         page.send("try", address, step=0)
-        assert "nobody talks with this robot" in page.until("refused")["message"]
+        assert "Nobody talks with this robot" in page.until("refused")["message"]

@@ -107,7 +107,7 @@ def send_progress() -> Any:
 
 def _tried(run: BenchRun, step: BenchStep, seconds: float) -> dict[str, Any]:
     """One step, done for so long, and what came of it."""
-    from kitrobot.workspace.bench_run import PartError
+    from kitrobot.workspace.bench_loading import PartError
 
     values: list[int] = []
     error: KitRobotError | None = None
@@ -159,7 +159,7 @@ def _result(row: dict[str, Any]) -> str:
 def _by_keys(run: BenchRun, bench: Bench) -> None:
     """Steps by keys until the person leaves."""
     from kitrobot.cli.keys import ESCAPE, pressed_keys
-    from kitrobot.workspace.bench_run import PartError
+    from kitrobot.workspace.bench_loading import PartError
 
     tell(_HELP)
     for part, why in bench.left_out:

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
-
 from kitrobot.diagnostics import KitRobotError
 from kitrobot.robots import BoardProgram, RobotSession
 from kitrobot.server.shapes import (
@@ -15,7 +13,8 @@ from kitrobot.server.shapes import (
 )
 from kitrobot.text import Sentence
 from kitrobot.workspace.bench import Bench, PartKey
-from kitrobot.workspace.bench_run import BenchHand, PartError, load_parts
+from kitrobot.workspace.bench_loading import PartError, Send, load_parts
+from kitrobot.workspace.bench_run import BenchHand
 
 
 class StepError(KitRobotError):
@@ -29,7 +28,7 @@ class Tried:
         self.hand = BenchHand(session, bench, frozenset())
         self._broken: dict[PartKey, KitRobotError] = {}
 
-    def load(self, needed: PartKey | None, send: Callable[[BoardProgram], object]) -> BoardProgram:
+    def load(self, needed: PartKey | None, send: Send) -> BoardProgram:
         """Sends the program for as many parts as the robot takes, the needed one among them.
 
         Raises:

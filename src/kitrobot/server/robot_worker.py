@@ -6,8 +6,8 @@ hears something every quarter of a second; it stops by itself within a second wh
 dies, a cable that is pulled and a page that is closed all end in the same safe way. When the worker ends,
 what is held is stopped; what runs free runs on.
 
-What pages are told is one value that is replaced as a whole (`standing`), and `changed` is called from this thread each
-time. Left to others: the robot's state (kitrobot.robots), who may ask and who is told (robot_registry).
+`changed` is called from this thread each time that what pages are told is replaced (`standing`). Left to others: the
+robot's state (kitrobot.robots), what pages are told (robot_standing), who may ask and who is told (robot_registry).
 """
 
 from __future__ import annotations
@@ -18,24 +18,16 @@ import threading
 import time
 from collections import deque
 from collections.abc import Callable
-from dataclasses import dataclass, field, replace
+from dataclasses import replace
 from typing import Any, get_args
 
-from kitrobot.deploy import Fault, ForeignError, FullError, LineError, SilentError
 from kitrobot.diagnostics import KitRobotError
-from kitrobot.robots import BoardNames, BoardProgram, Change, Happening, RobotSession, RobotState
+from kitrobot.robots import BoardProgram, Change, Happening, RobotSession
 from kitrobot.server.robot_bench import Tried
 from kitrobot.server.robot_gateway import RobotGateway
 from kitrobot.server.robot_recorder import LastRun
-from kitrobot.server.shapes import (
-    BoardBenchShape,
-    BoardFaultShape,
-    BoardMessage,
-    BoardPhase,
-    BoardProgressShape,
-    BoardStep,
-    BoardWay,
-)
+from kitrobot.server.robot_standing import Standing, no_answer, way_out
+from kitrobot.server.shapes import BoardMessage, BoardProgressShape, BoardStep
 from kitrobot.text import Recorded, Sentence
 from kitrobot.workspace.bench import Bench, PartKey
 from kitrobot.workspace.kept_firmware import kept_firmware
@@ -46,7 +38,6 @@ WATCH_MS = 100
 """The robot tells what changed at most so often."""
 MOST_ORDERS = 64
 STEPS: tuple[BoardStep, ...] = get_args(BoardStep)
-LONGEST_TEXT = 500
 _KEPT = Sentence("the robot still has the program that it had")
 
 Order = Callable[[], None]
@@ -59,23 +50,6 @@ class BusyError(KitRobotError):
 
 class _Cancelled(Exception):
     """The sending was broken off by the person."""
-
-
-@dataclass(frozen=True)
-class Standing:
-    """What pages are told of a robot; `version` grows with each change."""
-
-    version: int = 0
-    phase: BoardPhase = "closed"
-    robot: RobotState = field(default_factory=RobotState)
-    names: BoardNames | None = None
-    progress: BoardProgressShape | None = None
-    message: str = ""
-    help: str = ""
-    way: BoardWay = ""
-    micropython: str = ""
-    recorded: bool = False
-    bench: BoardBenchShape | None = None
 
 
 class RobotWorker:
@@ -294,8 +268,8 @@ class RobotWorker:
         return True
 
     def _begin_bench(self, tried: Tried, needed: PartKey | None, replace: bool) -> None:
-        def deploy(program: BoardProgram) -> None:
-            self._links.deploy(self.address, program, self._progress, replace, False)
+        def deploy(program: BoardProgram, fresh: bool) -> None:
+            self._links.deploy(self.address, program, self._progress, replace, fresh)
 
         if self._put(lambda: tried.load(needed, deploy)):
             self._tried = tried
@@ -365,62 +339,4 @@ class RobotWorker:
 
     def message(self) -> BoardMessage:
         """What pages are told."""
-        now, state, names = self.standing, self.standing.robot, self.standing.names
-        return BoardMessage(
-            address=self.address,
-            name=self.name,
-            holder=self.holder,
-            phase=now.phase,
-            state=state.doing,
-            held=state.held and now.phase != "closed",
-            free=state.free,
-            generation=state.generation,
-            package=state.package,
-            installed=state.installed,
-            program=names.program if names is not None else "",
-            progress=now.progress,
-            fault=_fault_shape(state.fault, names) if state.fault is not None else None,
-            message=now.message,
-            help=now.help,
-            way=now.way,
-            micropython=now.micropython,
-            recorded=now.recorded,
-            bench=now.bench,
-        )
-
-
-def _fault_shape(fault: Fault, names: BoardNames | None) -> BoardFaultShape:
-    at = fault.instruction
-    return BoardFaultShape(
-        number=fault.number,
-        sentence=fault.meaning,
-        text=(names.fault_text(fault.text) if names is not None else fault.text)[:LONGEST_TEXT],
-        program=names.program if names is not None else "",
-        vertex=(names.vertex(at) or "") if names is not None else "",
-        line=names.line(at) if names is not None else 0,
-        tick=fault.tick,
-    )
-
-
-def way_out(error: KitRobotError) -> str:
-    """The help of an error, for somebody who has a panel with buttons and not a terminal."""
-    if "`kitrobot " not in error.help and " --" not in error.help:
-        return error.help
-    if isinstance(error, ForeignError):
-        return Sentence("save it first if you need it, then press Replace it")
-    if isinstance(error, FullError):
-        return Sentence(
-            "press Make room: what KitRobot put there goes first, and until the new program is whole there is none"
-        )
-    if isinstance(error, SilentError):
-        return Sentence("press its reset button; when it holds no KitRobot yet, press Send")
-    return (
-        Sentence("look at its cable, then try again")
-        if isinstance(error, LineError)
-        else Sentence("send the program again")
-    )
-
-
-def no_answer(name: str) -> KitRobotError:
-    """The error of a robot that said nothing at all."""
-    return KitRobotError(Sentence("`{robot}` does not answer", name), Sentence("look at its cable, then try again"))
+        return self.standing.message_of(self.address, self.name, self.holder)

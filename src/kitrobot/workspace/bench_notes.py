@@ -44,8 +44,8 @@ class BenchNote:
 
 
 def _note(element: Element) -> BenchNote:
-    call = _CALL.fullmatch(element.matching("call", ""))
-    measures = element.choice("of", "") if element.name == "measure" else ""
+    call = _CALL.fullmatch(element.matching("call")) if element.name != "sensor" else None
+    measures = element.choice("of") if element.name == "measure" else ""
     return BenchNote(
         Category.SENSOR if element.name == "sensor" else Category.ACTUATOR,
         tuple(element.required("device").split()),

@@ -1,8 +1,7 @@
 """The robot whose parts are tried: the program for as many parts as fit and start, steps begun and ended, values told.
 
 Everything stops when a step ends, when the run is closed, and on the robot itself when it hears nothing from here for
-0.8 s, since it is held. Where the memory of a board is too short for all parts, it gets a program for half of them, and
-so on. A part whose driver does not start is left out, and the rest is tried without it.
+0.8 s, since it is held. Left to others: the program for the parts (bench_loading).
 
 `BenchHand` works on a session that somebody owns (the studio's worker, or `BenchRun`, which has one of its own).
 """
@@ -14,12 +13,13 @@ from collections.abc import Callable
 from contextlib import suppress
 from types import TracebackType
 
-from kitrobot.deploy import BoardError, DeployError, LineError, NoMemoryError, SilentError, connect
+from kitrobot.deploy import DeployError, LineError, SilentError, connect
 from kitrobot.diagnostics import KitRobotError
 from kitrobot.primitives import Category
 from kitrobot.robots import BoardProgram, RobotSession
 from kitrobot.text import Sentence
 from kitrobot.workspace.bench import Bench, BenchStep, PartKey
+from kitrobot.workspace.bench_loading import WIRES, PartError, load_parts
 from kitrobot.workspace.robot_programs import send_program
 
 PERIOD_MS = 100
@@ -31,74 +31,8 @@ _LINK_LOST = 6
 _SETTLED_TICKS = 5
 """Until then the value of a sensor may be the one at which it was held."""
 
-_WIRES = Sentence("look at its wires and its settings in the board's file")
-
 Progress = Callable[[str, int, int], None]
 """Is told what is done now, and how many bytes of how many."""
-
-
-class PartError(KitRobotError):
-    """A part does not do what it is told."""
-
-
-def load_parts(
-    bench: Bench,
-    needed: PartKey | None,
-    broken: dict[PartKey, KitRobotError],
-    send: Callable[[BoardProgram], object],
-) -> tuple[frozenset[PartKey], BoardProgram]:
-    """Sends the program for as many parts as the board takes; which these are, and the program.
-
-    Args:
-        bench: what can be tried.
-        needed: a part that is to be among them; None: any.
-        broken: parts that do not start; those that are found are added.
-        send: puts a program on the board.
-
-    Raises:
-        PartError: the needed part does not start.
-        KitRobotError: what `send` raises.
-    """
-    keys = dict.fromkeys(one.key for one in bench.steps if one.key not in broken)
-    parts = bench.together(list(keys), needed)
-    while True:
-        program = bench.program(parts)
-        try:
-            send(program)
-        except NoMemoryError:
-            if len(parts) <= 1:
-                raise
-            parts = _half(parts, needed)
-        except BoardError as error:
-            blamed = _blamed(program, error)
-            if blamed is None or blamed not in parts:
-                raise
-            broken[blamed] = PartError(
-                Sentence("`{part}` does not start: {reason}", blamed[1], program.names.fault_text(error.said)), _WIRES
-            )
-            parts.remove(blamed)
-            if blamed == needed:
-                raise broken[blamed] from error
-        else:
-            return frozenset(parts), program
-
-
-def _half(parts: list[PartKey], needed: PartKey | None) -> list[PartKey]:
-    """Half of the parts, the needed one among them."""
-    middle = len(parts) // 2
-    return parts[:middle] if needed is None or needed in parts[:middle] else parts[middle:]
-
-
-def _blamed(program: BoardProgram, error: BoardError) -> PartKey | None:
-    """The part that a board names as to blame."""
-    device = error.said.partition(" ")[0]
-    kind, number = device[:1], device[1:]
-    if not number.isdecimal() or len(number) > 3:
-        return None
-    if kind == "a" and int(number) < len(program.names.actuators):
-        return Category.ACTUATOR, program.names.actuators[int(number)]
-    sensors = {cell: name for name, cell in program.names.sensors.items()}
-    return (Category.SENSOR, sensors[int(number)]) if kind == "s" and int(number) in sensors else None
 
 
 class BenchHand:
@@ -164,7 +98,7 @@ class BenchHand:
             return  # it heard nothing for a while, and stands; no part is to blame
         said = (known.names.fault_text(fault.text) if known is not None else fault.text).strip()
         reason = Sentence("{meaning} ({text})", fault.meaning, said) if said else fault.meaning
-        raise PartError(Sentence("`{part}` failed: {reason}", step.part.name, reason), _WIRES)
+        raise PartError(Sentence("`{part}` failed: {reason}", step.part.name, reason), WIRES)
 
     @property
     def value(self) -> int | None:
@@ -281,7 +215,7 @@ class BenchRun:
             if self._clock() > until:
                 self._hand.session.stop()
                 self._hand.step = None
-                raise PartError(Sentence("`{part}` did not say that it is done", step.part.name), _WIRES)
+                raise PartError(Sentence("`{part}` did not say that it is done", step.part.name), WIRES)
         self._hand.step = None
 
     @property
@@ -302,10 +236,10 @@ class BenchRun:
         self._hand = BenchHand(self._hand.session, self.bench, parts)
         self._hand.restart()
 
-    def _send(self, program: BoardProgram) -> None:
+    def _send(self, program: BoardProgram, fresh: bool) -> None:
         def told(address: str, stage: str, done: int, total: int) -> None:
             self._progress(stage, done, total)
 
-        (sent,) = send_program(program, [self.address], told, replace=self._replace)
+        (sent,) = send_program(program, [self.address], told, replace=self._replace, fresh=fresh)
         if sent.error is not None:
             raise sent.error

@@ -97,7 +97,7 @@ class BoardTryRequest(BaseModel):
 
     type: Literal["try"]
     address: Address
-    step: Annotated[int, Field(ge=0, lt=1000)] | None
+    step: Annotated[int, Field(ge=0, lt=1000, strict=True)] | None
 
 
 class BoardCancelRequest(BaseModel):
