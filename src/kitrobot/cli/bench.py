@@ -171,7 +171,7 @@ def _by_keys(run: BenchRun, bench: Bench) -> None:
             pressed = key()
             try:
                 run.poll(0.1 if going else 0.05)
-                if going:
+                if going and run.is_on:
                     _line(f"  on   {'' if run.value is None else run.value}")
                 if pressed in ("q", ESCAPE):
                     run.end()

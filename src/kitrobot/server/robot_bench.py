@@ -67,12 +67,11 @@ class Tried:
 
     def check(self) -> None:
         """Looks whether the part of the step failed."""
-        step = self.hand.step
         try:
             self.hand.check()
         except PartError as error:
-            assert step is not None
-            self._broken[step.key] = error
+            if error.part is not None:
+                self._broken[error.part] = error
 
     def shape(self) -> BoardBenchShape:
         """How it stands."""

@@ -8,11 +8,12 @@ rest is tried without it. Left to others: the steps (bench_run).
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import dataclass
 
 from kitrobot.deploy import BoardError, FullError, NoMemoryError
 from kitrobot.diagnostics import KitRobotError
 from kitrobot.primitives import Category
-from kitrobot.robots import BoardProgram
+from kitrobot.robots import BoardNames, BoardProgram
 from kitrobot.text import Sentence
 from kitrobot.workspace.bench import Bench, PartKey
 
@@ -22,8 +23,11 @@ Send = Callable[[BoardProgram, bool], object]
 """Puts a program on the board; true: what KitRobot put there before is removed first."""
 
 
+@dataclass(eq=False)
 class PartError(KitRobotError):
-    """A part does not do what it is told."""
+    """A part does not do what it is told; `part`: which."""
+
+    part: PartKey | None = None
 
 
 def load_parts(
@@ -59,15 +63,15 @@ def load_parts(
             else:
                 parts = _half(parts, needed)
         except BoardError as error:
-            blamed = _blamed(program, error)
+            blamed = blamed_part(program.names, error.said)
             if blamed is None or blamed not in parts:
                 raise
-            broken[blamed] = PartError(
-                Sentence("`{part}` does not start: {reason}", blamed[1], program.names.fault_text(error.said)), WIRES
-            )
+            reason = program.names.fault_text(error.said)
+            found = PartError(Sentence("`{part}` does not start: {reason}", blamed[1], reason), WIRES, part=blamed)
+            broken[blamed] = found
             parts.remove(blamed)
             if blamed == needed:
-                raise broken[blamed] from error
+                raise found from error
         else:
             return frozenset(parts), program
 
@@ -78,13 +82,13 @@ def _half(parts: list[PartKey], needed: PartKey | None) -> list[PartKey]:
     return parts[:middle] if needed is None or needed in parts[:middle] else parts[middle:]
 
 
-def _blamed(program: BoardProgram, error: BoardError) -> PartKey | None:
+def blamed_part(names: BoardNames, said: str) -> PartKey | None:
     """The part that a board names as to blame."""
-    device = error.said.partition(" ")[0]
+    device = said.partition(" ")[0]
     kind, number = device[:1], device[1:]
     if not number.isdecimal() or len(number) > 3:
         return None
-    if kind == "a" and int(number) < len(program.names.actuators):
-        return Category.ACTUATOR, program.names.actuators[int(number)]
-    sensors = {cell: name for name, cell in program.names.sensors.items()}
+    if kind == "a" and int(number) < len(names.actuators):
+        return Category.ACTUATOR, names.actuators[int(number)]
+    sensors = {cell: name for name, cell in names.sensors.items()}
     return (Category.SENSOR, sensors[int(number)]) if kind == "s" and int(number) in sensors else None

@@ -13,13 +13,13 @@ from collections.abc import Callable
 from contextlib import suppress
 from types import TracebackType
 
-from kitrobot.deploy import DeployError, LineError, SilentError, connect
+from kitrobot.deploy import DeployError, LineError, News, SilentError, connect
 from kitrobot.diagnostics import KitRobotError
 from kitrobot.primitives import Category
 from kitrobot.robots import BoardProgram, RobotSession
 from kitrobot.text import Sentence
 from kitrobot.workspace.bench import Bench, BenchStep, PartKey
-from kitrobot.workspace.bench_loading import WIRES, PartError, load_parts
+from kitrobot.workspace.bench_loading import WIRES, PartError, blamed_part, load_parts
 from kitrobot.workspace.robot_programs import send_program
 
 PERIOD_MS = 100
@@ -30,6 +30,8 @@ _LINK_LOST = 6
 """The fault of a robot that was held and heard nothing (docs/reference/link.md)."""
 _SETTLED_TICKS = 5
 """Until then the value of a sensor may be the one at which it was held."""
+_CALLED_TICKS = 20
+"""By then a step is called, though its number was not told: one that comes back within a period is not."""
 
 Progress = Callable[[str, int, int], None]
 """Is told what is done now, and how many bytes of how many."""
@@ -43,7 +45,8 @@ class BenchHand:
         self.step: BenchStep | None = None
         """What is done now."""
 
-        self._valid_from = 0
+        self._valid_from = self._called_by = 0
+        """Ticks of the robot: the value of the step counts from the first, and the step is called in the second."""
 
     def restart(self) -> None:
         """Begins the program anew, held, with all its sensors held."""
@@ -63,7 +66,8 @@ class BenchHand:
         self.end()
         if self.session.state.doing != "running":
             self.restart()
-        self.step, self._valid_from = step, self.session.state.tick + _SETTLED_TICKS
+        self.step, now = step, self.session.state.tick
+        self._valid_from, self._called_by = now + _SETTLED_TICKS, now + _CALLED_TICKS
         if step.part.category is not Category.SENSOR:
             self.session.set_variable(self.bench.variable, step.number)
             return
@@ -91,6 +95,7 @@ class BenchHand:
             PartError: it did.
         """
         fault, known = self.session.state.fault, self.session.known
+        self._notice_call()
         if fault is None or self.step is None:
             return
         step, self.step = self.step, None
@@ -98,7 +103,17 @@ class BenchHand:
             return  # it heard nothing for a while, and stands; no part is to blame
         said = (known.names.fault_text(fault.text) if known is not None else fault.text).strip()
         reason = Sentence("{meaning} ({text})", fault.meaning, said) if said else fault.meaning
-        raise PartError(Sentence("`{part}` failed: {reason}", step.part.name, reason), WIRES)
+        blamed = blamed_part(known.names, fault.text) if known is not None else None
+        key = blamed or step.key
+        raise PartError(Sentence("`{part}` failed: {reason}", key[1], reason), WIRES, part=key)
+
+    def _notice_call(self) -> None:
+        """What the robot tells after a tick is called in the next one."""
+        known, news, step = self.session.known, self.session.news, self.step
+        if known is None or step is None or not isinstance(news, News):
+            return
+        if news.cells.get(known.names.variables[self.bench.variable]) == step.number:
+            self._called_by = min(self._called_by, news.tick + 1)
 
     @property
     def value(self) -> int | None:
@@ -112,6 +127,13 @@ class BenchHand:
     def looks(self) -> bool:
         """Whether the step is to look at a sensor."""
         return self.step is not None and self.step.part.category is Category.SENSOR
+
+    @property
+    def is_on(self) -> bool:
+        """Whether the robot has had a tick with what the step calls, or the step has none to wait for."""
+        if self.step is None or self.looks or self.step.lasts is not None:
+            return True
+        return self.session.state.tick >= self._called_by
 
     @property
     def is_over(self) -> bool:
@@ -194,7 +216,7 @@ class BenchRun:
         """
         seen: list[int] = []
         until = self._clock() + seconds
-        while self._clock() < until or (self._hand.looks and not seen):
+        while self._clock() < until or not self._hand.is_on or (self._hand.looks and not seen):
             self.poll(_STEP_S)
             if (value := self.value) is not None and (not seen or seen[-1] != value):
                 seen.append(value)
@@ -222,6 +244,11 @@ class BenchRun:
     def value(self) -> int | None:
         """What the sensor of the step measures; None for an actuator and before it is told."""
         return self._hand.value
+
+    @property
+    def is_on(self) -> bool:
+        """Whether the robot does what the step says."""
+        return self._hand.is_on
 
     @property
     def late(self) -> int:
