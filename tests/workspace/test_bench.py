@@ -10,7 +10,9 @@ import pytest
 from kitrobot.compiler import compile_text
 from kitrobot.image import Machine
 from kitrobot.primitives import SHIPPED, Category, Kit, load_catalogue, number_variable, read_kit
+from kitrobot.text import Sentence
 from kitrobot.workspace.bench import NoPartsError, bench_of, program_text
+from kitrobot.workspace.bench_loading import reason_of
 from kitrobot.workspace.bench_notes import notes_for, read_bench, shipped_notes
 from kitrobot.workspace.calibration import bench_robot
 
@@ -104,3 +106,20 @@ def test_a_list_with_a_mistake_is_told_and_not_used(text: str) -> None:
     made, problems = read_bench(text.encode(), "bench.xml")
     assert made is None
     assert problems
+
+
+@pytest.mark.parametrize(
+    ("said", "reason"),
+    [
+        ("s2 OSError('no answer: not plugged in?',)", "it does not answer, and may be not plugged in"),
+        ("s3 tcs34725 OSError(19,)", "it does not answer, and may be not plugged in"),
+        ("a0 [Errno 5] EIO", "it does not answer, and may be not plugged in"),
+        ("s3 OSError(28,)", "a driver failed (OSError(28,))"),
+        ("a1 ValueError('pin')", "a driver failed (ValueError('pin'))"),
+        ("s2", "a driver failed"),
+        ("", "a driver failed"),
+        ("no device at all", "a driver failed (no device at all)"),
+    ],
+)
+def test_a_part_that_does_not_answer_is_told_in_plain_words(said: str, reason: str) -> None:
+    assert reason_of(said, Sentence("a driver failed")) == reason

@@ -7,6 +7,7 @@ rest is tried without it. Left to others: the steps (bench_run).
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable
 from dataclasses import dataclass
 
@@ -18,6 +19,12 @@ from kitrobot.text import Sentence
 from kitrobot.workspace.bench import Bench, PartKey
 
 WIRES = Sentence("look at its wires and its settings in the board's file")
+
+_DEVICE = re.compile(r"^[as]\d{1,3}( |$)")
+_NO_ANSWER = re.compile(r"OSError\((\[Errno )?(5|19|110|116)\b|OSError\('no answer|ENODEV|ETIMEDOUT|\bEIO\b")
+    r"OSError\((5|19|110|116|'no answer[^']*'|\[Errno (5|19|110|116)\][^)]*),?\)|ENODEV|ETIMEDOUT|\bEIO\b"
+)
+"""What MicroPython says of a bus or a range finder where nothing is: EIO, ENODEV, ETIMEDOUT, and drivers of ours."""
 
 Send = Callable[[BoardProgram, bool], object]
 """Puts a program on the board; true: what KitRobot put there before is removed first."""
@@ -66,7 +73,7 @@ def load_parts(
             blamed = blamed_part(program.names, error.said)
             if blamed is None or blamed not in parts:
                 raise
-            reason = program.names.fault_text(error.said)
+            reason = reason_of(error.said)
             found = PartError(Sentence("`{part}` does not start: {reason}", blamed[1], reason), WIRES, part=blamed)
             broken[blamed] = found
             parts.remove(blamed)
@@ -92,3 +99,13 @@ def blamed_part(names: BoardNames, said: str) -> PartKey | None:
         return Category.ACTUATOR, names.actuators[int(number)]
     sensors = {cell: name for name, cell in names.sensors.items()}
     return (Category.SENSOR, sensors[int(number)]) if kind == "s" and int(number) in sensors else None
+
+
+def reason_of(said: str, meaning: str = "") -> str:
+    """What a board says of a part that failed, behind the part; in plain words when nothing answers at its pins."""
+    text = _DEVICE.sub("", said).strip()
+    if _NO_ANSWER.search(text):
+        return Sentence("it does not answer, and may be not plugged in")
+    if not meaning:
+        return text
+    return Sentence("{meaning} ({text})", meaning, text) if text else meaning

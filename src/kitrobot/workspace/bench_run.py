@@ -19,7 +19,7 @@ from kitrobot.primitives import Category
 from kitrobot.robots import BoardProgram, RobotSession
 from kitrobot.text import Sentence
 from kitrobot.workspace.bench import Bench, BenchStep, PartKey
-from kitrobot.workspace.bench_loading import WIRES, PartError, blamed_part, load_parts
+from kitrobot.workspace.bench_loading import WIRES, PartError, blamed_part, load_parts, reason_of
 from kitrobot.workspace.robot_programs import send_program
 
 PERIOD_MS = 100
@@ -101,10 +101,9 @@ class BenchHand:
         step, self.step = self.step, None
         if fault.number == _LINK_LOST:
             return  # it heard nothing for a while, and stands; no part is to blame
-        said = (known.names.fault_text(fault.text) if known is not None else fault.text).strip()
-        reason = Sentence("{meaning} ({text})", fault.meaning, said) if said else fault.meaning
         blamed = blamed_part(known.names, fault.text) if known is not None else None
         key = blamed or step.key
+        reason = reason_of(fault.text, fault.meaning)
         raise PartError(Sentence("`{part}` failed: {reason}", key[1], reason), WIRES, part=key)
 
     def _notice_call(self) -> None:
