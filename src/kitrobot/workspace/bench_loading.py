@@ -22,8 +22,6 @@ WIRES = Sentence("look at its wires and its settings in the board's file")
 
 _DEVICE = re.compile(r"^[as]\d{1,3}( |$)")
 _NO_ANSWER = re.compile(r"OSError\((\[Errno )?(5|19|110|116)\b|OSError\('no answer|ENODEV|ETIMEDOUT|\bEIO\b")
-    r"OSError\((5|19|110|116|'no answer[^']*'|\[Errno (5|19|110|116)\][^)]*),?\)|ENODEV|ETIMEDOUT|\bEIO\b"
-)
 """What MicroPython says of a bus or a range finder where nothing is: EIO, ENODEV, ETIMEDOUT, and drivers of ours."""
 
 Send = Callable[[BoardProgram, bool], object]
