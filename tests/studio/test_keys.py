@@ -97,7 +97,7 @@ def test_every_entry_of_the_context_menus_is_reached(open_studio: OpenStudio) ->
 NO_WAY = """() => {
     // Team and world belong to the list of tabs by `aria-owns`.
     const roving = '.tabs-last, [role=menubar], [role=tablist], [role=tree], [role=menu], [role=listbox], .cm-editor';
-    const byKey = '.fold, .folded, .note-strip, .react-flow__attribution, .chip, .hole, .arc-spot, '
+    const byKey = '.fold, .folded, .note-strip, .chip, .hole, .arc-spot, '
         + '[data-testid^=place-]';
     return [...document.querySelectorAll('button, a[href], input, select, textarea, [role=button], [role=treeitem]')]
         .filter(one => one.checkVisibility() && !one.disabled && one.tabIndex < 0)

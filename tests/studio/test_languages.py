@@ -63,7 +63,7 @@ MISTAKES = """<kitrobot version="1">
 # Left out: code, the text of programs, words of the mission itself, the name of the library that draws.
 SAID = """() => {
     const names = `code, kbd, .cm-editor, .note-words, .note-strip, [data-testid="team-title"],
-        [data-testid="team-help"], .react-flow__attribution, script, style`;
+        [data-testid="team-help"], script, style`;
     const found = [];
     const texts = document.createTreeWalker(document.body, NodeFilter.SHOW_TEXT);
     while (texts.nextNode()) {

@@ -162,7 +162,7 @@ TOO_SMALL = """() => {
         return [Math.max(w, around.width), Math.max(h, around.height)];
     };
     // The dot of an arc stands for a line, which is pressed anywhere; a text is not pressed but read.
-    const others = '.arc-spot, .react-flow__attribution a, .cm-editor *, .hole, [role=separator]';
+    const others = '.arc-spot, .cm-editor *, .hole, [role=separator]';
     const pressed = 'button, a[href], input, select, textarea, summary, [role=button], [role=treeitem], '
         + '[role^=menuitem], [role=tab], [role=option]';
     return [...document.querySelectorAll(pressed)]

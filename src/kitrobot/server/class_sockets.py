@@ -16,6 +16,7 @@ from pydantic import BaseModel, TypeAdapter, ValidationError
 
 from kitrobot.classroom import Allowance, ClassRoom, Desk, Goal, Pupil, Report, Told
 from kitrobot.diagnostics import KitRobotError
+from kitrobot.server.beside_loop import beside_loop
 from kitrobot.server.class_overview import Overview
 from kitrobot.server.class_routes import pupil_of, room_of
 from kitrobot.server.routing import api_router
@@ -94,7 +95,7 @@ async def teacher_socket(socket: WebSocket) -> None:
     class_told: BaseModel | None = None
     try:
         while not hears.done():
-            whole, pupils = await asyncio.to_thread(lambda: (overview.whole(), overview.pupils()))
+            whole, pupils = await beside_loop(lambda: (overview.whole(), overview.pupils()))
             if whole != class_told:
                 class_told = whole
                 await socket.send_text(whole.model_dump_json())

@@ -1,6 +1,7 @@
 /** English for the gallery and the sheet for opening, which are fetched later. */
 export const GALLERY_EN = {
   "open.title": "Open a mission",
+  "open.jumps": "Go to",
   "open.workspace": "In {folder}",
   "open.workspace-empty": "No mission in this folder yet.",
   "open.examples": "Examples",

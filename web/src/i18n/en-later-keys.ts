@@ -1,5 +1,9 @@
 /** English for the sheet of keys. */
 export const KEYS_EN = {
+  "help.about-text":
+    "Version {version}. Draw a program as a graph, press Run, and small robots do what it says. Free software under the Apache License 2.0.",
+  "help.about-graph": "The graph is shown with",
+  "help.about-licences": "Licences of everything inside",
   "help.keys-part": "Help for the selected part",
   "help.keys-outline": "Outline of the program, in words",
   "help.keys-save-as": "Save under another name",

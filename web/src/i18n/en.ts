@@ -126,8 +126,6 @@ export const EN = {
 
   "help.shortcuts": "Keyboard shortcuts",
   "help.about": "About KitRobot",
-  "help.about-text":
-    "Version {version}. Draw a program as a graph, press Run, and small robots do what it says. Free software under the Apache License 2.0.",
   "help.close": "Close",
   "help.general": "Everywhere",
   "help.keys-insert": "Insert a part at the selected arc or vertex",

@@ -62,6 +62,9 @@ export function Canvas() {
   );
 }
 
+/** React Flow is named in *About*, with the licences. */
+const PRO_OPTIONS = { hideAttribution: true };
+
 function nodesOf({ layout }: Drawing): GraphNode[] {
   return layout.nodes.map((node) => ({
     id: node.id,
@@ -131,7 +134,7 @@ function Graph({ drawing }: { drawing: Drawing }) {
           "edge.a11yDescription.default": t("help.keys-insert"),
         }}
         zoomOnDoubleClick={false}
-        attributionPosition="bottom-left"
+        proOptions={PRO_OPTIONS}
         onPaneClick={() => {
           useStudio.getState().select([]);
           useView.setState({ arc: null, adding: null });

@@ -3,6 +3,7 @@ import { useRef } from "react";
 
 import type { MissionEntry } from "../../api/generated";
 import { Gallery } from "./Gallery";
+import { Jumps } from "./Jumps";
 import { Icon } from "../../theme";
 import { Slot } from "../../components/Slot";
 import { languageInUse, t } from "../../i18n/words";
@@ -58,7 +59,7 @@ export function OpenSheet() {
   return (
     <Sheet title={t("open.title")} testId="open-dialog" wide onClose={closeOverlay}>
       <div className="open-lists">
-        <Slot name="open-lists" />
+        <Jumps />
         {missions === null ? (
           <p className="sheet-note">{t("open.loading")}</p>
         ) : (
@@ -109,6 +110,7 @@ export function OpenSheet() {
             {examples.length === 0 ? null : <Gallery examples={examples} open={open} />}
           </>
         )}
+        <Slot name="open-lists" />
       </div>
       <div className="sheet-foot">
         <input
