@@ -1582,6 +1582,7 @@ export interface RobotSet {
   label: Record<string, string>;
   help: Record<string, string>;
   robots: string[];
+  own: boolean;
   can: Ability[];
   feels: Ability[];
   places: string[];
