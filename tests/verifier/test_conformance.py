@@ -8,6 +8,7 @@ all model states that fit what was seen are followed side by side; there must al
 from __future__ import annotations
 
 import random
+from collections.abc import Collection
 from typing import Any
 
 import pytest
@@ -23,6 +24,7 @@ from tests.verifier.reference.model import Model, State
 from tests.verifier.reference.timing import Clock, Timing
 
 KINDS = (FailureKind.FAIL, FailureKind.STALL)
+ALL_KINDS = (*KINDS, FailureKind.MUTE)
 
 
 def seen(run: Simulation, model: Model) -> Any:
@@ -38,7 +40,10 @@ def seen(run: Simulation, model: Model) -> Any:
             zones = part.track.zones
             gap = part.track.gaps.class_of(floats[c.GAP_AHEAD][i])
             motion = zones.zone_at(floats[c.AT][i]), _sign(floats[c.SPEED][i]), _sign(floats[c.TARGET][i]), gap
-        agents.append((table.current(), ints[c.LOAD][i], ints[c.DOWN][i], motion))
+        # Of who failed or has ended nobody can tell whether it has a radio.
+        is_alone = ints[c.MUTED][i] and ints[c.DOWN][i] != c.FAILED and not ints[c.ENDED][i]
+        own = tuple(int(machine.cells[cell]) for cell in table.shared) if is_alone else ()
+        agents.append((table.current(), ints[c.LOAD][i], ints[c.DOWN][i], motion, own))
     return tuple(agents), tuple(state.docks.stock), tuple(state.shared.ints[0])
 
 
@@ -54,7 +59,8 @@ def shown(state: State, model: Model) -> Any:
                 track = model.parts[i].track
                 assert track is not None
                 motion = body.zone, body.way, body.want, min(body.gap, track.gaps.beyond)
-        agents.append((inside.local, inside.load, inside.down, motion))
+        own = inside.own if inside.down != c.FAILED and not model.ended(state, i) else ()
+        agents.append((inside.local, inside.load, inside.down, motion, own))
     return tuple(agents), state[model.stock_at : model.shared_at], state[model.shared_at : model.failures_at]
 
 
@@ -62,9 +68,9 @@ def _sign(number: float) -> int:
     return (number > 0) - (number < 0)
 
 
-def follow(run: Simulation, steps: int, failures: int = 0) -> int:
+def follow(run: Simulation, steps: int, failures: int = 0, kinds: Collection[FailureKind] = KINDS) -> int:
     """Follows a run, and all states of the model that fit; gives how many different things were seen."""
-    model = Model(run, take_apart(run), failures)
+    model = Model(run, take_apart(run), failures, kinds)
     clock = Clock(model, Timing.LOCKSTEP)
     fitting = {model.first}
     different = set()
@@ -112,3 +118,18 @@ def test_failures_do_nothing_that_the_model_does_not(seed: int) -> None:
         Failure(f"carrier-{chance.randint(1, 3)}", chance.randint(1, 300) / 10, chance.choice(KINDS)) for _ in range(2)
     ]
     follow(transport(seed, stock=3, carriers=3, failures=harms), 3000, failures=2)
+
+
+@pytest.mark.parametrize("seed", cases([1, 2], list(range(3, 60))))
+def test_robots_without_a_radio_do_nothing_that_the_model_does_not(seed: int) -> None:
+    """Those that share variables lose it at any moment; what else befalls anybody comes then or later."""
+    chance = random.Random(seed)
+    first = chance.randint(1, 100) / 10
+    who = chance.choice(("store-manager-A", "store-manager-B", "loader", "unloader"))
+    other = chance.choice((who, "carrier-1", "loader"))
+    harms = [
+        Failure(who, first, chance.choice((FailureKind.STALL, FailureKind.MUTE))),
+        Failure(who, first, FailureKind.MUTE),
+        Failure(other, first + chance.randint(0, 100) / 10, chance.choice(ALL_KINDS)),
+    ]
+    follow(transport(seed, stock=3, carriers=2, failures=harms), 3000, 3, ALL_KINDS)
