@@ -77,7 +77,7 @@ class Clock:
                 found &= ~(1 << 2 * count + i)
         for road, traffic in enumerate(model.traffic):
             for event, _ in traffic.moves(state[model.roads_at + road]):
-                if event.what is Move.BEGIN:
+                if event.what is Move.BEGIN and not traffic.is_last(state[model.roads_at + road], event.agent):
                     found &= ~(1 << count + event.agent)
         return found
 
