@@ -113,7 +113,7 @@ def measure(
                 _hurry(until)
                 time.sleep(asked_s)  # nobody speaks to it meanwhile
         board.quit()
-    return Measured(_log(address), deployed)
+    return Measured(read_log(address), deployed)
 
 
 def _hurry(until: float) -> None:
@@ -121,8 +121,8 @@ def _hurry(until: float) -> None:
         raise TimeoutError("the board does not get on with its ticks")
 
 
-def _log(address: str) -> list[int]:
-    """What the clock wrote down."""
+def read_log(address: str) -> list[int]:
+    """What the clock wrote down: the µs between the beginnings of ticks."""
     line = Line(address)
     try:
         receiver = Receiver(RawRepl(line))

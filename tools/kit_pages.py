@@ -36,9 +36,10 @@ Of each kit it is said how it is known to work. No kit was at hand when this was
 the documents that are named. What is not in a document stands in no file: the Arduino Alvik is left out, because its
 motors and sensors are spoken to over a protocol of its own, for which there is no driver here yet.
 
-The rate of a turn by the clock (`rate`, degrees a second at full speed) is a guess until you measure it: let the robot
-turn for ten seconds, count, and write it into a copy of the file. The kits of a micro:bit are for a V2, which was not
-tried, and for small programs on that of 2016, whose memory is short: `kitrobot deploy` says when one does not fit.
+The rate of a turn by the clock (`rate`, degrees a second at full speed) is a guess until you measure it:
+[`kitrobot calibrate`](boards.md#measured) asks, and writes a file of your own. The kits of a micro:bit are for a V2,
+which was not tried, and for small programs on that of 2016, whose memory is short: `kitrobot deploy` says when one does
+not fit.
 """
 
 

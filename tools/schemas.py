@@ -23,6 +23,7 @@ from kitrobot.primitives.kit_xml import KIT
 from kitrobot.primitives.robot_xml import ROBOT
 from kitrobot.tutorial.reading import TUTORIAL
 from kitrobot.workspace.beginnings import BEGINNINGS
+from kitrobot.workspace.bench_notes import BENCH
 from kitrobot.workspace.example_list import EXAMPLES
 from kitrobot.world.reading import WORLD
 from kitrobot.xml import LANGUAGE, TEXT_VALUE, Attribute, Kind, Tag, attributes, escape_text
@@ -30,6 +31,7 @@ from kitrobot.xml import LANGUAGE, TEXT_VALUE, Attribute, Kind, Tag, attributes,
 FOLDER = Path(__file__).resolve().parents[1] / "src" / "kitrobot" / "primitives" / "schemas"
 TABLES = {
     "beginnings": BEGINNINGS,
+    "bench": BENCH,
     "board": KIT,
     "constructors": CONSTRUCTORS,
     "examples": EXAMPLES,

@@ -33,10 +33,12 @@ def _kept_microbit() -> Iterator[Emulated]:
 
 
 @pytest.fixture
-def used_microbit(_kept_microbit: Emulated) -> Emulated:
+def used_microbit(_kept_microbit: Emulated) -> Iterator[Emulated]:
     """A micro:bit of 2016 that has just started, with what tests before left on it: most files are there."""
+    _kept_microbit.resume()
     _kept_microbit.cut_power()
-    return _kept_microbit
+    yield _kept_microbit
+    _kept_microbit.pause()
 
 
 @pytest.fixture

@@ -1,112 +1,14 @@
-"""The drivers of kits, on a current MicroPython with pins and buses that only remember; all of it in one run."""
+"""The drivers of kits for sensors, servos, lamps and sound, with recorded pins and buses."""
 
 from __future__ import annotations
 
-import ast
 from typing import Any
 
 import pytest
 
-from tests.boards.modern import onboard_files, run
-from tests.boards.test_machine_drivers import HEAD
+from tests.boards.kit_steps import FULL, results_of
 
-FULL = 65535
 STEPS = {
-    "two inputs": """
-drive, turn = make("machine.drive", **DRV8833), make("machine.turn", rate="360", **DRV8833)
-result = [taken()]
-for part, procedure, arguments in (
-    (drive, "Advance", [50]), (drive, "Reverse", [100]), (drive, "Stop", []), (turn, "Turn", [40]),
-    (drive, "Advance", [80]), (turn, "Stop", []),
-):
-    part.do(procedure, arguments)
-    result.append(duties())
-turn.stop()
-result.append(duties())
-""",
-    "three inputs": """
-drive = make("machine.drive", **TB6612)
-taken()
-result = []
-for procedure, arguments in (("Advance", [50]), ("Reverse", [20]), ("Stop", [])):
-    drive.do(procedure, arguments)
-    result.append(taken())
-""",
-    "a direction and power": """
-drive = make("machine.drive", **DRV8835)
-taken()
-result = []
-for procedure, arguments in (("Advance", [50]), ("Reverse", [20]), ("Stop", [])):
-    drive.do(procedure, arguments)
-    result.append(taken())
-""",
-    "trim": """
-drive = make("machine.drive", least="20", **{"left-trim": "90"}, **dict(DRV8833, frequency="50"))
-taken()
-drive.do("Advance", [50])
-result = taken()
-""",
-    "wheels": """
-left, right = make("machine.wheel", side="left", **DRV8833), make("machine.wheel", side="right", **DRV8833)
-taken()
-result = []
-for part, procedure, arguments in (
-    (left, "Forward", [30]), (right, "Backward", [60]), (left, "Stop", []), (right, "Forward", [100])
-):
-    part.do(procedure, arguments)
-    result.append(duties())
-right.stop()
-result.append(duties())
-""",
-    "turn by the clock": """
-turn = make("machine.turn", rate="2000", **DRV8833)
-begun = time.ticks_ms()
-turn.do("AbsoluteTurn", [25, 50])  # 90 degrees at 1000 degrees a second
-busy = turn.done()
-going = duties()
-while not turn.done(): pass
-result = busy, going, time.ticks_diff(time.ticks_ms(), begun), duties()
-turn.do("AbsoluteTurn", [25, 0])
-result += (turn.done(),)
-turn.stop()
-result += (turn.done(),)
-""",
-    "turn by encoders": """
-turn = make("machine.turn", counts="400", **dict(DRV8833, **{"left-count": "10", "right-count": "11"}))
-turn.do("AbsoluteTurn", [50, 30])
-edges = 0
-while not turn.done():
-    machine.watchers[10 + edges % 2](None)
-    edges += 1
-result = edges, duties()
-""",
-    "turn by a gyroscope": """
-machine.registers[107] = {0x0F: b"l", 0x26: bytes((10, 0))}
-turn = make("machine.turn", gyro="lsm6dso", sda="4", scl="5", **DRV8833)
-told = taken()
-machine.registers[107][0x26] = bytes((0, 100))  # 25600 - 10 times 17.5 thousandths of a degree a second
-begun = time.ticks_us()
-turn.do("AbsoluteTurn", [5, 30])
-while not turn.done(): pass
-gone = time.ticks_diff(time.ticks_us(), begun)
-result = [entry for entry in told if isinstance(entry[0], int) and entry[0] == 107], gone, duties()
-""",
-    "road": """
-levels.clear()
-road = make("machine.road", **dict(DRV8833, **{"left-eye": "16", "right-eye": "17"}))
-taken()
-result = []
-road.do("Advance", [50])
-for left, right in ((0, 0), (1, 0), (0, 1), (1, 1)):
-    levels[16], levels[17] = left, right
-    road.tend()
-    result.append(duties())
-road.do("Reverse", [50])
-result.append(duties())
-road.stop()
-road.tend()
-result.append(duties())
-""",
     "near": """
 near = make("machine.near", trigger="14", echo="15", reach="120")
 result = []
@@ -151,6 +53,30 @@ for clear, red, green, blue in (
     machine.registers[0x29][0xB4] = data
     result.append(sensor.read())
 result = result, told
+""",
+    "time of flight": """
+machine.registers[0x29] = {0xC0: b"\\xee"}
+finder = make("machine.vl53l0x", sda="8", scl="9", min="0", max="100", reach="1000")
+result = [taken(), finder.read()]
+for status, mm in ((11, 250), (11, 2000), (4, 250), (11, 0)):
+    data = bytes((status << 3,)) + bytes(9) + bytes((mm // 256, mm % 256))
+    machine.registers[0x29].update({0x13: b"\\4", 0x14: data})
+    result.append(finder.read())
+machine.registers[0x29][0x13] = b"\\0"
+result.append(finder.read())
+finder.begun = time.ticks_add(time.ticks_ms(), -501)
+for registers in ({0x29: machine.registers[0x29]}, {}):
+    machine.registers.clear()
+    machine.registers.update(registers)
+    try:
+        finder.read()
+    except OSError as error:
+        result.append(repr(error))
+machine.registers[0x29] = {0xC0: b"\\x44"}
+try:
+    make("machine.vl53l0x", sda="8", scl="9")
+except OSError as error:
+    result.append(repr(error))
 """,
     "marks": """
 levels[19] = 0
@@ -245,110 +171,12 @@ except ValueError as error:
     result.append(str(error))
 """,
 }
-BEFORE = """
-import sys
-DRV8833 = {"left-forward": "2", "left-backward": "3", "right-forward": "4", "right-backward": "5"}
-TB6612 = {"left-forward": "6", "left-backward": "7", "left-power": "8", "right-forward": "9", "right-backward": "10",
-    "right-power": "11"}
-DRV8835 = {"bridge": "direction", "left-forward": "13", "left-backward": "12", "right-forward": "15",
-    "right-backward": "14", "left-flipped": "yes"}
-heard = {}
-def duties():
-    for name, what, value in taken():
-        if what == "duty":
-            heard[name] = (value * 100 + 32767) // 65535
-    return [heard.get(name, 0) for name in (2, 3, 4, 5)]
-found = {}
-def begin():
-    from kitrobot_onboard.drivers.machine.shared.motors import bases
-    for each in (bases, heard, levels, log):
-        each.clear()
-"""
 
 
 @pytest.fixture(scope="module")
 def found() -> dict[str, Any]:
     """The result of each of the steps."""
-    steps = [f"begin()\n{program}\nfound[{name!r}] = result\n" for name, program in STEPS.items()]
-    text = "\n".join([HEAD, BEFORE, *steps, "print(repr(found))"])
-    results: dict[str, Any] = ast.literal_eval(run({**onboard_files(), "test.py": text.encode()}, "test.py"))
-    return results
-
-
-def test_two_motors_with_two_inputs_each_drive_turn_and_do_both_at_once(found: dict[str, Any]) -> None:
-    made, advance, reverse, stop, turns, both, straight, stopped = found["two inputs"]
-    assert {entry for entry in made if entry[1] == "duty"} == {(pin, "duty", 0) for pin in (2, 3, 4, 5)}
-    assert advance == [50, 0, 50, 0]
-    assert reverse == [0, 100, 0, 100]
-    assert stop == [0, 0, 0, 0]
-    assert turns == [0, 40, 40, 0]  # counter-clockwise
-    assert both == [40, 0, 100, 0]  # no faster than full speed
-    assert straight == [80, 0, 80, 0]
-    assert stopped == [0, 0, 0, 0]
-
-
-def test_motors_behind_a_tb6612_or_an_l298n_get_a_direction_at_two_pins_and_power_at_a_third(
-    found: dict[str, Any],
-) -> None:
-    advance, reverse, stop = found["three inputs"]
-    half, fifth = 50 * FULL // 100, 20 * FULL // 100
-    assert advance == [
-        *[(7, "value", 0), (6, "value", 1), (8, "duty", half)],
-        *[(10, "value", 0), (9, "value", 1), (11, "duty", half)],
-    ]
-    assert reverse[:3] == [(6, "value", 0), (7, "value", 1), (8, "duty", fifth)]
-    assert [entry for entry in stop if entry[2]] == []
-
-
-def test_motors_behind_a_drv8835_get_a_direction_and_power_and_one_may_be_wired_backward(found: dict[str, Any]) -> None:
-    advance, reverse, stop = found["a direction and power"]
-    assert [entry for entry in advance if entry[1] == "value"] == [(12, "value", 1), (14, "value", 0)]
-    assert [entry for entry in reverse if entry[1] == "value"] == [(12, "value", 0), (14, "value", 1)]
-    assert {entry[2] for entry in stop} == {0}
-
-
-def test_a_motor_that_needs_power_to_begin_and_one_that_is_faster_than_the_other_are_told_less_and_more(
-    found: dict[str, Any],
-) -> None:
-    duties = {pin: value for pin, what, value in found["trim"] if what == "duty" and value}
-    assert duties == {2: 60 * 90 * FULL // 10000, 4: 60 * FULL // 100}
-
-
-def test_each_wheel_by_itself(found: dict[str, Any]) -> None:
-    assert found["wheels"] == [[30, 0, 0, 0], [30, 0, 0, 60], [0, 0, 0, 60], [0, 0, 100, 0], [0, 0, 0, 0]]
-
-
-def test_a_turn_by_the_clock_lasts_as_long_as_its_angle_takes(found: dict[str, Any]) -> None:
-    busy, going, gone, stopped, never, after_stop = found["turn by the clock"]
-    assert (busy, never, after_stop) == (False, False, True)
-    assert going == [0, 50, 50, 0]
-    assert 90 <= gone < 1000
-    assert stopped == [0, 0, 0, 0]
-
-
-def test_a_turn_by_encoders_ends_with_the_edge_that_completes_its_angle(found: dict[str, Any]) -> None:
-    assert found["turn by encoders"] == (200, [0, 0, 0, 0])
-
-
-def test_a_turn_by_a_gyroscope_ends_when_its_rates_have_come_to_the_angle(found: dict[str, Any]) -> None:
-    told, gone_us, stopped = found["turn by a gyroscope"]
-    assert told == [(107, 0x12, b"\x44"), (107, 0x11, b"\x54")]
-    exact_us = 18 / (25590 * 0.0175) * 1_000_000
-    assert exact_us * 0.95 <= gone_us < exact_us + 400_000
-    assert stopped == [0, 0, 0, 0]
-
-
-def test_a_robot_on_a_road_slows_the_wheel_on_the_side_that_sees_the_line_and_only_forward(
-    found: dict[str, Any],
-) -> None:
-    assert found["road"] == [
-        [50, 0, 50, 0],
-        [20, 0, 50, 0],
-        [50, 0, 20, 0],
-        [20, 0, 20, 0],
-        [0, 50, 0, 50],
-        [0, 0, 0, 0],
-    ]
+    return results_of(STEPS)
 
 
 def test_something_is_near_when_its_echo_comes_sooner_than_from_reach(found: dict[str, Any]) -> None:
@@ -366,6 +194,17 @@ def test_a_colour_is_the_one_that_is_clearly_larger_than_the_others(found: dict[
     seen, told = found["colours"]
     assert seen == [1, 2, 3, 0, 0]
     assert [entry[1:] for entry in told] == [(0x80, b"\x03"), (0x81, b"\xf6"), (0x8F, b"\x01")]
+
+
+def test_a_time_of_flight_finder_is_asked_again_when_it_has_seen_something_and_silence_is_an_error(
+    found: dict[str, Any],
+) -> None:
+    begun, *seen, silent, gone, other = found["time of flight"]
+    assert begun == [(0x29, 0x0B, b"\1"), (0x29, 0x00, b"\1")]
+    assert seen == [100, 25, 100, 100, 0, 0]
+    assert "not plugged in" in silent
+    assert "19" in gone
+    assert "no VL53L0X" in other
 
 
 def test_bars_beside_a_road_are_counted_until_the_next_ones(found: dict[str, Any]) -> None:

@@ -4,16 +4,23 @@ from __future__ import annotations
 
 import ast
 import math
+from collections.abc import Callable, Iterator
+from contextlib import closing
 from pathlib import Path
 from typing import Any
 
 import pytest
 
 import kitrobot_onboard
-from tests.boards.modern import onboard_files, run
+from kitrobot.deploy import Line
+from tests.boards.modern import ModernBoard, onboard_files
+from tests.patience import PATIENCE_S
 
 FOLDER = Path(kitrobot_onboard.__file__).parent / "drivers"
 NAMES = sorted(path.stem for path in (FOLDER / "machine").glob("*.py") if path.stem not in ("__init__", "pins"))
+
+RAW = b"raw REPL; CTRL-B to exit\r\n>"
+"""What MicroPython says when it takes programs."""
 
 HEAD = """
 import machine, time
@@ -30,10 +37,26 @@ def taken():
 """
 
 
-def on_board(program: str) -> Any:
-    """What a program leaves in `result`, run by MicroPython."""
-    text = f"{HEAD}\n{program}\nprint(repr(result))\n"
-    return ast.literal_eval(run({**onboard_files(), "test.py": text.encode()}, "test.py"))
+OnBoard = Callable[[str], Any]
+
+
+@pytest.fixture(scope="module")
+def on_board() -> Iterator[OnBoard]:
+    """What a program leaves in `result`, run by MicroPython, which begins anew for each."""
+    with ModernBoard(onboard_files()) as board, closing(Line(board.address)) as line:
+
+        def result_of(program: str) -> Any:
+            line.write(b"\r\x03\x03\r\x01")
+            line.read_until(RAW, PATIENCE_S)
+            line.write(b"\x04")
+            line.read_until(RAW, PATIENCE_S)
+            line.write(f"{HEAD}\n{program}\nprint(repr(result))\n\x04".encode())
+            answer = line.read_until(b"\x04>", PATIENCE_S).removeprefix(b"OK").removesuffix(b"\x04>")
+            printed, _, error = answer.decode().partition("\x04")
+            assert error == ""
+            return ast.literal_eval(printed)
+
+        yield result_of
 
 
 def test_every_driver_is_tried_here() -> None:
@@ -42,7 +65,7 @@ def test_every_driver_is_tried_here() -> None:
         assert f'make("machine.{name}"' in text, name
 
 
-def test_a_motor_turns_as_fast_as_it_is_told_by_one_input_at_a_time() -> None:
+def test_a_motor_turns_as_fast_as_it_is_told_by_one_input_at_a_time(on_board: OnBoard) -> None:
     result = on_board("""
 motor = make("machine.pwm_motor", forward="2", backward="3", frequency="500")
 result = [taken()]
@@ -69,7 +92,7 @@ result.append(taken())
     ]
 
 
-def test_a_motor_needs_no_more_than_an_old_pwm_has() -> None:
+def test_a_motor_needs_no_more_than_an_old_pwm_has(on_board: OnBoard) -> None:
     result = on_board("""
 machine.PWM = machine.OldPWM
 motor = make("machine.pwm_motor", forward="2", backward="3")
@@ -81,7 +104,9 @@ result = taken()
 
 
 @pytest.mark.parametrize(("reach", "least", "most"), [(1000, 0, 100), (400, 10, 30), (4000, 0, 4000)])
-def test_a_range_finder_gives_what_the_speed_of_sound_says(reach: int, least: int, most: int) -> None:
+def test_a_range_finder_gives_what_the_speed_of_sound_says(
+    on_board: OnBoard, reach: int, least: int, most: int
+) -> None:
     distances = [0, 1, 20, reach // 3, reach // 2, reach - 1, reach, reach + 50]
     # There and back at 343 m/s.
     widths = [round(2 * distance / 0.343) for distance in distances]
@@ -98,7 +123,9 @@ for width in {widths}:
         assert abs(seen - exact) <= 0.5 + (most - least) / reach * 0.2, (distance, seen)
 
 
-def test_a_range_finder_that_hears_nothing_sees_as_far_as_it_can_and_waits_no_longer_than_sound_takes() -> None:
+def test_a_range_finder_that_hears_nothing_sees_as_far_as_it_can_and_waits_no_longer_than_sound_takes(
+    on_board: OnBoard,
+) -> None:
     result = on_board("""
 finder = make("machine.ultrasonic", trigger="14", echo="15", reach="1000", min="0", max="100")
 taken()
@@ -115,7 +142,7 @@ result = silent, first, finder.read(), taken()[-1]
     assert last[2] == asked[2][2] <= 1000 + math.ceil(2 * 1000 / 0.343) + 2
 
 
-def test_range_finders_take_turns_and_give_what_they_saw_in_between() -> None:
+def test_range_finders_take_turns_and_give_what_they_saw_in_between(on_board: OnBoard) -> None:
     result = on_board("""
 left = make("machine.ultrasonic", trigger="1", echo="2", min="0", max="100")
 right = make("machine.ultrasonic", trigger="3", echo="4", min="0", max="100")
@@ -160,7 +187,7 @@ result = asked, first, stuck, right.read()
     assert right == 25
 
 
-def test_a_line_sensor_tells_dark_from_bright() -> None:
+def test_a_line_sensor_tells_dark_from_bright(on_board: OnBoard) -> None:
     result = on_board("""
 result = []
 for settings in ({"dark": "high"}, {"dark": "low"}, {}):
@@ -177,7 +204,7 @@ for settings in ({"dark": "high"}, {"dark": "low"}):
     assert result == [0, 1, 1, 0, 0, 1, 5, 5, 6, 6, 6, 6, 5, 5]
 
 
-def test_a_servo_gets_pulses_of_its_angle_and_is_done_by_the_clock() -> None:
+def test_a_servo_gets_pulses_of_its_angle_and_is_done_by_the_clock(on_board: OnBoard) -> None:
     result = on_board("""
 door = make("machine.servo", pin="22", open="90", closed="0", time="40")
 result = [taken(), door.done()]
@@ -199,7 +226,7 @@ result += [door.done(), taken()]
     assert pulses_ms == pytest.approx([1.5, 0.5, 0], abs=0.01)
 
 
-def test_a_lamp_lights_and_goes_out_also_when_low_lights_it() -> None:
+def test_a_lamp_lights_and_goes_out_also_when_low_lights_it(on_board: OnBoard) -> None:
     result = on_board("""
 result = []
 for settings in ({"pin": "LED"}, {"pin": "7", "active": "low"}):
@@ -216,7 +243,7 @@ for settings in ({"pin": "LED"}, {"pin": "7", "active": "low"}):
     ]
 
 
-def test_a_key_is_pressed_when_its_pin_is_low() -> None:
+def test_a_key_is_pressed_when_its_pin_is_low(on_board: OnBoard) -> None:
     result = on_board("""
 key = make("machine.key", pin="9")
 result = taken()
@@ -227,7 +254,7 @@ for level in (1, 0):
     assert result == [(9, "in", 2), 0, 1]
 
 
-def test_a_pin_is_written_and_used_as_a_wave_and_as_a_servo() -> None:
+def test_a_pin_is_written_and_used_as_a_wave_and_as_a_servo(on_board: OnBoard) -> None:
     result = on_board("""
 out = make("machine.pin_out", pin="5")
 taken()
@@ -248,7 +275,7 @@ result.append(taken())
     assert result[6][-1] == (5, "value", 0)
 
 
-def test_a_pin_is_read_as_a_level_and_as_a_voltage() -> None:
+def test_a_pin_is_read_as_a_level_and_as_a_voltage(on_board: OnBoard) -> None:
     result = on_board("""
 digital = make("machine.pin_in", pin="4", min="0", max="1")
 analog = make("machine.pin_in", pin="27", mode="analog", min="0", max="1023")
@@ -260,7 +287,7 @@ result += [digital.read(), analog.read()]
     assert result == [0, 0, 1, 1023]
 
 
-def test_chance_gives_every_number_of_its_range_and_no_other() -> None:
+def test_chance_gives_every_number_of_its_range_and_no_other(on_board: OnBoard) -> None:
     result = on_board("""
 dice = make("any.random", min="1", max="6")
 result = sorted(set([dice() for _ in range(500)]))
@@ -268,7 +295,7 @@ result = sorted(set([dice() for _ in range(500)]))
     assert result == [1, 2, 3, 4, 5, 6]
 
 
-def test_a_pin_that_the_board_does_not_have_is_refused_when_the_driver_is_made() -> None:
+def test_a_pin_that_the_board_does_not_have_is_refused_when_the_driver_is_made(on_board: OnBoard) -> None:
     result = on_board("""
 result = []
 for pin in ("99", "XYZ"):

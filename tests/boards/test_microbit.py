@@ -9,8 +9,6 @@ from __future__ import annotations
 import contextlib
 import random
 import re
-import subprocess
-import sys
 from collections.abc import Iterator
 from dataclasses import replace
 from importlib.resources import files
@@ -43,7 +41,7 @@ from tests.boards.qemu import Emulated, running
 from tests.boards.test_deploy import put as put_program
 from tests.boards.test_deploy import runs
 from tests.boards.test_ticks import compared
-from tests.boards.watching import watched
+from tests.boards.watching import called, watched
 from tests.effort import THOROUGH, cases
 from tests.patience import PATIENCE_S
 
@@ -154,12 +152,6 @@ def test_a_line_that_is_cut_at_any_message_needs_only_another_try(microbit: Emul
         assert receiver.read("data") == content
 
 
-def command(word: str, *more: str) -> subprocess.CompletedProcess[str]:
-    return subprocess.run(
-        [sys.executable, "-m", "kitrobot", word, *more], capture_output=True, text=True, timeout=PATIENCE_S, check=False
-    )
-
-
 def place(board: Emulated, program: BoardProgram) -> None:
     """Sends a program; where what a test before left there has no room for two, in the place of that."""
     try:
@@ -171,15 +163,15 @@ def place(board: Emulated, program: BoardProgram) -> None:
 def test_the_heart_is_sent_started_and_stopped_with_the_commands_of_a_user(used_microbit: Emulated) -> None:
     microbit = used_microbit
     to = ("--to", microbit.address)
-    sent = command("deploy", str(HEART), *to, "--fresh")
+    sent = called("deploy", str(HEART), *to, "--fresh")
     assert sent.returncode == 0, sent.stdout + sent.stderr
     assert "bytes of memory are left" in " ".join(sent.stdout.split())
     for word, said in (("stop", "stopped"), ("start", "started"), ("log", "no fault")):
-        done = command(word, *to)
+        done = called(word, *to)
         assert done.returncode == 0, done.stderr
         assert said in done.stdout + done.stderr
     watched(*to, "--mission", str(HEART), enough=lambda heard: "v2" in str(heard[-1].get("ran")))
-    again = command("deploy", str(HEART), *to)
+    again = called("deploy", str(HEART), *to)
     assert "nothing to send" in again.stdout
     microbit.cut_power()
     with connect(microbit.address, 20) as board:
@@ -267,7 +259,7 @@ def test_a_deploy_that_is_cut_at_any_message_leaves_what_was_there(
 
 def test_the_first_deploy_of_all_may_be_cut_at_any_message(tmp_path: Path) -> None:
     program = bench_program(tmp_path, PROGRAMS[0])
-    for cut in count(10, 10) if THOROUGH else (450, 1350):
+    for cut in count(10, 10) if THOROUGH else (450,):
         with running() as board:
             with Proxy(board.port, cut_after=cut) as wire, contextlib.suppress(LineError):
                 put_program(wire.address, program)

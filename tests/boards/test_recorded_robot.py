@@ -16,7 +16,7 @@ from kitrobot.trace import TraceReader
 from kitrobot.workspace import load_board_program, open_trace, state_at, summary_of
 from tests.boards.host import write_pulse
 from tests.boards.modern import ModernBoard, onboard_files
-from tests.boards.watching import KITROBOT, LONG_S, counts, line_with, watched
+from tests.boards.watching import KITROBOT, LONG_S, called, counts, line_with, watched
 
 COMMANDS = {("Display", "Image"): "v3", ("Display", "Clear"): "v6"}
 """Of the program `pulse`, with the vertices that give them."""
@@ -45,10 +45,9 @@ def boards() -> Iterator[list[ModernBoard]]:
         yield [one, two]
 
 
-def call(*arguments: str) -> subprocess.CompletedProcess[str]:
-    done = subprocess.run([*KITROBOT, *arguments], capture_output=True, text=True, timeout=LONG_S, check=False)
+def deployed(*arguments: str) -> None:
+    done = called("deploy", *arguments)
     assert done.returncode == 0, done.stderr
-    return done
 
 
 def to(*boards: ModernBoard) -> list[str]:
@@ -58,7 +57,7 @@ def to(*boards: ModernBoard) -> list[str]:
 def test_what_was_sent_from_here_is_recorded_without_naming_the_mission(
     board: ModernBoard, pulse: Path, tmp_path: Path
 ) -> None:
-    call("deploy", str(pulse), *to(board))
+    deployed(str(pulse), *to(board))
     record = tmp_path / "r.krtrace"
 
     def enough(heard: list[dict[str, Any]]) -> bool:
@@ -90,7 +89,7 @@ def test_what_was_sent_from_here_is_recorded_without_naming_the_mission(
 def test_two_boards_share_one_recording_and_one_whose_power_is_gone_is_silent_in_it(
     boards: list[ModernBoard], pulse: Path, tmp_path: Path
 ) -> None:
-    call("deploy", str(pulse), *to(*boards))
+    deployed(str(pulse), *to(*boards))
     record = tmp_path / "r.krtrace"
     command = [*KITROBOT, "watch", *to(*boards), "--trace", str(record), "--json"]
     process = subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
@@ -127,7 +126,7 @@ def test_the_mission_of_a_kit_robot_comes_with_its_recording(boards: list[Modern
     folder = examples_folder()
     assert folder is not None
     mission = folder / "kit-rover" / "kit-rover.krt"
-    call("deploy", str(mission), *to(boards[0]))
+    deployed(str(mission), *to(boards[0]))
     heard = watched(
         *to(boards[0]), "--trace", str(tmp_path / "r.krtrace"), enough=lambda heard: heard[-1].get("active")
     )

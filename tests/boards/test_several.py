@@ -17,7 +17,7 @@ import pytest
 
 from tests.boards.bench import ONE, bench_program
 from tests.boards.modern import ModernBoard
-from tests.boards.watching import KITROBOT, LONG_S, counts, watched
+from tests.boards.watching import KITROBOT, LONG_S, called, counts, watched
 
 
 @pytest.fixture
@@ -31,10 +31,6 @@ def files(tmp_path: Path) -> list[str]:
     """What a person names: the program and its robot."""
     bench_program(tmp_path, ONE)
     return [str(tmp_path / "program.lll"), "--robot", str(tmp_path / "bench.robot.xml")]
-
-
-def call(*arguments: str) -> subprocess.CompletedProcess[str]:
-    return subprocess.run([*KITROBOT, *arguments], capture_output=True, text=True, timeout=LONG_S, check=False)
 
 
 def hang_up(listener: socket.socket) -> None:
@@ -51,13 +47,13 @@ def test_one_that_fails_does_not_hold_up_the_others(two: Any, files: list[str]) 
     with socket.create_server(("127.0.0.1", 0)) as listener:
         nobody = f"socket://127.0.0.1:{listener.getsockname()[1]}"
         threading.Thread(target=hang_up, args=(listener,), daemon=True).start()
-        said = call("deploy", *files, "--to", one.address, "--to", nobody, "--to", other.address, "--json")
+        said = called("deploy", *files, "--to", one.address, "--to", nobody, "--to", other.address, "--json")
     assert said.returncode == 1
     found = json.loads(said.stdout)
     assert [each["ok"] for each in found] == [True, False, True]
     assert found[0]["program"] == found[2]["program"]
     assert f"{nobody}:" in said.stderr
-    listed = json.loads(call("boards", "--to", one.address, "--to", other.address, "--json").stdout)
+    listed = json.loads(called("boards", "--to", one.address, "--to", other.address, "--json").stdout)
     assert len(listed) == 2
     for seen in listed:
         assert seen["state"] == "running"
@@ -67,11 +63,11 @@ def test_one_that_fails_does_not_hold_up_the_others(two: Any, files: list[str]) 
 
 
 def test_it_says_how_much_memory_is_left_and_what_was_sent(two: Any, files: list[str]) -> None:
-    first = call("deploy", *files, "--to", two[0].address)
+    first = called("deploy", *files, "--to", two[0].address)
     assert first.returncode == 0, first.stderr
     assert "bytes of memory are left" in first.stdout
     assert "generation 1" in first.stdout
-    again = call("deploy", *files, "--to", two[0].address)
+    again = called("deploy", *files, "--to", two[0].address)
     assert "nothing to send" in again.stdout
 
 

@@ -13,6 +13,7 @@ import pytest
 from tests.boards.bench import STORES
 from tests.boards.modern import ModernBoard
 from tests.boards.qemu import Emulated, running
+from tests.boards.watching import called
 from tests.fleet.test_processes import started
 
 pytestmark = pytest.mark.boards
@@ -98,10 +99,9 @@ def test_a_team_of_boards_shares_meets_and_goes_on_without_one(
     mission = write_crew(tmp_path)
     ports = {"bit-1": bits[0].address, "bit-2": bits[1].address, "modern": board.address}
     words = [word for name, port in ports.items() for word in ("--board", f"{name}={port}")]
-    with started("deploy", str(mission), "--team", *words, "--json") as sending:
-        status, out, said = sending.end()
-    assert status == 0, said
-    sent = json.loads(out)
+    sending = called("deploy", str(mission), "--team", *words, "--json")
+    assert sending.returncode == 0, sending.stderr
+    sent = json.loads(sending.stdout)
     assert [one["agent"] for one in sent] == list(ports)
     assert all(one["free"] > 2200 for one in sent)
     with started("team", str(mission), *words, "--lease", "2000", "--json") as team:
@@ -113,8 +113,8 @@ def test_a_team_of_boards_shares_meets_and_goes_on_without_one(
     assert "modern: takes over for bit-1" in said
     assert "modern: its program has ended" in said
     assert "bit-2: its program has ended" in said
-    with started("deploy", str(mission), "--team", *words[:2], *words[4:]) as sending:
-        status, _, said = sending.end()
-    assert status == 1
+    again = called("deploy", str(mission), "--team", *words[:2], *words[4:])
+    said = " ".join(again.stderr.split())
+    assert again.returncode == 1
     assert "no robot of the team is started; mend what is said above of bit-1" in said
     assert "the new program is already on the boards of these, where it waits: modern" in said

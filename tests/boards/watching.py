@@ -1,16 +1,40 @@
-"""`kitrobot watch` in a process of its own, until what it told is enough; then somebody presses Ctrl-C."""
+"""Commands of a user: most in this process; `kitrobot watch` in one of its own, until somebody presses Ctrl-C."""
 
 from __future__ import annotations
 
+import io
 import json
 import signal
 import subprocess
 import sys
 from collections.abc import Callable
+from contextlib import redirect_stderr, redirect_stdout
+from dataclasses import dataclass
 from typing import IO, Any
+
+import pytest
+
+from kitrobot.cli import main
 
 KITROBOT = [sys.executable, "-m", "kitrobot"]
 LONG_S = 240
+
+
+@dataclass(frozen=True)
+class Called:
+    """How a command ended, and what it said."""
+
+    returncode: int
+    stdout: str
+    stderr: str
+
+
+def called(*arguments: str) -> Called:
+    """A command as a user types it, without a process of its own: starting one takes longer than most commands."""
+    out, err = io.StringIO(), io.StringIO()
+    with redirect_stdout(out), redirect_stderr(err), pytest.raises(SystemExit) as end:
+        main(list(arguments))
+    return Called(int(end.value.code or 0), out.getvalue(), err.getvalue())
 
 
 def watched(*arguments: str, enough: Callable[[list[dict[str, Any]]], object]) -> list[dict[str, Any]]:

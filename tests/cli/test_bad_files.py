@@ -49,6 +49,10 @@ READS = {
     "deploy": ("deploy", "bad.krt", *NOBODY),
     "deploy team": ("deploy", "bad.krt", "--team", "--board", f"robot-1={NOBODY[1]}"),
     "deploy text": ("deploy", "bad.lll", "--robot", "microbit", *NOBODY),
+    "bench robot": ("bench", NOBODY[1], "--all", "--robot", "bad.robot.xml"),
+    "bench board": ("bench", NOBODY[1], "--all", "--board", "bad.board.xml"),
+    "calibrate": ("calibrate", NOBODY[1], "--board", "bad.board.xml"),
+    "flash": ("flash", "bad.uf2"),
     "grade": ("grade", "bad.krt"),
     "grade exercise": ("grade", EXAMPLE, "--exercise", "bad.exercise.xml"),
     "watch": ("watch", "--mission", "bad.krt", *NOBODY),
@@ -58,7 +62,21 @@ READS = {
 }
 WRITES = ("run recorded", "merge output")
 DEVICES = ("endless device", "nothing")
-WITH_JSON = ("check", "run", "verify", "replay", "diff", "exec", "deploy", "watch", "log", "grade")
+WITH_JSON = (
+    "check",
+    "run",
+    "verify",
+    "replay",
+    "diff",
+    "exec",
+    "deploy",
+    "watch",
+    "log",
+    "grade",
+    "bench",
+    "calibrate",
+    "flash",
+)
 MAY_BE_RIGHT = {"empty", "cut off", "nothing", "odd name"}
 """An empty text is a program that does nothing, and half of one may be another."""
 

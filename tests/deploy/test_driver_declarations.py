@@ -48,10 +48,10 @@ PROCEDURES = "Open Close"
     assert says.settings == {
         "a": Setting(True, True),
         "b": Setting(True, False),
-        "c": Setting(False, False, 1, 9),
+        "c": Setting(False, False, 1, 9, usual="3"),
         "d": Setting(False, True, -5, 5),
         "e": Setting(False, True, words=("x", "y")),
-        "f": Setting(False, False, words=("x", "y")),
+        "f": Setting(False, False, words=("x", "y"), usual="x"),
         "g": Setting(False, False),
     }
 

@@ -49,6 +49,58 @@ def test_a_wiring_that_cannot_be_is_told(parts: str, says: str) -> None:
     assert says in found
 
 
+@pytest.mark.parametrize(
+    ("chip", "parts", "says"),
+    [
+        ("rp2040", '<actuator device="door" driver="servo" pin="18"/>', "pins that are 16 apart have one wave"),
+        ("rp2040", '<actuator device="door" driver="servo" pin="19"/>', "the two pins have one frequency"),
+        ("rp2040", '<actuator device="music" driver="buzzer" pin="21"/>', "the two pins have one frequency"),
+        ("rp2350", '<actuator device="door" driver="servo" pin="18"/>', "pins that are 16 apart have one wave"),
+        ("rp2350", '<actuator device="door" driver="servo" pin="34"/>', ""),
+        ("rp2040", '<actuator device="door" driver="servo" pin="22"/>', ""),
+        ("rp2040", '<actuator device="lamp" driver="led" pin="18"/>', ""),
+        (
+            "rp2040",
+            '<actuator device="door" driver="servo" pin="8"/><actuator device="arm" pin="9"/>'
+            '<actuator device="music" driver="buzzer" pin="10"/><actuator device="pen" pin="11"/>',
+            "the two pins have one frequency",
+        ),
+    ],
+)
+def test_square_waves_that_a_chip_cannot_give_at_once_are_told(chip: str, parts: str, says: str) -> None:
+    motors = f'<actuator device="drive turn" {MOTORS}/>'
+    text = f'<board name="k" version="1" chip="{chip}" pins="0..47">{motors}{parts}</board>'
+    kit, found = read_kit(text.encode(), "k.board.xml")
+    assert kit is not None, found
+    told = [(problem.message, problem.help) for _, problem in kit_problems(kit, Package())]
+    assert bool(told) == bool(says)
+    assert all(says in help and "square wave" in message for message, help in told)
+    other, _ = read_kit(text.replace(f'chip="{chip}" ', "").encode(), "k.board.xml")
+    assert other is not None
+    assert kit_problems(other, Package()) == []
+
+
+def test_a_motor_whose_inputs_are_levels_has_a_wave_at_its_power_only() -> None:
+    wires = " ".join(f'{side}-{name}="{pin}"' for side, name, pin in (
+        ("left", "forward", 2), ("left", "backward", 3), ("left", "power", 4),
+        ("right", "forward", 6), ("right", "backward", 7), ("right", "power", 8),
+    ))  # fmt: skip
+    for pin, works in ((18, True), (23, True), (20, False), (9, False)):
+        parts = f'<actuator device="drive" {wires}/><actuator device="door" driver="servo" pin="{pin}"/>'
+        text = f'<board name="k" version="1" chip="rp2040">{parts}</board>'
+        kit, _ = read_kit(text.encode(), "k.board.xml")
+        assert kit is not None
+        assert (kit_problems(kit, Package()) == []) is works, pin
+
+
+@pytest.mark.parametrize("waves", ['"50"', "{1: 2}", '{"pin": 50}', '{"pin": ""}', "unknown"])
+def test_waves_that_are_not_written_as_they_should_be_are_told_with_their_line(waves: str, tmp_path: Path) -> None:
+    (tmp_path / "mine.driver.py").write_text(f"WAVES = {waves}\n\n\ndef make(settings):\n    pass\n")
+    kit = kit_of('<actuator device="mine"/>')
+    ((_, problem),) = kit_problems(kit, Package((tmp_path,)))
+    assert "line 1: WAVES" in problem.message
+
+
 def test_a_bus_the_motors_and_pins_that_are_only_read_may_be_named_twice() -> None:
     assert (
         problems(

@@ -140,3 +140,15 @@ def test_a_robot_that_told_a_fault_is_asked_how_it_stands(wired: tuple[Any, Boar
     twin.asked = ""
     board.look()
     assert twin.asked == "h"
+
+
+def test_a_fault_of_the_run_before_is_not_told_after_a_start(wired: tuple[Any, Board]) -> None:
+    twin, board = wired
+    fault = struct.pack("<BHI", 1, 65535, 3) + b"s2 not plugged in"
+    twin.comes = wrap("F", 0, fault)
+    board.stop()
+    board.start(held=True)
+    twin.comes += told(1, goes(RUNNING))
+    assert isinstance(board.news(0), News)
+    twin.comes = wrap("F", 0, fault)
+    assert isinstance(board.news(0), Fault)

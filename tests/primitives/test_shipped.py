@@ -18,6 +18,7 @@ SCHEMAS = PRIMITIVES / "schemas"
 KINDS = {
     "beginnings.xml": "beginnings",
     "examples.xml": "examples",
+    "bench.xml": "bench",
     ".tutorial.xml": "tutorial",
     ".exercise.xml": "exercise",
     "constructors.xml": "constructors",

@@ -1,4 +1,4 @@
-"""The running studio in a real browser: for each worker one server thread and one browser, for each test one page."""
+"""The running studio in a real browser: for each worker one server thread, one browser and a few tabs."""
 
 from __future__ import annotations
 
@@ -24,6 +24,7 @@ from kitrobot.server import create_app
 from kitrobot.server.serving import server_config
 from tests.effort import THOROUGH
 from tests.patience import PATIENCE_S, STATE_MS
+from tests.studio.tabs import NOTHING, Tab, Tabs
 from tools.chromium import FLAGS
 
 EXAMPLES = Path(__file__).resolve().parents[2] / "examples"
@@ -40,7 +41,7 @@ not there yet makes a description of the whole page."""
 
 
 LOOKS = [("light",), *([("dark", "ur"), ("contrast", "fr")] if THOROUGH else [])]
-"""Theme and language that axe looks at whole; it holds the contrast of every screen in every theme besides."""
+"""Theme and language that axe looks at whole; it holds the contrast of each screen in one of the themes, by turns."""
 
 
 WHAT_A_PAGE_SHOWS = """() => {
@@ -60,7 +61,8 @@ def pytest_runtest_makereport(
     report = yield
     browser = getattr(item, "funcargs", {}).get("browser")
     if call.when == "call" and call.excinfo is not None and browser is not None:
-        for page in [page for context in browser.contexts for page in context.pages]:
+        pages = [page for context in browser.contexts for page in context.pages]
+        for page in [page for page in pages if not page.url.endswith(NOTHING)]:
             with suppress(PlaywrightError):
                 report.sections.append(("a page shows", "\n".join(page.evaluate(WHAT_A_PAGE_SHOWS))))
     return report
@@ -68,11 +70,26 @@ def pytest_runtest_makereport(
 
 @pytest.fixture(scope="session")
 def browser(chromium_path: str) -> Iterator[Browser]:
-    """One Chromium for all tests of a worker; each test has a context of its own."""
+    """One Chromium for all tests of a worker."""
     with sync_playwright() as playwright:
         browser = playwright.chromium.launch(executable_path=chromium_path, args=list(FLAGS))
         yield browser
         browser.close()
+
+
+@pytest.fixture(scope="session")
+def tabs(browser: Browser) -> Iterator[Tabs]:
+    """The tabs that the tests of a worker use one after another."""
+    tabs = Tabs(browser)
+    yield tabs
+    tabs.close()
+
+
+async def answer_nothing(send: Send) -> None:
+    """An empty page."""
+    headers = [(b"content-type", b"text/html"), (b"cache-control", b"no-store")]
+    await send({"type": "http.response.start", "status": 200, "headers": headers})
+    await send({"type": "http.response.body", "body": b'<link rel="icon" href="data:,">'})
 
 
 class Slot:
@@ -89,6 +106,9 @@ class Slot:
         self._ended = asyncio.run_coroutine_threadsafe(self._server.serve([listening]), loop)
 
     async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
+        if scope.get("path") == NOTHING:
+            await answer_nothing(send)
+            return
         assert self.app is not None, "a request to a studio whose test has ended"
         await self.app(scope, receive, send)
 
@@ -160,6 +180,7 @@ class Studio:
     page: Page
     folder: Path
     faults: list[str]
+    address: str = ""
 
     def at(self, testid: str) -> Locator:
         """The element of that test id."""
@@ -206,6 +227,12 @@ class Studio:
         """Waits until the mission that was asked for is there."""
         expect(self.page.locator(".studio")).to_have_attribute("aria-busy", "false")
 
+    def take_back(self) -> None:
+        """Undoes all that was edited, for the next fact of the same test."""
+        undo = self.at("undo")
+        while undo.is_enabled():
+            undo.click()
+
     def full_speed(self) -> None:
         """As fast as it goes: the last notch of the speed slider."""
         self.at("speed").press("End")
@@ -216,45 +243,40 @@ class Studio:
 
 
 @pytest.fixture
-def open_studio(
-    browser: Browser, servers: ServerThread, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> Iterator[object]:
+def open_studio(tabs: Tabs, servers: ServerThread, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[object]:
     """A function that opens the studio on a copy of an example, or on an empty folder with None.
 
-    Words that follow say what device the page is on, as Playwright's contexts do: `viewport`, `has_touch`, …
+    Words that follow say what device the page is on, as Playwright's contexts do: `viewport`, `has_touch`, …; with
+    `first_visit` the browser has nothing of the studio yet.
     """
     monkeypatch.setenv("KITROBOT_STATE", str(tmp_path / "state"))
-    served: list[ServedStudio] = []
-    pages: list[Studio] = []
+    opened: list[tuple[Studio, ServedStudio, Tab]] = []
 
-    def open_on(example: str | None, **device: Any) -> Studio:
+    def open_on(example: str | None, *, first_visit: bool = False, **device: Any) -> Studio:
         target = tmp_path / "missions"
         if example is not None:
             shutil.copytree((EXAMPLES / example).parent, target)
         else:
             target.mkdir()
         running = servers.serve(target if example is None else target / Path(example).name)
-        served.append(running)
         words = {"viewport": {"width": WIDTH, "height": HEIGHT}, "reduced_motion": "reduce", **device}
-        context = browser.new_context(**words)
-        context.set_default_timeout(STATE_MS)
-        page = context.new_page()
+        tab = tabs.make(words) if first_visit else tabs.take(words)
+        page = tab.page
         faults: list[str] = []
-        page.on("pageerror", lambda error: faults.append(str(error)))
-        page.on("console", lambda message: faults.append(message.text) if message.type == "error" else None)
+        tab.hear("pageerror", lambda error: faults.append(str(error)))
+        tab.hear("console", lambda message: faults.append(message.text) if message.type == "error" else None)
+        studio = Studio(page, target, faults, running.address)
+        opened.append((studio, running, tab))
         page.goto(running.address)
         page.wait_for_function(IS_OPEN)
         if example is None:
             # The pictures of a new mission, which an empty folder begins with.
             page.get_by_test_id("new-name").press("Escape")
-        studio = Studio(page, target, faults)
-        pages.append(studio)
         return studio
 
     yield open_on
-    faults = [fault for studio in pages for fault in studio.faults]
-    for studio in pages:
-        studio.page.context.close()
-    for running in served:
+    faults = [fault for studio, _, _ in opened for fault in studio.faults]
+    for _, running, tab in opened:
+        tabs.give_back(tab, running.slot.address)
         running.close()
     assert faults == [], "the page reported errors of its own"

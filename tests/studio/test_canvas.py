@@ -41,9 +41,7 @@ def add_two_parts(studio: Studio) -> None:
     studio.expect_code("WAIT(10);")
 
 
-def test_copied_parts_are_lll_text_and_paste_into_another_program(open_studio: OpenStudio) -> None:
-    studio = open_studio(TRANSPORT)
-    allow_clipboard(studio)
+def copied_parts_are_lll_text_and_paste_into_another_program(studio: Studio) -> None:
     add_two_parts(studio)
     vertex(studio, "Wait").click()
     studio.page.keyboard.press("Control+c")
@@ -57,10 +55,8 @@ def test_copied_parts_are_lll_text_and_paste_into_another_program(open_studio: O
     expect(studio.at("code")).not_to_contain_text("WAIT(10);")
 
 
-def test_cut_takes_away_and_paste_puts_back(open_studio: OpenStudio) -> None:
-    studio = open_studio(TRANSPORT)
-    allow_clipboard(studio)
-    add_two_parts(studio)
+def cut_takes_away_and_paste_puts_back(studio: Studio) -> None:
+    studio.at("tab-carrier").click()
     vertex(studio, "Wait").click()
     studio.page.keyboard.press("Control+x")
     expect(studio.at("code")).not_to_contain_text("WAIT(10);")
@@ -68,19 +64,14 @@ def test_cut_takes_away_and_paste_puts_back(open_studio: OpenStudio) -> None:
     studio.expect_code("WAIT(10);")
 
 
-def test_lll_typed_elsewhere_pastes_as_parts(open_studio: OpenStudio) -> None:
-    studio = open_studio(TRANSPORT)
-    allow_clipboard(studio)
+def lll_typed_elsewhere_pastes_as_parts(studio: Studio) -> None:
     studio.at("vertex-start").click()
     paste(studio, "# hello\n3*(WAIT(77););")
     studio.expect_code("# hello")
     studio.expect_code("3*( WAIT(77); );")
 
 
-def test_pasted_rubbish_is_told_in_a_sentence_and_changes_nothing(open_studio: OpenStudio) -> None:
-    studio = open_studio(TRANSPORT)
-    allow_clipboard(studio)
-    before = studio.code()
+def pasted_rubbish_is_told_in_a_sentence_and_changes_nothing(studio: Studio, before: str) -> None:
     studio.at("vertex-start").click()
     paste(studio, "Dear all, please find attached")
     expect(studio.at("said")).to_contain_text("no program text")
@@ -90,8 +81,21 @@ def test_pasted_rubbish_is_told_in_a_sentence_and_changes_nothing(open_studio: O
     expect(studio.at("saved-state")).to_have_text("saved")
 
 
-def test_right_click_opens_a_menu_that_works_on_what_is_under_it(open_studio: OpenStudio) -> None:
+def test_parts_are_copied_cut_and_pasted_as_lll_text_and_rubbish_is_refused(open_studio: OpenStudio) -> None:
     studio = open_studio(TRANSPORT)
+    allow_clipboard(studio)
+    before = studio.code()
+    copied_parts_are_lll_text_and_paste_into_another_program(studio)
+    cut_takes_away_and_paste_puts_back(studio)
+    studio.take_back()
+    lll_typed_elsewhere_pastes_as_parts(studio)
+    studio.take_back()
+    # The text follows the graph by way of the server.
+    expect(studio.page.locator('[data-testid="code"] .cm-line')).to_have_text(before.split("\n"))
+    pasted_rubbish_is_told_in_a_sentence_and_changes_nothing(studio, before)
+
+
+def right_click_opens_a_menu_that_works_on_what_is_under_it(studio: Studio) -> None:
     add_two_parts(studio)
     vertex(studio, "Wait").click(button="right")
     expect(studio.at("context-menu")).to_be_visible()
@@ -105,9 +109,8 @@ def test_right_click_opens_a_menu_that_works_on_what_is_under_it(open_studio: Op
     expect(studio.at("add-find")).to_be_focused()
 
 
-def test_the_keyboard_opens_the_menu_of_the_selected_part(open_studio: OpenStudio) -> None:
-    studio = open_studio(TRANSPORT)
-    add_two_parts(studio)
+def the_keyboard_opens_the_menu_of_the_selected_part(studio: Studio) -> None:
+    studio.page.keyboard.press("Escape")
     vertex(studio, "Wait").click()
     studio.page.keyboard.press("Shift+F10")
     expect(studio.at("context-menu")).to_be_visible()
@@ -121,8 +124,13 @@ def test_the_keyboard_opens_the_menu_of_the_selected_part(open_studio: OpenStudi
     expect(studio.page.locator(".vertex-name", has_text="Wait")).to_have_count(2)
 
 
-def test_a_finger_that_rests_opens_the_menu(open_studio: OpenStudio) -> None:
+def test_a_menu_of_a_part_opens_by_right_click_and_by_keyboard(open_studio: OpenStudio) -> None:
     studio = open_studio(TRANSPORT)
+    right_click_opens_a_menu_that_works_on_what_is_under_it(studio)
+    the_keyboard_opens_the_menu_of_the_selected_part(studio)
+
+
+def a_finger_that_rests_opens_the_menu(studio: Studio) -> None:
     box = studio.page.locator(".vertex").first.bounding_box()
     assert box is not None
     touch = studio.page.context.new_cdp_session(studio.page)
@@ -135,8 +143,7 @@ def test_a_finger_that_rests_opens_the_menu(open_studio: OpenStudio) -> None:
     expect(studio.at("saved-state")).to_have_text("saved")
 
 
-def test_a_loop_dropped_on_the_selection_encloses_it_and_unwraps(open_studio: OpenStudio) -> None:
-    studio = open_studio(TRANSPORT)
+def a_loop_dropped_on_the_selection_encloses_it_and_unwraps(studio: Studio) -> None:
     add_two_parts(studio)
     before = studio.code()
     vertex(studio, "Wait").click()
@@ -149,9 +156,7 @@ def test_a_loop_dropped_on_the_selection_encloses_it_and_unwraps(open_studio: Op
     assert studio.code() == before
 
 
-def test_w_asks_for_the_part_that_goes_around_the_selection(open_studio: OpenStudio) -> None:
-    studio = open_studio(TRANSPORT)
-    add_two_parts(studio)
+def w_asks_for_the_part_that_goes_around_the_selection(studio: Studio) -> None:
     vertex(studio, "Wait").click()
     studio.page.keyboard.press("w")
     studio.at("add-find").fill("if")
@@ -162,8 +167,13 @@ def test_w_asks_for_the_part_that_goes_around_the_selection(open_studio: OpenStu
     expect(studio.at("code")).not_to_contain_text(re.compile(r"\]\( WAIT\(10\); \)"))
 
 
-def test_find_looks_through_all_programs_and_enter_goes_there(open_studio: OpenStudio) -> None:
+def test_the_selection_is_wrapped_by_a_drop_and_by_a_key_and_unwrapped(open_studio: OpenStudio) -> None:
     studio = open_studio(TRANSPORT)
+    a_loop_dropped_on_the_selection_encloses_it_and_unwraps(studio)
+    w_asks_for_the_part_that_goes_around_the_selection(studio)
+
+
+def find_looks_through_all_programs_and_enter_goes_there(studio: Studio) -> None:
     studio.page.keyboard.press("Control+f")
     expect(studio.at("find-input")).to_be_focused()
     studio.page.keyboard.type("no such words")
@@ -200,8 +210,7 @@ def test_a_collapsed_body_says_how_much_it_holds_and_glows_for_it(open_studio: O
     expect(studio.page.locator(".vertex", has_text="Wheels Drive").first).to_be_visible()
 
 
-def test_shift_drag_on_the_void_selects_what_the_box_touches(open_studio: OpenStudio) -> None:
-    studio = open_studio(TRANSPORT)
+def shift_drag_on_the_void_selects_what_the_box_touches(studio: Studio) -> None:
     canvas = studio.at("canvas").bounding_box()
     assert canvas is not None
     studio.page.keyboard.down("Shift")
@@ -218,8 +227,14 @@ def test_shift_drag_on_the_void_selects_what_the_box_touches(open_studio: OpenSt
     assert abs(start["y"] - canvas["y"] - 18) < 8, "the canvas did not move along"
 
 
-def test_keys_zoom_to_the_selection_show_the_map_and_follow_the_run(open_studio: OpenStudio) -> None:
+def test_a_box_selects_and_a_finger_that_rests_opens_the_menu(open_studio: OpenStudio) -> None:
     studio = open_studio(TRANSPORT)
+    shift_drag_on_the_void_selects_what_the_box_touches(studio)
+    studio.page.keyboard.press("Escape")
+    a_finger_that_rests_opens_the_menu(studio)
+
+
+def keys_zoom_to_the_selection_show_the_map_and_follow_the_run(studio: Studio) -> None:
     deep = vertex(studio, "Road ahead free")
     deep.click()
     studio.page.keyboard.press("z")
@@ -234,3 +249,9 @@ def test_keys_zoom_to_the_selection_show_the_map_and_follow_the_run(open_studio:
     studio.at("run-button").click()
     expect(studio.page.locator(".vertex.is-active").first).to_be_in_viewport()
     studio.at("stop-button").click()
+
+
+def test_keys_zoom_show_the_map_follow_the_run_and_find_in_all_programs(open_studio: OpenStudio) -> None:
+    studio = open_studio(TRANSPORT)
+    keys_zoom_to_the_selection_show_the_map_and_follow_the_run(studio)
+    find_looks_through_all_programs_and_enter_goes_there(studio)

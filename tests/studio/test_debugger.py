@@ -59,8 +59,7 @@ def test_it_pauses_at_a_breakpoint_again_and_again_and_goes_on_without(open_stud
     studio.wait_until_done()
 
 
-def test_the_breakpoint_is_kept_in_the_mission_and_undone(open_studio: OpenStudio) -> None:
-    studio = open_studio("blink/blink.krt")
+def the_breakpoint_is_kept_in_the_mission_and_undone(studio: Studio) -> None:
     studio.page.locator(".vertex", has_text="Lamp On").click()
     studio.at("breakpoint-switch").click()
     expect(studio.page.locator(".breakpoint")).to_have_count(1)
@@ -83,8 +82,7 @@ def saved(studio: Studio) -> str:
     return (studio.folder / "blink.krt").read_text()
 
 
-def test_steps_back_and_on_lead_to_the_same_place(open_studio: OpenStudio) -> None:
-    studio = later(open_studio)
+def steps_back_and_on_lead_to_the_same_place(studio: Studio) -> None:
     at = tick(studio)
     for back in range(1, 4):
         studio.page.keyboard.press("F9")
@@ -97,8 +95,7 @@ def test_steps_back_and_on_lead_to_the_same_place(open_studio: OpenStudio) -> No
     studio.at("step-back-button").click()
 
 
-def test_the_handle_of_the_timeline_goes_anywhere_and_on(open_studio: OpenStudio) -> None:
-    studio = later(open_studio)
+def the_handle_of_the_timeline_goes_anywhere_and_on(studio: Studio) -> None:
     latest = tick(studio)
     strip = studio.at("event-strip")
     strip.focus()
@@ -124,9 +121,16 @@ def test_the_handle_of_the_timeline_goes_anywhere_and_on(open_studio: OpenStudio
     expect(studio.at("status")).to_have_attribute("data-status", PAUSED)
 
 
-def test_variables_are_set_and_sensors_forced_from_the_watch(open_studio: OpenStudio) -> None:
-    studio = started(open_studio)
-    studio.at("watch-button").click()
+def test_a_run_is_stepped_back_and_on_and_its_timeline_has_a_handle_that_goes_anywhere(open_studio: OpenStudio) -> None:
+    studio = later(open_studio)
+    the_handle_of_the_timeline_goes_anywhere_and_on(studio)
+    studio.at("event-strip").focus()
+    studio.page.keyboard.press("End")
+    expect_tick(studio, int(studio.at("event-strip").get_attribute("aria-valuemax") or "-1"))
+    steps_back_and_on_lead_to_the_same_place(studio)
+
+
+def variables_are_set_and_sensors_forced_from_the_watch(studio: Studio) -> None:
     count = studio.at("watch-Count").get_by_role("textbox")
     expect(count).to_have_value("0")
     count.click()
@@ -147,9 +151,7 @@ def test_variables_are_set_and_sensors_forced_from_the_watch(open_studio: OpenSt
     expect(captor.locator(".watch-line")).to_have_attribute("d", re.compile("^M"))
 
 
-def test_a_number_out_of_range_is_not_taken(open_studio: OpenStudio) -> None:
-    studio = started(open_studio)
-    studio.at("watch-button").click()
+def a_number_out_of_range_is_not_taken(studio: Studio) -> None:
     count = studio.at("watch-Count").get_by_role("textbox")
     for wrong in ("1000", "-1", "many", "1.5", ""):
         count.click()
@@ -158,9 +160,7 @@ def test_a_number_out_of_range_is_not_taken(open_studio: OpenStudio) -> None:
         expect(count).to_have_value("0")
 
 
-def test_what_is_done_in_the_past_begins_another_future(open_studio: OpenStudio) -> None:
-    studio = started(open_studio)
-    studio.at("watch-button").click()
+def what_is_done_in_the_past_begins_another_future(studio: Studio) -> None:
     latest = tick(studio)
     studio.page.keyboard.press("F9")
     expect_tick(studio, latest - 1)
@@ -170,11 +170,26 @@ def test_what_is_done_in_the_past_begins_another_future(open_studio: OpenStudio)
     expect(flag).to_have_value("1")
 
 
-def test_a_condition_that_is_none_is_said(open_studio: OpenStudio) -> None:
-    studio = open_studio("blink/blink.krt")
+def test_the_watch_sets_variables_forces_sensors_takes_no_number_out_of_range_and_begins_another_future(
+    open_studio: OpenStudio,
+) -> None:
+    studio = started(open_studio)
+    studio.at("watch-button").click()
+    a_number_out_of_range_is_not_taken(studio)
+    variables_are_set_and_sensors_forced_from_the_watch(studio)
+    what_is_done_in_the_past_begins_another_future(studio)
+
+
+def a_condition_that_is_none_is_said(studio: Studio) -> None:
     studio.page.locator(".vertex", has_text="Lamp On").click()
     studio.at("breakpoint-switch").click()
     studio.at("breakpoint-when").fill("Count.")
     studio.page.keyboard.press("Enter")
     studio.at("run-button").click()
     expect(studio.page.get_by_role("alert").first).to_contain_text("no condition")
+
+
+def test_a_breakpoint_is_kept_in_the_mission_and_undone_and_says_what_is_no_condition(open_studio: OpenStudio) -> None:
+    studio = open_studio("blink/blink.krt")
+    the_breakpoint_is_kept_in_the_mission_and_undone(studio)
+    a_condition_that_is_none_is_said(studio)

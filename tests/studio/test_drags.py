@@ -51,8 +51,7 @@ def grip(at: Locator) -> Locator:
     return at.locator(".tile, .vertex-name").first
 
 
-def test_arcs_light_up_and_a_drop_on_one_splices_the_part_in(open_studio: OpenStudio) -> None:
-    studio = open_studio(TRANSPORT)
+def arcs_light_up_and_a_drop_on_one_splices_the_part_in(studio: Studio) -> None:
     mouse = studio.page.mouse
     part = studio.at("part-Wait").bounding_box()
     arc = studio.at("arc-start.next").bounding_box()
@@ -68,8 +67,7 @@ def test_arcs_light_up_and_a_drop_on_one_splices_the_part_in(open_studio: OpenSt
     expect(studio.at("code")).to_contain_text(re.compile(r"WAIT\(10\);\s*# Drive"))
 
 
-def test_escape_ends_a_drag_without_a_change(open_studio: OpenStudio) -> None:
-    studio = open_studio(TRANSPORT)
+def escape_ends_a_drag_without_a_change(studio: Studio) -> None:
     mouse = studio.page.mouse
     part = studio.at("part-Wait").bounding_box()
     arc = studio.at("arc-start.next").bounding_box()
@@ -83,6 +81,14 @@ def test_escape_ends_a_drag_without_a_change(open_studio: OpenStudio) -> None:
     expect(studio.page.locator(".ghost")).to_have_count(0)
     mouse.up()
     expect(studio.at("saved-state")).to_have_text("saved")
+
+
+def test_a_drag_is_ended_by_escape_and_a_drop_on_an_arc_that_lights_up_splices_the_part_in(
+    open_studio: OpenStudio,
+) -> None:
+    studio = open_studio(TRANSPORT)
+    escape_ends_a_drag_without_a_change(studio)
+    arcs_light_up_and_a_drop_on_one_splices_the_part_in(studio)
 
 
 def test_a_drop_on_the_void_parks_a_part_and_a_drag_brings_it_in(open_studio: OpenStudio) -> None:
@@ -126,9 +132,7 @@ def test_a_test_docks_in_a_slot_and_nests_in_the_hole_of_another(open_studio: Op
     expect(choice.locator(".hole")).to_have_count(2)
 
 
-def test_a_vertex_moves_with_its_body_and_comes_back_with_undo(open_studio: OpenStudio) -> None:
-    studio = open_studio(TRANSPORT)
-    fold_first_parallel(studio)
+def a_vertex_moves_with_its_body_and_comes_back_with_undo(studio: Studio) -> None:
     before = studio.code()
     choice = vertex(studio, "If Then Else")
     studio.drag(grip(choice), studio.at("arc-start.next"))
@@ -141,9 +145,7 @@ def test_a_vertex_moves_with_its_body_and_comes_back_with_undo(open_studio: Open
     code_is(studio, before)
 
 
-def test_a_drag_with_alt_takes_a_copy(open_studio: OpenStudio) -> None:
-    studio = open_studio(TRANSPORT)
-    fold_first_parallel(studio)
+def a_drag_with_alt_takes_a_copy(studio: Studio) -> None:
     count = studio.code().count("Dock.Set(0)")
     choice = vertex(studio, "If Then Else")
     studio.page.keyboard.down("Alt")
@@ -156,9 +158,7 @@ def test_a_drag_with_alt_takes_a_copy(open_studio: OpenStudio) -> None:
     assert studio.code().count("Dock.Set(0)") == count + 1
 
 
-def test_a_vertex_cannot_go_into_its_own_body(open_studio: OpenStudio) -> None:
-    studio = open_studio(TRANSPORT)
-    fold_first_parallel(studio)
+def a_vertex_cannot_go_into_its_own_body(studio: Studio) -> None:
     choice = vertex(studio, "If Then Else")
     name = name_of(choice)
     inside = studio.at(f"arc-{name}.then")
@@ -174,3 +174,12 @@ def test_a_vertex_cannot_go_into_its_own_body(open_studio: OpenStudio) -> None:
     studio.page.keyboard.press("Escape")
     mouse.up()
     expect(studio.at("saved-state")).to_have_text("saved")
+
+
+def test_a_vertex_moves_with_its_body_but_not_into_it_and_alt_takes_a_copy(open_studio: OpenStudio) -> None:
+    studio = open_studio(TRANSPORT)
+    fold_first_parallel(studio)
+    a_vertex_cannot_go_into_its_own_body(studio)
+    a_vertex_moves_with_its_body_and_comes_back_with_undo(studio)
+    settled(studio)
+    a_drag_with_alt_takes_a_copy(studio)

@@ -22,8 +22,7 @@ def open_as(studio: Studio, name: str, text: str) -> None:
     expect(studio.page.locator(".title")).to_contain_text(name)
 
 
-def test_an_arena_without_robots_or_without_a_world_says_what_to_do(open_studio: OpenStudio) -> None:
-    studio = open_studio("blink/blink.krt")
+def an_arena_without_robots_or_without_a_world_says_what_to_do(studio: Studio) -> None:
     expect(studio.at("arena-empty")).to_have_count(0)
     text = (studio.folder / "blink.krt").read_text(encoding="utf-8")
     before, _, rest = text.partition("  <team>")
@@ -34,11 +33,18 @@ def test_an_arena_without_robots_or_without_a_world_says_what_to_do(open_studio:
     expect(studio.at("arena-empty")).to_contain_text("There is no world to show.")
 
 
-def test_a_new_program_says_what_to_do_in_each_panel(open_studio: OpenStudio) -> None:
-    studio = open_studio("blink/blink.krt")
+def a_new_program_says_what_to_do_in_each_panel(studio: Studio) -> None:
     studio.new_mission()
     expect(studio.page.locator(".teaching")).to_contain_text("Give the robot its first step")
     expect(studio.at("code")).to_contain_text("Your program appears here.")
     expect(studio.page.locator(".side-inspector")).to_contain_text("Click a part to set its speed")
     studio.at("problems").click()
     expect(studio.page.locator("#problem-list")).to_contain_text("Press Run to see the program at work.")
+
+
+def test_an_arena_without_robots_or_world_and_a_new_program_say_what_to_do_in_each_panel(
+    open_studio: OpenStudio,
+) -> None:
+    studio = open_studio("blink/blink.krt")
+    an_arena_without_robots_or_without_a_world_says_what_to_do(studio)
+    a_new_program_says_what_to_do_in_each_panel(studio)

@@ -42,9 +42,7 @@ def place_of(studio, name: str) -> tuple[float, float]:
     return box["x"] + box["width"] / 2, box["y"] + box["height"] / 2
 
 
-def test_the_mouse_lets_a_robot_fail_and_come_back(open_studio):
-    studio = open_studio(TRANSPORT)
-    start_paused(studio)
+def the_mouse_lets_a_robot_fail_and_come_back(studio):
     x, y = place_of(studio, ROBOT)
     studio.page.mouse.click(x, y, button="right")
     studio.at("menu-harm-fail").click()
@@ -57,17 +55,14 @@ def test_the_mouse_lets_a_robot_fail_and_come_back(open_studio):
     expect(studio.at("states-said")).to_contain_text(f"{ROBOT}: well again")
 
 
-@pytest.mark.parametrize(("item", "word"), [("fail", "failed"), ("stall", "stalled"), ("mute", "without radio")])
-def test_keys_do_it_too(open_studio, item, word):
-    studio = open_studio(TRANSPORT)
-    start_paused(studio)
-    choose(studio, ROBOT)
+def keys_do_it_too(studio, robot, item, word):
+    choose(studio, robot)
     studio.page.keyboard.press("Enter")
     expect(studio.at("menu-harm-fail")).to_be_visible()
     for _ in range(["fail", "stall", "mute"].index(item)):
         studio.page.keyboard.press("ArrowDown")
     studio.page.keyboard.press("Enter")
-    expect(studio.at("states-said")).to_contain_text(f"{ROBOT}: {word}")
+    expect(studio.at("states-said")).to_contain_text(f"{robot}: {word}")
     expect(studio.at("arena-canvas")).to_be_focused()
 
 
@@ -84,12 +79,21 @@ def test_a_finger_that_rests_opens_the_menu(open_studio):
     expect(studio.at("robot-menu")).to_be_visible()
 
 
-def test_without_a_run_the_menu_says_what_is_missing(open_studio):
-    studio = open_studio(TRANSPORT)
+def without_a_run_the_menu_says_what_is_missing(studio):
     choose(studio, ROBOT)
     studio.page.keyboard.press("Enter")
     expect(studio.at("robot-menu")).to_contain_text("Press Run first")
     expect(studio.at("menu-harm-fail")).to_have_attribute("aria-disabled", "true")
+
+
+def test_mouse_and_keys_let_robots_fail_stall_lose_their_radio_and_come_back_once_there_is_a_run(open_studio):
+    studio = open_studio(TRANSPORT)
+    without_a_run_the_menu_says_what_is_missing(studio)
+    studio.page.keyboard.press("Escape")
+    start_paused(studio)
+    the_mouse_lets_a_robot_fail_and_come_back(studio)
+    for number, (item, word) in enumerate((("fail", "failed"), ("stall", "stalled"), ("mute", "without radio")), 1):
+        keys_do_it_too(studio, f"carrier-{number}", item, word)
 
 
 def test_who_is_followed_stays_in_the_middle_until_the_world_is_dragged(open_studio):
@@ -147,9 +151,13 @@ def test_a_schedule_is_edited_undone_shown_and_kept(open_studio):
     expect(studio.at("failure-0")).to_have_count(0)
 
 
-@pytest.mark.parametrize("button", ["stop-button", "team-stop"])
-def test_stop_leaves_every_robot_standing_still(open_studio, button):
+def test_stop_leaves_every_robot_standing_still(open_studio):
     studio = open_studio(TRANSPORT)
+    for button in ("stop-button", "team-stop"):
+        stop_leaves_every_robot_standing_still(studio, button)
+
+
+def stop_leaves_every_robot_standing_still(studio, button):
     studio.at("run-button").click()
     expect(studio.at("status")).to_have_attribute("data-status", "running")
     studio.at(button).click()

@@ -24,8 +24,7 @@ def far(studio: Studio) -> Locator:
     return canvas.locator(".plain")
 
 
-def test_far_away_there_are_blocks_and_close_by_there_are_words(open_studio: OpenStudio) -> None:
-    studio = open_studio("blink/blink.krt", reduced_motion="reduce")
+def far_away_there_are_blocks_and_close_by_there_are_words(studio: Studio) -> None:
     count = studio.page.locator(".react-flow__node").count()
     blocks = far(studio)
     expect(blocks).to_have_count(count)
@@ -37,8 +36,7 @@ def test_far_away_there_are_blocks_and_close_by_there_are_words(open_studio: Ope
     expect(studio.page.locator(".vertex-name").first).to_be_visible()
 
 
-def test_a_block_is_selected_by_a_click_and_has_a_name_for_screen_readers(open_studio: OpenStudio) -> None:
-    studio = open_studio("blink/blink.krt", reduced_motion="reduce")
+def a_block_is_selected_by_a_click_and_has_a_name_for_screen_readers(studio: Studio) -> None:
     block = far(studio).nth(1)
     assert block.get_attribute("aria-label")
     block.click()
@@ -47,10 +45,20 @@ def test_a_block_is_selected_by_a_click_and_has_a_name_for_screen_readers(open_s
     expect(studio.at("saved-state")).not_to_have_text("saved")
 
 
-def test_a_mistake_is_seen_from_far_away(open_studio: OpenStudio) -> None:
-    studio = open_studio("blink/blink.krt", reduced_motion="reduce")
+def a_mistake_is_seen_from_far_away(studio: Studio) -> None:
     studio.drop("If Then", "arc-start.next")
     expect(studio.page.locator(".trouble").first).to_be_visible()
     far(studio)
     expect(studio.page.locator(".plain-trouble").first).to_be_visible()
     expect(studio.page.locator(".trouble")).to_have_count(0)
+
+
+def test_far_away_there_are_blocks_that_are_selected_named_and_tell_of_mistakes_and_close_by_words(
+    open_studio: OpenStudio,
+) -> None:
+    studio = open_studio("blink/blink.krt")
+    far_away_there_are_blocks_and_close_by_there_are_words(studio)
+    a_block_is_selected_by_a_click_and_has_a_name_for_screen_readers(studio)
+    studio.take_back()
+    studio.at("canvas").press("Control+0")
+    a_mistake_is_seen_from_far_away(studio)

@@ -67,25 +67,25 @@ def speak(studio: Studio, language: str) -> None:
     expect(studio.page.locator("html")).to_have_attribute("lang", language)
 
 
-@pytest.mark.parametrize("kind", ["svg", "png", "pdf"])
-def test_a_picture_that_is_dropped_on_the_window_opens_its_mission(
-    open_studio: OpenStudio, tmp_path: Path, kind: str
-) -> None:
+def test_a_picture_that_is_dropped_on_the_window_opens_its_mission(open_studio: OpenStudio, tmp_path: Path) -> None:
     studio = open_studio("transport/transport.krt")
     before = studio.code()
-    path = keep(studio, f"export-{kind}", tmp_path)
-    studio.new_mission()
-    expect(studio.at("first-place")).to_be_visible()
-    drop_file(studio, path)
-    expect(studio.at("tab-store-manager-A")).to_be_visible()
-    studio.expect_code("Collision.IsPressed")
-    assert studio.code() == before
-    again = keep(studio, "download-krt", tmp_path)
-    assert again.read_bytes().strip() == (EXAMPLES / "transport" / "transport.krt").read_bytes().strip()
+    kept = {kind: keep(studio, f"export-{kind}", tmp_path) for kind in ("svg", "png", "pdf")}
+    mission = (EXAMPLES / "transport" / "transport.krt").read_bytes().strip()
+    for kind, path in kept.items():
+        assert path.name == f"carrier.{kind}"
+        assert carried_mission(path.read_bytes(), path.name)[0].strip() == mission, kind
+        studio.new_mission()
+        expect(studio.at("first-place")).to_be_visible()
+        drop_file(studio, path)
+        expect(studio.at("tab-store-manager-A")).to_be_visible()
+        studio.expect_code("Collision.IsPressed")
+        assert studio.code() == before, kind
+        again = keep(studio, "download-krt", tmp_path)
+        assert again.read_bytes().strip() == mission, kind
 
 
-def test_all_graphs_go_into_one_pdf_a_page_each(open_studio: OpenStudio, tmp_path: Path) -> None:
-    studio = open_studio("transport/transport.krt")
+def all_graphs_go_into_one_pdf_a_page_each(studio: Studio, tmp_path: Path) -> None:
     one = keep(studio, "export-pdf", tmp_path).read_bytes()
     path = keep(studio, "export-pdf-all", tmp_path)
     assert path.name == "transport.pdf"
@@ -93,10 +93,7 @@ def test_all_graphs_go_into_one_pdf_a_page_each(open_studio: OpenStudio, tmp_pat
     assert carried_mission(one, "a.pdf")[0] == carried_mission(path.read_bytes(), "a.pdf")[0]
 
 
-def test_a_pdf_is_drawn_in_lines_and_letters_and_is_light_in_every_theme(
-    open_studio: OpenStudio, tmp_path: Path
-) -> None:
-    studio = open_studio("blink/blink.krt")
+def a_pdf_is_drawn_in_lines_and_letters_and_is_light_in_every_theme(studio: Studio, tmp_path: Path) -> None:
     light = keep(studio, "export-pdf", tmp_path).read_bytes()
     assert b"/Subtype /Image" not in light
     assert b"/BaseFont /Inter-SemiBold" in light
@@ -105,8 +102,7 @@ def test_a_pdf_is_drawn_in_lines_and_letters_and_is_light_in_every_theme(
     assert keep(studio, "export-pdf", tmp_path).read_bytes() == light
 
 
-def test_a_pdf_in_urdu_has_its_letters_joined_in_our_font(open_studio: OpenStudio, tmp_path: Path) -> None:
-    studio = open_studio("blink/blink.krt")
+def a_pdf_in_urdu_has_its_letters_joined_in_our_font(studio: Studio, tmp_path: Path) -> None:
     speak(studio, "ur")
     pdf = keep(studio, "export-pdf", tmp_path).read_bytes()
     assert b"/Subtype /Image" not in pdf
@@ -117,8 +113,7 @@ def test_a_pdf_in_urdu_has_its_letters_joined_in_our_font(open_studio: OpenStudi
         assert b"<%04x>" % ord(letter) in back
 
 
-def test_the_image_and_the_listing_are_handed_out(open_studio: OpenStudio, tmp_path: Path) -> None:
-    studio = open_studio("transport/transport.krt")
+def the_image_and_the_listing_are_handed_out(studio: Studio, tmp_path: Path) -> None:
     image = keep(studio, "download-kri", tmp_path)
     listing = keep(studio, "download-kra", tmp_path)
     assert (image.name, listing.name) == ("carrier.kri", "carrier.kra")
@@ -126,8 +121,7 @@ def test_the_image_and_the_listing_are_handed_out(open_studio: OpenStudio, tmp_p
     assert assemble(listing.read_text(encoding="utf-8"), "carrier.kra").to_bytes() == made
 
 
-def test_a_program_with_errors_has_no_image_and_the_page_says_what_to_do(open_studio: OpenStudio) -> None:
-    studio = open_studio("blink/blink.krt")
+def a_program_with_errors_has_no_image_and_the_page_says_what_to_do(studio: Studio) -> None:
     studio.drop("While", "arc-start.next")
     expect(studio.page.locator('.vertex [class*="trouble"]').first).to_be_visible()
     for kind in ("kri", "kra"):
@@ -154,8 +148,7 @@ def sheet(studio: Studio) -> None:
     studio.page.emulate_media(media="print")
 
 
-def test_the_sheet_has_everything_and_nothing_of_the_studio(open_studio: OpenStudio) -> None:
-    studio = open_studio("transport/transport.krt")
+def the_sheet_has_everything_and_nothing_of_the_studio(studio: Studio) -> None:
     pdf = printed(studio)
     # The title and the team, then each program with its graph and its text.
     assert 6 <= pages_of(pdf) <= 11, studio.page.evaluate("document.body.innerText")
@@ -176,8 +169,7 @@ def test_the_sheet_has_everything_and_nothing_of_the_studio(open_studio: OpenStu
     expect(studio.at("canvas")).to_be_visible()
 
 
-def test_the_sheet_is_black_on_white_in_every_theme_and_in_the_pages_language(open_studio: OpenStudio) -> None:
-    studio = open_studio("transport/transport.krt")
+def the_sheet_is_black_on_white_in_every_theme_and_in_the_pages_language(studio: Studio) -> None:
     studio.at("menu-View").click()
     studio.at("menu-view-dark").click()
     speak(studio, "ur")
@@ -192,13 +184,33 @@ def test_the_sheet_is_black_on_white_in_every_theme_and_in_the_pages_language(op
     assert (right, place.locator("pre").first.evaluate("one => getComputedStyle(one).direction")) == ("rtl", "ltr")
 
 
-def test_ctrl_p_prints_the_sheet_too(open_studio: OpenStudio) -> None:
-    studio = open_studio("blink/blink.krt")
+def test_all_graphs_image_listing_and_the_sheet_of_a_mission_in_every_theme_and_the_pages_language(
+    open_studio: OpenStudio, tmp_path: Path
+) -> None:
+    studio = open_studio("transport/transport.krt")
+    all_graphs_go_into_one_pdf_a_page_each(studio, tmp_path)
+    the_image_and_the_listing_are_handed_out(studio, tmp_path)
+    the_sheet_has_everything_and_nothing_of_the_studio(studio)
+    the_sheet_is_black_on_white_in_every_theme_and_in_the_pages_language(studio)
+
+
+def ctrl_p_prints_the_sheet_too(studio: Studio) -> None:
     # In braces: Playwright calls what an expression gives when that is a function.
     studio.page.evaluate("() => { window.print = () => { document.title = 'printing'; }; }")
     studio.page.keyboard.press("Control+p")
     expect(studio.page).to_have_title("printing")
     assert pages_of(studio.page.pdf(prefer_css_page_size=True, format="A4")) >= 1
+
+
+def test_a_pdf_has_lines_and_letters_in_every_theme_and_in_urdu_errors_have_no_image_and_ctrl_p_prints(
+    open_studio: OpenStudio, tmp_path: Path
+) -> None:
+    studio = open_studio("blink/blink.krt")
+    a_pdf_is_drawn_in_lines_and_letters_and_is_light_in_every_theme(studio, tmp_path)
+    a_program_with_errors_has_no_image_and_the_page_says_what_to_do(studio)
+    studio.take_back()
+    a_pdf_in_urdu_has_its_letters_joined_in_our_font(studio, tmp_path)
+    ctrl_p_prints_the_sheet_too(studio)
 
 
 def test_a_long_graph_is_cut_into_parts_between_its_vertices(open_studio: OpenStudio) -> None:

@@ -36,8 +36,7 @@ def open_gallery(studio: Studio) -> Locator:
     return studio.at("open-dialog")
 
 
-def test_a_new_program_offers_four_examples_with_pictures_of_what_they_do(open_studio: OpenStudio) -> None:
-    studio = open_studio("blink/blink.krt")
+def a_new_program_offers_four_examples_with_pictures_of_what_they_do(studio: Studio) -> None:
     studio.new_mission()
     cards = studio.page.locator(".examples .card")
     expect(cards).to_have_count(4)
@@ -49,8 +48,8 @@ def test_a_new_program_offers_four_examples_with_pictures_of_what_they_do(open_s
     studio.expect_code("Captor.GreaterThan(8)")
 
 
-def test_an_example_that_gets_the_focus_comes_into_sight_and_stays_there(open_studio: OpenStudio) -> None:
-    studio = open_studio("blink/blink.krt", viewport={"width": 1280, "height": 720})
+def an_example_that_gets_the_focus_comes_into_sight_and_stays_there(studio: Studio) -> None:
+    studio.page.set_viewport_size({"width": 1280, "height": 720})
     studio.new_mission()
     last = studio.page.locator(".examples .card").last
     last.focus()
@@ -60,6 +59,14 @@ def test_an_example_that_gets_the_focus_comes_into_sight_and_stays_there(open_st
     expect(last).to_be_in_viewport(ratio=0.9)
     last.click()
     studio.expect_code("role carrying: carrier")
+
+
+def test_a_new_program_offers_examples_with_pictures_and_one_that_gets_the_focus_comes_into_sight(
+    open_studio: OpenStudio,
+) -> None:
+    studio = open_studio("blink/blink.krt")
+    a_new_program_offers_four_examples_with_pictures_of_what_they_do(studio)
+    an_example_that_gets_the_focus_comes_into_sight_and_stays_there(studio)
 
 
 def test_search_filters_and_arrows_lead_to_an_example_that_runs_to_its_end(open_studio: OpenStudio) -> None:
@@ -122,6 +129,8 @@ def test_pictures_move_while_they_are_seen_until_somebody_wants_them_still(open_
     expect(picture).to_have_attribute("data-moves", "false")
     studio.at("gallery-plays").uncheck()
     expect(dialog.locator(MOVING)).to_have_count(0)
+    # Focus scrolls; a card that comes under the mouse would move too.
+    studio.page.mouse.move(0, 0)
     last.focus()
     expect(dialog.locator(MOVING)).to_have_count(1)
     # Remembered, and nothing moves for who wants less motion.

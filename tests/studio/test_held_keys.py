@@ -20,9 +20,14 @@ OpenStudio = Callable[..., Studio]
 def running(open_studio: OpenStudio, **device: object) -> Studio:
     """Dice that wait for somebody: button B ends the game."""
     studio = open_studio("dice/dice.krt", **device)
-    studio.at("run-button").click()
-    expect(studio.at("hand-ButtonB")).to_be_enabled()
+    begin(studio)
     return studio
+
+
+def begin(studio: Studio) -> None:
+    studio.at("run-button").click()
+    expect(studio.at("status")).to_have_attribute("data-status", "running")
+    expect(studio.at("hand-ButtonB")).to_be_enabled()
 
 
 def place_of_button_b(studio: Studio) -> tuple[float, float]:
@@ -40,8 +45,7 @@ def centre(locator: Locator) -> tuple[float, float]:
     return box["x"] + box["width"] / 2, box["y"] + box["height"] / 2
 
 
-def test_a_button_of_the_board_is_pressed_with_the_mouse_in_the_arena(open_studio: OpenStudio) -> None:
-    studio = running(open_studio)
+def a_button_of_the_board_is_pressed_with_the_mouse_in_the_arena(studio: Studio) -> None:
     studio.page.mouse.move(*place_of_button_b(studio))
     expect(studio.at("arena-canvas")).to_have_css("cursor", "pointer")
     studio.page.mouse.down()
@@ -50,8 +54,7 @@ def test_a_button_of_the_board_is_pressed_with_the_mouse_in_the_arena(open_studi
     studio.page.mouse.up()
 
 
-def test_a_press_on_the_canvas_beside_the_buttons_holds_nothing(open_studio: OpenStudio) -> None:
-    studio = running(open_studio)
+def a_press_on_the_canvas_beside_the_buttons_holds_nothing(studio: Studio) -> None:
     x, y = place_of_button_b(studio)
     studio.page.mouse.move(x, y + 60)
     studio.page.mouse.down()
@@ -60,9 +63,7 @@ def test_a_press_on_the_canvas_beside_the_buttons_holds_nothing(open_studio: Ope
     expect(studio.at("status")).to_have_attribute("data-status", "running")
 
 
-@pytest.mark.parametrize("key", cases(["b", "Space"], ["Enter"]))
-def test_a_button_is_held_with_the_keyboard(open_studio: OpenStudio, key: str) -> None:
-    studio = running(open_studio)
+def a_button_is_held_with_the_keyboard(studio: Studio, key: str) -> None:
     studio.at("arena-canvas" if key == "b" else "hand-ButtonB").focus()
     studio.page.keyboard.down(key)
     expect(studio.at("hand-ButtonB")).to_have_attribute("aria-pressed", "true")
@@ -76,9 +77,9 @@ def test_a_finger_that_taps_shortly_is_felt(open_studio: OpenStudio) -> None:
     studio.wait_until_done()
 
 
-def test_what_a_hand_did_stands_on_the_timeline_and_in_the_watch(open_studio: OpenStudio) -> None:
-    studio = running(open_studio)
+def what_a_hand_did_stands_on_the_timeline_and_in_the_watch(studio: Studio) -> None:
     studio.at("watch-button").click()
+    expect(studio.at("watch-ButtonA")).to_be_visible()
     studio.page.mouse.move(*centre(studio.at("hand-ButtonA")))
     studio.page.mouse.down()
     expect(studio.at("watch-ButtonA")).to_have_attribute("data-forced", "true")
@@ -87,8 +88,7 @@ def test_what_a_hand_did_stands_on_the_timeline_and_in_the_watch(open_studio: Op
     expect(studio.at("hand-ButtonA")).to_have_attribute("aria-pressed", "false")
 
 
-def test_a_press_while_the_run_pauses_waits_for_it(open_studio: OpenStudio) -> None:
-    studio = running(open_studio)
+def a_press_while_the_run_pauses_waits_for_it(studio: Studio) -> None:
     studio.at("pause-button").click()
     expect(studio.at("status")).to_have_attribute("data-status", "paused")
     studio.at("hand-ButtonB").click()
@@ -97,20 +97,33 @@ def test_a_press_while_the_run_pauses_waits_for_it(open_studio: OpenStudio) -> N
     studio.wait_until_done()
 
 
-def test_before_a_run_there_is_a_board_and_nothing_to_hold(open_studio: OpenStudio) -> None:
-    studio = open_studio("dice/dice.krt")
+def before_a_run_there_is_a_board_and_nothing_to_hold(studio: Studio) -> None:
     expect(studio.at("hand-Shake")).to_be_disabled()
     expect(studio.at("hands")).to_contain_text("Press Run first")
-    studio.at("run-button").click()
-    expect(studio.at("hand-Shake")).to_be_enabled()
 
 
-def test_dice_are_thrown_by_a_shake(open_studio: OpenStudio) -> None:
-    studio = running(open_studio)
+def dice_are_thrown_by_a_shake(studio: Studio) -> None:
     studio.at("arena-canvas").focus()
     studio.page.keyboard.down("s")
     expect(studio.at("arena-summary")).to_contain_text(re.compile(r"[1-6] lights? on"))
     studio.page.keyboard.up("s")
+
+
+def test_a_board_is_held_by_mouse_and_keys_shaken_and_watched_once_it_runs(open_studio: OpenStudio) -> None:
+    studio = open_studio("dice/dice.krt")
+    before_a_run_there_is_a_board_and_nothing_to_hold(studio)
+    begin(studio)
+    expect(studio.at("hand-Shake")).to_be_enabled()
+    a_press_on_the_canvas_beside_the_buttons_holds_nothing(studio)
+    a_press_while_the_run_pauses_waits_for_it(studio)
+    for key in cases(["b", "Space"], ["Enter"]):
+        begin(studio)
+        a_button_is_held_with_the_keyboard(studio, key)
+    begin(studio)
+    a_button_of_the_board_is_pressed_with_the_mouse_in_the_arena(studio)
+    begin(studio)
+    what_a_hand_did_stands_on_the_timeline_and_in_the_watch(studio)
+    dice_are_thrown_by_a_shake(studio)
 
 
 def test_the_heart_beats_on_the_lights(open_studio: OpenStudio) -> None:

@@ -14,7 +14,8 @@ import pytest
 from playwright.sync_api import Browser, BrowserContext, Page, Response, expect
 
 from tests.patience import STATE_MS
-from tests.studio.conftest import HEIGHT, WIDTH, begin_new
+from tests.studio.conftest import HEIGHT, WIDTH, Studio, begin_new
+from tests.studio.test_variables import forgive_refusals
 
 pytestmark = pytest.mark.browser
 
@@ -94,6 +95,23 @@ def context(browser: Browser) -> Iterator[BrowserContext]:
     context.set_default_timeout(STATE_MS)
     yield context
     context.close()
+
+
+@pytest.fixture
+def studio(open_studio: Callable[..., Studio], tmp_path: Path) -> Studio:
+    """The studio on a copy of that mission, without a process of its own."""
+    source = tmp_path / "source"
+    source.mkdir()
+    (source / "blink.krt").write_text(MISSION.format(2))
+    return open_studio(str(source / "blink.krt"))
+
+
+def another_tab(studio: Studio) -> Page:
+    """A new tab on the same studio."""
+    page = studio.page.context.new_page()
+    page.goto(studio.address)
+    expect(page.get_by_test_id("canvas")).to_be_visible()
+    return page
 
 
 def wait_for(page: Page, value: int) -> None:
@@ -201,25 +219,24 @@ def test_after_a_kill_the_work_is_there_with_its_undo(start: Start, mission: Pat
     assert mission.read_text() == MISSION.format(7)
 
 
-def test_work_that_is_discarded_is_gone_for_good(start: Start, mission: Path, context: BrowserContext) -> None:
-    server = start(mission)
-    page = server.open(context)
+def test_work_that_is_discarded_is_gone_for_good(studio: Studio) -> None:
+    page = studio.page
     edit_and_keep(page, 7)
     page.close()
-    page = server.open(context)
+    page = another_tab(studio)
     expect_wait(page, 7)
     with page.expect_response(re.compile("/api/journal$")):
         page.get_by_test_id("banner").get_by_role("button", name="Discard it").click()
     expect_wait(page, 2)
     expect(page.get_by_test_id("saved-state")).to_have_text("saved")
     page.close()
-    page = server.open(context)
+    page = another_tab(studio)
     expect_wait(page, 2)
     expect(page.get_by_test_id("banner")).to_have_count(0)
 
 
-def test_a_page_that_is_loaded_again_goes_on(start: Start, mission: Path, context: BrowserContext) -> None:
-    page = start(mission).open(context)
+def test_a_page_that_is_loaded_again_goes_on(studio: Studio) -> None:
+    page = studio.page
     edit_and_keep(page, 9)
     page.reload()
     expect_wait(page, 9)
@@ -245,10 +262,8 @@ def test_a_new_mission_that_was_never_saved_comes_back(start: Start, mission: Pa
     expect(page.get_by_test_id("title")).to_contain_text("not saved")
 
 
-def test_a_file_changed_on_disk_is_offered_when_nothing_is_unsaved(
-    start: Start, mission: Path, context: BrowserContext
-) -> None:
-    page = start(mission).open(context)
+def test_a_file_changed_on_disk_is_offered_when_nothing_is_unsaved(studio: Studio) -> None:
+    page, mission = studio.page, studio.folder / "blink.krt"
     expect_wait(page, 2)
     mission.write_text(MISSION.format(33))
     banner = page.get_by_test_id("banner")
@@ -258,10 +273,8 @@ def test_a_file_changed_on_disk_is_offered_when_nothing_is_unsaved(
     expect(banner).to_have_count(0)
 
 
-def test_a_save_over_a_changed_file_asks_and_shows_the_difference(
-    start: Start, mission: Path, context: BrowserContext
-) -> None:
-    page = start(mission).open(context)
+def test_a_save_over_a_changed_file_asks_and_shows_the_difference(studio: Studio) -> None:
+    page, mission = studio.page, studio.folder / "blink.krt"
     wait_for(page, 5)
     mission.write_text(MISSION.format(44))
     page.keyboard.press("Control+s")
@@ -275,12 +288,11 @@ def test_a_save_over_a_changed_file_asks_and_shows_the_difference(
     expect(page.get_by_test_id("saved-state")).to_have_text("saved")
     assert mission.read_text() == MISSION.format(5)
     assert mission.with_name("blink.krt~").read_text() == MISSION.format(44)
+    forgive_refusals(studio)
 
 
-def test_the_file_is_merged_into_what_was_changed_here_and_undo_takes_it_back(
-    start: Start, mission: Path, context: BrowserContext
-) -> None:
-    page = start(mission).open(context)
+def test_the_file_is_merged_into_what_was_changed_here_and_undo_takes_it_back(studio: Studio) -> None:
+    page, mission = studio.page, studio.folder / "blink.krt"
     wait_for(page, 5)
     mission.write_text(MISSION.format(44))
     page.keyboard.press("Control+s")
@@ -302,13 +314,12 @@ def test_the_file_is_merged_into_what_was_changed_here_and_undo_takes_it_back(
     page.keyboard.press("Control+s")
     expect(page.get_by_test_id("saved-state")).to_have_text("saved")
     assert mission.read_text() == MISSION.format(44)
+    forgive_refusals(studio)
 
 
-def test_two_windows_know_of_each_other_and_overwrite_nothing_silently(
-    start: Start, mission: Path, context: BrowserContext
-) -> None:
-    server = start(mission)
-    first, second = server.open(context), server.open(context)
+def test_two_windows_know_of_each_other_and_overwrite_nothing_silently(studio: Studio) -> None:
+    first, second = studio.page, another_tab(studio)
+    mission = studio.folder / "blink.krt"
     for page in (first, second):
         expect(page.get_by_test_id("also-open")).to_be_visible()
     edit_and_keep(first, 5)

@@ -9,8 +9,19 @@ from pathlib import Path
 import pytest
 from playwright.sync_api import BrowserContext, Page, expect
 
-from tests.studio.conftest import begin_new
-from tests.studio.test_journal import MISSION, Start, context, expect_wait, mission, start, wait_for  # noqa: F401
+from tests.studio.conftest import Studio, begin_new
+from tests.studio.test_journal import (  # noqa: F401
+    MISSION,
+    Start,
+    another_tab,
+    context,
+    expect_wait,
+    mission,
+    start,
+    studio,
+    wait_for,
+)
+from tests.studio.test_variables import forgive_refusals
 
 pytestmark = pytest.mark.browser
 
@@ -21,10 +32,8 @@ def open_file(page: Page, name: str, data: bytes) -> None:
     page.get_by_test_id("open-file").set_input_files({"name": name, "mimeType": "", "buffer": data})
 
 
-def test_work_that_is_left_without_saving_is_said_to_be_kept_and_is_there_under_open(
-    start: Start, mission: Path, context: BrowserContext
-) -> None:
-    page = start(mission).open(context)
+def test_work_that_is_left_without_saving_is_said_to_be_kept_and_is_there_under_open(studio: Studio) -> None:
+    page = studio.page
     banner = page.get_by_test_id("banner")
     wait_for(page, 7)
     page.get_by_test_id("menu-File").click()
@@ -45,10 +54,8 @@ def test_work_that_is_left_without_saving_is_said_to_be_kept_and_is_there_under_
     expect(page.get_by_test_id("open-left")).to_have_count(0)
 
 
-def test_work_that_the_journal_cannot_hold_is_not_left_without_a_word(
-    start: Start, mission: Path, context: BrowserContext
-) -> None:
-    page = start(mission).open(context)
+def test_work_that_the_journal_cannot_hold_is_not_left_without_a_word(studio: Studio) -> None:
+    page = studio.page
     banner = page.get_by_test_id("banner")
     page.route("**/api/journal", lambda route: route.fulfill(status=422, json={"message": "Full.", "help": ""}))
     wait_for(page, 7)
@@ -61,25 +68,25 @@ def test_work_that_the_journal_cannot_hold_is_not_left_without_a_word(
     expect_wait(page, 7)
     banner.get_by_role("button", name="Cancel").click()
     expect_wait(page, 7)
+    forgive_refusals(studio)
 
 
-@pytest.mark.parametrize(
-    ("name", "data", "words"),
-    [
-        ("empty.krt", b'<kitrobot version="1"/>', "there is no program in it"),
-        ("page.krt", b"<html><body>hello</body></html>", "page.krt"),
-        ("holiday.jpg", b"\xff\xd8\xff\xe0\0\x10JFIF", "is a photo (JPEG)"),
-    ],
-)
-def test_a_file_that_gives_no_mission_is_refused_and_the_open_one_stays(
-    start: Start, mission: Path, context: BrowserContext, name: str, data: bytes, words: str
-) -> None:
-    page = start(mission).open(context)
+NO_MISSIONS = [
+    ("empty.krt", b'<kitrobot version="1"/>', "there is no program in it"),
+    ("page.krt", b"<html><body>hello</body></html>", "page.krt"),
+    ("holiday.jpg", b"\xff\xd8\xff\xe0\0\x10JFIF", "is a photo (JPEG)"),
+]
+
+
+def test_a_file_that_gives_no_mission_is_refused_and_the_open_one_stays(studio: Studio) -> None:
+    page = studio.page
     expect_wait(page, 2)
-    open_file(page, name, data)
-    expect(page.get_by_test_id("banner")).to_contain_text(words)
-    expect_wait(page, 2)
-    expect(page.get_by_test_id("title")).to_contain_text("blink")
+    for name, data, words in NO_MISSIONS:
+        open_file(page, name, data)
+        expect(page.get_by_test_id("banner")).to_contain_text(words)
+        expect_wait(page, 2)
+        expect(page.get_by_test_id("title")).to_contain_text("blink")
+    forgive_refusals(studio)
 
 
 def test_without_its_server_a_page_claims_nothing_of_its_file(
@@ -97,11 +104,8 @@ def test_without_its_server_a_page_claims_nothing_of_its_file(
     expect(first.get_by_test_id("saved-state")).to_have_text("no connection to the studio")
 
 
-def test_a_window_on_an_older_file_does_not_say_that_it_is_saved(
-    start: Start, mission: Path, context: BrowserContext
-) -> None:
-    server = start(mission)
-    first, second = server.open(context), server.open(context)
+def test_a_window_on_an_older_file_does_not_say_that_it_is_saved(studio: Studio) -> None:
+    first, second = studio.page, another_tab(studio)
     expect(second.get_by_test_id("saved-state")).to_have_text("saved")
     wait_for(first, 5)
     first.keyboard.press("Control+s")
@@ -111,10 +115,8 @@ def test_a_window_on_an_older_file_does_not_say_that_it_is_saved(
     expect(second.get_by_test_id("saved-state")).to_have_text("changed on disk")
 
 
-def test_what_is_changed_while_it_is_saved_stays_unsaved_and_saves_next(
-    start: Start, mission: Path, context: BrowserContext
-) -> None:
-    page = start(mission).open(context)
+def test_what_is_changed_while_it_is_saved_stays_unsaved_and_saves_next(studio: Studio) -> None:
+    page, mission = studio.page, studio.folder / "blink.krt"
     held = []
     # Before the edit: a request that is made while the browser begins to hold requests is told to nobody.
     page.route("**/api/mission", lambda route: held.append(route), times=1)

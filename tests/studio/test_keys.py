@@ -57,8 +57,7 @@ def listed(studio: Studio) -> tuple[set[str], str]:
     return keys, words
 
 
-def test_every_entry_of_every_menu_is_reached_and_its_key_is_in_the_list(open_studio: OpenStudio) -> None:
-    studio = open_studio(TRANSPORT)
+def every_entry_of_every_menu_is_reached_and_its_key_is_in_the_list(studio: Studio) -> None:
     page = studio.page
     keys, words = listed(studio)
     for menu in MENUS:
@@ -80,8 +79,7 @@ def test_every_entry_of_every_menu_is_reached_and_its_key_is_in_the_list(open_st
         expect(page.get_by_role("menu")).to_have_count(0)
 
 
-def test_every_entry_of_the_context_menus_is_reached(open_studio: OpenStudio) -> None:
-    studio = open_studio(TRANSPORT)
+def every_entry_of_the_context_menus_is_reached(studio: Studio) -> None:
     page = studio.page
     keys, _ = listed(studio)
     for choose in ("Escape", "ArrowDown", "a"):
@@ -106,14 +104,22 @@ NO_WAY = """() => {
 }"""
 
 
-def test_nothing_on_the_page_is_for_the_mouse_alone(open_studio: OpenStudio) -> None:
-    studio = open_studio(TRANSPORT)
+def nothing_on_the_page_is_for_the_mouse_alone(studio: Studio) -> None:
     assert studio.page.evaluate(NO_WAY) == []
     vertex(studio, "Wheels Drive").click()
     assert studio.page.evaluate(NO_WAY) == []
     studio.at("problems").click()
     studio.page.keyboard.press("Control+f")
     assert studio.page.evaluate(NO_WAY) == []
+
+
+def test_every_entry_of_every_menu_is_reached_its_key_is_listed_and_nothing_is_for_the_mouse_alone(
+    open_studio: OpenStudio,
+) -> None:
+    studio = open_studio(TRANSPORT)
+    every_entry_of_every_menu_is_reached_and_its_key_is_in_the_list(studio)
+    every_entry_of_the_context_menus_is_reached(studio)
+    nothing_on_the_page_is_for_the_mouse_alone(studio)
 
 
 def test_programs_are_walked_moved_renamed_and_removed(open_studio: OpenStudio) -> None:
@@ -201,8 +207,7 @@ def test_the_parts_are_walked_and_enter_puts_one_at_the_selection(open_studio: O
     expect(studio.at("code")).to_contain_text(re.compile(r"Wheel\.Stop\(\);\s*WAIT\(10\);"))
 
 
-def test_f7_goes_through_the_rooms_and_the_arena_answers_keys(open_studio: OpenStudio) -> None:
-    studio = open_studio(TRANSPORT)
+def f7_goes_through_the_rooms_and_the_arena_answers_keys(studio: Studio) -> None:
     keys = studio.page.keyboard
     studio.at("canvas").focus()
     rooms: list[str] = []
@@ -224,8 +229,7 @@ def test_f7_goes_through_the_rooms_and_the_arena_answers_keys(open_studio: OpenS
     expect(studio.at("tab-carrier")).to_have_attribute("aria-selected", "false")
 
 
-def test_keys_mean_the_same_on_a_keyboard_of_another_script(open_studio: OpenStudio) -> None:
-    studio = open_studio(TRANSPORT)
+def keys_mean_the_same_on_a_keyboard_of_another_script(studio: Studio) -> None:
     vertex(studio, "Wheels Stop").click()
     studio.page.evaluate(
         "document.activeElement.dispatchEvent("
@@ -234,8 +238,7 @@ def test_keys_mean_the_same_on_a_keyboard_of_another_script(open_studio: OpenStu
     expect(studio.at("note-field")).to_be_focused()
 
 
-def test_speed_follows_its_keys_but_not_while_one_types(open_studio: OpenStudio) -> None:
-    studio = open_studio(TRANSPORT)
+def speed_follows_its_keys_but_not_while_one_types(studio: Studio) -> None:
     speed = studio.at("speed")
     studio.at("canvas").focus()
     studio.page.keyboard.press(".")
@@ -244,3 +247,13 @@ def test_speed_follows_its_keys_but_not_while_one_types(open_studio: OpenStudio)
     studio.page.keyboard.press(",")
     expect(studio.at("part-find")).to_have_value(",")
     expect(speed).to_have_attribute("aria-valuetext", "2×")
+
+
+def test_f7_goes_through_the_rooms_and_keys_mean_the_same_in_another_script_but_not_while_one_types(
+    open_studio: OpenStudio,
+) -> None:
+    studio = open_studio(TRANSPORT)
+    f7_goes_through_the_rooms_and_the_arena_answers_keys(studio)
+    speed_follows_its_keys_but_not_while_one_types(studio)
+    studio.at("tab-carrier").click()
+    keys_mean_the_same_on_a_keyboard_of_another_script(studio)

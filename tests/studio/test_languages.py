@@ -99,10 +99,7 @@ def meets_no_english(studio: Studio, language: str, screen: str) -> None:
     assert english == [], screen
 
 
-@each_language
-def test_menus_sheets_palette_inspector_outline_and_help(open_studio: OpenStudio, language: str) -> None:
-    studio = open_studio("transport/transport.krt")
-    choose(studio, language)
+def menus_sheets_palette_inspector_outline_and_help(studio: Studio, language: str) -> None:
     keys = studio.page.keyboard
     meets_no_english(studio, language, "the mission")
     assert studio.page.evaluate(CUT_OFF) == []
@@ -133,10 +130,7 @@ def test_menus_sheets_palette_inspector_outline_and_help(open_studio: OpenStudio
     meets_no_english(studio, language, "a new program")
 
 
-@each_language
-def test_help_for_every_part_of_the_palette(open_studio: OpenStudio, language: str) -> None:
-    studio = open_studio("square/square.krt")
-    choose(studio, language)
+def help_for_every_part_of_the_palette(studio: Studio, language: str) -> None:
     page = studio.page
     parts = page.locator('[data-testid^="part-"]:not(input)')
     seen = set()
@@ -151,11 +145,8 @@ def test_help_for_every_part_of_the_palette(open_studio: OpenStudio, language: s
     assert len(seen) > 15
 
 
-@each_language
-def test_a_dozen_mistakes_with_their_helps(open_studio: OpenStudio, language: str) -> None:
-    studio = open_studio("square/square.krt")
+def a_dozen_mistakes_with_their_helps(studio: Studio, language: str) -> None:
     (studio.folder / "mistakes.krt").write_text(MISTAKES, encoding="utf-8")
-    choose(studio, language)
     studio.page.keyboard.press("Control+o")
     studio.at("open-dialog").get_by_text("mistakes.krt").first.click()
     expect(studio.at("title")).to_contain_text("mistakes.krt")
@@ -205,10 +196,7 @@ def test_the_difference_from_the_file_and_a_refusal(open_studio: OpenStudio, lan
     studio.faults[:] = [fault for fault in studio.faults if "(Conflict)" not in fault and "(Unprocessable" not in fault]
 
 
-@each_language
-def test_how_a_run_ends(open_studio: OpenStudio, language: str) -> None:
-    studio = open_studio("square/square.krt")
-    choose(studio, language)
+def how_a_run_ends(studio: Studio, language: str) -> None:
     studio.full_speed()
     studio.at("run-button").click()
     ended = {"fr": "Fini en", "ur": "سیکنڈ میں مکمل"}[language]
@@ -216,16 +204,37 @@ def test_how_a_run_ends(open_studio: OpenStudio, language: str) -> None:
     meets_no_english(studio, language, "the end of a run")
 
 
-@each_language
-def test_the_team_and_a_tutorial(open_studio: OpenStudio, language: str) -> None:
-    studio = open_studio("transport/transport.krt")
-    choose(studio, language)
+def the_team(studio: Studio, language: str) -> None:
     studio.at("tab-of-team").click()
     expect(studio.at("team")).to_be_visible()
     meets_no_english(studio, language, "the team")
+    studio.at("tab-carrier").click()
+
+
+def a_tutorial(studio: Studio, language: str) -> None:
     studio.page.keyboard.press("Control+o")
     studio.page.locator('[data-testid^="tutorial-card-"]').first.click()
     expect(studio.at("tutorial")).to_be_visible()
     meets_no_english(studio, language, "the first step of a tutorial")
     studio.at("tutorial-show").click()
     meets_no_english(studio, language, "its hint")
+
+
+@each_language
+def test_menus_sheets_palette_inspector_outline_help_team_and_a_tutorial(
+    open_studio: OpenStudio, language: str
+) -> None:
+    studio = open_studio("transport/transport.krt")
+    choose(studio, language)
+    the_team(studio, language)
+    menus_sheets_palette_inspector_outline_and_help(studio, language)
+    a_tutorial(studio, language)
+
+
+@each_language
+def test_help_for_every_part_a_run_s_end_and_a_dozen_mistakes(open_studio: OpenStudio, language: str) -> None:
+    studio = open_studio("square/square.krt")
+    choose(studio, language)
+    help_for_every_part_of_the_palette(studio, language)
+    how_a_run_ends(studio, language)
+    a_dozen_mistakes_with_their_helps(studio, language)

@@ -17,19 +17,7 @@ OpenStudio = Callable[[str | None], Studio]
 TRANSPORT = "transport/transport.krt"
 
 
-def test_run_moves_all_stock_from_a_to_b_and_ends_as_done(open_studio: OpenStudio) -> None:
-    studio = open_studio(TRANSPORT)
-    expect(studio.at("arena-summary")).to_contain_text("A 12, B 0")
-    studio.full_speed()
-    studio.at("run-button").click()
-    studio.wait_until_done()
-    expect(studio.at("arena-summary")).to_contain_text("12 of 12 delivered")
-    expect(studio.at("arena-summary")).to_contain_text("A 0, B 12")
-    expect(studio.at("arena-summary")).not_to_contain_text("collision")
-
-
-def test_active_vertices_glow_for_the_agent_whose_tab_is_open(open_studio: OpenStudio) -> None:
-    studio = open_studio(TRANSPORT)
+def active_vertices_glow_for_the_agent_whose_tab_is_open(studio: Studio) -> None:
     studio.at("run-button").click()
     glowing = studio.page.locator(".vertex.is-active")
     expect(glowing.first).to_be_visible()
@@ -40,8 +28,7 @@ def test_active_vertices_glow_for_the_agent_whose_tab_is_open(open_studio: OpenS
     expect(studio.page.locator(".vertex.is-active")).to_have_count(0)
 
 
-def test_pause_step_and_resume_count_ticks(open_studio: OpenStudio) -> None:
-    studio = open_studio(TRANSPORT)
+def pause_step_and_resume_count_ticks(studio: Studio) -> None:
     studio.at("run-button").click()
     expect(studio.at("status")).to_contain_text("Running")
     studio.at("pause-button").click()
@@ -53,6 +40,16 @@ def test_pause_step_and_resume_count_ticks(open_studio: OpenStudio) -> None:
     studio.full_speed()
     studio.at("run-button").click()
     studio.wait_until_done()
+
+
+def test_a_run_glows_is_stopped_paused_stepped_and_moves_all_stock_from_a_to_b(open_studio: OpenStudio) -> None:
+    studio = open_studio(TRANSPORT)
+    expect(studio.at("arena-summary")).to_contain_text("A 12, B 0")
+    active_vertices_glow_for_the_agent_whose_tab_is_open(studio)
+    pause_step_and_resume_count_ticks(studio)
+    expect(studio.at("arena-summary")).to_contain_text("12 of 12 delivered")
+    expect(studio.at("arena-summary")).to_contain_text("A 0, B 12")
+    expect(studio.at("arena-summary")).not_to_contain_text("collision")
 
 
 def test_a_part_dropped_on_an_arc_is_set_in_the_inspector_deleted_undone_and_saved(open_studio: OpenStudio) -> None:

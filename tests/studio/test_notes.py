@@ -26,8 +26,7 @@ def name_of(at: Locator) -> str:
     return (at.get_attribute("data-testid") or "").removeprefix("vertex-")
 
 
-def test_n_writes_a_note_that_stands_on_the_vertex_and_in_the_text(open_studio: OpenStudio) -> None:
-    studio = open_studio(TRANSPORT)
+def n_writes_a_note_that_stands_on_the_vertex_and_in_the_text(studio: Studio) -> None:
     keys = studio.page.keyboard
     stop = vertex(studio, "Wheels Stop")
     name = name_of(stop)
@@ -55,8 +54,7 @@ def test_n_writes_a_note_that_stands_on_the_vertex_and_in_the_text(open_studio: 
     expect(strip).to_be_visible()
 
 
-def test_a_note_is_edited_where_it_stands_and_escape_leaves_it_as_it_was(open_studio: OpenStudio) -> None:
-    studio = open_studio(TRANSPORT)
+def a_note_is_edited_where_it_stands_and_escape_leaves_it_as_it_was(studio: Studio) -> None:
     keys = studio.page.keyboard
     strip = studio.page.locator(".note-strip").first
     expect(strip).to_contain_text("Drive to the dock")
@@ -75,8 +73,7 @@ def test_a_note_is_edited_where_it_stands_and_escape_leaves_it_as_it_was(open_st
     expect(studio.at("code")).not_to_contain_text("Kept by a click")
 
 
-def test_the_menu_writes_and_removes_a_note(open_studio: OpenStudio) -> None:
-    studio = open_studio(TRANSPORT)
+def the_menu_writes_and_removes_a_note(studio: Studio) -> None:
     stop = vertex(studio, "Wheels Stop")
     name = name_of(stop)
     stop.click(button="right")
@@ -94,8 +91,7 @@ def test_the_menu_writes_and_removes_a_note(open_studio: OpenStudio) -> None:
     expect(strip).to_have_count(0)
 
 
-def test_what_was_typed_is_kept_when_another_program_is_opened(open_studio: OpenStudio) -> None:
-    studio = open_studio(TRANSPORT)
+def what_was_typed_is_kept_when_another_program_is_opened(studio: Studio) -> None:
     vertex(studio, "Wheels Stop").click()
     studio.page.keyboard.press("n")
     studio.page.keyboard.type("Half a thought")
@@ -104,8 +100,19 @@ def test_what_was_typed_is_kept_when_another_program_is_opened(open_studio: Open
     studio.expect_code("# Half a thought")
 
 
-def test_a_break_has_a_lane_to_the_exit_of_its_loop(open_studio: OpenStudio) -> None:
+def test_a_note_is_written_edited_and_removed_where_it_stands_and_kept_when_another_program_is_opened(
+    open_studio: OpenStudio,
+) -> None:
     studio = open_studio(TRANSPORT)
+    a_note_is_edited_where_it_stands_and_escape_leaves_it_as_it_was(studio)
+    studio.take_back()
+    n_writes_a_note_that_stands_on_the_vertex_and_in_the_text(studio)
+    studio.take_back()
+    the_menu_writes_and_removes_a_note(studio)
+    what_was_typed_is_kept_when_another_program_is_opened(studio)
+
+
+def a_break_has_a_lane_to_the_exit_of_its_loop(studio: Studio) -> None:
     keys = studio.page.keyboard
     vertex(studio, "Road ahead free").click()
     for part in ("if then else", "break"):
@@ -123,8 +130,16 @@ def test_a_break_has_a_lane_to_the_exit_of_its_loop(open_studio: OpenStudio) -> 
     expect(lane).to_have_count(0)
 
 
-def test_the_second_bar_says_for_whom_it_waits(open_studio: OpenStudio) -> None:
-    studio = open_studio(TRANSPORT)
+def the_second_bar_says_for_whom_it_waits(studio: Studio) -> None:
     studio.at("run-button").click()
     waits = studio.page.locator(".bar-waits").first
     expect(waits).to_have_text(re.compile(r"^0\s*waits for\s*1$"))
+
+
+def test_a_break_has_a_lane_to_the_exit_of_its_loop_and_the_second_bar_says_for_whom_it_waits(
+    open_studio: OpenStudio,
+) -> None:
+    studio = open_studio(TRANSPORT)
+    a_break_has_a_lane_to_the_exit_of_its_loop(studio)
+    studio.take_back()
+    the_second_bar_says_for_whom_it_waits(studio)

@@ -150,8 +150,7 @@ def test_it_all_goes_by_keys(open_studio: OpenStudio) -> None:
     expect(row(studio, "Loop of mine")).to_be_visible()
 
 
-def test_a_name_that_cannot_be_is_told_at_once(open_studio: OpenStudio) -> None:
-    studio = open_studio(TRANSPORT)
+def a_name_that_cannot_be_is_told_at_once(studio: Studio) -> None:
     select(studio, "v11")
     studio.page.keyboard.press("p")
     for name in ("While", "a.b", "Start", "   "):
@@ -162,16 +161,14 @@ def test_a_name_that_cannot_be_is_told_at_once(open_studio: OpenStudio) -> None:
         expect(studio.at("own-save")).to_be_disabled()
 
 
-def test_what_cannot_be_a_part_is_told(open_studio: OpenStudio) -> None:
-    studio = open_studio(TRANSPORT)
+def what_cannot_be_a_part_is_told(studio: Studio) -> None:
     studio.at("vertex-v11").locator(".chip").first.click()
     studio.page.keyboard.press("p")
     expect(studio.at("own-failure")).to_contain_text("alone cannot be a part")
     expect(studio.at("own-save")).to_be_disabled()
 
 
-def test_parts_are_shared_as_a_file(open_studio: OpenStudio) -> None:
-    studio = open_studio(TRANSPORT)
+def parts_are_shared_as_a_file(studio: Studio) -> None:
     select(studio, "v11")
     studio.page.keyboard.press("p")
     save_part(studio, "Mine")
@@ -179,6 +176,17 @@ def test_parts_are_shared_as_a_file(open_studio: OpenStudio) -> None:
         choose(studio, "Mine", "Download my parts")
     assert download.value.suggested_filename == "transport.constructors.xml"
     assert '<constructor name="Mine"' in download.value.path().read_text()
+
+
+def test_what_cannot_be_a_part_or_its_name_is_told_and_parts_are_shared_as_a_file(open_studio: OpenStudio) -> None:
+    studio = open_studio(TRANSPORT)
+    a_name_that_cannot_be_is_told_at_once(studio)
+    studio.page.keyboard.press("Escape")
+    expect(studio.at("own-dialog")).to_have_count(0)
+    what_cannot_be_a_part_is_told(studio)
+    studio.page.keyboard.press("Escape")
+    expect(studio.at("own-dialog")).to_have_count(0)
+    parts_are_shared_as_a_file(studio)
 
 
 def test_in_urdu_the_sheet_is_mirrored(open_studio: OpenStudio) -> None:

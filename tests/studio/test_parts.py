@@ -65,8 +65,7 @@ def test_a_dropped_robot_is_beside_the_mission_and_a_program_is_added_for_it(ope
     studio.expect_code("Lamp.Shine()")
 
 
-def test_constructors_and_a_world_are_dropped_together(open_studio: OpenStudio) -> None:
-    studio = open_studio(SQUARE)
+def constructors_and_a_world_are_dropped_together(studio: Studio) -> None:
     world = (EXAMPLES / "stripes" / "stripes.world.xml").read_text(encoding="utf-8")
     drop(studio, mine_xml=CONSTRUCTORS, yard_world_xml=world)
     expect(studio.at("part-Twice")).to_be_visible()
@@ -76,12 +75,18 @@ def test_constructors_and_a_world_are_dropped_together(open_studio: OpenStudio) 
     expect(studio.at("world-yard")).to_be_visible()
 
 
-def test_a_world_that_was_dropped_can_be_used_at_once(open_studio: OpenStudio) -> None:
-    studio = open_studio(SQUARE)
-    drop(studio, yard_xml='<world version="1" name="Yard" width="1000" height="800"/>')
+def a_world_that_was_dropped_can_be_used_at_once(studio: Studio) -> None:
+    drop(studio, field_xml='<world version="1" name="Yard" width="1000" height="800"/>')
     studio.page.get_by_role("button", name="Use this world").click()
-    expect(studio.at("world-yard").locator("input")).to_be_checked()
+    expect(studio.at("world-field").locator("input")).to_be_checked()
     expect(studio.page.locator(".arena")).to_contain_text("Yard")
+
+
+def test_a_world_is_dropped_and_used_alone_and_together_with_constructors(open_studio: OpenStudio) -> None:
+    studio = open_studio(SQUARE)
+    a_world_that_was_dropped_can_be_used_at_once(studio)
+    studio.at("tab-square").click()
+    constructors_and_a_world_are_dropped_together(studio)
 
 
 def test_parts_of_an_example_go_into_the_folder_of_missions(open_studio: OpenStudio) -> None:
@@ -92,8 +97,7 @@ def test_parts_of_an_example_go_into_the_folder_of_missions(open_studio: OpenStu
     assert (studio.folder / "mine.xml").is_file()
 
 
-def test_a_file_of_that_name_is_replaced_only_after_a_question(open_studio: OpenStudio) -> None:
-    studio = open_studio(SQUARE)
+def a_file_of_that_name_is_replaced_only_after_a_question(studio: Studio) -> None:
     file = studio.folder / "mine.xml"
     file.write_text(CONSTRUCTORS.replace("Twice", "Thrice"))
     expect(studio.at("part-Thrice")).to_be_visible()
@@ -110,8 +114,7 @@ def test_a_file_of_that_name_is_replaced_only_after_a_question(open_studio: Open
     forgive_refusals(studio)
 
 
-def test_what_holds_no_parts_is_refused_in_a_sentence(open_studio: OpenStudio) -> None:
-    studio = open_studio(SQUARE)
+def what_holds_no_parts_is_refused_in_a_sentence(studio: Studio) -> None:
     before = {path.name for path in studio.folder.iterdir()} | {".kitrobot"}
     for file, data, padding, says in (
         ("song_xml", b"\x89PNG\r\n\x1a\n\x00\xff", 0, "is no XML"),
@@ -125,6 +128,14 @@ def test_what_holds_no_parts_is_refused_in_a_sentence(open_studio: OpenStudio) -
         expect(told).to_contain_text(says)
         assert {path.name for path in studio.folder.iterdir()} | {".kitrobot"} == before
     forgive_refusals(studio)
+
+
+def test_what_holds_no_parts_is_refused_and_a_file_of_that_name_is_replaced_only_after_a_question(
+    open_studio: OpenStudio,
+) -> None:
+    studio = open_studio(SQUARE)
+    what_holds_no_parts_is_refused_in_a_sentence(studio)
+    a_file_of_that_name_is_replaced_only_after_a_question(studio)
 
 
 def test_mistakes_of_a_dropped_robot_are_problems_with_file_and_line(open_studio: OpenStudio) -> None:

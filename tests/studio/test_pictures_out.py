@@ -8,8 +8,7 @@ from pathlib import Path
 import pytest
 from playwright.sync_api import expect
 
-from kitrobot.files import carried_mission
-from tests.studio.conftest import EXAMPLES, Studio
+from tests.studio.conftest import Studio
 
 pytestmark = pytest.mark.browser
 
@@ -25,27 +24,21 @@ def export(studio: Studio, kind: str, folder: Path) -> Path:
     return path
 
 
-@pytest.mark.parametrize("kind", ["svg", "png", "pdf"])
-def test_an_exported_picture_holds_the_whole_mission_and_opens_again(
-    open_studio: OpenStudio, tmp_path: Path, kind: str
-) -> None:
+def test_an_exported_picture_is_opened_again_from_the_menu_and_runs(open_studio: OpenStudio, tmp_path: Path) -> None:
     studio = open_studio("transport/transport.krt")
-    path = export(studio, kind, tmp_path)
-    assert path.name == f"carrier.{kind}"
-    data, _ = carried_mission(path.read_bytes(), path.name)
-    assert data.strip() == (EXAMPLES / "transport" / "transport.krt").read_bytes().strip()
-    studio.new_mission()
-    expect(studio.at("first-place")).to_be_visible()
-    studio.page.keyboard.press("Control+o")
-    studio.at("open-file").set_input_files(path)
-    expect(studio.at("tab-store-manager-A")).to_be_visible()
+    kept = [export(studio, kind, tmp_path) for kind in ("svg", "png", "pdf")]
+    for path in kept:
+        studio.new_mission()
+        expect(studio.at("first-place")).to_be_visible()
+        studio.page.keyboard.press("Control+o")
+        studio.at("open-file").set_input_files(path)
+        expect(studio.at("tab-store-manager-A")).to_be_visible()
     studio.full_speed()
     studio.at("run-button").click()
     studio.wait_until_done()
 
 
-def test_the_svg_shows_every_vertex_in_words(open_studio: OpenStudio, tmp_path: Path) -> None:
-    studio = open_studio("blink/blink.krt")
+def the_svg_shows_every_vertex_in_words(studio: Studio, tmp_path: Path) -> None:
     text = export(studio, "svg", tmp_path).read_text(encoding="utf-8")
     assert text.count(">On</text>") == 1
     assert text.count(">Wait</text>") == 3
@@ -54,8 +47,7 @@ def test_the_svg_shows_every_vertex_in_words(open_studio: OpenStudio, tmp_path: 
     assert "var(" not in text
 
 
-def test_a_picture_without_a_mission_is_told_and_changes_nothing(open_studio: OpenStudio, tmp_path: Path) -> None:
-    studio = open_studio("blink/blink.krt")
+def a_picture_without_a_mission_is_told_and_changes_nothing(studio: Studio, tmp_path: Path) -> None:
     studio.expect_code("Light.LightOn")
     before = studio.code()
     path = tmp_path / "cat.svg"
@@ -65,3 +57,11 @@ def test_a_picture_without_a_mission_is_told_and_changes_nothing(open_studio: Op
     expect(studio.page.get_by_text("is a picture without a mission inside")).to_be_visible()
     assert studio.code() == before
     studio.faults[:] = [fault for fault in studio.faults if "400" not in fault and "422" not in fault]
+
+
+def test_an_svg_shows_every_vertex_in_words_and_one_without_a_mission_is_told(
+    open_studio: OpenStudio, tmp_path: Path
+) -> None:
+    studio = open_studio("blink/blink.krt")
+    the_svg_shows_every_vertex_in_words(studio, tmp_path)
+    a_picture_without_a_mission_is_told_and_changes_nothing(studio, tmp_path)

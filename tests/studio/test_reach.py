@@ -18,30 +18,33 @@ TRANSPORT = "transport/transport.krt"
 AXE = Path(__file__).resolve().parents[2] / "web" / "node_modules" / "axe-core" / "axe.min.js"
 
 RULES = "{ 'label-content-name-mismatch': { enabled: true } }"
-FIND = f"""async (thorough) => {{
-    const told = (found, theme) =>
-        found.violations.flatMap(one => one.nodes.map(node => `${{theme}}: ${{one.id}}: ${{node.target}}`));
+FIND = f"""async (everyTheme) => {{
     const root = document.documentElement;
     const chosen = root.dataset.theme;
+    const all = ['light', 'dark', 'contrast'];
     // What is as it was when axe looked last is left out; the first look is at the whole page.
     const seen = window.axeSeen ??= new WeakMap();
     const around = root.outerHTML.slice(0, root.outerHTML.indexOf('>')) + document.body.className;
-    const same = part => seen.get(part) === around + part.outerHTML;
+    const looks = window.axeLooks = (window.axeLooks ?? -1) + 1;
     const parts = [...document.querySelectorAll('.studio > *, .studio > * > *')];
-    const exclude = parts.filter(part => same(part) && !same(part.parentElement));
-    const all = {{ include: [document], exclude }};
-    const whole = await axe.run(all, {{ resultTypes: ['violations'], rules: {RULES} }});
-    const violations = told(whole, chosen);
-    const others = ['light', 'dark', 'contrast'].filter(one => one !== chosen);
-    window.axeLooks = (window.axeLooks ?? 0) + 1;
-    for (const theme of thorough || window.axeLooks == 1 ? others : [others[window.axeLooks % 2]]) {{
+    const now = new Map(parts.map(part => [part, around + part.outerHTML]));
+    const same = part => now.has(part) && seen.get(part) === now.get(part);
+    const where = {{ include: [document], exclude: parts.filter(part => same(part) && !same(part.parentElement)) }};
+    const colours = {{ type: 'rule', values: ['color-contrast', 'link-in-text-block'] }};
+    const violations = [];
+    let passes = 0;
+    const others = all.filter(one => one !== chosen);
+    for (const theme of everyTheme ? [chosen, ...others] : [all[(all.indexOf(chosen) + looks) % 3]]) {{
         root.dataset.theme = theme;
-        const rules = {{ type: 'rule', values: ['color-contrast', 'link-in-text-block'] }};
-        violations.push(...told(await axe.run(all, {{ resultTypes: ['violations'], runOnly: rules }}), theme));
+        const narrowed = passes > 0 ? {{ runOnly: colours }} : {{ rules: {RULES} }};
+        const found = await axe.run(where, {{ resultTypes: ['violations'], ...narrowed }});
+        passes ||= found.passes.length;
+        for (const one of found.violations)
+            violations.push(...one.nodes.map(node => `${{theme}}: ${{one.id}}: ${{node.target}}`));
     }}
     root.dataset.theme = chosen;
-    parts.forEach(part => seen.set(part, around + part.outerHTML));
-    return {{ passes: whole.passes.length, violations }};
+    now.forEach((text, part) => seen.set(part, text));
+    return {{ passes, violations }};
 }}"""
 
 
@@ -57,16 +60,16 @@ def choose(studio: Studio, *entries: str) -> None:
             expect(studio.at("run-button")).to_have_text(RUN[entry])
 
 
-def find_nothing(studio: Studio, screen: str) -> None:
-    """Runs axe over the page as it stands, and what it knows of colours over the same in the other themes.
+def find_nothing(studio: Studio, screen: str, every_theme: bool = THOROUGH) -> None:
+    """Runs axe over the page as it stands: first over all of it, then over what is new.
 
-    The first look is at the whole page in all themes, later ones at what is new, in one of the others by turns; the
-    thorough profile looks in all of them.
+    Each look is in the next one of the three themes, beginning with the chosen one; in the thorough profile, and where
+    it is asked for, in all of them.
     """
     page = studio.page
     if page.evaluate("typeof axe") == "undefined":
         page.evaluate(AXE.read_text(encoding="utf-8") + ";0")
-    found = page.evaluate(FIND, THOROUGH)
+    found = page.evaluate(FIND, every_theme)
     assert found["passes"] > 10, screen
     assert found["violations"] == [], screen
 
@@ -81,11 +84,11 @@ def needs_axe() -> None:
 def test_axe_finds_nothing_before_and_during_a_run(open_studio: OpenStudio, look: tuple[str, ...]) -> None:
     studio = open_studio(TRANSPORT)
     choose(studio, *look)
-    find_nothing(studio, "the transport mission")
+    find_nothing(studio, "the transport mission", every_theme=True)
     studio.at("run-button").click()
     expect(studio.page.locator(".vertex.is-active").first).to_be_visible()
     studio.at("pause-button").click()
-    find_nothing(studio, "paused")
+    find_nothing(studio, "paused", every_theme=True)
 
 
 @pytest.mark.parametrize("look", LOOKS, ids=str)
@@ -135,8 +138,7 @@ def left(studio: Studio, testid: str) -> float:
     return box["x"]
 
 
-def test_urdu_mirrors_the_page_and_cuts_nothing_off(open_studio: OpenStudio) -> None:
-    studio = open_studio(TRANSPORT)
+def urdu_mirrors_the_page_and_cuts_nothing_off(studio: Studio) -> None:
     assert left(studio, "part-While") < left(studio, "canvas") < left(studio, "arena")
     choose(studio, "ur")
     html = studio.page.locator("html")
@@ -157,9 +159,7 @@ def test_urdu_mirrors_the_page_and_cuts_nothing_off(open_studio: OpenStudio) -> 
     assert start["y"] < stop["y"], "the program still goes down"
 
 
-def test_a_menu_and_arrow_keys_follow_the_mirrored_page(open_studio: OpenStudio) -> None:
-    studio = open_studio(TRANSPORT)
-    choose(studio, "ur")
+def a_menu_and_arrow_keys_follow_the_mirrored_page(studio: Studio) -> None:
     studio.at("menu-File").focus()
     studio.page.keyboard.press("ArrowLeft")
     expect(studio.at("menu-Edit")).to_be_focused()
@@ -168,8 +168,13 @@ def test_a_menu_and_arrow_keys_follow_the_mirrored_page(open_studio: OpenStudio)
     expect(studio.at("speed")).to_have_attribute("aria-valuetext", "2×")
 
 
-def test_language_and_theme_are_remembered(open_studio: OpenStudio) -> None:
+def test_urdu_mirrors_the_page_its_menus_and_arrow_keys_and_cuts_nothing_off(open_studio: OpenStudio) -> None:
     studio = open_studio(TRANSPORT)
+    urdu_mirrors_the_page_and_cuts_nothing_off(studio)
+    a_menu_and_arrow_keys_follow_the_mirrored_page(studio)
+
+
+def language_and_theme_are_remembered(studio: Studio) -> None:
     choose(studio, "fr", "contrast")
     expect(studio.at("run-button")).to_have_text("Lancer")
     studio.page.reload()
@@ -177,14 +182,12 @@ def test_language_and_theme_are_remembered(open_studio: OpenStudio) -> None:
     expect(studio.page.locator("html")).to_have_attribute("data-theme", "contrast")
 
 
-def test_a_system_that_wants_more_contrast_gets_it(open_studio: OpenStudio) -> None:
-    studio = open_studio(TRANSPORT)
+def a_system_that_wants_more_contrast_gets_it(studio: Studio) -> None:
     studio.page.emulate_media(contrast="more")
     expect(studio.page.locator("html")).to_have_attribute("data-theme", "contrast")
 
 
-def test_another_language_keeps_the_document_and_its_history(open_studio: OpenStudio) -> None:
-    studio = open_studio(TRANSPORT)
+def another_language_keeps_the_document_and_its_history(studio: Studio) -> None:
     studio.drop("Wait", "arc-start.next")
     choose(studio, "fr")
     expect(studio.at("undo")).to_be_enabled()
@@ -192,8 +195,15 @@ def test_another_language_keeps_the_document_and_its_history(open_studio: OpenSt
     expect(studio.at("undo")).to_be_disabled()
 
 
-def test_the_outline_walks_the_program_and_deletes_with_the_keyboard_alone(open_studio: OpenStudio) -> None:
+def test_another_language_keeps_the_document_with_its_history_and_is_remembered_with_the_theme(
+    open_studio: OpenStudio,
+) -> None:
     studio = open_studio(TRANSPORT)
+    another_language_keeps_the_document_and_its_history(studio)
+    language_and_theme_are_remembered(studio)
+
+
+def the_outline_walks_the_program_and_deletes_with_the_keyboard_alone(studio: Studio) -> None:
     keys = studio.page.keyboard
     keys.press("F4")
     rows = studio.at("outline").get_by_role("treeitem")
@@ -214,8 +224,7 @@ def test_the_outline_walks_the_program_and_deletes_with_the_keyboard_alone(open_
     expect(studio.at("canvas")).to_be_focused()
 
 
-def test_f1_explains_the_part_that_has_the_focus_with_its_range(open_studio: OpenStudio) -> None:
-    studio = open_studio(TRANSPORT)
+def f1_explains_the_part_that_has_the_focus_with_its_range(studio: Studio) -> None:
     studio.at("part-Wheel.Advance").focus()
     studio.page.keyboard.press("F1")
     expect(studio.at("part-help")).to_contain_text("Starts driving forward")
@@ -225,8 +234,7 @@ def test_f1_explains_the_part_that_has_the_focus_with_its_range(open_studio: Ope
     expect(studio.at("part-Wheel.Advance")).to_be_focused()
 
 
-def test_the_empty_program_fits_a_small_window(open_studio: OpenStudio) -> None:
-    studio = open_studio(TRANSPORT)
+def the_empty_program_fits_a_small_window(studio: Studio) -> None:
     studio.page.set_viewport_size({"width": 1366, "height": 768})
     studio.new_mission()
     card, canvas = studio.page.locator(".teaching").bounding_box(), studio.at("canvas").bounding_box()
@@ -236,8 +244,18 @@ def test_the_empty_program_fits_a_small_window(open_studio: OpenStudio) -> None:
     assert card["x"] + card["width"] <= canvas["x"] + canvas["width"]
 
 
-def test_whoever_wants_less_motion_gets_none(open_studio: OpenStudio) -> None:
-    studio = open_studio(TRANSPORT)
+def whoever_wants_less_motion_gets_none(studio: Studio) -> None:
     studio.page.emulate_media(reduced_motion="reduce")
     node = studio.page.locator(".react-flow__node").first
     assert node.evaluate("one => getComputedStyle(one).transitionDuration") in ("0s", "")
+
+
+def test_the_outline_and_f1_help_by_keys_more_contrast_and_less_motion_are_there_and_a_small_window_is_enough(
+    open_studio: OpenStudio,
+) -> None:
+    studio = open_studio(TRANSPORT)
+    whoever_wants_less_motion_gets_none(studio)
+    f1_explains_the_part_that_has_the_focus_with_its_range(studio)
+    the_outline_walks_the_program_and_deletes_with_the_keyboard_alone(studio)
+    a_system_that_wants_more_contrast_gets_it(studio)
+    the_empty_program_fits_a_small_window(studio)

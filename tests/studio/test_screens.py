@@ -145,7 +145,7 @@ def test_what_happens_is_said(open_studio: OpenStudio) -> None:
     keys.type("wheel stop")
     expect(studio.at("find-hit-1")).to_be_visible()
     keys.press("Enter")
-    expect(said).to_contain_text("Selected: Wheel Stop")
+    expect(said).to_contain_text("Selected: Wheels Stop")
     keys.press("Escape")
     status = studio.at("status").get_by_role("status")
     studio.at("run-button").click()

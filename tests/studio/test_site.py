@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import base64
 import re
+import shutil
 import threading
 import zlib
 from collections.abc import Iterator
@@ -18,10 +19,9 @@ from pathlib import Path
 import pytest
 from playwright.sync_api import Browser, BrowserContext, Page, expect
 
-from kitrobot.workspace.site import make_site
 from tests.patience import STATE_MS
+from tests.sites import made_site
 from tests.studio.conftest import HEIGHT, IS_OPEN, WIDTH, Studio
-from tools.site_parts import PARTS, ROOT
 
 pytestmark = [pytest.mark.browser, pytest.mark.site]
 
@@ -77,7 +77,7 @@ class FileServer:
 def site(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """The root of a file server with the site in it."""
     root = tmp_path_factory.mktemp("web")
-    make_site(root / PATH.strip("/"), [ROOT / "web", PARTS])
+    shutil.copytree(made_site(tmp_path_factory.getbasetemp()), root / PATH.strip("/"))
     return root
 
 
@@ -96,6 +96,19 @@ def context(browser: Browser) -> Iterator[BrowserContext]:
     context.close()
 
 
+MEMORY = "caches.keys().then((names) => names.filter((name) => name.startsWith('kitrobot memory')).join())"
+"""Where the browser keeps Python's memory, or nothing."""
+DAMAGE = """async ([name, address, table]) => {
+    const headers = { "X-Table": table, "X-Length": "64" };
+    await (await caches.open(name)).put(address, new Response(new Uint8Array(64), { headers }));
+}"""
+ENTRY = """async (name) => {
+    const cache = await caches.open(name);
+    const [asked] = await cache.keys();
+    return [name, asked.url, (await cache.match(asked)).headers.get("X-Table")];
+}"""
+
+
 def opened(page: Page, address: str) -> Studio:
     page.goto(address)
     page.wait_for_function(IS_OPEN)
@@ -109,7 +122,9 @@ def test_a_site_runs_keeps_what_is_saved_and_works_without_its_server(
     faults: list[str] = []
     context.on("request", lambda request: asked.append(request.url))
     context.on("weberror", lambda error: faults.append(str(error.error)))
-    context.on("console", lambda message: faults.append(message.text) if message.type == "error" else None)
+    warned: list[str] = []
+    said = {"error": faults, "warning": warned}
+    context.on("console", lambda message: said.get(message.type, []).append(message.text))
     page = context.new_page()
     studio = opened(page, server.address)
 
@@ -130,6 +145,8 @@ def test_a_site_runs_keeps_what_is_saved_and_works_without_its_server(
     page.keyboard.press("Control+o")
     expect(studio.at("open-dialog")).to_contain_text("mine")
     page.keyboard.press("Escape")
+    # Python's memory of this start is kept, and the next starts go on from it.
+    page.wait_for_function(f"async () => await {MEMORY} !== ''")
     page.reload()
     page.wait_for_function(IS_OPEN)
     studio.expect_code("WAIT(10);")
@@ -164,9 +181,13 @@ def test_a_site_runs_keeps_what_is_saved_and_works_without_its_server(
     studio.expect_code("WAIT(17);")
     assert "newer-" in other.evaluate("caches.keys().then((names) => names.join())")
 
-    # The server is gone: the page is still there, with what was saved.
+    # The server is gone, and a memory is damaged: the page is there, with what was saved, and without that memory.
+    assert warned == []
+    other.evaluate(DAMAGE, other.evaluate(ENTRY, other.evaluate(MEMORY)))
     server.end()
     other.reload()
     other.wait_for_function(IS_OPEN)
+    studio.expect_code("WAIT(17);")
+    assert ["memory cannot be used" in line for line in warned] == [True]
     assert [address for address in asked if not address.startswith((server.address, "data:", "blob:"))] == []
     assert faults == []

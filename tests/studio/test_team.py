@@ -62,8 +62,7 @@ def test_robots_are_added_named_given_a_program_moved_copied_and_removed(open_st
     assert save(studio, file) == before
 
 
-def test_a_robot_that_is_renamed_stays_where_it_is(open_studio: OpenStudio) -> None:
-    studio = open_studio(TRANSPORT)
+def a_robot_that_is_renamed_stays_where_it_is(studio: Studio) -> None:
     studio.at("tab-of-team").click()
     studio.at("agent-name-0").fill("first")
     studio.page.keyboard.press("Enter")
@@ -72,8 +71,7 @@ def test_a_robot_that_is_renamed_stays_where_it_is(open_studio: OpenStudio) -> N
     expect(studio.at("problems")).to_contain_text("0")
 
 
-def test_goals_are_added_changed_and_removed(open_studio: OpenStudio) -> None:
-    studio = open_studio(TRANSPORT)
+def goals_are_added_changed_and_removed(studio: Studio) -> None:
     studio.at("tab-of-team").click()
     studio.at("goal-all-0").select_option("")
     studio.at("goal-stock-0").fill("7")
@@ -89,8 +87,7 @@ def test_goals_are_added_changed_and_removed(open_studio: OpenStudio) -> None:
     expect(studio.at("goal-all-0")).to_have_value("all")
 
 
-def test_another_world_is_in_the_arena_at_once_and_undo_brings_the_old_one_back(open_studio: OpenStudio) -> None:
-    studio = open_studio(TRANSPORT)
+def another_world_is_in_the_arena_at_once_and_undo_brings_the_old_one_back(studio: Studio) -> None:
     summary = studio.page.locator(".arena h2, .arena header").first
     expect(summary).to_contain_text("ring")
     studio.at("tab-of-team").click()
@@ -108,8 +105,7 @@ def test_another_world_is_in_the_arena_at_once_and_undo_brings_the_old_one_back(
     expect(summary).not_to_contain_text("ring")
 
 
-def test_robots_without_a_start_are_put_on_free_ones_by_one_click(open_studio: OpenStudio) -> None:
-    studio = open_studio(SQUARE)
+def robots_without_a_start_are_put_on_free_ones_by_one_click(studio: Studio) -> None:
     studio.at("tab-of-team").click()
     studio.at("world-ring").locator("input").check()
     studio.at("place-agents").click()
@@ -133,8 +129,7 @@ def test_the_title_is_written_in_the_language_of_the_page(open_studio: OpenStudi
     assert (studio.folder / "square.krt").read_text(encoding="utf-8") == before
 
 
-def test_the_tabs_are_walked_by_arrows_to_the_team_and_back(open_studio: OpenStudio) -> None:
-    studio = open_studio(TRANSPORT)
+def the_tabs_are_walked_by_arrows_to_the_team_and_back(studio: Studio) -> None:
     studio.at("tab-carrier").focus()
     studio.page.keyboard.press("End")
     expect(studio.at("tab-of-world")).to_be_focused()
@@ -154,8 +149,21 @@ def test_the_tabs_are_walked_by_arrows_to_the_team_and_back(open_studio: OpenStu
     expect(studio.at("team")).to_be_hidden()
 
 
-def test_a_robot_is_moved_by_keys(open_studio: OpenStudio) -> None:
+def test_tabs_are_walked_robots_moved_and_renamed_goals_changed_and_another_world_is_shown_at_once(
+    open_studio: OpenStudio,
+) -> None:
     studio = open_studio(TRANSPORT)
+    the_tabs_are_walked_by_arrows_to_the_team_and_back(studio)
+    a_robot_is_moved_by_keys(studio)
+    studio.take_back()
+    another_world_is_in_the_arena_at_once_and_undo_brings_the_old_one_back(studio)
+    studio.take_back()
+    a_robot_that_is_renamed_stays_where_it_is(studio)
+    studio.take_back()
+    goals_are_added_changed_and_removed(studio)
+
+
+def a_robot_is_moved_by_keys(studio: Studio) -> None:
     studio.page.keyboard.press("Alt+t")
     studio.at("agent-name-0").focus()
     studio.page.keyboard.press("Alt+ArrowDown")
@@ -163,14 +171,32 @@ def test_a_robot_is_moved_by_keys(open_studio: OpenStudio) -> None:
     expect(studio.at("agent-name-1")).to_be_focused()
 
 
-def test_a_program_without_a_free_start_says_so_and_leads_to_the_team(open_studio: OpenStudio) -> None:
-    studio = open_studio(SQUARE)
+def a_program_without_a_free_start_says_so_and_leads_to_the_team(studio: Studio) -> None:
     studio.at("add-program").click()
     studio.at("menu-add-carrier").click()
     expect(studio.at("banner")).to_contain_text("program-1 has no robot yet")
     studio.page.get_by_role("button", name="Open the team").click()
     studio.at("add-agent").click()
     expect(studio.at("agent-program-1")).to_have_value("program-1")
+
+
+def a_world_of_the_folder_can_be_chosen(studio: Studio) -> None:
+    shutil.copy(EXAMPLES / "stripes" / "stripes.world.xml", studio.folder / "yard.world.xml")
+    studio.at("tab-of-team").click()
+    expect(studio.at("world-yard")).to_contain_text("from this folder")
+    studio.at("world-yard").locator("input").check()
+    assert 'href="yard.world.xml"' in save(studio, "square.krt")
+
+
+def test_robots_get_a_start_by_one_click_a_program_wants_one_and_a_world_of_the_folder_can_be_chosen(
+    open_studio: OpenStudio,
+) -> None:
+    studio = open_studio(SQUARE)
+    a_program_without_a_free_start_says_so_and_leads_to_the_team(studio)
+    studio.take_back()
+    robots_without_a_start_are_put_on_free_ones_by_one_click(studio)
+    studio.take_back()
+    a_world_of_the_folder_can_be_chosen(studio)
 
 
 @pytest.mark.parametrize("look", LOOKS, ids=str)
@@ -183,15 +209,6 @@ def test_axe_finds_nothing_in_the_team(open_studio: OpenStudio, look: tuple[str,
     studio.at("world-empty").locator("input").check()
     expect(studio.page.locator(".team [role=status]").first).to_be_visible()
     find_nothing(studio, "a team in the wrong world")
-
-
-def test_a_world_of_the_folder_can_be_chosen(open_studio: OpenStudio) -> None:
-    studio = open_studio(SQUARE)
-    shutil.copy(EXAMPLES / "stripes" / "stripes.world.xml", studio.folder / "yard.world.xml")
-    studio.page.keyboard.press("Alt+t")
-    expect(studio.at("world-yard")).to_contain_text("from this folder")
-    studio.at("world-yard").locator("input").check()
-    assert 'href="yard.world.xml"' in save(studio, "square.krt")
 
 
 def test_after_a_run_the_arena_shows_what_was_edited_and_in_its_past_the_run(open_studio):

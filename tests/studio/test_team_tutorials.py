@@ -33,7 +33,9 @@ def let_fail(studio: Studio, robot: str) -> None:
 def test_together_step_by_step(open_studio: OpenStudio) -> None:
     studio = open_studio(BLINK)
     begin(studio, "together-in-step")
-    expect(studio.page.locator(".vertex", has_text="SeqOfPar").first).to_have_css("outline-style", "dashed")
+    expect(studio.page.locator(".vertex", has_text="Together, line by line").first).to_have_css(
+        "outline-style", "dashed"
+    )
     run(studio)
     expect(studio.at("meeting").first).to_contain_text("of 3 are here")
     at_step(studio, 2)

@@ -17,8 +17,7 @@ OpenStudio = Callable[[str | None], Studio]
 CONVOY, FILE = "convoy/convoy.krt", "convoy.krt"
 
 
-def test_robots_are_dragged_into_roles_and_groups_and_out(open_studio: OpenStudio) -> None:
-    studio = open_studio(CONVOY)
+def robots_are_dragged_into_roles_and_groups_and_out(studio: Studio) -> None:
     before = (studio.folder / FILE).read_text(encoding="utf-8")
     studio.at("side-team").click()
     leader, follower, spare = studio.at("card-leader"), studio.at("card-follower"), studio.at("card-spare")
@@ -79,9 +78,7 @@ def test_the_team_is_made_by_keys_alone(open_studio: OpenStudio) -> None:
     assert 'failure="abort"' in saved
 
 
-def test_a_role_is_renamed_where_it_is_spoken_of_and_mistakes_stand_on_its_card(open_studio: OpenStudio) -> None:
-    studio = open_studio(CONVOY)
-    studio.at("side-team").click()
+def a_role_is_renamed_where_it_is_spoken_of_and_mistakes_stand_on_its_card(studio: Studio) -> None:
     studio.at("change-leader").click()
     name = studio.at("name-leader")
     name.fill("follower")
@@ -100,7 +97,15 @@ def test_a_role_is_renamed_where_it_is_spoken_of_and_mistakes_stand_on_its_card(
     expect(studio.at("trouble-follower")).to_have_count(0)
 
 
-def test_a_first_program_of_the_team_is_started_and_runs(open_studio: OpenStudio) -> None:
+def test_robots_are_dragged_into_roles_and_groups_and_a_role_is_renamed_with_mistakes_on_its_card(
+    open_studio: OpenStudio,
+) -> None:
+    studio = open_studio(CONVOY)
+    robots_are_dragged_into_roles_and_groups_and_out(studio)
+    a_role_is_renamed_where_it_is_spoken_of_and_mistakes_stand_on_its_card(studio)
+
+
+def test_a_first_program_of_the_team_is_started_its_members_glow_and_it_runs(open_studio: OpenStudio) -> None:
     studio = open_studio("square/square.krt")
     studio.at("tab-of-team").click()
     expect(studio.at("first-team")).to_contain_text("what the robots do together")
@@ -108,6 +113,7 @@ def test_a_first_program_of_the_team_is_started_and_runs(open_studio: OpenStudio
     expect(studio.at("tab-team")).to_have_attribute("aria-selected", "true")
     studio.expect_code("ParOfSeq square ( PROGRAM square; );")
     expect(studio.at("card-square")).to_contain_text("1 of 1")
+    members_glow_in_a_program_that_stands_in_the_team_s(studio)
     studio.at("add-program").click()
     studio.page.get_by_role("menuitem", name="Program of a group").click()
     expect(studio.at("tab-group")).to_have_attribute("aria-selected", "true")
@@ -164,14 +170,11 @@ def test_every_member_s_place_glows_and_who_is_missing_is_said(open_studio: Open
     expect(studio.at("meeting")).to_have_count(0)
 
 
-def test_members_glow_in_a_program_that_stands_in_the_team_s(open_studio: OpenStudio) -> None:
-    studio = open_studio("square/square.krt")
-    studio.at("tab-of-team").click()
-    studio.at("start-team").click()
-    studio.expect_code("PROGRAM square")
+def members_glow_in_a_program_that_stands_in_the_team_s(studio: Studio) -> None:
     studio.at("tab-square").click()
     studio.at("run-button").click()
     expect(studio.page.locator(".vertex.is-active .thread").first).to_be_visible()
+    studio.at("stop-button").click()
 
 
 @pytest.mark.parametrize("look", LOOKS)

@@ -62,18 +62,14 @@ def camera(studio: Studio) -> tuple[float, float, float]:
     return found[0], found[1], found[2]
 
 
-def test_a_tap_selects_and_a_tap_beside_selects_nothing(open_with_fingers: Callable[[ViewportSize], Studio]) -> None:
-    studio = open_with_fingers(TABLET)
+def a_tap_selects_and_a_tap_beside_selects_nothing(studio: Studio) -> None:
     studio.at("vertex-start").tap()
     expect(studio.at("vertex-start")).to_have_attribute("aria-current", "true")
     studio.page.touchscreen.tap(240, 300)
     expect(studio.at("vertex-start")).to_have_attribute("aria-current", "false")
 
 
-def test_a_finger_that_rests_opens_the_menu_and_an_entry_is_tapped(
-    open_with_fingers: Callable[[ViewportSize], Studio],
-) -> None:
-    studio = open_with_fingers(PHONE)
+def a_finger_that_rests_opens_the_menu_and_an_entry_is_tapped(studio: Studio) -> None:
     hand = RobotSession(studio)
     loop = studio.page.locator(".vertex", has_text="While").first
     box = loop.bounding_box()
@@ -89,8 +85,7 @@ def test_a_finger_that_rests_opens_the_menu_and_an_entry_is_tapped(
     expect(studio.at("note-field")).to_be_visible()
 
 
-def test_a_part_is_dragged_from_the_palette_onto_an_arc(open_with_fingers: Callable[[ViewportSize], Studio]) -> None:
-    studio = open_with_fingers(TABLET)
+def a_part_is_dragged_from_the_palette_onto_an_arc(studio: Studio) -> None:
     hand = RobotSession(studio)
     begin, end = middle(studio.at("part-Wait")), middle(studio.at("arc-start.next"))
     hand.put("touchStart", begin)
@@ -101,16 +96,14 @@ def test_a_part_is_dragged_from_the_palette_onto_an_arc(open_with_fingers: Calla
     studio.expect_code("WAIT(10);")
 
 
-def test_a_tap_on_a_part_adds_it(open_with_fingers: Callable[[ViewportSize], Studio]) -> None:
-    studio = open_with_fingers(PHONE)
+def a_tap_on_a_part_adds_it(studio: Studio) -> None:
     studio.at("vertex-start").tap()
     studio.at("room-palette").tap()
     studio.at("part-Wait").tap()
     expect(studio.page.locator(".vertex-name", has_text="Wait")).to_be_in_viewport()
 
 
-def test_two_fingers_zoom_and_move_even_on_vertices(open_with_fingers: Callable[[ViewportSize], Studio]) -> None:
-    studio = open_with_fingers(PHONE)
+def two_fingers_zoom_and_move_even_on_vertices(studio: Studio) -> None:
     hand = RobotSession(studio)
     x, y = middle(studio.page.locator(".vertex", has_text="While").first)
     before = camera(studio)
@@ -131,8 +124,7 @@ def test_two_fingers_zoom_and_move_even_on_vertices(open_with_fingers: Callable[
     expect(studio.page.locator(".ghost")).to_have_count(0)
 
 
-def test_one_finger_moves_the_canvas(open_with_fingers: Callable[[ViewportSize], Studio]) -> None:
-    studio = open_with_fingers(TABLET)
+def one_finger_moves_the_canvas(studio: Studio) -> None:
     hand = RobotSession(studio)
     canvas = studio.at("canvas").bounding_box()
     assert canvas is not None
@@ -143,6 +135,16 @@ def test_one_finger_moves_the_canvas(open_with_fingers: Callable[[ViewportSize],
     hand.put("touchEnd")
     after = camera(studio)
     assert after[1] - before[1] > 60
+
+
+def test_fingers_select_drag_a_part_and_move_the_canvas_on_a_tablet(
+    open_with_fingers: Callable[[ViewportSize], Studio],
+) -> None:
+    studio = open_with_fingers(TABLET)
+    a_tap_selects_and_a_tap_beside_selects_nothing(studio)
+    a_part_is_dragged_from_the_palette_onto_an_arc(studio)
+    studio.take_back()
+    one_finger_moves_the_canvas(studio)
 
 
 TOO_SMALL = """() => {
@@ -244,9 +246,22 @@ def test_nothing_is_cut_off_and_stop_is_always_there(
         expect(studio.at("arena-canvas")).not_to_be_visible()
 
 
-def test_a_mission_runs_on_a_phone(open_with_fingers: Callable[[ViewportSize], Studio]) -> None:
-    studio = open_with_fingers(PHONE)
+def a_mission_runs_on_a_phone(studio: Studio) -> None:
     studio.at("run-button").tap()
     expect(studio.page.locator(".vertex.is-active").first).to_be_attached()
     studio.at("team-stop").tap()
     expect(studio.at("status")).to_contain_text("Stopped")
+
+
+def test_fingers_add_a_part_open_the_menu_zoom_and_run_a_mission_on_a_phone(
+    open_with_fingers: Callable[[ViewportSize], Studio],
+) -> None:
+    studio = open_with_fingers(PHONE)
+    two_fingers_zoom_and_move_even_on_vertices(studio)
+    a_mission_runs_on_a_phone(studio)
+    studio.page.reload()
+    expect(studio.page.locator(".vertex").first).to_be_visible()
+    a_finger_that_rests_opens_the_menu_and_an_entry_is_tapped(studio)
+    studio.page.reload()
+    expect(studio.page.locator(".vertex").first).to_be_visible()
+    a_tap_on_a_part_adds_it(studio)

@@ -81,8 +81,7 @@ def test_an_instruction_that_is_typed_appears_as_a_vertex_and_undo_takes_both_ba
     expect_text(studio, r"WAIT\(7\);$")
 
 
-def test_a_burst_of_typing_is_one_step_of_undo(open_studio: OpenStudio) -> None:
-    studio = empty(open_studio)
+def a_burst_of_typing_is_one_step_of_undo(studio: Studio) -> None:
     editor(studio).keyboard.type("Light.LightOn();Light.LightOff();", delay=20)
     expect_vertices(studio, "Lamp", 2)
     leave(studio)
@@ -115,8 +114,7 @@ def test_a_mistake_is_marked_on_both_sides_and_the_graph_stays(open_studio: Open
     expect(studio.page.locator(VERTICES)).to_have_count(before + 1)
 
 
-def test_a_mistake_inside_an_instruction_is_marked_on_its_vertex(open_studio: OpenStudio) -> None:
-    studio = empty(open_studio)
+def a_mistake_inside_an_instruction_is_marked_on_its_vertex(studio: Studio) -> None:
     replace_all(studio, "Light.LightOn();")
     expect_vertices(studio, "Lamp", 1)
     page = editor(studio)
@@ -127,8 +125,8 @@ def test_a_mistake_inside_an_instruction_is_marked_on_its_vertex(open_studio: Op
     expect(studio.page.locator('.trouble[data-severity="error"]')).to_have_count(1)
 
 
-def test_undo_of_unfinished_text_goes_back_to_the_last_text_without_mistakes(open_studio: OpenStudio) -> None:
-    studio, before = opened(open_studio)
+def undo_of_unfinished_text_goes_back_to_the_last_text_without_mistakes(studio: Studio) -> None:
+    before = studio.code()
     page = editor(studio)
     page.keyboard.insert_text(" [[[")
     expect(studio.at("code-state")).to_contain_text("The graph shows")
@@ -138,8 +136,7 @@ def test_undo_of_unfinished_text_goes_back_to_the_last_text_without_mistakes(ope
     expect(studio.at("saved-state")).to_have_text("saved")
 
 
-def test_an_edit_of_the_text_leaves_the_selected_vertex_selected(open_studio: OpenStudio) -> None:
-    studio, _ = opened(open_studio)
+def an_edit_of_the_text_leaves_the_selected_vertex_selected(studio: Studio) -> None:
     studio.page.locator(".vertex", has_text="Wait").first.click()
     expect(studio.page.locator(".vertex.is-selected")).to_have_count(1)
     page = editor(studio)
@@ -149,8 +146,7 @@ def test_an_edit_of_the_text_leaves_the_selected_vertex_selected(open_studio: Op
     expect(studio.page.locator(".vertex.is-selected", has_text="Wait")).to_have_count(1)
 
 
-def test_an_edit_of_the_graph_changes_the_text_and_the_other_way_round(open_studio: OpenStudio) -> None:
-    studio, _ = opened(open_studio)
+def an_edit_of_the_graph_changes_the_text_and_the_other_way_round(studio: Studio) -> None:
     studio.drop("Wait", "arc-start.next")
     studio.expect_code("WAIT(10);")
     replace_all(studio, "Light.LightOn();")
@@ -160,8 +156,14 @@ def test_an_edit_of_the_graph_changes_the_text_and_the_other_way_round(open_stud
     studio.expect_code("WAIT(10);")
 
 
-def test_a_program_is_written_with_completion_and_keys_alone(open_studio: OpenStudio) -> None:
-    studio = empty(open_studio)
+def test_graph_and_text_follow_each_other_and_the_selection_stays(open_studio: OpenStudio) -> None:
+    studio, _ = opened(open_studio)
+    an_edit_of_the_graph_changes_the_text_and_the_other_way_round(studio)
+    studio.take_back()
+    an_edit_of_the_text_leaves_the_selected_vertex_selected(studio)
+
+
+def a_program_is_written_with_completion_and_keys_alone(studio: Studio) -> None:
     page = editor(studio)
     options = page.locator(".cm-tooltip-autocomplete li")
     page.keyboard.type("Whe")
@@ -175,8 +177,7 @@ def test_a_program_is_written_with_completion_and_keys_alone(open_studio: OpenSt
     studio.expect_code("Wheel.Advance(33);")
 
 
-def test_hover_shows_the_help_of_the_xml_and_outlines_the_vertex(open_studio: OpenStudio) -> None:
-    studio = empty(open_studio)
+def hover_shows_the_help_of_the_xml_and_outlines_the_vertex(studio: Studio) -> None:
     replace_all(studio, "Wheel.Advance(33);")
     expect_vertices(studio, "Drive", 1)
     box = studio.at("code").locator(".lll-action", has_text="Advance").first
@@ -187,12 +188,25 @@ def test_hover_shows_the_help_of_the_xml_and_outlines_the_vertex(open_studio: Op
     expect(studio.at("code").locator(".line-pointed")).to_contain_text("Wheel.Advance")
 
 
-RUBBISH = ["]]]) ;; °°° <html>\x07 \u202e 💥 ((", "1*(" * 10_000, "// \\\n%PDF-1.7 \0\0"]
+def test_a_new_program_is_typed_with_completion_undone_in_one_step_marked_and_explained(
+    open_studio: OpenStudio,
+) -> None:
+    studio = empty(open_studio)
+    a_burst_of_typing_is_one_step_of_undo(studio)
+    a_program_is_written_with_completion_and_keys_alone(studio)
+    hover_shows_the_help_of_the_xml_and_outlines_the_vertex(studio)
+    a_mistake_inside_an_instruction_is_marked_on_its_vertex(studio)
 
 
-@pytest.mark.parametrize("text", RUBBISH, ids=["marks", "deep", "file"])
-def test_rubbish_gets_a_sentence_and_leaves_the_document_alone(open_studio: OpenStudio, text: str) -> None:
-    studio, before = opened(open_studio)
+RUBBISH = {
+    "marks": "]]]) ;; °°° <html>\x07 \u202e 💥 ((",
+    "deep": "1*(" * 10_000,
+    "file": "// \\\n%PDF-1.7 \0\0",
+}
+
+
+def rubbish_gets_a_sentence_and_leaves_the_document_alone(studio: Studio, text: str) -> None:
+    before = studio.code()
     count = studio.page.locator(VERTICES).count()
     replace_all(studio, text)
     expect(studio.at("code-state")).to_contain_text("The graph shows the last text without mistakes.")
@@ -203,3 +217,10 @@ def test_rubbish_gets_a_sentence_and_leaves_the_document_alone(open_studio: Open
     studio.page.keyboard.press("Control+z")
     expect(studio.at("code-state")).to_be_empty()
     assert studio.code() == before
+
+
+def test_rubbish_and_unfinished_text_get_a_sentence_and_leave_the_document_alone(open_studio: OpenStudio) -> None:
+    studio, _ = opened(open_studio)
+    for text in RUBBISH.values():
+        rubbish_gets_a_sentence_and_leaves_the_document_alone(studio, text)
+    undo_of_unfinished_text_goes_back_to_the_last_text_without_mistakes(studio)

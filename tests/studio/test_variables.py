@@ -103,8 +103,7 @@ def test_a_variable_that_is_used_is_removed_only_after_a_question_that_shows_whe
     studio.expect_code("Trips.")
 
 
-def test_an_unused_variable_goes_at_once(open_studio: OpenStudio) -> None:
-    studio = open_studio(SQUARE)
+def an_unused_variable_goes_at_once(studio: Studio) -> None:
     studio.at("new-variable").focus()
     studio.page.keyboard.press("Enter")
     make(studio, "Trips")
@@ -114,8 +113,7 @@ def test_an_unused_variable_goes_at_once(open_studio: OpenStudio) -> None:
     expect(studio.at("new-variable")).to_be_focused()
 
 
-def test_what_cannot_be_is_said_at_the_field_and_nothing_is_made(open_studio: OpenStudio) -> None:
-    studio = open_studio(SQUARE)
+def what_cannot_be_is_said_at_the_field_and_nothing_is_made(studio: Studio) -> None:
     studio.at("new-variable").click()
     for name, says in (("", "no name yet"), ("Captor", "is a sensor of the robot"), ("two words", "cannot be called")):
         make(studio, name)
@@ -132,8 +130,7 @@ def test_what_cannot_be_is_said_at_the_field_and_nothing_is_made(open_studio: Op
     forgive_refusals(studio)
 
 
-def test_a_variable_of_the_robots_own_file_says_where_it_is(open_studio: OpenStudio) -> None:
-    studio = open_studio(SQUARE)
+def a_variable_of_the_robots_own_file_says_where_it_is(studio: Studio) -> None:
     row(studio, "Count").dblclick()
     expect(studio.at("banner")).to_contain_text("mini-robot.robot.xml")
     expect(studio.at("variable-rename")).to_have_count(0)
@@ -171,8 +168,7 @@ def test_an_open_text_with_a_mistake_follows_a_new_name(open_studio: OpenStudio)
     expect(studio.at("code")).not_to_contain_text("Trips")
 
 
-def test_a_finger_that_rests_opens_the_menu(open_studio: OpenStudio) -> None:
-    studio = open_studio(SQUARE)
+def a_finger_that_rests_opens_the_menu(studio: Studio) -> None:
     box = row(studio, "Count").bounding_box()
     assert box is not None
     at = {"clientX": box["x"] + 40, "clientY": box["y"] + 10, "pointerType": "touch", "bubbles": True}
@@ -181,3 +177,13 @@ def test_a_finger_that_rests_opens_the_menu(open_studio: OpenStudio) -> None:
     find_nothing(studio, "the menu of a variable")
     studio.page.keyboard.press("Escape")
     expect(studio.at("variable-menu")).to_be_hidden()
+
+
+def test_an_unused_one_goes_a_wrong_one_is_refused_and_one_of_the_robots_file_has_a_menu(
+    open_studio: OpenStudio,
+) -> None:
+    studio = open_studio(SQUARE)
+    an_unused_variable_goes_at_once(studio)
+    what_cannot_be_is_said_at_the_field_and_nothing_is_made(studio)
+    a_finger_that_rests_opens_the_menu(studio)
+    a_variable_of_the_robots_own_file_says_where_it_is(studio)

@@ -30,16 +30,21 @@ def watched(studio):
     studio.at("run-button").click()
     status_is(studio.page, "running")
     other = another_window(studio)
-    other.get_by_test_id("watch-run").click()
-    expect(other.get_by_test_id("watching-bar")).to_have_attribute("data-watching", "true")
-    status_is(other, "running")
+    watch_again(studio, other)
     return other
 
 
-def test_a_run_is_offered_to_the_other_window_and_watched_there(open_studio):
-    studio = open_studio(TRANSPORT)
-    expect(studio.at("watching-bar")).to_have_count(0)
-    other = watched(studio)
+def watch_again(studio, other) -> None:
+    """The second window watches what the first one runs."""
+    if studio.at("status").get_attribute("data-status") != "running":
+        studio.at("run-button").click()
+        status_is(studio.page, "running")
+    other.get_by_test_id("watch-run").click()
+    expect(other.get_by_test_id("watching-bar")).to_have_attribute("data-watching", "true")
+    status_is(other, "running")
+
+
+def a_run_is_offered_to_the_other_window_and_watched_there(studio, other):
     expect(studio.at("watching-bar")).to_have_count(0)
     studio.at("pause-button").click()
     status_is(studio.page, "paused")
@@ -56,9 +61,7 @@ def test_a_run_is_offered_to_the_other_window_and_watched_there(open_studio):
     expect(other.get_by_test_id("event-strip")).to_have_attribute("aria-valuenow", str(int(said) + 1))
 
 
-def test_who_watches_leaves_and_the_run_goes_on(open_studio):
-    studio = open_studio(TRANSPORT)
-    other = watched(studio)
+def who_watches_leaves_and_the_run_goes_on(studio, other):
     other.get_by_test_id("team-stop").click()
     status_is(other, "idle")
     expect(other.get_by_test_id("watching-bar")).to_have_attribute("data-watching", "false")
@@ -69,9 +72,7 @@ def test_who_watches_leaves_and_the_run_goes_on(open_studio):
     status_is(other, "idle")
 
 
-def test_the_end_of_the_run_is_seen_and_the_offer_goes_away(open_studio):
-    studio = open_studio(TRANSPORT)
-    other = watched(studio)
+def the_end_of_the_run_is_seen_and_the_offer_goes_away(studio, other):
     studio.at("team-stop").click()
     status_is(other, "stopped")
     other.get_by_test_id("watch-leave").click()
@@ -80,12 +81,26 @@ def test_the_end_of_the_run_is_seen_and_the_offer_goes_away(open_studio):
     status_is(other, "running")
 
 
-def test_the_run_is_over_when_its_window_is_closed(open_studio):
-    studio = open_studio(TRANSPORT)
-    other = watched(studio)
+def the_run_is_over_when_its_window_is_closed(studio, other):
     studio.page.close()
     expect(other.get_by_test_id("banner")).to_contain_text("is gone, and the run with it")
     status_is(other, "stopped")
+
+
+def test_a_run_is_offered_to_another_window_watched_left_and_over_with_its_window(open_studio):
+    studio = open_studio(TRANSPORT)
+    expect(studio.at("watching-bar")).to_have_count(0)
+    other = watched(studio)
+    a_run_is_offered_to_the_other_window_and_watched_there(studio, other)
+    studio.at("run-button").click()
+    status_is(other, "running")
+    who_watches_leaves_and_the_run_goes_on(studio, other)
+    other.get_by_test_id("watch-run").click()
+    status_is(other, "running")
+    the_end_of_the_run_is_seen_and_the_offer_goes_away(studio, other)
+    other.get_by_test_id("team-stop").click()
+    watch_again(studio, other)
+    the_run_is_over_when_its_window_is_closed(studio, other)
 
 
 def test_a_window_with_another_state_of_the_mission_is_told_so(open_studio):

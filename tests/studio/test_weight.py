@@ -41,7 +41,7 @@ TRANSPORT, BLINK = "transport/transport.krt", "blink/blink.krt"
     ("example", "language"), cases([(TRANSPORT, "fr"), (BLINK, "ur")], [(TRANSPORT, "en"), (BLINK, "en")])
 )
 def test_the_first_load_fits_in_350_kb(open_studio: OpenStudio, example: str, language: str) -> None:
-    files = fetched(open_studio(example, locale=language))
+    files = fetched(open_studio(example, first_visit=True, locale=language))
     assert any(path.endswith(".woff2") for path in files), "letters count"
     assert len([path for path in files if path.endswith(".js")]) >= 2, "the editing part counts"
     total = sum(files.values())
@@ -59,7 +59,7 @@ def test_every_icon_of_what_ships_travels_with_the_page() -> None:
 
 
 def test_what_is_fetched_later_is_not_fetched_at_first(open_studio: OpenStudio) -> None:
-    studio = open_studio(TRANSPORT, locale="en")
+    studio = open_studio(TRANSPORT, first_visit=True, locale="en")
     first = fetched(studio)
     assert [
         path

@@ -65,8 +65,7 @@ def place_of_robot(studio: Studio) -> int:
     return int(re.sub(r"\D", "", found[0]))
 
 
-def test_a_wall_is_drawn_and_the_robot_stops_at_it(open_studio: OpenStudio) -> None:
-    studio = open_studio(BRAKE)
+def a_wall_is_drawn_and_the_robot_stops_at_it(studio: Studio) -> None:
     edit(studio)
     studio.at("world-tool-wall").click()
     drag(studio, spot(studio, 3003, 902, ROOM), spot(studio, 2997, 1601, ROOM))
@@ -79,8 +78,7 @@ def test_a_wall_is_drawn_and_the_robot_stops_at_it(open_studio: OpenStudio) -> N
     expect(studio.at("arena-summary")).not_to_contain_text("collision")
 
 
-def test_a_dock_is_moved_along_its_road_and_the_boxes_still_arrive(open_studio: OpenStudio) -> None:
-    studio = open_studio(TRANSPORT)
+def a_dock_is_moved_along_its_road_and_the_boxes_still_arrive(studio: Studio) -> None:
     edit(studio)
     studio.at("thing-dock-1").click()
     before = number(studio, "at_mm")
@@ -93,8 +91,7 @@ def test_a_dock_is_moved_along_its_road_and_the_boxes_still_arrive(open_studio: 
     expect(studio.at("arena-summary")).to_contain_text("12 of 12 delivered")
 
 
-def test_a_road_that_cannot_be_drawn_is_told_at_the_road(open_studio: OpenStudio) -> None:
-    studio = open_studio(TRANSPORT)
+def a_road_that_cannot_be_drawn_is_told_at_the_road(studio: Studio) -> None:
     edit(studio)
     studio.at("thing-road-0").click()
     type_number(studio, "corner-1-radius", 5000)
@@ -110,6 +107,15 @@ def test_a_road_that_cannot_be_drawn_is_told_at_the_road(open_studio: OpenStudio
     studio.page.keyboard.press("Control+z")
     expect(studio.at("wrong-road-0")).not_to_be_attached()
     expect(studio.at("problems")).to_contain_text("0")
+
+
+def test_a_road_that_cannot_be_drawn_is_told_there_and_a_dock_is_moved_and_the_boxes_still_arrive(
+    open_studio: OpenStudio,
+) -> None:
+    studio = open_studio(TRANSPORT)
+    a_road_that_cannot_be_drawn_is_told_at_the_road(studio)
+    studio.take_back()
+    a_dock_is_moved_along_its_road_and_the_boxes_still_arrive(studio)
 
 
 def test_a_road_with_a_hole_in_a_file_is_told_at_the_road_and_mended(open_studio: OpenStudio) -> None:
@@ -223,8 +229,7 @@ def test_the_keyboard_is_enough(open_studio: OpenStudio) -> None:
     assert number(studio, "heading") == 5
 
 
-def test_alt_is_free_of_the_grid_and_ends_hold(open_studio: OpenStudio) -> None:
-    studio = open_studio(BRAKE)
+def alt_is_free_of_the_grid_and_ends_hold(studio: Studio) -> None:
     edit(studio)
     keys = studio.page.keyboard
     studio.at("world-tool-wall").click()
@@ -240,8 +245,7 @@ def test_alt_is_free_of_the_grid_and_ends_hold(open_studio: OpenStudio) -> None:
     assert (number(studio, "corner-0-x"), number(studio, "corner-0-y")) == (x2, y2)
 
 
-def test_a_robot_dragged_in_the_arena_starts_there(open_studio: OpenStudio) -> None:
-    studio = open_studio(BRAKE)
+def a_robot_dragged_in_the_arena_starts_there(studio: Studio) -> None:
     expect(studio.at("arena-summary")).to_contain_text(re.compile("2[,\u202f]?000"))
     box = studio.at("arena-canvas").bounding_box()
     assert box is not None
@@ -260,8 +264,7 @@ def test_a_robot_dragged_in_the_arena_starts_there(open_studio: OpenStudio) -> N
     expect(studio.at("arena-summary")).to_contain_text(re.compile("2[,\u202f]?000"))
 
 
-def test_the_world_becomes_a_file_and_the_mission_uses_it(open_studio: OpenStudio) -> None:
-    studio = open_studio(BRAKE)
+def the_world_becomes_a_file_and_the_mission_uses_it(studio: Studio) -> None:
     edit(studio)
     studio.at("world-tool-storehouse").click()
     drag(studio, spot(studio, 500, 500, ROOM), spot(studio, 900, 1000, ROOM))
@@ -275,6 +278,18 @@ def test_the_world_becomes_a_file_and_the_mission_uses_it(open_studio: OpenStudi
     studio.page.keyboard.press("Control+s")
     expect(studio.page.locator("body")).not_to_contain_text("not saved")
     assert '<world href="mine.world.xml"/>' in (studio.folder / "brake.krt").read_text()
+
+
+def test_a_robot_is_dragged_a_wall_is_drawn_and_met_ends_hold_and_the_world_becomes_a_file(
+    open_studio: OpenStudio,
+) -> None:
+    studio = open_studio(BRAKE)
+    a_robot_dragged_in_the_arena_starts_there(studio)
+    a_wall_is_drawn_and_the_robot_stops_at_it(studio)
+    studio.take_back()
+    alt_is_free_of_the_grid_and_ends_hold(studio)
+    studio.take_back()
+    the_world_becomes_a_file_and_the_mission_uses_it(studio)
 
 
 @pytest.mark.parametrize("look", LOOKS, ids=str)

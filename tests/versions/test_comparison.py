@@ -4,13 +4,15 @@ from __future__ import annotations
 
 import copy
 
+import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from kitrobot.diagnostics import ProblemsError
 from kitrobot.graph import Arc, Vertex
 from kitrobot.lll import RoleDeclaration, WorkDeclaration
 from kitrobot.primitives import Level
-from kitrobot.versions import differences, merge_missions
+from kitrobot.versions import CompareError, compare_files, differences, merge_missions
 from tests.versions.test_merging import base, edited, insert
 
 
@@ -90,3 +92,34 @@ def test_a_part_in_the_place_of_another_is_told_once():
     one, other = base(), base()
     other.programs[0].vertices[4] = Vertex("v4", "Light.LightOff")
     assert [found.sentence for found in differences(one, other)] == ["p: Wait (v4) became Light.LightOff"]
+
+
+def test_two_kits_are_told_apart_by_parts_settings_and_what_was_measured(tmp_path):
+    one, other = tmp_path / "one.board.xml", tmp_path / "other.board.xml"
+    head = '<board name="k" version="1" micropython="{}" pins="{}">'
+    parts = '<actuator device="turn" rate="180"/><sensor device="sign" driver="marks" pin="1"/>'
+    parts += '<actuator device="pen" pin="4"/>'
+    one.write_text(head.format("1.20", "0..5") + parts + "</board>")
+    parts = (
+        '<actuator device="turn" rate="150" bus="1"/><sensor device="sign" driver="line" pin="1"/>'
+        '<missing kind="actuator" device="pen"/><actuator device="lamp" driver="led" pin="2"/>'
+        '<measured device="drive" speed="300"/>'
+    )
+    other.write_text(head.format("1.25", "0..6") + parts + "</board>")
+    assert compare_files(one, one) == []
+    assert [(found.kind, found.words) for found in compare_files(one, other)] == [
+        ("board", "the kit: its pins changed"),
+        ("board", "the kit: micropython 1.20 → 1.25"),
+        ("setting", "the kit: actuator turn: rate 180 → 150"),
+        ("setting", "the kit: actuator turn: bus – → 1"),
+        ("part", "the kit: sensor sign has another driver: marks → line"),
+        ("part", "the kit: actuator pen is missing now"),
+        ("setting", "the kit: actuator pen: pin 4 → –"),
+        ("part", "the kit: actuator lamp added"),
+        ("measured", "the kit: drive as measured: speed – → 300"),
+    ]
+    with pytest.raises(CompareError, match="two kits"):
+        compare_files(one, tmp_path / "mission.krt")
+    other.write_text("<board/>")
+    with pytest.raises(ProblemsError):
+        compare_files(one, other)

@@ -23,13 +23,16 @@ import typer
 
 import kitrobot
 from kitrobot.cli.agent import run_agent
+from kitrobot.cli.bench import try_parts
 from kitrobot.cli.boards import list_boards
+from kitrobot.cli.calibrate import calibrate_robot
 from kitrobot.cli.check import check_files
 from kitrobot.cli.classroom import Classroom, open_class
 from kitrobot.cli.convert import convert_file
 from kitrobot.cli.deploy import deploy_program
 from kitrobot.cli.diff import diff_files
 from kitrobot.cli.exec import execute_program
+from kitrobot.cli.flash import flash_board
 from kitrobot.cli.format import format_files
 from kitrobot.cli.grade import grade_submissions
 from kitrobot.cli.log import show_log
@@ -78,6 +81,9 @@ app.command("agent")(run_agent)
 app.command("replay")(replay_trace)
 app.command("deploy")(deploy_program)
 app.command("boards")(list_boards)
+app.command("bench")(try_parts)
+app.command("calibrate")(calibrate_robot)
+app.command("flash")(flash_board)
 app.command("start")(start_boards)
 app.command("stop")(stop_boards)
 app.command("watch")(watch_board)

@@ -47,7 +47,9 @@ def list_boards(
         tell("no robot is plugged in")
         tell("  help: plug one in with a USB cable that carries data, or name its address with --to")
         return
-    rows: list[tuple[str, ...]] = [("port", "board", "state", "program", "KitRobot", "generation", "memory left")]
+    rows: list[tuple[str, ...]] = [
+        ("port", "board", "state", "program", "KitRobot", "MicroPython", "generation", "memory left")
+    ]
     rows += [_row(one) for one in seen]
     widths = [max(len(row[column]) for row in rows) for column in range(len(rows[0]))]
     for row in rows:
@@ -55,15 +57,18 @@ def list_boards(
     for one in seen:
         if one.error is not None:
             tell(f"{one.port.address}: {one.error.message}")
+            if one.port.firmware:
+                tell(f"  help: a board without MicroPython gets it from {one.port.firmware}")
 
 
 def _row(seen: Seen) -> tuple[str, ...]:
     where = (clean(seen.port.address), clean(seen.port.name))
     hello = seen.hello
     if hello is None:
-        return (*where, "no answer", "", "", "", "")
+        return (*where, "no answer", "", "", "", "", "")
     program = f"{clean(seen.program)} ({hello.program})" if seen.program else clean(hello.program)
-    return (*where, hello.state_name, program, clean(hello.package), str(hello.generation), f"{hello.free} bytes")
+    had = (clean(hello.package), clean(seen.micropython) or "?", str(hello.generation), f"{hello.free} bytes")
+    return (*where, hello.state_name, program, *had)
 
 
 def _object(seen: Seen) -> dict[str, Any]:
@@ -72,6 +77,7 @@ def _object(seen: Seen) -> dict[str, Any]:
         "name": seen.port.name,
         "description": seen.port.description,
         "answers": seen.hello is not None,
+        "firmware": seen.port.firmware,
     }
     if seen.hello is not None:
         hello = seen.hello
@@ -84,6 +90,7 @@ def _object(seen: Seen) -> dict[str, Any]:
             "generation": hello.generation,
             "package": hello.package,
             "program": hello.program,
+            "micropython": seen.micropython,
             "name_of_program": seen.program,
         }
     elif seen.error is not None:

@@ -147,7 +147,7 @@ def _sentence(sent: Sent, program: str, does: str = "runs") -> str:
     return (
         f"{clean(sent.address)}: {clean(program)} {does}; {done.free} bytes of memory are left\n"
         f"  {news}, {len(done.kept_files)} kept, {done.seconds:.1f} s; program {done.program},"
-        f" KitRobot {done.package}, generation {done.generation}\n"
+        f" KitRobot {done.package}, generation {done.generation}, MicroPython {done.micropython}\n"
     )
 
 
@@ -160,6 +160,7 @@ def _object(sent: Sent) -> dict[str, Any]:
         None,
         program=done.program,
         package=done.package,
+        micropython=done.micropython,
         generation=done.generation,
         free=done.free,
         sent=list(done.sent_files),

@@ -11,9 +11,10 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from kitrobot.cli.output import give, json_text, show
+from kitrobot.cli.output import give, json_text, show, tell
 
 if TYPE_CHECKING:
+    from kitrobot.primitives import Kit
     from kitrobot.workspace import Run
 
 
@@ -37,6 +38,15 @@ def run_mission(
             help="The probability that a robot fails for good within a minute, by chance: from the seed, 0 to 1.",
         ),
     ] = 0.0,
+    board: Annotated[
+        str | None,
+        typer.Option(
+            "--board",
+            metavar="NAME|FILE.board.xml",
+            help="The robots drive and turn as this kit was measured (`kitrobot calibrate`).",
+            show_default=False,
+        ),
+    ] = None,
     as_json: Annotated[bool, typer.Option("--json", help="Give the result as one JSON object.")] = False,
     fail_sweep: Annotated[
         int | None,
@@ -83,7 +93,12 @@ def run_mission(
     if fail_sweep is not None and trace is not None:
         raise typer.BadParameter("the many runs of a sweep are not recorded", param_hint="'--trace'")
 
-    prepared = open_mission(file).prepare(RunOptions(seed, seconds, fail_rate, trace))
+    if board is not None and trace is not None:
+        words = "a recording brings its robots along as their files say, not as a kit was measured"
+        raise typer.BadParameter(words, param_hint="'--board'")
+
+    kit = _measured_kit(board, file) if board is not None else None
+    prepared = open_mission(file).prepare(RunOptions(seed, seconds, fail_rate, trace, kit))
     if drawing is not None and prepared.opened.path is not None and same_file(drawing, prepared.opened.path):
         raise typer.BadParameter("the drawing would be written over the mission", param_hint="'--drawing'")
     show(prepared.problems, prepared.sources)
@@ -103,6 +118,17 @@ def run_mission(
     give(json_text(run.to_json()) + "\n" if as_json else _summary(run))
     if run.outcome != "done":
         raise typer.Exit(1)
+
+
+def _measured_kit(board: str, mission: Path) -> Kit:
+    """The kit of that name or file; it says so where nothing was measured."""
+    from kitrobot.workspace import find_kit
+
+    kit = find_kit(board, mission.parent)
+    if not kit.measured:
+        tell(f"nothing was measured of the kit {kit.name}: the robots move as their own files say")
+        tell(f"  help: kitrobot calibrate --board {kit.name}")
+    return kit
 
 
 @contextmanager

@@ -8,10 +8,12 @@ from kitrobot.deploy.errors import (
     ForeignError,
     FullError,
     LineError,
+    NoMemoryError,
     PackageError,
     ResetError,
     SilentError,
 )
+from kitrobot.deploy.firmware import EVERYWHERE, Needs
 from kitrobot.deploy.fitting import refuse_misfits, refuse_what_fits_no_board
 from kitrobot.deploy.installing import Deployed, Progress, deploy
 from kitrobot.deploy.kits import PartOnKit, fitted, kit_problems, look_at_parts, refuse_what_is_missing
@@ -26,6 +28,7 @@ from kitrobot.deploy.script import board_file
 
 __all__ = [
     "BOARDS_VARIABLE",
+    "EVERYWHERE",
     "FAMILIES",
     "FAULTS",
     "OWN_SUFFIX",
@@ -39,7 +42,9 @@ __all__ = [
     "Hello",
     "Line",
     "LineError",
+    "Needs",
     "News",
+    "NoMemoryError",
     "Package",
     "PackageError",
     "PartOnKit",

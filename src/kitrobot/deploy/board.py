@@ -152,6 +152,8 @@ class Board:
 
     def start(self, held: bool = False) -> None:
         """Begins the program. Held: it stops when it does not hear from us; `news` sees to that."""
+        # A fault that was told before is of another run, and the robot comes out of it.
+        self._waiting = deque((one for one in self._waiting if not isinstance(one, Fault)), self._waiting.maxlen)
         self._held = held  # before it is answered it may have begun, and wants to hear from us
         try:
             self._request("s", bytes((held,)), first_s=1.0)

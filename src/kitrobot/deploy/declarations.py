@@ -9,7 +9,7 @@ A setting is a `pin` (a number or a name), a `shared` pin, to which several part
 same name (a bus, the motors of two drivers), a pin that is only read and so an `input` of several parts, a `text`, a
 whole number in a range, or one of several words; `= VALUE` is the default, `?` marks an optional setting. Both are read
 without running the driver and are left out of what is installed on a board. A driver without declarations gets all
-settings of the XML, unchecked.
+settings of the XML, unchecked. `WAVES` says which pins get square waves (waves).
 """
 
 from __future__ import annotations
@@ -17,7 +17,7 @@ from __future__ import annotations
 import ast
 import re
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 from kitrobot.deploy.errors import PackageError
 from kitrobot.text import COMMA, Sentence, Series
@@ -25,7 +25,7 @@ from kitrobot.text import COMMA, Sentence, Series
 ALWAYS = frozenset({"limit"})
 """Settings of actuators that the robot's loop understands itself."""
 
-_NAMES = ("SETTINGS", "PROCEDURES")
+_NAMES = ("SETTINGS", "PROCEDURES", "WAVES")
 _PINS = ("pin", "shared", "input")
 _KIND = re.compile(
     r"(?P<kind>pin|shared|input|text|(?P<least>-?[0-9]{1,9})\.\.(?P<most>-?[0-9]{1,9})|(?P<words>[^\s|?=]+(\|[^\s|?=]+)+))"
@@ -37,7 +37,8 @@ _KIND = re.compile(
 class Setting:
     """One setting: a whole number from `least` to `most`, one of `words`, or, without either, any word.
 
-    `joined`: how other parts may be wired to the same pin, `shared`, `input` or "" for not at all.
+    `usual`: what it is when it is not given. `joined`: how other parts may be wired to the same pin, `shared`, `input`
+    or "" for not at all.
     """
 
     is_pin: bool
@@ -46,6 +47,7 @@ class Setting:
     most: int | None = None
     words: tuple[str, ...] = ()
     joined: str = ""
+    usual: str = ""
 
 
 @dataclass(frozen=True)
@@ -54,6 +56,7 @@ class Declared:
 
     settings: Mapping[str, Setting] | None = None
     procedures: tuple[str, ...] | None = None
+    waves: Mapping[str, str] = field(default_factory=dict)
 
 
 def declared(tree: ast.Module, path: str) -> Declared:
@@ -64,6 +67,7 @@ def declared(tree: ast.Module, path: str) -> Declared:
     """
     settings: dict[str, Setting] | None = None
     procedures: tuple[str, ...] | None = None
+    waves: dict[str, str] = {}
     for statement in tree.body:
         match statement:
             case ast.Assign(targets=[ast.Name(id="SETTINGS")], value=value):
@@ -76,7 +80,9 @@ def declared(tree: ast.Module, path: str) -> Declared:
                         Sentence('write it as in PROCEDURES = "Open Close"'),
                     )
                 procedures = tuple(words.split())
-    return Declared(settings, procedures)
+            case ast.Assign(targets=[ast.Name(id="WAVES")], value=value):
+                waves = _waves(_literal(value), path, statement.lineno)
+    return Declared(settings, procedures, waves)
 
 
 def without_declarations(tree: ast.Module) -> ast.Module:
@@ -196,8 +202,19 @@ def _settings(value: object, path: str, line: int) -> dict[str, Setting]:
             int(most) if most is not None else None,
             tuple(kind["words"].split("|")) if kind["words"] else (),
             kind["kind"] if kind["kind"] in _PINS[1:] else "",
+            (kind["optional"] or "").partition("=")[2].strip(),
         )
     return found
+
+
+def _waves(value: object, path: str, line: int) -> dict[str, str]:
+    found = value if isinstance(value, dict) else {0: 0}
+    if all(isinstance(name, str) and isinstance(words, str) and words.strip() for name, words in found.items()):
+        return dict(found)
+    raise PackageError(
+        Sentence("`{path}` line {line}: WAVES must say of each setting its frequency", path, line),
+        Sentence('write it as in WAVES = {"pin": "50"}'),
+    )
 
 
 def _literal(value: ast.expr) -> object:

@@ -24,7 +24,11 @@ class ResetError(SilentError):
 
 
 class BoardError(DeployError):
-    """The board answers and says no, or does not hold what it should."""
+    """The board answers and says no, or does not hold what it should; `said` is the text of the fault behind it, which
+    begins with the device (docs/reference/link.md), "" for none.
+    """
+
+    said: str = ""
 
 
 class NoMemoryError(BoardError):

@@ -16,6 +16,7 @@ from kitrobot.deploy.board import Board, Hello
 from kitrobot.deploy.boot_records import LAST_GENERATION, MAIN, SLOTS, StartLine, is_ours, needed, newest, read_line
 from kitrobot.deploy.connecting import STARTS, greet
 from kitrobot.deploy.errors import BoardError, ForeignError, FullError, NoMemoryError, SilentError
+from kitrobot.deploy.firmware import Needs
 from kitrobot.deploy.fitting import refuse_misfits
 from kitrobot.deploy.flash_code import sign_of
 from kitrobot.deploy.flash_install import freeze
@@ -46,7 +47,8 @@ _MEMORY, _DAMAGED, _NO_DRIVER = 3, 4, 5
 class Deployed:
     """What was done: `free` bytes of memory are left while the program runs.
 
-    `program` and `package` by eight digits, as in `Hello`; files by their names on the board.
+    `program` and `package` by eight digits, as in `Hello`; files by their names on the board; `micropython` is the
+    version that the board has.
     """
 
     name: str
@@ -59,6 +61,7 @@ class Deployed:
     bytes_sent: int
     seconds: float
     hello: Hello
+    micropython: str = ""
 
 
 def deploy(
@@ -69,6 +72,7 @@ def deploy(
     *,
     replace: bool = False,
     fresh: bool = False,
+    needs: Needs | None = None,
 ) -> Deployed:
     """Puts a program onto a board and starts it.
 
@@ -79,6 +83,7 @@ def deploy(
         progress: is told how far it is.
         replace: whether a `main.py` of somebody else may be overwritten.
         fresh: whether to remove what KitRobot put there first; for boards that have no room for two.
+        needs: the firmware without which it is not sent.
 
     Raises:
         LineError, SilentError: the board cannot be reached.
@@ -90,7 +95,7 @@ def deploy(
     progress("connect", 0, 0)
     line = Line(address)
     try:
-        job = _Job(line, meant, package, progress, replace, fresh)
+        job = _Job(line, meant, package, progress, replace, fresh, needs)
         job.insist(job.install)
         hello = job.started()
     finally:
@@ -107,6 +112,7 @@ def deploy(
         sum(sent.values()),
         time.monotonic() - began,
         hello,
+        job.board.micropython,
     )
 
 
@@ -118,6 +124,7 @@ class _Job:
     progress: Progress
     replace: bool
     fresh: bool
+    needs: Needs | None = None
     sent: dict[str, int] = field(default_factory=dict)
     """Sizes of the files that were sent."""
 
@@ -147,6 +154,8 @@ class _Job:
         """All up to the line that says what starts."""
         board = self.board
         self.progress("compare", 0, 0)
+        if self.needs is not None:
+            self.needs.refuse_older(board.micropython)
         family = MICROBIT if board.family == MICROBIT else "machine"
         self.built: Built = self.package.built(family, self.program.drivers)
         refuse_misfits(self.program, self.package, family)
@@ -221,21 +230,23 @@ class _Job:
             return hello
         self._undo()
         if hello is None or hello.fault == _MEMORY:
-            raise BoardError(
+            raise NoMemoryError(
                 Sentence("the program needs more memory than the board has"),
                 Sentence("make the program smaller, use fewer devices in it, or take a board with more memory"),
             )
-        raise BoardError(
+        refused = BoardError(
             Sentence("the board cannot run the program: {reason}", said),
             Sentence("look at the settings in the robot's XML"),
         )
+        refused.said = self._fault
+        raise refused
 
     def _greeting(self) -> Hello | None:
         """How it greets; None when it has no memory for that."""
         assert self.new is not None
         board = Board(self.line)
         patience_s = max(STARTING_S, min(_PACES * self.board.repl.pace_s, _LONGEST_S))
-        self._said = ""
+        self._said = self._fault = ""
         try:
             hello = greet(board, patience_s, said=STARTS, starting_s=patience_s)
         except NoMemoryError:
@@ -248,6 +259,7 @@ class _Job:
         if hello.generation != self.new.generation or hello.program != self.name[2:]:
             raise SilentError(Sentence("the board starts something else"))
         fault = board.last_fault() if hello.free >= WORKING else None
+        self._fault = fault.text.strip() if fault is not None else ""
         self._said = "" if fault is None else Series(Sentence(": "), filter(None, (fault.meaning, fault.text.strip())))
         return hello
 

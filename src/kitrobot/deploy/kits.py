@@ -9,6 +9,7 @@ from kitrobot.deploy.declarations import Declared, Setting, may_join, refuse_wha
 from kitrobot.deploy.errors import PackageError
 from kitrobot.deploy.package import Package, missing_driver
 from kitrobot.deploy.program_file import used
+from kitrobot.deploy.waves import SLICES, Wave, clash, waves_of
 from kitrobot.image import Image, Layout
 from kitrobot.primitives import Board, Category, Kit, KitPart, Robot, RobotObject, lacks, on_kit
 from kitrobot.text import COMMA, Sentence, Series, Word
@@ -107,6 +108,7 @@ def kit_problems(kit: Kit, package: Package) -> list[tuple[KitPart, PackageError
     """What is wrong with a kit's file: drivers, settings, pins that the board does not have or that are used twice."""
     found: list[tuple[KitPart, PackageError]] = []
     wired: dict[str, tuple[KitPart, str, Setting]] = {}
+    waves: list[tuple[KitPart, Wave]] = []
     for part in kit.parts:
         if part.is_missing:
             continue
@@ -114,6 +116,7 @@ def kit_problems(kit: Kit, package: Package) -> list[tuple[KitPart, PackageError
             said = _understood(part, kit, package)
             for name, pin, setting in _pins(part, said):
                 _refuse_pin(part, name, pin, setting, kit, wired)
+            _refuse_waves(part, said, kit, waves)
         except PackageError as problem:
             found.append((part, problem))
     return found
@@ -177,6 +180,34 @@ def _refuse_pin(
                 Sentence("give one of them another pin"),
             )
     wired[pin] = part, name, setting
+
+
+def _refuse_waves(part: KitPart, said: Mapping[str, Declared], kit: Kit, waves: list[tuple[KitPart, Wave]]) -> None:
+    """Raises a PackageError when the chip cannot give the waves of a part beside those before."""
+    if kit.chip not in SLICES:
+        return
+    for says in said.values():
+        usual = {name: setting.usual for name, setting in (says.settings or {}).items()}
+        for wave in waves_of(says.waves, part.board.settings, usual):
+            for other, beside in waves:
+                why = clash(wave, beside, kit.chip)
+                if why:
+                    words = (
+                        Sentence("pins that are 16 apart have one wave on this chip; take another pin")
+                        if why == "wave"
+                        else Sentence("the two pins have one frequency on this chip; take another pin")
+                    )
+                    raise PackageError(
+                        Sentence(
+                            "`{part}` at pin `{pin}` and `{other}` at pin `{beside}` cannot both have a square wave",
+                            _name(part),
+                            str(wave.pin),
+                            _name(other),
+                            str(beside.pin),
+                        ),
+                        words,
+                    )
+            waves.append((part, wave))
 
 
 def _name(part: KitPart) -> str:

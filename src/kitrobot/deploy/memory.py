@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
-from kitrobot.deploy.errors import BoardError
+from kitrobot.deploy.errors import NoMemoryError
 from kitrobot.deploy.package import Built
 from kitrobot.text import Sentence
 from kitrobot_onboard.image import header
@@ -41,11 +41,11 @@ def image_bytes(image: bytes) -> int:
 
 
 def refuse_what_does_not_fit(image: bytes, built: Built, free: int) -> None:
-    """Raises a BoardError when the program is sure to be too large for a board with so much memory free."""
+    """Raises a NoMemoryError when the program is sure to be too large for a board with so much memory free."""
     needed = image_bytes(image)
     room = free - package_bytes(built) - WORKING
     if needed > room:
-        raise BoardError(
+        raise NoMemoryError(
             Sentence(
                 "the program needs {needed} bytes of memory, and beside KitRobot the board has {free}",
                 needed,

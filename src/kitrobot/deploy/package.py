@@ -200,16 +200,17 @@ def missing_driver(driver: str, package: Package, family: str) -> PackageError:
 
 @dataclass
 class _Making:
-    """Files by name, and the names of the modules that were made already."""
+    """Files by name, and the names of the modules that were made already: as drivers (True), and to be imported."""
 
     files: dict[str, bytes] = field(default_factory=dict)
-    names: dict[Path, str] = field(default_factory=dict)
+    names: dict[tuple[Path, bool], str] = field(default_factory=dict)
     open: list[Path] = field(default_factory=list)
 
     def add(self, path: Path, asked: Asked | None = None) -> str:
         """Adds a module and those that it imports; its name. `asked`: what of it, when it is a driver."""
-        if path in self.names:
-            return self.names[path]
+        made = path, asked is not None  # what is trimmed for being a driver, nobody can import names of
+        if made in self.names:
+            return self.names[made]
         if path in self.open:
             raise PackageError(
                 Sentence("`{path}` imports itself through others", path.name), Sentence("undo the circle of imports")
@@ -222,7 +223,7 @@ class _Making:
         if asked is not None:
             tree = renamed(tree, own_names(tree))
         name = self.stored(short_text(ast.unparse(ast.fix_missing_locations(tree))).encode())[: -len(".py")]
-        self.names[path] = name
+        self.names[made] = name
         return name
 
     def stored(self, content: bytes) -> str:

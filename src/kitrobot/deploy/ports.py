@@ -8,15 +8,20 @@ from __future__ import annotations
 import os
 from typing import NamedTuple
 
+from kitrobot.deploy.firmware import DOWNLOADS, EVERYWHERE
+
 BOARDS_VARIABLE = "KITROBOT_BOARDS"
 
 
 class Port(NamedTuple):
-    """A place where a board may be: what to connect to, a short name, and what the port says of itself."""
+    """A place where a board may be: what to connect to, a short name, what the port says of itself, and the page from
+    which MicroPython for it is to be had, "" where that is not known.
+    """
 
     address: str
     name: str
     description: str
+    firmware: str = ""
 
 
 _KNOWN = {
@@ -38,7 +43,12 @@ def list_ports() -> list[Port]:
     from serial.tools import list_ports as usb  # only who looks for ports needs it
 
     found = [
-        Port(port.device, _KNOWN.get(port.vid, port.product or "USB serial"), port.description or "")
+        Port(
+            port.device,
+            _KNOWN.get(port.vid, port.product or "USB serial"),
+            port.description or "",
+            DOWNLOADS.get(port.vid, EVERYWHERE),
+        )
         for port in usb.comports()
         if port.vid is not None
     ]

@@ -63,6 +63,9 @@ class Receiver:
         self.family = ""
         """What the board calls its platform."""
 
+        self.micropython = ""
+        """The version of its MicroPython, as `1.29`."""
+
         self.free = 0
         """Bytes of memory that were free on the board when nothing ran."""
 
@@ -210,6 +213,7 @@ class Receiver:
         if numbers is None or not free.isdecimal() or len(free) > _DIGITS:
             raise GarbledError(version)
         # Where it went wrong once the line is bad, and small steps are the better ones.
+        self.micropython = f"{int(numbers[1])}.{int(numbers[2])}"
         self.modern = (int(numbers[1]), int(numbers[2])) >= (1, 20) and not self.disturbed
         self.free = int(free)
         for text in _texts(self.family):

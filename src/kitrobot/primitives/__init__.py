@@ -1,12 +1,12 @@
 """The words a robot understands: constructors and robots, read from XML."""
 
 from kitrobot.primitives.attribute_kinds import IDENTIFIER, LEVEL
-from kitrobot.primitives.automatic import work_object
+from kitrobot.primitives.automatic import number_variable, work_object
 from kitrobot.primitives.catalogue import SHIPPED, Catalogue, config_folder, load_catalogue
 from kitrobot.primitives.constructors import Constructor, ConstructorTable, Group, Role, Slot, SlotKind
 from kitrobot.primitives.constructors_xml import read_constructors
 from kitrobot.primitives.crew import Crew, CrewProgram, declaring, team_robot
-from kitrobot.primitives.kit import Kit, KitPart, Source, Tried, lacks, on_kit
+from kitrobot.primitives.kit import Kit, KitPart, Measured, Source, Tried, as_measured, lacks, on_kit
 from kitrobot.primitives.kit_xml import KIT_SUFFIX, read_kit, write_kit
 from kitrobot.primitives.levels import Level
 from kitrobot.primitives.match_template import Bound, fill_with, unfill, unfill_all, unfill_row
@@ -67,6 +67,7 @@ __all__ = [
     "KitPart",
     "Level",
     "Meaning",
+    "Measured",
     "Method",
     "OwnVariable",
     "Parameter",
@@ -81,6 +82,7 @@ __all__ = [
     "Texts",
     "Tried",
     "ValueType",
+    "as_measured",
     "config_folder",
     "declaring",
     "fill_with",
@@ -88,6 +90,7 @@ __all__ = [
     "holes",
     "lacks",
     "load_catalogue",
+    "number_variable",
     "on_kit",
     "read_constructors",
     "read_kit",

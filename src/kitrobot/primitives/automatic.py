@@ -139,6 +139,11 @@ def integer_methods(minimum: int, maximum: int, initial: int) -> tuple[Method, .
     )
 
 
+def number_variable(name: str, most: int) -> RobotObject:
+    """A variable of no file that holds a number from 0 to `most`."""
+    return RobotObject(name, Category.VARIABLE, integer_methods(0, most, 0), maximum=most)
+
+
 def boolean_methods(initial: int) -> tuple[Method, ...]:
     """Set, IsTrue, IsFalse of a variable that holds true or false."""
     value = Parameter("value", 0, 1, initial, type=ValueType.BOOLEAN, label=_VALUE_LABEL, help=_TRUTH_HELP)

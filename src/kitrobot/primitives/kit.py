@@ -9,6 +9,7 @@ Left to others: reading the XML (kit_xml), which drivers there are and what they
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 from enum import StrEnum
 
@@ -17,6 +18,9 @@ from kitrobot.primitives.robot import Board, Category, Robot, RobotObject, Texts
 
 FAMILIES_OF_BOARDS = ("machine", "microbit")
 """What kinds of boards there are: those with the module `machine`, and the micro:bit."""
+
+CHIPS = ("rp2040", "rp2350")
+"""Chips whose pins share what makes square waves."""
 
 LARGEST_PIN = 127
 """The largest number of a pin."""
@@ -63,6 +67,14 @@ class Source:
 
 
 @dataclass(frozen=True)
+class Measured:
+    """How parts of these devices were measured on the floor: settings of the devices of the simulator."""
+
+    devices: tuple[str, ...]
+    settings: Mapping[str, str]
+
+
+@dataclass(frozen=True)
 class Kit:
     """A kit.
 
@@ -70,11 +82,14 @@ class Kit:
         name: of the kit.
         family: the kind of its board.
         pins: the pins that there are, numbers and names as texts; none where that is not known.
+        chip: the kind of chip of its board, where pins share what makes square waves; "" for another one.
         micropython: the least version of its firmware, as `1.20`; "" where any does.
+        firmware: the page of its maker where that is to be had, "" where none is known.
         parts: how parts are wired, in the order of the file.
         tried: how it is known to work; `tried_by`: who reported it.
         sources: the documents that it is made from.
         supplies: what is needed to build it, and `steps`: what is done then; by language each.
+        measured: how its parts were measured.
         place: where its name stands in its file.
     """
 
@@ -88,6 +103,9 @@ class Kit:
     sources: tuple[Source, ...] = ()
     supplies: tuple[Texts, ...] = ()
     steps: tuple[Texts, ...] = ()
+    measured: tuple[Measured, ...] = ()
+    firmware: str = ""
+    chip: str = ""
     label: Texts = field(default_factory=dict)
     help: Texts = field(default_factory=dict)
     place: Place | None = field(default=None, compare=False, repr=False)
@@ -109,6 +127,19 @@ def on_kit(robot: Robot, kit: Kit) -> Robot:
 
     actuators = tuple(wired(part) for part in robot.actuators)
     return replace(robot, actuators=actuators, sensors=tuple(wired(part) for part in robot.sensors))
+
+
+def as_measured(robot: Robot, kit: Kit) -> Robot:
+    """The robot whose parts are, for the simulator, as they were measured on the kit."""
+
+    def on_floor(part: RobotObject) -> RobotObject:
+        known = {
+            name: value for one in kit.measured if part.device in one.devices for name, value in one.settings.items()
+        }
+        return replace(part, settings={**part.settings, **known}) if known and part.model == part.device else part
+
+    actuators = tuple(map(on_floor, robot.actuators))
+    return replace(robot, actuators=actuators, sensors=tuple(map(on_floor, robot.sensors)))
 
 
 def lacks(kit: Kit, part: RobotObject) -> bool:

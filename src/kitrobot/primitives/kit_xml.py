@@ -12,7 +12,7 @@ from kitrobot.diagnostics import Diagnostic
 from kitrobot.primitives import rules
 from kitrobot.primitives.attribute_kinds import ROBOT_NAME
 from kitrobot.primitives.board_xml import BOARD, driver_told
-from kitrobot.primitives.kit import FAMILIES_OF_BOARDS, LARGEST_PIN, Kit, KitPart, Source, Tried
+from kitrobot.primitives.kit import CHIPS, FAMILIES_OF_BOARDS, LARGEST_PIN, Kit, KitPart, Measured, Source, Tried
 from kitrobot.primitives.robot import Category, Texts
 from kitrobot.text import Sentence, shown
 from kitrobot.xml import (
@@ -55,6 +55,13 @@ _VERSION = Kind(
     fits=re.compile(r"[0-9]{1,3}(\.[0-9]{1,3}){1,2}").fullmatch,
     words=Sentence("a version such as 1.20"),
 )
+_PAGE = Kind(
+    longest=200,
+    pattern=r"https://[!-~]+",
+    fits=re.compile(r"https://[!-~]+").fullmatch,
+    words=Sentence("an address that begins with https://"),
+)
+_NUMBER = re.compile(r"[0-9]{1,6}(\.[0-9]{1,4})?")
 _OURS = frozenset({"device", "part", "when", "driver"})
 """Attributes of a part that are no settings of its driver."""
 
@@ -108,6 +115,14 @@ def _missing(element: Element) -> KitPart:
 
 def _source(element: Element) -> Source:
     return Source(element.required("href"), element.words)
+
+
+def _measured(element: Element) -> Measured:
+    settings = {name: value for name, value in element.attributes.items() if name not in element.tag.attributes}
+    for name, value in settings.items():
+        if not _NUMBER.fullmatch(value):
+            element.bad_value(name, Sentence("a number such as 310 or 2.5,"))
+    return Measured(_devices(element), settings)
 
 
 def _line(element: Element) -> _Line:
@@ -185,6 +200,9 @@ def _kit(element: Element) -> Kit:
         tuple(element.found(Source)),
         _lines(element, "supply"),
         _lines(element, "step"),
+        tuple(element.found(Measured)),
+        element.matching("firmware", ""),
+        element.choice("chip", ""),
         element.texts.get("label", {}),
         element.texts.get("help", {}),
         element.place("name"),
@@ -213,6 +231,8 @@ KIT = {
             "version": version(VERSION),
             "family": optional(one(*FAMILIES_OF_BOARDS), "machine", about="The kind of board."),
             "micropython": optional(_VERSION, about="The least version of MicroPython, such as 1.20."),
+            "chip": optional(one(*CHIPS), about="The kind of chip, where pins share what makes square waves."),
+            "firmware": optional(_PAGE, about="The page of its maker from which its MicroPython is fetched."),
             "pins": optional(about="The pins that there are: numbers, ranges and names, such as 0..22 26 LED."),
         },
         {
@@ -231,6 +251,13 @@ KIT = {
                 {"how": optional(one(*Tried), "documents"), "by": optional(about="Who reported it.")},
                 about="How it is known that the kit works as the file says.",
             ),
+            "measured": Tag(
+                _measured,
+                {"device": _WHICH["device"]},
+                free_attributes=True,
+                about="How parts of these devices were measured on the floor (kitrobot calibrate). Attributes beside"
+                " device are settings of the simulator's devices, such as speed, rate and noise.",
+            ),
             "supply": Tag(_line, _TEXT_LINE, text=True, about="What is needed to build it, one thing each."),
             "step": Tag(_line, _TEXT_LINE, text=True, about="What is done to build it, in its order."),
         },
@@ -247,7 +274,9 @@ def write_kit(kit: Kit) -> str:
         ("name", kit.name),
         ("version", VERSION),
         ("family", kit.family),
+        ("chip", kit.chip or None),
         ("micropython", kit.micropython or None),
+        ("firmware", kit.firmware or None),
         ("pins", _pins_written(kit.pins) or None),
     )
     lines = [f"<board{head}>"]
@@ -260,6 +289,8 @@ def write_kit(kit: Kit) -> str:
         lines += [text_element(name, language, text) for each in texts for language, text in each.items()]
     for part in kit.parts:
         lines += _part_written(part)
+    for known in kit.measured:
+        lines.append(f"<measured{attributes(('device', ' '.join(known.devices)), *known.settings.items())}/>")
     inside = [f"  {line}" for line in lines[1:]]
     return "\n".join([lines[0], *inside, "</board>"]) + "\n"
 

@@ -9,6 +9,7 @@ from pathlib import Path
 from kitrobot.compiler import Compiled
 from kitrobot.deploy import (
     FAMILIES,
+    Needs,
     Package,
     PackageError,
     ProgramFile,
@@ -33,7 +34,7 @@ from kitrobot.text import COMMA, Sentence, Series
 @dataclass(frozen=True)
 class BoardProgram:
     """A program that can be sent, with its names; `package` knows where its drivers are looked for, `carried` is what
-    recordings of it bring along (None: it is of no mission).
+    recordings of it bring along (None: it is of no mission), `needs` the firmware that its kit wants.
     """
 
     names: BoardNames
@@ -42,6 +43,7 @@ class BoardProgram:
     diagnostics: tuple[Diagnostic, ...] = ()
     sources: tuple[Source, ...] = ()
     carried: Carried | None = None
+    needs: Needs | None = None
 
     @property
     def warning(self) -> Diagnostic | None:
@@ -99,7 +101,8 @@ def program_of(
         refuse_misfits(file, package, kit.family)
     else:
         refuse_what_fits_no_board(file, package)
-    return BoardProgram(names_of(name, robot, compiled), file, package, diagnostics, sources)
+    needs = Needs(kit.name, kit.micropython, kit.firmware) if kit is not None else None
+    return BoardProgram(names_of(name, robot, compiled), file, package, diagnostics, sources, needs=needs)
 
 
 def no_driver(robot: Robot, driver: str, package: Package) -> PackageError:

@@ -44,12 +44,15 @@ class Sent:
 
 @dataclass(frozen=True)
 class Seen:
-    """A port, and who answers there: `hello` None when nobody does, and `error` says why."""
+    """A port, and who answers there: `hello` None when nobody does, and `error` says why. `micropython`: the version on
+    the board, as far as it is known.
+    """
 
     port: Port
     hello: Hello | None
     program: str
     error: KitRobotError | None
+    micropython: str = ""
 
 
 def chosen_boards(addresses: Sequence[str]) -> list[str]:
@@ -107,7 +110,15 @@ def send_programs(
         try:
             return Sent(
                 address,
-                deploy(address, program.file.to_bytes(), program.package, told, replace=replace, fresh=fresh),
+                deploy(
+                    address,
+                    program.file.to_bytes(),
+                    program.package,
+                    told,
+                    replace=replace,
+                    fresh=fresh,
+                    needs=program.needs,
+                ),
                 None,
             )
         except KitRobotError as error:

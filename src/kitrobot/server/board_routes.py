@@ -24,6 +24,7 @@ from kitrobot.server.routing import refuse_visitors, studio_of
 from kitrobot.server.sentences import not_understood
 from kitrobot.server.shapes import (
     BOARD_REQUEST,
+    BoardBenchRequest,
     BoardCancelRequest,
     BoardConnectRequest,
     BoardForgetRequest,
@@ -34,6 +35,7 @@ from kitrobot.server.shapes import (
     BoardsLookRequest,
     BoardStartRequest,
     BoardStopRequest,
+    BoardTryRequest,
     TeamCancelRequest,
     TeamSendRequest,
     mission_from_shape,
@@ -47,6 +49,7 @@ from kitrobot.trace import ENDING
 if TYPE_CHECKING:
     from kitrobot.robots import BoardProgram
     from kitrobot.workspace import OpenMission
+    from kitrobot.workspace.bench import Bench
 
 board_routes = APIRouter()
 _log = logging.getLogger("kitrobot.server")
@@ -152,6 +155,15 @@ class BoardSession:
                 (await room.session(subscriber.name, request.address)).send(
                     program, request.then, request.replace, request.fresh
                 )
+            case BoardBenchRequest():
+                from kitrobot.server.robot_bench import steps_message
+
+                bench = await beside_loop(self._bench, request)
+                worker = await room.session(subscriber.name, request.address)
+                subscriber.tell(steps_message(request.address, bench))
+                worker.bench(bench, request.replace)
+            case BoardTryRequest():
+                room.taken(subscriber.name, request.address).try_step(request.step)
             case BoardStopRequest():
                 room.stop(request.address)
             case BoardCancelRequest():
@@ -176,5 +188,17 @@ class BoardSession:
         kit = kit_named(request.kit, folder) if request.kit else None
         return board_program(self._opened(request), request.program, folder, kit)
 
-    def _opened(self, request: BoardConnectRequest | BoardSendRequest | TeamSendRequest) -> OpenMission:
+    def _bench(self, request: BoardBenchRequest) -> Bench:
+        from kitrobot.compiler import robot_of
+        from kitrobot.workspace import kit_named
+        from kitrobot.workspace.bench import bench_of
+
+        folder = self._studio.folder.folders_of(request.path)[0]
+        kit = kit_named(request.kit, folder) if request.kit else None
+        opened = self._opened(request)
+        return bench_of(robot_of(opened.program(request.program), opened.catalogue), kit, folder)
+
+    def _opened(
+        self, request: BoardConnectRequest | BoardSendRequest | BoardBenchRequest | TeamSendRequest
+    ) -> OpenMission:
         return self._studio.open(mission_from_shape(request.mission), request.path)

@@ -19,7 +19,7 @@ from kitrobot.diagnostics import KitRobotError
 from kitrobot.fleet import Agents, FleetRun, FleetSource, FleetTold, Network, Told, identity_of
 from kitrobot.mission import Mission
 from kitrobot.server.replay import RunOfRecords
-from kitrobot.server.robot_worker import way_out
+from kitrobot.server.robot_standing import way_out
 from kitrobot.server.team_room import TeamRoom
 from kitrobot.text import Sentence, listed
 from kitrobot.trace import ENDING

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import asyncio
+import random
 from pathlib import Path
 from typing import Any
 
@@ -35,6 +36,8 @@ class InWorker:
 
 def begin_here(folder: str) -> InWorker:
     """The studio on a folder of this worker's file system."""
+    # A browser goes on from a memory that it kept: what was drawn at random before is the same each time.
+    random.seed()
     breathe_with(_breathe)
     return InWorker(begin(Path(folder)))
 

@@ -58,9 +58,12 @@ class SerialGateway:
     def deploy(self, address: str, program: BoardProgram, progress: Progress, replace: bool, fresh: bool) -> None:
         """As `deploy.deploy`."""
         from kitrobot.deploy import deploy
+        from kitrobot.workspace.kept_firmware import keep_firmware
         from kitrobot.workspace.kept_programs import keep_program
 
-        done = deploy(address, program.file.to_bytes(), program.package, progress, replace=replace, fresh=fresh)
+        file, needs = program.file.to_bytes(), program.needs
+        done = deploy(address, file, program.package, progress, replace=replace, fresh=fresh, needs=needs)
+        keep_firmware(address, done)
         # Then `kitrobot watch` and `kitrobot log` know it too.
         keep_program(program, [done.program])
 

@@ -209,7 +209,12 @@ class RobotRegistry:
     def ports_text(self) -> str:
         """All ports, encoded."""
         ports = [
-            BoardPortShape(address=one.address, name=_shown(one.address, one.name), description=one.description)
+            BoardPortShape(
+                address=one.address,
+                name=_shown(one.address, one.name),
+                description=one.description,
+                firmware=one.firmware,
+            )
             for one in self._ports
         ]
         return BoardPortsMessage(ports=ports).model_dump_json()

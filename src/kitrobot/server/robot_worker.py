@@ -6,8 +6,8 @@ hears something every quarter of a second; it stops by itself within a second wh
 dies, a cable that is pulled and a page that is closed all end in the same safe way. When the worker ends,
 what is held is stopped; what runs free runs on.
 
-What pages are told is one value that is replaced as a whole (`standing`), and `changed` is called from this thread each
-time. Left to others: the robot's state (kitrobot.robots), who may ask and who is told (robot_registry).
+`changed` is called from this thread each time that what pages are told is replaced (`standing`). Left to others: the
+robot's state (kitrobot.robots), what pages are told (robot_standing), who may ask and who is told (robot_registry).
 """
 
 from __future__ import annotations
@@ -18,23 +18,19 @@ import threading
 import time
 from collections import deque
 from collections.abc import Callable
-from dataclasses import dataclass, field, replace
+from dataclasses import replace
 from typing import Any, get_args
 
-from kitrobot.deploy import Fault, ForeignError, FullError, LineError, SilentError
 from kitrobot.diagnostics import KitRobotError
-from kitrobot.robots import BoardNames, BoardProgram, Change, Happening, RobotSession, RobotState
+from kitrobot.robots import BoardProgram, Change, Happening, RobotSession
+from kitrobot.server.robot_bench import Tried
 from kitrobot.server.robot_gateway import RobotGateway
 from kitrobot.server.robot_recorder import LastRun
-from kitrobot.server.shapes import (
-    BoardFaultShape,
-    BoardMessage,
-    BoardPhase,
-    BoardProgressShape,
-    BoardStep,
-    BoardWay,
-)
+from kitrobot.server.robot_standing import Standing, no_answer, way_out
+from kitrobot.server.shapes import BoardMessage, BoardProgressShape, BoardStep
 from kitrobot.text import Recorded, Sentence
+from kitrobot.workspace.bench import Bench, PartKey
+from kitrobot.workspace.kept_firmware import kept_firmware
 
 LISTEN_S = 0.05
 """How long the robot is listened to before what was asked for meanwhile is looked at."""
@@ -42,7 +38,6 @@ WATCH_MS = 100
 """The robot tells what changed at most so often."""
 MOST_ORDERS = 64
 STEPS: tuple[BoardStep, ...] = get_args(BoardStep)
-LONGEST_TEXT = 500
 _KEPT = Sentence("the robot still has the program that it had")
 
 Order = Callable[[], None]
@@ -55,21 +50,6 @@ class BusyError(KitRobotError):
 
 class _Cancelled(Exception):
     """The sending was broken off by the person."""
-
-
-@dataclass(frozen=True)
-class Standing:
-    """What pages are told of a robot; `version` grows with each change."""
-
-    version: int = 0
-    phase: BoardPhase = "closed"
-    robot: RobotState = field(default_factory=RobotState)
-    names: BoardNames | None = None
-    progress: BoardProgressShape | None = None
-    message: str = ""
-    help: str = ""
-    way: BoardWay = ""
-    recorded: bool = False
 
 
 class RobotWorker:
@@ -93,6 +73,7 @@ class RobotWorker:
         self.standing = Standing()
         self.session = RobotSession(clock)
         self.recorder = LastRun(name, self.session)
+        self._tried: Tried | None = None
         self.session.subscribe(self._robot_changed)
         self._thread = threading.Thread(target=self._serve, name=f"board-{address}", daemon=True)
         self._thread.start()
@@ -109,6 +90,15 @@ class RobotWorker:
         """
         self._cancelled = False
         self._order(lambda: self._send(program, then, replace, fresh))
+
+    def bench(self, bench: Bench, replace: bool = False) -> None:
+        """Puts the program that tries its parts on the robot, which then waits for steps."""
+        self._cancelled = False
+        self._order(lambda: self._begin_bench(Tried(self.session, bench), None, replace))
+
+    def try_step(self, at: int | None) -> None:
+        """Does that step of the bench until the next one; None ends it."""
+        self._order(lambda: self._try(at))
 
     def cancel(self) -> None:
         """Breaks off the sending."""
@@ -238,26 +228,16 @@ class RobotWorker:
             raise
         known = program.known if program is not None and program.is_called(hello.program) else None
         self.session.open(link, hello, known)
-        self._say(phase="open")
+        self._say(phase="open", micropython=kept_firmware(self.address, hello))
         if known is not None:
             self.session.watch(WATCH_MS)
 
     def _send(self, program: BoardProgram, then: str, replace: bool, fresh: bool) -> None:
-        self.session.close()
-        self.session.replaced()
-        self._say(phase="sending", message="", help="", way="")
-        try:
+        def put() -> BoardProgram:
             self._links.deploy(self.address, program, self._progress, replace, fresh)
-            self._say(progress=None)
-            self._greet(program)
-        except _Cancelled:
-            self._say(phase="closed", progress=None, message=Sentence("the sending was broken off"), help=_KEPT)
-            return
-        except (KitRobotError, OSError) as error:
-            self.session.close()
-            said = error if isinstance(error, KitRobotError) else no_answer(self.name)
-            way = self._links.way(said)
-            self._say(phase="closed", progress=None, message=said.message, help=way_out(said), way=way)
+            return program
+
+        if not self._put(put):
             return
         if then == "ready":
             self._stop()
@@ -265,6 +245,47 @@ class RobotWorker:
             self._start(then == "held")
         if (warning := program.warning) is not None:
             self._say(message=warning.message, help=warning.help)
+
+    def _put(self, put: Callable[[], BoardProgram]) -> bool:
+        """Has a program put on the robot and greets it; whether that went well, else it is said what did not."""
+        self._tried = None
+        self.session.close()
+        self.session.replaced()
+        self._say(phase="sending", message="", help="", way="")
+        try:
+            program = put()
+            self._say(progress=None)
+            self._greet(program)
+        except _Cancelled:
+            self._say(phase="closed", progress=None, message=Sentence("the sending was broken off"), help=_KEPT)
+            return False
+        except (KitRobotError, OSError) as error:
+            self.session.close()
+            said = error if isinstance(error, KitRobotError) else no_answer(self.name)
+            way = self._links.way(said)
+            self._say(phase="closed", progress=None, message=said.message, help=way_out(said), way=way)
+            return False
+        return True
+
+    def _begin_bench(self, tried: Tried, needed: PartKey | None, replace: bool) -> None:
+        def deploy(program: BoardProgram, fresh: bool) -> None:
+            self._links.deploy(self.address, program, self._progress, replace, fresh)
+
+        if self._put(lambda: tried.load(needed, deploy)):
+            self._tried = tried
+            tried.hand.restart()
+            self._say()
+
+    def _try(self, at: int | None) -> None:
+        tried = self._tried
+        if tried is None or not self.session.is_open:
+            return
+        needed = tried.needs(at)
+        if needed is not None:
+            self._begin_bench(tried, needed, False)
+        if self._tried is not None:
+            tried.do(at)
+            self._say()
 
     def _progress(self, step: Any, done: int, total: int) -> None:
         if self._cancelled:
@@ -277,6 +298,8 @@ class RobotWorker:
         self._say(message="", help="")
 
     def _stop(self) -> None:
+        if self._tried is not None:
+            self._tried.hand.step = None
         if self.session.is_open:
             self.session.stop()
 
@@ -284,6 +307,9 @@ class RobotWorker:
 
     def _listen(self) -> None:
         self.session.poll(LISTEN_S)
+        if self._tried is not None:
+            self._tried.check()
+            self._say()
         error = self.recorder.error()
         if error is not None:
             self._say(message=error.message, help=Sentence("what was recorded before can be saved"))
@@ -304,7 +330,8 @@ class RobotWorker:
         names = session.known.names if session.known is not None else None
         # What its program does changes all the time, and is told as a run.
         state = replace(session.state, tick=0, late=0, threads={}, cells={}, forced={})
-        now = replace(self.standing, robot=state, names=names, recorded=recorded, **changes)
+        bench = self._tried.shape() if self._tried is not None else None
+        now = replace(self.standing, robot=state, names=names, recorded=recorded, bench=bench, **changes)
         if now == self.standing:
             return
         self.standing = replace(now, version=self.standing.version + 1)
@@ -312,60 +339,4 @@ class RobotWorker:
 
     def message(self) -> BoardMessage:
         """What pages are told."""
-        now, state, names = self.standing, self.standing.robot, self.standing.names
-        return BoardMessage(
-            address=self.address,
-            name=self.name,
-            holder=self.holder,
-            phase=now.phase,
-            state=state.doing,
-            held=state.held and now.phase != "closed",
-            free=state.free,
-            generation=state.generation,
-            package=state.package,
-            installed=state.installed,
-            program=names.program if names is not None else "",
-            progress=now.progress,
-            fault=_fault_shape(state.fault, names) if state.fault is not None else None,
-            message=now.message,
-            help=now.help,
-            way=now.way,
-            recorded=now.recorded,
-        )
-
-
-def _fault_shape(fault: Fault, names: BoardNames | None) -> BoardFaultShape:
-    at = fault.instruction
-    return BoardFaultShape(
-        number=fault.number,
-        sentence=fault.meaning,
-        text=(names.fault_text(fault.text) if names is not None else fault.text)[:LONGEST_TEXT],
-        program=names.program if names is not None else "",
-        vertex=(names.vertex(at) or "") if names is not None else "",
-        line=names.line(at) if names is not None else 0,
-        tick=fault.tick,
-    )
-
-
-def way_out(error: KitRobotError) -> str:
-    """The help of an error, for somebody who has a panel with buttons and not a terminal."""
-    if "`kitrobot " not in error.help and " --" not in error.help:
-        return error.help
-    if isinstance(error, ForeignError):
-        return Sentence("save it first if you need it, then press Replace it")
-    if isinstance(error, FullError):
-        return Sentence(
-            "press Make room: what KitRobot put there goes first, and until the new program is whole there is none"
-        )
-    if isinstance(error, SilentError):
-        return Sentence("press its reset button; when it holds no KitRobot yet, press Send")
-    return (
-        Sentence("look at its cable, then try again")
-        if isinstance(error, LineError)
-        else Sentence("send the program again")
-    )
-
-
-def no_answer(name: str) -> KitRobotError:
-    """The error of a robot that said nothing at all."""
-    return KitRobotError(Sentence("`{robot}` does not answer", name), Sentence("look at its cable, then try again"))
+        return self.standing.message_of(self.address, self.name, self.holder)

@@ -269,7 +269,7 @@ class TeamRoom:
             self.say_of(name, state="sent", progress=None, message="", help="", failed=False)
 
     def _fail(self, name: str, error: KitRobotError | OSError) -> None:
-        from kitrobot.server.robot_worker import no_answer, way_out
+        from kitrobot.server.robot_standing import no_answer, way_out
 
         said = error if isinstance(error, KitRobotError) else no_answer(name)
         self.say_of(

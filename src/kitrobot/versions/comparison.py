@@ -16,10 +16,12 @@ from pathlib import Path
 
 from kitrobot.compiler.common_order import common_order
 from kitrobot.diagnostics import KitRobotError, ProblemsError, Source
-from kitrobot.files import lay_out_file, read_carried
+from kitrobot.files import lay_out_file, read_bytes, read_carried
 from kitrobot.graph import START, STOP, Note, Program, Vertex
 from kitrobot.mission import NO_PROGRAM, Mission, read_mission
+from kitrobot.primitives import KIT_SUFFIX, Kit, read_kit
 from kitrobot.text import Sentence, Word
+from kitrobot.versions.kits import kit_differences
 from kitrobot.versions.outline import PARKED, Outline
 from kitrobot.versions.own_parts import TOLD_HERE, own_part_differences
 from kitrobot.versions.own_worlds import world_differences
@@ -335,13 +337,22 @@ def _longest_rising(places: Sequence[int]) -> set[int]:
 
 
 def compare_files(before: Path, after: Path) -> list[Difference]:
-    """What is different between two `.krt` (or pictures that carry one), or two `.lll` by their true layout.
+    """What is different between two `.krt` (or pictures that carry one), two `.board.xml`, or two `.lll` by their true
+    layout.
 
     Raises:
         CompareError: they are not two of a kind.
         ProblemsError: what one of them says cannot be used.
         FileError: one of them cannot be read.
     """
+    kits = [path for path in (before, after) if path.name.lower().endswith(KIT_SUFFIX)]
+    if len(kits) == 1:
+        raise CompareError(
+            Sentence("expected two kits, found one and something else"),
+            Sentence("name two files that end in .board.xml"),
+        )
+    if kits:
+        return [Difference(kind, words) for kind, words in kit_differences(_kit(before), _kit(after))]
     kinds = {before.suffix.lower(), after.suffix.lower()}
     if kinds == {".lll"}:
         return text_differences(_laid_out(before), _laid_out(after))
@@ -365,6 +376,17 @@ def mission_whole(data: bytes, path: Path) -> Mission:
             Sentence("`{path}` cannot be used", path), Sentence("mend it first"), tuple(diagnostics), (source,)
         )
     return mission
+
+
+def _kit(path: Path) -> Kit:
+    data = read_bytes(path)
+    kit, diagnostics = read_kit(data, str(path))
+    if kit is None:
+        source = Source(str(path), data.decode("utf-8-sig", errors="replace"))
+        raise ProblemsError(
+            Sentence("`{path}` cannot be used", path), Sentence("mend it first"), tuple(diagnostics), (source,)
+        )
+    return kit
 
 
 def _laid_out(path: Path) -> str:

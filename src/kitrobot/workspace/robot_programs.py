@@ -23,6 +23,7 @@ from kitrobot.robots import (
 )
 from kitrobot.text import Sentence
 from kitrobot.workspace.executables import NoRobotError
+from kitrobot.workspace.kept_firmware import keep_firmware, kept_firmware
 from kitrobot.workspace.kept_programs import keep_program, kept_names
 from kitrobot.workspace.kit_files import find_kit
 from kitrobot.workspace.opening import OpenMission, open_mission
@@ -133,6 +134,9 @@ def send_program(
     """As `robots.send_program`; what was sent is kept, so that its names are known later."""
     sent = robots.send_program(program, addresses, progress, replace=replace, fresh=fresh)
     keep_program(program, {one.deployed.program for one in sent if one.deployed is not None})
+    for one in sent:
+        if one.deployed is not None:
+            keep_firmware(one.address, one.deployed)
     return sent
 
 
@@ -143,4 +147,8 @@ def look_at_boards(addresses: Sequence[str] = (), waits: Waits = lambda address:
         names = kept_names(installed)
         return names.program if names is not None else ""
 
-    return robots.look_at_boards(addresses, waits, name_of)
+    seen = robots.look_at_boards(addresses, waits, name_of)
+    return [
+        replace(one, micropython=kept_firmware(one.port.address, one.hello)) if one.hello is not None else one
+        for one in seen
+    ]

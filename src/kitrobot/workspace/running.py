@@ -11,6 +11,7 @@ from typing import Any, Literal
 from kitrobot.compiler import TeamPlan
 from kitrobot.diagnostics import Diagnostic, KitRobotError, Place, ProblemsError, Source
 from kitrobot.files import same_file
+from kitrobot.primitives import Catalogue, Kit, as_measured
 from kitrobot.sim import Simulation, SimulationError, check_limits, look_over, pens_of, simulate, strokes_now
 from kitrobot.text import Sentence
 from kitrobot.trace import Drawing, Stroke
@@ -85,12 +86,14 @@ class RunOptions:
         seconds: simulated seconds after which it is out of time; None: never.
         fail_rate: the probability (0…1) that an agent fails for good within a minute, by chance.
         trace: a file to record the run in.
+        kit: what the robots are built of; they then move as it was measured.
     """
 
     seed: int = 1
     seconds: float | None = None
     fail_rate: float = 0.0
     trace: Path | None = None
+    kit: Kit | None = None
 
 
 @dataclass(frozen=True)
@@ -185,7 +188,15 @@ def _set_up(opened: OpenMission, options: RunOptions) -> Simulation:
 
 def _parts(opened: OpenMission, options: RunOptions) -> tuple[Any, ...]:
     chosen = (options.seed, options.seconds, options.fail_rate)
-    return (opened.mission, opened.world, opened.images, opened.catalogue, *chosen, _plan(opened))
+    return (opened.mission, opened.world, opened.images, _catalogue(opened, options.kit), *chosen, _plan(opened))
+
+
+def _catalogue(opened: OpenMission, kit: Kit | None) -> Catalogue:
+    """The robots of a mission as they move on that kit."""
+    if kit is None or not kit.measured:
+        return opened.catalogue
+    robots = {name: as_measured(robot, kit) for name, robot in opened.catalogue.robots.items()}
+    return replace(opened.catalogue, robots=robots)
 
 
 def _plan(opened: OpenMission) -> TeamPlan | None:

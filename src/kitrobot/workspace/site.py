@@ -23,6 +23,7 @@ from typing import Final
 from kitrobot.diagnostics import KitRobotError
 from kitrobot.text import Sentence
 from kitrobot.workspace.site_packages import archive_of_packages
+from kitrobot.workspace.site_sources import in_library, without_texts
 
 PYODIDE: Final = "314.0.7"
 """The version of Pyodide; its Python and its ABI are those of the wheel."""
@@ -76,11 +77,13 @@ def make_site(folder: Path, parts: Iterable[Path], page: Path = PAGE) -> Site:
     files = {f"pyodide/{name}": data for name, data in _runtime(pyodide)}
     files[f"python{PACKED}"] = gzip.compress(archive_of_packages(wheel), 9, mtime=0)
     python = {name: len(data) for name, data in files.items()}
+    version = _digest(files).hexdigest()[:20]
     for path in sorted(page.rglob("*")):
         if path.is_file() and path.suffix not in (".br", ".gz") and not path.name.startswith("."):
             files[path.relative_to(page).as_posix()] = path.read_bytes()
     files["index.html"] = _index(index.read_text(encoding="utf-8"))
     told = {
+        "version": version,
         "pyodide": "pyodide/",
         "packages": "python",
         "place": f"/lib/python{PYTHON}/site-packages",
@@ -114,10 +117,15 @@ def _index(text: str) -> bytes:
     return found.encode()
 
 
-def _service_worker(files: dict[str, bytes]) -> bytes:
+def _digest(files: dict[str, bytes]) -> hashlib._Hash:
     digest = hashlib.sha256()
     for name, data in sorted(files.items()):
         digest.update(f"{name}\0{len(data)}\0".encode() + hashlib.sha256(data).digest())
+    return digest
+
+
+def _service_worker(files: dict[str, bytes]) -> bytes:
+    digest = _digest(files)
     text = (_FILES / "service-worker.js").read_text(encoding="utf-8")
     names = ", ".join(json.dumps(name) for name in sorted(files))
     digest.update(text.encode())
@@ -174,9 +182,10 @@ def _runtime(folder: Path) -> Iterable[tuple[str, bytes]]:
 
 
 def _stored(data: bytes) -> bytes:
-    """A zip archive whose files are not compressed one by one: all together they get smaller."""
+    """The standard library, as far as a server uses it; not compressed file by file: together they get smaller."""
     made = io.BytesIO()
     with zipfile.ZipFile(io.BytesIO(data)) as old, zipfile.ZipFile(made, "w", zipfile.ZIP_STORED) as new:
-        for name in sorted(old.namelist()):
-            new.writestr(zipfile.ZipInfo(name), old.read(name))
+        for name in sorted(filter(in_library, old.namelist())):
+            data = old.read(name)
+            new.writestr(zipfile.ZipInfo(name), without_texts(data) if name.endswith(".py") else data)
     return made.getvalue()

@@ -16,12 +16,14 @@ from pathlib import Path
 from typing import Final
 
 from kitrobot.files import examples_folder
+from kitrobot.workspace.site_sources import without_texts
 
 SERVER: Final = "fastapi"
 COMPILED: Final = "pydantic-core"
 
 _ROOT = Path(__file__).resolve().parent.parent.parent
 _OURS: Final = ("kitrobot", "kitrobot_onboard")
+_ONBOARD: Final = "kitrobot_onboard/"
 _LEFT_OUT: Final = ("kitrobot/cli/", "kitrobot/server/static/", "kitrobot/examples/", "kitrobot/workspace/site_files/")
 _NOT_USED: Final = ("anyio/pytest_plugin.py", "pydantic/mypy.py", "pydantic/v1/", "fastapi/cli.py", "idna/uts46data.py")
 """Large parts that a server never imports."""
@@ -30,11 +32,14 @@ _ABOUT: Final = ("licen", "copying", "notice", "/metadata", "/entry_points.txt")
 
 
 def archive_of_packages(wheel: Path) -> bytes:
-    """The archive; `wheel` is pydantic_core's."""
+    """The archive, with sources without texts; `wheel` is pydantic_core's."""
     files = dict(_own()) | dict(_installed()) | dict(_in_wheel(wheel))
     made = io.BytesIO()
     with tarfile.open(fileobj=made, mode="w", format=tarfile.USTAR_FORMAT) as archive:
         for name, data in sorted(files.items()):
+            # What is put onto boards goes there as it is.
+            if name.endswith(".py") and not name.startswith(_ONBOARD):
+                data = without_texts(data)
             about = tarfile.TarInfo(name)
             about.size = len(data)
             archive.addfile(about, io.BytesIO(data))

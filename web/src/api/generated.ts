@@ -96,6 +96,53 @@ export interface Beginnings {
   starters: Starter[];
 }
 
+/** A part that the kit lacks or that cannot work there. */
+export interface BenchLeftOut {
+  part: string;
+  label: Record<string, string>;
+  why: string;
+}
+
+/**
+ * One thing to try, in texts by language: what is to be seen, and what to look for when it does not happen. `call` is
+ * what the part is told, "" for a sensor, whose value is looked at.
+ */
+export interface BenchStep {
+  part: string;
+  label: Record<string, string>;
+  call: string;
+  seen: Record<string, string>;
+  trouble: Record<string, string>;
+}
+
+/** Parts that are tried: the `step` that is done now, None for none; `value` of its sensor, None before. */
+export interface BoardBench {
+  step: number | null;
+  value: number | null;
+  failed: BoardBenchFailure[];
+}
+
+/** The part of a step is broken, and why. */
+export interface BoardBenchFailure {
+  step: number;
+  message: string;
+  help: string;
+}
+
+/**
+ * Put the program that tries parts on the robot: those of the robot that the program is for. The answer is a message
+ * with the steps; what becomes of them is told with the robot.
+ */
+export interface BoardBenchRequest {
+  type: "bench";
+  address: string;
+  mission: Mission;
+  path: string;
+  program: string;
+  kit?: string;
+  replace?: boolean;
+}
+
 /** Break off the sending; the robot keeps the program that it had. */
 export interface BoardCancelRequest {
   type: "cancel";
@@ -166,14 +213,17 @@ export interface BoardMessage {
   message: string;
   help: string;
   way: "" | "replace" | "fresh";
+  micropython: string;
   recorded: boolean;
+  bench: BoardBench | null;
 }
 
-/** A port of this machine where a robot may be. */
+/** A port of this machine where a robot may be; `firmware`: the page with its MicroPython, "" for none. */
 export interface BoardPort {
   address: string;
   name: string;
   description: string;
+  firmware: string;
 }
 
 /** All ports there are now. */
@@ -221,10 +271,25 @@ export interface BoardStartRequest {
   held: boolean;
 }
 
+/** What can be tried of the robot at that address. */
+export interface BoardStepsMessage {
+  type: "steps";
+  address: string;
+  steps: BenchStep[];
+  left_out: BenchLeftOut[];
+}
+
 /** Stop the robot, or with "" every robot that the studio knows. Any page may. */
 export interface BoardStopRequest {
   type: "stop";
   address: string;
+}
+
+/** Do that step (its place among the steps) until the next request; None: end it. */
+export interface BoardTryRequest {
+  type: "try";
+  address: string;
+  step: number | null;
 }
 
 /** Tell which ports there are, and what is plugged in or out, from now on; or no more. */

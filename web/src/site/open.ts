@@ -12,6 +12,7 @@ import { moreWords } from "../i18n/words";
 import { features, install } from "../session/features";
 import { flush } from "../session/journal";
 import { links, openLinked } from "./links";
+import { forgetMemory } from "./memory";
 import type { FromWorker, ToWorker } from "./messages";
 import { SiteStrip } from "./SiteStrip";
 import { useSite } from "./state";
@@ -72,15 +73,21 @@ function alone(name: string, begin: () => void): void {
 function begun(line: WorkerLine, base: string): Worker {
   const worker = new Worker(new URL("./worker.ts", import.meta.url), { type: "module" });
   worker.addEventListener("message", ({ data }: MessageEvent<FromWorker>) => {
-    if (!line.hear(data)) follow(data);
+    if (!line.hear(data)) follow(base, data);
   });
-  worker.addEventListener("error", (event) => set({ phase: "broken", reason: event.message || "" }));
+  worker.addEventListener("error", (event) => broke(base, event.message || ""));
   const first: ToWorker = { kind: "begin", base };
   worker.postMessage(first);
   return worker;
 }
 
-function follow(message: FromWorker): void {
+/** The next try begins with nothing that was kept of this one. */
+function broke(base: string, reason: string): void {
+  void forgetMemory(base);
+  set({ phase: "broken", reason });
+}
+
+function follow(base: string, message: FromWorker): void {
   switch (message.kind) {
     case "progress":
       set({ fetched: message.fetched / message.total });
@@ -94,7 +101,8 @@ function follow(message: FromWorker): void {
       void keepFiles();
       break;
     case "broken":
-      set({ phase: message.unfetched ? "unfetched" : "broken", reason: message.reason });
+      if (message.unfetched) set({ phase: "unfetched", reason: message.reason });
+      else broke(base, message.reason);
       break;
     case "keeping":
       set({ keeping: message.keeping });

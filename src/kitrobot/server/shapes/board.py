@@ -75,6 +75,31 @@ class BoardSendRequest(BaseModel):
     """Whether to remove first what KitRobot put there; when there is no room for the new beside the old."""
 
 
+class BoardBenchRequest(BaseModel):
+    """Put the program that tries parts on the robot: those of the robot that the program is for. The answer is a
+    message with the steps; what becomes of them is told with the robot.
+    """
+
+    type: Literal["bench"]
+    address: Address
+    mission: MissionShape
+    path: str
+    program: Name
+    kit: Name = ""
+    """What the robot is built of; "" as its own file says."""
+
+    replace: bool = False
+    """Whether a program of somebody else on it may be overwritten."""
+
+
+class BoardTryRequest(BaseModel):
+    """Do that step (its place among the steps) until the next request; None: end it."""
+
+    type: Literal["try"]
+    address: Address
+    step: Annotated[int, Field(ge=0, lt=1000, strict=True)] | None
+
+
 class BoardCancelRequest(BaseModel):
     """Break off the sending; the robot keeps the program that it had."""
 
@@ -132,6 +157,8 @@ BOARD_REQUEST_MODELS: tuple[type[BaseModel], ...] = (
     BoardsLookRequest,
     BoardConnectRequest,
     BoardSendRequest,
+    BoardBenchRequest,
+    BoardTryRequest,
     BoardCancelRequest,
     BoardStartRequest,
     BoardStopRequest,
@@ -144,6 +171,8 @@ BoardRequest = Annotated[
     BoardsLookRequest
     | BoardConnectRequest
     | BoardSendRequest
+    | BoardBenchRequest
+    | BoardTryRequest
     | BoardCancelRequest
     | BoardStartRequest
     | BoardStopRequest
@@ -168,11 +197,12 @@ class BoardsWelcomeMessage(_Message):
 
 
 class BoardPortShape(BaseModel):
-    """A port of this machine where a robot may be."""
+    """A port of this machine where a robot may be; `firmware`: the page with its MicroPython, "" for none."""
 
     address: str
     name: str
     description: str
+    firmware: str
 
 
 class BoardPortsMessage(_Message):
@@ -205,6 +235,51 @@ class BoardProgressShape(BaseModel):
     total: int
 
 
+class BoardBenchFailureShape(BaseModel):
+    """The part of a step is broken, and why."""
+
+    step: int
+    message: Spoken
+    help: Spoken
+
+
+class BoardBenchShape(BaseModel):
+    """Parts that are tried: the `step` that is done now, None for none; `value` of its sensor, None before."""
+
+    step: int | None
+    value: int | None
+    failed: list[BoardBenchFailureShape]
+
+
+class BenchStepShape(BaseModel):
+    """One thing to try, in texts by language: what is to be seen, and what to look for when it does not happen.
+    `call` is what the part is told, "" for a sensor, whose value is looked at.
+    """
+
+    part: str
+    label: dict[str, str]
+    call: str
+    seen: dict[str, str]
+    trouble: dict[str, str]
+
+
+class BenchLeftOutShape(BaseModel):
+    """A part that the kit lacks or that cannot work there."""
+
+    part: str
+    label: dict[str, str]
+    why: Spoken
+
+
+class BoardStepsMessage(_Message):
+    """What can be tried of the robot at that address."""
+
+    type: Literal["steps"] = "steps"
+    address: str
+    steps: list[BenchStepShape]
+    left_out: list[BenchLeftOutShape]
+
+
 BoardPhase = Literal["closed", "connecting", "open", "sending", "lost"]
 """closed: nobody talks with it; open: it answers; lost: it did, and does so no more."""
 BoardState = Literal["none", "ready", "running", "ended", "fault"]
@@ -234,8 +309,12 @@ class BoardMessage(_Message):
     """What went wrong last, "" when nothing did."""
     help: Spoken
     way: BoardWay
+    micropython: str
+    """The version of MicroPython on its board, "" where it is not known."""
     recorded: bool
     """Whether there is a recording of its last run, or of the one that is on."""
+    bench: BoardBenchShape | None
+    """Its parts are tried."""
 
 
 class BoardGoneMessage(_Message):
@@ -298,9 +377,16 @@ BOARD_MESSAGE_MODELS: tuple[type[BaseModel], ...] = (
     BoardMessage,
     BoardGoneMessage,
     BoardRefusedMessage,
+    BoardStepsMessage,
     TeamMessage,
 )
 BoardsMessage = Annotated[
-    BoardsWelcomeMessage | BoardPortsMessage | BoardMessage | BoardGoneMessage | BoardRefusedMessage | TeamMessage,
+    BoardsWelcomeMessage
+    | BoardPortsMessage
+    | BoardMessage
+    | BoardGoneMessage
+    | BoardRefusedMessage
+    | BoardStepsMessage
+    | TeamMessage,
     Field(discriminator="type"),
 ]

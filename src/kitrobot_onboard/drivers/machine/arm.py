@@ -11,6 +11,7 @@ SETTINGS = {
     "unload": "0..180 = 90",
     "time": "100..60000 = 2000",
 }
+WAVES = {"pin": "50"}
 PROCEDURES = "Load Unload"
 
 

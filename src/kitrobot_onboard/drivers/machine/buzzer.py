@@ -5,6 +5,7 @@ import time
 from kitrobot_onboard.drivers.machine.pins import FULL, Wave
 
 SETTINGS = {"pin": "pin", "loudness": "1..100 = 50"}
+WAVES = {"pin": "0"}
 PROCEDURES = "Tone Stop"
 
 

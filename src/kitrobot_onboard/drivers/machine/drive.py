@@ -17,6 +17,14 @@ SETTINGS = {
     "left-trim": "10..100 = 100",
     "right-trim": "10..100 = 100",
 }
+WAVES = {
+    "left-forward": "frequency !left-power",
+    "left-backward": "frequency !left-power !bridge=direction",
+    "left-power": "frequency",
+    "right-forward": "frequency !right-power",
+    "right-backward": "frequency !right-power !bridge=direction",
+    "right-power": "frequency",
+}
 PROCEDURES = "Advance Reverse Stop"
 
 

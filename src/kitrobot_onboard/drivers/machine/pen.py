@@ -3,6 +3,7 @@
 from kitrobot_onboard.drivers.machine.servo import Servo
 
 SETTINGS = {"pin": "pin", "down": "0..180 = 90", "up": "0..180 = 0", "time": "1..60000 = 300"}
+WAVES = {"pin": "50"}
 PROCEDURES = "PenDown PenUp Colour Width"
 
 

@@ -3,6 +3,7 @@
 from kitrobot_onboard.drivers.machine.pins import FULL, Wave
 
 SETTINGS = {"forward": "pin", "backward": "pin", "frequency": "10..100000 = 1000"}
+WAVES = {"forward": "frequency", "backward": "frequency"}
 PROCEDURES = "Forward Backward Stop"
 
 

@@ -24,6 +24,14 @@ SETTINGS = {
     "dark": "low|high = high",
     "steer": "1..100 = 60",
 }
+WAVES = {
+    "left-forward": "frequency !left-power",
+    "left-backward": "frequency !left-power !bridge=direction",
+    "left-power": "frequency",
+    "right-forward": "frequency !right-power",
+    "right-backward": "frequency !right-power !bridge=direction",
+    "right-power": "frequency",
+}
 PROCEDURES = "Advance Reverse Stop"
 
 

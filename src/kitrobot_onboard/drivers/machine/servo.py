@@ -5,6 +5,7 @@ import time
 from kitrobot_onboard.drivers.machine.pins import SERVO_HZ, Wave
 
 SETTINGS = {"pin": "pin", "open": "0..180 = 90", "closed": "0..180 = 0", "time": "1..60000 = 1000"}
+WAVES = {"pin": "50"}
 PROCEDURES = "Open Close"
 
 

@@ -30,6 +30,14 @@ SETTINGS = {
     "bus": "0..1 = 0",
     "address": "8..119 = 107",
 }
+WAVES = {
+    "left-forward": "frequency !left-power",
+    "left-backward": "frequency !left-power !bridge=direction",
+    "left-power": "frequency",
+    "right-forward": "frequency !right-power",
+    "right-backward": "frequency !right-power !bridge=direction",
+    "right-power": "frequency",
+}
 PROCEDURES = "AbsoluteTurn Turn Stop"
 
 

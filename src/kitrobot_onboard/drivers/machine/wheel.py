@@ -18,6 +18,14 @@ SETTINGS = {
     "right-trim": "10..100 = 100",
     "side": "left|right",
 }
+WAVES = {
+    "left-forward": "frequency !left-power",
+    "left-backward": "frequency !left-power !bridge=direction",
+    "left-power": "frequency",
+    "right-forward": "frequency !right-power",
+    "right-backward": "frequency !right-power !bridge=direction",
+    "right-power": "frequency",
+}
 PROCEDURES = "Forward Backward Stop"
 
 

@@ -9,6 +9,7 @@ import { Said } from "../../i18n/Said";
 import { grouped } from "../../i18n/numbers";
 import { t } from "../../i18n/words";
 import {
+  beginBench,
   cancelSending,
   chooseProgram,
   connectBoard,
@@ -25,6 +26,7 @@ import {
 import { isMine, type Place, programFor, useBoards } from "./boards";
 import { Act, Sending, TroubleBox, WayOut } from "./parts";
 import { KitChoice } from "./KitChoice";
+import { TryParts } from "./TryParts";
 import { playRecording, saveRecording } from "./recording";
 import type { Board } from "./wire";
 
@@ -80,6 +82,11 @@ function Stands({ board }: { board: Board }) {
       {open && board.program !== "" ? <span>{board.program}</span> : null}
       {open && !named ? <span>{t("boards.other-program")}</span> : null}
       {open ? <span>{t("boards.free", { bytes: isolated(grouped(board.free)) })}</span> : null}
+      {open && board.micropython !== "" ? (
+        <span data-testid="robot-micropython" dir="ltr">
+          MicroPython {board.micropython}
+        </span>
+      ) : null}
     </p>
   );
 }
@@ -112,7 +119,7 @@ function Fault({ board }: { board: Board }) {
 }
 
 /** What went wrong with the link or the sending, in the server's words. */
-function Trouble({ address, board }: { address: string; board: Board | null }) {
+function Trouble({ place: { address, board, firmware } }: { place: Place }) {
   const refused = useBoards((state) => state.refused[address]);
   const said = refused ?? (board !== null && board.message !== "" ? { ...board, problems: [] } : null);
   if (said === null) return null;
@@ -129,6 +136,11 @@ function Trouble({ address, board }: { address: string; board: Board | null }) {
           {t("boards.problems", { count: said.problems.length })}
         </button>
       )}
+      {firmware !== "" && refused === undefined && board?.phase === "closed" ? (
+        <a className="robot-link" href={firmware} target="_blank" rel="noreferrer" data-testid="robot-firmware">
+          {t("boards.firmware")}
+        </a>
+      ) : null}
       {refused !== undefined || board === null ? null : (
         <WayOut way={board.way} of="robot" onPress={(way) => sendTo(address, "ready", way)} />
       )}
@@ -209,6 +221,15 @@ function Acts({ place: { address, board } }: { place: Place }) {
           onPress={() => runOn(address, false)}
         />
       ) : null}
+      {!running ? (
+        <Act
+          icon="wrench"
+          label={t("boards.try")}
+          testId="robot-try"
+          title={t("boards.try-help")}
+          onPress={() => beginBench(address)}
+        />
+      ) : null}
       {running && board.program !== "" ? (
         <Act icon="eye" label={t("debug.watch")} testId="robot-watch" onPress={() => watchBoard(address)} />
       ) : null}
@@ -243,6 +264,8 @@ export function BoardCard({ place }: { place: Place }) {
   const { address, name, description, board } = place;
   const mine = useBoards((state) => isMine(state, board));
   const typed = useBoards((state) => state.typed.includes(address));
+  const steps = useBoards((state) => state.steps[address]);
+  const trying = steps !== undefined && board !== null && board.phase === "open" && board.bench !== null;
   const title = useId();
   const open = board?.phase === "open";
   const state = board === null || board.phase !== "open" ? "idle" : SHAPES[board.state];
@@ -289,12 +312,12 @@ export function BoardCard({ place }: { place: Place }) {
         </Sending>
       ) : null}
       {board === null ? null : <Fault board={board} />}
-      <Trouble address={address} board={board} />
+      <Trouble place={place} />
       {mine ? (
         <>
           <Program address={address} disabled={board?.phase === "sending"} />
           <KitChoice address={address} disabled={board?.phase === "sending"} />
-          <Acts place={place} />
+          {board !== null && trying ? <TryParts board={board} /> : <Acts place={place} />}
           <Recorded board={board} />
         </>
       ) : (

@@ -42,6 +42,29 @@ export function sendTo(address: string, then: "held" | "free" | "ready", way: Bo
   send({ type: "send", address, then, replace: way === "replace", fresh: way === "fresh", ...give(address) });
 }
 
+/** Puts the program on the robot that tries its parts one by one. */
+export function beginBench(address: string, way: Board["way"] = ""): void {
+  keepShown();
+  const { path, program, kit, mission } = given(address);
+  useBoards.setState((state) => ({
+    // What it had before is on it no more.
+    given: without(state.given, address),
+    refused: without(state.refused, address),
+  }));
+  send({ type: "bench", address, path, program, kit, mission, replace: way === "replace" });
+}
+
+/** Does that step; null ends the one that is done. */
+export function tryStep(address: string, step: number | null): void {
+  send({ type: "try", address, step });
+}
+
+/** No more parts are tried; the robot stands. */
+export function endBench(address: string): void {
+  stopBoard(address);
+  useBoards.setState((state) => ({ steps: without(state.steps, address) }));
+}
+
 /** A robot takes the canvas from a simulated run. */
 function takeCanvas(): void {
   const { real, watching, stop } = useRun.getState();

@@ -26,14 +26,17 @@ const BOARD: Board = {
   message: "",
   help: "",
   way: "",
+  micropython: "",
   recorded: false,
+  bench: null,
 };
 
 const STATE: BoardsState = {
   you: "page-1",
   barred: null,
-  ports: [{ address: "/dev/ttyACM0", name: "micro:bit", description: "DAPLink" }],
+  ports: [{ address: "/dev/ttyACM0", name: "micro:bit", description: "DAPLink", firmware: "" }],
   boards: {},
+  steps: {},
   refused: {},
   given: {},
   chosen: {},

@@ -8,7 +8,7 @@
 import { create } from "zustand";
 
 import type { Mission, Problem } from "../../model/types";
-import type { Board, BoardsMessage, Port, Team } from "./wire";
+import type { Board, BoardsMessage, Port, Steps, Team } from "./wire";
 
 /** What this page sent or greeted a robot with: later edits do not reach it. */
 export interface Given {
@@ -33,6 +33,8 @@ export interface BoardsState {
   /** null until the server has looked. */
   ports: Port[] | null;
   boards: Record<string, Board>;
+  /** address → what can be tried of the robot there, while its parts are tried. */
+  steps: Record<string, Steps>;
   /** address → what the server last refused about it. */
   refused: Record<string, Refusal>;
   given: Record<string, Given>;
@@ -115,6 +117,7 @@ export const NOBODY: Pick<BoardsState, "you" | "ports" | "boards" | "team"> = {
 export const useBoards = create<BoardsState>(() => ({
   ...NOBODY,
   barred: null,
+  steps: {},
   refused: {},
   given: {},
   ...readKept(stored()),
@@ -144,10 +147,16 @@ export function applyMessage(state: BoardsState, message: BoardsMessage): Partia
       return { ports: message.ports };
     case "board":
       return { boards: { ...state.boards, [message.address]: message } };
+    case "steps":
+      return { steps: { ...state.steps, [message.address]: message } };
     case "team":
       return { team: message };
     case "gone":
-      return { boards: without(state.boards, message.address), given: without(state.given, message.address) };
+      return {
+        boards: without(state.boards, message.address),
+        given: without(state.given, message.address),
+        steps: without(state.steps, message.address),
+      };
     case "refused": {
       const { message: said, help, problems } = message;
       const refusal = { message: said, help, problems };
@@ -162,6 +171,8 @@ export interface Place {
   address: string;
   name: string;
   description: string;
+  /** The page with MicroPython for it, "" where none is known. */
+  firmware: string;
   /** null while no page talks with it. */
   board: Board | null;
 }
@@ -175,7 +186,13 @@ export function placesOf({ ports, boards, typed }: Pick<BoardsState, "ports" | "
   for (const address of others) {
     if (there.has(address)) continue;
     const board = boards[address] ?? null;
-    found.push({ address, name: board?.name ?? address.replace(/^\w+:\/\//, ""), description: "", board });
+    found.push({
+      address,
+      name: board?.name ?? address.replace(/^\w+:\/\//, ""),
+      description: "",
+      firmware: "",
+      board,
+    });
   }
   return found;
 }

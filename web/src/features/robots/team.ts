@@ -40,7 +40,10 @@ export function chooseBody(agent: string, address: string): void {
 export function placesFor(state: BoardsState, chosen: string): Place[] {
   const places = placesOf(state);
   if (chosen === "" || places.some(({ address }) => address === chosen)) return places;
-  return [...places, { address: chosen, name: chosen.replace(/^\w+:\/\//, ""), description: "", board: null }];
+  return [
+    ...places,
+    { address: chosen, name: chosen.replace(/^\w+:\/\//, ""), description: "", firmware: "", board: null },
+  ];
 }
 
 /** What the server says of an agent, where its team is that of the mission which is open. */

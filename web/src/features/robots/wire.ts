@@ -1,5 +1,7 @@
 /** What travels over the socket of real robots; the server's models say what each means. */
 import type {
+  BenchStep as BenchStepOf,
+  BoardBenchRequest,
   BoardCancelRequest,
   BoardConnectRequest,
   BoardForgetRequest,
@@ -12,8 +14,10 @@ import type {
   BoardSendRequest,
   BoardsLookRequest,
   BoardStartRequest,
+  BoardStepsMessage,
   BoardStopRequest,
   BoardsWelcomeMessage,
+  BoardTryRequest,
   TeamAgent,
   TeamCancelRequest,
   TeamMessage,
@@ -22,14 +26,24 @@ import type {
 
 export type Board = BoardMessage;
 export type Port = BoardPort;
+export type BenchStep = BenchStepOf;
+export type Steps = BoardStepsMessage;
 export type { TeamAgent };
 export type Team = TeamMessage;
 export type BoardsMessage =
-  BoardsWelcomeMessage | BoardPortsMessage | BoardMessage | BoardGoneMessage | BoardRefusedMessage | TeamMessage;
+  | BoardsWelcomeMessage
+  | BoardPortsMessage
+  | BoardMessage
+  | BoardGoneMessage
+  | BoardRefusedMessage
+  | BoardStepsMessage
+  | TeamMessage;
 export type BoardsRequest =
   | BoardsLookRequest
   | BoardConnectRequest
   | BoardSendRequest
+  | BoardBenchRequest
+  | BoardTryRequest
   | BoardCancelRequest
   | BoardStartRequest
   | BoardStopRequest

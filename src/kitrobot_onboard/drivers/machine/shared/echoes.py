@@ -3,7 +3,8 @@
 #
 # The answer is waited for, 5.8 microseconds for each millimetre of `reach`: up to 6 ms for a metre. So they take turns:
 # one is asked at a time, and no sooner than the last echo has died away. Between its turns a finder gives what it last
-# saw. One that begins no answer at all is not plugged in, or broken: even where nothing stands a finder answers.
+# saw; one that nobody looks at (it is held) misses its turn. One that begins no answer at all is not plugged in, or
+# broken: even where nothing stands a finder answers.
 
 import time
 
@@ -13,6 +14,7 @@ from kitrobot_onboard.drivers.machine.pins import pin
 
 QUIET_MS = 30  # between two questions
 LATE_US = 1000  # from the question to the beginning of the answer
+MISSED_MS = 100  # after so long the turn of one that nobody looks at is over
 SILENT = 5  # questions without the beginning of an answer, one after the other
 # Sound goes 343 m a second, there and back: 0.1715 mm a microsecond.
 MM = 1715
@@ -36,7 +38,11 @@ class Finder:
 
     def look(self):
         """Microseconds of the last answer, None where nothing was seen. Raises OSError when none begins."""
-        if finders[0] is self and time.ticks_diff(time.ticks_ms(), self.due) >= 0:
+        late = time.ticks_diff(time.ticks_ms(), finders[0].due)
+        if late > MISSED_MS and finders[0] is not self:
+            finders.remove(self)
+            finders.insert(0, self)
+        if finders[0] is self and late >= 0:
             if not self.echo.value():  # else it still waits for an echo: the next one's turn
                 self.ask()
             finders.append(finders.pop(0))

@@ -1,0 +1,209 @@
+"""`kitrobot bench`: the parts of a robot by hand, one after the other."""
+
+from __future__ import annotations
+
+import sys
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated, Any
+
+import typer
+
+from kitrobot.cli.output import clean, complain, error_object, give, json_text, tell
+from kitrobot.diagnostics import KitRobotError
+
+if TYPE_CHECKING:
+    from kitrobot.workspace.bench import Bench, BenchStep
+    from kitrobot.workspace.bench_run import BenchRun
+
+_STAGES = {"connect": "connecting", "compare": "comparing", "send": "sending", "start": "starting"}
+_HELP = "keys: Enter begins the step and ends it, n the next one, b the one before, q leaves; leaving stops everything"
+
+Port = Annotated[
+    str,
+    typer.Argument(
+        metavar="[PORT|URL]",
+        help="The robot: a serial port or a URL such as `socket://HOST:PORT`.",
+        show_default="the only one that is there",
+    ),
+]
+KitName = Annotated[
+    str | None,
+    typer.Option(
+        "--board",
+        metavar="NAME|FILE.board.xml",
+        help="The kit that the robot is built of; without it as the robot's own file says.",
+        show_default=False,
+    ),
+]
+Replace = Annotated[bool, typer.Option("--replace", help="Overwrite a `main.py` on the board that is not KitRobot's.")]
+
+
+def try_parts(
+    port: Port = "",
+    robot: Annotated[
+        str | None,
+        typer.Option(
+            metavar="NAME|FILE.robot.xml",
+            help="The robot; without it all parts that a kit may have.",
+            show_default=False,
+        ),
+    ] = None,
+    board: KitName = None,
+    all_of_it: Annotated[
+        bool, typer.Option("--all", help="Try every part for a moment, without keys, and give a table.")
+    ] = False,
+    seconds: Annotated[float, typer.Option(min=0.1, max=30.0, metavar="S", help="How long, with --all.")] = 1.0,
+    replace: Replace = False,
+    as_json: Annotated[bool, typer.Option("--json", help="As --all, as a list of JSON objects.")] = False,
+) -> None:
+    """Try each part of a robot by hand, with what is to be seen and what to look for when nothing happens.
+
+    Lift the wheels off the ground first. A program that waits for you is put on the robot in the place of the one that
+    it has. Everything stops when you leave, at Ctrl-C, and within a second when the cable is pulled. With --all or
+    --json the exit status is 1 when a part failed.
+    """
+    from kitrobot.robots import chosen_boards
+    from kitrobot.workspace.bench import bench_of
+    from kitrobot.workspace.bench_run import BenchRun
+    from kitrobot.workspace.calibration import bench_robot
+    from kitrobot.workspace.kit_files import find_kit
+    from kitrobot.workspace.robots import find_robot
+
+    if robot is None and board is None:
+        raise typer.BadParameter("say --robot NAME, --board NAME, or both", param_hint="'--robot'")
+    by_keys = not (all_of_it or as_json)
+    if by_keys and not (sys.stdin is not None and sys.stdin.isatty() and sys.stdout is not None):
+        raise typer.BadParameter("without a terminal say --all or --json", param_hint="'--all'")
+    folder = Path.cwd()
+    kit = find_kit(board, folder) if board is not None else None
+    bench = bench_of(find_robot(robot, folder) if robot is not None else bench_robot(), kit, folder)
+    (address,) = chosen_boards([port] if port else [])
+    tell("lift the wheels off the ground")
+    with BenchRun(address, bench, send_progress(), replace=replace) as run:
+        if by_keys:
+            _by_keys(run, bench)
+            return
+        rows = [_tried(run, step, seconds) for step in bench.steps]
+    if as_json:
+        give(json_text(rows, 2) + "\n")
+    else:
+        _table(rows, bench)
+    if not all(row["ok"] for row in rows):
+        raise typer.Exit(1)
+
+
+def send_progress() -> Any:
+    """Tells what is done, on standard error, once for each stage."""
+    last = ""
+
+    def progress(stage: str, done: int, total: int) -> None:
+        nonlocal last
+        if stage != last:
+            last = stage
+            tell(_STAGES.get(stage, stage))
+
+    return progress
+
+
+def _tried(run: BenchRun, step: BenchStep, seconds: float) -> dict[str, Any]:
+    """One step, done for so long, and what came of it."""
+    from kitrobot.workspace.bench_loading import PartError
+
+    values: list[int] = []
+    error: KitRobotError | None = None
+    try:
+        run.begin(step)
+        values = run.watch(seconds)
+        run.end()
+    except PartError as found:
+        error = found
+    return {
+        "part": step.part.name,
+        "category": step.part.category.value,
+        "call": step.call,
+        "seen": step.seen.get("", ""),
+        "help": step.trouble.get("", ""),
+        "ok": error is None,
+        "values": values,
+        "late": run.late,
+        "error": error_object(error) if error is not None else None,
+    }
+
+
+def _table(rows: list[dict[str, Any]], bench: Bench) -> None:
+    words = [(_named(row["part"], row["call"]), row) for row in rows]
+    width = max(len(name) for name, _ in words)
+    for name, row in words:
+        give(f"{name.ljust(width)}  {_result(row)}\n")
+    for part, why in bench.left_out:
+        give(f"{clean(part.name).ljust(width)}  not here: {clean(why)}\n")
+
+
+def _named(part: str, call: str) -> str:
+    return clean(call or part)
+
+
+def _result(row: dict[str, Any]) -> str:
+    if row["error"] is not None:
+        return f"FAILED: {clean(row['error']['message'])}"
+    values = row["values"]
+    seen = clean(row["seen"])
+    if row["late"]:
+        seen += f" (its driver is slow: {row['late']} ticks took too long)"
+    if not values:
+        return f"done; {seen}"
+    told = str(values[0]) if len(values) == 1 else f"{min(values)} to {max(values)}"
+    return f"{told}; {seen}"
+
+
+def _by_keys(run: BenchRun, bench: Bench) -> None:
+    """Steps by keys until the person leaves."""
+    from kitrobot.cli.keys import ESCAPE, pressed_keys
+    from kitrobot.workspace.bench_loading import PartError
+
+    tell(_HELP)
+    for part, why in bench.left_out:
+        tell(f"not here: {part.name}: {why}")
+    at, going = 0, False
+    with pressed_keys() as key:
+        _show(bench, at)
+        while True:
+            pressed = key()
+            try:
+                run.poll(0.1 if going else 0.05)
+                if going and run.is_on:
+                    _line(f"  on   {'' if run.value is None else run.value}")
+                if pressed in ("q", ESCAPE):
+                    run.end()
+                    _line("")
+                    return
+                if pressed in ("n", "b"):
+                    run.end()
+                    going = False
+                    at = (at + (1 if pressed == "n" else -1)) % len(bench.steps)
+                    _show(bench, at)
+                elif pressed in ("\n", "\r", " "):
+                    if going:
+                        run.end()
+                        _line("  off\n")
+                    else:
+                        run.begin(bench.steps[at])
+                    going = not going
+            except PartError as error:
+                _line("")
+                complain(error)
+                going = False
+
+
+def _show(bench: Bench, at: int) -> None:
+    step = bench.steps[at]
+    name = _named(step.part.name, step.call)
+    _line(f"{at + 1} of {len(bench.steps)}  {name}\n  {clean(step.seen.get('', ''))}\n")
+    if step.trouble:
+        give(f"  if not: {clean(step.trouble.get('', ''))}\n")
+
+
+def _line(text: str) -> None:
+    """In the place of the line that stands there."""
+    give(f"\r\x1b[K{text}")
+    sys.stdout.flush()

@@ -1,0 +1,50 @@
+"""Which MicroPython a board has to have, and where its maker has it."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from kitrobot.deploy.errors import BoardError
+from kitrobot.text import Sentence
+
+EVERYWHERE = "https://micropython.org/download/"
+"""Where MicroPython for most boards is to be had."""
+
+DOWNLOADS = {
+    0x0D28: "https://python.microbit.org/",
+    0x2E8A: "https://micropython.org/download/?vendor=Raspberry%20Pi",
+    0x303A: "https://micropython.org/download/?vendor=Espressif",
+    0x239A: "https://micropython.org/download/?vendor=Adafruit",
+    0x2341: "https://micropython.org/download/?vendor=Arduino",
+}
+"""USB vendor → the page from which its boards' MicroPython is fetched. Nothing here fetches it."""
+
+
+@dataclass(frozen=True)
+class Needs:
+    """What a kit needs: its name, the least version (as `1.20`, "" for any), and where it is to be had."""
+
+    kit: str
+    least: str
+    href: str = ""
+
+    def refuse_older(self, version: str) -> None:
+        """Raises a BoardError when a board's version is older than that."""
+        if not self.least or not version or _numbers(version) >= _numbers(self.least)[:2]:
+            return
+        raise BoardError(
+            Sentence(
+                "the board has MicroPython {version}, and the kit `{kit}` needs {least} or later",
+                version,
+                self.kit,
+                self.least,
+            ),
+            Sentence(
+                "fetch a newer one from {href}; a board that shows a drive takes it with `kitrobot flash FILE`",
+                self.href or EVERYWHERE,
+            ),
+        )
+
+
+def _numbers(version: str) -> tuple[int, ...]:
+    return tuple(int(number) for number in version.split("."))

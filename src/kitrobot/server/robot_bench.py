@@ -1,0 +1,103 @@
+"""The parts of a robot that a page tries: which step is done, what failed. It lives on the thread of its worker."""
+
+from __future__ import annotations
+
+from kitrobot.diagnostics import KitRobotError
+from kitrobot.robots import BoardProgram, RobotSession
+from kitrobot.server.shapes import (
+    BenchLeftOutShape,
+    BenchStepShape,
+    BoardBenchFailureShape,
+    BoardBenchShape,
+    BoardStepsMessage,
+)
+from kitrobot.text import Sentence
+from kitrobot.workspace.bench import Bench, PartKey
+from kitrobot.workspace.bench_loading import PartError, Send, load_parts
+from kitrobot.workspace.bench_run import BenchHand
+
+
+class StepError(KitRobotError):
+    """There is no such step."""
+
+
+class Tried:
+    """A bench on the session of a robot."""
+
+    def __init__(self, session: RobotSession, bench: Bench) -> None:
+        self.hand = BenchHand(session, bench, frozenset())
+        self._broken: dict[PartKey, KitRobotError] = {}
+
+    def load(self, needed: PartKey | None, send: Send) -> BoardProgram:
+        """Sends the program for as many parts as the robot takes, the needed one among them.
+
+        Raises:
+            KitRobotError: what `send` raises, or the needed part does not start.
+        """
+        session, bench = self.hand.session, self.hand.bench
+        parts, program = load_parts(bench, needed, self._broken, send)
+        self.hand = BenchHand(session, bench, parts)
+        return program
+
+    def needs(self, at: int | None) -> PartKey | None:
+        """The part of a step that the program on the robot is not for.
+
+        Raises:
+            StepError: there is no such step.
+        """
+        if at is None:
+            return None
+        steps = self.hand.bench.steps
+        if at >= len(steps):
+            raise StepError(Sentence("there is no step {number} to try", at + 1), Sentence("open the parts once more"))
+        key = steps[at].key
+        return key if key not in self.hand.parts and key not in self._broken else None
+
+    def do(self, at: int | None) -> None:
+        """Does a step until the next one; None ends it. One whose part does not start is not done.
+
+        Raises:
+            KitRobotError: the robot does not answer, or says no.
+        """
+        if at is None or self.hand.bench.steps[at].key not in self.hand.parts:
+            self.hand.end()
+        else:
+            self._broken.pop(self.hand.bench.steps[at].key, None)
+            self.hand.begin(self.hand.bench.steps[at])
+
+    def check(self) -> None:
+        """Looks whether the part of the step failed."""
+        try:
+            self.hand.check()
+        except PartError as error:
+            if error.part is not None:
+                self._broken[error.part] = error
+
+    def shape(self) -> BoardBenchShape:
+        """How it stands."""
+        steps, step = self.hand.bench.steps, self.hand.step
+        failed = [
+            BoardBenchFailureShape(step=at, message=error.message, help=error.help)
+            for at, one in enumerate(steps)
+            if (error := self._broken.get(one.key)) is not None
+        ]
+        at = next((at for at, one in enumerate(steps) if one is step), None)
+        return BoardBenchShape(step=at, value=self.hand.value, failed=failed)
+
+
+def steps_message(address: str, bench: Bench) -> BoardStepsMessage:
+    """What can be tried, for a page."""
+    return BoardStepsMessage(
+        address=address,
+        steps=[
+            BenchStepShape(
+                part=step.part.name,
+                label=dict(step.part.label),
+                call=step.call,
+                seen=dict(step.seen),
+                trouble=dict(step.trouble),
+            )
+            for step in bench.steps
+        ],
+        left_out=[BenchLeftOutShape(part=part.name, label=dict(part.label), why=why) for part, why in bench.left_out],
+    )

@@ -1,0 +1,202 @@
+"""Parts tried by hand and kits measured, on boards: by the commands a user types."""
+
+from __future__ import annotations
+
+import io
+import json
+import os
+import pty
+import select
+import sys
+from collections.abc import Iterator
+from contextlib import redirect_stderr, redirect_stdout, suppress
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from kitrobot.cli import main
+from kitrobot.deploy import Fault, connect
+from kitrobot.primitives import read_kit
+from kitrobot.workspace.bench import bench_of
+from kitrobot.workspace.bench_loading import PartError
+from kitrobot.workspace.bench_run import BenchRun
+from kitrobot.workspace.calibration import bench_robot
+from kitrobot.workspace.kit_files import kit_named
+from tests.boards.modern import ModernBoard, onboard_files
+from tests.boards.qemu import Emulated
+from tests.boards.test_modern_robot import pins_told
+from tests.patience import PATIENCE_S
+
+MOTORS = (2, 3, 4, 5)
+MOMENT = ("--json", "--seconds", "0.7")
+UNPLUGGED = onboard_files()["machine.py"] + b"\nwidths[15] = None\n"
+"""A Pico whose range finder does not answer; a colour sensor is on no bus of these boards anyway."""
+
+
+@pytest.fixture
+def kit() -> Iterator[ModernBoard]:
+    with ModernBoard({"lib/machine.py": UNPLUGGED}) as board:
+        yield board
+
+
+def command(*words: str, status: int = 0) -> tuple[str, str]:
+    out, err = io.StringIO(), io.StringIO()
+    with redirect_stdout(out), redirect_stderr(err), pytest.raises(SystemExit) as end:
+        main(list(words))
+    assert end.value.code == status, (out.getvalue(), err.getvalue())
+    return out.getvalue(), err.getvalue()
+
+
+def duties(board: ModernBoard) -> list[tuple[int, ...]]:
+    """What the four motor pins gave one after the other, in percent."""
+    now = dict.fromkeys(MOTORS, 0)
+    found: list[tuple[int, ...]] = []
+    for name, what, value in pins_told(board):
+        if name in MOTORS and what == "duty":
+            now[int(str(name))] = (value * 100 + 32767) // 65535
+            found.append(tuple(now.values()))
+    return found
+
+
+def test_every_part_is_tried_and_what_is_not_plugged_in_fails_by_itself_alone(kit: ModernBoard) -> None:
+    out, _ = command("bench", kit.address, "--board", "pico", "--robot", "mini-robot", *MOMENT, status=1)
+    rows = {(row["call"] or row["part"]): row for row in json.loads(out)}
+    broken = {name for name, row in rows.items() if not row["ok"]}
+    assert broken == {"Captor", "Light"}
+    assert "not plugged in" in rows["Captor"]["error"]["message"]
+    assert rows["Button"]["values"]
+    assert rows["Wheel.Advance(40)"]["seen"] == "Both wheels turn forward."
+    with connect(kit.address, 10) as board:
+        assert board.hello.state_name == "ready"
+    moves = duties(kit)
+    for one in ((40, 0, 40, 0), (0, 40, 0, 40), (0, 40, 40, 0)):
+        assert one in moves
+    assert moves[-1] == (0, 0, 0, 0)
+
+
+def test_a_part_moves_until_its_step_ends_and_everything_stands_when_the_line_is_lost(kit: ModernBoard) -> None:
+    bench = bench_of(bench_robot(), kit_named("pico"))
+    steps = {step.call or step.part.name: step for step in bench.steps}
+    run = BenchRun(kit.address, bench)
+    run.begin(steps["Wheel.Advance(40)"])
+    assert run.watch(0.1) == []
+    run.end()
+    run.begin(steps["Button"])
+    assert set(run.watch(0.2)) <= {0, 1}
+    run.begin(steps["Captor"])
+    with pytest.raises(PartError, match="`Captor` failed"):
+        run.watch(30)
+    run.begin(steps["Motor.Turn(40)"])
+    run._hand.session.link.close()  # the cable is pulled
+    with connect(kit.address, 10) as board:
+        # Nobody speaks to it any more.
+        while not isinstance(news := board.news(1), Fault):
+            pass
+    assert news.number == 6
+    moves = duties(kit)
+    assert (0, 40, 40, 0) in moves
+    assert moves[-1] == (0, 0, 0, 0)
+
+
+def test_by_keys_a_step_goes_on_and_off_and_ctrl_c_stops_everything(kit: ModernBoard, tmp_path: Path) -> None:
+    pid, terminal = pty.fork()
+    if pid == 0:
+        os.chdir(tmp_path)
+        words = ["-m", "kitrobot", "bench", kit.address, "--board", "pico", "--robot", "mini-robot"]
+        os.execv(sys.executable, [sys.executable, *words])
+    said = b""
+
+    def read_until(end: bytes) -> None:
+        nonlocal said
+        while end not in said:
+            assert select.select([terminal], [], [], PATIENCE_S / 5)[0], said
+            said += os.read(terminal, 4096)
+        said = said.partition(end)[2]
+
+    try:
+        read_until(b"q leaves")
+        read_until(b"Motor.Turn(40)")
+        os.write(terminal, b"n\n")
+        read_until(b"Wheel.Advance(40)")
+        read_until(b"  on ")
+        os.write(terminal, b"\n")
+        read_until(b"  off")
+        os.write(terminal, b"n\n")
+        read_until(b"Wheel.Reverse(40)")
+        read_until(b"  on ")
+        os.write(terminal, b"\x03")
+        with suppress(OSError):
+            read_until(b"never said")
+    finally:
+        _, status = os.waitpid(pid, 0)
+        os.close(terminal)
+    assert os.waitstatus_to_exitcode(status) == 130
+    moves = duties(kit)
+    there, back = moves.index((40, 0, 40, 0)), moves.index((0, 40, 0, 40))
+    assert (0, 0, 0, 0) in moves[there:back]
+    assert moves[-1] == (0, 0, 0, 0)
+
+
+def test_without_a_terminal_or_without_a_robot_it_says_what_to_say() -> None:
+    _, err = command("bench", "socket://127.0.0.1:1", "--board", "pico", status=2)
+    assert "--all" in err
+    _, err = command("bench", "socket://127.0.0.1:1", "--all", status=2)
+    assert "--robot" in err
+    _, err = command("bench", "socket://127.0.0.1:1", "--all", "--board", "picoo", status=1)
+    assert "pico" in err
+
+
+def test_calibrating_asks_moves_and_writes_a_file_beside_that_takes_the_place_of_the_shipped_one(
+    kit: ModernBoard, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    answers = ["", "left backward", "", "right up", "r f", "", "300", "", "much", "310,0", "", "300", "", "300"]
+    monkeypatch.setattr("sys.stdin", io.StringIO("\n".join(answers) + "\n"))
+    out, err = command("calibrate", kit.address, "--board", "pico", "--json")
+    assert "say for example: left forward" in err
+    assert "say a number" in err
+    told: dict[str, Any] = json.loads(out)
+    assert Path(told["file"]) == tmp_path / "pico.board.xml"
+    made = kit_named("pico", tmp_path)
+    turning = next(part.board.settings for part in made.parts if "turn" in part.devices)
+    assert (turning["rate"], turning["left-flipped"]) == ("150", "yes")
+    found = {one.devices[0]: dict(one.settings) for one in made.measured}
+    assert found["drive"] == {"speed": "305", "noise": "2.3"}
+    assert found["turn"] == {"rate": "150", "noise": "0"}
+    moves = duties(kit)
+    assert {(40, 0, 0, 0), (0, 0, 40, 0), (50, 0, 50, 0), (0, 50, 50, 0)} <= set(moves)
+    assert moves[-1] == (0, 0, 0, 0)
+
+
+def test_answers_that_end_too_early_write_nothing_and_the_robot_stands(
+    kit: ModernBoard, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    monkeypatch.setattr("sys.stdin", io.StringIO("\nleft forward\n"))
+    _, err = command("calibrate", kit.address, "--board", "pico", status=1)
+    assert "the answers ended" in err
+    assert not list(tmp_path.glob("*.xml"))
+    with connect(kit.address, 10) as board:
+        assert board.hello.state_name == "ready"
+
+
+def test_a_kit_that_needs_a_newer_micropython_is_refused_with_the_way_to_it(kit: ModernBoard, tmp_path: Path) -> None:
+    parts = '<actuator device="lamp" driver="led" pin="1"/>'
+    text = f'<board name="k" version="1" micropython="9.0" firmware="https://example.org/k">{parts}</board>'
+    path = tmp_path / "k.board.xml"
+    path.write_text(text)
+    assert read_kit(text.encode(), "k")[0] is not None
+    _, err = command("bench", kit.address, "--board", str(path), "--all", status=1)
+    assert "MicroPython 1.29" in err
+    assert "https://example.org/k" in err
+
+
+def test_a_micro_bit_of_2016_gets_its_parts_in_as_many_programs_as_it_needs(microbit: Emulated) -> None:
+    out, _ = command(
+        "bench", microbit.address, "--robot", "microbit", "--board", "microbit", "--json", "--seconds", "0.5"
+    )
+    rows = {(row["call"] or row["part"]): row for row in json.loads(out)}
+    assert all(row["ok"] for row in rows.values())
+    assert rows["Display.Image(0)"]["seen"] == "The display shows a picture."
+    assert rows["ButtonA"]["values"] == [0]

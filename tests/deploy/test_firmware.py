@@ -1,0 +1,116 @@
+"""Firmware: UF2 files and the drives that take them, and the least version of a kit."""
+
+from __future__ import annotations
+
+import struct
+from collections.abc import Callable
+from pathlib import Path
+
+import pytest
+
+from kitrobot.deploy import Needs
+from kitrobot.deploy.errors import BoardError
+from kitrobot.deploy.uf2 import (
+    BLOCK,
+    LARGEST_BYTES,
+    Drive,
+    FlashError,
+    chosen_drive,
+    drive_at,
+    firmware_of,
+    flash,
+    read_firmware,
+)
+
+RP2040, RP2350, ABSOLUTE = 0xE48BFF56, 0xE48BFF59, 0xE48BFF57
+INFO = "UF2 Bootloader v3.0\nModel: Raspberry Pi RP2\nBoard-ID: RPI-RP2\n"
+
+
+def block(place: int, count: int, payload: bytes = b"", family: int = RP2040, size: int | None = None) -> bytes:
+    head = struct.pack(
+        "<8I",
+        *(0x0A324655, 0x9E5D5157, 0x2000, 0x10000000 + 256 * place),
+        *(len(payload) if size is None else size, place, count, family),
+    )
+    return head + payload.ljust(476, b"\0") + struct.pack("<I", 0x0AB16F30)
+
+
+def whole(family: int = RP2040, text: bytes = b"MicroPython v1.27.0 on 2026-01-01") -> bytes:
+    pieces = [b"\0" * 250 + text[:6], text[6:].ljust(256, b"\0"), b"\1" * 256]
+    return b"".join(block(place, 3, piece, family) for place, piece in enumerate(pieces))
+
+
+def test_a_firmware_says_its_chip_and_its_version_which_may_lie_across_blocks() -> None:
+    found = firmware_of(whole(), "a.uf2")
+    assert (found.chips, found.micropython) == (("RP2040",), "1.27.0")
+    assert firmware_of(whole(text=b"something"), "a.uf2").micropython == ""
+    with_absolute = block(0, 2, family=ABSOLUTE) + whole(RP2350)
+    assert firmware_of(with_absolute, "a.uf2").chips == ("RP2350",)
+
+
+@pytest.mark.parametrize(
+    ("change", "says"),
+    [
+        (lambda data: b"", "does not begin as"),
+        (lambda data: b"PK\3\4" + data, "does not begin as"),
+        (lambda data: data[:-1], "cut off in its block 3"),
+        (lambda data: data[:BLOCK], "2 of its 3 blocks are missing"),
+        (lambda data: data[BLOCK:], "1 of its 3 blocks are missing"),
+        (lambda data: data[: BLOCK + 4] + b"\0" + data[BLOCK + 5 :], "block 2 is damaged"),
+        (lambda data: data[: 2 * BLOCK - 1] + b"\7" + data[2 * BLOCK :], "block 2 is damaged"),
+        (lambda data: data + data[:BLOCK], "block 4 does not fit"),
+        (lambda data: data + block(3, 9), "block 4 does not fit"),
+        (lambda data: block(3, 3) + data, "block 1 says what cannot be"),
+        (lambda data: block(0, 3, size=477) + data[BLOCK:], "block 1 says what cannot be"),
+    ],
+)
+def test_a_file_that_is_not_whole_is_refused_with_its_place(change: Callable[[bytes], bytes], says: str) -> None:
+    with pytest.raises(FlashError) as refused:
+        firmware_of(change(whole()), "a.uf2")
+    assert says in refused.value.message
+    assert refused.value.help
+
+
+def test_a_file_that_is_too_large_missing_or_a_folder_is_refused(tmp_path: Path) -> None:
+    with pytest.raises(FlashError, match="more than"):
+        firmware_of(b"\0" * (LARGEST_BYTES + 1), "a.uf2")
+    for path in (tmp_path / "none.uf2", tmp_path):
+        with pytest.raises(FlashError, match="cannot be read"):
+            read_firmware(path)
+
+
+def test_a_drive_is_a_folder_that_says_its_board_and_takes_what_is_for_its_chip(tmp_path: Path) -> None:
+    assert drive_at(tmp_path) is None
+    with pytest.raises(FlashError, match="no drive of a board"):
+        chosen_drive(tmp_path)
+    (tmp_path / "INFO_UF2.TXT").write_text(INFO)
+    drive = chosen_drive(tmp_path)
+    assert drive == Drive(tmp_path, "RPI-RP2", "RP2040")
+    told: list[tuple[int, int]] = []
+    flash(firmware_of(whole(), "a.uf2"), drive, lambda done, total: told.append((done, total)))
+    assert (tmp_path / "FIRMWARE.UF2").read_bytes() == whole()
+    assert told[-1] == (len(whole()), len(whole()))
+    with pytest.raises(FlashError, match="for RP2350, and the board has RP2040"):
+        flash(firmware_of(whole(RP2350), "a.uf2"), drive)
+
+
+def test_a_drive_that_says_nothing_useful_takes_any_firmware_and_one_that_breaks_is_told(tmp_path: Path) -> None:
+    (tmp_path / "INFO_UF2.TXT").write_bytes(b"\xff\0no colon here\n")
+    drive = chosen_drive(tmp_path)
+    assert (drive.board, drive.chip) == ("", "")
+    flash(firmware_of(whole(RP2350), "a.uf2"), drive)
+    with pytest.raises(FlashError, match="after 0 of 1536 bytes"):
+        flash(firmware_of(whole(), "a.uf2"), Drive(tmp_path / "gone", "", ""))
+
+
+@pytest.mark.parametrize(("has", "least"), [("1.20", "1.20"), ("1.29", "1.20"), ("2.0", "1.20.1"), ("1.9", "")])
+def test_a_board_with_the_least_version_or_a_later_one_is_taken(has: str, least: str) -> None:
+    Needs("k", least).refuse_older(has)
+
+
+@pytest.mark.parametrize(("has", "least"), [("1.19", "1.20"), ("1.9", "1.20"), ("1.20", "2.0")])
+def test_a_board_with_an_older_version_is_refused_with_the_way_to_a_newer_one(has: str, least: str) -> None:
+    with pytest.raises(BoardError) as refused:
+        Needs("k", least, "https://example.org/firmware").refuse_older(has)
+    assert f"MicroPython {has}" in refused.value.message
+    assert "https://example.org/firmware" in refused.value.help

@@ -1,0 +1,72 @@
+"""The parts of a robot tried from a page, on a board with a current MicroPython."""
+
+from __future__ import annotations
+
+import shutil
+from pathlib import Path
+
+from tests.boards.modern import ModernBoard
+from tests.boards.test_bench import UNPLUGGED
+from tests.server.test_boards import visit
+
+__all__ = ["visit"]
+SQUARE = Path(__file__).resolve().parents[2] / "examples" / "square" / "square.krt"
+
+
+def test_each_step_runs_until_another_one_and_tells_its_value_or_what_is_broken(visit, folder) -> None:
+    shutil.copy(SQUARE, folder)
+    with ModernBoard({"lib/machine.py": UNPLUGGED}) as board, visit() as page:
+        mission = page.client.get("/api/mission?path=square.krt").json()["mission"]
+        asked = {"mission": mission, "path": "square.krt", "program": "square", "kit": "pico"}
+        page.send("bench", board.address, **asked)
+        told = page.until("steps")
+        names = [step["call"] or step["part"] for step in told["steps"]]
+        assert told["left_out"] == []
+        assert told["steps"][names.index("Wheel.Advance(40)")]["seen"]["ur"]
+        # The colour sensor is on no bus, so its driver does not start, and all else is there.
+        said = page.until("board", lambda said: said["phase"] == "open" and said["bench"] is not None)
+        while not said["held"]:
+            said = page.board(phase="open")
+        colour = [at for at, step in enumerate(told["steps"]) if step["part"] == "Light" and step["call"] == ""]
+        assert [one["step"] for one in said["bench"]["failed"]] == colour
+        assert (said["state"], said["program"]) == ("running", "bench")
+
+        def tried(name: str) -> int:
+            page.send("try", board.address, step=names.index(name))
+            return names.index(name)
+
+        at = tried("Wheel.Advance(40)")
+        page.until("board", lambda said: said["bench"] is not None and said["bench"]["step"] == at)
+        at = tried("Button")
+        page.until("board", lambda said: said["bench"] is not None and said["bench"]["value"] in (0, 1))
+        at = tried("Captor")
+        said = page.until("board", lambda said: any(one["step"] == at for one in said["bench"]["failed"]))
+        assert "`Captor` failed" in next(one["message"] for one in said["bench"]["failed"] if one["step"] == at)
+        at = tried("Wheel.Reverse(40)")
+        page.until("board", lambda said: said["bench"]["step"] == at and said["state"] == "running")
+        page.send("try", board.address, step=None)
+        page.until("board", lambda said: said["bench"]["step"] is None)
+        page.send("try", board.address, step=len(names))
+        assert "no step" in page.until("board", lambda said: said["message"] != "")["message"]
+        page.send("stop", board.address)
+        page.board(state="ready")
+        # A program of the mission takes its place.
+        page.send("send", board.address, then="held", **asked)
+        page.until("board", lambda said: said["program"] == "square" and said["bench"] is None)
+
+
+def test_what_cannot_be_tried_is_refused_and_a_robot_whose_parts_nobody_tries_takes_no_step(visit, folder) -> None:
+    shutil.copy(SQUARE, folder)
+    with visit() as page:
+        mission = page.client.get("/api/mission?path=square.krt").json()["mission"]
+        asked = {"mission": mission, "path": "square.krt", "program": "square"}
+        address = "socket://127.0.0.1:1"
+        page.send("bench", address, kit="spaceship", **asked)
+        assert "no kit named `spaceship`" in page.until("refused")["message"]
+        page.send("bench", address, kit="microbit", **{**asked, "program": "circle"})
+        assert page.until("refused")["message"]
+        for step in (-1, 1000, "one", True):
+            page.send("try", address, step=step)
+            assert page.until("refused")["address"] == ""
+        page.send("try", address, step=0)
+        assert "Nobody talks with this robot" in page.until("refused")["message"]

@@ -1,0 +1,105 @@
+"""Tabs of the browser that tests use one after another.
+
+A tab that is led on keeps its process, and what that has compiled and laid out: opening the studio in it takes half
+the work of opening it in a new one. Between two tests a tab stands on an empty page of the studio's own address,
+without anything kept, nobody's keys held, and set back to the device it was made as.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass, field
+from typing import Any
+
+from playwright.sync_api import Browser, Page
+from playwright.sync_api import Error as PlaywrightError
+
+from tests.patience import STATE_MS
+
+NOTHING = "/nothing"
+"""The path of the empty page: between two tests a tab is of no studio, and yet at the address of all of them."""
+IDLE, USES = 2, 12
+"""How many tabs wait for the next test, and how many tests use one: the browser frees little between them."""
+
+
+@dataclass
+class Tab:
+    """A page in a context of its own, the device it is, and how many tests it has served."""
+
+    page: Page
+    device: dict[str, Any]
+    uses: int = 0
+    listeners: list[tuple[str, Callable[..., None]]] = field(default_factory=list)
+
+    def hear(self, event: str, listener: Callable[..., None]) -> None:
+        """Tells the listener of an event until the test has ended."""
+        self.page.on(event, listener)  # type: ignore[call-overload]
+        self.listeners.append((event, listener))
+
+    def clear(self, address: str) -> bool:
+        """Leads the tab away from the studio at that address, and takes back all that the test did to it."""
+        page = self.page
+        for event, listener in self.listeners:
+            page.remove_listener(event, listener)
+        self.listeners.clear()
+        self.uses += 1
+        if page.is_closed() or self.uses >= USES:
+            return False
+        for other in page.context.pages:
+            if other != page:
+                other.close()
+        page.unroute_all()
+        page.context.clear_permissions()
+        page.goto(address + NOTHING)
+        page.evaluate("localStorage.clear(); sessionStorage.clear()")
+        page.context.clear_cookies()
+        for key in ("Shift", "Control", "Alt", "Meta"):
+            page.keyboard.up(key)
+        page.mouse.up()
+        page.mouse.move(-9, -9)
+        motion = self.device["reduced_motion"]
+        page.emulate_media(
+            media="null", color_scheme="light", reduced_motion=motion, forced_colors="none", contrast="no-preference"
+        )
+        if page.viewport_size != self.device["viewport"]:
+            page.set_viewport_size(self.device["viewport"])
+        return True
+
+
+class Tabs:
+    """The tabs of a worker; those that no test uses wait, the last one used last."""
+
+    def __init__(self, browser: Browser) -> None:
+        self._browser = browser
+        self._idle: list[Tab] = []
+
+    def take(self, device: dict[str, Any]) -> Tab:
+        """A tab of that device, for one test."""
+        found = next((tab for tab in reversed(self._idle) if tab.device == device), None)
+        if found is not None:
+            self._idle.remove(found)
+            return found
+        return self.make(device)
+
+    def make(self, device: dict[str, Any]) -> Tab:
+        """A tab in which nothing was opened before."""
+        context = self._browser.new_context(**device)
+        context.set_default_timeout(STATE_MS)
+        return Tab(context.new_page(), device)
+
+    def give_back(self, tab: Tab, address: str) -> None:
+        """Keeps a tab whose test has ended for another one, or closes it."""
+        try:
+            kept = tab.clear(address)
+        except PlaywrightError:
+            kept = False  # its page has crashed, which its test has told
+        if not kept:
+            tab.page.context.close()
+            return
+        self._idle.append(tab)
+        while len(self._idle) > IDLE:
+            self._idle.pop(0).page.context.close()
+
+    def close(self) -> None:
+        for tab in self._idle:
+            tab.page.context.close()

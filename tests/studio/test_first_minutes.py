@@ -1,0 +1,107 @@
+"""How many clicks, keys or taps lead from nothing to a square that is driven and drawn, with no help read."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import pytest
+from playwright.sync_api import Locator, expect
+
+from tests.studio.conftest import Studio
+
+pytestmark = pytest.mark.browser
+
+OpenStudio = Callable[..., Studio]
+
+SQUARE = "Pen.PenDown();10*(  Wheel.Advance(50);  WAIT(10);  Motor.AbsoluteTurn(25, 50););"
+
+
+class Hands:
+    """Does what a user does, and counts it: a click, a tap, a drag, a key are one each."""
+
+    def __init__(self, studio: Studio) -> None:
+        self.studio = studio
+        self.made = 0
+
+    def click(self, at: Locator | str) -> None:
+        self.made += 1
+        self._at(at).click()
+
+    def tap(self, at: Locator | str) -> None:
+        self.made += 1
+        self._at(at).tap()
+
+    def drop(self, part: str, target: Locator | str) -> None:
+        self.made += 1
+        self.studio.drag(self.studio.at(f"part-{part}"), self._at(target))
+
+    def keys(self, *keys: str) -> None:
+        for key in keys:
+            self.made += 1
+            self.studio.page.keyboard.press(key)
+
+    def _at(self, at: Locator | str) -> Locator:
+        return self.studio.at(at) if isinstance(at, str) else at
+
+
+def new_sheet(open_studio: OpenStudio, **device: object) -> Studio:
+    """An empty folder, with the sheet that it begins with."""
+    studio = open_studio(None, **device)
+    studio.page.reload()
+    expect(studio.at("new-starter-square/square.krt")).to_be_checked()
+    if not device:
+        expect(studio.at("new-robots-mini-robot")).to_be_focused()
+    return studio
+
+
+def expect_square(studio: Studio) -> None:
+    studio.expect_code(SQUARE)
+    studio.full_speed()
+    studio.wait_until_done()
+
+
+def test_fourteen_clicks_and_drags_are_enough(open_studio: OpenStudio) -> None:
+    studio = new_sheet(open_studio)
+    hands = Hands(studio)
+    hands.click(studio.page.locator("label", has=studio.at("new-starter-nothing")))
+    hands.click("new-begin")
+    studio.expect_opened()
+    for name in ("Pen", "Wheels"):
+        hands.click(f"fold-{name}")
+    hands.drop("Repetition", "first-place")
+    hands.drop("Pen.PenDown", "arc-start.next")
+    hands.drop("Wheel.Advance", studio.page.locator('.first-place[data-testid$=".body"]'))
+    for part in ("Wait", "Motor.AbsoluteTurn"):
+        before = studio.page.locator(".vertex.is-selected").get_attribute("data-testid") or ""
+        hands.drop(part, f"arc-{before.removeprefix('vertex-')}.next")
+    hands.click("run-button")
+    expect_square(studio)
+    assert hands.made <= 14
+
+
+def test_twenty_five_keys_are_enough(open_studio: OpenStudio) -> None:
+    studio = new_sheet(open_studio)
+    hands = Hands(studio)
+    hands.keys("Tab", "Tab", "ArrowUp", "Enter")
+    studio.expect_opened()
+    for letters in ("pe", "re", "dr", "wa", "tu"):
+        hands.keys("/", *letters, "Enter")
+    hands.keys("F5")
+    expect_square(studio)
+    assert hands.made <= 25
+
+
+def test_sixteen_taps_on_a_phone_are_enough(open_studio: OpenStudio) -> None:
+    studio = new_sheet(open_studio, viewport={"width": 390, "height": 800}, has_touch=True, is_mobile=True)
+    hands = Hands(studio)
+    hands.tap(studio.page.locator("label", has=studio.at("new-starter-nothing")))
+    hands.tap("new-begin")
+    studio.expect_opened()
+    hands.tap("room-palette")
+    for name in ("Pen", "Wheels"):
+        hands.tap(f"fold-{name}")
+    for part in ("Pen.PenDown", "Repetition", "Wheel.Advance", "Wait", "Motor.AbsoluteTurn"):
+        hands.tap(f"part-{part}")
+    hands.tap("run-button")
+    expect_square(studio)
+    assert hands.made <= 16

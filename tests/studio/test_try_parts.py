@@ -1,0 +1,64 @@
+"""What a robot is built of is asked once and remembered, and its parts are tried by hand."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable
+
+import pytest
+from playwright.sync_api import expect
+
+from tests.boards.modern import ModernBoard
+from tests.boards.test_bench import UNPLUGGED
+from tests.studio.conftest import Studio
+from tests.studio.test_reach import find_nothing
+
+pytestmark = pytest.mark.browser
+
+
+def test_a_robot_is_built_of_a_kit_and_its_parts_are_tried_by_hand(
+    open_studio: Callable[..., Studio], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    with ModernBoard({"lib/machine.py": UNPLUGGED}) as board:
+        monkeypatch.setenv("KITROBOT_BOARDS", board.address)
+        studio = open_studio("square/square.krt")
+        page = studio.page
+        page.keyboard.press("Alt+r")
+        robot = studio.at("robot")
+        kit = robot.get_by_test_id("robot-kit")
+        expect(kit).to_have_value("")
+        expect(kit.locator("option")).to_have_count(11)
+        kit.select_option("pico")
+        robot.get_by_test_id("robot-try").click()
+        bench = robot.get_by_test_id("bench")
+        expect(bench).to_contain_text("Lift the wheels off the ground first.")
+        expect(robot.get_by_test_id("robot-micropython")).to_have_text(re.compile(r"MicroPython \d+\.\d+"))
+        steps = bench.get_by_test_id("bench-step")
+
+        def step(words: str):
+            return steps.filter(has_text=words).first
+
+        forward = step("Wheel.Advance(40)")
+        expect(forward).to_contain_text("Both wheels turn forward.")
+        forward.get_by_test_id("bench-try").click()
+        expect(forward).to_have_attribute("data-going", "true")
+        step("Button").get_by_test_id("bench-try").click()
+        expect(forward).to_have_attribute("data-going", "false")
+        expect(step("Button").get_by_test_id("bench-value")).to_have_text(re.compile("^[01]$"))
+        step("Distance sensor").get_by_test_id("bench-try").click()
+        expect(step("Distance sensor").get_by_test_id("bench-failure")).to_contain_text("not plugged in")
+        step("Distance sensor").locator("summary").click()
+        expect(step("Distance sensor")).to_contain_text("trigger and echo may be swapped")
+        find_nothing(studio, "parts that are tried")
+        page.keyboard.press("Shift+F5")
+        expect(robot.get_by_test_id("robot-state")).to_have_attribute("data-state", "ready")
+        bench.get_by_test_id("bench-done").click()
+        expect(bench).to_have_count(0)
+        # What it is built of is remembered, and the mission's program goes there as ever.
+        page.reload()
+        expect(studio.at("code").locator(".cm-line").first).not_to_be_empty()
+        page.keyboard.press("Alt+r")
+        expect(kit).to_have_value("pico")
+        robot.get_by_test_id("robot-run").click()
+        expect(robot.get_by_test_id("robot-state")).to_have_attribute("data-state", "running")
+        expect(robot).to_contain_text("square")
