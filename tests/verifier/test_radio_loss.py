@@ -40,6 +40,7 @@ def test_a_loader_that_hears_nobody_is_waited_for_and_the_simulator_shows_it() -
     assert "loader loses its radio" in [str(text) for _, text in broken.story]
     assert broken.confirmed is not None
     assert [(harm.agent, harm.kind) for harm in broken.confirmed.harms] == [("loader", "mute")]
+    assert [column.judged.states for column in made.columns] == [35, 468]
     assert [check["kinds"] for check in made.to_json()["checks"]] == [[], ["mute"]]
     assert [str(limit) for limit in made.limits] == ["a robot that loses its radio is taken never to have it again"]
 
