@@ -2,7 +2,8 @@
 
 `shipped/beginnings.xml` names sets of robots, places and starters; what they are called is said by the robots, worlds
 and missions themselves. What fits what follows from them: a set fits a place that has a start for each of its agents, a
-starter fits the sets for which it has a mission. Robots of one's own are sets too, after the others. Left to others: showing it (server, page).
+starter fits the sets for which it has a mission. Robots of one's own are sets too, after the
+others. Left to others: showing it (server, page).
 """
 
 from __future__ import annotations
