@@ -38,8 +38,9 @@ motors and sensors are spoken to over a protocol of its own, for which there is 
 
 The rate of a turn by the clock (`rate`, degrees a second at full speed) is a guess until you measure it:
 [`kitrobot calibrate`](boards.md#measured) asks, and writes a file of your own. The kits of a micro:bit are for a V2,
-which was not tried, and for small programs on that of 2016, whose memory is short: `kitrobot deploy` says when one does
-not fit.
+which was not tried. **On that of 2016 their motors do not start**: on its firmware in QEMU the drivers of `drive`,
+`turn` and `wheel` need more stack than there is, and `kitrobot deploy` says so and leaves what the board had. Their
+lamp and servo work there, in programs that fit its memory ([figures](benchmarks.md#the-gallery-on-boards)).
 """
 
 
