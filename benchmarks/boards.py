@@ -135,16 +135,17 @@ def read_log(address: str) -> list[int]:
 
 def memory_taken(address: str, tick_ms: int = 20) -> int:
     """Bytes of a current MicroPython's heap that the package and the program take while they run."""
-    before = _allocated(address)
+    before = allocated(address)
     with tempfile.TemporaryDirectory() as folder:
         made = program(Path(folder), tick_ms, 1)
         deploy(address, made.file.to_bytes(), made.package)
     with connect(address, 20) as board:
         board.quit()
-    return _allocated(address) - before
+    return allocated(address) - before
 
 
-def _allocated(address: str) -> int:
+def allocated(address: str) -> int:
+    """Bytes of memory that are taken on a current MicroPython at the prompt."""
     line = Line(address)
     try:
         line.write(b"\r\x03\x03\r\x01")

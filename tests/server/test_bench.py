@@ -5,11 +5,40 @@ from __future__ import annotations
 import shutil
 from pathlib import Path
 
+from kitrobot.server.robot_bench import Tried
+from kitrobot.translation import reading_in, said
+from kitrobot.workspace.bench import bench_of
+from kitrobot.workspace.bench_run import BenchRun
+from kitrobot.workspace.robots import find_robot
 from tests.boards.modern import ModernBoard
 from tests.boards.test_bench import UNPLUGGED
 from tests.server.test_boards import visit
 
 __all__ = ["visit"]
+ROBOT = """<robot name="two-motors" version="1">
+  <actuator name="Crane"><board driver="crane"/>
+    <label>Crane arm</label><label xml:lang="ur">کرین کا بازو</label>
+    <procedure name="Lift" completes="later"/></actuator>
+  <actuator name="Fan"><board driver="fan"/><label>Big fan</label><procedure name="On"/></actuator>
+</robot>
+"""
+CRANE = """from machine import Pin
+class Crane:
+    def do(self, procedure, arguments): pass
+    def done(self):
+        if Pin(7).value(): raise OSError(5)
+        return False
+    def stop(self): pass
+def make(settings): return Crane()
+"""
+FAN = """from machine import Pin
+class Fan:
+    def do(self, procedure, arguments): Pin(7, Pin.OUT).value(1)
+    def stop(self): pass
+def make(settings): return Fan()
+"""
+"""Once the fan has turned, the crane, which still lifts, fails when it is asked whether it is done."""
+
 SQUARE = Path(__file__).resolve().parents[2] / "examples" / "square" / "square.krt"
 
 
@@ -41,7 +70,15 @@ def test_each_step_runs_until_another_one_and_tells_its_value_or_what_is_broken(
         page.until("board", lambda said: said["bench"] is not None and said["bench"]["value"] in (0, 1))
         at = tried("Captor")
         said = page.until("board", lambda said: any(one["step"] == at for one in said["bench"]["failed"]))
-        assert "`Captor` failed" in next(one["message"] for one in said["bench"]["failed"] if one["step"] == at)
+        # As the page calls it, and its value has a unit.
+        assert "`Distance sensor` failed" in next(
+            one["message"] for one in said["bench"]["failed"] if one["step"] == at
+        )
+        assert told["steps"][at]["reads"] == {
+            "type": "integer",
+            "unit": "cm",
+            "meaning": {"scale": "1", "units": {"ur": "سم"}, "field": "ruler", "choices": []},
+        }
         at = tried("Wheel.Reverse(40)")
         page.until("board", lambda said: said["bench"]["step"] == at and said["state"] == "running")
         page.send("try", board.address, step=None)
@@ -53,6 +90,29 @@ def test_each_step_runs_until_another_one_and_tells_its_value_or_what_is_broken(
         # A program of the mission takes its place.
         page.send("send", board.address, then="held", **asked)
         page.until("board", lambda said: said["program"] == "square" and said["bench"] is None)
+
+
+def test_a_fault_that_names_another_part_than_the_tried_one_is_told_at_the_part_that_is_named(tmp_path) -> None:
+    (tmp_path / "two-motors.robot.xml").write_text(ROBOT)
+    (tmp_path / "crane.driver.py").write_text(CRANE)
+    (tmp_path / "fan.driver.py").write_text(FAN)
+    bench = bench_of(find_robot("two-motors", tmp_path), None, tmp_path)
+    crane, fan = bench.steps
+    with ModernBoard({"lib/machine.py": UNPLUGGED}) as board, BenchRun(board.address, bench) as run:
+        run.begin(crane)
+        run.watch(0.1)
+        tried = Tried(run._hand.session, bench)
+        tried.hand = run._hand
+        tried.do(bench.steps.index(fan))
+        while not (failed := tried.shape().failed):
+            run._hand.session.poll(0.1)
+            tried.check()
+        assert [one.step for one in failed] == [bench.steps.index(crane)]
+        assert str(failed[0].message).startswith("`Crane arm` failed")
+        with reading_in("ur"):
+            assert said(failed[0].message).startswith("`کرین کا بازو`")
+        # Where nobody sees labels it is what LLL calls it.
+        assert str(tried._broken[crane.key]).startswith("`Crane` failed")
 
 
 def test_what_cannot_be_tried_is_refused_and_a_robot_whose_parts_nobody_tries_takes_no_step(visit, folder) -> None:

@@ -9,7 +9,7 @@ import pickle
 import orjson
 import pytest
 
-from kitrobot.text import COMMA, Recorded, Sentence, Series, Word, listed, one_of
+from kitrobot.text import COMMA, Label, Recorded, Sentence, Series, Word, listed, one_of
 
 
 def test_a_sentence_is_its_english_text() -> None:
@@ -73,3 +73,20 @@ def test_lists_of_names() -> None:
     assert not listed([])
     assert listed("abc") == "a, b, c"
     assert listed("abcdefghij") == "a, b, c, d, e, f, g, h …"
+
+
+def test_a_sentence_with_another_value_keeps_its_template() -> None:
+    made = Sentence("`{part}` failed: {reason}", "Captor", "no answer").with_value("part", "Eye")
+    assert made == Sentence("`{part}` failed: {reason}", "Eye", "no answer")
+    assert made.values == {"part": "Eye", "reason": "no answer"}
+    boxes = Sentence.counted("{count} box in {house}", "{count} boxes in {house}", 1, "A")
+    assert boxes.with_value("count", 2) == "2 boxes in A"
+    assert boxes.with_value("house", "B") == "1 box in B"
+
+
+def test_a_label_is_the_english_one_and_survives_copying() -> None:
+    label = Label("Captor", {"": "Distance sensor", "fr": "Capteur"})
+    assert label == "Distance sensor"
+    assert Label("Captor", {"fr": "Capteur"}) == "Captor"
+    for again in (copy.deepcopy(label), pickle.loads(pickle.dumps(label))):
+        assert (again, again.name, again.texts) == (label, "Captor", label.texts)

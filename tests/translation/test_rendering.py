@@ -9,7 +9,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from kitrobot.text import COMMA, SEMICOLON, Recorded, Sentence, Series, Word, one_of
+from kitrobot.text import COMMA, SEMICOLON, Label, Recorded, Sentence, Series, Word, one_of
 from kitrobot.translation import best_language, reading_in, rendering, said, said_in
 from kitrobot.translation.catalogue import Catalogue
 from kitrobot.translation.recorded import LONGEST, recalled
@@ -203,6 +203,15 @@ def test_sentences_in_sentences_without_end_stay_english() -> None:
         made = Sentence("drop {wanted} on it", made)
     assert translated(made, "fr").startswith("déposez-y déposez-y")
     assert "drop" in translated(made, "fr")
+
+
+def test_a_label_brings_its_own_translations() -> None:
+    label = Label("Eye", {"": "Left eye", "fr": "Œil gauche"})
+    failed = Sentence("`{part}` failed: {reason}", label, "-")
+    assert translated(failed, "fr") == "`Œil gauche` a échoué : -"
+    assert translated(failed, "ur").startswith("`Left eye`")
+    assert translated(label, "fr") == "Œil gauche"
+    assert translated(label, "ur") == "Left eye"
 
 
 def test_an_unknown_language_is_english() -> None:

@@ -1,4 +1,4 @@
-"""`kitrobot merge`: two people's edits of one mission, as git's merge driver calls it."""
+"""`kitrobot merge`: two people's edits of one mission or kit, as git's merge driver calls it."""
 
 from __future__ import annotations
 
@@ -14,13 +14,13 @@ CONFLICT = 1
 
 def merge_missions_of_files(
     base: Annotated[Path, typer.Argument(metavar="BASE", help="What both began with.", show_default=False)],
-    ours: Annotated[Path, typer.Argument(metavar="OURS", help="Our mission.", show_default=False)],
-    theirs: Annotated[Path, typer.Argument(metavar="THEIRS", help="Their mission.", show_default=False)],
+    ours: Annotated[Path, typer.Argument(metavar="OURS", help="Our file.", show_default=False)],
+    theirs: Annotated[Path, typer.Argument(metavar="THEIRS", help="Their file.", show_default=False)],
     output: Annotated[
         Path | None, typer.Option("--output", "-o", metavar="OUT", help="Where to write; OURS without it.")
     ] = None,
 ) -> None:
-    """Merge two edits of one `.krt` mission.
+    """Merge two edits of one `.krt` mission, or of one `.board.xml` of a kit.
 
     Edits of different parts both stand. Where both changed the same thing differently ours is kept, each such conflict
     is a sentence on standard error, and the exit status is 1. The result always opens. When a file cannot be used
@@ -28,8 +28,8 @@ def merge_missions_of_files(
     """
     from kitrobot.versions import merge_files
 
-    merged = merge_files(base, ours, theirs, output or ours)
-    for words in merged.conflicts:
-        tell(f"conflict: {words}")
-    if merged.conflicts:
+    conflicts = merge_files(base, ours, theirs, output or ours)
+    for one in conflicts:
+        tell(f"conflict: {one.sentence}")
+    if conflicts:
         raise typer.Exit(CONFLICT)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from kitrobot.diagnostics import KitRobotError
+from kitrobot.primitives import RobotObject
 from kitrobot.robots import BoardProgram, RobotSession
 from kitrobot.server.shapes import (
     BenchLeftOutShape,
@@ -10,8 +11,9 @@ from kitrobot.server.shapes import (
     BoardBenchFailureShape,
     BoardBenchShape,
     BoardStepsMessage,
+    ReadingShape,
 )
-from kitrobot.text import Sentence
+from kitrobot.text import Label, Sentence
 from kitrobot.workspace.bench import Bench, PartKey
 from kitrobot.workspace.bench_loading import PartError, Send, load_parts
 from kitrobot.workspace.bench_run import BenchHand
@@ -77,12 +79,19 @@ class Tried:
         """How it stands."""
         steps, step = self.hand.bench.steps, self.hand.step
         failed = [
-            BoardBenchFailureShape(step=at, message=error.message, help=error.help)
+            BoardBenchFailureShape(step=at, message=_by_label(error, one.part), help=error.help)
             for at, one in enumerate(steps)
             if (error := self._broken.get(one.key)) is not None
         ]
         at = next((at for at, one in enumerate(steps) if one is step), None)
         return BoardBenchShape(step=at, value=self.hand.value, failed=failed)
+
+
+def _by_label(error: KitRobotError, part: RobotObject) -> str:
+    """What is wrong with a part, which is called what the page calls it."""
+    if isinstance(error, PartError) and isinstance(error.message, Sentence):
+        return error.message.with_value("part", Label(part.name, part.label))
+    return error.message
 
 
 def steps_message(address: str, bench: Bench) -> BoardStepsMessage:
@@ -94,6 +103,7 @@ def steps_message(address: str, bench: Bench) -> BoardStepsMessage:
                 part=step.part.name,
                 label=dict(step.part.label),
                 call=step.call,
+                reads=ReadingShape.model_validate(step.part),
                 seen=dict(step.seen),
                 trouble=dict(step.trouble),
             )

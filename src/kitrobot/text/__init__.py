@@ -2,7 +2,7 @@
 
 from kitrobot.text.collection import collection_paused
 from kitrobot.text.positions import BytePositions, TextPositions
-from kitrobot.text.sentences import COMMA, HOLE, SEMICOLON, Help, Recorded, Sentence, Series, Word, clipped
+from kitrobot.text.sentences import COMMA, HOLE, SEMICOLON, Help, Label, Recorded, Sentence, Series, Word, clipped
 from kitrobot.text.suggestions import Suggestions, did_you_mean, nearest
 from kitrobot.text.wording import all_of, listed, one_of, shown
 
@@ -12,6 +12,7 @@ __all__ = [
     "SEMICOLON",
     "BytePositions",
     "Help",
+    "Label",
     "Recorded",
     "Sentence",
     "Series",

@@ -6,13 +6,14 @@ names, numbers or code and stay as they are. Whatever makes a plain `str` of it 
 loses the template, so a sentence is put into another one as a value.
 
 Templates are the keys of the catalogues. `tools/sentences.py` finds them in the source, so they are literals where a
-`Sentence`, `Sentence.counted` or `Recorded` is made; `Word` is for words that come from elsewhere.
+`Sentence`, `Sentence.counted` or `Recorded` is made; `Word` is for words that come from elsewhere, `Label` for names
+that come with their translations.
 """
 
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from functools import lru_cache
 from typing import Literal, Self
 
@@ -55,6 +56,12 @@ class Sentence(str):
         named = dict(zip(_names(many), values, strict=True))
         return cls._made(one, many, filled(one if named["count"] == 1 else many, named), named)
 
+    def with_value(self, name: str, value: object) -> Self:
+        """The same sentence with something else in one of its holes."""
+        values = {**self.values, name: value}
+        many = self.plural and values["count"] != 1
+        return self._made(self.template, self.plural, filled(self.plural if many else self.template, values), values)
+
     @classmethod
     def _made(cls, template: str, plural: str, english: str, values: dict[str, object]) -> Self:
         made = str.__new__(cls, english)
@@ -72,6 +79,24 @@ class Word(Sentence):
 
     def __new__(cls, word: object) -> Self:
         return cls._made(str(word), "", str(word), {})
+
+
+class Label(Sentence):
+    """What data calls something, in several languages: in `texts`, "" is English. Without any it is `name`."""
+
+    __slots__ = ("name", "texts")
+
+    name: str
+    texts: Mapping[str, str]
+
+    def __new__(cls, name: str, texts: Mapping[str, str]) -> Self:
+        english = texts.get("") or name
+        made = cls._made(english, "", english, {})
+        made.name, made.texts = name, texts
+        return made
+
+    def __reduce__(self) -> tuple[object, ...]:
+        return Label, (self.name, dict(self.texts))
 
 
 class Recorded(Sentence):

@@ -10,7 +10,7 @@ from __future__ import annotations
 
 import re
 
-from kitrobot.text import HOLE, Recorded, Sentence, Series, Word
+from kitrobot.text import HOLE, Label, Recorded, Sentence, Series, Word
 from kitrobot.translation.catalogue import Catalogue, catalogue
 from kitrobot.translation.recorded import recalled
 
@@ -41,6 +41,8 @@ def _sentence(sentence: Sentence, language: str, depth: int) -> str | None:
         return None
     if isinstance(sentence, Word):
         return _word(sentence, known)
+    if isinstance(sentence, Label):
+        return sentence.texts.get(language)
     template = known.template(sentence)
     if isinstance(sentence, Series):
         sign = sentence.template if template is None else template
@@ -57,8 +59,9 @@ def _sentence(sentence: Sentence, language: str, depth: int) -> str | None:
         elif piece not in sentence.values:
             made.append(f"{{{piece}}}")
         elif quoted:
-            value = str(sentence.values[piece])
-            made.append(known.word("part", value) or value)
+            value = sentence.values[piece]
+            label = _sentence(value, language, depth - 1) if isinstance(value, Label) else None
+            made.append(label or known.word("part", str(value)) or str(value))
         else:
             made.append(_value(sentence.values[piece], language, depth))
     return "".join(made)

@@ -1,8 +1,10 @@
-"""Versions of a mission held against each other: what is different, in words, and three-way merges."""
+"""Versions of a mission or a kit held against each other: what is different, in words, and three-way merges."""
 
 from kitrobot.versions.comparison import CompareError, Difference, compare_files, differences, text_differences
 from kitrobot.versions.conflicts import Conflict
-from kitrobot.versions.merging import Merged, merge_files, merge_missions
+from kitrobot.versions.kit_merging import merge_kits
+from kitrobot.versions.merged_files import merge_files
+from kitrobot.versions.merging import Merged, merge_missions
 
 __all__ = [
     "CompareError",
@@ -12,6 +14,7 @@ __all__ = [
     "compare_files",
     "differences",
     "merge_files",
+    "merge_kits",
     "merge_missions",
     "text_differences",
 ]

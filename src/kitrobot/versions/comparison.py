@@ -352,7 +352,8 @@ def compare_files(before: Path, after: Path) -> list[Difference]:
             Sentence("name two files that end in .board.xml"),
         )
     if kits:
-        return [Difference(kind, words) for kind, words in kit_differences(_kit(before), _kit(after))]
+        one, other = (kit_whole(read_bytes(path), path) for path in (before, after))
+        return [Difference(kind, words) for kind, words in kit_differences(one, other)]
     kinds = {before.suffix.lower(), after.suffix.lower()}
     if kinds == {".lll"}:
         return text_differences(_laid_out(before), _laid_out(after))
@@ -378,8 +379,8 @@ def mission_whole(data: bytes, path: Path) -> Mission:
     return mission
 
 
-def _kit(path: Path) -> Kit:
-    data = read_bytes(path)
+def kit_whole(data: bytes, path: Path) -> Kit:
+    """The kit in the bytes of a file, as `mission_whole`."""
     kit, diagnostics = read_kit(data, str(path))
     if kit is None:
         source = Source(str(path), data.decode("utf-8-sig", errors="replace"))

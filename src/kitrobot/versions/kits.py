@@ -47,8 +47,13 @@ def kit_differences(before: Kit, after: Kit) -> Iterator[tuple[str, str]]:
         yield from _settings("measured", device, measured.get(device, {}), measured_now.get(device, {}))
 
 
+def named_part(part: KitPart) -> str:
+    """Of which parts of robots it speaks, in words."""
+    return " ".join(filter(None, (part.category, *part.devices, *part.names, part.when)))
+
+
 def _by_name(kit: Kit) -> dict[str, KitPart]:
-    return {" ".join(filter(None, (part.category, *part.devices, *part.names, part.when))): part for part in kit.parts}
+    return {named_part(part): part for part in kit.parts}
 
 
 def _measured(kit: Kit) -> dict[str, Mapping[str, str]]:

@@ -9,23 +9,21 @@ So the result is always a mission that opens. Left to others: what the sentences
 
 from __future__ import annotations
 
-from collections.abc import Callable, Collection, Hashable, Iterable, Mapping, Sequence
+from collections.abc import Collection, Hashable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, fields, replace
-from pathlib import Path
-from typing import Any, TypeVar
+from typing import Any
 
-from kitrobot.files import expect_unchanged, read_bytes, same_file, saving_in
 from kitrobot.graph import IN, RETURN, START, STOP, Arc, Program, Vertex
-from kitrobot.mission import Agent, Breakpoint, Failure, Goal, Mission, Team, save
+from kitrobot.mission import Agent, Breakpoint, Failure, Goal, Mission, Team
 from kitrobot.primitives import Constructor, OwnVariable
 from kitrobot.text import Sentence, Word
-from kitrobot.versions.comparison import mission_whole, renamed_programs
+from kitrobot.versions.comparison import renamed_programs
 from kitrobot.versions.conflicts import Conflict, Decisions
+from kitrobot.versions.lists import merged_by_name, merged_order
 from kitrobot.versions.outline import Outline
 from kitrobot.versions.own_worlds import merge_places
 from kitrobot.versions.wording import named
 
-T = TypeVar("T")
 Port = tuple[str, str]
 
 
@@ -42,26 +40,6 @@ class Merged:
         return tuple(one.sentence for one in self.clashes)
 
 
-def merge_files(base: Path, ours: Path, theirs: Path, out: Path) -> Merged:
-    """Merges three `.krt` files into `out`; an empty base is none (both sides added the file).
-
-    Raises:
-        ProblemsError: one of them cannot be used; nothing is written.
-        FileError: one of them cannot be read, or `out` is one of them and was changed meanwhile; nothing is written.
-        SaveError: the result could not be written.
-    """
-    paths = (base, ours, theirs)
-    data = [read_bytes(path) for path in paths]
-    ancestor = mission_whole(data[0], base) if data[0].strip() else Mission()
-    merged = merge_missions(ancestor, mission_whole(data[1], ours), mission_whole(data[2], theirs))
-    with saving_in(out):
-        for path, before in zip(paths, data, strict=True):
-            if same_file(path, out):
-                expect_unchanged(path, before)
-        save(out, merged.mission)
-    return merged
-
-
 def merge_missions(base: Mission, ours: Mission, theirs: Mission, taken: Collection[str] = ()) -> Merged:
     """The mission with both sides' edits of `base`; `taken` are the names of conflicts in which theirs is taken."""
     if theirs in (base, ours):
@@ -71,14 +49,16 @@ def merge_missions(base: Mission, ours: Mission, theirs: Mission, taken: Collect
     decisions = Decisions(taken)
     choose = decisions.choose
     programs = _programs(base, ours, theirs, decisions)
-    agents = _by_name(*_with_new_names(base, ours, theirs), _agent_name, Sentence("the agent"), choose)
+    agents = merged_by_name(*_with_new_names(base, ours, theirs), _agent_name, Sentence("the agent"), choose)
     _bring_back(programs, agents, (ours, theirs), decisions)
-    goals = _by_name(base.team.goals, ours.team.goals, theirs.team.goals, _goal_name, Sentence("the goal of"), choose)
+    goals = merged_by_name(
+        base.team.goals, ours.team.goals, theirs.team.goals, _goal_name, Sentence("the goal of"), choose
+    )
     own: dict[str, Any] = {
-        "constructors": _by_name(
+        "constructors": merged_by_name(
             base.constructors, ours.constructors, theirs.constructors, _own_name, Sentence("the own part"), choose
         ),
-        "breakpoints": _by_name(
+        "breakpoints": merged_by_name(
             base.breakpoints,
             ours.breakpoints,
             theirs.breakpoints,
@@ -86,13 +66,13 @@ def merge_missions(base: Mission, ours: Mission, theirs: Mission, taken: Collect
             Sentence("the breakpoint at"),
             choose,
         ),
-        "failures": _by_name(
+        "failures": merged_by_name(
             base.failures, ours.failures, theirs.failures, _failure_name, Sentence("the failure of"), choose
         ),
-        "properties": _by_name(
+        "properties": merged_by_name(
             base.properties, ours.properties, theirs.properties, _declared, Sentence("the property"), choose
         ),
-        "variables": _by_name(
+        "variables": merged_by_name(
             base.variables, ours.variables, theirs.variables, _own_name, Sentence("the variable"), choose
         ),
     }
@@ -106,7 +86,7 @@ def merge_missions(base: Mission, ours: Mission, theirs: Mission, taken: Collect
         for field in fields(Mission)
         if field.name not in ("programs", "team", "world_href", "own_world", *own)
     }
-    href, own["own_world"] = merge_places(base, ours, theirs, _by_name, choose)
+    href, own["own_world"] = merge_places(base, ours, theirs, merged_by_name, choose)
     team = Team(agents, goals)
     for what, word in (
         ("roles", Sentence("the role")),
@@ -114,7 +94,7 @@ def merge_missions(base: Mission, ours: Mission, theirs: Mission, taken: Collect
         ("works", Sentence("the work")),
     ):
         old, mine, other = (getattr(side.team, what) for side in (base, ours, theirs))
-        setattr(team, what, _by_name(old, mine, other, _declared, word, choose))
+        setattr(team, what, merged_by_name(old, mine, other, _declared, word, choose))
     mission = Mission(programs=programs, team=team, world_href=href, **own, **rest)
     return Merged(mission, tuple(decisions.found))
 
@@ -172,51 +152,13 @@ def _own_name(own: Constructor | OwnVariable) -> str:
     return own.name if isinstance(own, Constructor) else f"{own.robot}.{own.variable.name}"
 
 
-def _by_name(
-    base: Sequence[T],
-    ours: Sequence[T],
-    theirs: Sequence[T],
-    name_of: Callable[[T], Hashable],
-    what: str,
-    choose: Callable[[str, Any, Any, Any], Any],
-) -> list[T]:
-    """Lists of things with names; as a whole where a name stands twice."""
-    sides = [{name_of(item): item for item in side} for side in (base, ours, theirs)]
-    if any(len(side) != len(list_) for side, list_ in zip(sides, (base, ours, theirs), strict=True)):
-        found: list[T] = choose(Sentence("the list with {what} …", what), list(base), list(ours), list(theirs))
-        return found
-    old, mine, other = sides
-    kept = {
-        name: choose(Sentence("{what} {name}", what, str(name)), old.get(name), mine.get(name), other.get(name))
-        for name in {**mine, **other}
-    }
-    return [kept[name] for name in _order(old, mine, other) if kept[name] is not None]
-
-
-def _order(base: Iterable[Any], ours: Iterable[Any], theirs: Iterable[Any]) -> list[Any]:
-    """Everybody's names: in our order, what only they have behind what it follows with them."""
-    old, mine, other = list(base), list(ours), list(theirs)
-    if mine == old:
-        theirs_too = set(other)
-        return [*other, *(name for name in mine if name not in theirs_too)]
-    have = set(mine)
-    behind: dict[Any, list[Any]] = {}  # what only they have, by the name before it; None at the end
-    before: Any = None
-    for name in other:
-        if name not in have:
-            behind.setdefault(before, []).append(name)
-        else:
-            before = name
-    return [one for name in (*mine, None) for one in (*([] if name is None else [name]), *behind.get(name, ()))]
-
-
 def _programs(base: Mission, ours: Mission, theirs: Mission, decisions: Decisions) -> list[Program]:
     our_names, their_names = renamed_programs(base, ours), renamed_programs(base, theirs)
     old = {program.name: program for program in base.programs}
     mine = _by_old_name(ours, our_names)
     other = _by_old_name(theirs, their_names)
     found: list[Program] = []
-    for name in _order(old, mine, other):
+    for name in merged_order(old, mine, other):
         one, two, three = old.get(name), mine.get(name), other.get(name)
         if two is not None and three is not None:
             merged = _program(one or Program(two.name, two.target, level=two.level), two, three, decisions)
@@ -324,7 +266,7 @@ class _ProgramMerge:
     def vertices(self) -> list[Vertex] | None:
         old, mine, other = ({vertex.id: vertex for vertex in side.vertices} for side in self.sides)
         found: dict[str, Vertex] = {}
-        for id in _order(old, mine, other):
+        for id in merged_order(old, mine, other):
             one, two, three = old.get(id), mine.get(id), other.get(id)
             if two is not None and three is not None:
                 found[id] = self.vertex(one or Vertex(id, two.element), two, three)
@@ -337,7 +279,7 @@ class _ProgramMerge:
     def vertex(self, one: Vertex, two: Vertex, three: Vertex) -> Vertex:
         what = named(two)
         settings: dict[str, str] = {}
-        for name in _order(one.settings, two.settings, three.settings):
+        for name in merged_order(one.settings, two.settings, three.settings):
             values = (one.settings.get(name), two.settings.get(name), three.settings.get(name))
             value = self.choose(Sentence("the {setting} of {vertex}", Word(name), what), *values)
             if value is not None:
@@ -353,7 +295,7 @@ class _ProgramMerge:
     def arcs(self, ports: Sequence[Mapping[Port, Arc]], known: set[str]) -> list[Arc] | None:
         old, mine, other = ports
         found: list[Arc] = []
-        for port in _order(old, mine, other):
+        for port in merged_order(old, mine, other):
             one, two, three = old.get(port), mine.get(port), other.get(port)
             if two != one and three not in (one, two):
                 return None  # both put something else here

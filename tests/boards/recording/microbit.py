@@ -30,8 +30,14 @@ class Bus:
 
 
 class Display:
-    def show(self, picture):
-        log.append(("display", "show", picture.text))
+    def show(self, picture, wait=True):
+        log.append(("display", "show", picture if isinstance(picture, str) else picture.text))
+
+    def scroll(self, text, delay=150, wait=True):
+        log.append(("display", "scroll", text))
+
+    def set_pixel(self, x, y, level):
+        log.append(("display", (x, y), level))
 
 
 class Image:
@@ -39,8 +45,24 @@ class Image:
         self.text = text
 
 
+class Button:
+    def __init__(self, name):
+        self.name = name
+
+    def is_pressed(self):
+        return levels.get(self.name, 0)
+
+
+class Accelerometer:
+    def was_gesture(self, name):
+        return levels.get(name, 0)
+
+
 i2c = Bus()
 display = Display()
+button_a = Button("a")
+button_b = Button("b")
+accelerometer = Accelerometer()
 
 
 def running_time():

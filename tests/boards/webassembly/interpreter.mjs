@@ -190,8 +190,7 @@ async function boot(withMain) {
   mp = undefined;
   // Node's loop must turn once, or what the old one held is never given back.
   await new Promise((resolve) => setImmediate(resolve));
-  const memory = workerData.heap ? { heapsize: workerData.heap * 1024 } : {}; // kB; else the build's own
-  mp = await loadMicroPython({ stdin: readByte, stdout: put, stderr: put, linebuffer: false, ...memory });
+  mp = await loadMicroPython({ stdin: readByte, stdout: put, stderr: put, linebuffer: false });
   const stdin = mp.FS.streams[0];
   stdin.stream_ops = {
     ...stdin.stream_ops,

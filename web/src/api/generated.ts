@@ -105,12 +105,13 @@ export interface BenchLeftOut {
 
 /**
  * One thing to try, in texts by language: what is to be seen, and what to look for when it does not happen. `call` is
- * what the part is told, "" for a sensor, whose value is looked at.
+ * what the part is told, "" for a sensor, whose value is looked at and means what `reads` says.
  */
 export interface BenchStep {
   part: string;
   label: Record<string, string>;
   call: string;
+  reads: Reading;
   seen: Record<string, string>;
   trouble: Record<string, string>;
 }
@@ -1479,6 +1480,13 @@ export interface Radio {
 export interface Ray {
   reach_mm: number;
   angle_rad: number;
+}
+
+/** What the value of a part means. */
+export interface Reading {
+  type: "integer" | "boolean";
+  unit: string;
+  meaning: Meaning | null;
 }
 
 /**

@@ -88,7 +88,7 @@ export function isOn(setting: string): boolean {
 }
 
 /** What a sensor or variable says now: "77 cm", "red", "free". */
-export function valueWords(object: RobotObject, value: number): string {
+export function valueWords(object: Pick<RobotObject, "type" | "unit" | "meaning">, value: number): string {
   const measure = measureOf(object, null);
   if (object.type === "boolean" && choiceOf(measure, value) === undefined)
     return t(value === 0 ? "parts.off" : "parts.on");

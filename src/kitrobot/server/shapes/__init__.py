@@ -4,15 +4,18 @@ The models are the authority: `tools/api_types.py` writes the page's TypeScript 
 without `Shape`. Every field is always sent. Left to others: reading requests, and what the values mean.
 """
 
+from kitrobot.server.shapes.bench import (
+    BenchLeftOutShape,
+    BenchStepShape,
+    BoardBenchFailureShape,
+    BoardBenchShape,
+    ReadingShape,
+)
 from kitrobot.server.shapes.board import (
     BOARD_MESSAGE_MODELS,
     BOARD_REQUEST,
     BOARD_REQUEST_MODELS,
-    BenchLeftOutShape,
-    BenchStepShape,
-    BoardBenchFailureShape,
     BoardBenchRequest,
-    BoardBenchShape,
     BoardCancelRequest,
     BoardConnectRequest,
     BoardFaultShape,
@@ -184,6 +187,7 @@ __all__ = [
     "ProblemShape",
     "ProblemsMessage",
     "ProgramReportShape",
+    "ReadingShape",
     "RecordingEntryShape",
     "RecordingShape",
     "ReplayRequest",

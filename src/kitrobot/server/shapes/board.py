@@ -11,6 +11,7 @@ from typing import Annotated, Literal
 from pydantic import BaseModel, ConfigDict, Field, TypeAdapter
 
 from kitrobot.server.sentences import Spoken
+from kitrobot.server.shapes.bench import BenchLeftOutShape, BenchStepShape, BoardBenchShape
 from kitrobot.server.shapes.mission import MissionShape
 from kitrobot.server.shapes.problem import ProblemShape
 
@@ -233,42 +234,6 @@ class BoardProgressShape(BaseModel):
     step: BoardStep
     done: int
     total: int
-
-
-class BoardBenchFailureShape(BaseModel):
-    """The part of a step is broken, and why."""
-
-    step: int
-    message: Spoken
-    help: Spoken
-
-
-class BoardBenchShape(BaseModel):
-    """Parts that are tried: the `step` that is done now, None for none; `value` of its sensor, None before."""
-
-    step: int | None
-    value: int | None
-    failed: list[BoardBenchFailureShape]
-
-
-class BenchStepShape(BaseModel):
-    """One thing to try, in texts by language: what is to be seen, and what to look for when it does not happen.
-    `call` is what the part is told, "" for a sensor, whose value is looked at.
-    """
-
-    part: str
-    label: dict[str, str]
-    call: str
-    seen: dict[str, str]
-    trouble: dict[str, str]
-
-
-class BenchLeftOutShape(BaseModel):
-    """A part that the kit lacks or that cannot work there."""
-
-    part: str
-    label: dict[str, str]
-    why: Spoken
 
 
 class BoardStepsMessage(_Message):

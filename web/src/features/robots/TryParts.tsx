@@ -2,6 +2,7 @@
 import { Icon } from "../../theme";
 import { Said } from "../../i18n/Said";
 import { languageInUse, t } from "../../i18n/words";
+import { valueWords } from "../../model/words";
 import { endBench, tryStep } from "./actions";
 import { useBoards } from "./boards";
 import { Act, TroubleBox } from "./parts";
@@ -52,7 +53,7 @@ function Step({
           {step.call === "" ? null : <code dir="ltr">{step.call}</code>}
           {going && value !== null ? (
             <output className="bench-value" data-testid="bench-value">
-              {value}
+              {valueWords(step.reads, value)}
             </output>
           ) : null}
         </p>

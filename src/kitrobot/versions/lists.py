@@ -1,0 +1,48 @@
+"""Lists of things with names, three-way merged: which things are in the result, and in which order."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Hashable, Iterable, Sequence
+from typing import Any, TypeVar
+
+from kitrobot.text import Sentence
+
+T = TypeVar("T")
+
+
+def merged_by_name(
+    base: Sequence[T],
+    ours: Sequence[T],
+    theirs: Sequence[T],
+    name_of: Callable[[T], Hashable],
+    what: str,
+    choose: Callable[[str, Any, Any, Any], Any],
+) -> list[T]:
+    """Lists of things with names; as a whole where a name stands twice."""
+    sides = [{name_of(item): item for item in side} for side in (base, ours, theirs)]
+    if any(len(side) != len(list_) for side, list_ in zip(sides, (base, ours, theirs), strict=True)):
+        found: list[T] = choose(Sentence("the list with {what} …", what), list(base), list(ours), list(theirs))
+        return found
+    old, mine, other = sides
+    kept = {
+        name: choose(Sentence("{what} {name}", what, str(name)), old.get(name), mine.get(name), other.get(name))
+        for name in {**mine, **other}
+    }
+    return [kept[name] for name in merged_order(old, mine, other) if kept[name] is not None]
+
+
+def merged_order(base: Iterable[Any], ours: Iterable[Any], theirs: Iterable[Any]) -> list[Any]:
+    """Everybody's names: in our order, what only they have behind what it follows with them."""
+    old, mine, other = list(base), list(ours), list(theirs)
+    if mine == old:
+        theirs_too = set(other)
+        return [*other, *(name for name in mine if name not in theirs_too)]
+    have = set(mine)
+    behind: dict[Any, list[Any]] = {}  # what only they have, by the name before it; None at the end
+    before: Any = None
+    for name in other:
+        if name not in have:
+            behind.setdefault(before, []).append(name)
+        else:
+            before = name
+    return [one for name in (*mine, None) for one in (*([] if name is None else [name]), *behind.get(name, ()))]
