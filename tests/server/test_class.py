@@ -296,6 +296,79 @@ def test_a_pupils_page_is_told_what_the_teacher_does(school, mission):
     assert ada.get("/api/class/work").status_code == 403
 
 
+WORLD = {
+    "name": "w",
+    "width_mm": 1000,
+    "height_mm": 500,
+    **{kind: [] for kind in ("walls", "floors", "lines", "roads", "docks", "storehouses", "starts")},
+}
+
+
+def test_some_pupils_are_frozen_asked_to_let_edit_and_seen_in_their_arena(school, mission):
+    ada, key = school.join("Ada")
+    school.join("Ben")
+    hand_in(ada, mission)
+    teacher = school.teacher()
+    arena = {"running": True, "seconds": 1.5, "world": WORLD, "poses": [[10, 20, 0.5]], "way": [[0, 20], [10, 20]]}
+    with (
+        ada.websocket_connect(f"{SOCKET}/api/class/pupil?token={key}") as socket,
+        teacher.websocket_connect(f"{SOCKET}/api/class/teacher/watch?token={KEY}") as watch,
+    ):
+
+        def until(**wanted) -> None:
+            while any(socket.receive_json()[name] != value for name, value in wanted.items()):
+                pass
+
+        teacher.post("/api/class/teacher/freeze", json={"on": True, "folders": ["Ada"]})
+        until(frozen=True)
+        cards = {card["name"]: card for card in told(watch, "pupils")["changed"]}
+        while not cards["Ada"]["frozen"]:
+            cards |= {card["name"]: card for card in told(watch, "pupils")["changed"]}
+        assert not cards["Ben"]["frozen"]
+        teacher.post("/api/class/teacher/freeze", json={"on": False, "folders": ["Ada"]})
+        until(frozen=False)
+        # Ben is not here; Ada is, and says yes.
+        assert teacher.post("/api/class/teacher/turn", json={"folder": "Ben", "ask": True}).status_code == 422
+        teacher.post("/api/class/teacher/turn", json={"folder": "Ada", "ask": True})
+        until(turn="asked")
+        socket.send_json({"type": "turn", "yes": True})
+        until(turn="teacher")
+        teacher.post("/api/class/teacher/turn", json={"folder": "Ada", "ask": False})
+        until(turn="pupil")
+        # What the page shows is told on only while the teacher looks on.
+        watch.send_json({"type": "look", "folder": "Ada"})
+        until(looked=True)
+        socket.send_json({"type": "arena", "arena": arena})
+        while (shown := told(watch, "arena"))["arena"] is None:
+            pass
+        assert shown["folder"] == "Ada"
+        assert shown["arena"]["poses"] == [[10, 20, 0.5]]
+        assert shown["arena"]["world"]["width_mm"] == 1000
+        watch.send_json({"type": "look", "folder": ""})
+        assert told(watch, "arena") == {"type": "arena", "folder": "", "arena": None}
+
+
+@pytest.mark.parametrize(
+    "arena",
+    [
+        {},
+        {"poses": [[1e300, 0, 0]]},
+        {"poses": [[0, 0]]},
+        {"poses": [[0, 0, 0]] * 51},
+        {"world": None},
+        {"seconds": "x"},
+    ],
+)
+def test_an_arena_that_makes_no_sense_closes_the_socket(school, arena):
+    ada, key = school.join("Ada")
+    whole = {"running": True, "seconds": 1, "world": WORLD, "poses": [], "way": []} | arena if arena else {}
+    with ada.websocket_connect(f"{SOCKET}/api/class/pupil?token={key}") as socket:
+        socket.receive_json()
+        socket.send_json({"type": "arena", "arena": whole})
+        with pytest.raises(WebSocketDisconnect):
+            socket.receive_json()
+
+
 @pytest.mark.parametrize("said", ["", "{", "3", '{"type":"report"}', '{"type":"look","folder":"Ben"}', "x" * 70_000])
 def test_a_pupils_socket_that_makes_no_sense_is_closed(school, said):
     ada, key = school.join("Ada")
@@ -402,6 +475,75 @@ def test_all_work_is_collected_with_a_table_that_no_spreadsheet_takes_for_formul
     some = school.teacher().get("/api/class/teacher/collect", params={"folder": ["فاطمہ"]})
     with zipfile.ZipFile(io.BytesIO(some.content)) as archive:
         assert archive.namelist() == ["class.csv"]
+
+
+def put_own_exercise(school, name: str = "mine") -> None:
+    """An exercise of the teacher's own in the folder of the class, with a world of its own beside it."""
+    teacher = school.teacher()
+    start = teacher.get("/api/mission", params={"path": "example:exercises/03-square.krt"}).json()["mission"]
+    text = teacher.post("/api/mission/text", json={"mission": start}).json()["text"]
+    (school.room.folder / f"{name}.krt").write_text(text)
+    (school.room.folder / f"{name}.exercise.xml").write_text(
+        f'<exercise version="1" start="{name}.krt"><label>My own</label><done><label>It ends</label></done></exercise>'
+    )
+    (school.room.folder / "yard.world.xml").write_text("<world/>")
+
+
+def test_an_exercise_of_the_teachers_own_reaches_every_pupil_and_is_graded(school):
+    put_own_exercise(school)
+    teacher = school.teacher()
+    ada, _ = school.join("Ada")
+    ada.get("/api/exercises")  # The studio of one pupil is there before, of the other is not.
+    assert teacher.post("/api/class/teacher/exercise", json={"exercise": "mine.exercise.xml"}).status_code == 200
+    name = "Handed out/mine/mine.exercise.xml"
+    assert school.room.record.exercise == name
+    ben, _ = school.join("Ben")
+    for pupil in (ada, ben):
+        found = next(one for one in pupil.get("/api/exercises").json() if one["name"] == name)
+        assert found["start"] == "Handed out/mine/mine.krt"
+        opened = pupil.get("/api/mission", params={"path": found["start"]}).json()
+        # It is begun with, and never written over.
+        refused = pupil.put(
+            "/api/mission",
+            json={"path": found["start"], "revision": opened["revision"], "mission": opened["mission"]},
+        )
+        assert refused.status_code == 403, refused.text
+        judged = pupil.post("/api/exercise/judge", json={"exercise": name, "mission": opened["mission"], "seed": 1})
+        assert judged.status_code == 200, judged.text
+    assert (school.room.folder / ".studios" / "Ben" / "Handed out" / "mine" / "yard.world.xml").is_file()
+    # What the teacher writes on reaches pupils when it is chosen again; grading uses what they have.
+    hand_in(ada, opened["mission"], "mine")
+    assert teacher.post("/api/class/teacher/grade", json={}).json() == 1
+    school.app.grading.wait(PATIENCE_S)
+    assert (school.room.folder / "grades.csv").is_file()
+    own = school.room.folder / "mine.exercise.xml"
+    own.write_text(own.read_text().replace("My own", "My second"))
+    teacher.post("/api/class/teacher/exercise", json={"exercise": "mine.exercise.xml"})
+    labels = [list(one["label"].values()) for one in ada.get("/api/exercises").json() if one["name"] == name]
+    assert labels == [["My second"]]
+
+
+def test_a_wrong_exercise_of_the_teachers_own_is_a_sentence(school):
+    teacher = school.teacher()
+    put_own_exercise(school)
+    school.join("Ada")
+
+    def choose(name: str) -> tuple[int, str]:
+        said = teacher.post("/api/class/teacher/exercise", json={"exercise": name})
+        return said.status_code, said.json()["message"]
+
+    folder = school.room.folder
+    for path in ("mine.exercise.xml", "mine.krt"):
+        (folder / "Ada" / path).write_bytes((folder / path).read_bytes())
+    assert choose("Ada/mine.exercise.xml") == (422, "This exercise lies in the folder of a pupil.")
+    for at in range(60):
+        (folder / f"w{at}.world.xml").write_text("<world/>")
+    status, message = choose("mine.exercise.xml")
+    assert (status, "50 files" in message) == (422, True)
+    (folder / "mine.krt").unlink()
+    assert choose("mine.exercise.xml") == (422, "This exercise cannot be used any more.")
+    assert school.room.record.exercise == ""
+    assert not (folder / "Handed out" / "mine").exists()
 
 
 def test_the_exercise_and_what_is_handed_out_must_be_usable(school):

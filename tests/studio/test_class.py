@@ -142,6 +142,30 @@ def test_a_pupil_joins_works_and_is_seen_by_the_teacher(school: Class) -> None:
     expect(pupil.get_by_test_id("class-note")).to_contain_text("Look at the turn")
     teacher.get_by_test_id("look").get_by_role("button", name="I was there").click()
     expect(pupil.get_by_test_id("class-hand")).to_have_attribute("aria-pressed", "false")
+    # The arena of the pupil's page is seen, with the robot where it is.
+    arena = teacher.get_by_test_id("look-arena")
+    expect(arena.locator(".picture-robot")).to_have_count(1)
+    # This one alone is frozen.
+    teacher.get_by_test_id("look-freeze").click()
+    expect(pupil.get_by_test_id("class-frozen")).to_be_visible()
+    expect(card).to_have_attribute("data-frozen", "true")
+    expect(teacher.get_by_test_id("look-freeze")).to_have_text("Let go on")
+    teacher.get_by_test_id("look-freeze").click()
+    expect(pupil.get_by_test_id("class-frozen")).to_have_count(0)
+    # The teacher edits once the pupil lets in; what was saved comes back as one step, and is handed in.
+    teacher.get_by_test_id("ask-to-edit").click()
+    pupil.get_by_test_id("class-let-edit").click()
+    expect(pupil.get_by_test_id("class-take-back")).to_be_visible()
+    assert pupil.locator(".middle").evaluate("(one) => one.inert")
+    edit = teacher.get_by_test_id("edit").get_attribute("href")
+    studio = school.page(f"{school.address}{edit}")
+    add_part(studio, "stop")
+    studio.keyboard.press("Control+s")
+    expect(studio.get_by_test_id("saved-state")).to_have_text("saved")
+    teacher.get_by_test_id("give-back").click()
+    expect(pupil.get_by_test_id("class-take-back")).to_have_count(0)
+    expect(card.locator(".class-picture .picture-node")).to_have_count(2)
+    assert [path.name for path in (school.folder / "Zoé").glob("*.krt")] == ["03-square.krt"]
     # Frozen: nothing can be typed, but STOP is there.
     teacher.get_by_test_id("freeze").click()
     expect(pupil.get_by_test_id("class-frozen")).to_be_visible()
