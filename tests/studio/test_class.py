@@ -146,6 +146,7 @@ def test_a_pupil_joins_works_and_is_seen_by_the_teacher(school: Class) -> None:
     arena = teacher.get_by_test_id("look-arena")
     expect(arena.locator(".picture-robot")).to_have_count(1)
     # This one alone is frozen.
+    teacher.get_by_test_id("filter-all").click()
     teacher.get_by_test_id("look-freeze").click()
     expect(pupil.get_by_test_id("class-frozen")).to_be_visible()
     expect(card).to_have_attribute("data-frozen", "true")
@@ -179,7 +180,6 @@ def test_a_pupil_joins_works_and_is_seen_by_the_teacher(school: Class) -> None:
     # A mission for all is offered where something is unsaved.
     teacher.keyboard.press("Escape")
     expect(teacher.get_by_test_id("look")).to_have_count(0)
-    teacher.get_by_test_id("filter-all").click()
     teacher.get_by_test_id("send").click()
     teacher.locator("[data-path='example:blink/blink.krt']").click()
     expect(pupil.get_by_test_id("class-handed")).to_contain_text("blink")
