@@ -75,8 +75,16 @@ async def pupil_socket(socket: WebSocket) -> None:
     if pupil.pages >= MOST_PAGES:
         await socket.close(1013)
         return
-    await socket.accept()
+    # Counted before anything is awaited: many that come at once are counted, too.
     room.comes(pupil)
+    try:
+        await socket.accept()
+        await _tell_pupil(socket, room, pupil)
+    finally:
+        room.goes(pupil)
+
+
+async def _tell_pupil(socket: WebSocket, room: ClassRoom, pupil: Pupil) -> None:
     hears = asyncio.ensure_future(_hear(socket, lambda text: _take(room, pupil, text)))
     try:
         with _woken(room) as news:
@@ -90,7 +98,6 @@ async def pupil_socket(socket: WebSocket) -> None:
     except (WebSocketDisconnect, RuntimeError):
         pass  # gone while we spoke
     finally:
-        room.goes(pupil)
         await _end(socket, hears)
 
 
@@ -168,7 +175,10 @@ def _take(room: ClassRoom, pupil: Pupil, text: str) -> None:
         room.give_turn(pupil, said.yes)
         return
     if isinstance(said, ShowArenaMessage):
-        room.show_arena(pupil, said.arena.model_dump_json())
+        arena = said.arena.model_dump_json()
+        # What cannot be read again would end the teacher's socket, not the pupil's.
+        ClassArenaShape.model_validate_json(arena)
+        room.show_arena(pupil, arena)
         return
     goals = tuple(Goal(goal.reached, goal.why) for goal in said.goals)
     room.take(pupil, Report(said.running, said.edits, said.runs, said.file, said.exercise, goals))
