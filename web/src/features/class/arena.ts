@@ -5,6 +5,8 @@ import { lastFrame, watchFrames } from "../../session/poses";
 import { useRun } from "../../session/run";
 
 const EVERY_MS = 1000;
+/** After so many times it is told once more: the class may have begun anew, or the teacher have looked away. */
+const AGAIN = 3;
 const STEP_MM = 20;
 const MOST_POINTS = 400;
 const MOST_ROBOTS = 50;
@@ -26,6 +28,7 @@ export function tellArena(looked: () => boolean, tell: (arena: ClassArena) => vo
   let way: Way = [];
   let of = "";
   let told = "";
+  let quiet = 0;
   const off = watchFrames(() => {
     const { name } = useRun.getState();
     const first = lastFrame()?.poses[0];
@@ -49,8 +52,9 @@ export function tellArena(looked: () => boolean, tell: (arena: ClassArena) => vo
       way: [...way],
     };
     const words = JSON.stringify(arena);
-    if (words === told || words.length > LONGEST) return;
+    if ((words === told && ++quiet < AGAIN) || words.length > LONGEST) return;
     told = words;
+    quiet = 0;
     tell(arena);
   }, EVERY_MS);
   return () => {

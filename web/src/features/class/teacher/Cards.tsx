@@ -68,7 +68,11 @@ const Card = memo(function Card({ seen, goals, now, chosen, tab }: CardProps) {
       </span>
       <span className="class-goals">
         <Boxes goals={pupil.goals} count={goals} />
-        {goals === 0 ? <small dir="auto">{pupil.file}</small> : <small>{done}</small>}
+        {goals === 0 ? (
+          <small dir="auto">{pupil.file}</small>
+        ) : (
+          <small dir="ltr">{`${String(met(pupil))}/${String(goals)}`}</small>
+        )}
       </span>
     </button>
   );

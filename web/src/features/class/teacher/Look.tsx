@@ -180,7 +180,7 @@ export function Look({ now }: { now: number }) {
   const [removing, setRemoving] = useState("");
   const one = seen.get(looked);
   if (one === undefined || news === null) return null;
-  const { folder, name, file, frozen, state, word } = one.pupil;
+  const { folder, name, file, frozen, state, turn, word } = one.pupil;
   const { icon, words } = stateWords(one, news.goals.length, now);
   const program = pictures.get(folder)?.program ?? null;
   const copy = `studio?token=${encodeURIComponent(token())}&open=${encodeURIComponent(`${folder}/${file}`)}`;
@@ -212,10 +212,12 @@ export function Look({ now }: { now: number }) {
         </button>
         <Tool small icon="x" label={t("help.close")} titled={false} onClick={() => look("")} />
       </header>
-      <p className="class-look-note">
-        <Icon name="eye" size={16} />
-        {t("teacher.look-on", { name })}
-      </p>
+      {turn === "teacher" ? null : (
+        <p className="class-look-note">
+          <Icon name="eye" size={16} />
+          {t("teacher.look-on", { name })}
+        </p>
+      )}
       {program === null ? (
         <p className="class-nobody">{t("teacher.look-none")}</p>
       ) : (
