@@ -108,6 +108,14 @@ def test_a_pupil_joins_works_and_is_seen_by_the_teacher(school: Class) -> None:
     teacher = school.page(school.teacher)
     expect(teacher.get_by_test_id("class-empty")).to_contain_text("Nobody is here yet")
     expect(teacher.get_by_test_id("class-code")).to_have_text(f"{school.code[:3]} {school.code[3:]}")
+    # On a narrow page nothing is wider than it.
+    teacher.set_viewport_size({"width": 390, "height": HEIGHT})
+    assert teacher.evaluate("document.querySelector('.class-main').scrollWidth") <= 390
+    box = teacher.get_by_test_id("class-join").bounding_box()
+    assert box is not None
+    assert box["x"] >= 0
+    assert box["x"] + box["width"] <= 390
+    teacher.set_viewport_size({"width": WIDTH, "height": HEIGHT})
     # A wrong code is said, in the pupil's language.
     pupil = school.page(school.address, "fr")
     pupil.get_by_test_id("join-code").fill("AAAAAA")

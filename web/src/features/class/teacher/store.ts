@@ -144,12 +144,12 @@ export function keepDesk(): () => void {
     onOpen: () => {
       set({ lost: null, refused: false });
       const { looked } = useDesk.getState();
-      if (looked !== "") look(looked);
+      if (looked !== "") socket?.say({ type: "look", folder: looked });
     },
     onMessage: (message) => {
       if (message.type === "class") set({ news: message });
       else if (message.type === "pupils") hearPupils(message);
-      else if (message.folder === useDesk.getState().looked) set({ arena: message.arena });
+      else if (message.arena !== null && message.folder === useDesk.getState().looked) set({ arena: message.arena });
     },
     onLost: () => {
       set(({ lost }) => ({ lost: lost ?? Date.now() }));
