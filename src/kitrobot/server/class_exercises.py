@@ -60,7 +60,7 @@ def hand_out_exercise(room: ClassRoom, studio: Studio, name: str) -> str:
 def copy_exercise(room: ClassRoom, studio: Path) -> None:
     """Puts what is needed of the exercise of the class into a pupil's studio."""
     folder = PurePosixPath(room.record.exercise).parent
-    if folder.parent == PurePosixPath(HANDED_OUT) and (room.folder / folder).is_dir():
+    if folder.parent == PurePosixPath(HANDED_OUT) and folder.name != ".." and (room.folder / folder).is_dir():
         found = {path.name: path for path in (room.folder / folder).iterdir() if path.is_file()}
         _write(studio / folder, _contents(found))
 
