@@ -60,7 +60,7 @@ def on_board() -> Iterator[OnBoard]:
 
 
 def test_every_driver_is_tried_here() -> None:
-    text = "".join(path.read_text(encoding="utf-8") for path in Path(__file__).parent.glob("test_*_drivers.py"))
+    text = "".join(path.read_text(encoding="utf-8") for path in Path(__file__).parent.glob("test_*.py"))
     for name in NAMES:
         assert f'make("machine.{name}"' in text, name
 

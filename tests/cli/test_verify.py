@@ -53,6 +53,8 @@ def test_a_search_that_is_cut_never_holds(kitrobot) -> None:
         (("--property", "nobody"), 1, "this mission has no property nobody"),
         (("--timing", "never"), 2, "expected one of lockstep, prompt, free"),
         (("--failures", "9"), 2, "a check takes 0 to 3 failures"),
+        (("--failures", "1", "--kind", "rust"), 2, "expected one of fail, stall, mute"),
+        (("--kind", "mute"), 2, "say with --failures how many there may be"),
         (("--seconds", "0"), 2, "a check takes more than 0 seconds"),
         (("--max-states", "0"), 2, "--max-states"),
     ],
@@ -90,3 +92,11 @@ def test_a_property_about_nothing_is_left_out_or_vacuous_and_the_check_says_so(k
             alone = kitrobot("verify", path, "--timing", "lockstep", "--property", name)
             assert (alone.status, alone.out) == (1, "")
             assert f"this mission has no property {name}" in alone.err
+
+
+def test_who_shares_nothing_has_no_radio_to_lose_and_a_check_of_that_says_so(kitrobot) -> None:
+    blink = ROOT / "examples" / "blink" / "blink.krt"
+    said = kitrobot("verify", blink, "--timing", "lockstep", "--failures", "1", "--kind", "mute")
+    assert said.status == 0, said
+    assert "lockstep, 1 failure (mute)" in said.out
+    assert "taken for granted: nobody loses its radio" in said.out

@@ -126,6 +126,8 @@ def test_what_cannot_be_checked_is_refused_with_a_way_out_and_the_socket_goes_on
         mistakes: list[dict[str, Any]] = [
             {"failures": 4},
             {"failures": -1},
+            {"failures": 1, "kinds": ["rust"]},
+            {"failures": 1, "kinds": []},
             {"seconds": 0},
             {"seconds": 1e9},
             {"mission": {}},
@@ -133,8 +135,9 @@ def test_what_cannot_be_checked_is_refused_with_a_way_out_and_the_socket_goes_on
         for odd in mistakes:
             checker.start(**{"mission": blink, **odd})
             assert "not understood" in checker.until("refused")["message"]
-        checker.start(blink, failures=1)
-        checker.until("end")
+        checker.start(blink, failures=1, kinds=["mute", "fail"])
+        (limit,) = checker.until("end")["limits"]
+        assert limit.startswith("Nobody loses its radio"), limit
         found = [(one["timing"], one["failures"]) for one in checker.columns]
         assert list(dict.fromkeys(found)) == [
             (timing, failures) for failures in (0, 1) for timing in ("lockstep", "prompt", "free")

@@ -64,7 +64,14 @@ def test_a_property_is_written_and_what_is_broken_is_told_and_played_and_a_check
     field.fill("any carrier-1 (Cargo.IsPressed())")
     field.blur()
     expect(studio.at("property-wrong")).to_have_count(0, timeout=1000 * PATIENCE_S)
+    expect(studio.at("check-kinds")).to_have_count(0)
+    studio.at("check-failures").select_option("1")
+    studio.at("check-kinds").select_option("mute")
     studio.at("check-begin").click()
+    expect(studio.at("check-verdict").or_(studio.at("answer-deadlock-lockstep-0")).first).to_be_visible(
+        timeout=1000 * PATIENCE_S
+    )
+    expect(studio.page.get_by_text("1 failure: loses its radio").first).to_be_visible()
     broken = studio.at("answer-empty-storehouse-lockstep-0")
     expect(broken).to_have_attribute("data-shape", "broken", timeout=1000 * PATIENCE_S)
     studio.at("check-stop").click()

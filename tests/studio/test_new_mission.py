@@ -9,6 +9,7 @@ from playwright.sync_api import expect
 
 from tests.studio.conftest import Studio
 from tests.studio.test_gallery import IS_DRAWN
+from tests.studio.test_parts import ROBOT
 from tests.studio.test_reach import find_nothing
 
 pytestmark = pytest.mark.browser
@@ -69,3 +70,15 @@ def test_the_robot_of_a_team_and_its_place_are_what_was_chosen(open_studio: Open
     expect(studio.at("title")).to_contain_text("Łukasz' maze.krt")
     expect(studio.at("part-LeftWheel.Forward")).to_be_visible()
     expect(studio.at("first-place")).to_be_visible()
+
+
+def test_a_robot_of_the_folder_is_one_to_begin_with(open_studio: OpenStudio) -> None:
+    studio = open_studio(None)
+    (studio.folder / "rover.robot.xml").write_text(ROBOT, encoding="utf-8")
+    studio.page.keyboard.press("Control+Alt+n")
+    card = studio.page.locator("label", has=studio.at("new-robots-rover"))
+    expect(card).to_contain_text("Your own robot")
+    card.click()
+    studio.at("new-begin").click()
+    studio.expect_opened()
+    expect(studio.at("fold-Lamp")).to_be_visible()

@@ -2,13 +2,16 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from pathlib import Path
 
 import pytest
 
+from kitrobot.mission import FailureKind
 from kitrobot.sim import Simulation
 from kitrobot.verifier import AbstractionError, Budget, Model, Timing, judge, ready_properties, take_apart
 from kitrobot.verifier import columns as v
+from kitrobot.verifier.building import USUAL_KINDS
 from kitrobot.verifier.exploring import explore
 from tests.effort import cases
 from tests.sim.building import transport
@@ -20,12 +23,12 @@ from tests.verifier.reference import properties as plain_properties
 from tests.verifier.reference import timing as plain_timing
 
 
-def agrees(run: Simulation, timing: Timing, failures: int = 0) -> None:
+def agrees(run: Simulation, timing: Timing, failures: int = 0, kinds: Sequence[FailureKind] = USUAL_KINDS) -> None:
     """Explores a mission both ways and compares what came of it."""
     parts = take_apart(run)
-    model = Model(run, parts, failures, timing)
+    model = Model(run, parts, failures, timing, kinds)
     ours = judge(model, ready_properties(model), Budget(100_000))
-    plain = plain_model.Model(run, parts, failures)
+    plain = plain_model.Model(run, parts, failures, kinds)
     theirs = plain_judging.judge(
         plain,
         plain_properties.ready_properties(plain),
@@ -58,6 +61,23 @@ def test_the_transport_mission_has_the_states_and_answers_of_the_plain_model(
     carriers: int, stock: int, timing: Timing, failures: int
 ) -> None:
     agrees(transport(stock=stock, carriers=carriers), timing, failures)
+
+
+@pytest.mark.parametrize(
+    ("timing", "failures", "kinds"),
+    cases(
+        [
+            (Timing.LOCKSTEP, 1, (FailureKind.MUTE,)),
+            (Timing.PROMPT, 1, (FailureKind.MUTE,)),
+            (Timing.LOCKSTEP, 2, (FailureKind.STALL, FailureKind.MUTE)),
+        ],
+        [(Timing.FREE, 1, (FailureKind.MUTE,)), (Timing.PROMPT, 2, (FailureKind.STALL, FailureKind.MUTE))],
+    ),
+)
+def test_robots_that_lose_their_radio_have_the_states_and_answers_of_the_plain_model(
+    timing: Timing, failures: int, kinds: tuple[FailureKind, ...]
+) -> None:
+    agrees(transport(stock=1, carriers=1), timing, failures, kinds)
 
 
 @pytest.mark.parametrize("timing", [Timing.LOCKSTEP, Timing.PROMPT])

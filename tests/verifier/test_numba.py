@@ -9,6 +9,7 @@ import pytest
 
 from kitrobot.mission import AskedProperty, Form
 from kitrobot.verifier import (
+    KINDS,
     Budget,
     Model,
     Timing,
@@ -52,7 +53,7 @@ def test_compiled_and_plain_give_the_same_numbers(
     parts = take_apart(run, variables_asked(run, asked))
 
     def made(engine: Engine) -> Explored:
-        return explore(Model(run, parts, failures, timing), Budget(30_000), True, engine)
+        return explore(Model(run, parts, failures, timing, KINDS), Budget(30_000), True, engine)
 
     plain, fast = made(PLAIN), made(compiled)
     assert [plain.state(n) for n in range(len(plain))] == [fast.state(n) for n in range(len(fast))]
@@ -61,7 +62,7 @@ def test_compiled_and_plain_give_the_same_numbers(
     assert list(plain.graph.taken[:edges]) == list(fast.graph.taken[:edges])
     verdicts = []
     for engine in (PLAIN, compiled):
-        model = Model(run, parts, failures, timing)
+        model = Model(run, parts, failures, timing, KINDS)
         own, left_out = asked_properties(model, asked)
         assert left_out == []
         judged = judge(model, [*ready_properties(model), *own], Budget(30_000), engine)

@@ -6,6 +6,8 @@ from pathlib import Path
 
 import pytest
 
+from kitrobot.primitives import SHIPPED
+from kitrobot.server.shapes.beginning import robot_set_shape
 from kitrobot.server.studio import Studio
 from kitrobot.workspace import NoBeginningError
 from kitrobot.workspace.beginnings import NOTHING, read_beginnings
@@ -55,6 +57,26 @@ def test_all_that_is_listed_is_there(studio: Studio) -> None:
         for name in choices.starters_of(kind, place)
     }
     assert fitting == used | {NOTHING}
+
+
+def test_a_robot_of_one_s_own_is_there_as_long_as_its_file_is_and_begins_without_parts(tmp_path: Path) -> None:
+    studio = Studio(tmp_path, None)
+    before = studio.choices.robot_sets
+    text = (SHIPPED / "mini-robot.robot.xml").read_text(encoding="utf-8")
+    file = tmp_path / "rover.robot.xml"
+    file.write_text(text.replace('name="mini-robot"', 'name="rover"', 1), encoding="utf-8")
+    (tmp_path / "broken.robot.xml").write_text("<robot name='x'><actuator", encoding="utf-8")
+    choices = studio.choices
+    assert choices.robot_sets[:-1] == before
+    shape = robot_set_shape(choices.robot_sets[-1], choices, studio.catalogue(""))
+    assert (shape.name, shape.robots, shape.own) == ("rover", ["rover"], True)
+    assert not robot_set_shape(before[0], choices, studio.catalogue("")).own
+    assert choices.starters_of(choices.robot_set("rover"), shape.places[0]) == [NOTHING]
+    opened = studio.open(choices.begin("rover", shape.places[0], NOTHING), "")
+    assert [problem for problem in opened.report.problems if problem.is_error] == []
+    assert opened.mission.programs[0].target == "rover"
+    file.unlink()
+    assert studio.choices.robot_sets == before
 
 
 @pytest.mark.parametrize(

@@ -36,6 +36,16 @@ def verify_mission(
         ),
     ] = None,
     failures: Annotated[int, typer.Option(metavar="K", help="Up to so many failures at any moment, 0 to 3.")] = 0,
+    kinds: Annotated[
+        list[str] | None,
+        typer.Option(
+            "--kind",
+            metavar="fail|stall|mute",
+            help="What a failure is: a robot stops for good, misses its ticks for a while, or loses its radio; may be "
+            "given again. Else fail and stall.",
+            show_default=False,
+        ),
+    ] = None,
     most_states: Annotated[
         int, typer.Option("--max-states", metavar="N", min=1, help="Explore at most so many states of each.")
     ] = 1_000_000,
@@ -49,7 +59,7 @@ def verify_mission(
     """
     if not (math.isfinite(seconds) and seconds > 0):
         raise typer.BadParameter("a check takes more than 0 seconds", param_hint="'--seconds'")
-    from kitrobot.verifier import Answer, Timing
+    from kitrobot.verifier import KINDS, USUAL_KINDS, Answer, Timing
     from kitrobot.workspace import RunOptions, open_mission
     from kitrobot.workspace.verification import MOST_FAILURES, VerificationOptions, verify
 
@@ -59,10 +69,17 @@ def verify_mission(
     for name in timings or ():
         if name not in known:
             raise typer.BadParameter(f"expected one of {', '.join(known)}", param_hint="'--timing'")
+    if kinds and not failures:
+        raise typer.BadParameter("say with --failures how many there may be", param_hint="'--kind'")
+    befalls = {one.value: one for one in KINDS}
+    for name in kinds or ():
+        if name not in befalls:
+            raise typer.BadParameter(f"expected one of {', '.join(befalls)}", param_hint="'--kind'")
     chosen = tuple(one for one in Timing if not timings or one.value in timings)
     prepared = open_mission(file).prepare(RunOptions(1, 600.0))
     show(prepared.problems, prepared.sources)
-    options = VerificationOptions(tuple(properties or ()), chosen, failures, most_states, seconds)
+    wanted = tuple(one for name, one in befalls.items() if name in kinds) if kinds else USUAL_KINDS
+    options = VerificationOptions(tuple(properties or ()), chosen, failures, wanted, most_states, seconds)
     with _progress() as progress:
         made = verify(prepared, options, progress)
     give(json_text(made.to_json()) + "\n" if as_json else _table(made))
@@ -90,13 +107,16 @@ def _progress() -> Iterator[Progress | None]:
         )
 
 
-def _head(timing: str, failures: int) -> str:
-    return timing if failures == 0 else f"{timing}, {failures} failure{'' if failures == 1 else 's'}"
+def _head(timing: str, failures: int, kinds: str = "") -> str:
+    return timing if failures == 0 else f"{timing}, {failures} failure{'' if failures == 1 else 's'}{kinds}"
 
 
 def _table(made: Verification) -> str:
     """The result as people read it: a row for each property, a column for each assumption, then what is broken."""
-    heads = [_head(column.judged.timing.value, column.judged.failures) for column in made.columns]
+    from kitrobot.verifier import USUAL_KINDS
+
+    kinds = "" if made.kinds == USUAL_KINDS else f" ({', '.join(kind.value for kind in made.kinds)})"
+    heads = [_head(column.judged.timing.value, column.judged.failures, kinds) for column in made.columns]
     rows: dict[str, list[str]] = {}
     for column in made.columns:
         for finding in column.findings:

@@ -94,9 +94,13 @@ class Studio:
         self._worlds: dict[str, Path] = {}
 
     @cached_property
-    def choices(self) -> Choices:
-        """What a new mission can begin with."""
+    def _choices(self) -> Choices:
         return Choices(self.folder)
+
+    @property
+    def choices(self) -> Choices:
+        """What a new mission can begin with, the robots that are in the folder now included."""
+        return self._choices.with_own(self.catalogue(""))
 
     def runs_of(self, path: str) -> list[str]:
         """The runs that are on of the mission of that path; none where it is of no file."""

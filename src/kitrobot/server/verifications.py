@@ -16,6 +16,7 @@ from kitrobot.server.shapes.verification import (
     verify_message,
 )
 from kitrobot.text import Sentence
+from kitrobot.verifier import KINDS
 from kitrobot.workspace import OpenMission, RunOptions
 from kitrobot.workspace.background_check import verify_apart
 from kitrobot.workspace.verification import VerificationOptions
@@ -34,7 +35,10 @@ class _Verification(BackgroundWork):
     def work(self, request: VerifyStartRequest, opened: OpenMission) -> VerifyEndMessage:
         prepared = opened.prepare(RunOptions(request.seed, RUN_S))
         tick_ms = prepared.simulation.tick_ms
-        options = VerificationOptions(failures=request.failures, seconds=request.seconds, stop=self.stop.is_set)
+        kinds = tuple(kind for kind in KINDS if kind.value in request.kinds)
+        options = VerificationOptions(
+            failures=request.failures, kinds=kinds, seconds=request.seconds, stop=self.stop.is_set
+        )
         ended = verify_apart(prepared, options, lambda told: self.tell(verify_message(told, tick_ms)))
         return VerifyEndMessage(limits=[] if ended is None else list(ended.limits))
 

@@ -6,11 +6,12 @@ was found (`timing`).
 """
 
 from kitrobot.verifier.asked import asked_properties, variables_asked
+from kitrobot.verifier.building import KINDS, USUAL_KINDS
 from kitrobot.verifier.conditions import Asked, Member, PropertyError, ask
 from kitrobot.verifier.exploring import Budget
 from kitrobot.verifier.judging import Answer, Judged, Verdict, Way, judge
 from kitrobot.verifier.model import Model
-from kitrobot.verifier.parts import take_apart
+from kitrobot.verifier.parts import Parts, take_apart
 from kitrobot.verifier.programs import AbstractionError
 from kitrobot.verifier.properties import Property, ready_properties
 from kitrobot.verifier.replay import Confirmed, Harm, befell, confirm
@@ -18,6 +19,8 @@ from kitrobot.verifier.telling import told
 from kitrobot.verifier.timing import Timing
 
 __all__ = [
+    "KINDS",
+    "USUAL_KINDS",
     "AbstractionError",
     "Answer",
     "Asked",
@@ -27,6 +30,7 @@ __all__ = [
     "Judged",
     "Member",
     "Model",
+    "Parts",
     "Property",
     "PropertyError",
     "Timing",

@@ -26,12 +26,14 @@ class Inside(NamedTuple):
         load: whether a box is on its bed.
         busy: of each of its actuators that take longer: 0, or 1 and the number of the procedure.
         down: RUNS, STALLED (it rolls on and does not tick) or FAILED.
+        own: its copies of the shared variables, once it hears nobody; empty as long as it does.
     """
 
     local: int
     load: int
     busy: tuple[int, ...]
     down: int
+    own: tuple[int, ...] = ()
 
 
 NEW_ZONE = 1 << 4

@@ -6,6 +6,7 @@ from collections.abc import Sequence
 from functools import lru_cache
 from typing import Any
 
+from kitrobot.mission import FailureKind
 from kitrobot.sim import Simulation
 from kitrobot.sim import columns as c
 from kitrobot.sim.devices.base import Discrete
@@ -23,6 +24,10 @@ from kitrobot.verifier.timing import Timing
 
 _TIMINGS = {Timing.LOCKSTEP: v.LOCKSTEP, Timing.PROMPT: v.PROMPT, Timing.FREE: v.FREE}
 MOST_TAKEN = 65_535
+
+KINDS = {FailureKind.FAIL: v.MAY_CRASH, FailureKind.STALL: v.MAY_STALL, FailureKind.MUTE: v.MAY_MUTE}
+"""What can befall agents in a model, and the bits of it in the tables."""
+USUAL_KINDS = (FailureKind.FAIL, FailureKind.STALL)
 
 
 class Roads:
@@ -62,7 +67,7 @@ def check_size(parts: Sequence[Part]) -> None:
 
 
 def build(
-    run: Simulation, parts: Sequence[Part], roads: Roads, timing: Timing, may_fail: bool, slower: int
+    run: Simulation, parts: Sequence[Part], roads: Roads, timing: Timing, may_fail: int, slower: int
 ) -> tuple[Tables, int]:
     """The tables, as lists, with nothing in them yet; how many fields a key has besides."""
     docks, houses = len(run.world.docks), len(run.world.storehouses)
@@ -79,7 +84,7 @@ def build(
     gaps = max((part.track.gaps.beyond for part in parts if part.track is not None), default=0)
     fixed[v.USED_BITS] = 2 + 2 * (gaps + 2)
     fixed[v.POOL_WIDTH] = P_USED + -(-roads.places * fixed[v.USED_BITS] // USED_PER_WORD)
-    fixed[v.MAY_FAIL], fixed[v.SLOWER] = int(may_fail), slower
+    fixed[v.MAY_FAIL], fixed[v.SLOWER] = may_fail, slower
     fixed[v.SETTLES] = int(run.team_plan is not None)
     agents, geo, visits, act_rows = _static(run, parts, roads, docks)
     taken: list[int] = [0] * (
@@ -171,6 +176,7 @@ def _static(
         row[v.A_LEADER] = roads.place[part.leader] if part.leader >= 0 else -1
         row[v.A_FOLLOWER] = roads.place[part.follower] if part.follower >= 0 else -1
         row[v.A_LATE], row[v.A_BED] = int(part.is_late), int(bool(run.state.robots.ints[c.BED][part.agent.index]))
+        row[v.A_SHARES] = v.KEPT if part.is_asked else v.SHARED if part.shared else v.UNSHARED
         row[v.A_VISIT] = len(visits) // v.VISIT
         for sense in part.senses:
             if sense.discrete is Discrete.VISIT:

@@ -18,6 +18,8 @@ AGENTS, ROADS, PLACES, DOCKS, HOUSES, TIMING, ACTS, FIELDS, ROAD_FIELD, DUE_FIEL
 INSIDE_WIDTH, INSIDE_STRIDE, CONF_WIDTH, SHARED_WIDTH, POOL_WIDTH, USED_BITS, MAY_FAIL, SLOWER, SETTLES = range(10, 19)
 FIXED = 19
 LOCKSTEP, PROMPT, FREE = range(3)
+MAY_CRASH, MAY_STALL, MAY_MUTE = 1, 2, 4
+"""Bits of `MAY_FAIL`: what may befall agents; 0 where nothing does."""
 
 # -- numbers that do (`regs`)
 CODE, CONFS, MOVES, MOMENTS, LOG, NEXTS, TAKEN = range(7)
@@ -37,8 +39,10 @@ ROOM_AFTERS = 17
 
 # -- a row of `agents`
 (A_ROAD, A_PLACE, A_LEADER, A_FOLLOWER, A_LATE, A_ZONES, A_CLOSED, A_BEYOND, A_ZONE_AT, A_GAP_AT, A_CAN_AT) = range(11)
-A_SENSES_AT, A_SENSES, A_VISIT, A_VISITS, A_ACT, A_ACTS, A_BED = range(11, 18)
-AGENT = 18
+A_SENSES_AT, A_SENSES, A_VISIT, A_VISITS, A_ACT, A_ACTS, A_BED, A_SHARES = range(11, 19)
+AGENT = 19
+UNSHARED, SHARED, KEPT = range(3)
+"""`A_SHARES`: whether it shares variables, and whether what it knows of them counts once it has failed."""
 # -- a row of `visits`: a dock, the number of its road (-1), the load that is wanted (2: any)
 VISIT = 3
 # -- a row of `acts`: whether it is an arm, its dock, its storehouse, the number of the dock's road, its capacity
@@ -47,8 +51,9 @@ ACT = 5
 # -- a row of `insides`
 I_TICKS, I_LOAD, I_DOWN, I_ENDS, I_ENDED, I_LOADED, I_BEFALLEN = range(7)
 """Whether it has ticks; its load; what befell it; whether something can end; whether its program has ended; the
-number with the other load; with RUNS, STALLED and FAILED (three)."""
-I_ACT = 10
+number with the other load; with RUNS, STALLED and FAILED (three); whether it has lost its radio."""
+I_MUTED = 10
+I_ACT = 11
 """From here on two for each actuator: what it does (0 nothing, 1 its first procedure …), the number once done."""
 
 # -- a row of `shared`: failures that may still come, boxes in each storehouse, then what each agent sees of it
@@ -80,8 +85,9 @@ LINE = 6
 """A row of `line` and `harm`: a key (two words), the event that led to it, the row it came from (-1), kinds of events
 so far, and who came to an end."""
 
-# -- the key of a reaction: inside, seen of shared, seen of the road, visits, agent
-S_SHARED, S_VIEW, S_VISITS, S_AGENT = 18, 34, 48, 56
+# -- the key of a reaction: inside, seen of shared, seen of the road, visits, agent; or, with the bit above these, of
+# what an agent is once it has lost its radio: inside, seen of shared, agent
+S_SHARED, S_VIEW, S_VISITS, S_AGENT, S_MUTE = 18, 34, 48, 56, 62
 MOST_INSIDES, MOST_SEEN, MOST_VIEWS, MOST_VISITS = 1 << 18, 1 << 16, 1 << 14, 1 << 8
 S_WRITE = 24
 """The key of a change of what is shared: the number before it, above the write."""

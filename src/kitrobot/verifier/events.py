@@ -22,9 +22,10 @@ class What(IntEnum):
     FAIL = 18
     STALL = 19
     RESUME = 20
+    MUTE = 21
 
 
-TICK, DONE, LOADED, UNLOADED, NO_EMPTY_CARRIER, NO_LOADED_CARRIER, NO_BOX, FAIL, STALL, RESUME = map(int, What)
+TICK, DONE, LOADED, UNLOADED, NO_EMPTY_CARRIER, NO_LOADED_CARRIER, NO_BOX, FAIL, STALL, RESUME, MUTE = map(int, What)
 """The same as whole numbers, which Numba takes."""
 
 SWINGS = (What.LOADED, What.UNLOADED, What.NO_BOX, What.NO_EMPTY_CARRIER, What.NO_LOADED_CARRIER)

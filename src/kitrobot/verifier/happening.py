@@ -11,6 +11,7 @@ from kitrobot.verifier.columns import (
     A_ACTS,
     A_PLACE,
     A_ROAD,
+    A_SHARES,
     ACT,
     AGENT,
     C_STAND,
@@ -27,9 +28,15 @@ from kitrobot.verifier.columns import (
     I_DOWN,
     I_ENDED,
     I_LOADED,
+    I_MUTED,
     INSIDE_STRIDE,
     INSIDE_WIDTH,
+    KEPT,
     LINE,
+    MAY_CRASH,
+    MAY_FAIL,
+    MAY_MUTE,
+    MAY_STALL,
     MISS_A,
     MISS_B,
     MISS_DONE,
@@ -38,11 +45,13 @@ from kitrobot.verifier.columns import (
     ROAD_FIELD,
     SHARED_WIDTH,
     TOO_MANY,
+    UNSHARED,
 )
 from kitrobot.verifier.events import (
     DONE,
     FAIL,
     LOADED,
+    MUTE,
     NO_BOX,
     NO_EMPTY_CARRIER,
     NO_LOADED_CARRIER,
@@ -50,9 +59,13 @@ from kitrobot.verifier.events import (
     STALL,
     UNLOADED,
 )
-from kitrobot.verifier.looking import changed
+from kitrobot.verifier.looking import changed, silenced
 from kitrobot.verifier.tables import Tables
 from kitrobot.verifier.traffic import after_harm
+
+RESUMES, CRASHES, STALLS, MUTES = range(4)
+HARMS = 4
+"""What may befall an agent, in the order in which `harms_of` writes it."""
 
 
 def ends_of(t: Tables, x: int, y: int, i: int, first: int) -> int:
@@ -122,26 +135,36 @@ def ends_of(t: Tables, x: int, y: int, i: int, first: int) -> int:
     return found
 
 
-def harms_of(t: Tables, x: int, y: int, i: int, first: int) -> int:
-    """Writes what may befall agent i, in the state of `now`, into rows of `harm`; how many."""
+def harms_of(t: Tables, x: int, y: int, i: int, first: int, since: int) -> int:
+    """Writes what may befall agent i, in the state of `now`, into rows of `harm`, from one of the four kinds on; how
+    many.
+    """
     fixed, now, insides = t.fixed, t.now, t.insides
     row = (i * fixed[INSIDE_STRIDE] + now[1 + i]) * fixed[INSIDE_WIDTH]
     down = insides[row + I_DOWN]
     left = t.shared[now[0] * fixed[SHARED_WIDTH] + G_FAILURES]
+    kinds = fixed[MAY_FAIL] if left > 0 and down != FAILED and not insides[row + I_ENDED] else 0
+    shares = t.agents[i * AGENT + A_SHARES]
     found = 0
-    for n in range(3):
+    for n in range(since, HARMS):
         if n == 0:
             to, event, may = RUNS, RESUME, down == STALLED
         elif n == 1:
-            to, event, may = FAILED, FAIL, left > 0 and down != FAILED and not insides[row + I_ENDED]
+            to, event, may = FAILED, FAIL, kinds & MAY_CRASH != 0
+        elif n == 2:
+            to, event, may = STALLED, STALL, kinds & MAY_STALL != 0 and down == RUNS
         else:
-            to, event, may = STALLED, STALL, left > 0 and down == RUNS and not insides[row + I_ENDED]
+            to, event = down, MUTE
+            may = kinds & MAY_MUTE != 0 and shares != UNSHARED and insides[row + I_MUTED] == 0
         if not may:
             continue
         if (first + found + 1) * LINE > len(t.harm):
             t.regs[CODE] = TOO_MANY
             return -1
-        inside = insides[row + I_BEFALLEN + to]
+        is_silenced = event == MUTE or (event == FAIL and shares == KEPT and insides[row + I_MUTED] == 0)
+        inside = silenced(t, i, int(event == FAIL)) if is_silenced else insides[row + I_BEFALLEN + to]
+        if inside < 0 and is_silenced:
+            return -1
         if inside < 0:
             t.regs[CODE], t.regs[MISS_A], t.regs[MISS_B] = MISS_DOWN, i, to
             return -1
@@ -153,7 +176,7 @@ def harms_of(t: Tables, x: int, y: int, i: int, first: int) -> int:
                 return -1
             nx ^= (now[0] ^ after) << t.shift[0]
         road = t.agents[i * AGENT + A_ROAD]
-        if road >= 0:
+        if road >= 0 and event != MUTE:
             f = fixed[ROAD_FIELD] + road
             conf = after_harm(t, now[f], t.agents[i * AGENT + A_PLACE], to)
             if conf < 0:

@@ -35,6 +35,8 @@ from kitrobot.verifier.columns import (
     ROAD_FIELD,
     S_AGENT,
     S_COUNT,
+    S_MUTE,
+    S_VIEW,
     S_VISITS,
     S_WRITE,
     SHARED_WIDTH,
@@ -85,7 +87,20 @@ def sensed(t: Tables, i: int) -> int:
 
 def react(t: Tables, i: int) -> int:
     """What a tick of agent i can bring in the state of `now`: rows of `outcomes` (see `S_COUNT`)."""
-    key = sensed(t, i)
+    return reaction(t, i, sensed(t, i))
+
+
+def silenced(t: Tables, i: int, fails: int) -> int:
+    """The number of what agent i is in the state of `now` once it hears nobody, and where it `fails` (1) has failed: it
+    keeps what it knew.
+    """
+    fixed, now = t.fixed, t.now
+    seen = t.shared[now[0] * fixed[SHARED_WIDTH] + G_STOCK + fixed[HOUSES] + i]
+    return reaction(t, i, 1 << S_MUTE | i << S_AGENT | fails << S_VIEW | seen | now[1 + i])
+
+
+def reaction(t: Tables, i: int, key: int) -> int:
+    """What `reaction_at` holds for a key of agent i."""
     keys = t.reaction_keys
     last = len(keys) - 1
     at = (key * MULTIPLIER & ALL_BITS) >> 31 & last

@@ -11,19 +11,21 @@ ticks of one moment may be taken in any order, but for shared variables: those o
 
 from __future__ import annotations
 
+from collections.abc import Collection
+
+from kitrobot.mission import FailureKind
 from kitrobot.sim import Simulation
 from kitrobot.sim import columns as c
 from kitrobot.text import Sentence
 from kitrobot.verifier import columns as v
-from kitrobot.verifier.agreeing import Told
+from kitrobot.verifier import reactions
 from kitrobot.verifier.bodies import FAILED, RUNS, Inside, zone_of
-from kitrobot.verifier.building import Roads, build, check_size, first_body
+from kitrobot.verifier.building import KINDS, USUAL_KINDS, Roads, build, check_size, first_body
 from kitrobot.verifier.events import TooManyError
 from kitrobot.verifier.growing import find_confs_again, longer, put, widen_insides
 from kitrobot.verifier.packing import Layout, Widths
 from kitrobot.verifier.parts import Parts
 from kitrobot.verifier.programs import AbstractionError
-from kitrobot.verifier.reactions import after_reaction, around, idle_actuators, is_shared, read, told_to_team
 from kitrobot.verifier.stepping import due_in
 from kitrobot.verifier.timing import Timing
 from kitrobot.verifier.traffic import intern_conf
@@ -34,9 +36,6 @@ State = tuple[int, ...]
 Shared = tuple[int, ...]
 """How many failures may still come, the boxes in each storehouse, the shared variables, what the team agreed on."""
 
-Change = tuple[tuple[tuple[int, int], ...], tuple[Told, ...]]
-"""What a tick makes of what is shared: the variables that it changes, with their values, and what the team is told."""
-
 
 class Model:
     """The model of a run that is before its first step, under one assumption.
@@ -46,12 +45,20 @@ class Model:
         parts: its agents, taken apart.
         failures: how many failures there may be, together.
         timing: when agents tick.
+        kinds: what kinds of failures: those of `KINDS`.
 
     Raises:
         AbstractionError: the mission is too large for the numbers of the tables, or a team is to go on after failures.
     """
 
-    def __init__(self, run: Simulation, parts: Parts, failures: int = 0, timing: Timing = Timing.LOCKSTEP) -> None:
+    def __init__(
+        self,
+        run: Simulation,
+        parts: Parts,
+        failures: int = 0,
+        timing: Timing = Timing.LOCKSTEP,
+        kinds: Collection[FailureKind] = USUAL_KINDS,
+    ) -> None:
         state = run.state
         self.run = run
         self.agreement = parts.agreement
@@ -70,7 +77,8 @@ class Model:
         self.houses = len(run.world.storehouses)
         fastest = min((part.agent.period for part in self.parts), default=1)
         slower = sum(1 << i for i, part in enumerate(self.parts) if part.agent.period > fastest)
-        self.t, due = build(run, self.parts, self.roads, timing, failures > 0, slower)
+        may_fail = sum(KINDS[kind] for kind in set(kinds)) if failures else 0
+        self.t, due = build(run, self.parts, self.roads, timing, may_fail, slower)
         self.widths = Widths(self.t.fixed[v.FIELDS], due if timing is Timing.PROMPT else -1, self.count)
         self.layout: Layout = self.widths.layout()
         self.place_fields()
@@ -78,7 +86,7 @@ class Model:
         self._inside_numbers: list[dict[Inside, int]] = [{} for _ in self.parts]
         self._shareds: list[Shared] = []
         self._shared_numbers: dict[Shared, int] = {}
-        self._writes: dict[Change, int] = {}
+        self._writes: dict[reactions.Change, int] = {}
         self._seen: list[dict[tuple[int, ...], int]] = [{} for _ in self.parts]
         self._seen_tuples: list[list[tuple[int, ...]]] = [[] for _ in self.parts]
         self._changes = self._reactions = self._outcomes = 0
@@ -90,7 +98,8 @@ class Model:
         if self.agreement is not None:
             self._first_shared += self.agreement.first
         self._first_insides = [
-            Inside(part.table.first, int(loads[part.agent.index]), idle_actuators(part), RUNS) for part in self.parts
+            Inside(part.table.first, int(loads[part.agent.index]), reactions.idle_actuators(part), RUNS)
+            for part in self.parts
         ]
         self._first_bodies = [first_body(part, self.parts, at) if part.track is not None else 0 for part in self.parts]
 
@@ -156,8 +165,7 @@ class Model:
     def inside_number(self, i: int, inside: Inside) -> int:
         """The number of what an agent is."""
         known = self._inside_numbers[i]
-        number = known.get(inside)
-        if number is not None:
+        if (number := known.get(inside)) is not None:
             return number
         number = len(known)
         if number >= v.MOST_INSIDES:
@@ -173,6 +181,7 @@ class Model:
         insides = self.t.insides
         insides[row + v.I_TICKS] = int(inside.down == RUNS and not ended)
         insides[row + v.I_LOAD], insides[row + v.I_DOWN] = inside.load, inside.down
+        insides[row + v.I_MUTED] = int(bool(inside.own))
         insides[row + v.I_ENDS] = int(any(inside.busy) and inside.down != FAILED)
         insides[row + v.I_ENDED] = int(ended)
         for n, act in enumerate(self.parts[i].acts):
@@ -181,8 +190,7 @@ class Model:
 
     def shared_number(self, shared: Shared) -> int:
         """The number of what is shared."""
-        number = self._shared_numbers.get(shared)
-        if number is not None:
+        if (number := self._shared_numbers.get(shared)) is not None:
             return number
         number = len(self._shareds)
         self._hold(0, number)
@@ -202,7 +210,7 @@ class Model:
         sensed = (
             shared[1 + sense.store if sense.store >= 0 else self._agreed_at + sense.agreed]
             for sense in part.senses
-            if is_shared(sense)
+            if reactions.is_shared(sense)
         )
         seen = (*(shared[1 + self.houses + n] for n in part.shared), *sensed)
         number = self._seen[i].get(seen)
@@ -223,12 +231,12 @@ class Model:
         layout = part.agent.machine.layout
         found = [0] * layout.cells
         for at, (sense, there) in enumerate(
-            zip(part.senses, around(part, self._signs_of(i), key, seen[len(part.shared) :]), strict=True)
+            zip(part.senses, reactions.around(part, self._signs_of(i), key, seen[len(part.shared) :]), strict=True)
         ):
-            found[1 + at] = read(inside, sense, there) or 0
+            found[1 + at] = reactions.read(inside, sense, there) or 0
         for cell in layout.variables.values():
             found[cell] = part.table.value(inside.local, cell)
-        for cell, value in zip(part.table.shared, seen, strict=False):
+        for cell, value in zip(part.table.shared, inside.own or seen, strict=False):
             found[cell] = value
         return found
 
@@ -244,7 +252,7 @@ class Model:
         regs = self.t.regs
         a, b = int(regs[v.MISS_A]), int(regs[v.MISS_B])
         if code == v.MISS_REACTION:
-            self._fill_reaction(a, b)
+            (self._fill_silenced if b >> v.S_MUTE else self._fill_reaction)(a, b)
         elif code == v.MISS_SHARED:
             self._fill_change(a, b)
         elif code in (v.MISS_DONE, v.MISS_LOADED, v.MISS_DOWN):
@@ -281,19 +289,16 @@ class Model:
         part = self.parts[i]
         inside = self._insides[i][key & v.MOST_INSIDES - 1]
         seen = self._seen_tuples[i][key >> v.S_SHARED & v.MOST_SEEN - 1]
-        outside = around(part, self._signs_of(i), key, seen[len(part.shared) :])
-        shared = seen[: len(part.shared)]
-        sensed = tuple(read(inside, sense, there) for sense, there in zip(part.senses, outside, strict=True))
+        outside = reactions.around(part, self._signs_of(i), key, seen[len(part.shared) :])
+        shared = inside.own or seen[: len(part.shared)]
+        sensed = tuple(reactions.read(inside, sense, there) for sense, there in zip(part.senses, outside, strict=True))
         choices = {at: sense.choices for at, sense in enumerate(part.senses)}
         found: dict[tuple[int, int, int], None] = {}
         for reaction in part.table.react(inside.local, sensed, shared, choices):
-            want, after = after_reaction(part, inside, reaction)
+            want, after = reactions.after_reaction(part, inside, reaction)
             number = self.inside_number(i, after)
             ticks = after.down == RUNS and not part.is_over(after.local)
-            changes = [
-                (at, now) for at, was, now in zip(part.shared, shared, reaction.shared, strict=True) if was != now
-            ]
-            change = tuple(changes), told_to_team(part, reaction)
+            change = reactions.change_by(part, inside, shared, reaction)
             found[number, 2 * (want + 2) + ticks, self._write_number(change)] = None
         first = self._outcomes
         self._outcomes += len(found)
@@ -303,11 +308,18 @@ class Model:
         self._reactions += 1
         self.t = put(self.t, "reaction_keys", "reaction_at", self._reactions, key, first << v.S_COUNT | len(found))
 
+    def _fill_silenced(self, i: int, key: int) -> None:
+        inside = self._insides[i][key & v.MOST_INSIDES - 1]
+        seen = self._seen_tuples[i][key >> v.S_SHARED & v.MOST_SEEN - 1]
+        number = self.inside_number(i, reactions.after_silence(self.parts[i], inside, key, seen))
+        self._reactions += 1
+        self.t = put(self.t, "reaction_keys", "reaction_at", self._reactions, key, number)
+
     def _signs_of(self, i: int) -> list[tuple[int, ...]]:
         """What the sensors for signs of agent i read in the classes of zones; none on no road."""
         return self.roads.signs[i] if self.roads.of[i] >= 0 else []
 
-    def _write_number(self, change: Change) -> int:
+    def _write_number(self, change: reactions.Change) -> int:
         """The number of a change of what is shared."""
         if change == ((), ()):
             return v.NO_WRITE

@@ -141,7 +141,7 @@ def move(t: Tables, bodies: int, k: int, i: int, which: int, behind: int) -> int
         made[k] = halted(me)
         return HALT
     if which == 2:
-        if way == 0 or agents[a + A_ZONES] < 2:
+        if way == 0 or (agents[a + A_ZONES] < 2 and agents[a + A_CLOSED]):
             return NOTHING
         at = agents[a + A_ZONE_AT] + zone * (ZONE_NUMBERS + t.fixed[DOCKS])
         if (me & NEW_ZONE and me & TICKS and geo[at]) or (me & HELD_ZONE and geo[at + 1]):

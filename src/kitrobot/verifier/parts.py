@@ -105,6 +105,7 @@ class Part:
         drive: the number of the actuator that moves it along its road; -1 for none.
         is_late: whether commands reach that one late, or may be lost.
         is_spare: whether it plays no role in its team, so that it does nothing.
+        is_asked: whether properties ask for a shared variable of it: its own copy, also once it has failed.
     """
 
     agent: Agent
@@ -119,6 +120,7 @@ class Part:
     drive: int = -1
     is_late: bool = False
     is_spare: bool = False
+    is_asked: bool = False
 
     def is_over(self, local: int) -> bool:
         """Whether its program has ended in a local state, or never begins."""
@@ -189,6 +191,7 @@ class _Builder:
             part.drive = next((at for at, act in enumerate(acts) if road >= 0 and act.discrete is Discrete.MOTION), -1)
             part.senses = self._senses(agent, acts, zones.get(road))
             part.is_spare = self.agreement is not None and not self.agreement.plays(agent.index)
+            part.is_asked = any(one.shared and one.name in self.kept for one in agent.robot.variables)
             parts.append(part)
         self._neighbours(parts, zones)
         return Parts(parts, list(self.limits), self.agreement)

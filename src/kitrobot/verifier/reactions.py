@@ -7,9 +7,12 @@ from collections.abc import Iterator, Sequence
 from kitrobot.sim.devices.base import Discrete
 from kitrobot.verifier import columns as v
 from kitrobot.verifier.agreeing import Told
-from kitrobot.verifier.bodies import Inside
+from kitrobot.verifier.bodies import FAILED, Inside
 from kitrobot.verifier.parts import Part, Sense
 from kitrobot.verifier.programs import Reaction
+
+Change = tuple[tuple[tuple[int, int], ...], tuple[Told, ...]]
+"""What a tick makes of what is shared: the variables that it changes, with their values, and what the team is told."""
 
 _AS_BEFORE = -2
 """What wheels are told that are told nothing."""
@@ -49,6 +52,20 @@ def told_to_team(part: Part, reaction: Reaction) -> tuple[Told, ...]:
     )
 
 
+def change_by(part: Part, inside: Inside, shared: tuple[int, ...], reaction: Reaction) -> Change:
+    """What a reaction makes of what is shared, where the variables held this; without a radio nobody hears of it."""
+    if inside.own:
+        return (), told_to_team(part, reaction)
+    held = zip(part.shared, shared, reaction.shared, strict=True)
+    return tuple((at, now) for at, was, now in held if was != now), told_to_team(part, reaction)
+
+
+def after_silence(part: Part, inside: Inside, key: int, seen: tuple[int, ...]) -> Inside:
+    """What an agent is once it hears nobody (`looking.silenced`): what it saw of shared variables is its own."""
+    down = FAILED if key >> v.S_VIEW & 1 else inside.down
+    return inside._replace(own=seen[: len(part.shared)], down=down)
+
+
 def after_reaction(part: Part, inside: Inside, reaction: Reaction) -> tuple[int, Inside]:
     """What a reaction tells the wheels, and what the agent is after it."""
     want, busy = _AS_BEFORE, list(inside.busy)
@@ -58,7 +75,8 @@ def after_reaction(part: Part, inside: Inside, reaction: Reaction) -> tuple[int,
             want = act.ways[command] if argument else 0
         elif act.busy >= 0 and command in act.later:
             busy[act.busy] = 1 + act.ways[command]
-    return want, inside._replace(local=reaction.local, busy=tuple(busy))
+    own = reaction.shared if inside.own else ()
+    return want, inside._replace(local=reaction.local, busy=tuple(busy), own=own)
 
 
 def around(part: Part, signs: Sequence[tuple[int, ...]], key: int, shared: tuple[int, ...]) -> Iterator[int]:

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
-from itertools import combinations
+from itertools import chain, combinations
 
 from kitrobot.sim import Simulation
 from kitrobot.sim import columns as c
@@ -23,7 +23,7 @@ MOMENTS = 24
 """Moments that are tried where something does."""
 MOST_RUNS = 300
 _CHUNK = 50
-_KINDS: dict[int, str] = {What.FAIL: "fail", What.STALL: "stall", What.RESUME: "revive"}
+_KINDS: dict[int, str] = {What.FAIL: "fail", What.STALL: "stall", What.RESUME: "revive", What.MUTE: "mute"}
 
 
 @dataclass(frozen=True)
@@ -84,8 +84,10 @@ def _moments(befell: Sequence[tuple[str, str]], run: Simulation) -> Iterator[tup
     """What befell agents, at moments in order, spread over the run in which nothing does."""
     while run.outcome is None:
         run.advance(1000)
-    moments = [max(1, run.tick * number // MOMENTS) for number in range(MOMENTS)]
-    for chosen in combinations(dict.fromkeys(moments), len(befell)):
+    moments = dict.fromkeys(max(1, run.tick * number // MOMENTS) for number in range(MOMENTS))
+    # Before the first step at last: what befalls then is seldom what people mean.
+    at_first = ((0, *later) for later in combinations(moments, len(befell) - 1))
+    for chosen in chain(combinations(moments, len(befell)), at_first):
         yield 1, tuple(Harm(tick, agent, kind) for tick, (agent, kind) in zip(chosen, befell, strict=True))
 
 

@@ -39,7 +39,7 @@ from kitrobot.verifier.columns import (
     TIMING,
 )
 from kitrobot.verifier.events import FAIL, TICK
-from kitrobot.verifier.happening import ends_of, harms_of
+from kitrobot.verifier.happening import RESUMES, ends_of, harms_of
 from kitrobot.verifier.looking import changed, decode, react, stays
 from kitrobot.verifier.tables import Tables
 from kitrobot.verifier.traffic import after_tick, fill_moves
@@ -70,7 +70,7 @@ def expand_interleaved(t: Tables, x: int, y: int) -> int:
         return -1
     if fixed[MAY_FAIL]:
         for i in range(fixed[AGENTS]):
-            found = harms_of(t, x, y, i, 0)
+            found = harms_of(t, x, y, i, 0, RESUMES)
             if found < 0:
                 return -1
             for n in range(found):

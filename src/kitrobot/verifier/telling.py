@@ -50,6 +50,8 @@ def say(model: Model, event: Event, after: State) -> Sentence:
         return Sentence("{agent} fails", name)
     if event.what is What.STALL:
         return Sentence("{agent} stalls: it misses its ticks", name)
+    if event.what is What.MUTE:
+        return Sentence("{agent} loses its radio", name)
     if event.what is What.RESUME:
         return Sentence("{agent} has its ticks again", name)
     return Sentence("{agent} has done what takes it longer", name)

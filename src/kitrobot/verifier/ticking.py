@@ -41,8 +41,8 @@ from kitrobot.verifier.columns import (
     SLOWER,
     TOO_MANY,
 )
-from kitrobot.verifier.events import MOST_AT_ONCE
-from kitrobot.verifier.happening import harms_of
+from kitrobot.verifier.events import MOST_AT_ONCE, RESUME, STALL
+from kitrobot.verifier.happening import MUTES, RESUMES, harms_of
 from kitrobot.verifier.looking import changed, decode, react
 from kitrobot.verifier.tables import Tables
 from kitrobot.verifier.traffic import after_tick
@@ -89,11 +89,13 @@ def befall_all(t: Tables, x: int, y: int) -> bool:
         if fixed[MAY_FAIL]:
             last = -1 if at == 0 else harm[at * LINE + 2] >> E_AGENT & E_MASK
             left = t.shared[t.now[0] * fixed[SHARED_WIDTH] + G_FAILURES]
-            for i in range(last + 1, fixed[AGENTS]):
+            # Who goes on or stalls may lose its radio in the same moment.
+            is_more = at > 0 and harm[at * LINE + 2] & E_KIND in (RESUME, STALL)
+            for i in range(last if is_more else last + 1, fixed[AGENTS]):
                 row = (i * fixed[INSIDE_STRIDE] + t.now[1 + i]) * fixed[INSIDE_WIDTH]
                 if left == 0 and insides[row + I_DOWN] != STALLED:
                     continue
-                found = harms_of(t, nx, ny, i, count)
+                found = harms_of(t, nx, ny, i, count, MUTES if i == last else RESUMES)
                 if found < 0:
                     return False
                 for n in range(count, count + found):

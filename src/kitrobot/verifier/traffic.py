@@ -233,10 +233,11 @@ def fill_moves(t: Tables, conf: int) -> int:
                 moves[at + 1] |= t.road_agents[road * places + ahead] + 1 << E_OTHER
             moves[at + 2] = 0
             if what == BEGIN:
-                begin |= 1 << i
                 moves[at + 2] = 1 + fixed[AGENTS] + i
-                if not agents[i * AGENT + A_LATE] and not presses(t, bodies, k, i):
-                    must = 1
+                if not is_last(t, bodies, k, i):
+                    begin |= 1 << i
+                    if not agents[i * AGENT + A_LATE] and not presses(t, bodies, k, i):
+                        must = 1
             elif what == ZONE:
                 moves[at + 2] = 1 + 3 * fixed[AGENTS] + i
             count += 1
@@ -246,6 +247,14 @@ def fill_moves(t: Tables, conf: int) -> int:
     confs[row + C_MOVES] = count
     regs[MOVES] = first + count
     return count
+
+
+def is_last(t: Tables, bodies: int, k: int, i: int) -> bool:
+    """Whether a robot is in the last zone in the direction that its wheels were told: it may be at the road's end,
+    where it stands for ever.
+    """
+    me = t.confs[bodies + k]
+    return next_zone(t.agents, i, zone_of(me), want_of(me)) < 0
 
 
 def presses(t: Tables, bodies: int, k: int, i: int) -> bool:

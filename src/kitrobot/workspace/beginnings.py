@@ -2,13 +2,15 @@
 
 `shipped/beginnings.xml` names sets of robots, places and starters; what they are called is said by the robots, worlds
 and missions themselves. What fits what follows from them: a set fits a place that has a start for each of its agents, a
-starter fits the sets for which it has a mission. Left to others: showing it (server, page).
+starter fits the sets for which it has a mission. Robots of one's own are sets too, after the
+others. Left to others: showing it (server, page).
 """
 
 from __future__ import annotations
 
 import re
 from collections.abc import Mapping
+from copy import copy
 from dataclasses import dataclass, replace
 from functools import cache
 from pathlib import Path
@@ -17,6 +19,7 @@ from kitrobot.diagnostics import Diagnostic, KitRobotError
 from kitrobot.files import EXAMPLE, MissionFolder
 from kitrobot.graph import Program, empty_program
 from kitrobot.mission import Mission, read_mission
+from kitrobot.primitives import SHIPPED, Catalogue
 from kitrobot.text import Sentence
 from kitrobot.workspace.opening import NEW_PROGRAM, mission_of
 from kitrobot.workspace.worlds import read_world_file
@@ -181,6 +184,17 @@ class Choices:
         self.starters = tuple(one for one in made.starters if all(map(self._there, one.missions.values())))
         self.robot_sets = tuple(one for one in made.robot_sets if one.robot or self._there(one.mission))
         self.places = tuple(filter(None, map(_found_place, made.places)))
+
+    def with_own(self, catalogue: Catalogue) -> Choices:
+        """These, and a set of each robot of the catalogue that does not come with KitRobot and is in no set yet.
+
+        It fits every place with a start of the usual name, and begins without parts.
+        """
+        made = copy(self)
+        taken = {one.robot or one.name for one in self.robot_sets}
+        own = (name for name, path in catalogue.robot_files.items() if path.parent != SHIPPED and name not in taken)
+        made.robot_sets = (*self.robot_sets, *(RobotSet(name, name, "", (), {}, {}) for name in own))
+        return made
 
     def _there(self, path: str) -> bool:
         return (self._folder.examples / path).is_file()

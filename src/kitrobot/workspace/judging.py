@@ -324,7 +324,9 @@ def checks_seen(
     """
     like = goals[0]
     wanted = tuple(dict.fromkeys(goal.property for goal in goals))
-    options = VerificationOptions(wanted, (Timing(like.timing),), like.failures, like.states, None, stop=stop)
+    options = VerificationOptions(
+        wanted, (Timing(like.timing),), like.failures, states=like.states, seconds=None, stop=stop
+    )
     try:
         made = verify(prepared, options)
     except VerificationError as error:

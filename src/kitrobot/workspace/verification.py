@@ -8,14 +8,17 @@ from dataclasses import dataclass, replace
 from typing import Any
 
 from kitrobot.diagnostics import KitRobotError
+from kitrobot.mission import FailureKind
 from kitrobot.sim import Simulation
 from kitrobot.text import COMMA, Sentence, Series
 from kitrobot.verifier import (
+    USUAL_KINDS,
     Answer,
     Budget,
     Confirmed,
     Judged,
     Model,
+    Parts,
     Property,
     Timing,
     Verdict,
@@ -57,6 +60,7 @@ class VerificationOptions:
         properties: the names of those to check; none for all.
         timings: the assumptions, from the fast to the thorough.
         failures: up to how many failures there may be.
+        kinds: what a failure may be; of `verifier.KINDS`.
         states: at most so many states under each assumption.
         seconds: at most so long for all of them; None for no limit.
         confirms: whether broken properties are looked for in the simulator.
@@ -68,6 +72,7 @@ class VerificationOptions:
     properties: tuple[str, ...] = ()
     timings: tuple[Timing, ...] = tuple(Timing)
     failures: int = 0
+    kinds: tuple[FailureKind, ...] = USUAL_KINDS
     states: int = 1_000_000
     seconds: float | None = 60.0
     confirms: bool = True
@@ -108,11 +113,13 @@ class Verification:
         tick_ms: a step of the simulator.
         limits: what the model takes more generously than the simulator is, in sentences.
         columns: the assumptions that were checked, in order.
+        kinds: what a failure may be.
     """
 
     tick_ms: int
     limits: tuple[str, ...]
     columns: tuple[Column, ...]
+    kinds: tuple[FailureKind, ...] = USUAL_KINDS
 
     @property
     def answers(self) -> list[Answer]:
@@ -127,6 +134,7 @@ class Verification:
                 {
                     "timing": column.judged.timing.value,
                     "failures": column.judged.failures,
+                    "kinds": [kind.value for kind in self.kinds] if column.judged.failures else [],
                     "states": column.judged.states,
                     "depth": column.judged.depth,
                     "complete": column.judged.complete,
@@ -213,12 +221,14 @@ def verify_runs(
         if failures and parts.agreement is not None:
             limits.append(Sentence("nobody of the team fails: what it does about failures has no discrete form yet"))
             break
-        model = Model(run, parts, failures, timing)
+        model = Model(run, parts, failures, timing, options.kinds)
         own, left_out = asked_properties(model, asked)
         limits += [words for words in left_out if words not in limits]
         properties = _chosen([*ready_properties(model), *own], options.properties)
         if columns and (options.stop() or (ends is not None and time.monotonic() > ends)):
             break
+        if failures and FailureKind.MUTE in options.kinds:
+            limits += [words for words in [_said_of_radios(parts)] if words not in limits]
         left = None if ends is None else max(0.0, ends - time.monotonic())
 
         def tell(states: int, depth: int, timing: Timing = timing, failures: int = failures) -> None:
@@ -234,7 +244,14 @@ def verify_runs(
             if column_done is not None:
                 column_done(column)
         columns.append(column)
-    return Verification(run.tick_ms, tuple(limits), tuple(columns))
+    return Verification(run.tick_ms, tuple(limits), tuple(columns), options.kinds)
+
+
+def _said_of_radios(parts: Parts) -> Sentence:
+    """What is taken for granted of robots that lose their radio."""
+    if any(part.shared for part in parts.parts):
+        return Sentence("a robot that loses its radio is taken never to have it again")
+    return Sentence("nobody loses its radio: no robot of this mission shares a variable")
 
 
 def _assumptions(options: VerificationOptions) -> Iterator[tuple[int, Timing]]:

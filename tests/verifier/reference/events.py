@@ -21,6 +21,7 @@ class What(IntEnum):
     FAIL = 18
     STALL = 19
     RESUME = 20
+    MUTE = 21
 
 
 SWINGS = (What.LOADED, What.UNLOADED, What.NO_BOX, What.NO_EMPTY_CARRIER, What.NO_LOADED_CARRIER)

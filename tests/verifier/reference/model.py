@@ -14,6 +14,7 @@ from collections.abc import Collection, Iterator
 from itertools import product
 from operator import itemgetter
 
+from kitrobot.mission import FailureKind
 from kitrobot.sim import Simulation
 from kitrobot.sim import columns as c
 from kitrobot.sim.devices.base import Discrete
@@ -36,11 +37,19 @@ class Model:
         run: the run.
         parts: its agents, taken apart.
         failures: how many failures there may be, together.
+        kinds: of which kinds.
     """
 
-    def __init__(self, run: Simulation, parts: Parts, failures: int = 0) -> None:
+    def __init__(
+        self,
+        run: Simulation,
+        parts: Parts,
+        failures: int = 0,
+        kinds: Collection[FailureKind] = (FailureKind.FAIL, FailureKind.STALL),
+    ) -> None:
         state = run.state
         self.run = run
+        self._kinds = frozenset(kinds)
         self.parts = parts.parts
         self.limits = parts.limits
         self.count = len(self.parts)
@@ -119,7 +128,8 @@ class Model:
             return found
         part, road = self.parts[i], self._road_of[i]
         around = [self._there(state, i, road, sense) for sense in part.senses]
-        key = (state[i], *around, *(state[self.shared_at + v] for v in part.shared))
+        own = self.inside(state, i).own
+        key = (state[i], *around, *(own or (state[self.shared_at + v] for v in part.shared)))
         found = self._reactions[i].get(key)
         if found is None:
             found = self._reactions[i][key] = self._computed(i, self.inside(state, i), around, key[1 + len(around) :])
@@ -149,7 +159,8 @@ class Model:
 
     def stays(self, state: State, i: int) -> bool:
         """Whether a tick of agent i may change nothing."""
-        shared = tuple(state[self.shared_at + v] for v in self.parts[i].shared)
+        own = self.inside(state, i).own
+        shared = own or tuple(state[self.shared_at + v] for v in self.parts[i].shared)
         return any(
             outcome[0] == state[i] and outcome[2] == shared and self._keeps_motion(state, i, outcome[1])
             for outcome in self.react(state, i)
@@ -176,7 +187,8 @@ class Model:
     def _apply(self, made: list[int], before: State, i: int, outcome: _Outcome) -> None:
         """Puts what a tick of agent i brought into a state that is being made."""
         made[i], want, shared = outcome
-        for at, value in zip(self._shared_places[i], shared, strict=True):
+        heard = self._shared_places[i] if not self.inside(before, i).own else []
+        for at, value in zip(heard, shared, strict=False):
             if value != before[at]:
                 made[at] = value
         road = self._road_of[i]
@@ -210,7 +222,8 @@ class Model:
                     want = act.ways[command] if argument else 0
                 elif act.busy >= 0 and command in act.later:
                     busy[act.busy] = 1 + act.ways[command]
-            after = inside._replace(local=reaction.local, busy=tuple(busy))
+            own = reaction.shared if inside.own else ()
+            after = inside._replace(local=reaction.local, busy=tuple(busy), own=own)
             found[self._number(i, after), want, reaction.shared] = None
         return tuple(found)
 
@@ -238,17 +251,25 @@ class Model:
                 yield Event(i, What.RESUME), self._befallen(state, i, RUNS, 0)
             if state[self.failures_at] == 0 or inside.down == FAILED or part.table.has_ended(inside.local):
                 continue
-            yield Event(i, What.FAIL), self._befallen(state, i, FAILED, 1)
-            if inside.down == RUNS:
+            knows = inside.own or tuple(state[self.shared_at + v] for v in part.shared)
+            if FailureKind.FAIL in self._kinds:
+                kept = knows if part.is_asked else inside.own
+                yield Event(i, What.FAIL), self._befallen(state, i, FAILED, 1, kept)
+            if inside.down == RUNS and FailureKind.STALL in self._kinds:
                 yield Event(i, What.STALL), self._befallen(state, i, STALLED, 1)
+            if part.shared and not inside.own and FailureKind.MUTE in self._kinds:
+                made = list(state)
+                made[i] = self._number(i, inside._replace(own=knows))
+                made[self.failures_at] -= 1
+                yield Event(i, What.MUTE), tuple(made)
 
     def begins(self, state: State) -> bool:
         """Whether a robot is told to roll, stands, and has a free way: in the simulator it rolls in that step."""
         return any(road.begins(state[self.roads_at + r]) for r, road in enumerate(self.traffic))
 
-    def _befallen(self, state: State, i: int, down: int, failures: int) -> State:
-        made = list(state)
-        made[i] = self._number(i, self.inside(state, i)._replace(down=down))
+    def _befallen(self, state: State, i: int, down: int, failures: int, own: tuple[int, ...] | None = None) -> State:
+        made, inside = list(state), self.inside(state, i)
+        made[i] = self._number(i, inside._replace(down=down, own=inside.own if own is None else own))
         made[self.failures_at] -= failures
         road = self._road_of[i]
         if road >= 0:

@@ -82,7 +82,7 @@ def moves(
         yield Moved(Move.BEGIN, me.begun())
     if me.way and (me.want != me.way or (me.way > 0 and me.gap == PRESSED and leader is not None)):
         yield Moved(Move.HALT, me.halted())
-    if me.way and len(track.zones) > 1:
+    if me.way and (len(track.zones) > 1 or not track.zones.closed):
         yield from _into_next_zone(me, leader, follower, track, behind, is_pair)
     if leader is not None and me.gap < around_of(track):
         yield from _other_gap(me, leader, track)

@@ -77,7 +77,7 @@ class Clock:
                 found &= ~(1 << 2 * count + i)
         for road, traffic in enumerate(model.traffic):
             for event, _ in traffic.moves(state[model.roads_at + road]):
-                if event.what is Move.BEGIN:
+                if event.what is Move.BEGIN and not traffic.is_last(state[model.roads_at + road], event.agent):
                     found &= ~(1 << count + event.agent)
         return found
 
@@ -139,7 +139,10 @@ class Clock:
             now, events = waiting.pop()
             yield now, events
             for event, after in self.model.failures(now):
-                if not events or event.agent > events[-1].agent:
+                is_later = not events or event.agent > events[-1].agent
+                # Who goes on or stalls may lose its radio in the same moment.
+                is_more = event.what is What.MUTE and not is_later and events[-1].what in (What.RESUME, What.STALL)
+                if is_later or (is_more and event.agent == events[-1].agent):
                     waiting.append((after, (*events, event)))
 
     def _ticked(self, state: State) -> Iterator[tuple[int, State]]:

@@ -120,9 +120,18 @@ class Traffic:
     def begins(self, number: int) -> bool:
         """Whether a robot, whose commands are not late, is told to roll, stands, and presses on nobody."""
         return any(
-            event.what is Move.BEGIN and not self.parts[event.agent].is_late and not self._presses(number, event.agent)
+            event.what is Move.BEGIN
+            and not self.is_last(number, event.agent)
+            and not self.parts[event.agent].is_late
+            and not self._presses(number, event.agent)
             for event, _ in self.moves(number)
         )
+
+    def is_last(self, number: int, i: int) -> bool:
+        """Whether agent i is in the last zone in the direction that its wheels were told, perhaps at the road's end."""
+        body, track = self.body(number, i), self.parts[i].track
+        assert track is not None
+        return track.zones.next(body.zone, body.want) < 0
 
     def _presses(self, number: int, i: int) -> bool:
         """Whether agent i presses on the robot before it, in the direction that its wheels were told."""

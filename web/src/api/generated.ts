@@ -500,7 +500,7 @@ export interface ClassWork {
 export interface ConfirmingFailure {
   agent: string;
   at_s: number;
-  kind: "fail" | "stall" | "revive";
+  kind: "fail" | "stall" | "mute" | "revive";
 }
 
 /**
@@ -1607,6 +1607,7 @@ export interface RobotSet {
   label: Record<string, string>;
   help: Record<string, string>;
   robots: string[];
+  own: boolean;
   can: Ability[];
   feels: Ability[];
   places: string[];
@@ -2251,13 +2252,14 @@ export interface VerifyProgressMessage {
   memory: number;
 }
 
-/** Check this mission, with up to so many failures, for so many seconds of the clock on the wall. */
+/** Check this mission, with up to so many failures of these kinds, for so many seconds of the clock on the wall. */
 export interface VerifyStartRequest {
   type: "start";
   mission: Mission;
   path: string;
   seed: number;
   failures?: number;
+  kinds?: ("fail" | "stall" | "mute")[];
   seconds: number;
 }
 

@@ -3,6 +3,7 @@ export const NEW_EN = {
   "new.title": "New mission",
   "new.help": "Choose a robot, a place and a first program. All three can be changed later.",
   "new.robot": "Which robot?",
+  "new.own": "Your own robot, from your folder",
   "new.place": "Where?",
   "new.starter": "What does it do first?",
   "new.place-not": "Not for this robot",

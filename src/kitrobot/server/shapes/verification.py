@@ -9,7 +9,7 @@ from pydantic import BaseModel, Field, TypeAdapter
 from kitrobot.server.sentences import Clause, Spoken
 from kitrobot.server.shapes.mission import MissionShape
 from kitrobot.server.shapes.work import WorkMessage, WorkRefusedMessage
-from kitrobot.verifier import Confirmed
+from kitrobot.verifier import KINDS, Confirmed
 from kitrobot.workspace.background_check import Answered, Checked, Explored
 from kitrobot.workspace.verification import MOST_FAILURES
 
@@ -17,16 +17,18 @@ LONGEST_S = 3_600.0
 """Seconds that a check in a page may take."""
 
 TimingName = Literal["lockstep", "prompt", "free"]
+KindName = Literal["fail", "stall", "mute"]
 
 
 class VerifyStartRequest(BaseModel):
-    """Check this mission, with up to so many failures, for so many seconds of the clock on the wall."""
+    """Check this mission, with up to so many failures of these kinds, for so many seconds of the clock on the wall."""
 
     type: Literal["start"]
     mission: MissionShape
     path: str
     seed: Annotated[int, Field(ge=0, le=2**53)]
     failures: Annotated[int, Field(ge=0, le=MOST_FAILURES)] = 0
+    kinds: Annotated[list[KindName], Field(min_length=1, max_length=len(KINDS))] = ["fail", "stall"]
     seconds: Annotated[float, Field(gt=0, le=LONGEST_S, allow_inf_nan=False)]
 
 
@@ -60,7 +62,7 @@ class ConfirmingFailureShape(BaseModel):
 
     agent: str
     at_s: float
-    kind: Literal["fail", "stall", "revive"]
+    kind: Literal["fail", "stall", "mute", "revive"]
 
 
 class ConfirmingRunShape(BaseModel):

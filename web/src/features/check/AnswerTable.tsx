@@ -6,6 +6,7 @@ import { decimal, grouped } from "../../i18n/numbers";
 import { t } from "../../i18n/words";
 import { Said } from "../../i18n/Said";
 import { cellName, useGridWalk } from "../../ui/use-grid-walk";
+import { USUAL, withKinds } from "./kinds";
 import { type Assumption, type Cell, columnAt, sameAssumption, type Shape, shapeOf } from "./table";
 import { useCheck } from "./verifying";
 
@@ -31,11 +32,12 @@ interface HeadProps {
 
 function Head({ assumption, column, now }: HeadProps) {
   const { timing, failures } = assumption;
+  const kinds = useCheck((check) => check.asked?.kinds) ?? USUAL;
   return (
     <th scope="col" data-now={now}>
       <span className="check-timing">{t(`check.${timing}`)}</span>
       <span className="check-means">
-        {failures === 0 ? t(`check.${timing}-means`) : t("check.head-failures", { count: failures })}
+        {failures === 0 ? t(`check.${timing}-means`) : withKinds(t("check.head-failures", { count: failures }), kinds)}
       </span>
       {column === undefined ? null : (
         <span className="check-means check-numbers">

@@ -11,6 +11,7 @@ import { Select } from "../../ui/Select";
 import { Tool } from "../../ui/Tool";
 import { AnswerTable } from "./AnswerTable";
 import { BrokenRun } from "./BrokenRun";
+import { kindChoices, kindsOf, USUAL, valueOf } from "./kinds";
 import { Properties } from "./Properties";
 import { assumptionWords, Limits, Verdict } from "./Verdict";
 import { answerAt, begin, breakOff, useCheck } from "./verifying";
@@ -66,6 +67,7 @@ function Asking() {
   const busy = useCheck((check) => check.busy);
   const asked = useCheck((check) => check.asked);
   const [failures, setFailures] = useState(() => String(asked?.failures ?? 0));
+  const [kinds, setKinds] = useState(() => valueOf(asked?.kinds ?? USUAL));
   const [seconds, setSeconds] = useState(() => String(asked?.seconds ?? 60));
   if (busy) return <Progress />;
   return (
@@ -73,7 +75,7 @@ function Asking() {
       className="check-asking"
       onSubmit={(event) => {
         event.preventDefault();
-        begin(Number(failures), Number(seconds));
+        begin(Number(failures), kindsOf(kinds), Number(seconds));
       }}
     >
       <label>
@@ -86,6 +88,12 @@ function Asking() {
           keep={setFailures}
         />
       </label>
+      {failures === "0" ? null : (
+        <label>
+          <span>{t("check.kinds")}</span>
+          <Select label={t("check.kinds")} testId="check-kinds" value={kinds} options={kindChoices()} keep={setKinds} />
+        </label>
+      )}
       <label>
         <span>{t("check.seconds")}</span>
         <Select

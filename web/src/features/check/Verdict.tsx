@@ -2,6 +2,7 @@
 import { t } from "../../i18n/words";
 import { Said } from "../../i18n/Said";
 import { Icon } from "../../theme";
+import { USUAL, withKinds } from "./kinds";
 import type { Assumption } from "./table";
 import { begin, useCheck } from "./verifying";
 
@@ -10,7 +11,9 @@ const MOST_FAILURES = 3;
 /** "prompt, up to 2 failures" */
 export function assumptionWords({ timing, failures }: Assumption): string {
   const name = t(`check.${timing}`);
-  return failures === 0 ? name : t("check.with-failures", { timing: name, count: failures });
+  if (failures === 0) return name;
+  const kinds = useCheck.getState().asked?.kinds ?? USUAL;
+  return withKinds(t("check.with-failures", { timing: name, count: failures }), kinds);
 }
 
 /** What came of the check: how many are broken, whether all hold, and what was not reached. */
@@ -33,7 +36,7 @@ export function Verdict() {
           type="button"
           className="button"
           data-testid="check-more-failures"
-          onClick={() => begin(most + 1, asked.seconds)}
+          onClick={() => begin(most + 1, asked.kinds ?? USUAL, asked.seconds)}
         >
           <Icon name="plus" size={16} />
           {t("check.let-fail", { count: most + 1 })}

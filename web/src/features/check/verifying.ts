@@ -21,6 +21,7 @@ import { t } from "../../i18n/words";
 import { useStudio } from "../../model/studio";
 import { isHeldByRobots, playConfirming } from "../../session/confirming-run";
 import { useRun } from "../../session/run";
+import type { Kinds } from "./kinds";
 import { type Assumption, type Cell, columnAt, plan, sameAssumption } from "./table";
 
 type Message = VerifyProgressMessage | VerifyColumnMessage | VerifyEndMessage | WorkRefusedMessage;
@@ -68,11 +69,11 @@ function hangUp(): void {
   work = null;
 }
 
-/** Checks the open mission with up to so many failures, for so many seconds at most. */
-export function begin(failures: number, seconds: number): void {
+/** Checks the open mission with up to so many failures of these kinds, for so many seconds at most. */
+export function begin(failures: number, kinds: Kinds, seconds: number): void {
   hangUp();
   const { mission, file } = useStudio.getState();
-  const asked: Asked = { mission, path: file.path, seed: useRun.getState().seed, failures, seconds };
+  const asked: Asked = { mission, path: file.path, seed: useRun.getState().seed, failures, kinds, seconds };
   useCheck.setState({ ...NOTHING, asked, plan: plan(failures), busy: true });
   work = beginWork<Message>("api/verify", asked, {
     onMessage: (message) => {

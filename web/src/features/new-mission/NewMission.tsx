@@ -183,7 +183,7 @@ function Form({ all }: { all: Beginnings }) {
               row="robots"
               value={one.name}
               label={text(one.label, one.name)}
-              help={text(one.help)}
+              help={text(one.help) || (one.own ? t("new.own") : "")}
               chosen={one.name === choice.robotSet}
               choose={() => choose({ robotSet: one.name })}
             >

@@ -8,6 +8,7 @@ const robotSet = (name: string, ...places: string[]): RobotSet => ({
   name,
   ...words,
   robots: [],
+  own: false,
   can: [],
   feels: [],
   places,

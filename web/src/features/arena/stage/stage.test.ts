@@ -34,6 +34,21 @@ describe("trails", () => {
     expect(trails.lengths).toEqual([5]);
   });
 
+  it("join no places that are far apart in time, but those of one that stood in between", () => {
+    const trails = new Trails();
+    trails.record(frame(0, [0, 0], [0, 0]));
+    trails.record(frame(20, [100, 0], [0, 0]));
+    trails.record(frame(40, [200, 0], [0, 0]));
+    trails.record(frame(60, [300, 0], [50, 0]));
+    expect(trails.apart).toEqual([0, 0]);
+    trails.record(frame(200, [900, 400], [50, 0]));
+    trails.record(frame(400, [100, 400], [50, 0]));
+    trails.record(frame(410, [150, 400], [90, 0]));
+    expect(trails.apart).toEqual([2, 0]);
+    trails.record(frame(205, [910, 400], [50, 0]));
+    expect(trails.apart).toEqual([1, 0]);
+  });
+
   it("stay bounded however long a run is", () => {
     const trails = new Trails();
     for (let tick = 0; tick < 12_000; tick++) trails.record(frame(tick, [(tick % 2) * 50, 0]));

@@ -1,7 +1,8 @@
 /**
  * Where robots have been, as dots of 3 px each 8 px in the colour of each.
  *
- * Of each robot the places it went through are kept, in mm, with their ticks: so a run that goes back loses what lay ahead. The
+ * Of each robot the places it went through are kept, in mm, with their ticks: so a run that goes back loses what lay ahead.
+ * Between frames that are far apart in time nobody saw which way it went: there is one dot where it was then. The
  * dots are drawn once onto a layer that is larger than the arena, and that is moved along with the camera; only what is
  * new is added to it. Another scale, or the edge of the layer, draws it anew.
  */
@@ -14,6 +15,8 @@ const [DOT_PX, EACH_PX] = [3, 8];
 const LEAST_MM = 10;
 /** Further than this within one frame it did not drive, in mm. */
 const JUMP_MM = 2000;
+/** Frames further apart than this are not joined, in ticks: 0.6 s, as they come at some 18 times real time. */
+const APART_TICKS = 30;
 /** Room of the layer around the arena, in px. */
 const MARGIN = 200;
 /** So many places are kept of all robots together, and of each at least and at most so many. */
@@ -23,13 +26,15 @@ interface Trail {
   xs: number[];
   ys: number[];
   ticks: number[];
+  /** Whether it was seen on its way to a place from the one before. */
+  seen: boolean[];
   /** So many of its places are on the layer, and how far the last dot is behind the last of them, in px. */
   drawn: number;
   behind: number;
 }
 
 function empty(): Trail {
-  return { xs: [], ys: [], ticks: [], drawn: 0, behind: 0 };
+  return { xs: [], ys: [], ticks: [], seen: [], drawn: 0, behind: 0 };
 }
 
 export class Trails {
@@ -52,38 +57,45 @@ export class Trails {
     return this.trails.map(({ xs }) => xs.length);
   }
 
+  /** Of each robot how many places it was not seen on its way to; they stand alone. */
+  get apart(): number[] {
+    return this.trails.map(({ seen }) => seen.filter((one) => !one).length);
+  }
+
   record({ tick, poses }: PoseFrame): void {
     if (this.trails.length !== poses.length) {
       this.trails = poses.map(empty);
       this.stale = true;
     }
     if (tick < this.tick) this.forget(tick);
+    const close = tick - this.tick <= APART_TICKS;
     this.tick = tick;
     const most = Math.min(MOST, Math.max(FEWEST, Math.floor(ALL / Math.max(poses.length, 1))));
     poses.forEach(({ x_mm, y_mm }, index) => {
       const trail = this.trails[index];
       if (trail === undefined) return;
-      const { xs, ys, ticks } = trail;
+      const { xs, ys, ticks, seen } = trail;
       const end = xs.length - 1;
       const far = end < 0 ? Infinity : Math.hypot(x_mm - (xs[end] ?? 0), y_mm - (ys[end] ?? 0));
       if (far < LEAST_MM) return;
       xs.push(x_mm);
       ys.push(y_mm);
       ticks.push(tick);
+      seen.push(close);
       if (xs.length <= most * 1.25) return;
       // The oldest go, many at a time: each time the layer is drawn anew.
       const gone = xs.length - most;
-      for (const list of [xs, ys, ticks]) list.splice(0, gone);
+      for (const list of [xs, ys, ticks, seen]) list.splice(0, gone);
       this.stale = true;
     });
   }
 
   /** Forgets what is later than a tick. */
   private forget(tick: number): void {
-    for (const { xs, ys, ticks } of this.trails) {
+    for (const { xs, ys, ticks, seen } of this.trails) {
       let left = ticks.length;
       while (left > 0 && (ticks[left - 1] ?? 0) > tick) left--;
-      for (const list of [xs, ys, ticks]) list.length = left;
+      for (const list of [xs, ys, ticks, seen]) list.length = left;
     }
     this.stale = true;
   }
@@ -136,26 +148,34 @@ export class Trails {
   /** The dots of what is not on the layer yet. */
   private add(paint: OffscreenCanvasRenderingContext2D, trail: Trail): void {
     const { scale, x, y } = this.at;
-    const { xs, ys } = trail;
+    const { xs, ys, seen } = trail;
     for (let end = Math.max(trail.drawn, 1); end < xs.length; end++) {
       const [x0, y0] = [x + (xs[end - 1] ?? 0) * scale, y - (ys[end - 1] ?? 0) * scale];
       const [x1, y1] = [x + (xs[end] ?? 0) * scale, y - (ys[end] ?? 0) * scale];
       const long = Math.hypot(x1 - x0, y1 - y0);
       if (long === 0 || long > JUMP_MM * scale) continue;
+      if (seen[end] !== true) {
+        this.dot(paint, x1, y1);
+        trail.behind = 0;
+        continue;
+      }
       let along = EACH_PX - trail.behind;
       for (; along <= long; along += EACH_PX) {
         const share = along / long;
-        const [cx, cy] = [x0 + (x1 - x0) * share, y0 + (y1 - y0) * share];
-        if (this.trails.length > 100) {
-          paint.fillRect(cx - DOT_PX / 2, cy - DOT_PX / 2, DOT_PX, DOT_PX);
-          continue;
-        }
-        paint.beginPath();
-        paint.arc(cx, cy, DOT_PX / 2, 0, Math.PI * 2);
-        paint.fill();
+        this.dot(paint, x0 + (x1 - x0) * share, y0 + (y1 - y0) * share);
       }
       trail.behind = long - (along - EACH_PX);
     }
     trail.drawn = xs.length;
+  }
+
+  private dot(paint: OffscreenCanvasRenderingContext2D, x: number, y: number): void {
+    if (this.trails.length > 100) {
+      paint.fillRect(x - DOT_PX / 2, y - DOT_PX / 2, DOT_PX, DOT_PX);
+      return;
+    }
+    paint.beginPath();
+    paint.arc(x, y, DOT_PX / 2, 0, Math.PI * 2);
+    paint.fill();
   }
 }
