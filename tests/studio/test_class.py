@@ -108,6 +108,14 @@ def test_a_pupil_joins_works_and_is_seen_by_the_teacher(school: Class) -> None:
     teacher = school.page(school.teacher)
     expect(teacher.get_by_test_id("class-empty")).to_contain_text("Nobody is here yet")
     expect(teacher.get_by_test_id("class-code")).to_have_text(f"{school.code[:3]} {school.code[3:]}")
+    # On a narrow page nothing is wider than it.
+    teacher.set_viewport_size({"width": 390, "height": HEIGHT})
+    assert teacher.evaluate("document.querySelector('.class-main').scrollWidth") <= 390
+    box = teacher.get_by_test_id("class-join").bounding_box()
+    assert box is not None
+    assert box["x"] >= 0
+    assert box["x"] + box["width"] <= 390
+    teacher.set_viewport_size({"width": WIDTH, "height": HEIGHT})
     # A wrong code is said, in the pupil's language.
     pupil = school.page(school.address, "fr")
     pupil.get_by_test_id("join-code").fill("AAAAAA")
@@ -142,6 +150,31 @@ def test_a_pupil_joins_works_and_is_seen_by_the_teacher(school: Class) -> None:
     expect(pupil.get_by_test_id("class-note")).to_contain_text("Look at the turn")
     teacher.get_by_test_id("look").get_by_role("button", name="I was there").click()
     expect(pupil.get_by_test_id("class-hand")).to_have_attribute("aria-pressed", "false")
+    # The arena of the pupil's page is seen, with the robot where it is.
+    arena = teacher.get_by_test_id("look-arena")
+    expect(arena.locator(".picture-robot")).to_have_count(1)
+    # This one alone is frozen.
+    teacher.get_by_test_id("filter-all").click()
+    teacher.get_by_test_id("look-freeze").click()
+    expect(pupil.get_by_test_id("class-frozen")).to_be_visible()
+    expect(card).to_have_attribute("data-frozen", "true")
+    expect(teacher.get_by_test_id("look-freeze")).to_have_text("Let go on")
+    teacher.get_by_test_id("look-freeze").click()
+    expect(pupil.get_by_test_id("class-frozen")).to_have_count(0)
+    # The teacher edits once the pupil lets in; what was saved comes back as one step, and is handed in.
+    teacher.get_by_test_id("ask-to-edit").click()
+    pupil.get_by_test_id("class-let-edit").click()
+    expect(pupil.get_by_test_id("class-take-back")).to_be_visible()
+    assert pupil.locator(".middle").evaluate("(one) => one.inert")
+    edit = teacher.get_by_test_id("edit").get_attribute("href")
+    studio = school.page(f"{school.address}{edit}")
+    add_part(studio, "stop")
+    studio.keyboard.press("Control+s")
+    expect(studio.get_by_test_id("saved-state")).to_have_text("saved")
+    teacher.get_by_test_id("give-back").click()
+    expect(pupil.get_by_test_id("class-take-back")).to_have_count(0)
+    expect(card.locator(".class-picture .picture-node")).to_have_count(2)
+    assert [path.name for path in (school.folder / "Zoé").glob("*.krt")] == ["03-square.krt"]
     # Frozen: nothing can be typed, but STOP is there.
     teacher.get_by_test_id("freeze").click()
     expect(pupil.get_by_test_id("class-frozen")).to_be_visible()
@@ -155,7 +188,6 @@ def test_a_pupil_joins_works_and_is_seen_by_the_teacher(school: Class) -> None:
     # A mission for all is offered where something is unsaved.
     teacher.keyboard.press("Escape")
     expect(teacher.get_by_test_id("look")).to_have_count(0)
-    teacher.get_by_test_id("filter-all").click()
     teacher.get_by_test_id("send").click()
     teacher.locator("[data-path='example:blink/blink.krt']").click()
     expect(pupil.get_by_test_id("class-handed")).to_contain_text("blink")

@@ -7,7 +7,7 @@ from kitrobot.classroom.names import WrongNameError
 from kitrobot.classroom.pupil import Goal, Pupil, Report, State, met, state_of
 from kitrobot.classroom.record import ClassRecord, PupilRecord, read_record, write_record
 from kitrobot.classroom.room import HANDED_OUT, MOST_PUPILS, ClassError, ClassRoom
-from kitrobot.classroom.told import Handed, HandIn, Told
+from kitrobot.classroom.told import Handed, HandIn, Told, Turn
 from kitrobot.classroom.work import QuotaError, Work
 
 __all__ = [
@@ -31,6 +31,7 @@ __all__ = [
     "State",
     "TakenNameError",
     "Told",
+    "Turn",
     "Work",
     "WrongNameError",
     "met",

@@ -7,7 +7,7 @@ from typing import Final
 from kitrobot.classroom.entrance import TakenNameError
 from kitrobot.classroom.names import clean_name, new_code, work_name
 from kitrobot.classroom.pupil import Pupil
-from kitrobot.classroom.room import HANDED_OUT, ClassRoom
+from kitrobot.classroom.room import HANDED_OUT, ClassError, ClassRoom
 from kitrobot.files import write_atomic
 from kitrobot.text import Sentence
 
@@ -48,12 +48,29 @@ class Desk:
             self._room.changed(kept=True)
             self._room.log.say("the class has a new code" if on else "the code was revoked")
 
-    def set_frozen(self, on: bool) -> None:
-        """Everybody is to look up, or goes on."""
+    def set_frozen(self, on: bool, who: list[str] | None = None) -> None:
+        """Those pupils, or everybody, are to look up, or go on.
+
+        Where everybody is frozen and some are to go on, the others stay frozen; who comes later is not.
+        """
         with self._room.lock:
-            self._room.record.frozen = on
+            record = self._room.record
+            if who is None:
+                record.frozen = on
+                for one in record.pupils:
+                    one.frozen = False
+                self._room.log.say("everybody was frozen" if on else "everybody goes on")
+            else:
+                if record.frozen and not on:
+                    record.frozen = False
+                    for one in record.pupils:
+                        one.frozen = True
+                chosen = [one for one in record.pupils if one.folder in who]
+                for one in chosen:
+                    one.frozen = on and not record.frozen
+                names = ", ".join(one.name for one in chosen)
+                self._room.log.say(f"{'frozen' if on else 'not frozen any more'}: {names}")
             self._room.changed(kept=True)
-            self._room.log.say("everybody was frozen" if on else "everybody goes on")
 
     def set_exercise(self, name: str) -> None:
         """The exercise of the class from now on; "" for none."""
@@ -87,10 +104,35 @@ class Desk:
             pupil.note = (pupil.note[0] + 1, " ".join(text.split())[:LONGEST_NOTE])
             self._room.changed()
 
+    def ask_turn(self, pupil: Pupil) -> None:
+        """Asks a pupil to let the teacher edit.
+
+        Raises:
+            ClassError: no page of the pupil is open.
+        """
+        with self._room.lock:
+            if pupil.pages == 0:
+                raise ClassError(
+                    Sentence("`{name}` is not here", pupil.record.name),
+                    Sentence("open a copy in the studio: that changes nothing"),
+                )
+            if pupil.turn == "pupil":
+                pupil.turn = "asked"
+                self._room.changed()
+
+    def give_back(self, pupil: Pupil) -> None:
+        """The pupil edits again, and gets what the teacher saved; also: it is not asked for any more."""
+        with self._room.lock:
+            if pupil.turn != "pupil":
+                pupil.turn = "pupil"
+                self._room.changed()
+
     def look_on(self, pupil: Pupil | None) -> None:
         """The teacher looks on, or at nobody."""
         with self._room.lock:
             looked = "" if pupil is None else pupil.folder
             if looked != self._room.looked:
+                for one in self._room.pupils.values():
+                    one.arena = ""
                 self._room.looked = looked
                 self._room.changed()

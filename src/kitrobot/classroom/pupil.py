@@ -6,6 +6,7 @@ from dataclasses import dataclass, field, replace
 from typing import Final, Literal
 
 from kitrobot.classroom.record import PupilRecord
+from kitrobot.classroom.told import Turn
 
 STUCK_S: Final = 4 * 60
 """Who ran and edited nothing for so long, and is not at the goal, is stuck."""
@@ -58,6 +59,9 @@ class Pupil:
     """Another one with each picture."""
     note: tuple[int, str] = (0, "")
     """What the teacher wrote last, and its number."""
+    turn: Turn = "pupil"
+    arena: str = ""
+    """What the page shows of its run while the teacher looks on, as it told that."""
 
     def take(self, report: Report, now: float) -> None:
         """The page said that."""

@@ -29,7 +29,7 @@ _HEAD = """# A class of KitRobot. While the class runs this file is written anew
 
 @dataclass
 class PupilRecord:
-    """A pupil: name, folder, the word to come back with, digests of keys, and what was handed out to them last."""
+    """A pupil: name, folder, the word to come back with, digests of keys, what they got last, whether to look up."""
 
     name: str
     folder: str
@@ -37,6 +37,7 @@ class PupilRecord:
     keys: list[str] = field(default_factory=list)
     handed: int = 0
     handed_file: str = ""
+    frozen: bool = False
 
     def gets(self, key: str) -> None:
         """Another browser of the pupil."""
@@ -45,7 +46,7 @@ class PupilRecord:
 
 @dataclass
 class ClassRecord:
-    """A class. `code` lets pupils in; "" while nobody can join."""
+    """A class. `code` lets pupils in; "" while nobody can join. `frozen` counts for all, those who come later too."""
 
     name: str
     code: str = ""
@@ -104,6 +105,7 @@ def write_record(folder: Path, record: ClassRecord) -> None:
             f"keys = [{keys}]",
             f"handed = {pupil.handed}",
             f"handed_file = {_string(pupil.handed_file)}",
+            *(["frozen = true"] if pupil.frozen else []),
         ]
     path = folder / NAME
     if not path.exists():
@@ -141,7 +143,9 @@ def _pupil(table: Any) -> PupilRecord:
     handed, file = table.get("handed", 0), _text(table, "handed_file")
     if not isinstance(handed, int) or (file and as_file_name(file) != file):
         raise ValueError(Sentence("`{key}` makes no sense", "handed"))
-    return PupilRecord(name, folder, clean_code(_text(table, "word")), keys[-MOST_KEYS:], handed, file)
+    return PupilRecord(
+        name, folder, clean_code(_text(table, "word")), keys[-MOST_KEYS:], handed, file, table.get("frozen") is True
+    )
 
 
 def _no_class(path: Path, reason: str) -> FileError:

@@ -187,6 +187,21 @@ class ClassRoom:
                 pupil.asked = self.clock() if up else None
                 self.changed()
 
+    def show_arena(self, pupil: Pupil, arena: str) -> None:
+        """What the page shows of its run; kept only while the teacher looks on."""
+        with self.lock:
+            if self.looked == pupil.folder:
+                pupil.arena = arena
+
+    def give_turn(self, pupil: Pupil, yes: bool) -> None:
+        """The pupil lets the teacher edit, who asked for it; or does not, or not any more."""
+        with self.lock:
+            if pupil.turn == "pupil" or (yes and pupil.turn == "teacher"):
+                return
+            pupil.turn = "teacher" if yes else "pupil"
+            self.log.say(f"{pupil.record.name} {'lets the teacher edit' if yes else 'edits alone'}")
+            self.changed()
+
     def told(self, pupil: Pupil) -> Told:
         """What the pupil's page is to know."""
         with self.lock:
@@ -195,12 +210,13 @@ class ClassRoom:
                 self.record.name,
                 record.name,
                 record.word,
-                self.record.frozen,
+                self.record.frozen or record.frozen,
                 self.record.exercise,
                 Handed(record.handed, record.handed_file),
                 pupil.note,
                 self.looked == pupil.folder,
                 pupil.asked is not None,
+                pupil.turn,
             )
 
     def hand_in(self, pupil: Pupil, shown: str, data: bytes, base: str) -> HandIn:

@@ -3,6 +3,10 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import Literal
+
+Turn = Literal["pupil", "asked", "teacher"]
+"""Whose turn it is to edit a pupil's mission: the pupil's, who may be asked for it, or the teacher's."""
 
 
 @dataclass(frozen=True)
@@ -29,12 +33,13 @@ class Told:
         class_name: of the class.
         name: of the pupil.
         word: brings them back from another computer.
-        frozen: whether everybody is to look up.
+        frozen: whether this pupil is to look up.
         exercise: the exercise of the class, "" without.
         handed: the mission that was handed out last.
         note: what the teacher wrote last, and its number.
         looked: whether the teacher looks on.
         hand: whether the hand is up.
+        turn: whose turn it is to edit.
     """
 
     class_name: str
@@ -46,3 +51,4 @@ class Told:
     note: tuple[int, str]
     looked: bool
     hand: bool
+    turn: Turn

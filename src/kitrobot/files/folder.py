@@ -81,6 +81,8 @@ class MissionFolder:
         self.examples = (examples or examples_folder() or Path(os.devnull)).resolve()
         self.recordings = Path(os.devnull).resolve()
         """Where missions of opened recordings are unpacked, in a folder each."""
+        self.handed_out = ""
+        """A folder below `root` whose missions are read-only: what a class handed out; "" for none."""
         self._saving = threading.Lock()
 
     def missions(self) -> list[MissionEntry]:
@@ -218,7 +220,12 @@ class MissionFolder:
             raise ReadOnlyError(
                 Sentence("a recording cannot be changed"), Sentence("save the mission under a name of your own")
             )
-        return _Hold(self, self.path_of(name), Sentence("a mission `{name}`", name), name, revision)
+        path = self.path_of(name)
+        if self.handed_out and (self.root / self.handed_out).resolve() in path.resolve().parents:
+            raise ReadOnlyError(
+                Sentence("what was handed out cannot be changed"), Sentence("save the mission under a name of your own")
+            )
+        return _Hold(self, path, Sentence("a mission `{name}`", name), name, revision)
 
     def hold_beside(self, name: str, file: str, revision: str) -> _Hold:
         """The same for a file with parts for a mission, such as a robot's, in its `own_folder_of`.

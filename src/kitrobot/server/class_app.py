@@ -75,7 +75,8 @@ def create_class_app(room: ClassRoom, key: str, reach: Reach, static: Path = STA
     app.add_middleware(Deadlines, refuse=refuse)
     app.add_middleware(Guard, token=token, largest_body_bytes=LARGEST_BODY_BYTES)
     app.add_middleware(InReadersLanguage)
-    door = ClassDoor(room, app, token, studio, key, PupilStudios(room.folder, room.clock), room.clock)
+    app.state.studios = PupilStudios(room)
+    door = ClassDoor(room, app, token, studio, key, app.state.studios, room.clock)
     return ClassApp(InReadersLanguage(door), grading, studio)
 
 

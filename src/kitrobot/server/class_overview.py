@@ -118,6 +118,8 @@ class Overview:
             exercise=report.exercise,
             goals=[ClassGoalShape(reached=goal.reached, why=goal.why) for goal in ours[:goals]],
             pages=pupil.pages,
+            frozen=self._room.record.frozen or pupil.record.frozen,
+            turn=pupil.turn,
         )
 
     def _exercise(self) -> tuple[dict[str, str], list[ClassGoalNameShape]]:

@@ -9,10 +9,10 @@ from __future__ import annotations
 import asyncio
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager, suppress
-from typing import Any, Final
+from typing import Annotated, Any, Final
 
 from fastapi import WebSocket, WebSocketDisconnect
-from pydantic import BaseModel, TypeAdapter, ValidationError
+from pydantic import BaseModel, Field, TypeAdapter, ValidationError
 
 from kitrobot.classroom import Allowance, ClassRoom, Desk, Goal, Pupil, Report, Told
 from kitrobot.diagnostics import KitRobotError
@@ -20,7 +20,16 @@ from kitrobot.server.beside_loop import beside_loop
 from kitrobot.server.class_overview import Overview
 from kitrobot.server.class_routes import pupil_of, room_of
 from kitrobot.server.routing import api_router
-from kitrobot.server.shapes.classroom import HandMessage, LookMessage, PupilNewsMessage, ReportMessage
+from kitrobot.server.shapes.classroom import (
+    ArenaMessage,
+    ClassArenaShape,
+    HandMessage,
+    LookMessage,
+    PupilNewsMessage,
+    ReportMessage,
+    ShowArenaMessage,
+    TurnMessage,
+)
 
 LOOK_S: Final = 1.0
 """How often the teacher's page is told."""
@@ -32,7 +41,8 @@ MOST_PAGES: Final = 6
 
 class_socket_routes = api_router("/api/class")
 
-_SAID: TypeAdapter[ReportMessage | HandMessage] = TypeAdapter(ReportMessage | HandMessage)
+_Said = Annotated[ReportMessage | HandMessage | TurnMessage | ShowArenaMessage, Field(discriminator="type")]
+_SAID: TypeAdapter[_Said] = TypeAdapter(_Said)
 _LOOKED: TypeAdapter[LookMessage] = TypeAdapter(LookMessage)
 
 
@@ -65,8 +75,16 @@ async def pupil_socket(socket: WebSocket) -> None:
     if pupil.pages >= MOST_PAGES:
         await socket.close(1013)
         return
-    await socket.accept()
+    # Counted before anything is awaited: many that come at once are counted, too.
     room.comes(pupil)
+    try:
+        await socket.accept()
+        await _tell_pupil(socket, room, pupil)
+    finally:
+        room.goes(pupil)
+
+
+async def _tell_pupil(socket: WebSocket, room: ClassRoom, pupil: Pupil) -> None:
     hears = asyncio.ensure_future(_hear(socket, lambda text: _take(room, pupil, text)))
     try:
         with _woken(room) as news:
@@ -80,7 +98,6 @@ async def pupil_socket(socket: WebSocket) -> None:
     except (WebSocketDisconnect, RuntimeError):
         pass  # gone while we spoke
     finally:
-        room.goes(pupil)
         await _end(socket, hears)
 
 
@@ -93,6 +110,7 @@ async def teacher_socket(socket: WebSocket) -> None:
     hears = asyncio.ensure_future(_hear(socket, lambda text: _look(room, text)))
     told: dict[str, BaseModel] = {}
     class_told: BaseModel | None = None
+    arena_told = ("", "")
     try:
         while not hears.done():
             whole, pupils = await beside_loop(lambda: (overview.whole(), overview.pupils()))
@@ -102,6 +120,10 @@ async def teacher_socket(socket: WebSocket) -> None:
             message = overview.news(told, pupils)
             told = dict(pupils)
             await socket.send_text(message.model_dump_json())
+            arena = _arena(room)
+            if arena != arena_told:
+                arena_told = arena
+                await socket.send_text(_arena_news(*arena).model_dump_json())
             await asyncio.wait({hears}, timeout=LOOK_S)
     except (WebSocketDisconnect, RuntimeError):
         pass
@@ -149,12 +171,33 @@ def _take(room: ClassRoom, pupil: Pupil, text: str) -> None:
     if isinstance(said, HandMessage):
         room.put_hand(pupil, said.up)
         return
+    if isinstance(said, TurnMessage):
+        room.give_turn(pupil, said.yes)
+        return
+    if isinstance(said, ShowArenaMessage):
+        arena = said.arena.model_dump_json()
+        # What cannot be read again would end the teacher's socket, not the pupil's.
+        ClassArenaShape.model_validate_json(arena)
+        room.show_arena(pupil, arena)
+        return
     goals = tuple(Goal(goal.reached, goal.why) for goal in said.goals)
     room.take(pupil, Report(said.running, said.edits, said.runs, said.file, said.exercise, goals))
 
 
 def _look(room: ClassRoom, text: str) -> None:
     Desk(room).look_on(room.pupils.get(_LOOKED.validate_json(text).folder))
+
+
+def _arena(room: ClassRoom) -> tuple[str, str]:
+    """Whom the teacher looks on, and what that page shows."""
+    with room.lock:
+        pupil = room.pupils.get(room.looked)
+        return ("", "") if pupil is None else (pupil.folder, pupil.arena)
+
+
+def _arena_news(folder: str, arena: str) -> ArenaMessage:
+    shown = ClassArenaShape.model_validate_json(arena) if arena else None
+    return ArenaMessage(type="arena", folder=folder, arena=shown)
 
 
 def _news(told: Told) -> PupilNewsMessage:
@@ -171,4 +214,5 @@ def _news(told: Told) -> PupilNewsMessage:
         note_text=told.note[1],
         looked=told.looked,
         hand=told.hand,
+        turn=told.turn,
     )

@@ -5,7 +5,6 @@ from __future__ import annotations
 import io
 import ipaddress
 import socket
-import ssl
 import sys
 import threading
 import webbrowser
@@ -14,6 +13,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Final
 
 from kitrobot.classroom import ClassRoom, Desk
+from kitrobot.server.class_certificate import usable_certificate
 from kitrobot.server.presence import Presence
 from kitrobot.server.start import ServerError, has_screen, listen
 from kitrobot.text import Sentence
@@ -43,15 +43,16 @@ def serve_class(opening: ClassOpening) -> None:
     Raises:
         ServerError: it cannot listen there, or the certificate cannot be used.
         ClassError: the class of the folder runs already.
-        FileError: the folder cannot be used.
+        FileError: the folder, the certificate or its key cannot be used.
     """
     address = _address(opening.host)
-    tls = _tls(opening.tls)
+    if opening.tls is not None:
+        usable_certificate(*opening.tls)
     room = ClassRoom(opening.folder)
     try:
         if opening.new_code or not room.record.code:
             Desk(room).set_code(True)
-        _serve(room, address, opening, tls)
+        _serve(room, address, opening, opening.tls)
     finally:
         room.close()
 
@@ -174,25 +175,6 @@ def _own_address() -> str:
 
 def _name(host: str) -> str:
     return f"[{host}]" if ":" in host else host
-
-
-def _tls(given: tuple[Path, Path] | None) -> tuple[Path, Path] | None:
-    """The certificate and its key, tried.
-
-    Raises:
-        ServerError: they cannot be used.
-    """
-    if given is None:
-        return None
-    try:
-        ssl.SSLContext(ssl.PROTOCOL_TLS_SERVER).load_cert_chain(*given)
-    except (OSError, ValueError) as error:  # an SSLError is an OSError
-        reason = getattr(error, "strerror", None) or str(error)
-        raise ServerError(
-            Sentence("the certificate `{path}` and its key cannot be used: {reason}", given[0], reason),
-            Sentence("both are files in PEM; the key has no password"),
-        ) from None
-    return given
 
 
 def _show(folder: Path, address: str) -> None:

@@ -10,13 +10,15 @@ from __future__ import annotations
 import os
 import secrets
 import threading
-from collections.abc import Callable
 from pathlib import Path
 from typing import Final
 
 from fastapi import FastAPI
 
+from kitrobot.classroom import HANDED_OUT, ClassRoom
+from kitrobot.diagnostics import KitRobotError
 from kitrobot.server.app import create_app
+from kitrobot.server.class_exercises import copy_exercise
 from kitrobot.server.gallery import Gallery
 
 FOLDER: Final = ".studios"
@@ -33,15 +35,24 @@ WRITES: Final = ("/api/mission", "/api/journal", "/api/parts")
 class PupilStudio:
     """One pupil's studio: its application, and the token that it takes."""
 
-    def __init__(self, folder: Path, gallery: Gallery) -> None:
+    def __init__(self, room: ClassRoom, folder: Path, gallery: Gallery) -> None:
         folder.mkdir(parents=True, exist_ok=True)
         self.folder = folder
         self.token = secrets.token_urlsafe(24)
         self.app: FastAPI = create_app(folder, None, self.token)
         # Only examples are in it, which are the same for all, and take seconds to read.
         self.app.state.studio.gallery = gallery
+        self.app.state.studio.folder.handed_out = HANDED_OUT
+        self._room = room
         self._measured: float | None = None
         self._full = False
+
+    def take_exercise(self) -> None:
+        """Gets the files of the exercise of the class; where that cannot be, the log says so."""
+        try:
+            copy_exercise(self._room, self.folder)
+        except (KitRobotError, OSError) as error:
+            self._room.log.say(f"{self.folder.name} did not get the exercise: {error}")
 
     def is_full(self, now: float) -> bool:
         """Whether nothing more is written."""
@@ -62,9 +73,10 @@ class PupilStudio:
 class PupilStudios:
     """The studios of a class, each made when its pupil first asks for something. Safe to use from many threads."""
 
-    def __init__(self, folder: Path, clock: Callable[[], float]) -> None:
-        self._folder = folder / FOLDER
-        self._clock = clock
+    def __init__(self, room: ClassRoom) -> None:
+        self._room = room
+        self._folder = room.folder / FOLDER
+        self._clock = room.clock
         self._gallery = Gallery()
         self._made: dict[str, PupilStudio] = {}
         self._lock = threading.Lock()
@@ -74,8 +86,15 @@ class PupilStudios:
         with self._lock:
             made = self._made.get(pupil)
             if made is None:
-                made = self._made[pupil] = PupilStudio(self._folder / pupil, self._gallery)
+                made = self._made[pupil] = PupilStudio(self._room, self._folder / pupil, self._gallery)
+                made.take_exercise()
             return made
+
+    def take_exercise(self) -> None:
+        """The class has another exercise."""
+        with self._lock:
+            for made in self._made.values():
+                made.take_exercise()
 
     def refuses(self, path: str) -> bool:
         """Whether that is not for pupils."""

@@ -10,11 +10,13 @@ from typing import Annotated
 from fastapi import Depends, Query, Request, Response
 
 from kitrobot.classroom import ClassError, Desk, Entrance, Pupil
-from kitrobot.files import EXAMPLE, carried_mission
+from kitrobot.files import carried_mission
 from kitrobot.server.class_collecting import Collected, collect, table
+from kitrobot.server.class_exercises import hand_out_exercise
 from kitrobot.server.class_grading import Grading
 from kitrobot.server.class_pictures import Pictures
 from kitrobot.server.class_routes import ThisRoom, room_of
+from kitrobot.server.class_studios import PupilStudios
 from kitrobot.server.routing import api_router
 from kitrobot.server.shapes.classroom import (
     ClassPictureShape,
@@ -29,6 +31,7 @@ from kitrobot.server.shapes.classroom import (
     TeacherLogShape,
     TeacherNoteShape,
     TeacherPupilShape,
+    TeacherTurnShape,
 )
 from kitrobot.server.studio import Studio
 from kitrobot.text import Sentence
@@ -89,22 +92,21 @@ def code(desk: ThisDesk, wanted: TeacherCodeShape) -> bool:
 
 @teacher_routes.post("/freeze")
 def freeze(desk: ThisDesk, wanted: TeacherFreezeShape) -> bool:
-    """Everybody is to look up, or goes on."""
-    desk.set_frozen(wanted.on)
+    """Those pupils, or everybody, are to look up, or go on."""
+    desk.set_frozen(wanted.on, wanted.folders)
     return wanted.on
 
 
 @teacher_routes.post("/exercise")
-def exercise(desk: ThisDesk, studio: TheStudio, wanted: TeacherExerciseShape) -> bool:
-    """Chooses the exercise of the class."""
-    if wanted.exercise:
-        studio.exercises.usable(wanted.exercise)
-        if not wanted.exercise.startswith(EXAMPLE):
-            raise ClassError(
-                Sentence("the pages of pupils do not have this exercise"),
-                Sentence("choose one that comes with KitRobot, or hand the mission out"),
-            )
-    desk.set_exercise(wanted.exercise)
+def exercise(desk: ThisDesk, room: ThisRoom, studio: TheStudio, request: Request, wanted: TeacherExerciseShape) -> bool:
+    """Chooses the exercise of the class: one that comes with KitRobot, or one of the folder, which is handed out."""
+    name = wanted.exercise
+    if name:
+        name = hand_out_exercise(room, studio, name)
+    desk.set_exercise(name)
+    studios = request.app.state.studios
+    assert isinstance(studios, PupilStudios)
+    studios.take_exercise()
     return True
 
 
@@ -132,6 +134,17 @@ def hand_down(room: ThisRoom, wanted: TeacherPupilShape) -> bool:
     """The teacher was there."""
     room.put_hand(_one(room, wanted.folder), up=False)
     return True
+
+
+@teacher_routes.post("/turn")
+def turn(desk: ThisDesk, room: ThisRoom, wanted: TeacherTurnShape) -> bool:
+    """Asks a pupil to let the teacher edit; or gives the mission back."""
+    pupil = _one(room, wanted.folder)
+    if wanted.ask:
+        desk.ask_turn(pupil)
+    else:
+        desk.give_back(pupil)
+    return wanted.ask
 
 
 @teacher_routes.post("/add")

@@ -69,12 +69,13 @@ export const classApi = {
     return found.status === 204 ? null : ((await found.json()) as server.ClassPicture);
   },
   setCode: (on: boolean) => ask<boolean>("/teacher/code", post({ on })),
-  freeze: (on: boolean) => ask<boolean>("/teacher/freeze", post({ on })),
+  freeze: (on: boolean, folders: readonly string[] | null) => ask<boolean>("/teacher/freeze", post({ on, folders })),
   setExercise: (exercise: string) => ask<boolean>("/teacher/exercise", post({ exercise })),
   handOut: (path: string, to: readonly string[] | null) =>
     ask<server.TeacherHandedOut>("/teacher/hand-out", post({ path, to })),
   write: (folder: string, text: string) => ask<boolean>("/teacher/note", post({ folder, text })),
   handDown: (folder: string) => ask<boolean>("/teacher/hand-down", post({ folder })),
+  turn: (folder: string, asks: boolean) => ask<boolean>("/teacher/turn", post({ folder, ask: asks })),
   add: (name: string) => ask<server.TeacherPupil>("/teacher/add", post({ name })),
   remove: (folder: string) => ask<boolean>("/teacher/remove", post({ folder })),
   answer: (asked: string, yes: boolean) => ask<boolean>("/teacher/answer", post({ asked, yes })),

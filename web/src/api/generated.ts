@@ -73,6 +73,13 @@ export interface Arc {
   at: string;
 }
 
+/** What the page of the pupil whom the teacher looks on shows of its run; null for none. */
+export interface ArenaMessage {
+  type: "arena";
+  folder: string;
+  arena: ClassArena | null;
+}
+
 /** What is demanded of every run: see `kitrobot.mission.AskedProperty`. */
 export interface AskedProperty {
   name: string;
@@ -409,6 +416,18 @@ export interface Class {
 export interface ClassAnswered {
   state: "waiting" | "in" | "no";
   key?: string;
+}
+
+/**
+ * What a pupil's page shows of its run: the world, where each robot is (mm, mm, rad), the way of the first of them, and
+ * the time of the run.
+ */
+export interface ClassArena {
+  running: boolean;
+  seconds: number;
+  world: World;
+  poses: [number, number, number][];
+  way: [number, number][];
 }
 
 /** The code, and as whom the teacher shall let somebody in. */
@@ -1429,7 +1448,7 @@ export interface ProjectionSpan {
 
 /**
  * A pupil as the overview shows them; `seconds` is how long the state lasts, where that counts. `version` is another
- * one with each picture, 0 while there is none.
+ * one with each picture, 0 while there is none; `frozen`: this pupil is to look up, alone or with everybody.
  */
 export interface Pupil {
   folder: string;
@@ -1443,9 +1462,14 @@ export interface Pupil {
   exercise: string;
   goals: ClassGoal[];
   pages: number;
+  frozen: boolean;
+  turn: "pupil" | "asked" | "teacher";
 }
 
-/** What the pupil's page is to know. `handed` and `note` count: a higher number is a new one. */
+/**
+ * What the pupil's page is to know. `handed` and `note` count: a higher number is a new one. `turn`: who edits, or that
+ * the teacher asks to.
+ */
 export interface PupilNewsMessage {
   type: "pupil";
   class_name: string;
@@ -1459,6 +1483,7 @@ export interface PupilNewsMessage {
   note_text: string;
   looked: boolean;
   hand: boolean;
+  turn: "pupil" | "asked" | "teacher";
 }
 
 /** Pupils that changed since the last message, and who is gone; `kept_s`: seconds since work came in last. */
@@ -1750,6 +1775,12 @@ export interface SetRequest {
   value: number;
 }
 
+/** The run that the page shows, told while the teacher looks on. */
+export interface ShowArenaMessage {
+  type: "arena";
+  arena: ClassArena;
+}
+
 /** A hole of a constructor. */
 export interface Slot {
   name: string;
@@ -1967,9 +1998,10 @@ export interface TeacherExercise {
   exercise: string;
 }
 
-/** Everybody is to look up, or goes on. */
+/** Those pupils are to look up, or go on; null: everybody. */
 export interface TeacherFreeze {
   on: boolean;
+  folders?: string[] | null;
 }
 
 /** Whose work is to be graded with the exercise of the class; null: everybody's. */
@@ -2011,6 +2043,12 @@ export interface TeacherPage {
 /** One pupil. */
 export interface TeacherPupil {
   folder: string;
+}
+
+/** Asks a pupil to let the teacher edit; or gives the mission back. */
+export interface TeacherTurn {
+  folder: string;
+  ask: boolean;
 }
 
 /**
@@ -2134,6 +2172,12 @@ export interface TickMessage {
 export interface Topic {
   name: string;
   label: Record<string, string>;
+}
+
+/** The pupil lets the teacher edit; or does not, or not any more. */
+export interface TurnMessage {
+  type: "turn";
+  yes: boolean;
 }
 
 /** A tutorial; `start` is the mission it begins with. One that cannot be used has no steps but `problems`. */

@@ -6,9 +6,10 @@ from typing import Annotated, Literal
 
 from pydantic import BaseModel, Field
 
-from kitrobot.classroom import State
+from kitrobot.classroom import State, Turn
 from kitrobot.server.sentences import Clause
 from kitrobot.server.shapes.mission import MissionShape, ProgramShape
+from kitrobot.server.shapes.world import WorldShape
 
 MOST_GOALS = 100
 Name = Annotated[str, Field(max_length=1000)]
@@ -116,8 +117,39 @@ class HandMessage(BaseModel):
     up: bool
 
 
+Length = Annotated[float, Field(ge=-1e9, le=1e9, allow_inf_nan=False)]
+
+
+class ClassArenaShape(BaseModel):
+    """What a pupil's page shows of its run: the world, where each robot is (mm, mm, rad), the way of the first of them,
+    and the time of the run.
+    """
+
+    running: bool
+    seconds: Length
+    world: WorldShape
+    poses: Annotated[list[tuple[Length, Length, Length]], Field(max_length=50)]
+    way: Annotated[list[tuple[Length, Length]], Field(max_length=400)]
+
+
+class ShowArenaMessage(BaseModel):
+    """The run that the page shows, told while the teacher looks on."""
+
+    type: Literal["arena"]
+    arena: ClassArenaShape
+
+
+class TurnMessage(BaseModel):
+    """The pupil lets the teacher edit; or does not, or not any more."""
+
+    type: Literal["turn"]
+    yes: bool
+
+
 class PupilNewsMessage(BaseModel):
-    """What the pupil's page is to know. `handed` and `note` count: a higher number is a new one."""
+    """What the pupil's page is to know. `handed` and `note` count: a higher number is a new one. `turn`: who edits, or
+    that the teacher asks to.
+    """
 
     type: Literal["pupil"]
     class_name: str
@@ -131,6 +163,7 @@ class PupilNewsMessage(BaseModel):
     note_text: str
     looked: bool
     hand: bool
+    turn: Turn
 
 
 # -- the teacher's page
@@ -139,7 +172,8 @@ class PupilNewsMessage(BaseModel):
 class PupilShape(BaseModel):
     """A pupil as the overview shows them; `seconds` is how long the state lasts, where that counts.
 
-    `version` is another one with each picture, 0 while there is none.
+    `version` is another one with each picture, 0 while there is none; `frozen`: this pupil is to look up, alone or with
+    everybody.
     """
 
     folder: str
@@ -153,6 +187,8 @@ class PupilShape(BaseModel):
     exercise: str
     goals: list[ClassGoalShape]
     pages: int
+    frozen: bool
+    turn: Turn
 
 
 class ClassGoalNameShape(BaseModel):
@@ -205,6 +241,14 @@ class PupilsMessage(BaseModel):
     kept_s: float | None
 
 
+class ArenaMessage(BaseModel):
+    """What the page of the pupil whom the teacher looks on shows of its run; null for none."""
+
+    type: Literal["arena"]
+    folder: str
+    arena: ClassArenaShape | None
+
+
 class LookMessage(BaseModel):
     """The teacher looks on, or at nobody."""
 
@@ -226,9 +270,10 @@ class TeacherCodeShape(BaseModel):
 
 
 class TeacherFreezeShape(BaseModel):
-    """Everybody is to look up, or goes on."""
+    """Those pupils are to look up, or go on; null: everybody."""
 
     on: bool
+    folders: Annotated[list[Folder], Field(max_length=1000)] | None = None
 
 
 class TeacherExerciseShape(BaseModel):
@@ -264,6 +309,13 @@ class TeacherPupilShape(BaseModel):
     folder: Folder
 
 
+class TeacherTurnShape(BaseModel):
+    """Asks a pupil to let the teacher edit; or gives the mission back."""
+
+    folder: Folder
+    ask: bool
+
+
 class TeacherAddShape(BaseModel):
     """A pupil who comes later."""
 
@@ -289,5 +341,11 @@ class TeacherLogShape(BaseModel):
     lines: list[str]
 
 
-PUPIL_REQUEST_MODELS: tuple[type[BaseModel], ...] = (ReportMessage, HandMessage, LookMessage)
-PUPIL_MESSAGE_MODELS: tuple[type[BaseModel], ...] = (PupilNewsMessage, ClassNewsMessage, PupilsMessage)
+PUPIL_REQUEST_MODELS: tuple[type[BaseModel], ...] = (
+    ReportMessage,
+    HandMessage,
+    TurnMessage,
+    ShowArenaMessage,
+    LookMessage,
+)
+PUPIL_MESSAGE_MODELS: tuple[type[BaseModel], ...] = (PupilNewsMessage, ClassNewsMessage, PupilsMessage, ArenaMessage)

@@ -102,7 +102,7 @@ export function Join() {
   return (
     <main className="join" aria-label={t("class.join-title", { name: about?.name ?? "" })}>
       <form className="join-card" onSubmit={join} data-testid="join">
-        <h1 dir="auto">{t("class.join-title", { name: about?.name ?? "…" })}</h1>
+        <h1>{t("class.join-title", { name: `\u2068${about?.name ?? "…"}\u2069` })}</h1>
         {about?.joining === false ? <p>{t("class.no-joining")}</p> : null}
         <Field label={t("class.code")} help={t("class.code-help")}>
           <input

@@ -1,5 +1,5 @@
 /** What a pupil's page shows of the class: what the teacher wants, whether the work is kept, the hand, and "look up". */
-import { useEffect } from "react";
+import { type ReactNode, useEffect } from "react";
 import { createPortal } from "react-dom";
 
 import { Said } from "../../i18n/Said";
@@ -8,7 +8,7 @@ import { Icon } from "../../theme";
 import type { MenuEntry } from "../../ui/menu-model";
 import { menuItem } from "../../ui/menu-model";
 import { MenuButton } from "../../ui/MenuButton";
-import { done, keepClass, leaveClass, type Offer, putHand, useClassroom } from "./keeping";
+import { done, keepClass, leaveClass, letEdit, type Offer, putHand, useClassroom } from "./keeping";
 import "./class.css";
 
 const WORDS: Record<Offer["kind"], (words: string) => string> = {
@@ -45,13 +45,15 @@ function OfferRow({ offer }: { offer: Offer }) {
 /** Everything but STOP waits. */
 const WAITS = ".head-menu, .toolbar, .middle, .bottom-bar, .sheet";
 
-function Frozen() {
+/** The page is covered: the teacher wants all to look up, or edits this mission. */
+function Held({ icon, title, help, children }: { icon: string; title: string; help: string; children?: ReactNode }) {
   useEffect(() => {
     const all = [...document.querySelectorAll<HTMLElement>(WAITS)];
     for (const one of all) one.inert = true;
     const hold = (event: KeyboardEvent) => {
       const stops = event.key === "F5" && event.shiftKey;
-      if (stops || (event.target instanceof Element && event.target.closest(".team-stop") !== null)) return;
+      if (stops || (event.target instanceof Element && event.target.closest(".team-stop, .class-frozen") !== null))
+        return;
       event.preventDefault();
       event.stopPropagation();
     };
@@ -64,9 +66,10 @@ function Frozen() {
   return createPortal(
     <div className="class-frozen" role="alert" data-testid="class-frozen">
       <div className="class-frozen-card">
-        <Icon name="snowflake" size={40} />
-        <h2>{t("class.frozen")}</h2>
-        <p>{t("class.frozen-help")}</p>
+        <Icon name={icon} size={40} />
+        <h2>{title}</h2>
+        <p>{help}</p>
+        {children}
       </div>
     </div>,
     document.body,
@@ -74,14 +77,34 @@ function Frozen() {
 }
 
 export function PupilBar() {
-  const { news, offers } = useClassroom();
+  const { news, offers, connected } = useClassroom();
+  const frozen = news?.frozen === true;
   useEffect(keepClass, []);
   return (
     <>
       {offers.map((offer) => (
         <OfferRow key={offer.kind} offer={offer} />
       ))}
-      {news?.frozen === true ? <Frozen /> : null}
+      {news?.turn === "asked" ? (
+        <div className="banner banner-question" role="alert" data-testid="class-turn">
+          <Icon name="pencil" size={18} />
+          <p>{t("class.asks-to-edit")}</p>
+          <button type="button" className="button" data-testid="class-let-edit" onClick={() => letEdit(true)}>
+            {t("class.let-edit")}
+          </button>
+          <button type="button" className="button" onClick={() => letEdit(false)}>
+            {t("class.not-edit")}
+          </button>
+        </div>
+      ) : null}
+      {frozen ? <Held icon="snowflake" title={t("class.frozen")} help={t("class.frozen-help")} /> : null}
+      {!frozen && connected && news?.turn === "teacher" ? (
+        <Held icon="pencil" title={t("class.edits")} help={t("class.edits-help")}>
+          <button type="button" className="button" data-testid="class-take-back" onClick={() => letEdit(false)}>
+            {t("class.take-back")}
+          </button>
+        </Held>
+      ) : null}
     </>
   );
 }

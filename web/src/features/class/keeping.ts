@@ -9,15 +9,17 @@ import { create } from "zustand";
 import { type ClassSocket, classApi, openClassSocket } from "../../api/class";
 import { api, ApiError } from "../../api/client";
 import { exerciseApi } from "../../api/exercises";
-import type { HandMessage, PupilNewsMessage, ReportMessage } from "../../api/generated";
+import type { HandMessage, PupilNewsMessage, ReportMessage, ShowArenaMessage, TurnMessage } from "../../api/generated";
 import { takeToken, token } from "../../api/token";
 import { useStudio } from "../../model/studio";
+import { t } from "../../i18n/words";
 import { text } from "../../model/texts";
 import type { Mission } from "../../model/types";
 import { complain, shownName, useDocument } from "../../session/document";
 import { remember as rememberExercise, useOpenExercise } from "../../session/open-exercise";
 import { beginMission, openPath } from "../../session/open-requests";
 import { useRun } from "../../session/run";
+import { tellArena } from "./arena";
 import { type Memory, type Place, placeFor, readMemory } from "./kept";
 
 const QUIET_MS = 1200;
@@ -52,13 +54,16 @@ export const useClassroom = create<Classroom>(() => ({
 const set = useClassroom.setState;
 
 let memory: Memory = readMemory(null);
-let socket: ClassSocket<ReportMessage | HandMessage> | null = null;
+type Said = ReportMessage | HandMessage | TurnMessage | ShowArenaMessage;
+let socket: ClassSocket<Said> | null = null;
 /** Where the open mission is handed in, and what of it the class does not have. */
 let place: Place = { name: "", revision: "" };
 let waiting: { shown: string; place: Place; mission: Mission } | null = null;
 let since = 0;
 let timer: ReturnType<typeof setTimeout> | undefined;
 let sending = false;
+/** The teacher is let in to edit once everything is handed in. */
+let letting = false;
 /** The name under which work of the class is opened next: it goes on where it was. */
 let goesOn = "";
 const counts = { edits: 0, runs: 0 };
@@ -114,6 +119,7 @@ async function handIn(): Promise<void> {
     keepMemory({ places: { ...memory.places, [mine.shown]: kept }, waiting: null });
     set({ kept: waiting === null ? "yes" : "waits", problem: "" });
     if (waiting !== null) later(QUIET_MS);
+    else if (letting) giveTurn(true);
   } catch (cause) {
     keepMemory({ waiting: mine });
     const status = cause instanceof ApiError ? cause.status : 0;
@@ -197,10 +203,12 @@ function whenReady(): Promise<void> {
 let hearing: Promise<void> = Promise.resolve();
 
 function hear(news: PupilNewsMessage): void {
+  const before = useClassroom.getState().news?.turn;
   set({ news, connected: true });
   hearing = hearing
     .then(whenReady)
     .then(() => obey(news))
+    .then(() => (before === "teacher" && news.turn === "pupil" ? takeBack() : undefined))
     .catch(complain);
 }
 
@@ -222,6 +230,34 @@ async function obey(news: PupilNewsMessage): Promise<void> {
     keepMemory({ note: news.note });
     if (news.note_text !== "") offer({ kind: "note", words: news.note_text, open: null });
   } else if (news.note < memory.note) keepMemory({ note: news.note });
+}
+
+/** Lets the teacher edit, once the class has what is open here; or not, or not any more. */
+export function letEdit(yes: boolean): void {
+  if (!yes) {
+    giveTurn(false);
+    return;
+  }
+  letting = true;
+  changed(useStudio.getState().mission);
+  later(0);
+}
+
+function giveTurn(yes: boolean): void {
+  letting = false;
+  socket?.say({ type: "turn", yes });
+}
+
+/** What the teacher saved, as one step that can be taken back. Where something was changed here meanwhile that stays. */
+async function takeBack(): Promise<void> {
+  if (waiting !== null) return;
+  const mine = place;
+  const { bytes, revision } = await classApi.work(mine.name);
+  if (revision === mine.revision) return;
+  const { mission } = await api.readMission(mine.name, bytes);
+  if (waiting !== null || place !== mine) return;
+  place = { name: mine.name, revision };
+  useStudio.getState().execute({ label: t("class.edited"), execute: () => mission });
 }
 
 export function putHand(up: boolean): void {
@@ -271,7 +307,7 @@ export function leaveClass(): void {
 /** Begins; the returned function ends it. */
 export function keepClass(): () => void {
   recall();
-  socket = openClassSocket<ReportMessage | HandMessage, PupilNewsMessage>("pupil", {
+  socket = openClassSocket<Said, PupilNewsMessage>("pupil", {
     onOpen: () => {
       told = "";
       set({ connected: true });
@@ -308,12 +344,17 @@ export function keepClass(): () => void {
     report();
   });
   const offGoals = useOpenExercise.subscribe(report);
+  const offArena = tellArena(
+    () => useClassroom.getState().news?.looked === true,
+    (arena) => socket?.say({ type: "arena", arena }),
+  );
   const hide = () => void handIn();
   document.addEventListener("visibilitychange", hide);
   return () => {
     offStudio();
     offRun();
     offGoals();
+    offArena();
     document.removeEventListener("visibilitychange", hide);
     clearTimeout(timer);
     clearTimeout(reporting);

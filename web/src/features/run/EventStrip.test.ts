@@ -1,7 +1,7 @@
 import { describe, expect, it } from "vitest";
 
 import type { RunEvent } from "../../api/wire";
-import { axisFor, thinned } from "./EventStrip";
+import { axisFor, thinned, toldMarks } from "./EventStrip";
 
 describe("the strip of events", () => {
   const event = (tick: number, kind: RunEvent["kind"]): RunEvent => ({
@@ -22,5 +22,11 @@ describe("the strip of events", () => {
   it("keeps the weightier of two events that would lie on each other", () => {
     const events = [event(8, "message"), event(11, "load"), event(50, "unload")];
     expect(thinned(events, (one) => one.tick, 9).map((one) => one.kind)).toEqual(["load", "unload"]);
+  });
+});
+
+describe("the times on the axis", () => {
+  it("never touch each other", () => {
+    expect([600, 240, 239, 120, 119, 80, 79, 0].map(toldMarks)).toEqual([1, 1, 2, 2, 3, 3, 6, 6]);
   });
 });

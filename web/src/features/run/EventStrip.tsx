@@ -25,6 +25,14 @@ const EDGE = 18;
 /** How much of the axis may be used before it doubles: the label of the moment needs room at its right. */
 const FULL = 0.86;
 
+/** The room that the time of a mark takes, in px. */
+const TIME_PX = 40;
+
+/** Which of the seven marks tell their time, so that no two touch: every one, every second, … or the first and the last. */
+export function toldMarks(room: number): number {
+  return [1, 2, 3].find((every) => (every * room) / 6 >= TIME_PX) ?? 6;
+}
+
 /** How many seconds the axis holds, and the distance of its marks. */
 export function axisFor(seconds: number): { length: number; step: number } {
   let length = FIRST_S;
@@ -159,6 +167,7 @@ export function EventStrip() {
     seek(target);
   };
   const marks = Array.from({ length: 7 }, (_, index) => index * step);
+  const told = toldMarks(room);
   const counts = (kind: RunEventKind) => events.filter((event) => event.kind === kind).length;
   const idle = status === "idle" || status === "connecting";
   const label = t("strip.now", { time: clock(seconds), tick: grouped(tick) });
@@ -185,12 +194,14 @@ export function EventStrip() {
           <rect className="strip-track" x={-3} y={20} width={room + 6} height={6} rx={3} />
           {idle ? null : <rect className="strip-known" x={-3} y={20} width={known + 3} height={6} rx={3} />}
           {idle ? null : <rect className="strip-past" x={-3} y={20} width={now + 3} height={6} rx={3} />}
-          {marks.map((mark) => (
+          {marks.map((mark, index) => (
             <g key={mark} transform={`translate(${String((mark * room) / length)} 0)`}>
               <path className="strip-tick" d="M0 29v3" />
-              <text className="strip-time" y={42} textAnchor="middle">
-                {axisTime(mark)}
-              </text>
+              {index % told === 0 ? (
+                <text className="strip-time" y={42} textAnchor="middle">
+                  {axisTime(mark)}
+                </text>
+              ) : null}
             </g>
           ))}
           <g className="strip-events">

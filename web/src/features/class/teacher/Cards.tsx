@@ -47,12 +47,19 @@ const Card = memo(function Card({ seen, goals, now, chosen, tab }: CardProps) {
       data-running={pupil.running}
       aria-pressed={chosen}
       tabIndex={tab ? 0 : -1}
-      aria-label={[pupil.name, words, ...(goals > 0 ? [done] : [])].join(", ")}
+      data-frozen={pupil.frozen}
+      aria-label={[
+        pupil.name,
+        words,
+        ...(pupil.frozen ? [t("teacher.is-frozen")] : []),
+        ...(goals > 0 ? [done] : []),
+      ].join(", ")}
       onClick={() => look(chosen ? "" : pupil.folder)}
     >
       <span className="class-picture">{picture === null ? null : <GraphPicture program={picture} />}</span>
       <span className="class-name">
         <strong dir="auto">{pupil.name}</strong>
+        {pupil.frozen ? <Icon name="snowflake" size={14} /> : null}
         {asked === null || asked === 0 ? null : <small>{t("teacher.minutes", { count: asked })}</small>}
       </span>
       <span className="class-state">
@@ -61,7 +68,11 @@ const Card = memo(function Card({ seen, goals, now, chosen, tab }: CardProps) {
       </span>
       <span className="class-goals">
         <Boxes goals={pupil.goals} count={goals} />
-        {goals === 0 ? <small dir="auto">{pupil.file}</small> : <small>{done}</small>}
+        {goals === 0 ? (
+          <small dir="auto">{pupil.file}</small>
+        ) : (
+          <small dir="ltr">{`${String(met(pupil))}/${String(goals)}`}</small>
+        )}
       </span>
     </button>
   );

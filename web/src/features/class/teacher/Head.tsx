@@ -7,7 +7,7 @@ import { download } from "../../../ui/download";
 import { type MenuEntry, menuItem } from "../../../ui/menu-model";
 import { MenuButton } from "../../../ui/MenuButton";
 import type { SheetName } from "./Sheets";
-import { act, useDesk } from "./store";
+import { act, freeze, useDesk } from "./store";
 
 const THEMES: readonly ThemeChoice[] = ["light", "dark", "contrast", "system"];
 
@@ -20,13 +20,15 @@ interface HeadProps {
 }
 
 function useEntries(open: (sheet: SheetName) => void): { menus: [string, string, MenuEntry[]][] } {
-  const news = useDesk((desk) => desk.news);
+  const { news, seen } = useDesk();
+  const anyFrozen = [...seen.values()].some(({ pupil }) => pupil.frozen);
   const { choice, choose } = useTheme();
   const { choose: speak } = useLanguage.getState();
   const coded = news?.code !== "";
   const ofClass: MenuEntry[] = [
     menuItem("class-new-code", t("teacher.new-code"), null, () => act(classApi.setCode(true))),
     menuItem("class-revoke", t("teacher.revoke"), null, () => act(classApi.setCode(false)), !coded),
+    menuItem("class-thaw", t("teacher.thaw"), null, () => freeze(false, null), news?.frozen !== true && !anyFrozen),
     { kind: "line", id: "class-line" },
     menuItem("class-table", t("teacher.table"), null, () =>
       act(classApi.table().then(({ bytes }) => download("class.csv", new Uint8Array(bytes), "text/csv"))),
@@ -99,15 +101,34 @@ function GradeTool({ folders }: { folders: readonly string[] | null }) {
   );
 }
 
-/** At once, so that a second press is the other one. */
-function heardFrozen(frozen: boolean): void {
-  useDesk.setState(({ news }) => ({ news: news === null ? null : { ...news, frozen } }));
+/** Freezes those that the filter shows, or all; lets them go on once they are frozen. */
+function FreezeTool({ folders }: { folders: readonly string[] | null }) {
+  const { news, seen } = useDesk();
+  const frozen =
+    folders === null
+      ? news?.frozen === true
+      : folders.length > 0 && folders.every((folder) => seen.get(folder)?.pupil.frozen === true);
+  const count = folders?.length ?? 0;
+  return (
+    <button
+      type="button"
+      className="tool tool-named"
+      data-testid="freeze"
+      aria-pressed={frozen}
+      disabled={folders !== null && count === 0}
+      onClick={() => freeze(!frozen, folders)}
+    >
+      <Icon name="snowflake" size={18} />
+      {folders === null
+        ? t(frozen ? "teacher.frozen" : "teacher.freeze")
+        : t(frozen ? "teacher.frozen-some" : "teacher.freeze-some", { count })}
+    </button>
+  );
 }
 
 export function Head({ open, folders, here, away }: HeadProps) {
   const news = useDesk((desk) => desk.news);
   const { menus } = useEntries(open);
-  const frozen = news?.frozen === true;
   const some = folders === null ? null : folders.length;
   return (
     <header className="class-head">
@@ -124,16 +145,7 @@ export function Head({ open, folders, here, away }: HeadProps) {
           <Icon name="send" size={18} />
           {some === null ? t("teacher.send") : t("teacher.send-some", { count: some })}
         </button>
-        <button
-          type="button"
-          className="tool tool-named"
-          data-testid="freeze"
-          aria-pressed={frozen}
-          onClick={() => act(classApi.freeze(!frozen).then(heardFrozen))}
-        >
-          <Icon name="snowflake" size={18} />
-          {t(frozen ? "teacher.frozen" : "teacher.freeze")}
-        </button>
+        <FreezeTool folders={folders} />
         <button
           type="button"
           className="tool tool-named"

@@ -4,6 +4,8 @@ import { type FormEvent, useMemo, useState } from "react";
 import { classApi } from "../../../api/class";
 import { token } from "../../../api/token";
 import { GraphDrawing } from "../../../components/graph/GraphDrawing";
+import { WorldPicture } from "../../../components/WorldPicture";
+import { decimal } from "../../../i18n/numbers";
 import { Said } from "../../../i18n/Said";
 import { t } from "../../../i18n/words";
 import { layoutStructure } from "../../../model/layout";
@@ -16,7 +18,7 @@ import { Icon, useTheme } from "../../../theme";
 import { Tool } from "../../../ui/Tool";
 import { codeWords } from "./JoinCard";
 import { stateWords } from "./order";
-import { act, look, say, useDesk } from "./store";
+import { act, freeze, look, say, useDesk } from "./store";
 
 function Graph({ program, name }: { program: Program; name: string }) {
   const catalogue = useStudio((studio) => studio.catalogue);
@@ -102,12 +104,83 @@ function Goals({ folder }: { folder: string }) {
   );
 }
 
+/** The arena of the pupil's page as it was told last: where the robots are, and the way of the first. */
+function Arena({ name }: { name: string }) {
+  const arena = useDesk((desk) => desk.arena);
+  if (arena === null) return null;
+  const { world, poses, way, running, seconds } = arena;
+  // Drawn as starts: who stands somewhere in a world.
+  const starts = poses.map(([x_mm, y_mm, heading_rad], at) => ({ name: String(at), x_mm, y_mm, heading_rad }));
+  const shown = poses.length > 0 ? { ...world, starts } : world;
+  const agents = shown.starts.map((start) => start.name);
+  const points = way.map(([x, y]) => `${String(x)},${String(world.height_mm - y)}`).join(" ");
+  const words = running
+    ? t("teacher.arena-runs", { seconds: decimal(Math.round(seconds * 10) / 10) })
+    : t(poses.length > 0 ? "teacher.arena-ended" : "teacher.arena-before", {
+        seconds: decimal(Math.round(seconds * 10) / 10),
+      });
+  return (
+    <figure
+      className="class-arena"
+      data-testid="look-arena"
+      data-running={running}
+      aria-label={t("teacher.arena", { name })}
+    >
+      <figcaption>
+        <strong>{t("teacher.arena", { name })}</strong> <span className="class-muted">{words}</span>
+      </figcaption>
+      <WorldPicture world={shown} agents={agents}>
+        <polyline className="class-way" points={points} style={{ strokeWidth: Math.max(4, world.width_mm / 300) }} />
+      </WorldPicture>
+    </figure>
+  );
+}
+
+/** Asking the pupil to let the teacher edit; and once let in, the way to it and back. */
+function Turn({ folder, copy }: { folder: string; copy: string }) {
+  const pupil = useDesk(({ seen }) => seen.get(folder)?.pupil);
+  if (pupil === undefined || pupil.file === "") return null;
+  const { turn, name, pages } = pupil;
+  if (turn === "pupil") {
+    return (
+      <button
+        type="button"
+        className="class-plain"
+        data-testid="ask-to-edit"
+        disabled={pages === 0}
+        onClick={() => act(classApi.turn(folder, true))}
+      >
+        <Icon name="pencil" size={16} />
+        {t("teacher.ask-to-edit")}
+      </button>
+    );
+  }
+  return (
+    <p className="class-turn" role="status" data-testid="turn">
+      {t(turn === "asked" ? "teacher.asked-to-edit" : "teacher.may-edit", { name })}{" "}
+      {turn === "asked" ? null : (
+        <a className="button button-ink" href={copy} target="_blank" rel="noopener" data-testid="edit">
+          {t("teacher.edit")}
+        </a>
+      )}
+      <button
+        type="button"
+        className="button"
+        data-testid="give-back"
+        onClick={() => act(classApi.turn(folder, false))}
+      >
+        {t(turn === "asked" ? "teacher.ask-no-more" : "teacher.give-back")}
+      </button>
+    </p>
+  );
+}
+
 export function Look({ now }: { now: number }) {
   const { looked, seen, pictures, news } = useDesk();
   const [removing, setRemoving] = useState("");
   const one = seen.get(looked);
   if (one === undefined || news === null) return null;
-  const { folder, name, file, state, word } = one.pupil;
+  const { folder, name, file, frozen, state, turn, word } = one.pupil;
   const { icon, words } = stateWords(one, news.goals.length, now);
   const program = pictures.get(folder)?.program ?? null;
   const copy = `studio?token=${encodeURIComponent(token())}&open=${encodeURIComponent(`${folder}/${file}`)}`;
@@ -127,19 +200,33 @@ export function Look({ now }: { now: number }) {
             {t("teacher.was-there")}
           </button>
         ) : null}
+        <button
+          type="button"
+          className="button"
+          aria-pressed={frozen}
+          data-testid="look-freeze"
+          onClick={() => freeze(!frozen, [folder])}
+        >
+          <Icon name="snowflake" size={16} />
+          {t(frozen ? "teacher.go-on" : "teacher.freeze-one")}
+        </button>
         <Tool small icon="x" label={t("help.close")} titled={false} onClick={() => look("")} />
       </header>
-      <p className="class-look-note">
-        <Icon name="eye" size={16} />
-        {t("teacher.look-on", { name })}
-      </p>
+      {turn === "teacher" ? null : (
+        <p className="class-look-note">
+          <Icon name="eye" size={16} />
+          {t("teacher.look-on", { name })}
+        </p>
+      )}
       {program === null ? (
         <p className="class-nobody">{t("teacher.look-none")}</p>
       ) : (
         <Graph program={program} name={name} />
       )}
+      <Arena name={name} />
       <Goals folder={folder} />
       <div className="class-look-more">
+        <Turn folder={folder} copy={copy} />
         {file === "" ? null : (
           <a className="class-plain" href={copy} target="_blank" rel="noopener" data-testid="look-copy">
             <Icon name="maximize-2" size={16} />

@@ -60,6 +60,10 @@ function Send({ onClose, folders }: SheetProps) {
   );
 }
 
+function isShipped(name: string): boolean {
+  return name.startsWith("example:");
+}
+
 function ChooseExercise({ onClose }: SheetProps) {
   const all = useFound<Exercise[]>(exerciseApi.all);
   const now = useDesk((desk) => desk.news?.exercise ?? "");
@@ -67,9 +71,17 @@ function ChooseExercise({ onClose }: SheetProps) {
     onClose();
     act(classApi.setExercise(name));
   };
-  const usable = all?.filter(({ goals, name }) => goals.length > 0 && name.startsWith("example:")) ?? [];
+  const pupils = useDesk(({ seen }) => seen);
+  const some = all?.filter(({ goals }) => goals.length > 0) ?? [];
+  // Of the folder's own the copy that pupils have is shown only while it is chosen; nothing of a pupil's folder is.
+  const own = some.filter(({ name }) => {
+    const [top = ""] = name.split("/");
+    return name === now ? !isShipped(name) : !isShipped(name) && top !== "Handed out" && !pupils.has(top);
+  });
+  const usable = [...own, ...some.filter(({ name }) => isShipped(name))];
   return (
     <Sheet title={t("teacher.exercise-title")} testId="sheet-exercise" onClose={onClose} wide>
+      <p className="sheet-note">{t("teacher.exercise-help")}</p>
       <ul>
         {usable.map(({ name, label, icon, goals }) => (
           <li key={name}>
@@ -82,7 +94,9 @@ function ChooseExercise({ onClose }: SheetProps) {
             >
               <Icon name={icon} size={18} />
               <span className="open-title">{text(label)}</span>
-              <span className="open-path">{t("exercise.count", { count: goals.length })}</span>
+              <span className="open-path" dir="auto">
+                {[t("exercise.count", { count: goals.length }), ...(isShipped(name) ? [] : [name])].join(" · ")}
+              </span>
               {name === now ? <Icon name="check" size={16} /> : null}
             </button>
           </li>

@@ -19,6 +19,8 @@ function pupil(name: string, more: Partial<Pupil> = {}): Pupil {
     exercise: "",
     goals: [],
     pages: 1,
+    frozen: false,
+    turn: "pupil",
   };
   return { ...plain, ...more };
 }

@@ -3,7 +3,14 @@ import { create } from "zustand";
 
 import { type ClassSocket, classApi, openClassSocket } from "../../../api/class";
 import { ApiError } from "../../../api/client";
-import type { ClassNewsMessage, LookMessage, Pupil, PupilsMessage } from "../../../api/generated";
+import type {
+  ArenaMessage,
+  ClassArena,
+  ClassNewsMessage,
+  LookMessage,
+  Pupil,
+  PupilsMessage,
+} from "../../../api/generated";
 import type { Program } from "../../../model/types";
 import { type Filter, type Order, type Seen, sorted } from "./order";
 
@@ -17,6 +24,8 @@ export interface Desk {
   find: string;
   looked: string;
   pictures: ReadonlyMap<string, { version: number; program: Program | null }>;
+  /** What the page of the pupil who is looked on shows of its run. */
+  arena: ClassArena | null;
   /** Since when nothing came (ms), null while the class answers. */
   lost: number | null;
   /** When work came last (ms), null when none did. */
@@ -34,6 +43,7 @@ export const useDesk = create<Desk>(() => ({
   find: "",
   looked: "",
   pictures: new Map(),
+  arena: null,
   lost: null,
   kept: null,
   refused: false,
@@ -58,6 +68,23 @@ export function act(work: Promise<unknown>): void {
   work.catch(fail);
 }
 
+/** Freezes those pupils, null for all, or lets them go on; shown at once, so that a second press is the other one. */
+export function freeze(on: boolean, folders: readonly string[] | null): void {
+  act(
+    classApi.freeze(on, folders).then(() =>
+      set(({ news, seen }) => ({
+        news: news === null ? null : { ...news, frozen: folders === null ? on : news.frozen && on },
+        seen: new Map(
+          [...seen].map(([folder, one]) => [
+            folder,
+            folders?.includes(folder) === false ? one : { ...one, pupil: { ...one.pupil, frozen: on } },
+          ]),
+        ),
+      })),
+    ),
+  );
+}
+
 export function pupilsOf({ seen }: Pick<Desk, "seen">): Pupil[] {
   return [...seen.values()].map(({ pupil }) => pupil);
 }
@@ -67,7 +94,7 @@ export function sortBy(order: Order): void {
 }
 
 export function look(folder: string): void {
-  set({ looked: folder });
+  set({ looked: folder, arena: null });
   socket?.say({ type: "look", folder });
 }
 
@@ -113,15 +140,16 @@ async function fetchPicture({ folder, version }: Pupil): Promise<void> {
 
 /** Begins; the returned function ends it. */
 export function keepDesk(): () => void {
-  socket = openClassSocket<LookMessage, ClassNewsMessage | PupilsMessage>("teacher/watch", {
+  socket = openClassSocket<LookMessage, ClassNewsMessage | PupilsMessage | ArenaMessage>("teacher/watch", {
     onOpen: () => {
       set({ lost: null, refused: false });
       const { looked } = useDesk.getState();
-      if (looked !== "") look(looked);
+      if (looked !== "") socket?.say({ type: "look", folder: looked });
     },
     onMessage: (message) => {
       if (message.type === "class") set({ news: message });
-      else hearPupils(message);
+      else if (message.type === "pupils") hearPupils(message);
+      else if (message.arena !== null && message.folder === useDesk.getState().looked) set({ arena: message.arena });
     },
     onLost: () => {
       set(({ lost }) => ({ lost: lost ?? Date.now() }));

@@ -1,0 +1,38 @@
+"""A class without HTTP, and a clock that goes on when a test says so."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from kitrobot.classroom import ClassRoom, Entrance
+
+
+class Clock:
+    def __init__(self) -> None:
+        self.now = 1000.0
+
+    def __call__(self) -> float:
+        return self.now
+
+
+@pytest.fixture
+def clock():
+    return Clock()
+
+
+@pytest.fixture
+def room(tmp_path: Path, clock: Clock):
+    room = ClassRoom(tmp_path / "Class 5b", clock)
+    yield room
+    room.close()
+
+
+@pytest.fixture
+def entrance(room: ClassRoom):
+    return Entrance(room)
+
+
+def join(room: ClassRoom, entrance: Entrance, name: str = "Ada"):
+    return entrance.join(room.record.code, name, "", "10.0.0.5")

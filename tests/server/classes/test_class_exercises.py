@@ -1,0 +1,100 @@
+"""Exercises of a class: those that come with KitRobot and those of the teacher's own; grading."""
+
+from __future__ import annotations
+
+from tests.patience import PATIENCE_S
+from tests.server.classes.conftest import KEY, SOCKET, SQUARE, hand_in, told
+
+
+def put_own_exercise(school, name: str = "mine") -> None:
+    """An exercise of the teacher's own in the folder of the class, with a world of its own beside it."""
+    teacher = school.teacher()
+    start = teacher.get("/api/mission", params={"path": "example:exercises/03-square.krt"}).json()["mission"]
+    text = teacher.post("/api/mission/text", json={"mission": start}).json()["text"]
+    (school.room.folder / f"{name}.krt").write_text(text)
+    (school.room.folder / f"{name}.exercise.xml").write_text(
+        f'<exercise version="1" start="{name}.krt"><label>My own</label><done><label>It ends</label></done></exercise>'
+    )
+    (school.room.folder / "yard.world.xml").write_text("<world/>")
+
+
+def test_an_exercise_of_the_teachers_own_reaches_every_pupil_and_is_graded(school):
+    put_own_exercise(school)
+    teacher = school.teacher()
+    ada, _ = school.join("Ada")
+    ada.get("/api/exercises")  # The studio of one pupil is there before, of the other is not.
+    assert teacher.post("/api/class/teacher/exercise", json={"exercise": "mine.exercise.xml"}).status_code == 200
+    name = "Handed out/mine/mine.exercise.xml"
+    assert school.room.record.exercise == name
+    ben, _ = school.join("Ben")
+    for pupil in (ada, ben):
+        found = next(one for one in pupil.get("/api/exercises").json() if one["name"] == name)
+        assert found["start"] == "Handed out/mine/mine.krt"
+        opened = pupil.get("/api/mission", params={"path": found["start"]}).json()
+        # It is begun with, and never written over.
+        refused = pupil.put(
+            "/api/mission",
+            json={"path": found["start"], "revision": opened["revision"], "mission": opened["mission"]},
+        )
+        assert refused.status_code == 403, refused.text
+        judged = pupil.post("/api/exercise/judge", json={"exercise": name, "mission": opened["mission"], "seed": 1})
+        assert judged.status_code == 200, judged.text
+    assert (school.room.folder / ".studios" / "Ben" / "Handed out" / "mine" / "yard.world.xml").is_file()
+    # What the teacher writes on reaches pupils when it is chosen again; grading uses what they have.
+    hand_in(ada, opened["mission"], "mine")
+    assert teacher.post("/api/class/teacher/grade", json={}).json() == 1
+    school.app.grading.wait(PATIENCE_S)
+    assert (school.room.folder / "grades.csv").is_file()
+    own = school.room.folder / "mine.exercise.xml"
+    own.write_text(own.read_text().replace("My own", "My second"))
+    teacher.post("/api/class/teacher/exercise", json={"exercise": "mine.exercise.xml"})
+    labels = [list(one["label"].values()) for one in ada.get("/api/exercises").json() if one["name"] == name]
+    assert labels == [["My second"]]
+
+
+def test_a_wrong_exercise_of_the_teachers_own_is_a_sentence(school):
+    teacher = school.teacher()
+    put_own_exercise(school)
+    school.join("Ada")
+
+    def choose(name: str) -> tuple[int, str]:
+        said = teacher.post("/api/class/teacher/exercise", json={"exercise": name})
+        return said.status_code, said.json()["message"]
+
+    folder = school.room.folder
+    for path in ("mine.exercise.xml", "mine.krt"):
+        (folder / "Ada" / path).write_bytes((folder / path).read_bytes())
+    assert choose("Ada/mine.exercise.xml") == (422, "This exercise lies in the folder of a pupil.")
+    for at in range(60):
+        (folder / f"w{at}.world.xml").write_text("<world/>")
+    status, message = choose("mine.exercise.xml")
+    assert (status, "50 files" in message) == (422, True)
+    (folder / "mine.krt").unlink()
+    assert choose("mine.exercise.xml") == (422, "This exercise cannot be used any more.")
+    assert school.room.record.exercise == ""
+    assert not (folder / "Handed out" / "mine").exists()
+
+
+def test_the_exercise_and_what_is_handed_out_must_be_usable(school):
+    teacher = school.teacher()
+    for name in ("example:exercises/nothing.exercise.xml", "../x.exercise.xml", "x"):
+        assert teacher.post("/api/class/teacher/exercise", json={"exercise": name}).status_code in (403, 422)
+    (school.room.folder / "broken.krt").write_text("<kitrobot")
+    for path in ("broken.krt", "nothing.krt", "../x.krt", ".studios/x.krt"):
+        assert teacher.post("/api/class/teacher/hand-out", json={"path": path}).status_code in (403, 404, 422)
+    assert teacher.post("/api/class/teacher/grade", json={}).json()["message"] == "The class has no exercise."
+
+
+def test_the_class_is_graded_with_its_exercise(school):
+    teacher = school.teacher()
+    start = teacher.get("/api/mission", params={"path": "example:exercises/03-square.krt"}).json()["mission"]
+    ada, _ = school.join("Ada")
+    hand_in(ada, start, "square")
+    teacher.post("/api/class/teacher/exercise", json={"exercise": SQUARE})
+    assert teacher.post("/api/class/teacher/grade", json={}).json() == 1
+    with teacher.websocket_connect(f"{SOCKET}/api/class/teacher/watch?token={KEY}") as socket:
+        school.app.grading.wait(PATIENCE_S)
+        while not told(socket, "class")["grading"]["page"]:
+            pass
+    assert "Ada" in teacher.get("/api/class/teacher/grades").text
+    assert (school.room.folder / "grades.csv").read_text("utf-8-sig").splitlines()[1].startswith("Ada,")
