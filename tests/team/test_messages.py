@@ -160,6 +160,13 @@ def test_a_sender_that_is_nobody_else_in_the_team_is_refused(member: int) -> Non
     assert state.log == _fresh().log
 
 
+def test_as_many_messages_as_fast_meetings_take_are_read_in_one_beat() -> None:
+    state = _fresh()
+    for number in range(700):
+        state, _, _ = step(_CHARTER, state, 1, Received(Heartbeat(_OTHER, 1, 0, number + 1, True, 0, ())))
+    assert state.refused[1] == 0
+
+
 def test_thousands_of_messages_in_one_beat_leave_state_and_answers_bounded() -> None:
     refused: list[Change] = []
     state, sent = _fresh(), 0

@@ -26,8 +26,8 @@ from kitrobot.team.state import Lease, Member, Stepped
 from kitrobot.team.tables import Tables
 from kitrobot.text import Sentence
 
-BUDGET = 256
-"""Messages of one member in one beat; the rest is refused unread."""
+BUDGET = 768
+"""Messages of one member in one beat; the rest is refused unread. Meetings as fast as they go take 300 of them."""
 
 
 def step(charter: Charter, state: Member, now: int, event: Event) -> Stepped:
