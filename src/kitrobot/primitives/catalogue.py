@@ -65,6 +65,10 @@ class Catalogue:
     constructor_files: dict[str, Path] = field(default_factory=dict)
     crew: Crew = field(default_factory=Crew)
 
+    def is_own(self, robot: str) -> bool:
+        """Whether a file other than those that come with KitRobot says what the robot of that name is."""
+        return robot in self.robot_files and self.robot_files[robot].parent != SHIPPED
+
     @cached_property
     def constructors(self) -> dict[str, Constructor]:
         """Every constructor by its name."""

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from kitrobot.mission import Mission
 from kitrobot.server.routes import Name, mission_file
 from kitrobot.server.routing import ThisStudio, api_router
 from kitrobot.server.shapes import MissionFileShape
@@ -32,12 +33,13 @@ def beginnings(studio: ThisStudio) -> BeginningsShape:
 @beginning_routes.get("/beginnings/previews")
 def previews(studio: ThisStudio, robot_set: Name, place: Name) -> list[PreviewShape]:
     """What each starter of a set of robots does in a place, in its first seconds."""
-    chosen = studio.choices.robot_set(robot_set)
-    return [_preview(studio, robot_set, place, starter) for starter in studio.choices.starters_of(chosen, place)]
+    choices = studio.choices
+    starters = choices.starters_of(choices.robot_set(robot_set), place)
+    return [_preview(studio, starter, choices.begin(robot_set, place, starter)) for starter in starters]
 
 
-def _preview(studio: ThisStudio, robot_set: str, place: str, starter: str) -> PreviewShape:
-    opened = studio.open(studio.choices.begin(robot_set, place, starter), "")
+def _preview(studio: ThisStudio, starter: str, mission: Mission) -> PreviewShape:
+    opened = studio.open(mission, "")
     return PreviewShape(starter=starter, run=run_preview_shape(opened, studio.previews.of(opened, PREVIEW_S)))
 
 

@@ -17,7 +17,7 @@ from kitrobot.server.class_grading import Grading
 from kitrobot.server.class_pictures import Pictures
 from kitrobot.server.class_routes import ThisRoom, room_of
 from kitrobot.server.class_studios import PupilStudios
-from kitrobot.server.routing import api_router
+from kitrobot.server.routing import ThisStudio, api_router
 from kitrobot.server.shapes.classroom import (
     ClassPictureShape,
     TeacherAddShape,
@@ -33,7 +33,6 @@ from kitrobot.server.shapes.classroom import (
     TeacherPupilShape,
     TeacherTurnShape,
 )
-from kitrobot.server.studio import Studio
 from kitrobot.text import Sentence
 
 teacher_routes = api_router("/api/class/teacher")
@@ -43,12 +42,6 @@ def _desk(request: Request) -> Desk:
     return Desk(room_of(request))
 
 
-def _studio(request: Request) -> Studio:
-    studio = request.app.state.studio
-    assert isinstance(studio, Studio)
-    return studio
-
-
 def _grading(request: Request) -> Grading:
     grading = request.app.state.grading
     assert isinstance(grading, Grading)
@@ -56,7 +49,6 @@ def _grading(request: Request) -> Grading:
 
 
 ThisDesk = Annotated[Desk, Depends(_desk)]
-TheStudio = Annotated[Studio, Depends(_studio)]
 TheGrading = Annotated[Grading, Depends(_grading)]
 Folder = Annotated[str, Query(max_length=300)]
 Folders = Annotated[list[str] | None, Query(max_length=1000)]
@@ -98,7 +90,9 @@ def freeze(desk: ThisDesk, wanted: TeacherFreezeShape) -> bool:
 
 
 @teacher_routes.post("/exercise")
-def exercise(desk: ThisDesk, room: ThisRoom, studio: TheStudio, request: Request, wanted: TeacherExerciseShape) -> bool:
+def exercise(
+    desk: ThisDesk, room: ThisRoom, studio: ThisStudio, request: Request, wanted: TeacherExerciseShape
+) -> bool:
     """Chooses the exercise of the class: one that comes with KitRobot, or one of the folder, which is handed out."""
     name = wanted.exercise
     if name:
@@ -111,7 +105,7 @@ def exercise(desk: ThisDesk, room: ThisRoom, studio: TheStudio, request: Request
 
 
 @teacher_routes.post("/hand-out")
-def hand_out(desk: ThisDesk, studio: TheStudio, wanted: TeacherHandOutShape) -> TeacherHandedOutShape:
+def hand_out(desk: ThisDesk, studio: ThisStudio, wanted: TeacherHandOutShape) -> TeacherHandedOutShape:
     """Gives a mission of the folder or of the examples to pupils; what cannot be opened is not handed out."""
     data, _ = studio.folder.read(wanted.path)
     data, name = carried_mission(data, wanted.path)
@@ -176,14 +170,14 @@ def log(room: ThisRoom) -> TeacherLogShape:
 
 
 @teacher_routes.get("/collect", response_class=Response)
-def collected(room: ThisRoom, studio: TheStudio, folder: Folders = None) -> Response:
+def collected(room: ThisRoom, studio: ThisStudio, folder: Folders = None) -> Response:
     """Everything that those pupils, or all, handed in, and a table of it: a ZIP file."""
     made: Collected = collect(room, studio, folder)
     return Response(made.data, media_type="application/zip", headers={"x-kitrobot-files": str(made.files)})
 
 
 @teacher_routes.get("/table", response_class=Response)
-def class_table(room: ThisRoom, studio: TheStudio) -> Response:
+def class_table(room: ThisRoom, studio: ThisStudio) -> Response:
     """The table alone, for a spreadsheet."""
     return Response(table(room, studio, None).encode(), media_type="text/csv; charset=utf-8")
 

@@ -19,7 +19,7 @@ from kitrobot.diagnostics import Diagnostic, KitRobotError
 from kitrobot.files import EXAMPLE, MissionFolder
 from kitrobot.graph import Program, empty_program
 from kitrobot.mission import Mission, read_mission
-from kitrobot.primitives import SHIPPED, Catalogue
+from kitrobot.primitives import Catalogue
 from kitrobot.text import Sentence
 from kitrobot.workspace.opening import NEW_PROGRAM, mission_of
 from kitrobot.workspace.worlds import read_world_file
@@ -192,7 +192,7 @@ class Choices:
         """
         made = copy(self)
         taken = {one.robot or one.name for one in self.robot_sets}
-        own = (name for name, path in catalogue.robot_files.items() if path.parent != SHIPPED and name not in taken)
+        own = (name for name in catalogue.robot_files if catalogue.is_own(name) and name not in taken)
         made.robot_sets = (*self.robot_sets, *(RobotSet(name, name, "", (), {}, {}) for name in own))
         return made
 

@@ -6,7 +6,7 @@ from collections.abc import Iterable
 
 from pydantic import BaseModel
 
-from kitrobot.primitives import SHIPPED, Catalogue, RobotObject
+from kitrobot.primitives import Catalogue, RobotObject
 from kitrobot.server.shapes.gallery import RunPreviewShape
 from kitrobot.server.shapes.world import WorldShape, world_shape
 from kitrobot.workspace import Choices, FoundPlace, RobotSet, Starter
@@ -76,7 +76,7 @@ def robot_set_shape(robot_set: RobotSet, choices: Choices, catalogue: Catalogue)
         label=dict(label),
         help=dict(help),
         robots=names,
-        own=catalogue.robot_files.get(robot_set.robot, SHIPPED).parent not in (SHIPPED, SHIPPED.parent),
+        own=catalogue.is_own(robot_set.robot),
         can=_abilities(part for robot in robots for part in robot.actuators),
         feels=_abilities(part for robot in robots for part in robot.sensors),
         places=choices.places_of(robot_set),
