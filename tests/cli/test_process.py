@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import asyncio
 import contextlib
 import json
 import os
@@ -21,6 +20,7 @@ import pytest
 import websockets
 
 from kitrobot.__main__ import _open_studio
+from tests import coroutines
 from tests.cli.conftest import EXAMPLE
 from tests.patience import PATIENCE_S
 
@@ -243,7 +243,7 @@ def test_ctrl_c_ends_the_studio_in_the_middle_of_runs_and_pages_that_left_leave_
                 async for _ in stayed:
                     pass
 
-        asyncio.run(watch())
+        coroutines.run(watch())
         assert process.wait(PATIENCE_S) == 0
         assert process.stderr is not None
         assert process.stderr.read() == "Ctrl-C ends the studio.\n"

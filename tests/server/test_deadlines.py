@@ -13,6 +13,7 @@ from starlette.responses import StreamingResponse
 
 from kitrobot.server.deadlines import Deadlines
 from kitrobot.server.security import refuse
+from tests import coroutines
 from tests.patience import PATIENCE_S
 
 
@@ -98,7 +99,7 @@ def test_what_never_ends_is_refused_and_others_are_served(stuck) -> None:
         assert b"did not come to the end" in body
         stuck.on.set()  # what it does now is told to nobody
 
-    asyncio.run(both())
+    coroutines.run(both())
 
 
 def test_while_too_much_is_under_way_the_next_one_is_refused_at_once(stuck) -> None:
@@ -113,7 +114,7 @@ def test_while_too_much_is_under_way_the_next_one_is_refused_at_once(stuck) -> N
         while (await ask(app, "/api/quick"))[0] == 503:
             await asyncio.sleep(0)  # until the thread has ended
 
-    asyncio.run(both())
+    coroutines.run(both())
 
 
 def test_an_answer_that_has_begun_is_not_cut(stuck) -> None:
@@ -126,7 +127,7 @@ def test_an_answer_that_has_begun_is_not_cut(stuck) -> None:
         stuck.on.set()
         return await answer
 
-    assert asyncio.run(both()) == (200, b"onetwo")
+    assert coroutines.run(both()) == (200, b"onetwo")
 
 
 def test_a_request_that_comes_slowly_is_no_slow_request(stuck) -> None:
@@ -137,4 +138,4 @@ def test_a_request_that_comes_slowly_is_no_slow_request(stuck) -> None:
         await asyncio.sleep(0)
         return {"type": "http.request", "body": pieces.pop(), "more_body": bool(pieces)}
 
-    assert asyncio.run(ask(app, "/api/body", receive, "POST")) == (200, b"50")
+    assert coroutines.run(ask(app, "/api/body", receive, "POST")) == (200, b"50")

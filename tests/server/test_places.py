@@ -10,6 +10,7 @@ import pytest
 
 from kitrobot.server import runs
 from kitrobot.server.runs import MOST_RUNS, Session
+from tests import coroutines
 from tests.server.test_run import FOREVER
 
 MANY = 50
@@ -63,7 +64,7 @@ def test_of_fifty_that_start_at_once_eight_run_and_the_others_are_told(app, star
         await asyncio.gather(*(one.leave() for one in sockets))
         return said, during, app.state.studio.runs
 
-    said, during, after = asyncio.run(all_at_once())
+    said, during, after = coroutines.run(all_at_once())
     assert sum(one["type"] == "started" for one in said) == during == MOST_RUNS
     assert {one["message"] for one in said if one["type"] == "error"} == {f"This studio has {MOST_RUNS} runs already."}
     assert after == 0
@@ -77,7 +78,7 @@ def test_who_leaves_while_the_run_is_made_ready_gives_the_place_back(app, start)
             await one.leave()
         return int(app.state.studio.runs)
 
-    assert asyncio.run(leave_at_once()) == 0
+    assert coroutines.run(leave_at_once()) == 0
 
 
 def test_what_breaks_while_the_run_is_made_ready_gives_the_place_back(app, start, monkeypatch):
@@ -94,7 +95,7 @@ def test_what_breaks_while_the_run_is_made_ready_gives_the_place_back(app, start
         await one.leave()
         return int(app.state.studio.runs)
 
-    assert asyncio.run(break_often()) == 0
+    assert coroutines.run(break_often()) == 0
 
 
 def test_a_run_that_is_taken_back_from_its_end_needs_a_place(app, page, start):
@@ -118,4 +119,4 @@ def test_a_run_that_is_taken_back_from_its_end_needs_a_place(app, page, start):
             await one.leave()
         return refused.get("message", ""), again["type"]
 
-    assert asyncio.run(come_back()) == (f"This studio has {MOST_RUNS} runs already.", "state")
+    assert coroutines.run(come_back()) == (f"This studio has {MOST_RUNS} runs already.", "state")

@@ -11,6 +11,7 @@ import orjson
 from kitrobot.server.broadcast import Telling, Watcher
 from kitrobot.server.shapes import ErrorMessage, StateMessage
 from kitrobot.translation import reading_in
+from tests import coroutines
 
 
 class SlowLine:
@@ -52,7 +53,7 @@ def told_late(told: list[Any]) -> list[Any]:
         await task
         return line.sent
 
-    return asyncio.run(scene())
+    return coroutines.run(scene())
 
 
 LAST = ErrorMessage(message="Over.", help="", ended=True)
