@@ -24,7 +24,6 @@ function keepTyped(): (give: boolean) => void {
   return (give) => {
     window.removeEventListener("keydown", onKey, true);
     // The one way to put text into a field of any kind as if it were typed.
-    // eslint-disable-next-line @typescript-eslint/no-deprecated
     if (give && typed !== "") document.execCommand("insertText", false, typed);
   };
 }

@@ -6,15 +6,7 @@ import { type Block, readStructure, type Structure } from "../structure";
 import { CARRIER, CARRIER_PARTS as PARTS, growProgram, missionOf } from "../testing/missions";
 import type { Place } from "../tree";
 import type { Program } from "../types";
-import {
-  distanceToLine,
-  headPath,
-  type Layout,
-  type LayoutArc,
-  type LayoutNode,
-  layoutStructure,
-  roundedPath,
-} from ".";
+import { type Layout, type LayoutArc, type LayoutNode, layoutStructure } from ".";
 
 const layout = (program: Program) => layoutStructure(readStructure(program, PARTS));
 
@@ -380,23 +372,5 @@ describe("random programs", () => {
     const copies = drawn.nodes.filter((one) => one.vertex.startsWith("v1-"));
     expect(copies).toHaveLength(230);
     expect(copies.every((one, at) => at === 0 || one.y > (copies[at - 1]?.y ?? 0))).toBe(true);
-  });
-});
-
-describe("lines", () => {
-  const bend = [
-    { x: 0, y: 0 },
-    { x: 0, y: 40 },
-    { x: 40, y: 40 },
-  ];
-
-  it("have round corners and stop short of their head", () => {
-    expect(roundedPath(bend, true)).toBe("M0 0L0 32Q0 40 8 40L33 40");
-    expect(headPath(bend)).toBe("M40 40L31 44L31 36Z");
-  });
-
-  it("know how far a point is from them", () => {
-    expect(distanceToLine(bend, { x: 10, y: 20 })).toBe(10);
-    expect(distanceToLine(bend, { x: 50, y: 40 })).toBe(10);
   });
 });
