@@ -72,7 +72,9 @@ def test_a_loader_that_does_not_wait_until_b_has_counted_is_found_out(tmp_path: 
     ],
 )
 def test_a_mission_made_wrong_is_found_out(tmp_path: Path, old: str, new: str, broken: str) -> None:
-    run = mutant(tmp_path, (old, new)).again()
+    # A promise is only known to be broken once all states are known: one carrier has few.
+    fewer = {"carriers": 1, "stock": 2} if broken == "delivered" else {}
+    run = mutant(tmp_path, (old, new), **fewer).again()
     made = judged(run, Timing.LOCKSTEP)
     verdict = next(verdict for verdict in made.verdicts if verdict.property.name == broken)
     assert verdict.answer.value == "broken"

@@ -7,12 +7,16 @@ without what no server imports. Sources that the Python here cannot read (those 
 from __future__ import annotations
 
 import ast
-from collections.abc import Iterator
+import warnings
+from collections.abc import Iterable, Iterator
+from types import CodeType
 from typing import Final
 
 _DOCUMENTED: Final = (ast.Module, ast.ClassDef, ast.FunctionDef, ast.AsyncFunctionDef)
 _DOC: Final = "Doc"
 """What annotations are documented with (`typing_extensions`)."""
+
+_OF_CODE: Final = ("co_name", "co_names", "co_varnames", "co_freevars", "co_cellvars", "co_flags", "co_firstlineno")
 
 _NAMES: Final = """
     _aix_support _android_support _apple_support _ios_support _osx_support _pyio _pyrepl __phello__ antigravity
@@ -43,40 +47,41 @@ def without_texts(source: bytes) -> bytes:
     """A module's source (UTF-8) without docstrings, and without lines that are only a comment."""
     try:
         tree = ast.parse(source)
+        nodes = list(ast.walk(tree))
+        texts = list(_documenting(nodes))
+        made = _without(source, texts, _inside_texts(nodes))
+        for text in texts:
+            text.value = ""
+        same = _same(_compiled(tree), _compiled(made))
     except (SyntaxError, ValueError):
         return source
+    return made if same else source
+
+
+def _without(source: bytes, texts: Iterable[ast.Constant], inside: set[int]) -> bytes:
+    """The source with `""` in place of the texts; lines that begin inside of a text are no comments."""
     lines = source.split(b"\n")
-    inside = _inside_texts(tree)
     for row, line in enumerate(lines, 1):
         if row not in inside and line.lstrip().startswith(b"#"):
             lines[row - 1] = b""
-    for (first, begin), (last, end) in sorted(_texts(tree), reverse=True):
-        lines[first - 1] = lines[first - 1][:begin] + b'""' + lines[last - 1][end:]
+    for text in sorted(texts, key=lambda text: (text.lineno, text.col_offset), reverse=True):
+        first, last = text.lineno, text.end_lineno or 0
+        lines[first - 1] = lines[first - 1][: text.col_offset] + b'""' + lines[last - 1][text.end_col_offset or 0 :]
         lines[first:last] = [b""] * (last - first)
-    made = b"\n".join(lines)
-    return made if _same(tree, made) else source
+    return b"\n".join(lines)
 
 
-def _inside_texts(tree: ast.Module) -> set[int]:
+def _inside_texts(nodes: Iterable[ast.AST]) -> set[int]:
     """The lines that begin in a text."""
     inside: set[int] = set()
-    for node in ast.walk(tree):
+    for node in nodes:
         if isinstance(node, (ast.Constant, ast.JoinedStr)) and node.end_lineno != node.lineno:
             inside.update(range(node.lineno + 1, (node.end_lineno or 0) + 1))
     return inside
 
 
-Place = tuple[int, int]
-"""Line and byte."""
-
-
-def _texts(tree: ast.Module) -> Iterator[tuple[Place, Place]]:
-    for text in _documenting(tree):
-        yield (text.lineno, text.col_offset), (text.end_lineno or 0, text.end_col_offset or 0)
-
-
-def _documenting(tree: ast.Module) -> Iterator[ast.Constant]:
-    for node in ast.walk(tree):
+def _documenting(nodes: Iterable[ast.AST]) -> Iterator[ast.Constant]:
+    for node in nodes:
         value: ast.expr | None = None
         if isinstance(node, _DOCUMENTED) and node.body and isinstance(node.body[0], ast.Expr):
             value = node.body[0].value
@@ -86,8 +91,22 @@ def _documenting(tree: ast.Module) -> Iterator[ast.Constant]:
             yield value
 
 
-def _same(tree: ast.Module, made: bytes) -> bool:
-    """Whether it is the same program, but for these texts."""
-    for text in _documenting(tree):
-        text.value = ""
-    return ast.dump(tree) == ast.dump(ast.parse(made))
+def _compiled(module: ast.Module | bytes) -> CodeType:
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")
+        code: CodeType = compile(module, "", "exec", dont_inherit=True)
+        return code
+
+
+def _same(one: object, other: object) -> bool:
+    """Whether two constants are the same; of code, whether it does the same, wherever it stands in its line."""
+    if isinstance(one, CodeType) and isinstance(other, CodeType):
+        return (
+            one.co_code == other.co_code
+            and all(getattr(one, name) == getattr(other, name) for name in _OF_CODE)
+            and len(one.co_consts) == len(other.co_consts)
+            and all(map(_same, one.co_consts, other.co_consts))
+        )
+    if isinstance(one, frozenset) and isinstance(other, frozenset):
+        return one == other
+    return type(one) is type(other) and repr(one) == repr(other)
