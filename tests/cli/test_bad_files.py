@@ -152,7 +152,8 @@ def test_every_command_that_reads_a_file_is_tried() -> None:
     from kitrobot.cli.app import app
 
     names = {command.name for command in app.registered_commands if command.name}
-    assert names - {words[0] for words in READS.values()} == {"boards", "class", "maze", "site", "start", "stop"}
+    others = {"boards", "class", "desktop", "maze", "site", "start", "stop"}
+    assert names - {words[0] for words in READS.values()} == others
 
 
 def test_a_file_that_may_not_be_replaced_is_told(kitrobot, here: Path) -> None:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import sys
 import threading
 from concurrent.futures import ThreadPoolExecutor
 
@@ -95,3 +96,22 @@ def test_an_example_is_read_only(folder):
 def test_the_title_of_a_mission_is_its_name_in_words(folder):
     (folder.root / "my-first_mission.krt").write_text("")
     assert [entry.title for entry in folder.missions()][1] == "My first mission"
+
+
+@pytest.mark.parametrize(
+    "name", ["con.krt", "Aux.krt", "nul/a.krt", "com1.drive.krt", "LPT\u00b9.krt", "sub /b.krt", "sub./b.krt"]
+)
+def test_a_new_mission_has_a_name_that_windows_can_have(folder, name):
+    with pytest.raises(MissionNameError, match="Windows cannot have"):
+        folder.path_of(name)
+
+
+@pytest.mark.parametrize("name", ["console.krt", "com10.krt", "a con.krt", "nul-1.krt", ".sub/b.krt"])
+def test_names_that_only_look_like_devices_are_names(folder, name):
+    assert folder.path_of(name).name == name.split("/")[-1]
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="there it cannot be")
+def test_a_mission_of_such_a_name_that_is_there_is_opened(folder):
+    (folder.root / "con.krt").write_text("here")
+    assert folder.read("con.krt")[0] == b"here"

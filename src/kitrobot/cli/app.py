@@ -30,6 +30,7 @@ from kitrobot.cli.check import check_files
 from kitrobot.cli.classroom import Classroom, open_class
 from kitrobot.cli.convert import convert_file
 from kitrobot.cli.deploy import deploy_program
+from kitrobot.cli.desktop import desktop_entry
 from kitrobot.cli.diff import diff_files
 from kitrobot.cli.exec import execute_program
 from kitrobot.cli.flash import flash_board
@@ -96,6 +97,7 @@ app.command("maze")(give_maze)
 app.command("diff")(diff_files)
 app.command("merge")(merge_missions_of_files)
 app.command("site")(write_site)
+app.command("desktop")(desktop_entry)
 
 
 def _say_version(wanted: bool) -> None:

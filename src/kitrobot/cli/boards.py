@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 import typer
 
 from kitrobot.cli.deploy import Addresses
+from kitrobot.cli.deploy_set import table
 from kitrobot.cli.json_results import AsJson, of_board
 from kitrobot.cli.output import clean, error_object, give, json_text, tell, tell_of_waiting
 
@@ -20,6 +21,15 @@ def list_boards(
         str | None,
         typer.Option(
             "--identify", metavar="PORT|URL", help="Let this robot show itself for two seconds.", show_default=False
+        ),
+    ] = None,
+    label: Annotated[
+        str | None,
+        typer.Option(
+            "--label",
+            metavar="NAME",
+            help="The name on the label of the robot at --to, for `kitrobot deploy --set`; an empty one takes it away.",
+            show_default=False,
         ),
     ] = None,
     as_json: AsJson = False,
@@ -37,11 +47,16 @@ def list_boards(
             give(json_text([of_board(identify, None)], 2) + "\n")
         tell(f"{identify}: look which robot shows itself")
         return
+    if label is not None:
+        _label(to or [], label, as_json)
+        return
     from kitrobot.workspace import look_at_boards
+    from kitrobot.workspace.board_labels import labels_of
 
     seen = look_at_boards(to or [], tell_of_waiting)
+    labels = labels_of(one.port.address for one in seen)
     if as_json:
-        give(json_text([_object(one) for one in seen], 2) + "\n")
+        give(json_text([{**_object(one), "label": labels.get(one.port.address, "")} for one in seen], 2) + "\n")
         return
     if not seen:
         tell("no robot is plugged in")
@@ -51,14 +66,27 @@ def list_boards(
         ("port", "board", "state", "program", "KitRobot", "MicroPython", "generation", "memory left")
     ]
     rows += [_row(one) for one in seen]
-    widths = [max(len(row[column]) for row in rows) for column in range(len(rows[0]))]
-    for row in rows:
-        give("  ".join(word.ljust(width) for word, width in zip(row, widths, strict=True)).rstrip() + "\n")
+    if labels:
+        named = ["label", *(clean(labels.get(one.port.address, "")) for one in seen)]
+        rows = [(name, *row) for name, row in zip(named, rows, strict=True)]
+    for line in table(rows):
+        give(line)
     for one in seen:
         if one.error is not None:
             tell(f"{one.port.address}: {one.error.message}")
             if one.port.firmware:
                 tell(f"  help: a board without MicroPython gets it from {one.port.firmware}")
+
+
+def _label(addresses: list[str], label: str, as_json: bool) -> None:
+    if len(addresses) != 1:
+        raise typer.BadParameter("say with --to which robot it is, once", param_hint="'--label'")
+    from kitrobot.workspace.board_labels import keep_label
+
+    kept = keep_label(addresses[0], label)
+    if as_json:
+        give(json_text([of_board(addresses[0], None, label=kept)], 2) + "\n")
+    tell(f"{addresses[0]}: the label is {kept}" if kept else f"{addresses[0]}: no label")
 
 
 def _row(seen: Seen) -> tuple[str, ...]:

@@ -43,7 +43,9 @@ def deploy_program(
     mission: Annotated[
         Path,
         typer.Argument(
-            metavar="MISSION", help="A `.krt`, a picture that carries one, or an `.lll`.", show_default=False
+            metavar="MISSION",
+            help="A `.krt`, a picture that carries one, or an `.lll`; with --set a list (`.csv`) or a folder.",
+            show_default=False,
         ),
     ],
     program: Annotated[
@@ -65,12 +67,17 @@ def deploy_program(
         bool, typer.Option("--team", help="The programs of a team's agents, each to its --board, for `kitrobot team`.")
     ] = False,
     board: KitOrBoards = None,
+    many: Annotated[
+        bool, typer.Option("--set", help="To each of many boards what a list, or a folder, names for the label on it.")
+    ] = False,
     as_json: AsJson = False,
 ) -> None:
     """Put a program onto real robots and start it there; from then on it starts by itself when the power comes on.
 
     With --board NAME the robot's parts are wired as a kit's file says, and not as the robot's own. With --team every
-    agent's program goes to its board and waits there: `kitrobot team` starts all of them.
+    agent's program goes to its board and waits there: `kitrobot team` starts all of them. With --set the MISSION is a
+    table with the columns `label` and `mission`, or a folder with a mission NAME.krt for the board with the label NAME;
+    `kitrobot boards --label` gives labels.
 
     Only what is new is sent, and it is read back. Until all of it is there the robot keeps what it had. The exit status
     is 1 when the program has errors, or when one of the robots could not be brought to run it.
@@ -78,6 +85,14 @@ def deploy_program(
     from kitrobot.robots import chosen_boards
     from kitrobot.workspace import load_board_program, send_program
 
+    if many:
+        if to or program or robot or team or board:
+            words = "with --set the list says programs, kits and ports"
+            raise typer.BadParameter(words, param_hint="'--set'")
+        from kitrobot.cli.deploy_set import deploy_set
+
+        deploy_set(mission, _bars, replace=replace, fresh=fresh, as_json=as_json)
+        return
     if team:
         if board is None or not any("=" in one for one in board):
             raise typer.BadParameter("--team and --board AGENT=PORT belong together", param_hint="'--team'")

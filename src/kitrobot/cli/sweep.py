@@ -40,6 +40,7 @@ def with_moments(arguments: Sequence[str]) -> list[str]:
 def sweep_mission(prepared: PreparedRun, options: SweepOptions, picture: Path | None, as_json: bool) -> None:
     """Runs a sweep, gives what came of it, and ends with its status."""
     from kitrobot.files import replace_whole, same_file
+    from kitrobot.workspace.run_hints import FASTER
     from kitrobot.workspace.sweep import run_sweep
     from kitrobot.workspace.sweep_map import heat_map
 
@@ -52,6 +53,8 @@ def sweep_mission(prepared: PreparedRun, options: SweepOptions, picture: Path | 
         what = "two agents fail" if sweep.pairs else "an agent fails"
         replace_whole(picture, heat_map(sweep, f"{name}: {what}").encode())
     give(json_text(sweep.to_json()) + "\n" if as_json else _table(sweep))
+    if sweep.would_gain and not as_json:
+        tell(FASTER)
     if not sweep.complete:
         tell(f"broken off after {len(sweep.fields)} of {sweep.total} fields")
         raise typer.Exit(INTERRUPTED)

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from kitrobot.cli.output import give, json_text, show
+from kitrobot.cli.output import give, json_text, show, tell
 
 if TYPE_CHECKING:
     from kitrobot.workspace.verification import Finding, Progress, Verification
@@ -61,6 +61,7 @@ def verify_mission(
         raise typer.BadParameter("a check takes more than 0 seconds", param_hint="'--seconds'")
     from kitrobot.verifier import KINDS, USUAL_KINDS, Answer, Timing
     from kitrobot.workspace import RunOptions, open_mission
+    from kitrobot.workspace.run_hints import FASTER
     from kitrobot.workspace.verification import MOST_FAILURES, VerificationOptions, verify
 
     if not 0 <= failures <= MOST_FAILURES:
@@ -83,6 +84,8 @@ def verify_mission(
     with _progress() as progress:
         made = verify(prepared, options, progress)
     give(json_text(made.to_json()) + "\n" if as_json else _table(made))
+    if made.would_gain and not as_json:
+        tell(FASTER)
     if Answer.BROKEN in made.answers:
         raise typer.Exit(1)
     if Answer.NOT_FINISHED in made.answers:

@@ -14,6 +14,7 @@ import contextlib
 import hashlib
 import os
 import re
+import sys
 import threading
 from collections.abc import Iterator
 from dataclasses import dataclass
@@ -41,6 +42,8 @@ MOST_LOOKED_AT = 20_000
 NAME_NO_TEXT = Sentence("its name is not text in UTF-8")
 RENAME = Sentence("give the file another name")
 
+_DEVICES = re.compile(r"(con|prn|aux|nul|com[0-9¹²³]|lpt[0-9¹²³])\s*(\..*)?", re.IGNORECASE)
+"""What Windows keeps for its devices, whatever ending follows."""
 _ON_WINDOWS = re.compile(r"[\\:*?\"<>|\x00-\x1f\x7f]")
 
 
@@ -151,6 +154,14 @@ class MissionFolder:
                 Sentence("give a name in this folder that ends with `{ending}`", ending),
             )
         path = root / pure
+        # One that is there already can be opened where it can be; a new one would be lost on the way to Windows.
+        if any(_DEVICES.fullmatch(part) or part != part.rstrip(". ") for part in pure.parts) and (
+            sys.platform == "win32" or not path.exists()
+        ):
+            raise MissionNameError(
+                Sentence("Windows cannot have a file or folder called `{name}`", name[:80]),
+                Sentence("choose another name, so that the mission can be opened on any computer"),
+            )
         try:
             real = path.resolve()
         except (OSError, RuntimeError):

@@ -9,16 +9,22 @@ missed.
 
 from __future__ import annotations
 
+import json
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
 from typing import Any, TypeVar
-
-import orjson
 
 from kitrobot.fleet.replica import Effect
 from kitrobot.sim import Ticked
 from kitrobot.team import Noted, Seat, View, Viewed
 from kitrobot.text import Sentence
+
+try:
+    import orjson
+except ModuleNotFoundError:
+    HAS_ORJSON = False
+else:
+    HAS_ORJSON = True
 
 Made = TypeVar("Made")
 
@@ -97,7 +103,7 @@ class Reply:
 
 def write_frame(frame: Frame) -> bytes:
     """A frame as bytes."""
-    return orjson.dumps(
+    return _dumps(
         [frame.serial, frame.known, int(frame.muted), int(frame.down), frame.inputs, frame.taken, frame.first]
     )
 
@@ -126,7 +132,7 @@ def read_frame(data: bytes) -> Frame:
 
 def write_whole(whole: Whole) -> bytes:
     """A replica as bytes."""
-    return orjson.dumps([whole.slot, whole.rows])
+    return _dumps([whole.slot, whole.rows])
 
 
 def read_whole(data: bytes) -> Whole:
@@ -141,7 +147,7 @@ def read_whole(data: bytes) -> Whole:
 def write_reply(reply: Reply) -> bytes:
     """An answer as bytes."""
     ticked, whole = reply.ticked, reply.whole
-    return orjson.dumps(
+    return _dumps(
         [
             reply.serial,
             reply.epoch,
@@ -180,9 +186,14 @@ def read_reply(data: bytes) -> Reply:
     return _read(data, made)
 
 
+def _dumps(rows: list[Any]) -> bytes:
+    """Rows of numbers as JSON: the same bytes with and without orjson."""
+    return orjson.dumps(rows) if HAS_ORJSON else json.dumps(rows, separators=(",", ":")).encode()
+
+
 def _read(data: bytes, made: Callable[[list[Any]], Made]) -> Made:
     try:
-        rows = orjson.loads(data)
+        rows = orjson.loads(data) if HAS_ORJSON else json.loads(data)
         if isinstance(rows, list):
             return made(rows)
     except (ValueError, TypeError, RecursionError):

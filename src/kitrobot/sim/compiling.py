@@ -58,6 +58,20 @@ def available() -> bool:
     return os.environ.get("KITROBOT_COMPILE", "") != "no" and importlib.util.find_spec("numba") is not None
 
 
+def is_missed() -> bool:
+    """Whether Numba could be installed here, and is not; nobody said to do without it."""
+    # As in pyproject.toml: elsewhere the extra `fast` brings none.
+    machine = platform.machine()
+    has_wheel = machine in ("aarch64", "AMD64", "arm64") or (machine == "x86_64" and sys.platform != "darwin")
+    return (
+        has_wheel
+        and sys.implementation.name == "cpython"
+        and sys.version_info < (3, 16)
+        and os.environ.get("KITROBOT_COMPILE", "") != "no"
+        and not available()
+    )
+
+
 def ask() -> None:
     """Begins to make the compiled step beside everything else, unless it was begun before."""
     global _asked

@@ -20,6 +20,9 @@ CROWD_WORTH = 2000
 MANY = 30_000_000
 """Steps of one robot in many runs together for which it is worth waiting until the step is compiled: minutes."""
 
+GAIN = 1_000_000
+"""Steps of one robot, run plain, after which a run says that it would have gained by Numba: some ten seconds."""
+
 AT_ONCE = 10_000
 """Steps of one robot that are run plain before it is asked again whether the compiled one is there."""
 
@@ -36,6 +39,11 @@ def expect_many_runs(work: int) -> bool:
     Where it is not kept and worth it, it is made here first, or each of them would make its own.
     """
     return compiling.is_kept() or (work >= MANY and compiling.wait() is not None)
+
+
+def would_gain(work: int) -> bool:
+    """Whether so many steps of one robot would have been much quicker if Numba were installed."""
+    return work >= GAIN and compiling.is_missed()
 
 
 class JitPolicy:
@@ -60,6 +68,11 @@ class JitPolicy:
                 compiling.ask()
             self._advance = compiling.compiled()
         return self._advance
+
+    @property
+    def would_gain(self) -> bool:
+        """As the function of this name, for the steps that were run plain."""
+        return would_gain(self._work)
 
     def wait(self) -> bool:
         """Takes the compiled step, waiting for it; False where there is none."""

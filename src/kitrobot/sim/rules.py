@@ -64,3 +64,10 @@ AT_ONCE = rule(
     "on. When the program ends, nothing takes back what devices were told; the simulation ends when all programs have. "
     "A part that takes time, put behind it, shows what the command does.",
 )
+SLOW = rule(
+    "run-slow",
+    Severity.HINT,
+    "A long run would be much faster with Numba",
+    "Numba compiles the steps of a simulation; the numbers stay the same. It is large, so it is only installed where "
+    'it is wanted: `pip install "kitrobot[fast]"`.',
+)

@@ -172,6 +172,11 @@ class Simulation:
         """Waits until the step is compiled, and takes it from now on; False where it cannot be. Changes no run."""
         return self._jit.wait()
 
+    @property
+    def would_gain(self) -> bool:
+        """Whether it was long, and would have been much quicker if Numba were installed."""
+        return self._jit.would_gain
+
     def look_for_an_end(self) -> None:
         """Ends the run if it is over."""
         clock, goals, members = self.state.clock, self._goals, self.members

@@ -9,6 +9,7 @@ from array import array
 from collections.abc import Callable
 from typing import Any, NamedTuple
 
+from kitrobot.sim.compiling import is_missed
 from kitrobot.verifier import fairness, marking, visiting
 from kitrobot.verifier.tables import Graph, Tables
 
@@ -111,6 +112,11 @@ WORTH_STATES, WORTH_S = 50_000, 5.0
 """States, or seconds of plain work, after which the compiled functions are made."""
 LOADED_S = 1.0
 """Seconds after which they are loaded where they are kept on this machine."""
+
+
+def would_gain(states: int) -> bool:
+    """Whether exploring so many states would have been much quicker if Numba were installed."""
+    return states >= WORTH_STATES and is_missed()
 
 
 def worth(states: int, seconds: float) -> Engine | None:

@@ -1,4 +1,4 @@
-"""Hints on a run that is over: a program that ended before time passed, and the part that mends it."""
+"""Hints on a run that is over: a program that ended before time passed, with the part that mends it; missing Numba."""
 
 from __future__ import annotations
 
@@ -15,10 +15,14 @@ PAUSE = "WAIT(10);"
 """LLL of the part that is put before the end: which constructor draws it is up to the catalogue."""
 
 
+LONG = Sentence("this run was long, and Numba, which makes such runs many times as fast, is not installed")
+FASTER = Sentence("Numba makes this many times as fast: {command}", '`pip install "kitrobot[fast]"`')
+
+
 def advice(opened: OpenMission, simulation: Simulation) -> list[Diagnostic]:
-    """For a run whose programs all ended at once: one hint for each of them; else none."""
+    """For a run whose programs all ended at once: one hint for each of them. For a long one without Numba: that."""
     if not simulation.ended_at_once:
-        return []
+        return [sim_rules.SLOW(LONG, help=FASTER)] if simulation.would_gain else []
     programs = dict.fromkeys(agent.program for agent in simulation.members if agent.program == agent.image_name)
     return [_pause_before_the_end(opened, simulation, name) for name in programs]
 

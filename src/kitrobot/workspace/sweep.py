@@ -17,7 +17,7 @@ from typing import Any, Final
 
 from kitrobot.diagnostics import KitRobotError
 from kitrobot.sim import Simulation
-from kitrobot.sim.jit_policy import expect_many_runs
+from kitrobot.sim.jit_policy import expect_many_runs, would_gain
 from kitrobot.sim.simulation import Outcome
 from kitrobot.sim.sweep import (
     MOST_MOMENTS,
@@ -102,6 +102,11 @@ class Sweep:
         """Whether it is complete and every field was done; of pairs: done, or failed with the reason."""
         accepted = ("done", "failed") if self.pairs else ("done",)
         return self.complete and all(field.outcome in accepted for field in self.fields)
+
+    @property
+    def would_gain(self) -> bool:
+        """Whether it was long, and would have been much quicker if Numba were installed."""
+        return would_gain(len(self.fields) * self.baseline.ticks * len(self.agents))
 
     def seconds(self, tick: int) -> float:
         """Simulated time at a step."""

@@ -31,6 +31,7 @@ from kitrobot.verifier import (
     told,
     variables_asked,
 )
+from kitrobot.verifier.engines import would_gain
 from kitrobot.verifier.scenes import Guilty, Scene, guilty, scenes
 from kitrobot.workspace.running import PreparedRun
 
@@ -125,6 +126,11 @@ class Verification:
     def answers(self) -> list[Answer]:
         """All answers."""
         return [finding.verdict.answer for column in self.columns for finding in column.findings]
+
+    @property
+    def would_gain(self) -> bool:
+        """Whether it was long, and would have been much quicker if Numba were installed."""
+        return would_gain(sum(column.judged.states for column in self.columns))
 
     def to_json(self) -> dict[str, Any]:
         """As plain values, in the published shape."""

@@ -1,0 +1,104 @@
+"""`kitrobot deploy LIST --set`: to each of many boards what a list names for its label; a table of what runs where."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import AbstractContextManager
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import typer
+
+from kitrobot.cli.json_results import of_board
+from kitrobot.cli.output import clean, complain, give, json_text, show, tell
+from kitrobot.diagnostics import KitRobotError
+from kitrobot.text import Sentence, listed
+
+if TYPE_CHECKING:
+    from kitrobot.workspace.class_set import SetResult
+
+Bars = Callable[[Sequence[str]], AbstractContextManager[Callable[[str, str, int, int], None]]]
+
+HEAD = ("label", "port", "program", "state", "KitRobot", "MicroPython", "generation", "memory left")
+
+
+def deploy_set(path: Path, bars: Bars, *, replace: bool, fresh: bool, as_json: bool) -> None:
+    """Sends them, gives the table or JSON, and ends with the status."""
+    from kitrobot.workspace.class_set import prepare_set, read_set
+
+    found = prepare_set(read_set(path))
+    for program in {id(one.program): one.program for one in found.members if one.program is not None}.values():
+        show(program.diagnostics, program.sources)
+    with bars(found.addresses) as progress:
+        results = found.send(progress, replace=replace, fresh=fresh)
+    if as_json:
+        give(json_text([_object(one) for one in results], 2) + "\n")
+    else:
+        for line in table([HEAD, *map(_row, results)]):
+            give(line)
+    _tell_of(results)
+    if found.others:
+        tell(Sentence("not in the list, and left as they are: {ports}", listed(found.others)))
+    if any(one.error is not None for one in results):
+        raise typer.Exit(1)
+
+
+def table(rows: Sequence[Sequence[str]]) -> Iterator[str]:
+    """Rows with columns as wide as they must be."""
+    widths = [max(len(row[column]) for row in rows) for column in range(len(rows[0]))]
+    for row in rows:
+        yield "  ".join(word.ljust(width) for word, width in zip(row, widths, strict=True)).rstrip() + "\n"
+
+
+def _tell_of(results: Sequence[SetResult]) -> None:
+    """What went wrong with which boards; what is the same for several is said once."""
+    wrong: dict[KitRobotError | tuple[str, str], tuple[KitRobotError, list[str]]] = {}
+    for one in results:
+        if one.error is not None:
+            place = f" ({one.member.address})" if one.member.address else ""
+            name = clean(one.member.wanted.label + place)
+            wrong.setdefault((one.error.message, one.error.help), (one.error, []))[1].append(name)
+    for error, names in wrong.values():
+        tell(f"{', '.join(names)}:")
+        complain(error)
+
+
+def _row(one: SetResult) -> tuple[str, ...]:
+    where = (clean(one.member.wanted.label), clean(one.member.address))
+    done = one.sent.deployed if one.sent is not None else None
+    if done is None or one.member.program is None:
+        return (*where, "", "failed", "", "", "", "")
+    program = f"{clean(one.member.program.names.program)} ({done.program})"
+    return (
+        *where,
+        program,
+        done.hello.state_name,
+        clean(done.package),
+        clean(done.micropython) or "?",
+        str(done.generation),
+        f"{done.free} bytes",
+    )
+
+
+def _object(one: SetResult) -> dict[str, Any]:
+    wanted = one.member.wanted
+    named = {"label": wanted.label, "mission": str(wanted.mission)}
+    done = one.sent.deployed if one.sent is not None else None
+    if done is None or one.member.program is None:
+        return {**named, **of_board(one.member.address, one.error)}
+    return {
+        **named,
+        **of_board(
+            one.member.address,
+            None,
+            state=done.hello.state_name,
+            name_of_program=one.member.program.names.program,
+            program=done.program,
+            package=done.package,
+            micropython=done.micropython,
+            generation=done.generation,
+            free=done.free,
+            bytes=done.bytes_sent,
+            seconds=round(done.seconds, 3),
+        ),
+    }

@@ -1,0 +1,110 @@
+"""The names on the labels of boards, in the user's state folder.
+
+A label is kept with the number that the board's USB says of itself, so the board has it at any port; at an address
+that is no serial port (`socket://…`) it is kept with the address. A label is one board's: given to another, it is taken
+from the first.
+"""
+
+from __future__ import annotations
+
+import json
+import re
+import unicodedata
+from collections.abc import Iterable
+from pathlib import Path
+
+from kitrobot.deploy.usb_numbers import usb_numbers
+from kitrobot.diagnostics import KitRobotError
+from kitrobot.files import FileError, state_folder, write_atomic
+from kitrobot.text import Sentence
+
+LONGEST_LABEL = 40
+_MOST_BYTES = 200_000
+_KEPT = 1000
+
+
+class LabelError(KitRobotError):
+    """A board cannot have that label."""
+
+
+def label_key(label: str) -> str:
+    """What is the same for labels that a person takes for one."""
+    return unicodedata.normalize("NFKC", unicodedata.normalize("NFKC", label).casefold())
+
+
+def clean_label(given: str) -> str:
+    """A label as it is kept.
+
+    Raises:
+        LabelError: it is empty, too long, or no text of one line.
+    """
+    label = unicodedata.normalize("NFC", " ".join(given.split()))
+    if not label or len(label) > LONGEST_LABEL or any(unicodedata.category(one).startswith("C") for one in label):
+        raise LabelError(
+            Sentence("`{label}` is no name for a label", given[:80]),
+            Sentence("a label has 1 to {most} letters or digits", LONGEST_LABEL),
+        )
+    return label
+
+
+def keep_label(address: str, given: str) -> str:
+    """Gives the board at an address a label; "" takes its own away. The label as it is kept.
+
+    Raises:
+        LabelError: it cannot be a label, or the board has nothing to be known by.
+        FileError: it cannot be written.
+    """
+    label = clean_label(given) if given else ""
+    board = _key(address, usb_numbers())
+    if board is None:
+        raise LabelError(
+            Sentence("the board on `{port}` has no number of its own by which it could be known again", address),
+            Sentence("write its port into the list instead, in the column `port`"),
+        )
+    found = {key: one for key, one in _kept().items() if key != board and label_key(one) != label_key(label)}
+    if label:
+        found[board] = label
+    while len(found) > _KEPT:
+        found.pop(next(iter(found)))
+    path = _path()
+    try:
+        path.parent.mkdir(parents=True, exist_ok=True)
+    except OSError as error:
+        raise FileError(
+            Sentence("the folder `{folder}` could not be made: {reason}", path.parent, error.strerror or str(error))
+        ) from None
+    write_atomic(path, json.dumps(found, ensure_ascii=False, indent=1).encode())
+    return label
+
+
+def labels_of(addresses: Iterable[str]) -> dict[str, str]:
+    """The labels of the boards at these addresses, as far as they have some."""
+    known = _kept()
+    if not known:
+        return {}
+    numbers = usb_numbers()
+    keys = {address: _key(address, numbers) for address in addresses}
+    return {address: known[key] for address, key in keys.items() if key in known}
+
+
+def _key(address: str, numbers: dict[str, str]) -> str | None:
+    """By what a board is known; None for one that has nothing."""
+    if re.match(r"[A-Za-z][A-Za-z0-9+.-]*://", address):
+        return address
+    number = numbers.get(address, "")
+    return f"usb {number}" if number else None
+
+
+def _path() -> Path:
+    return state_folder() / "boards" / "labels"
+
+
+def _kept() -> dict[str, str]:
+    try:
+        with open(_path(), "rb") as file:
+            found = json.loads(file.read(_MOST_BYTES))
+    except (OSError, ValueError, RecursionError):
+        return {}
+    if not isinstance(found, dict):
+        return {}
+    return {key: one for key, one in found.items() if isinstance(one, str) and 0 < len(one) <= LONGEST_LABEL}
