@@ -29,10 +29,12 @@ function FromFile({ templates }: { templates: () => void }) {
       <h2 id="world-from-file">{world?.name ?? t("world.tab")}</h2>
       <p>{href === "" ? t("world.of-empty") : t("world.of-file", { file: href })}</p>
       <p>{t("world.copy-help")}</p>
-      <button type="button" className="button" data-testid="edit-world" onClick={() => void editWorld()}>
-        {t("world.edit")}
-      </button>
-      <OpenTemplates open={templates} />
+      <div className="world-choices">
+        <button type="button" className="button" data-testid="edit-world" onClick={() => void editWorld()}>
+          {t("world.edit")}
+        </button>
+        <OpenTemplates open={templates} />
+      </div>
     </section>
   );
 }
