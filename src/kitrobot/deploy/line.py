@@ -1,6 +1,7 @@
 """A line to a board: bytes in both directions, over a serial port or any other pyserial URL.
 
 A read waits at most as long as its timeout and returns what has arrived. Exceptions of pyserial become a `LineError`.
+Addresses of other kinds are opened by who registered for them (`open_with`).
 Left to others: what the bytes mean (repl, receiver, board).
 """
 
@@ -12,6 +13,7 @@ import os
 import select
 import socket
 import time
+from collections.abc import Callable
 from typing import Any
 
 from kitrobot.deploy.errors import LineError
@@ -30,6 +32,16 @@ _SILICON_LABS = 0x10C4
 
 Trouble = (OSError, ValueError)
 """What pyserial raises: its own error is an OSError."""
+
+Opener = Callable[[str], Any]
+"""Opens an address; what it gives is used as a port of pyserial is, and may raise a `LineError` of its own."""
+
+_openers: dict[str, Opener] = {}
+
+
+def open_with(kind: str, opener: Opener) -> None:
+    """Addresses that begin with `kind:` are opened by that from now on."""
+    _openers[kind] = opener
 
 
 class Line:
@@ -148,6 +160,9 @@ class Line:
 
 
 def _opened(address: str) -> Any:
+    kind, colon, _ = address.partition(":")
+    if colon and (opener := _openers.get(kind)) is not None:
+        return opener(address)
     import serial  # only who opens a line waits for it, and needs it
     from serial.tools import list_ports
 

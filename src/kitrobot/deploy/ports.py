@@ -38,17 +38,18 @@ _KNOWN = {
 """USB vendors → what their boards are called; of the last three, the chip is on boards of many makers."""
 
 
+def port_of(address: str, vendor: int | None, product: str, description: str) -> Port:
+    """A port on USB as it is listed, by the number of its vendor."""
+    name = _KNOWN.get(vendor or 0, product or "USB serial")
+    return Port(address, name, description, DOWNLOADS.get(vendor or 0, EVERYWHERE))
+
+
 def list_ports() -> list[Port]:
     """The places where boards may be, in the order of their addresses; those of KITROBOT_BOARDS last."""
     from serial.tools import list_ports as usb  # only who looks for ports needs it
 
     found = [
-        Port(
-            port.device,
-            _KNOWN.get(port.vid, port.product or "USB serial"),
-            port.description or "",
-            DOWNLOADS.get(port.vid, EVERYWHERE),
-        )
+        port_of(port.device, port.vid, port.product or "", port.description or "")
         for port in usb.comports()
         if port.vid is not None
     ]

@@ -27,6 +27,7 @@ from kitrobot.server.image_routes import image_routes
 from kitrobot.server.journal_routes import journal_routes
 from kitrobot.server.own_part_routes import own_part_routes
 from kitrobot.server.page_files import PageFiles
+from kitrobot.server.page_port_routes import page_port_routes
 from kitrobot.server.parts_routes import parts_routes
 from kitrobot.server.routes import routes
 from kitrobot.server.runs import run_routes
@@ -63,6 +64,7 @@ ROUTERS = (
     verify_routes,
     drawing_check_routes,
     board_routes,
+    page_port_routes,
     journal_routes,
     text_routes,
     own_part_routes,

@@ -19,7 +19,8 @@ from starlette.background import BackgroundTask
 
 from kitrobot.diagnostics import KitRobotError
 from kitrobot.server.beside_loop import beside_loop
-from kitrobot.server.robot_registry import AddressError, RobotRegistry, Subscriber
+from kitrobot.server.robot_registry import AddressError, RobotRegistry
+from kitrobot.server.robot_subscriber import Subscriber
 from kitrobot.server.routing import refuse_visitors, studio_of
 from kitrobot.server.sentences import not_understood
 from kitrobot.server.shapes import (

@@ -10,6 +10,7 @@ from collections.abc import Callable
 from typing import TYPE_CHECKING, Protocol
 
 from kitrobot.diagnostics import KitRobotError
+from kitrobot.server.robot_subscriber import AT_PAGE
 from kitrobot.server.shapes import BoardWay
 
 if TYPE_CHECKING:
@@ -63,7 +64,8 @@ class SerialGateway:
 
         file, needs = program.file.to_bytes(), program.needs
         done = deploy(address, file, program.package, progress, replace=replace, fresh=fresh, needs=needs)
-        keep_firmware(address, done)
+        if not address.startswith(AT_PAGE):  # these are others each time
+            keep_firmware(address, done)
         # Then `kitrobot watch` and `kitrobot log` know it too.
         keep_program(program, [done.program])
 

@@ -3,32 +3,31 @@
 A robot belongs to the page that connected it (its *holder*), for a serial port has room for one; every page is told of
 all of them and any may stop any. When a page goes away, its robots are let go: those that are held stop.
 
-Each subscriber (a page) has a task of its own that sends what changed since it last sent, at most every `FRAME_S`; a
-robot's message is encoded once for all pages of a language. Only the server's event loop touches anything here;
-robots' threads call it through `call_soon_threadsafe`. The ports are looked at only while some page shows them.
+A robot's message is encoded once for all pages of a language. A port that a page has opened itself (`page_ports`), and
+the robot on it, only that page is told of. Only the server's event loop touches anything here; robots' threads call it
+through `call_soon_threadsafe`. The ports are looked at only while some page shows them.
+
+Left to others: a page and what it is told (`robot_subscriber`).
 """
 
 from __future__ import annotations
 
 import asyncio
 import contextlib
+import hmac
 import itertools
 import logging
-from collections import deque
 from collections.abc import Iterable
-from typing import TYPE_CHECKING, Protocol
-
-from fastapi import WebSocketDisconnect
-from pydantic import BaseModel
+from typing import TYPE_CHECKING
 
 from kitrobot.diagnostics import KitRobotError
 from kitrobot.server.beside_loop import beside_loop
 from kitrobot.server.robot_gateway import RobotGateway
+from kitrobot.server.robot_subscriber import AT_PAGE, MOST_BOARDS, Line, Subscriber
 from kitrobot.server.shapes import (
     BoardGoneMessage,
     BoardPortShape,
     BoardPortsMessage,
-    BoardsWelcomeMessage,
 )
 from kitrobot.server.team_room import TeamRoom
 from kitrobot.text import Sentence
@@ -39,12 +38,8 @@ if TYPE_CHECKING:
     from kitrobot.server.robot_recorder import LastRun
     from kitrobot.server.robot_worker import RobotWorker
 
-MOST_BOARDS = 32
-MOST_TOLD = 1000
-"""So many messages wait for a page that does not take them; the oldest go first."""
 LOOK_S = 1.0
 """How often the ports are looked at while a page shows them."""
-FRAME_S = 1 / 15
 CLOSE_WITHIN_S = 3.0
 """How long a page that goes away waits for its robots to stop."""
 NETWORK = ("socket://", "rfc2217://")
@@ -59,76 +54,6 @@ class AddressError(KitRobotError):
 
 class HeldError(KitRobotError):
     """Another page holds the robot."""
-
-
-class Line(Protocol):
-    """What a page is told through: a WebSocket, or its twin in a test."""
-
-    async def send_text(self, data: str) -> None:
-        """Sends a message; comes back when there is room for more."""
-
-
-class Subscriber:
-    """A page that is told of the robots. What it is to be told is collected until it has taken what came before."""
-
-    def __init__(self, room: RobotRegistry, line: Line, name: str) -> None:
-        self.name = name
-        self.looks = False
-        """Whether it shows the ports."""
-        self._room = room
-        self._line = line
-        self._due = asyncio.Event()
-        self._ports_due = False
-        self._team_due = False
-        self._boards_due: dict[str, None] = {}
-        self._own: deque[BaseModel] = deque([BoardsWelcomeMessage(you=name)], MOST_TOLD)
-        self._due.set()
-        self._task = asyncio.create_task(self._serve())
-
-    def tell(self, message: BaseModel) -> None:
-        """Tells this page alone."""
-        self._own.append(message)
-        self._due.set()
-
-    def tell_ports(self) -> None:
-        """The ports are others now."""
-        self._ports_due = True
-        self._due.set()
-
-    def tell_team(self) -> None:
-        """Something about the team changed."""
-        self._team_due = True
-        self._due.set()
-
-    def tell_board(self, address: str) -> None:
-        """Something about that robot changed."""
-        self._boards_due[address] = None
-        self._due.set()
-
-    async def _serve(self) -> None:
-        with contextlib.suppress(WebSocketDisconnect, RuntimeError, OSError):
-            while True:
-                await self._due.wait()
-                self._due.clear()
-                own = tuple(self._own)
-                self._own.clear()
-                ports, self._ports_due = self._ports_due, False
-                boards, self._boards_due = self._boards_due, {}
-                team, self._team_due = self._team_due, False
-                for message in own:
-                    await self._line.send_text(message.model_dump_json())
-                if ports:
-                    await self._line.send_text(self._room.ports_text())
-                for address in boards:
-                    await self._line.send_text(self._room.board_text(address))
-                if team:
-                    await self._line.send_text(self._room.team.text())
-                await asyncio.sleep(FRAME_S)
-
-    async def end(self) -> None:
-        """Tells no more."""
-        self._task.cancel()
-        await asyncio.gather(self._task, return_exceptions=True)
 
 
 class RobotRegistry:
@@ -151,11 +76,17 @@ class RobotRegistry:
         """A page comes; it is told of all robots."""
         subscriber = Subscriber(self, line, f"page-{next(self._names)}")
         self._subscribers.append(subscriber)
-        for address in self._sessions:
-            subscriber.tell_board(address)
+        for address, session in self._sessions.items():
+            if subscriber.tells_of(address, session.holder):
+                subscriber.tell_board(address)
         if self.team.standing.agents:
             subscriber.tell_team()
         return subscriber
+
+    def page_with(self, key: str) -> Subscriber | None:
+        """The page that was told that key."""
+        right = [one for one in self._subscribers if hmac.compare_digest(one.key.encode(), key.encode())]
+        return right[0] if right else None
 
     async def leave(self, subscriber: Subscriber) -> None:
         """A page goes: what it holds is let go. Whoever waits for that may be cancelled; it is done all the same."""
@@ -174,6 +105,9 @@ class RobotRegistry:
         for session in sessions:
             await beside_loop(session.wait, CLOSE_WITHIN_S)
             self._let_go(session)
+        # Not before the robots were told to stop.
+        for port in [*subscriber.ports.values()]:
+            port.gone()
 
     # -- ports
 
@@ -206,8 +140,8 @@ class RobotRegistry:
                 if subscriber.looks:
                     subscriber.tell_ports()
 
-    def ports_text(self) -> str:
-        """All ports, encoded."""
+    def ports_text(self, page: Subscriber) -> str:
+        """All ports that a page may use, encoded."""
         ports = [
             BoardPortShape(
                 address=one.address,
@@ -215,7 +149,7 @@ class RobotRegistry:
                 description=one.description,
                 firmware=one.firmware,
             )
-            for one in self._ports
+            for one in (*(port.port for port in page.ports.values()), *self._ports)
         ]
         return BoardPortsMessage(ports=ports).model_dump_json()
 
@@ -227,7 +161,7 @@ class RobotRegistry:
         Raises:
             KitRobotError: there is no such port, another page has it, or there are too many.
         """
-        name = await self._name_of(address)
+        name = await self._name_of(address, holder)
         while (found := self._sessions.get(address)) is not None and found.closing:
             # Whoever had it is gone; a page that was loaded again asks before all is done.
             await beside_loop(found.wait, CLOSE_WITHIN_S)
@@ -247,13 +181,18 @@ class RobotRegistry:
 
         def changed() -> None:
             with contextlib.suppress(RuntimeError):  # the studio has ended meanwhile
-                loop.call_soon_threadsafe(self._changed, address)
+                loop.call_soon_threadsafe(self._changed, address, holder)
 
         session = self._sessions[address] = RobotWorker(address, name, holder, self.links, changed)
-        self._changed(address)
+        self._changed(address, holder)
         return session
 
-    async def _name_of(self, address: str) -> str:
+    async def _name_of(self, address: str, holder: str) -> str:
+        if address.startswith(AT_PAGE):
+            mine = next((one.ports for one in self._subscribers if one.name == holder), {})
+            if address not in mine:
+                raise AddressError(Sentence("this page has no such board"), Sentence("choose the board again"))
+            return mine[address].port.name
         if address.lower().startswith(NETWORK):
             return _shown(address, "")
         known = {one.address: one.name for one in self._ports}
@@ -320,7 +259,12 @@ class RobotRegistry:
         Raises:
             KitRobotError: there is no such port, or another page has it.
         """
-        await self._name_of(address)
+        if address.startswith(AT_PAGE):
+            raise AddressError(
+                Sentence("a board that the browser reaches cannot be in a team"),
+                Sentence("plug it into the computer that KitRobot runs on"),
+            )
+        await self._name_of(address, holder)
         found = self._sessions.get(address)
         if found is not None:
             await self.forget(found if found.closing else _mine(holder, found))
@@ -329,16 +273,17 @@ class RobotRegistry:
         if self._sessions.get(session.address) is session:
             del self._sessions[session.address]
             self._texts = {key: kept for key, kept in self._texts.items() if key[0] != session.address}
-        self._changed(session.address)
+        self._changed(session.address, session.holder)
 
     def team_changed(self) -> None:
         """All pages are told of the team."""
         for subscriber in self._subscribers:
             subscriber.tell_team()
 
-    def _changed(self, address: str) -> None:
+    def _changed(self, address: str, holder: str) -> None:
         for subscriber in self._subscribers:
-            subscriber.tell_board(address)
+            if subscriber.tells_of(address, holder):
+                subscriber.tell_board(address)
 
     def board_text(self, address: str) -> str:
         """A robot as it stands, or that nobody talks with it, encoded in the language of who asks."""

@@ -306,10 +306,11 @@ export interface BoardsLookRequest {
   on: boolean;
 }
 
-/** The first message: by what name this page holds robots. */
+/** The first message: by what name this page holds robots, and by which key ports that it opens itself. */
 export interface BoardsWelcomeMessage {
   type: "welcome";
   you: string;
+  key: string;
 }
 
 /** What becomes of a robot that fails for good on a road, and after how many seconds it is towed. */

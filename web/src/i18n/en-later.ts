@@ -221,6 +221,13 @@ export const LATER_EN = {
   "boards.another-page": "Another page of this studio has it.",
   "boards.network": "A robot on the network",
   "boards.network-wrong": "Write it like socket://192.168.4.1:4000, a name or number and a port.",
+  "boards.find": "Find a board",
+  "boards.find-help": "For a board at the computer where you see this page. The browser asks which one.",
+  "boards.find-none":
+    "This browser reaches no boards by itself. Chrome and Edge do; or install KitRobot where the board is.",
+  "boards.find-unsafe":
+    "The browser reaches boards only from a safe address (https). Or install KitRobot where the board is.",
+  "boards.at-page": "through this page",
   "boards.looking": "Looking for robots…",
   "boards.again": "Try again",
   "boards.server-lost": "The connection to KitRobot is lost.",

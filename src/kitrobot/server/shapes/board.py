@@ -191,10 +191,11 @@ class _Message(BaseModel):
 
 
 class BoardsWelcomeMessage(_Message):
-    """The first message: by what name this page holds robots."""
+    """The first message: by what name this page holds robots, and by which key ports that it opens itself."""
 
     type: Literal["welcome"] = "welcome"
     you: str
+    key: str
 
 
 class BoardPortShape(BaseModel):

@@ -24,6 +24,7 @@ import {
   watchBoard,
 } from "./actions";
 import { isMine, type Place, programFor, useBoards } from "./boards";
+import { dropBoard } from "./serial";
 import { Act, Sending, TroubleBox, WayOut } from "./parts";
 import { KitChoice } from "./KitChoice";
 import { TryParts } from "./TryParts";
@@ -267,6 +268,7 @@ export function BoardCard({ place }: { place: Place }) {
   const steps = useBoards((state) => state.steps[address]);
   const trying = steps !== undefined && board !== null && board.phase === "open" && board.bench !== null;
   const title = useId();
+  const atPage = address.startsWith("page:");
   const open = board?.phase === "open";
   const state = board === null || board.phase !== "open" ? "idle" : SHAPES[board.state];
   return (
@@ -274,7 +276,11 @@ export function BoardCard({ place }: { place: Place }) {
       <div className="robot-head">
         <StateShape state={board?.phase === "lost" ? "stalled" : state} size={10} />
         <h3 id={title}>{name}</h3>
-        {address.endsWith(name) ? null : (
+        {atPage ? (
+          <span className="robot-address" data-testid="robot-at-page">
+            {t("boards.at-page")}
+          </span>
+        ) : address.endsWith(name) ? null : (
           <span className="robot-address" dir="ltr" title={description}>
             {address}
           </span>
@@ -296,12 +302,12 @@ export function BoardCard({ place }: { place: Place }) {
             onPress={() => disconnectBoard(address)}
           />
         ) : null}
-        {board === null && typed ? (
+        {board === null && (typed || atPage) ? (
           <SmallTool
             icon="trash-2"
             label={t("boards.remove", { name })}
             testId="robot-remove"
-            onPress={() => removeAddress(address)}
+            onPress={() => (atPage ? dropBoard(address) : removeAddress(address))}
           />
         ) : null}
       </div>

@@ -15,6 +15,7 @@ import { addAddress, runOnAll } from "./actions";
 import { BoardCard } from "./BoardCard";
 import { isMine, MOST_ADDRESS, placesOf, useBoards } from "./boards";
 import { EmptyRobots } from "./EmptyRobots";
+import { FindBoard } from "./FindBoard";
 import { connect, send } from "./socket";
 import { TeamPart } from "./Team";
 import { stopEverything } from "../../session/features";
@@ -150,6 +151,7 @@ export function Robots() {
         ) : state.ports === null ? null : (
           <EmptyRobots />
         )}
+        <FindBoard />
         <Network />
       </div>
     </section>

@@ -28,6 +28,8 @@ export interface Refusal {
 export interface BoardsState {
   /** By what name the server knows this page; "" without a connection. */
   you: string;
+  /** By which it shows that ports of this computer are its own; "" without a connection. */
+  key: string;
   /** Why there is no connection to the server, or why it does not want one; null when all is well. */
   barred: Refusal | null;
   /** null until the server has looked. */
@@ -107,8 +109,9 @@ function stored(): string | null {
   }
 }
 
-export const NOBODY: Pick<BoardsState, "you" | "ports" | "boards" | "team"> = {
+export const NOBODY: Pick<BoardsState, "you" | "key" | "ports" | "boards" | "team"> = {
   you: "",
+  key: "",
   ports: null,
   boards: {},
   team: null,
@@ -142,7 +145,7 @@ export function without<Value>(record: Record<string, Value>, key: string): Reco
 export function applyMessage(state: BoardsState, message: BoardsMessage): Partial<BoardsState> {
   switch (message.type) {
     case "welcome":
-      return { you: message.you, barred: null };
+      return { you: message.you, key: message.key, barred: null };
     case "ports":
       return { ports: message.ports };
     case "board":

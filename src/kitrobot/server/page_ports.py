@@ -1,0 +1,255 @@
+"""Serial ports that a page has opened where its visitor sits (Web Serial), for `kitrobot.deploy` as ports of its own.
+
+The page is a pipe of bytes. A port has an address `page:…`, which only the page that holds it is told; a robot's thread
+uses it as a port of pyserial, the server's event loop hands on what the page says. Left to others: the socket
+(`page_port_routes`), whose a port is (`robot_registry`).
+"""
+
+from __future__ import annotations
+
+import asyncio
+import threading
+import time
+from collections.abc import Awaitable, Callable
+from concurrent.futures import Future
+from concurrent.futures import TimeoutError as TookTooLong
+from typing import Final, Literal
+
+from kitrobot.deploy import LineError, Port
+from kitrobot.deploy.line import open_with
+from kitrobot.deploy.ports import port_of
+from kitrobot.text import Sentence
+
+KIND: Final = "page"
+MOST_WAITING: Final = 64 * 1024
+"""Bytes that wait to be read; the page is not listened to until there is room."""
+OPEN_S: Final = 10.0
+"""How long a page may take to open a port: the reader may be asked something."""
+WRITE_S: Final = 10.0
+_SLICE_S: Final = 0.02
+
+Send = Callable[[str | bytes], Awaitable[None]]
+"""Tells the page: bytes for the board, or `open` or `close`."""
+Why = Literal["busy", "failed"]
+State = Literal["shut", "opening", "open", "gone"]
+
+_ports: dict[str, PagePort] = {}
+"""All that pages hold in this process, by their addresses."""
+
+
+class PagePort:
+    """A port at a page, as a robot's thread uses it; what the page tells comes from the event loop it was made in."""
+
+    rts = dtr = True
+    """The page sets both wires itself when it closes the port."""
+
+    def __init__(self, port: Port, send: Send) -> None:
+        self.port = port
+        self._send = send
+        self._loop = asyncio.get_running_loop()
+        self._turn = threading.Condition()
+        self._state: State = "shut"
+        self._refused: Why | None = None
+        self._waiting = bytearray()
+        self._room = asyncio.Event()
+        self._room.set()
+        self._said = asyncio.Lock()
+
+    # -- from a robot's thread, as pyserial
+
+    def open(self) -> None:
+        """Has the page open it.
+
+        Raises:
+            LineError: it does not.
+        """
+        with self._turn:
+            if self._state == "gone":
+                raise self._unplugged()
+            if self._state != "shut":
+                raise LineError(
+                    Sentence("`{robot}` is in use already", self.port.name), Sentence("wait until it is let go")
+                )
+            self._state, self._refused = "opening", None
+            self._waiting.clear()
+        try:
+            self._hand_on("open")
+            with self._turn:
+                self._turn.wait_for(lambda: self._state != "opening" or self._refused is not None, OPEN_S)
+                answered, why = self._as_told(), self._refused
+            if answered == "gone":
+                raise self._unplugged()
+            if answered != "open":
+                raise _not_opened(self.port.name, why)
+        except BaseException:
+            self.close()
+            raise
+
+    def _as_told(self) -> State:
+        """What it is now: others have changed it while this thread waited."""
+        return self._state
+
+    @property
+    def in_waiting(self) -> int:
+        """How many bytes can be read at once."""
+        with self._turn:
+            self._refuse_when_broken()
+            return len(self._waiting)
+
+    def read(self, most: int) -> bytes:
+        """What has come, at most so much; waits for a slice of time when nothing has."""
+        until = time.monotonic() + _SLICE_S
+        with self._turn:
+            while not self._waiting:
+                self._refuse_when_broken()
+                left = until - time.monotonic()
+                if left <= 0:
+                    return b""
+                self._turn.wait(left)
+            data = bytes(self._waiting[:most])
+            del self._waiting[:most]
+            self._make_room()
+            return data
+
+    def write(self, data: bytes) -> None:
+        """Has the page send bytes; comes back when they are on their way to it."""
+        with self._turn:
+            self._refuse_when_broken()
+        self._hand_on(bytes(data))
+
+    def flush(self) -> None:
+        """Nothing is kept back."""
+
+    def close(self) -> None:
+        """Has the page close it, and waits for nobody."""
+        with self._turn:
+            if self._state not in ("open", "opening"):
+                return
+            self._state = "shut"
+            self._waiting.clear()
+            self._make_room()
+        self._begin("close")
+
+    def _make_room(self) -> None:
+        if not self._room.is_set() and len(self._waiting) < MOST_WAITING:
+            self._from_thread(self._room.set)
+
+    def _from_thread(self, work: Callable[[], object]) -> None:
+        if not self._loop.is_closed():
+            self._loop.call_soon_threadsafe(work)
+
+    def _begin(self, words: str | bytes) -> Future[None] | None:
+        telling = self._tell(words)
+        try:
+            return asyncio.run_coroutine_threadsafe(telling, self._loop)
+        except RuntimeError:  # the studio has ended meanwhile
+            telling.close()
+            return None
+
+    def _hand_on(self, words: str | bytes) -> None:
+        begun = self._begin(words)
+        try:
+            if begun is not None:
+                begun.result(WRITE_S)
+                return
+        except (OSError, RuntimeError):
+            pass
+        except TookTooLong:
+            begun.cancel()  # type: ignore[union-attr]
+        raise self._unplugged()
+
+    async def _tell(self, words: str | bytes) -> None:
+        # One after another: a page that does not take them may not be told of two at once.
+        async with self._said:
+            await self._send(words)
+
+    def _refuse_when_broken(self) -> None:
+        if self._state != "open":
+            raise self._unplugged()
+
+    def _unplugged(self) -> LineError:
+        return LineError(
+            Sentence("`{robot}` is not connected to this page any more", self.port.name),
+            Sentence("look at its cable; where the page was asleep or closed, choose the board again"),
+        )
+
+    # -- from the event loop
+
+    def opened(self) -> None:
+        """The page has opened it."""
+        with self._turn:
+            if self._state == "opening":
+                self._state = "open"
+                self._turn.notify_all()
+
+    def refused(self, why: Why) -> None:
+        """The page could not open it."""
+        with self._turn:
+            if self._state == "opening":
+                self._refused = why
+                self._turn.notify_all()
+
+    def arrived(self, data: bytes) -> None:
+        """Bytes of the board; of one that nobody listens to they are dropped."""
+        with self._turn:
+            if self._state != "open":
+                return
+            self._waiting += data
+            if len(self._waiting) >= MOST_WAITING:
+                self._room.clear()
+            self._turn.notify_all()
+
+    async def room(self) -> None:
+        """Waits until more may come."""
+        await self._room.wait()
+
+    def gone(self) -> None:
+        """The cable is out, or the page has gone."""
+        with self._turn:
+            self._state = "gone"
+            self._turn.notify_all()
+        self._room.set()
+        if _ports.get(self.port.address) is self:
+            del _ports[self.port.address]
+
+
+def _not_opened(name: str, why: Why | None) -> LineError:
+    if why == "busy":
+        return LineError(
+            Sentence("the browser cannot open `{robot}`: another program or tab has it", name),
+            Sentence("close the other tab, the editor or the terminal that uses the board"),
+        )
+    if why == "failed":
+        return LineError(
+            Sentence("the browser cannot open `{robot}`", name), Sentence("pull the cable, plug it in, and try again")
+        )
+    return LineError(
+        Sentence("the page did not open `{robot}`", name), Sentence("look at the window in which it was chosen")
+    )
+
+
+def hold(mark: str, vendor: int, send: Send) -> PagePort | None:
+    """A page has a port; None where another has that mark already.
+
+    Args:
+        mark: what the page calls it, which nobody guesses.
+        vendor: the number of its vendor on USB, 0 where it has none.
+        send: tells the page.
+    """
+    address = f"{KIND}:{mark}"
+    if address in _ports:
+        return None
+    open_with(KIND, _opened)
+    made = _ports[address] = PagePort(port_of(address, vendor, "", ""), send)
+    return made
+
+
+def _opened(address: str) -> PagePort:
+    found = _ports.get(address)
+    if found is None:
+        raise LineError(
+            Sentence("the board is not connected to a page any more"),
+            Sentence("look at its cable; where the page was asleep or closed, choose the board again"),
+        )
+    found.open()
+    return found
