@@ -58,6 +58,16 @@ def missions() -> list[Path]:
     return sorted((REPOSITORY / "examples").rglob("*.krt"))
 
 
+def key_of(path: Path) -> str:
+    """The place of a mission among the examples."""
+    return path.relative_to(REPOSITORY / "examples").with_suffix("").as_posix()
+
+
+def title_of(key: str) -> str:
+    """What a mission is called in the table."""
+    return key.rpartition("/")[2] if key.startswith(("exercises", "tutorials")) else key.partition("/")[0]
+
+
 def what_runs(kits: Sequence[Kit]) -> dict[str, dict[str, str]]:
     """By mission and kit: "" when every program of it runs there, else the parts that are missing. What tutorials and
     exercises begin with uses no parts, and is left out.
@@ -67,7 +77,7 @@ def what_runs(kits: Sequence[Kit]) -> dict[str, dict[str, str]]:
         opened = open_mission(path)
         if not any(one.is_used for program in mission_on_kit(opened, kits[0]) for one in program.parts):
             continue
-        row = rows[path.relative_to(REPOSITORY / "examples").with_suffix("").as_posix()] = {}
+        row = rows[key_of(path)] = {}
         for kit in kits:
             missing: dict[str, None] = {}
             for program in mission_on_kit(opened, kit):
@@ -89,8 +99,7 @@ def _table(kits: Sequence[Kit]) -> Iterator[str]:
     yield "| mission | " + " | ".join(f"[{kit.name}](#{kit.name})" for kit in kits) + " |"
     yield "|---" * (len(kits) + 1) + "|"
     for name, row in what_runs(kits).items():
-        title = name.rpartition("/")[2] if name.startswith(("exercises", "tutorials")) else name.partition("/")[0]
-        yield f"| {title} | " + " | ".join(row[kit.name] or "yes" for kit in kits) + " |"
+        yield f"| {title_of(name)} | " + " | ".join(row[kit.name] or "yes" for kit in kits) + " |"
     yield ""
 
 

@@ -23,6 +23,7 @@ from kitrobot_onboard.state import (
     SPACE,
     STATE,
     TELL,
+    TENDS,
     TICKS,
     TIDY,
     WRITE,
@@ -39,6 +40,7 @@ robot[SENSORS] = []
 robot[ACTUATORS] = []
 robot[FORCED] = []
 robot[TELL] = []
+robot[TENDS] = []
 robot[REQUESTS] = requests
 robot[SPACE] = globals()
 robot[SEEN] = robot[REST] = b""

@@ -32,6 +32,9 @@ def dispatch_request(robot, request):
                 if robot[STEPS] == 2:  # not done by the piece itself: a small board's stack ends soon
                     robot[STEPS] = 1
                     react(robot)
+                if robot[STEPS] == 3:
+                    robot[STEPS] = 1
+                    stop(robot)
             told = robot[TOLD]
     except MemoryError:
         told = 6

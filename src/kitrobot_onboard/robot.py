@@ -24,7 +24,9 @@ from kitrobot_onboard.state import (
     STATE,
     STEPS,
     TELL,
+    TENDS,
     TICKS,
+    WHO,
 )
 
 GAP_MS = 50  # the longest wait when no tick is due
@@ -46,6 +48,10 @@ def run(robot):
                         robot[DUE] = robot[TICKS]()
                         robot[LATE] += 1
                         left = 0
+            for part, tend in robot[TENDS]:
+                robot[WHO] = part
+                tend()
+            robot[WHO] = None
             if robot[HELD] and robot[DIFF](robot[TICKS](), robot[HEARD]) > HOLD_MS:
                 fail(robot, 6, None)
             if robot[FAILED]:

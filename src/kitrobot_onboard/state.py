@@ -39,7 +39,7 @@ FAULT = 24  # number, tick, device or None, exception: the last one
 FAILED = 25  # one that was not told yet, or None
 COUNT = 26  # ticks
 LATE = 27
-STEPS = 28  # step by step: no tick is due; 2: one is, now
+STEPS = 28  # step by step: no tick is due; 2: one is, now; 3: all are to be stopped, now
 HELD = 29
 DUE = 30  # when the next tick is
 WHO = 31  # the device that is at work
@@ -67,4 +67,6 @@ TIDY = 47  # makes the room that is free hang together
 
 TOLDTEAM = 48  # of a member of a team: the numbers that its host was told last
 
-LENGTH = 49  # of the list
+TENDS = 49  # (an actuator, what its driver does at each trip of the loop) for each driver that has `tend`
+
+LENGTH = 50  # of the list

@@ -20,19 +20,23 @@ found = {}
 for kit in ("maqueen", "cutebot", "move"):
     drive, turn = make("microbit.drive", kit=kit), make("microbit.turn", kit=kit, rate="2000")
     left, right = make("microbit.wheel", kit=kit, side="left"), make("microbit.wheel", kit=kit, side="right")
+    drive.stop()
     rows = [taken()]
     for part, procedure, arguments in (
         (drive, "Advance", [50]), (drive, "Advance", [50]), (drive, "Reverse", [100]), (drive, "Stop", []),
         (turn, "Turn", [20]), (turn, "Stop", []), (left, "Forward", [100]), (right, "Backward", [40]),
     ):
         part.do(procedure, arguments)
+        drive.tend()
         rows.append(taken())
     right.stop()
     rows.append(taken())
     found[kit] = rows
 begun = time.ticks_ms()
 turn.do("AbsoluteTurn", [25, 50])  # 90 degrees at 1000 degrees a second
+turn.tend()
 while not turn.done(): pass
+turn.tend()
 found["turn"] = time.ticks_diff(time.ticks_ms(), begun), taken()[-1]
 line = make("microbit.line", pin="13", dark="low", min="1")
 seen = []

@@ -42,7 +42,9 @@ def test_it_reads_back(data: bytes) -> None:
 def test_of_each_driver_it_knows_what_the_program_asks(data: bytes) -> None:
     file = read_program_file(data)
     assert file.commands == [(0, "Turn", 1, True), (0, "", 0, False), (1, "Advance", 1, False), (1, "Stop", 0, False)]
-    assert file.drivers == {"stores": Asked(frozenset({"Turn", "Advance", "Stop"}), later=True), "zero": Asked()}
+    pins = frozenset({("pin", "1"), ("pin", "2")})
+    procedures = frozenset({"Turn", "Advance", "Stop"})
+    assert file.drivers == {"stores": Asked(procedures, later=True, settings=pins), "zero": Asked()}
 
 
 @pytest.mark.parametrize("setting", ["$robot", "'", '"', "\\", "a$file"])

@@ -36,13 +36,16 @@ from kitrobot.deploy.flash_code import Frozen
 from kitrobot.deploy.naming import own_names, renamed
 from kitrobot.deploy.shortening import parsed
 from kitrobot.deploy.starting import start_file, start_from_flash
-from kitrobot.deploy.trimming import Asked, trimmed
+from kitrobot.deploy.trimming import Asked, shared_trimmed, trimmed
 from kitrobot.text import COMMA, Sentence, Series
 
 MODULE, PROGRAM, DIGITS = "kr", "kp", 8
 OWN_SUFFIX = ".driver.py"
 _BUILDING = Lock()
 """Trees of Python are shared, and written to while they are made short."""
+
+TRIMMED = ("drivers.microbit.shared.motors",)
+"""Modules with what several drivers are, which are trimmed as a driver is."""
 
 _REMEMBERED = 200
 """Drivers whose declarations are remembered."""
@@ -72,6 +75,7 @@ class Built:
         drivers: names of files by names of drivers.
         wants_range: of each driver, whether it reads the settings `min` and `max`, which every sensor has.
         tends: names of drivers that do something at each tick.
+        bases: of a driver, the file that is executed in its space before it.
         frozen: what the board runs from its flash.
         member: the name of the file with the code of a member of a team; "" where no program of a team is meant.
     """
@@ -88,6 +92,7 @@ class Built:
     frozen: Frozen | None = None
     member: str = ""
     tends: frozenset[str] = frozenset()
+    bases: Mapping[str, str] = field(default_factory=dict)
 
 
 @lru_cache(_REMEMBERED)
@@ -139,7 +144,7 @@ class Package:
             return self._build(family, drivers)
 
     def _build(self, family: str, drivers: Mapping[str, Asked | None]) -> Built:
-        making = _Making()
+        making = _Making(shared=self._shared(family, drivers))
         modules = {}
         wants_range = {}
         for driver, asked in drivers.items():
@@ -148,13 +153,39 @@ class Package:
                 raise missing_driver(driver, self, family)
             modules[driver] = making.add(path, asked) + ".py"
             wants_range[driver] = re.search(rb"""["']m(in|ax)["']""", making.files[modules[driver]]) is not None
-        tends = frozenset(name for name, file in modules.items() if b"def tend(" in making.files[file])
-        built = replace(_built(family, making, modules, wants_range), tends=tends)
+        tends = frozenset(driver for driver in drivers if self._tends(driver, family))
+        bases = {driver: making.bases[path] for driver in drivers if (path := self.driver_file(driver, family)) in making.bases}
+        built = replace(_built(family, making, modules, wants_range), tends=tends, bases=bases)
         if TEAM_DRIVER not in drivers:
             return built
         member = part(ONBOARD / "member.py")
         name = name_of(member) + ".py"
         return replace(built, files={name: member, **built.files}, member=name)
+
+
+    def _shared(self, family: str, drivers: Mapping[str, Asked | None]) -> dict[Path, Asked]:
+        """What the drivers of a program ask together of the modules that only they import."""
+        found: dict[Path, Asked] = {}
+        whole: set[Path] = set()
+        for driver, asked in drivers.items():
+            for path in self._shared_by(driver, family):
+                if asked is None:
+                    whole.add(path)
+                else:
+                    found[path] = found.get(path, Asked()) | asked
+        return {path: asked for path, asked in found.items() if path not in whole}
+
+    def _shared_by(self, driver: str, family: str) -> list[Path]:
+        """The shared modules with whole devices that a driver imports (see `TRIMMED`)."""
+        path = self.driver_file(driver, family)
+        if path is None:
+            return []
+        text = read_source(path)
+        return [ONBOARD.joinpath(*name.split(".")).with_suffix(".py") for name in TRIMMED if f"{ROOT}.{name} " in text]
+
+    def _tends(self, driver: str, family: str) -> bool:
+        path = self.driver_file(driver, family)
+        return any("def tend(" in read_source(one) for one in [*self._shared_by(driver, family), *([path] if path else [])])
 
 
 def _built(family: str, making: _Making, drivers: Mapping[str, str], wants_range: Mapping[str, bool]) -> Built:
@@ -205,6 +236,8 @@ class _Making:
     files: dict[str, bytes] = field(default_factory=dict)
     names: dict[tuple[Path, bool], str] = field(default_factory=dict)
     open: list[Path] = field(default_factory=list)
+    shared: Mapping[Path, Asked] = field(default_factory=dict)
+    bases: dict[Path, str] = field(default_factory=dict)
 
     def add(self, path: Path, asked: Asked | None = None) -> str:
         """Adds a module and those that it imports; its name. `asked`: what of it, when it is a driver."""
@@ -218,6 +251,8 @@ class _Making:
         self.open.append(path)
         tree = parsed(read_source(path), str(path))
         tree = without_declarations(tree)
+        if asked is None and path in self.shared:
+            tree = shared_trimmed(tree, self.shared[path])
         tree = _Imports(self, path).visit(tree if asked is None else trimmed(tree, asked))
         self.open.pop()
         if asked is not None:
@@ -247,6 +282,9 @@ class _Imports(ast.NodeTransformer):
         place = ONBOARD.joinpath(*words[1:])
         if place.with_suffix(".py").is_file() and place != ONBOARD:
             node.module = self.making.add(place.with_suffix(".py"))
+            if ".".join(words[1:]) in TRIMMED:
+                self.making.bases[self.path] = f"{node.module}.py"
+                return []  # its names are in the driver's space already
             return node
         found: list[ast.stmt] = []
         for alias in node.names:

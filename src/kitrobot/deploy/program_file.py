@@ -75,7 +75,12 @@ class ProgramFile:
     @property
     def drivers(self) -> dict[str, Asked]:
         """The drivers that it needs, and what of them."""
-        found = {device.driver: Asked() for device in self.devices if device.driver != UNUSED}
+        found: dict[str, Asked] = {}
+        for device in self.devices:
+            if device.driver != UNUSED:
+                given = (word.partition("=") for word in device.words if "=" in word)
+                asked = Asked(settings=frozenset((name, value) for name, _, value in given))
+                found[device.driver] = found.get(device.driver, Asked()) | asked
         for place, name, _, later in self.commands:
             if name:
                 found[self.devices[place].driver] |= Asked(frozenset([name]), later)

@@ -19,8 +19,11 @@ from kitrobot.image import Image
 from kitrobot_onboard import state
 from kitrobot_onboard.image import load
 
-_TEND = f"lambda robot,left,made=$robot[{state.ACTUATORS}][-1][0]:made.tend() or left"
-"""What is called in each gap, as those who tell news: the driver that was made last does something, in no time."""
+_MADE = f"$robot[{state.ACTUATORS}][-1]"
+"""The actuator that was made last."""
+
+_TENDED = f"{_MADE}[0].stop();$robot[{state.TENDS}].append(({_MADE},{_MADE}[0].tend))"
+"""One that does something by itself stands still before it does."""
 
 
 def board_file(program: ProgramFile | None, built: Built) -> bytes:
@@ -64,14 +67,24 @@ def _devices(devices: Sequence[Device], built: Built) -> Iterator[tuple[int, lis
             where, add = f"s{cell} {device.driver} ", "$add_sensor"
             kept = f"{cell},{least},{most}"
         made = f"{add}($robot,$space['make']({_literal(settings)}),({kept}))"
+        pieces = lines.setdefault(device.driver, [])
+        pieces.append((f"$where={_literal(where)};", made))
         if device.kind == "a" and device.driver in built.tends:
-            made += f";$robot[{state.TELL}].append({_TEND})"
-        lines.setdefault(device.driver, []).append((f"$where={_literal(where)};", made))
+            pieces.append(("", _TENDED))
+    based: dict[str, list[bytes]] = {}
     for driver, made_of_it in lines.items():
-        name = built.drivers[driver]
-        size = len(built.files[name])
-        load = f"$space={{}};exec(open({name!r}).read({size}),$space)"
-        yield size, [piece(made_of_it[0][0] + load), *(piece(where + made) for where, made in made_of_it)]
+        base = built.bases.get(driver, "")
+        job = based.setdefault(base or driver, [])
+        if not job:
+            job.append(piece(f"{made_of_it[0][0]}$space={{}}{_executed(base, built) if base else ''}"))
+        job.append(piece(f"{made_of_it[0][0]}{_executed(built.drivers[driver], built)[1:]}"))
+        job.extend(piece(where + made) for where, made in made_of_it)
+    for name, job in based.items():
+        yield len(built.files[built.drivers.get(name, name)]), job
+
+
+def _executed(name: str, built: Built) -> str:
+    return f";exec(open({name!r}).read({len(built.files[name])}),$space)"
 
 
 def _numbers(program: ProgramFile) -> Iterator[bytes]:

@@ -1,24 +1,40 @@
 """Removes the parts of a driver that a program does not use: a small board has no memory for them.
 
 In the method `do(self, procedure, arguments)`, branches for procedures that the program does not call; `done`, when it
-calls none that completes later; then constants of the module that are no longer read.
+calls none that completes later; then constants of the module that are no longer read. In a module that drivers of ours
+share, also branches `if kit == "..."` for words that no part gives the setting `kit`, whatever it is called.
 """
 
 from __future__ import annotations
 
 import ast
+from collections.abc import Mapping
 from dataclasses import dataclass
 
 
 @dataclass(frozen=True)
 class Asked:
-    """What a program asks of the devices of a driver: `procedures`, and whether one of them completes later."""
+    """What a program asks of the devices of a driver: `procedures`, whether one of them completes later, and the
+    settings that it gives, as name and value.
+    """
 
     procedures: frozenset[str] = frozenset()
     later: bool = False
+    settings: frozenset[tuple[str, str]] = frozenset()
 
     def __or__(self, other: Asked) -> Asked:
-        return Asked(self.procedures | other.procedures, self.later or other.later)
+        return Asked(
+            self.procedures | other.procedures, self.later or other.later, self.settings | other.settings
+        )
+
+
+def shared_trimmed(tree: ast.Module, asked: Asked) -> ast.Module:
+    """A module that drivers share, without what is asked of none of them."""
+    given: dict[str, set[str]] = {}
+    for name, value in asked.settings:
+        given.setdefault(name, set()).add(value)
+    _Words(given).visit(tree)
+    return trimmed(tree, asked)
 
 
 def trimmed(tree: ast.Module, asked: Asked) -> ast.Module:
@@ -63,3 +79,22 @@ class _Branches(ast.NodeTransformer):
             case _:
                 return node
         return node if names & self.procedures else node.orelse or [ast.Pass()]
+
+
+class _Words(ast.NodeTransformer):
+    """Decides `if kit == "word"`: left out where no part gives that, without the question where all give it."""
+
+    def __init__(self, given: Mapping[str, set[str]]) -> None:
+        self.given = given
+
+    def visit_If(self, node: ast.If) -> ast.AST | list[ast.stmt]:
+        self.generic_visit(node)
+        match node.test:
+            case ast.Compare(left=ast.Name(id=name), ops=[ast.Eq()], comparators=[ast.Constant(value=str(word))]) if (
+                name in self.given
+            ):
+                if word not in self.given[name]:
+                    return node.orelse or [ast.Pass()]
+                if self.given[name] == {word}:
+                    return node.body
+        return node

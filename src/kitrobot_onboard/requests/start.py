@@ -22,7 +22,7 @@ from kitrobot_onboard.state import (
 
 if robot[KIND] == "s" and robot[DATA] not in (b"\0", b"\1", b"\2"):
     robot[TOLD] = 3
-stop(robot)
+robot[STEPS] = 3  # all devices are stopped now
 if robot[FAILED]:
     robot[TOLD] = 5
 at = robot[INPUTS]

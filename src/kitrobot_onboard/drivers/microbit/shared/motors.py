@@ -1,0 +1,68 @@
+# The two motors of a micro:bit's kit, behind a chip on its I2C bus. `drive`, `turn` and `wheel` each say what they
+# want, and the wheels turn by the sum; `tend` tells the chip what has changed. On the micro:bit of 2016 nothing here may
+# call a function that calls another one: its stack would end (docs/reference/boards.md). What is not of the kit that a
+# program is sent to, and what it does not call, is left out of what is sent (kitrobot.deploy.trimming).
+
+from microbit import i2c, running_time
+
+wanted = [0, 0, 0, 0]  # percent: forward, counter-clockwise, the left and the right wheel by themselves
+told = [None, None]
+
+
+def write(kit, side, percent):
+    """Tells one motor."""
+    part = abs(percent)
+    if kit == "maqueen":
+        i2c.write(16, bytes((2 * side, percent < 0, part * 255 // 100)))
+    if kit == "cutebot":
+        i2c.write(16, bytes((1 + side, 1 if percent < 0 else 2, part, 0)))
+    if kit == "move":
+        at = 2 if side else 4
+        ahead = (percent > 0) == (side == 1)
+        i2c.write(98, bytes((at + (not ahead), 0)))
+        i2c.write(98, bytes((at + ahead, part * 255 // 100)))
+
+
+class Motors:
+    def __init__(self, settings, at):
+        self.kit = kit = settings["kit"]
+        self.at = at
+        self.rate = int(settings.get("rate", "180"))
+        self.goal = None
+        if kit == "move":
+            for pair in (b"\0\0", b"\1\4", b"\x08\xaa"):
+                i2c.write(98, pair)
+
+    def do(self, procedure, arguments):
+        self.goal = None
+        wanted[self.at] = 0
+        if procedure != "Stop":
+            wanted[self.at] = arguments[-1]
+        if procedure in ("Reverse", "Backward"):
+            wanted[self.at] = -arguments[0]
+        if procedure == "AbsoluteTurn":
+            self.goal = arguments[0] * 360
+            self.since = running_time()
+
+    def done(self):
+        # In hundredths of a degree: percent of a full turn, and speed in percent.
+        if self.goal is not None and (running_time() - self.since) * self.rate * wanted[self.at] // 1000 >= self.goal:
+            self.goal = None
+            wanted[self.at] = 0
+        return self.goal is None
+
+    def tend(self):
+        for side in (0, 1):
+            percent = wanted[0] + (wanted[1] if side else -wanted[1]) + wanted[2 + side]
+            percent = max(-100, min(percent, 100))
+            if told[side] != percent:
+                write(self.kit, side, percent)
+                told[side] = percent
+
+    def stop(self):
+        self.goal = None
+        for at in range(4):
+            wanted[at] = 0
+        for side in (0, 1):
+            told[side] = None  # stands still, whatever was told before
+            write(self.kit, side, 0)
