@@ -11,8 +11,7 @@ import asyncio
 import threading
 import time
 from collections.abc import Awaitable, Callable
-from concurrent.futures import Future
-from concurrent.futures import TimeoutError as TookTooLong
+from contextlib import suppress
 from typing import Final, Literal
 
 from kitrobot.deploy import LineError, Port
@@ -22,7 +21,7 @@ from kitrobot.text import Sentence
 
 KIND: Final = "page"
 MOST_WAITING: Final = 64 * 1024
-"""Bytes that wait to be read; the page is not listened to until there is room."""
+"""Bytes that wait to be read: the page is not listened to until there is room; and bytes that wait to be sent."""
 OPEN_S: Final = 10.0
 """How long a page may take to open a port: the reader may be asked something."""
 WRITE_S: Final = 10.0
@@ -51,6 +50,7 @@ class PagePort:
         self._state: State = "shut"
         self._refused: Why | None = None
         self._waiting = bytearray()
+        self._unsent = 0
         self._room = asyncio.Event()
         self._room.set()
         self._said = asyncio.Lock()
@@ -73,7 +73,7 @@ class PagePort:
             self._state, self._refused = "opening", None
             self._waiting.clear()
         try:
-            self._hand_on("open")
+            self._begin("open")
             with self._turn:
                 self._turn.wait_for(lambda: self._state != "opening" or self._refused is not None, OPEN_S)
                 answered, why = self._as_told(), self._refused
@@ -112,10 +112,14 @@ class PagePort:
             return data
 
     def write(self, data: bytes) -> None:
-        """Has the page send bytes; comes back when they are on their way to it."""
+        """Has the page send bytes; comes back at once, unless the page does not take what came before."""
         with self._turn:
+            self._turn.wait_for(lambda: self._state != "open" or self._unsent <= MOST_WAITING, WRITE_S)
             self._refuse_when_broken()
-        self._hand_on(bytes(data))
+            if self._unsent > MOST_WAITING:
+                raise self._unplugged()
+            self._unsent += len(data)
+        self._begin(bytes(data))
 
     def flush(self) -> None:
         """Nothing is kept back."""
@@ -138,30 +142,24 @@ class PagePort:
         if not self._loop.is_closed():
             self._loop.call_soon_threadsafe(work)
 
-    def _begin(self, words: str | bytes) -> Future[None] | None:
+    def _begin(self, words: str | bytes) -> None:
+        """Tells the page without waiting for it."""
         telling = self._tell(words)
         try:
-            return asyncio.run_coroutine_threadsafe(telling, self._loop)
+            asyncio.run_coroutine_threadsafe(telling, self._loop)
         except RuntimeError:  # the studio has ended meanwhile
             telling.close()
-            return None
-
-    def _hand_on(self, words: str | bytes) -> None:
-        begun = self._begin(words)
-        try:
-            if begun is not None:
-                begun.result(WRITE_S)
-                return
-        except (OSError, RuntimeError):
-            pass
-        except TookTooLong:
-            begun.cancel()  # type: ignore[union-attr]
-        raise self._unplugged()
 
     async def _tell(self, words: str | bytes) -> None:
         # One after another: a page that does not take them may not be told of two at once.
         async with self._said:
-            await self._send(words)
+            # When it has hung up, its socket says so.
+            with suppress(OSError, RuntimeError):
+                await self._send(words)
+        if isinstance(words, bytes):
+            with self._turn:
+                self._unsent -= len(words)
+                self._turn.notify_all()
 
     def _refuse_when_broken(self) -> None:
         if self._state != "open":

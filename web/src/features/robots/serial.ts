@@ -44,6 +44,19 @@ export function reachOf(there: boolean, secure: boolean): Reach {
 
 export const reach = (): Reach => reachOf(serial() !== undefined, window.isSecureContext);
 
+/** The pieces as one. */
+export function joined(pieces: readonly Uint8Array<ArrayBuffer>[]): Uint8Array<ArrayBuffer> {
+  const [only] = pieces;
+  if (only !== undefined && pieces.length === 1) return only;
+  const whole = new Uint8Array(pieces.reduce((length, piece) => length + piece.length, 0));
+  let at = 0;
+  for (const piece of pieces) {
+    whole.set(piece, at);
+    at += piece.length;
+  }
+  return whole;
+}
+
 /** One port and its socket; it ends when either does. */
 export class Pipe {
   readonly #port: Port;
@@ -53,17 +66,21 @@ export class Pipe {
   #reader: ReadableStreamDefaultReader<Uint8Array<ArrayBuffer>> | null = null;
   #writer: WritableStreamDefaultWriter<Uint8Array<ArrayBuffer>> | null = null;
   #reading: Promise<void> = Promise.resolve();
+  #came: Uint8Array<ArrayBuffer>[] = [];
+  readonly #soon = new MessageChannel();
 
   constructor(port: Port, socket: WebSocket, ended: () => void) {
     this.#port = port;
     this.#socket = socket;
     socket.binaryType = "arraybuffer";
+    this.#soon.port1.onmessage = () => this.#passOn();
     socket.addEventListener("message", ({ data }: MessageEvent<string | ArrayBuffer>) => {
       if (typeof data !== "string") this.#write(new Uint8Array(data));
       else if (data === "open") this.#turn = this.#turn.then(() => this.#open());
       else if (data === "close") this.#turn = this.#turn.then(() => this.#close());
     });
     socket.addEventListener("close", () => {
+      this.#soon.port1.close();
       this.#turn = this.#turn.then(() => this.#close()).then(ended);
     });
   }
@@ -112,10 +129,18 @@ export class Pipe {
   }
 
   async #pass(data: Uint8Array<ArrayBuffer>): Promise<void> {
-    for (let at = 0; at < data.length; at += MOST_PIECE) this.#say(data.subarray(at, at + MOST_PIECE));
+    // A board sends byte by byte: what has come by the next turn of the page goes in one message.
+    if (this.#came.length === 0) this.#soon.port2.postMessage(null);
+    this.#came.push(data);
     while (this.#socket.bufferedAmount > MOST_WAITING && this.#socket.readyState === WebSocket.OPEN) {
       await new Promise((resolve) => setTimeout(resolve, LOOK_MS));
     }
+  }
+
+  #passOn(): void {
+    const came = joined(this.#came);
+    this.#came = [];
+    for (let at = 0; at < came.length; at += MOST_PIECE) this.#say(came.subarray(at, at + MOST_PIECE));
   }
 
   #write(data: Uint8Array<ArrayBuffer>): void {
