@@ -61,3 +61,19 @@ def test_a_board_at_the_page_is_sent_to_watched_stopped_and_stops_when_its_cable
         line.close()
         with connect(board.address) as there:
             assert there.hello.state != RUNNING
+
+        # Chosen again it has the place that it had; a tab that the browser freezes lets it go.
+        studio.at("find-board").click()
+        robot.get_by_test_id("robot-reconnect").click()
+        expect_robot(robot, phase="open")
+        studio.page.evaluate("document.dispatchEvent(new Event('freeze'))")
+        expect_robot(robot, phase="lost")
+        robot.get_by_test_id("robot-reconnect").click()
+        expect(robot.get_by_test_id("robot-trouble")).to_contain_text("Choose the board again.")
+
+        # Where the browser cannot reach boards, that is said in the place of the button.
+        studio.page.evaluate("Object.defineProperty(navigator, 'serial', { value: undefined })")
+        studio.at("robots-close").click()
+        studio.page.keyboard.press("Alt+r")
+        expect(studio.at("find-board-not")).to_contain_text("Chrome and Edge do; or install KitRobot")
+        expect(studio.at("find-board")).to_have_count(0)

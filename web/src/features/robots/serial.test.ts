@@ -1,0 +1,121 @@
+import { describe, expect, it } from "vitest";
+
+import { joined, Pipe, type Port, reachOf } from "./serial";
+
+describe("whether a page reaches boards", () => {
+  it("says what is in the way", () => {
+    expect(reachOf(true, true)).toBe("there");
+    expect(reachOf(false, true)).toBe("none");
+    expect(reachOf(false, false)).toBe("unsafe");
+  });
+});
+
+describe("pieces of a board", () => {
+  it("are one message in their order", () => {
+    const pieces = [[1], [], [2, 3]].map((piece) => new Uint8Array(piece));
+    expect([...joined(pieces)]).toEqual([1, 2, 3]);
+    expect([...joined([])]).toEqual([]);
+  });
+});
+
+class Socket extends EventTarget {
+  binaryType = "";
+  bufferedAmount = 0;
+  readyState: number = WebSocket.OPEN;
+  readonly said: (string | number[])[] = [];
+
+  send(words: string | Uint8Array): void {
+    this.said.push(typeof words === "string" ? words : [...words]);
+  }
+
+  close(): void {
+    this.readyState = WebSocket.CLOSED;
+    this.dispatchEvent(new CloseEvent("close"));
+  }
+
+  hear(data: string | ArrayBuffer): void {
+    this.dispatchEvent(new MessageEvent("message", { data }));
+  }
+}
+
+class Plug extends EventTarget implements Port {
+  readable: Port["readable"] = null;
+  writable: Port["writable"] = null;
+  readonly done: string[] = [];
+  refuses: DOMException | null = null;
+  give: (piece: number[]) => void = () => undefined;
+  lose: () => void = () => undefined;
+
+  getInfo = () => ({});
+
+  open = () => {
+    if (this.refuses !== null) return Promise.reject(this.refuses);
+    this.done.push("open");
+    this.readable = new ReadableStream({
+      start: (into) => {
+        this.give = (piece) => into.enqueue(new Uint8Array(piece));
+        this.lose = () => {
+          this.readable = this.writable = null;
+          into.error(new DOMException("lost", "NetworkError"));
+        };
+      },
+    });
+    this.writable = new WritableStream({ write: (data) => void this.done.push([...data].join()) });
+    return Promise.resolve();
+  };
+
+  close = () => {
+    this.done.push("close");
+    return Promise.resolve();
+  };
+
+  setSignals = (signals: object) => {
+    this.done.push(Object.keys(signals).join());
+    return Promise.resolve();
+  };
+}
+
+function piped() {
+  const [port, socket] = [new Plug(), new Socket()];
+  const ended = new Promise<void>((resolve) => new Pipe(port, socket as unknown as WebSocket, resolve));
+  return { port, socket, ended };
+}
+
+const until = (holds: () => void) => expect.poll(() => (holds(), true)).toBe(true);
+
+describe("the pipe of a port", () => {
+  it("opens when it is asked to, passes bytes on, and lets the wires go in order after the last word", async () => {
+    const { port, socket, ended } = piped();
+    socket.hear(new Uint8Array([9]).buffer);
+    socket.hear("open");
+    await until(() => expect(socket.said).toEqual(["opened"]));
+    port.give([1]);
+    port.give([2]);
+    await until(() => expect(socket.said.slice(1).flat()).toEqual([1, 2]));
+    socket.hear(new Uint8Array([3]).buffer);
+    socket.hear("close");
+    await until(() => expect(port.done).toEqual(["open", "3", "requestToSend", "dataTerminalReady", "close"]));
+    socket.close();
+    await ended;
+  });
+
+  it("says which refusal of the browser it was", async () => {
+    const { port, socket } = piped();
+    port.refuses = new DOMException("", "NetworkError");
+    socket.hear("open");
+    await until(() => expect(socket.said).toEqual(["busy"]));
+    port.refuses = new DOMException("", "SecurityError");
+    socket.hear("open");
+    await until(() => expect(socket.said).toEqual(["busy", "failed"]));
+  });
+
+  it("ends when the cable is pulled", async () => {
+    const { port, socket, ended } = piped();
+    socket.hear("open");
+    await until(() => expect(socket.said).toEqual(["opened"]));
+    port.lose();
+    await ended;
+    expect(socket.said).toEqual(["opened", "gone"]);
+    expect(port.done.at(-1)).toBe("close");
+  });
+});
