@@ -6,8 +6,8 @@ python -m tools.microbit_kits square cutebot  measure that mission on that kit
 
 Each program that can be sent to a kit is sent with `--fresh`, runs for some ticks, is stopped, started again, and does
 a tick on request. What does not do all that counts as not running there, with the reason. docs/kits.md says it
-(`tools.kit_pages`). The emulator's bus takes all that is said to motors, and its sensors see nothing: a program with a range finder counts
-as running when it came to the fault that none is plugged in.
+(`tools.kit_pages`). The emulator's bus takes all that is said to motors, and its sensors see nothing: a program with a
+range finder counts as running when it came to the fault that none is plugged in.
 """
 
 from __future__ import annotations
@@ -16,10 +16,9 @@ import json
 import os
 import sys
 import tempfile
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator
 from concurrent.futures import ThreadPoolExecutor
 from contextlib import suppress
-from pathlib import Path
 from typing import Any
 
 from kitrobot.deploy import Board, BoardError, FullError, NoMemoryError, connect, deploy
@@ -29,9 +28,8 @@ from kitrobot.robots import BoardProgram
 from kitrobot.workspace import board_program, kits_at_hand, open_mission
 from kitrobot.workspace.opening import OpenMission
 from kitrobot.workspace.team_boards import agent_program
-from tools.kit_pages import key_of, missions
+from tools.kit_pages import SMALL, key_of, measured_2016, missions
 
-MEASURED = Path(__file__).with_name("microbit-2016.json")
 _TICKS = 15
 _NO_ANSWER = "not plugged in"
 """What a range finder says that is asked five times: the emulator has none, and a program that needs one ends so."""
@@ -147,15 +145,9 @@ def measure(kit: Kit, wanted: str = "") -> dict[str, dict[str, Any]]:
     return found
 
 
-def measured() -> Mapping[str, Row]:
-    """What was written down, by mission."""
-    found: Mapping[str, Row] = json.loads(MEASURED.read_text(encoding="utf-8"))
-    return found
-
-
 def main(words: list[str]) -> int:
     if not words:
-        print(json.dumps(measured(), indent=1))
+        print(json.dumps(measured_2016(), indent=1))
         return 0
     with tempfile.TemporaryDirectory() as nobody:
         os.environ["KITROBOT_CONFIG"] = nobody
@@ -170,7 +162,7 @@ def main(words: list[str]) -> int:
         for mission, row in by_mission.items():
             rows.setdefault(mission, {})[kit] = row
     lines = [f" {json.dumps(mission)}: {json.dumps(rows[mission], sort_keys=True)}" for mission in sorted(rows)]
-    MEASURED.write_text("{\n" + ",\n".join(lines) + "\n}\n", encoding="utf-8", newline="\n")
+    SMALL.write_text("{\n" + ",\n".join(lines) + "\n}\n", encoding="utf-8", newline="\n")
     return 0
 
 
