@@ -277,7 +277,7 @@ export function BoardCard({ place }: { place: Place }) {
         <StateShape state={board?.phase === "lost" ? "stalled" : state} size={10} />
         <h3 id={title}>{name}</h3>
         {atPage ? (
-          <span className="robot-address" data-testid="robot-at-page">
+          <span className="robots-note" data-testid="robot-at-page">
             {t("boards.at-page")}
           </span>
         ) : address.endsWith(name) ? null : (
