@@ -29,12 +29,10 @@ def dispatch_request(robot, request):
                 text = file.read(int(head[1:]))
                 if head[0] in robot[KIND]:
                     exec(text, robot[SPACE])
-                if robot[STEPS] == 2:  # not done by the piece itself: a small board's stack ends soon
+                steps = robot[STEPS]
+                if steps and steps > 1:  # not done by the piece itself: a small board's stack ends soon
                     robot[STEPS] = 1
-                    react(robot)
-                if robot[STEPS] == 3:
-                    robot[STEPS] = 1
-                    stop(robot)
+                    (react if steps == 2 else stop)(robot)
             told = robot[TOLD]
     except MemoryError:
         told = 6

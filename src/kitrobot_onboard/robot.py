@@ -48,8 +48,7 @@ def run(robot):
                         robot[DUE] = robot[TICKS]()
                         robot[LATE] += 1
                         left = 0
-            for part, tend in robot[TENDS]:
-                robot[WHO] = part
+            for robot[WHO], tend in robot[TENDS]:
                 tend()
             robot[WHO] = None
             if robot[HELD] and robot[DIFF](robot[TICKS](), robot[HEARD]) > HOLD_MS:

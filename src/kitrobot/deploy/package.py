@@ -154,14 +154,17 @@ class Package:
             modules[driver] = making.add(path, asked) + ".py"
             wants_range[driver] = re.search(rb"""["']m(in|ax)["']""", making.files[modules[driver]]) is not None
         tends = frozenset(driver for driver in drivers if self._tends(driver, family))
-        bases = {driver: making.bases[path] for driver in drivers if (path := self.driver_file(driver, family)) in making.bases}
+        bases = {
+            driver: making.bases[path]
+            for driver in drivers
+            if (path := self.driver_file(driver, family)) in making.bases
+        }
         built = replace(_built(family, making, modules, wants_range), tends=tends, bases=bases)
         if TEAM_DRIVER not in drivers:
             return built
         member = part(ONBOARD / "member.py")
         name = name_of(member) + ".py"
         return replace(built, files={name: member, **built.files}, member=name)
-
 
     def _shared(self, family: str, drivers: Mapping[str, Asked | None]) -> dict[Path, Asked]:
         """What the drivers of a program ask together of the modules that only they import."""
@@ -185,7 +188,9 @@ class Package:
 
     def _tends(self, driver: str, family: str) -> bool:
         path = self.driver_file(driver, family)
-        return any("def tend(" in read_source(one) for one in [*self._shared_by(driver, family), *([path] if path else [])])
+        return any(
+            "def tend(" in read_source(one) for one in [*self._shared_by(driver, family), *([path] if path else [])]
+        )
 
 
 def _built(family: str, making: _Making, drivers: Mapping[str, str], wants_range: Mapping[str, bool]) -> Built:

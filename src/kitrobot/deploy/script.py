@@ -75,16 +75,19 @@ def _devices(devices: Sequence[Device], built: Built) -> Iterator[tuple[int, lis
     for driver, made_of_it in lines.items():
         base = built.bases.get(driver, "")
         job = based.setdefault(base or driver, [])
-        if not job:
-            job.append(piece(f"{made_of_it[0][0]}$space={{}}{_executed(base, built) if base else ''}"))
-        job.append(piece(f"{made_of_it[0][0]}{_executed(built.drivers[driver], built)[1:]}"))
+        where, executed = made_of_it[0][0], _executed(built.drivers[driver], built)
+        if not base:
+            executed = f"$space={{}};{executed}"
+        elif not job:
+            job.append(piece(f"{where}$space={{}};{_executed(base, built)}"))
+        job.append(piece(where + executed))
         job.extend(piece(where + made) for where, made in made_of_it)
     for name, job in based.items():
         yield len(built.files[built.drivers.get(name, name)]), job
 
 
 def _executed(name: str, built: Built) -> str:
-    return f";exec(open({name!r}).read({len(built.files[name])}),$space)"
+    return f"exec(open({name!r}).read({len(built.files[name])}),$space)"
 
 
 def _numbers(program: ProgramFile) -> Iterator[bytes]:

@@ -23,9 +23,7 @@ class Asked:
     settings: frozenset[tuple[str, str]] = frozenset()
 
     def __or__(self, other: Asked) -> Asked:
-        return Asked(
-            self.procedures | other.procedures, self.later or other.later, self.settings | other.settings
-        )
+        return Asked(self.procedures | other.procedures, self.later or other.later, self.settings | other.settings)
 
 
 def shared_trimmed(tree: ast.Module, asked: Asked) -> ast.Module:
