@@ -11,7 +11,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from kitrobot.server.json_text import from_json, plain_from_json, plain_to_json, to_json
+from kitrobot.text.json_text import from_json, plain_from_json, plain_to_json, to_json
 
 SCENARIO = Path(__file__).with_name("in_page_scenario.py")
 

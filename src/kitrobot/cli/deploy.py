@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from kitrobot.cli.json_results import AsJson, of_board
+from kitrobot.cli.json_results import AsJson, of_board, of_deployed
 from kitrobot.cli.output import clean, complain, give, json_text, show, tell
 from kitrobot.text import Sentence, listed
 
@@ -170,19 +170,7 @@ def _object(sent: Sent) -> dict[str, Any]:
     done = sent.deployed
     if done is None:
         return of_board(sent.address, sent.error)
-    return of_board(
-        sent.address,
-        None,
-        program=done.program,
-        package=done.package,
-        micropython=done.micropython,
-        generation=done.generation,
-        free=done.free,
-        sent=list(done.sent_files),
-        kept=list(done.kept_files),
-        bytes=done.bytes_sent,
-        seconds=round(done.seconds, 3),
-    )
+    return of_board(sent.address, None, **of_deployed(done), sent=list(done.sent_files), kept=list(done.kept_files))
 
 
 @contextmanager

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 import typer
 
-from kitrobot.cli.json_results import of_board
+from kitrobot.cli.json_results import of_board, of_deployed
 from kitrobot.cli.output import clean, complain, give, json_text, show, tell
 from kitrobot.diagnostics import KitRobotError
 from kitrobot.text import Sentence, listed
@@ -86,19 +86,5 @@ def _object(one: SetResult) -> dict[str, Any]:
     done = one.sent.deployed if one.sent is not None else None
     if done is None or one.member.program is None:
         return {**named, **of_board(one.member.address, one.error)}
-    return {
-        **named,
-        **of_board(
-            one.member.address,
-            None,
-            state=done.hello.state_name,
-            name_of_program=one.member.program.names.program,
-            program=done.program,
-            package=done.package,
-            micropython=done.micropython,
-            generation=done.generation,
-            free=done.free,
-            bytes=done.bytes_sent,
-            seconds=round(done.seconds, 3),
-        ),
-    }
+    told = {"state": done.hello.state_name, "name_of_program": one.member.program.names.program, **of_deployed(done)}
+    return {**named, **of_board(one.member.address, None, **told)}

@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
-from typing import Annotated, Any
+from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
 from kitrobot.cli.output import error_object
 from kitrobot.diagnostics import KitRobotError
+
+if TYPE_CHECKING:
+    from kitrobot.deploy import Deployed
 
 AsJson = Annotated[bool, typer.Option("--json", help="Give a list of JSON objects.")]
 
@@ -17,3 +20,16 @@ def of_board(address: str, error: KitRobotError | None, **more: Any) -> dict[str
     if error is not None:
         return {"address": address, "ok": False, "error": error_object(error)}
     return {"address": address, "ok": True, **more}
+
+
+def of_deployed(done: Deployed) -> dict[str, Any]:
+    """What a board that was sent to has and tells now."""
+    return {
+        "program": done.program,
+        "package": done.package,
+        "micropython": done.micropython,
+        "generation": done.generation,
+        "free": done.free,
+        "bytes": done.bytes_sent,
+        "seconds": round(done.seconds, 3),
+    }

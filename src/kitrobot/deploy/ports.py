@@ -14,14 +14,15 @@ BOARDS_VARIABLE = "KITROBOT_BOARDS"
 
 
 class Port(NamedTuple):
-    """A place where a board may be: what to connect to, a short name, what the port says of itself, and the page from
-    which MicroPython for it is to be had, "" where that is not known.
+    """A place where a board may be: what to connect to, a short name, what the port says of itself, the page from which
+    MicroPython for it is to be had, and the board's own number by its USB, the same at any port. "": not known.
     """
 
     address: str
     name: str
     description: str
     firmware: str = ""
+    number: str = ""
 
 
 _KNOWN = {
@@ -38,10 +39,10 @@ _KNOWN = {
 """USB vendors → what their boards are called; of the last three, the chip is on boards of many makers."""
 
 
-def port_of(address: str, vendor: int | None, product: str, description: str) -> Port:
+def port_of(address: str, vendor: int | None, product: str = "", description: str = "", number: str = "") -> Port:
     """A port on USB as it is listed, by the number of its vendor."""
     name = _KNOWN.get(vendor or 0, product or "USB serial")
-    return Port(address, name, description, DOWNLOADS.get(vendor or 0, EVERYWHERE))
+    return Port(address, name, description, DOWNLOADS.get(vendor or 0, EVERYWHERE), number)
 
 
 def list_ports() -> list[Port]:
@@ -49,7 +50,7 @@ def list_ports() -> list[Port]:
     from serial.tools import list_ports as usb  # only who looks for ports needs it
 
     found = [
-        port_of(port.device, port.vid, port.product or "", port.description or "")
+        port_of(port.device, port.vid, port.product or "", port.description or "", port.serial_number or "")
         for port in usb.comports()
         if port.vid is not None
     ]

@@ -109,6 +109,20 @@ def decode(data: bytes, path: Path) -> str:
         raise FileError(message, Sentence("save the file with the encoding UTF-8"), path=path, place=place) from None
 
 
+def make_folder(folder: Path) -> None:
+    """Makes a folder, and those above it that are missing.
+
+    Raises:
+        FileError: it cannot be made.
+    """
+    try:
+        folder.mkdir(parents=True, exist_ok=True)
+    except OSError as error:
+        raise FileError(
+            Sentence("the folder `{folder}` could not be made: {reason}", folder, error.strerror or str(error))
+        ) from None
+
+
 def write_atomic(path: Path, data: bytes, before: bytes | None = None) -> None:
     """Writes a whole file or leaves the old one as it was; a link is followed, the file's mode is kept.
 

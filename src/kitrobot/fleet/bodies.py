@@ -9,7 +9,6 @@ missed.
 
 from __future__ import annotations
 
-import json
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
 from typing import Any, TypeVar
@@ -18,13 +17,7 @@ from kitrobot.fleet.replica import Effect
 from kitrobot.sim import Ticked
 from kitrobot.team import Noted, Seat, View, Viewed
 from kitrobot.text import Sentence
-
-try:
-    import orjson
-except ModuleNotFoundError:
-    HAS_ORJSON = False
-else:
-    HAS_ORJSON = True
+from kitrobot.text.json_text import from_json, to_json
 
 Made = TypeVar("Made")
 
@@ -103,7 +96,7 @@ class Reply:
 
 def write_frame(frame: Frame) -> bytes:
     """A frame as bytes."""
-    return _dumps(
+    return to_json(
         [frame.serial, frame.known, int(frame.muted), int(frame.down), frame.inputs, frame.taken, frame.first]
     )
 
@@ -132,7 +125,7 @@ def read_frame(data: bytes) -> Frame:
 
 def write_whole(whole: Whole) -> bytes:
     """A replica as bytes."""
-    return _dumps([whole.slot, whole.rows])
+    return to_json([whole.slot, whole.rows])
 
 
 def read_whole(data: bytes) -> Whole:
@@ -147,7 +140,7 @@ def read_whole(data: bytes) -> Whole:
 def write_reply(reply: Reply) -> bytes:
     """An answer as bytes."""
     ticked, whole = reply.ticked, reply.whole
-    return _dumps(
+    return to_json(
         [
             reply.serial,
             reply.epoch,
@@ -186,14 +179,9 @@ def read_reply(data: bytes) -> Reply:
     return _read(data, made)
 
 
-def _dumps(rows: list[Any]) -> bytes:
-    """Rows of numbers as JSON: the same bytes with and without orjson."""
-    return orjson.dumps(rows) if HAS_ORJSON else json.dumps(rows, separators=(",", ":")).encode()
-
-
 def _read(data: bytes, made: Callable[[list[Any]], Made]) -> Made:
     try:
-        rows = orjson.loads(data) if HAS_ORJSON else json.loads(data)
+        rows = from_json(data)
         if isinstance(rows, list):
             return made(rows)
     except (ValueError, TypeError, RecursionError):

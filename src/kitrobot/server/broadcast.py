@@ -20,9 +20,9 @@ from typing import Any, Protocol
 from fastapi import WebSocketDisconnect
 
 from kitrobot.mission import Mission
-from kitrobot.server.json_text import to_json
 from kitrobot.server.run_messages import MOST_EVENTS_TOLD
 from kitrobot.server.shapes import ErrorMessage, StartedMessage, StateMessage
+from kitrobot.text.json_text import to_json
 from kitrobot.translation import said, said_in
 
 MOST_WATCHERS = 200

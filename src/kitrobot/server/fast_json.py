@@ -16,10 +16,10 @@ from kitrobot.compiler import Followed, VertexPlace
 from kitrobot.diagnostics import Diagnostic
 from kitrobot.graph import Arc, Program, Vertex
 from kitrobot.lll import TeamProgram
-from kitrobot.server.json_text import to_json
 from kitrobot.server.list_delta import stretched
 from kitrobot.server.shapes import problem_shapes
 from kitrobot.server.shapes.mission import DeclaredShape
+from kitrobot.text.json_text import to_json
 from kitrobot.workspace import Report, Span
 
 

@@ -13,7 +13,7 @@ from typing import Any
 from fastapi import Request, Response
 from fastapi.routing import APIRoute
 
-from kitrobot.server.json_text import from_json
+from kitrobot.text.json_text import from_json
 
 
 def read_json(body: bytes) -> Any:

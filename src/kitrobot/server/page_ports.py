@@ -238,7 +238,7 @@ def hold(mark: str, vendor: int, send: Send) -> PagePort | None:
     if address in _ports:
         return None
     open_with(KIND, _opened)
-    made = _ports[address] = PagePort(port_of(address, vendor, "", ""), send)
+    made = _ports[address] = PagePort(port_of(address, vendor), send)
     return made
 
 

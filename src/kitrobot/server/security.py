@@ -29,9 +29,9 @@ from starlette.datastructures import Headers, MutableHeaders
 from starlette.types import ASGIApp, Message, Receive, Scope, Send
 
 from kitrobot.server import pages
-from kitrobot.server.json_text import to_json
 from kitrobot.server.sentences import spoken
 from kitrobot.text import Sentence
+from kitrobot.text.json_text import to_json
 
 LARGEST_BODY_BYTES = 16 * 1024 * 1024
 """A mission of 100 000 vertices is half of it."""

@@ -7,20 +7,18 @@ from the first.
 
 from __future__ import annotations
 
-import json
 import re
 import unicodedata
 from collections.abc import Iterable
-from pathlib import Path
 
-from kitrobot.deploy.usb_numbers import usb_numbers
+from kitrobot.deploy import list_ports
 from kitrobot.diagnostics import KitRobotError
-from kitrobot.files import FileError, state_folder, write_atomic
 from kitrobot.text import Sentence
+from kitrobot.workspace.kept_maps import read_map, write_map
 
 LONGEST_LABEL = 40
-_MOST_BYTES = 200_000
 _KEPT = 1000
+_NAME = "labels"
 
 
 class LabelError(KitRobotError):
@@ -55,7 +53,7 @@ def keep_label(address: str, given: str) -> str:
         FileError: it cannot be written.
     """
     label = clean_label(given) if given else ""
-    board = _key(address, usb_numbers())
+    board = _key(address, _numbers())
     if board is None:
         raise LabelError(
             Sentence("the board on `{port}` has no number of its own by which it could be known again", address),
@@ -64,16 +62,7 @@ def keep_label(address: str, given: str) -> str:
     found = {key: one for key, one in _kept().items() if key != board and label_key(one) != label_key(label)}
     if label:
         found[board] = label
-    while len(found) > _KEPT:
-        found.pop(next(iter(found)))
-    path = _path()
-    try:
-        path.parent.mkdir(parents=True, exist_ok=True)
-    except OSError as error:
-        raise FileError(
-            Sentence("the folder `{folder}` could not be made: {reason}", path.parent, error.strerror or str(error))
-        ) from None
-    write_atomic(path, json.dumps(found, ensure_ascii=False, indent=1).encode())
+    write_map(_NAME, found, _KEPT)
     return label
 
 
@@ -82,7 +71,7 @@ def labels_of(addresses: Iterable[str]) -> dict[str, str]:
     known = _kept()
     if not known:
         return {}
-    numbers = usb_numbers()
+    numbers = _numbers()
     keys = {address: _key(address, numbers) for address in addresses}
     return {address: known[key] for address, key in keys.items() if key in known}
 
@@ -95,16 +84,11 @@ def _key(address: str, numbers: dict[str, str]) -> str | None:
     return f"usb {number}" if number else None
 
 
-def _path() -> Path:
-    return state_folder() / "boards" / "labels"
+def _numbers() -> dict[str, str]:
+    """The numbers of the boards that are plugged in, by address."""
+    return {port.address: port.number for port in list_ports()}
 
 
 def _kept() -> dict[str, str]:
-    try:
-        with open(_path(), "rb") as file:
-            found = json.loads(file.read(_MOST_BYTES))
-    except (OSError, ValueError, RecursionError):
-        return {}
-    if not isinstance(found, dict):
-        return {}
-    return {key: one for key, one in found.items() if isinstance(one, str) and 0 < len(one) <= LONGEST_LABEL}
+    found = read_map(_NAME).items()
+    return {key: one for key, one in found if isinstance(one, str) and 0 < len(one) <= LONGEST_LABEL}

@@ -15,7 +15,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from kitrobot.diagnostics import KitRobotError
-from kitrobot.files import FileError, write_atomic
+from kitrobot.files import make_folder, write_atomic
 from kitrobot.text import Sentence
 from kitrobot.translation import ENGLISH, LANGUAGES, reading_in, said
 
@@ -83,7 +83,7 @@ def install_entry(missions: Path) -> DesktopFiles:
         )
     missions = missions.absolute()
     for folder in (missions, *(file.parent for file in files.all)):
-        _make(folder)
+        make_folder(folder)
     write_atomic(files.icon, _SIGN.read_bytes())
     write_atomic(files.kind, _kind().encode())
     write_atomic(files.entry, _entry(missions).encode())
@@ -109,15 +109,6 @@ def remove_entry() -> tuple[Path, ...]:
     if there:
         _tell_desktop(files)
     return there
-
-
-def _make(folder: Path) -> None:
-    try:
-        folder.mkdir(parents=True, exist_ok=True)
-    except OSError as error:
-        raise FileError(
-            Sentence("the folder `{folder}` could not be made: {reason}", folder, error.strerror or str(error))
-        ) from None
 
 
 def _command() -> list[str]:

@@ -4,7 +4,7 @@
  */
 import { type ReactNode, useMemo } from "react";
 
-import { headPath, layoutStructure, type LayoutNode, roundedPath } from "../model/layout";
+import { headPath, hexagonPoints, layoutStructure, type LayoutNode, roundedPath } from "../model/layout";
 import { partsOf } from "../model/parts";
 import { readStructure } from "../model/structure";
 import { useStudio } from "../model/studio";
@@ -51,20 +51,9 @@ export function GraphPicture({ program }: { program: Program }) {
   );
 }
 
-function NodeShape({ node: { kind, colour, x, y, w, h } }: { node: LayoutNode }) {
-  if (kind === "hexagon") {
-    const points = [
-      [x, y + h / 2],
-      [x + 14, y],
-      [x + w - 14, y],
-      [x + w, y + h / 2],
-      [x + w - 14, y + h],
-      [x + 14, y + h],
-    ];
-    return (
-      <polygon className="picture-node" data-colour={colour} points={points.map((at) => at.join(",")).join(" ")} />
-    );
-  }
+function NodeShape({ node }: { node: LayoutNode }) {
+  const { kind, colour, x, y, w, h } = node;
+  if (kind === "hexagon") return <polygon className="picture-node" data-colour={colour} points={hexagonPoints(node)} />;
   if (kind === "place") return <rect className="picture-place" x={x} y={y} width={w} height={h} rx={8} />;
   const end = kind === "start" || kind === "stop";
   const flat = kind === "bar" || kind === "barEnd";

@@ -1,6 +1,6 @@
 /** One vertex in the drawing of a graph: its box, sign, words, conditions and fields, and the note above it. */
 import { t } from "../../i18n/words";
-import { type LayoutNode, NOTE } from "../../model/layout";
+import { hexagonPoints, type LayoutNode, NOTE } from "../../model/layout";
 import { textWidth } from "../../model/measure";
 import { lightsPath } from "../../model/meaning";
 import type { Choice } from "../../model/types";
@@ -94,19 +94,6 @@ function BoxDrawing({ box, x, y, colour }: { box: Box; x: number; y: number; col
   );
 }
 
-function outline(x: number, y: number, w: number, h: number): string {
-  return [
-    [x, y + h / 2],
-    [x + 14, y],
-    [x + w - 14, y],
-    [x + w, y + h / 2],
-    [x + w - 14, y + h],
-    [x + 14, y + h],
-  ]
-    .map((at) => at.join(","))
-    .join(" ");
-}
-
 /** The places of an object's name and of what it does, which follow each other from `left`. */
 function names({ object, name }: Face, left: number, at: ReturnType<typeof turned>): [number, number] {
   const gap = object === "" ? 0 : textWidth(object, 15) + 5;
@@ -131,7 +118,7 @@ function VertexDrawing({ node }: { node: LayoutNode }) {
   return (
     <>
       {hexagon ? (
-        <polygon points={outline(x, y, w, h)} strokeLinejoin="round" {...line} />
+        <polygon points={hexagonPoints(node)} strokeLinejoin="round" {...line} />
       ) : (
         <rect x={x} y={y} width={w} height={h} rx={6} {...line} />
       )}

@@ -4,7 +4,7 @@ import { type Acting, Placer } from "./place";
 import type { Layout } from "./types";
 
 export { LANE, NOTE } from "./sizes";
-export { distance, distanceToLine, headPath, roundedPath } from "./path";
+export { distance, distanceToLine, headPath, hexagonPoints, roundedPath } from "./path";
 export type {
   ArcColour,
   ArcLabel,

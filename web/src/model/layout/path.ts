@@ -1,5 +1,5 @@
 /** Lines as SVG: polylines with rounded corners, arrowheads. */
-import type { Point } from "./types";
+import type { LayoutNode, Point } from "./types";
 
 const RADIUS = 8;
 export const HEAD = { w: 8, h: 9 };
@@ -50,6 +50,22 @@ function at({ x, y }: Point): string {
 
 function round(value: number): number {
   return Math.round(value * 10) / 10;
+}
+
+const SLOPE = 14;
+
+/** The corners of a hexagon as SVG writes them. */
+export function hexagonPoints({ x, y, w, h }: Pick<LayoutNode, "x" | "y" | "w" | "h">): string {
+  return [
+    { x, y: y + h / 2 },
+    { x: x + SLOPE, y },
+    { x: x + w - SLOPE, y },
+    { x: x + w, y: y + h / 2 },
+    { x: x + w - SLOPE, y: y + h },
+    { x: x + SLOPE, y: y + h },
+  ]
+    .map((corner) => `${String(corner.x)},${String(corner.y)}`)
+    .join(" ");
 }
 
 export function distance(a: Point, b: Point): number {

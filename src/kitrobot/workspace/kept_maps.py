@@ -1,0 +1,38 @@
+"""Small JSON objects about boards in the user's state folder, each in a file of its own; the oldest entries go."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Mapping
+from pathlib import Path
+from typing import Any
+
+from kitrobot.files import make_folder, state_folder, write_atomic
+
+_MOST_BYTES = 200_000
+
+
+def read_map(name: str) -> dict[str, Any]:
+    """What is kept there; nothing where it is missing or damaged."""
+    try:
+        with open(_path(name), "rb") as file:
+            found = json.loads(file.read(_MOST_BYTES))
+    except (OSError, ValueError, RecursionError):
+        return {}
+    return found if isinstance(found, dict) else {}
+
+
+def write_map(name: str, found: Mapping[str, Any], most: int) -> None:
+    """Keeps the last `most` entries.
+
+    Raises:
+        FileError: it cannot be written.
+    """
+    path = _path(name)
+    make_folder(path.parent)
+    kept = dict([*found.items()][-most:])
+    write_atomic(path, json.dumps(kept, ensure_ascii=False, indent=1).encode(errors="replace"))
+
+
+def _path(name: str) -> Path:
+    return state_folder() / "boards" / name
