@@ -8,7 +8,6 @@ uses it as a port of pyserial, the server's event loop hands on what the page sa
 from __future__ import annotations
 
 import asyncio
-import threading
 import time
 from collections.abc import Awaitable, Callable
 from contextlib import suppress
@@ -17,6 +16,7 @@ from typing import Final, Literal
 from kitrobot.deploy import LineError, Port
 from kitrobot.deploy.line import open_with
 from kitrobot.deploy.ports import port_of
+from kitrobot.server.beside_loop import Turn
 from kitrobot.text import Sentence
 
 KIND: Final = "page"
@@ -46,7 +46,7 @@ class PagePort:
         self.port = port
         self._send = send
         self._loop = asyncio.get_running_loop()
-        self._turn = threading.Condition()
+        self._turn = Turn()
         self._state: State = "shut"
         self._refused: Why | None = None
         self._waiting = bytearray()

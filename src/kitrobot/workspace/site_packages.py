@@ -18,15 +18,29 @@ from typing import Final
 from kitrobot.files import examples_folder
 from kitrobot.workspace.site_sources import without_texts
 
-SERVER: Final = "fastapi"
+USED: Final = ("fastapi", "mpremote", "python-minifier", "pyserial")
+"""The server, and what `kitrobot.deploy` puts programs onto boards with."""
 COMPILED: Final = "pydantic-core"
 
 _ROOT = Path(__file__).resolve().parent.parent.parent
 _OURS: Final = ("kitrobot", "kitrobot_onboard")
 _ONBOARD: Final = "kitrobot_onboard/"
 _LEFT_OUT: Final = ("kitrobot/cli/", "kitrobot/server/static/", "kitrobot/examples/", "kitrobot/workspace/site_files/")
-_NOT_USED: Final = ("anyio/pytest_plugin.py", "pydantic/mypy.py", "pydantic/v1/", "fastapi/cli.py", "idna/uts46data.py")
-"""Large parts that a server never imports."""
+_NOT_USED: Final = (
+    *("anyio/pytest_plugin.py", "pydantic/mypy.py", "pydantic/v1/", "fastapi/cli.py", "idna/uts46data.py"),
+    *("mpremote/mip.py", "mpremote/commands.py", "mpremote/main.py", "mpremote/romfs.py"),
+    *(
+        "mpremote/repl.py",
+        "platformdirs/",
+        "serial/urlhandler/",
+        "serial/threaded/",
+        "serial/rfc2217.py",
+        "serial/rs485.py",
+    ),
+    *("serial/serialcli.py", "serial/serialjava.py", "serial/serialwin32.py", "serial/win32.py"),
+    *("serial/tools/hexlify", "serial/tools/list_ports", "serial/tools/miniterm.py"),
+)
+"""Large parts that are never imported there."""
 _ABOUT: Final = ("licen", "copying", "notice", "/metadata", "/entry_points.txt")
 """What is taken of what a package says of itself: licences, and what packages look one another up by."""
 
@@ -63,9 +77,9 @@ def _below(folder: Path, name: str, left_out: tuple[str, ...] = _LEFT_OUT) -> It
 
 
 def needed() -> list[str]:
-    """What the server imports, and what that requires; what only other Pythons require is not here."""
+    """What is imported there, and what that requires; what only other Pythons require is not here."""
     found: set[str] = set()
-    waiting = [SERVER]
+    waiting = [*USED]
     while waiting:
         name = waiting.pop()
         if name in found or name == COMPILED:
