@@ -198,7 +198,7 @@ class RobotRegistry:
         if self.in_page:
             raise AddressError(
                 Sentence("a page reaches only boards that were chosen in it"),
-                Sentence("press *Find a board*, or install KitRobot on this computer"),
+                Sentence("press Find a board, or install KitRobot on this computer"),
             )
         if address.lower().startswith(NETWORK):
             return _shown(address, "")

@@ -9,14 +9,15 @@ export function systemOf(userAgent: string): System {
   return /linux|cros|x11/i.test(userAgent) && !/android/i.test(userAgent) ? "linux" : "other";
 }
 
-export function EmptyRobots() {
+/** `inPage`: boards are chosen, and none appears by itself. */
+export function EmptyRobots({ inPage }: { inPage: boolean }) {
   const system = systemOf(navigator.userAgent);
   return (
     <div className="robots-empty" data-testid="robots-empty">
       <h3>{t("boards.none")}</h3>
       <ol>
         <li>{t("boards.none-plug")}</li>
-        <li>{t("boards.none-appears")}</li>
+        <li>{t(inPage ? "boards.none-choose" : "boards.none-appears")}</li>
       </ol>
       <details>
         <summary>{t("boards.none-trouble")}</summary>

@@ -16,6 +16,7 @@ import { BoardCard } from "./BoardCard";
 import { isMine, MOST_ADDRESS, placesOf, useBoards } from "./boards";
 import { EmptyRobots } from "./EmptyRobots";
 import { FindBoard } from "./FindBoard";
+import { reach } from "./serial";
 import { connect, send } from "./socket";
 import { TeamPart } from "./Team";
 import { stopEverything } from "../../session/features";
@@ -140,7 +141,7 @@ export function Robots() {
       </header>
       <div className="robots-body">
         <Barred />
-        <TeamPart />
+        {state.inPage ? null : <TeamPart />}
         {looking ? <p className="robots-note">{t("boards.looking")}</p> : null}
         {places.length > 0 ? (
           <ul className="robots-list">
@@ -148,11 +149,17 @@ export function Robots() {
               <BoardCard key={place.address} place={place} />
             ))}
           </ul>
-        ) : state.ports === null ? null : (
-          <EmptyRobots />
+        ) : state.ports === null || (state.inPage && reach() !== "there") ? null : (
+          <EmptyRobots inPage={state.inPage} />
         )}
         <FindBoard />
-        <Network />
+        {state.inPage ? (
+          <p className="robots-note" data-testid="robots-in-page">
+            {t("boards.in-page")}
+          </p>
+        ) : (
+          <Network />
+        )}
       </div>
     </section>
   );
