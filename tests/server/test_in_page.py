@@ -34,12 +34,19 @@ def test_a_page_opens_checks_runs_and_saves_where_only_is_what_a_browser_has(tmp
     assert told["frames"] > 1
     assert told["saved"] == [200, True]
     assert told["own"] == ["mine.krt"]
-    assert told["boards"] == "This page cannot reach robots that are plugged in."
+    # Where calls cannot be put to sleep.
+    assert told["boards"] == "This browser cannot wait for robots while it does other things."
     assert told["sweep"] == "map"
     assert told["verify"] == "end"
     assert told["fleet"] == "A team as processes cannot run in a page."
     assert told["french"].startswith("La demande n'a pas été comprise")
     assert told["nowhere"] == 404
+    # Where they can.
+    assert told["ports"] == ["micro:bit"]
+    assert told["checked meanwhile"] == [200]
+    assert told["stopped"]
+    assert told["network"] == "A page reaches only boards that were chosen in it."
+    assert told["pulled"] == "The link to `micro:bit` is lost: its motors stop within one second."
     assert told["imported"] == []
 
 
