@@ -1,4 +1,4 @@
-"""An event loop as a browser with JSPI has it: whatever it calls may be put to sleep in the middle, and goes on later."""
+"""An event loop as a browser with JSPI has it: what it calls may be put to sleep in the middle, and goes on later."""
 
 from __future__ import annotations
 

@@ -60,7 +60,7 @@ async def begin_here(folder: str) -> InWorker:
 
 
 def _without_ports() -> None:
-    """pySerial does not know a browser, and ends the import of who looks for ports, as mpremote does."""
+    """Who looks for ports, as mpremote does, cannot import that from pySerial in a browser."""
     ports = ModuleType("serial.tools.list_ports")
     ports.comports = list  # type: ignore[attr-defined]
     sys.modules[ports.__name__] = ports
