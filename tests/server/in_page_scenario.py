@@ -10,9 +10,8 @@ import sys
 import threading
 from pathlib import Path
 
-from sleeping_loop import SleepingLoop, sleep
-
 from kitrobot_onboard import link
+from tests.server.sleeping_loop import SleepingLoop, sleep
 
 BANNED = frozenset(
     {"numpy", "numba", "llvmlite", "orjson", "uvicorn", "uvloop", "websockets", "h11", "serial", "mpremote", "zenoh"}
@@ -163,7 +162,7 @@ class Board:
 
 async def with_a_board(studio, mission, path, ask):
     """What is told of a board that the page has opened, and what else is answered meanwhile."""
-    told = {}
+    told: dict = {}
     boards = Heard(studio, "/api/boards?language=en")
     welcome = await boards.until(lambda one: one["type"] == "welcome")
     board = Board(studio, welcome["key"])

@@ -4,16 +4,23 @@ from __future__ import annotations
 
 import asyncio
 import contextvars
-from collections.abc import Awaitable
-from typing import Any
+from collections.abc import Awaitable, Callable
+from typing import Any, TypeVarTuple
 
 from greenlet import getcurrent, greenlet
+
+Given = TypeVarTuple("Given")
 
 
 class SleepingLoop(asyncio.SelectorEventLoop):
     """Each callback has a stack of its own."""
 
-    def call_soon(self, callback, *args, context=None):
+    def call_soon(
+        self,
+        callback: Callable[[*Given], object],
+        *args: *Given,
+        context: contextvars.Context | None = None,
+    ) -> asyncio.Handle:
         """As a loop's."""
         its = contextvars.copy_context() if context is None else context
         stack = greenlet(lambda: its.run(callback, *args), parent=_stack_of_loop())
