@@ -30,7 +30,7 @@ from tools import chromium
 
 from . import browser as measured
 
-TIMES, STOPS = 3, 10
+TIMES, STOPS = 1, 5
 PATIENCE_MS = 120_000
 HEART = EXAMPLES / "heart" / "heart.krt"
 _STOP = """() => new Promise((stopped) => {
