@@ -28,13 +28,13 @@ from kitrobot.workspace.site import make_site
 from tests.boards.qemu import running
 from tests.studio.conftest import EXAMPLES, IS_OPEN
 from tests.studio.serial_ports import MICROBIT, STAND_IN, Bridge
-from tests.studio.test_site import PATH, FileServer, link
+from tests.studio.test_site import MEMORY, PATH, FileServer, link
 from tools import chromium
 from tools.site_parts import PARTS, ROOT
 
 from . import browser as measured
 
-TIMES, STOPS = 1, 5
+TIMES, STOPS = 3, 10
 PATIENCE_MS = 120_000
 HEART = EXAMPLES / "heart" / "heart.krt"
 _STOP = """() => new Promise((stopped) => {
@@ -87,6 +87,10 @@ def in_page(chromium: Browser, address: str, through_page: bool = True) -> tuple
         page.goto(address)
         page.wait_for_function(IS_OPEN)
         expect(page).to_have_title(re.compile("heart", re.IGNORECASE))
+        if "#" in address:
+            # What the browser keeps at a first visit is kept by then.
+            page.wait_for_function(f"async () => await {MEMORY} !== ''")
+            page.evaluate("navigator.serviceWorker.ready.then(() => null)")
         page.evaluate(STAND_IN, [line, MICROBIT])
         page.keyboard.press("Alt+r")
         if through_page:

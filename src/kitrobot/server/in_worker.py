@@ -60,7 +60,6 @@ async def begin_here(folder: str) -> InWorker:
 
 
 def _without_ports() -> None:
-    """Who looks for ports, as mpremote does, cannot import that from pySerial in a browser."""
-    ports = ModuleType("serial.tools.list_ports")
-    ports.comports = list  # type: ignore[attr-defined]
-    sys.modules[ports.__name__] = ports
+    """Modules of mpremote import pySerial, which knows no browser; what uses it there is not called."""
+    for name in ("serial", "serial.tools", "serial.tools.list_ports"):
+        sys.modules[name] = ModuleType(name)

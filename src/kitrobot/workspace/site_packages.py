@@ -18,8 +18,10 @@ from typing import Final
 from kitrobot.files import examples_folder
 from kitrobot.workspace.site_sources import without_texts
 
-USED: Final = ("fastapi", "mpremote", "python-minifier", "pyserial")
+USED: Final = ("fastapi", "mpremote", "python-minifier")
 """The server, and what `kitrobot.deploy` puts programs onto boards with."""
+_NOT_SENT: Final = ("pyserial", "platformdirs")
+"""What mpremote requires, and nothing uses there: the page has the ports (`server.in_worker`)."""
 COMPILED: Final = "pydantic-core"
 
 _ROOT = Path(__file__).resolve().parent.parent.parent
@@ -28,17 +30,8 @@ _ONBOARD: Final = "kitrobot_onboard/"
 _LEFT_OUT: Final = ("kitrobot/cli/", "kitrobot/server/static/", "kitrobot/examples/", "kitrobot/workspace/site_files/")
 _NOT_USED: Final = (
     *("anyio/pytest_plugin.py", "pydantic/mypy.py", "pydantic/v1/", "fastapi/cli.py", "idna/uts46data.py"),
-    *("mpremote/mip.py", "mpremote/commands.py", "mpremote/main.py", "mpremote/romfs.py"),
-    *(
-        "mpremote/repl.py",
-        "platformdirs/",
-        "serial/urlhandler/",
-        "serial/threaded/",
-        "serial/rfc2217.py",
-        "serial/rs485.py",
-    ),
-    *("serial/serialcli.py", "serial/serialjava.py", "serial/serialwin32.py", "serial/win32.py"),
-    *("serial/tools/hexlify", "serial/tools/list_ports", "serial/tools/miniterm.py"),
+    *("mpremote/commands.py", "mpremote/main.py", "mpremote/mip.py", "mpremote/repl.py", "mpremote/romfs.py"),
+    "python_minifier/__main__.py",
 )
 """Large parts that are never imported there."""
 _ABOUT: Final = ("licen", "copying", "notice", "/metadata", "/entry_points.txt")
@@ -82,7 +75,7 @@ def needed() -> list[str]:
     waiting = [*USED]
     while waiting:
         name = waiting.pop()
-        if name in found or name == COMPILED:
+        if name in found or name == COMPILED or name in _NOT_SENT:
             continue
         try:
             required = distribution(name).requires or []
