@@ -52,9 +52,7 @@ class Subscriber:
         """By which it shows that a port is its own; only this page is told."""
         self.ports: dict[str, PagePort] = {}
         """Those that it has opened itself, by their addresses."""
-        self._own: deque[BaseModel] = deque(
-            [BoardsWelcomeMessage(you=name, key=self.key, in_page=room.in_page)], MOST_TOLD
-        )
+        self._own: deque[BaseModel] = deque([BoardsWelcomeMessage(you=name, key=self.key)], MOST_TOLD)
         self._due.set()
         self._task = asyncio.create_task(self._serve())
 

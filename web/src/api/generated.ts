@@ -306,15 +306,11 @@ export interface BoardsLookRequest {
   on: boolean;
 }
 
-/**
- * The first message: by what name this page holds robots, and by which key ports that it opens itself. `in_page`: there
- * are only these ports, no others and no network.
- */
+/** The first message: by what name this page holds robots, and by which key ports that it opens itself. */
 export interface BoardsWelcomeMessage {
   type: "welcome";
   you: string;
   key: string;
-  in_page: boolean;
 }
 
 /** What becomes of a robot that fails for good on a road, and after how many seconds it is towed. */

@@ -57,7 +57,7 @@ test("a socket opens, hears, says, and is closed by either end once", () => {
 });
 
 test("bytes that are said are a copy of their own, which the worker gets", () => {
-  const posted: [ToWorker, Transferable[] | undefined][] = [];
+  const posted: [ToWorker, Transferable[]?][] = [];
   const line = new WorkerLine((...message) => posted.push(message), "/");
   const socket = line.socket(new URL("ws://host/api/boards/port"));
   line.hear({ kind: "opened", id: 1 });

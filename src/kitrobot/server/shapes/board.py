@@ -191,14 +191,11 @@ class _Message(BaseModel):
 
 
 class BoardsWelcomeMessage(_Message):
-    """The first message: by what name this page holds robots, and by which key ports that it opens itself. `in_page`:
-    there are only these ports, no others and no network.
-    """
+    """The first message: by what name this page holds robots, and by which key ports that it opens itself."""
 
     type: Literal["welcome"] = "welcome"
     you: str
     key: str
-    in_page: bool
 
 
 class BoardPortShape(BaseModel):

@@ -1,4 +1,5 @@
 /** What the panel says where no robot is: how one gets there, and what this kind of computer may want first. */
+import { inPage } from "../../api/line";
 import { t } from "../../i18n/words";
 
 type System = "linux" | "windows" | "other";
@@ -9,15 +10,14 @@ export function systemOf(userAgent: string): System {
   return /linux|cros|x11/i.test(userAgent) && !/android/i.test(userAgent) ? "linux" : "other";
 }
 
-/** `inPage`: boards are chosen, and none appears by itself. */
-export function EmptyRobots({ inPage }: { inPage: boolean }) {
+export function EmptyRobots() {
   const system = systemOf(navigator.userAgent);
   return (
     <div className="robots-empty" data-testid="robots-empty">
       <h3>{t("boards.none")}</h3>
       <ol>
         <li>{t("boards.none-plug")}</li>
-        <li>{t(inPage ? "boards.none-choose" : "boards.none-appears")}</li>
+        <li>{t(inPage() ? "boards.none-choose" : "boards.none-appears")}</li>
       </ol>
       <details>
         <summary>{t("boards.none-trouble")}</summary>

@@ -8,6 +8,7 @@ import "./boards.css";
 
 import { type FormEvent, useEffect, useState } from "react";
 
+import { inPage } from "../../api/line";
 import { Icon } from "../../theme";
 import { Said } from "../../i18n/Said";
 import { t } from "../../i18n/words";
@@ -141,7 +142,7 @@ export function Robots() {
       </header>
       <div className="robots-body">
         <Barred />
-        {state.inPage ? null : <TeamPart />}
+        {inPage() ? null : <TeamPart />}
         {looking ? <p className="robots-note">{t("boards.looking")}</p> : null}
         {places.length > 0 ? (
           <ul className="robots-list">
@@ -149,11 +150,11 @@ export function Robots() {
               <BoardCard key={place.address} place={place} />
             ))}
           </ul>
-        ) : state.ports === null || (state.inPage && reach() !== "there") ? null : (
-          <EmptyRobots inPage={state.inPage} />
+        ) : state.ports === null || (inPage() && reach() !== "there") ? null : (
+          <EmptyRobots />
         )}
         <FindBoard />
-        {state.inPage ? (
+        {inPage() ? (
           <p className="robots-note" data-testid="robots-in-page">
             {t("boards.in-page")}
           </p>

@@ -34,7 +34,6 @@ const BOARD: Board = {
 const STATE: BoardsState = {
   you: "page-1",
   key: "k",
-  inPage: false,
   barred: null,
   ports: [{ address: "/dev/ttyACM0", name: "micro:bit", description: "DAPLink", firmware: "" }],
   boards: {},

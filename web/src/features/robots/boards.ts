@@ -30,8 +30,6 @@ export interface BoardsState {
   you: string;
   /** By which it shows that ports of this computer are its own; "" without a connection. */
   key: string;
-  /** Python runs in this page: there are only boards that the page has opened, and no network. */
-  inPage: boolean;
   /** Why there is no connection to the server, or why it does not want one; null when all is well. */
   barred: Refusal | null;
   /** null until the server has looked. */
@@ -111,10 +109,9 @@ function stored(): string | null {
   }
 }
 
-export const NOBODY: Pick<BoardsState, "you" | "key" | "inPage" | "ports" | "boards" | "team"> = {
+export const NOBODY: Pick<BoardsState, "you" | "key" | "ports" | "boards" | "team"> = {
   you: "",
   key: "",
-  inPage: false,
   ports: null,
   boards: {},
   team: null,
@@ -148,7 +145,7 @@ export function without<Value>(record: Record<string, Value>, key: string): Reco
 export function applyMessage(state: BoardsState, message: BoardsMessage): Partial<BoardsState> {
   switch (message.type) {
     case "welcome":
-      return { you: message.you, key: message.key, inPage: message.in_page, barred: null };
+      return { you: message.you, key: message.key, barred: null };
     case "ports":
       return { ports: message.ports };
     case "board":
