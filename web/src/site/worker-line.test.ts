@@ -57,8 +57,8 @@ test("a socket opens, hears, says, and is closed by either end once", () => {
 });
 
 test("bytes that are said are a copy of their own, which the worker gets", () => {
-  const posted: [ToWorker, Transferable[]?][] = [];
-  const line = new WorkerLine((...message) => posted.push(message), "/");
+  const posted: [ToWorker, Transferable[]][] = [];
+  const line = new WorkerLine((message, given = []) => posted.push([message, given]), "/");
   const socket = line.socket(new URL("ws://host/api/boards/port"));
   line.hear({ kind: "opened", id: 1 });
   const whole = new Uint8Array([1, 2, 3, 4]);
