@@ -44,6 +44,7 @@ class PagePort:
 
     def __init__(self, port: Port, send: Send) -> None:
         self.port = port
+        self.called = port.name
         self._send = send
         self._loop = asyncio.get_running_loop()
         self._turn = Turn()
