@@ -6,6 +6,8 @@ hears something every quarter of a second; it stops by itself within a second wh
 dies, a cable that is pulled and a page that is closed all end in the same safe way. When the worker ends,
 what is held is stopped; what runs free runs on.
 
+Where there are no threads it is a call that sleeps while it waits (`beside_loop`).
+
 `changed` is called from this thread each time that what pages are told is replaced (`standing`). Left to others: the
 robot's state (kitrobot.robots), what pages are told (robot_standing), who may ask and who is told (robot_registry).
 """
