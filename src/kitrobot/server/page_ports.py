@@ -1,8 +1,8 @@
 """Serial ports that a page has opened where its visitor sits (Web Serial), for `kitrobot.deploy` as ports of its own.
 
-The page is a pipe of bytes, also to Python that runs in it (`in_page`). A port has an address `page:…`, which only the page that holds it is told; a robot's thread
-uses it as a port of pyserial, the server's event loop hands on what the page says. Left to others: the socket
-(`page_port_routes`), whose a port is (`robot_registry`).
+The page is a pipe of bytes, also to Python that runs in it (`in_page`). A port has an address `page:…`, which only the
+page that holds it is told; a robot's thread uses it as a port of pyserial, the server's event loop hands on what the
+page says. Left to others: the socket (`page_port_routes`), whose a port is (`robot_registry`).
 """
 
 from __future__ import annotations
