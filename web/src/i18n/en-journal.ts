@@ -17,6 +17,7 @@ export const JOURNAL_EN = {
   "journal.list": "Unsaved work",
   "journal.later": "Later",
   "journal.failed": "Your changes are not kept safe at the moment.",
+  "file.only-here": "only in this page",
   "file.not-kept": "not saved, not kept: no connection",
   "file.unknown": "no connection to the studio",
   "file.changed": "changed on disk",
