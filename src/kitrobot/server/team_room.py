@@ -78,7 +78,10 @@ class TeamStanding:
 
 
 class TeamRoom:
-    """The team of a studio. `pace`: of its world against real time; `lease_ms`: how long silence of an agent is borne."""
+    """The team of a studio.
+
+    `pace`: of its world against real time; `lease_ms`: how long silence of an agent is borne.
+    """
 
     def __init__(self, registry: RobotRegistry) -> None:
         self.pace = 1.0
