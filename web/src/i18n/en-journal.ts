@@ -14,6 +14,7 @@ export const JOURNAL_EN = {
     "The changes in {name} cannot be kept in the journal at the moment: without saving they would be lost.",
   "journal.left-help": "File → Open shows it under “Unsaved work”.",
   "journal.gone": "This work is open in another window, or was discarded.",
+  "journal.closed-help": "It stays as it is until that one opens it.",
   "journal.list": "Unsaved work",
   "journal.later": "Later",
   "journal.failed": "Your changes are not kept safe at the moment.",
