@@ -2,31 +2,35 @@
 
     python -m benchmarks.page_port
 
-The board is the micro:bit's firmware in QEMU, with nothing on it each time; the page is in Chromium, the studio and the
-bridge to the board's line are processes of their own. STOP is from the click until the page shows that the robot
-stands.
+The page is a studio's, or one of the static site, where Python runs in the page and the mission is in a link. The board
+is the micro:bit's firmware in QEMU, with nothing on it each time; the page is in Chromium, the studio and the bridge to
+the board's line are processes of their own. STOP is from the click until the page shows that the robot stands.
 """
 
 from __future__ import annotations
 
 import multiprocessing
 import os
+import re
 import statistics
 import subprocess
 import sys
 import tempfile
 import time
 from collections.abc import Iterator
-from contextlib import contextmanager
+from contextlib import contextmanager, nullcontext
 from multiprocessing.connection import Connection
 from pathlib import Path
 
 from playwright.sync_api import Browser, Locator, expect, sync_playwright
 
+from kitrobot.workspace.site import make_site
 from tests.boards.qemu import running
 from tests.studio.conftest import EXAMPLES, IS_OPEN
 from tests.studio.serial_ports import MICROBIT, STAND_IN, Bridge
+from tests.studio.test_site import MEMORY, PATH, FileServer, link
 from tools import chromium
+from tools.site_parts import PARTS, ROOT
 
 from . import browser as measured
 
@@ -74,14 +78,19 @@ def by_command() -> float:
         return time.perf_counter() - begun
 
 
-def in_studio(chromium: Browser, through_page: bool) -> tuple[float, list[float]]:
-    """The seconds from *Run on robot* until it runs, and the ms that STOPs took."""
+def in_page(chromium: Browser, address: str, through_page: bool = True) -> tuple[float, list[float]]:
+    """The seconds from *Run on robot* until it runs, and the ms that STOPs took; `address`: of a page with *heart*."""
     context = chromium.new_context(bypass_csp=True)
     context.set_default_timeout(PATIENCE_MS)
-    with measured.studio(HEART) as address, running() as board, bridge(board.port) as line:
+    with running() as board, bridge(board.port) as line:
         page = context.new_page()
         page.goto(address)
         page.wait_for_function(IS_OPEN)
+        expect(page).to_have_title(re.compile("heart", re.IGNORECASE))
+        if "#" in address:
+            # What the browser keeps at a first visit is kept by then.
+            page.wait_for_function(f"async () => await {MEMORY} !== ''")
+            page.evaluate("navigator.serviceWorker.ready.then(() => null)")
         page.evaluate(STAND_IN, [line, MICROBIT])
         page.keyboard.press("Alt+r")
         if through_page:
@@ -114,18 +123,33 @@ def main() -> None:
     with tempfile.TemporaryDirectory() as folder, sync_playwright() as playwright:
         os.environ |= {"KITROBOT_STATE": str(Path(folder) / "state"), "KITROBOT_CONFIG": str(Path(folder) / "none")}
         found = playwright.chromium.launch(executable_path=path, args=list(chromium.FLAGS))
-        command, own, page, stops = [], [], [], []
+        (web := Path(folder) / "web").mkdir()
+        make_site(web / PATH.strip("/"), [ROOT / "web", PARTS])
+        server = FileServer(web)
+        site = f"{server.address}#{link(HEART.read_text(encoding='utf-8'), 'heart')}"
+        command, own = [], []
+        ways: dict[str, tuple[list[float], list[float]]] = {"studio": ([], []), "site": ([], [])}
         for _ in range(TIMES):
             command.append(by_command())
-            own.append(in_studio(found, False)[0])
-            took, stopped = in_studio(found, True)
-            page.append(took)
-            stops += stopped
+            with measured.studio(HEART) as address:
+                own.append(in_page(found, address, False)[0])
+            for name, (seconds, stops) in ways.items():
+                with measured.studio(HEART) if name == "studio" else nullcontext(site) as address:
+                    took, stopped = in_page(found, address)
+                seconds.append(took)
+                stops += stopped
         found.close()
-    for name, seconds in (("kitrobot deploy", command), ("studio, socket://", own), ("studio, page's port", page)):
-        print(f"{name}: {statistics.median(seconds):.1f} s ({', '.join(f'{one:.1f}' for one in seconds)})")
-    print(f"through the page / kitrobot deploy: {statistics.median(page) / statistics.median(command):.2f}")
-    print(f"STOP through the page: {statistics.median(stops):.0f} ms, at most {max(stops):.0f} ms")
+        server.end()
+    _tell("kitrobot deploy", command)
+    _tell("studio, socket://", own)
+    for name, (seconds, stops) in ways.items():
+        _tell(f"{name}, page's port", seconds)
+        print(f"  / kitrobot deploy: {statistics.median(seconds) / statistics.median(command):.2f}")
+        print(f"  STOP: {statistics.median(stops):.0f} ms, at most {max(stops):.0f} ms")
+
+
+def _tell(name: str, seconds: list[float]) -> None:
+    print(f"{name}: {statistics.median(seconds):.1f} s ({', '.join(f'{one:.1f}' for one in seconds)})")
 
 
 if __name__ == "__main__":

@@ -5,9 +5,13 @@ Run as a script, with a folder for the missions: nothing of it may be imported b
 
 import asyncio
 import json
+import struct
 import sys
 import threading
 from pathlib import Path
+
+from kitrobot_onboard import link
+from tests.server.sleeping_loop import SleepingLoop, sleep
 
 BANNED = frozenset(
     {"numpy", "numba", "llvmlite", "orjson", "uvicorn", "uvloop", "websockets", "h11", "serial", "mpremote", "zenoh"}
@@ -29,6 +33,7 @@ def no_thread(self):
 
 
 async def scenario(folder: Path) -> dict:
+    from kitrobot.server.beside_loop import sleep_with
     from kitrobot.server.in_page import begin
 
     studio = begin(folder)
@@ -98,7 +103,101 @@ async def scenario(folder: Path) -> dict:
     status, refused = await ask("POST", "check", {"mission": 1}, "fr")
     told["french"] = refused["message"]
     told["nowhere"] = (await studio.fetch("GET", "/api/nowhere", {})).status
+    sleep_with(sleep)
+    told |= await with_a_board(studio, mission, session["path"], ask)
     told["imported"] = sorted(BANNED & set(sys.modules))
+    return told
+
+
+class Heard:
+    """What a socket of the studio says."""
+
+    def __init__(self, studio, address):
+        self.all, self._news = [], asyncio.Event()
+        self.socket = studio.open(address, self._hear)
+
+    def _hear(self, words):
+        self.all.append(json.loads(words) if isinstance(words, str) and words[:1] == "{" else words)
+        self._news.set()
+
+    async def until(self, wanted):
+        """The next message that is wanted; those before it are forgotten."""
+        while True:
+            while self.all:
+                if wanted(one := self.all.pop(0)):
+                    return one
+            self._news.clear()
+            await self._news.wait()
+
+
+class Board:
+    """A robot behind a port of the page that has a program of somebody else."""
+
+    def __init__(self, studio, key):
+        mark = "0" * 32
+        self.address, self.asked, self.running = f"page:{mark}", [], False
+        self._bytes = b""
+        self._socket = studio.open(f"/api/boards/port?key={key}&mark={mark}&vendor=3368", self._hear)
+
+    def _hear(self, words):
+        if words == "open":
+            self._socket.say("opened")
+        elif isinstance(words, bytes):
+            *whole, self._bytes = (self._bytes + words).split(b"~")
+            for frame in filter(None, map(link.unwrap, whole)):
+                self._answer(*frame)
+
+    def _answer(self, kind, number, payload):
+        self.asked.append(kind)
+        self.running = kind == "s" or (kind != "x" and self.running)
+        if kind == "h":
+            state = struct.pack("<BBBIIHH", link.PROTOCOL, 2 if self.running else 1, 0, 999, 5, 0, 1)
+            self._socket.say(link.wrap("H", number, state + b"00000000 11111111"))
+        else:
+            self._socket.say(link.wrap("K", number, b""))
+
+    def pull(self):
+        self._socket.say("gone")
+
+
+async def with_a_board(studio, mission, path, ask):
+    """What is told of a board that the page has opened, and what else is answered meanwhile."""
+    told: dict = {}
+    boards = Heard(studio, "/api/boards?language=en")
+    welcome = await boards.until(lambda one: one["type"] == "welcome")
+    board = Board(studio, welcome["key"])
+    what = {"mission": mission, "path": path, "program": mission["programs"][0]["name"], "address": board.address}
+
+    async def is_now(**wanted):
+        return await boards.until(lambda one: one["type"] == "board" and wanted.items() <= one.items())
+
+    def say(kind, **more):
+        boards.socket.say(json.dumps({"type": kind, "address": board.address, **more}))
+
+    say("look", on=True)
+    ports = await boards.until(lambda one: one["type"] == "ports" and one["ports"])
+    told["ports"] = [one["name"] for one in ports["ports"]]
+    say("connect", **what)
+    await is_now(phase="open", state="ready")
+    say("start", held=True)
+    await is_now(state="running", held=True)
+    pinged = board.asked.count("p") + 2
+    answers = []
+    while board.asked.count("p") < pinged:
+        answers.append((await ask("POST", "check", {"mission": mission, "path": path}))[0])
+    told["checked meanwhile"] = sorted(set(answers))
+    say("stop")
+    await is_now(state="ready", held=False)
+    told["stopped"] = "x" in board.asked
+    boards.socket.say(json.dumps({"type": "connect", **what, "address": "socket://127.0.0.1:1"}))
+    told["network"] = (await boards.until(lambda one: one["type"] == "refused"))["message"]
+    say("start", held=True)
+    await is_now(state="running", held=True)
+    board.pull()
+    told["pulled"] = (await is_now(phase="lost"))["message"]
+    say("forget")
+    await boards.until(lambda one: one["type"] == "gone")
+    boards.socket.close()
     return told
 
 
@@ -106,7 +205,8 @@ def main() -> None:
     # What a site does without is not looked for; the interpreter's own threads are of no matter.
     sys.meta_path.insert(0, Ban())
     threading.Thread.start = no_thread  # type: ignore[method-assign]
-    print(json.dumps(asyncio.run(scenario(Path(sys.argv[1])))))
+    with asyncio.Runner(loop_factory=SleepingLoop) as runner:
+        print(json.dumps(runner.run(scenario(Path(sys.argv[1])))))
 
 
 if __name__ == "__main__":

@@ -14,6 +14,7 @@ from hypothesis import strategies as st
 from kitrobot.text.json_text import from_json, plain_from_json, plain_to_json, to_json
 
 SCENARIO = Path(__file__).with_name("in_page_scenario.py")
+ROOT = SCENARIO.parents[2]
 
 
 def test_a_page_opens_checks_runs_and_saves_where_only_is_what_a_browser_has(tmp_path: Path) -> None:
@@ -23,7 +24,7 @@ def test_a_page_opens_checks_runs_and_saves_where_only_is_what_a_browser_has(tmp
         capture_output=True,
         text=True,
         check=False,
-        env={"HOME": str(tmp_path), "KITROBOT_STATE": str(tmp_path / "state"), "PATH": ""},
+        env={"HOME": str(tmp_path), "KITROBOT_STATE": str(tmp_path / "state"), "PATH": "", "PYTHONPATH": str(ROOT)},
     )
     assert ran.returncode == 0, ran.stderr
     told = json.loads(ran.stdout.splitlines()[-1])
@@ -34,12 +35,19 @@ def test_a_page_opens_checks_runs_and_saves_where_only_is_what_a_browser_has(tmp
     assert told["frames"] > 1
     assert told["saved"] == [200, True]
     assert told["own"] == ["mine.krt"]
-    assert told["boards"] == "This page cannot reach robots that are plugged in."
+    # Where calls cannot be put to sleep.
+    assert told["boards"] == "This browser cannot wait for robots while it does other things."
     assert told["sweep"] == "map"
     assert told["verify"] == "end"
     assert told["fleet"] == "A team as processes cannot run in a page."
     assert told["french"].startswith("La demande n'a pas été comprise")
     assert told["nowhere"] == 404
+    # Where they can.
+    assert told["ports"] == ["micro:bit"]
+    assert told["checked meanwhile"] == [200]
+    assert told["stopped"]
+    assert told["network"] == "A page reaches only boards that were chosen in it."
+    assert told["pulled"] == "The link to `micro:bit` is lost: its motors stop within one second."
     assert told["imported"] == []
 
 

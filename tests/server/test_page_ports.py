@@ -98,6 +98,7 @@ def test_bytes_travel_both_ways_and_the_port_is_closed_with_the_line(visit, robo
         # What came before anybody listened is of an earlier program.
         port.send_bytes(b"old")
         line = opened(port, listed["address"], robot)
+        assert line.address == "micro:bit"
         port.send_bytes(b"\x00new")
         assert robot(line.read_until, b"new", PATIENCE_S).result(PATIENCE_S) == b"\x00new"
         robot(line.write, b"\x03\xff")

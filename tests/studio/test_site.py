@@ -180,14 +180,14 @@ def test_a_site_runs_keeps_what_is_saved_and_works_without_its_server(
     other.wait_for_function(IS_OPEN)
     studio = Studio(other, Path(), [])
 
-    # A mission in a link is opened, a damaged one is told; where robots are looked for it is said why none are there.
+    # A mission in a link is opened, a damaged one is told; where robots are looked for it is said what is not there.
     other.evaluate("location.hash = 'mission=AAAA&name=x'")
     expect(studio.at("banner")).to_contain_text("The mission in this link is damaged.")
     other.evaluate("hash => location.hash = hash", link(BLINK, "linked"))
     expect(other).to_have_title(re.compile("linked"))
     studio.expect_code("WAIT(17);")
     studio.at("run-on-robot").click()
-    expect(studio.at("robots-barred")).to_contain_text("This page cannot reach robots that are plugged in.")
+    expect(studio.at("robots-in-page")).to_contain_text("teams of several boards, need KitRobot installed")
     studio.at("robots-close").click()
 
     # A new version is offered, and comes when somebody wants it.

@@ -62,6 +62,8 @@ class Line:
             raise LineError(
                 Sentence("`{address}` cannot be opened: {reason}", address, _reason(error)), _way_out(address, error)
             ) from error
+        # What registers its own kind of address may say what people call it.
+        self.address = getattr(self.port, "called", address)
         wire = getattr(self.port, "_socket", None)
         self._wire = wire if isinstance(wire, socket.socket) else None
         """The connection of a `socket://` address, which pyserial would read byte by byte."""

@@ -111,9 +111,10 @@ class Socket:
         self._said: asyncio.Queue[Message] = asyncio.Queue()
         self._said.put_nowait({"type": "websocket.connect"})
 
-    def say(self, words: str) -> None:
+    def say(self, words: str | bytes) -> None:
         """Tells the studio."""
-        self._said.put_nowait({"type": "websocket.receive", "text": words})
+        kind = "text" if isinstance(words, str) else "bytes"
+        self._said.put_nowait({"type": "websocket.receive", kind: words})
 
     def close(self) -> None:
         """Hangs up."""
@@ -151,7 +152,7 @@ def begin(folder: Path) -> InPage:
     folder.mkdir(parents=True, exist_ok=True)
     token = secrets.token_urlsafe(24)
     app = create_app(folder, first_example(), token)
-    app.state.studio.in_page = True
+    app.state.studio.in_page = app.state.studio.boards.in_page = True
     with suppress(OSError):
         app.state.studio.folder.sweep()
     calm_collector()

@@ -2,14 +2,15 @@
 
 from __future__ import annotations
 
-import asyncio
 import random
+import sys
 from pathlib import Path
+from types import ModuleType
 from typing import Any
 
 from pyodide.ffi import can_run_sync, create_proxy, run_sync, to_js
 
-from kitrobot.server.beside_loop import breathe_with
+from kitrobot.server.beside_loop import sleep_with
 from kitrobot.server.in_page import InPage, Socket, begin
 
 
@@ -30,19 +31,35 @@ class InWorker:
         def tell(words: str | bytes | None) -> None:
             heard(to_js(words) if isinstance(words, bytes) else words)
 
-        socket: Socket = self._studio.open(address, tell)
-        return create_proxy(socket)
+        return create_proxy(SocketInWorker(self._studio.open(address, tell)))
 
 
-def begin_here(folder: str) -> InWorker:
+class SocketInWorker:
+    """A socket of the studio, as the worker uses it."""
+
+    def __init__(self, socket: Socket) -> None:
+        self._socket = socket
+
+    def say(self, words: Any) -> None:
+        """As `Socket.say`; bytes come as an array."""
+        self._socket.say(words if isinstance(words, str) else bytes(words.to_py()))
+
+    def close(self) -> None:
+        """As `Socket.close`."""
+        self._socket.close()
+
+
+async def begin_here(folder: str) -> InWorker:
     """The studio on a folder of this worker's file system."""
     # A browser goes on from a memory that it kept: what was drawn at random before is the same each time.
     random.seed()
-    breathe_with(_breathe)
+    # Where the browser can put a call to sleep (JSPI).
+    sleep_with(run_sync if can_run_sync() else None)
+    _without_ports()
     return InWorker(begin(Path(folder)))
 
 
-def _breathe() -> None:
-    # Where the browser can put a call to sleep (JSPI).
-    if can_run_sync():
-        run_sync(asyncio.sleep(0))
+def _without_ports() -> None:
+    """Modules of mpremote import pySerial, which knows no browser; what uses it there is not called."""
+    for name in ("serial", "serial.tools", "serial.tools.list_ports"):
+        sys.modules[name] = ModuleType(name)

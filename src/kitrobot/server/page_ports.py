@@ -1,14 +1,13 @@
 """Serial ports that a page has opened where its visitor sits (Web Serial), for `kitrobot.deploy` as ports of its own.
 
-The page is a pipe of bytes. A port has an address `page:…`, which only the page that holds it is told; a robot's thread
-uses it as a port of pyserial, the server's event loop hands on what the page says. Left to others: the socket
-(`page_port_routes`), whose a port is (`robot_registry`).
+The page is a pipe of bytes, also to Python that runs in it (`in_page`). A port has an address `page:…`, which only the
+page that holds it is told; a robot's thread uses it as a port of pyserial, the server's event loop hands on what the
+page says. Left to others: the socket (`page_port_routes`), whose a port is (`robot_registry`).
 """
 
 from __future__ import annotations
 
 import asyncio
-import threading
 import time
 from collections.abc import Awaitable, Callable
 from contextlib import suppress
@@ -17,6 +16,7 @@ from typing import Final, Literal
 from kitrobot.deploy import LineError, Port
 from kitrobot.deploy.line import open_with
 from kitrobot.deploy.ports import port_of
+from kitrobot.server.beside_loop import Turn
 from kitrobot.text import Sentence
 
 KIND: Final = "page"
@@ -44,9 +44,10 @@ class PagePort:
 
     def __init__(self, port: Port, send: Send) -> None:
         self.port = port
+        self.called = port.name
         self._send = send
         self._loop = asyncio.get_running_loop()
-        self._turn = threading.Condition()
+        self._turn = Turn()
         self._state: State = "shut"
         self._refused: Why | None = None
         self._waiting = bytearray()

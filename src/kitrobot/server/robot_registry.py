@@ -61,6 +61,8 @@ class RobotRegistry:
 
     def __init__(self, links: RobotGateway) -> None:
         self.links = links
+        self.in_page = False
+        """Whether there are only ports that the page opens: it has none of its own, and no network (`in_page`)."""
         self.team = TeamRoom(self)
         self._sessions: dict[str, RobotWorker] = {}
         self._subscribers: list[Subscriber] = []
@@ -117,7 +119,7 @@ class RobotRegistry:
         if any(one.looks for one in self._subscribers):
             if on:
                 subscriber.tell_ports()
-            if self._looking is None:
+            if self._looking is None and not self.in_page:
                 self._looking = asyncio.create_task(self._look_at_ports())
         elif self._looking is not None:
             self._looking.cancel()
@@ -193,6 +195,11 @@ class RobotRegistry:
             if address not in mine:
                 raise AddressError(Sentence("this page has no such board"), Sentence("choose the board again"))
             return mine[address].port.name
+        if self.in_page:
+            raise AddressError(
+                Sentence("a page reaches only boards that were chosen in it"),
+                Sentence("press Find a board, or install KitRobot on this computer"),
+            )
         if address.lower().startswith(NETWORK):
             return _shown(address, "")
         known = {one.address: one.name for one in self._ports}

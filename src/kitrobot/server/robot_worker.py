@@ -6,6 +6,8 @@ hears something every quarter of a second; it stops by itself within a second wh
 dies, a cable that is pulled and a page that is closed all end in the same safe way. When the worker ends,
 what is held is stopped; what runs free runs on.
 
+Where there are no threads it is a call that sleeps while it waits (`beside_loop`).
+
 `changed` is called from this thread each time that what pages are told is replaced (`standing`). Left to others: the
 robot's state (kitrobot.robots), what pages are told (robot_standing), who may ask and who is told (robot_registry).
 """
@@ -14,7 +16,6 @@ from __future__ import annotations
 
 import logging
 import os
-import threading
 import time
 from collections import deque
 from collections.abc import Callable
@@ -23,6 +24,7 @@ from typing import Any, get_args
 
 from kitrobot.diagnostics import KitRobotError
 from kitrobot.robots import BoardProgram, Change, Happening, RobotSession
+from kitrobot.server.beside_loop import Begun, Turn
 from kitrobot.server.robot_bench import Tried
 from kitrobot.server.robot_gateway import RobotGateway
 from kitrobot.server.robot_recorder import LastRun
@@ -68,15 +70,14 @@ class RobotWorker:
         self._links = links
         self._changed = changed
         self._orders: deque[Order] = deque()
-        self._wake = threading.Condition()
+        self._wake = Turn()
         self._stopping = self._closing = self._cancelled = False
         self.standing = Standing()
         self.session = RobotSession(clock)
         self.recorder = LastRun(name, self.session)
         self._tried: Tried | None = None
         self.session.subscribe(self._robot_changed)
-        self._thread = threading.Thread(target=self._serve, name=f"board-{address}", daemon=True)
-        self._thread.start()
+        self._begun = Begun(self._serve, f"board-{address}")
 
     # -- what is asked for, from any thread
 
@@ -140,7 +141,7 @@ class RobotWorker:
 
     def wait(self, within_s: float) -> None:
         """Waits until it has let go, but not for ever."""
-        self._thread.join(within_s)
+        self._begun.wait(within_s)
 
     def _order(self, order: Order) -> None:
         with self._wake:

@@ -8,6 +8,7 @@ from typing import Annotated, Any
 from fastapi import APIRouter, Depends
 from starlette.requests import HTTPConnection
 
+from kitrobot.server.beside_loop import can_wait
 from kitrobot.server.json_bodies import JsonRoute
 from kitrobot.server.robot_registry import AddressError
 from kitrobot.server.shapes import FailureShape
@@ -35,12 +36,14 @@ def refuse_visitors(connection: HTTPConnection) -> None:
     """Ports belong to who sits at this machine, unless the studio was started for others too.
 
     Raises:
-        AddressError: the page is on another machine, or is all that there is of the studio.
+        AddressError: the page is on another machine, or the studio runs in it and cannot wait for a robot there.
     """
     if studio_of(connection).in_page:
+        if can_wait():
+            return
         raise AddressError(
-            Sentence("this page cannot reach robots that are plugged in"),
-            Sentence("install KitRobot on this computer: its studio can"),
+            Sentence("this browser cannot wait for robots while it does other things"),
+            Sentence("open this page in a new Chrome or Edge, or install KitRobot on this computer"),
         )
     host = connection.client.host if connection.client is not None else ""
     try:

@@ -77,7 +77,7 @@ class Studio:
         self.boards_for_visitors = False
         """Whether pages on other machines may use the ports of this one."""
         self.in_page = False
-        """Whether it runs in the page itself, which reaches neither ports nor a network (`in_page`)."""
+        """Whether it runs in the page itself: it reaches no network, and only ports that were chosen (`in_page`)."""
         self.recordings = Recordings(self._recordings_are_in)
         self.saving = threading.Lock()
         """Held while a run is recorded once more: one at a time is quick enough."""

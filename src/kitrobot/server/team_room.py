@@ -162,6 +162,11 @@ class TeamRoom:
         """
         from kitrobot.workspace import check_boards
 
+        if self._registry.in_page:
+            raise TeamBusyError(
+                Sentence("a team as processes cannot run in a page"),
+                Sentence("run it as a simulation here, or install KitRobot on this computer"),
+            )
         if self._claimed and self._fleet is not None and self.standing.phase == "stopping":
             # Its page is gone; a page that was loaded again asks before all is done.
             await beside_loop(self._fleet.wait, END_WITHIN_S)

@@ -18,15 +18,22 @@ from typing import Final
 from kitrobot.files import examples_folder
 from kitrobot.workspace.site_sources import without_texts
 
-SERVER: Final = "fastapi"
+USED: Final = ("fastapi", "mpremote", "python-minifier")
+"""The server, and what `kitrobot.deploy` puts programs onto boards with."""
+_NOT_SENT: Final = ("pyserial", "platformdirs")
+"""What mpremote requires, and nothing uses there: the page has the ports (`server.in_worker`)."""
 COMPILED: Final = "pydantic-core"
 
 _ROOT = Path(__file__).resolve().parent.parent.parent
 _OURS: Final = ("kitrobot", "kitrobot_onboard")
 _ONBOARD: Final = "kitrobot_onboard/"
 _LEFT_OUT: Final = ("kitrobot/cli/", "kitrobot/server/static/", "kitrobot/examples/", "kitrobot/workspace/site_files/")
-_NOT_USED: Final = ("anyio/pytest_plugin.py", "pydantic/mypy.py", "pydantic/v1/", "fastapi/cli.py", "idna/uts46data.py")
-"""Large parts that a server never imports."""
+_NOT_USED: Final = (
+    *("anyio/pytest_plugin.py", "pydantic/mypy.py", "pydantic/v1/", "fastapi/cli.py", "idna/uts46data.py"),
+    *("mpremote/commands.py", "mpremote/main.py", "mpremote/mip.py", "mpremote/repl.py", "mpremote/romfs.py"),
+    "python_minifier/__main__.py",
+)
+"""Large parts that are never imported there."""
 _ABOUT: Final = ("licen", "copying", "notice", "/metadata", "/entry_points.txt")
 """What is taken of what a package says of itself: licences, and what packages look one another up by."""
 
@@ -63,12 +70,12 @@ def _below(folder: Path, name: str, left_out: tuple[str, ...] = _LEFT_OUT) -> It
 
 
 def needed() -> list[str]:
-    """What the server imports, and what that requires; what only other Pythons require is not here."""
+    """What is imported there, and what that requires; what only other Pythons require is not here."""
     found: set[str] = set()
-    waiting = [SERVER]
+    waiting = [*USED]
     while waiting:
         name = waiting.pop()
-        if name in found or name == COMPILED:
+        if name in found or name == COMPILED or name in _NOT_SENT:
             continue
         try:
             required = distribution(name).requires or []

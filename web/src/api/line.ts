@@ -21,3 +21,6 @@ export function talk(): Line {
 export function talkThrough(other: Line): void {
   line = other;
 }
+
+/** Whether the page is one of a static site: Python runs in it, and it reaches no network. */
+export const inPage = (): boolean => document.documentElement.dataset["place"] === "page";

@@ -227,6 +227,7 @@ export const LATER_EN = {
     "This browser reaches no boards by itself. Chrome and Edge do; or install KitRobot where the board is.",
   "boards.find-unsafe":
     "The browser reaches boards only from a safe address (https). Or install KitRobot where the board is.",
+  "boards.in-page": "Robots on the network, and teams of several boards, need KitRobot installed on a computer.",
   "boards.at-page": "through this page",
   "boards.looking": "Looking for robots…",
   "boards.again": "Try again",
@@ -235,6 +236,7 @@ export const LATER_EN = {
   "boards.none": "No robot here yet",
   "boards.none-plug": "Plug a micro:bit, or another board with MicroPython, into this computer.",
   "boards.none-appears": "It appears here by itself. Then press Run on robot.",
+  "boards.none-choose": "Press Find a board, and choose it. Then press Run on robot.",
   "boards.none-trouble": "It does not appear?",
   "boards.none-linux": "Linux lets only members of the group dialout use it. Join once, then log in again:",
   "boards.none-windows":

@@ -12,7 +12,7 @@ export type ToWorker =
       body: ArrayBuffer | string | null;
     }
   | { kind: "open"; id: number; address: string }
-  | { kind: "say"; id: number; words: string }
+  | { kind: "say"; id: number; words: string | ArrayBuffer }
   | { kind: "close"; id: number };
 
 /**

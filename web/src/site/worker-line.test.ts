@@ -56,6 +56,20 @@ test("a socket opens, hears, says, and is closed by either end once", () => {
   expect(posted).toHaveLength(2);
 });
 
+test("bytes that are said are a copy of their own, which the worker gets", () => {
+  const posted: [ToWorker, Transferable[]][] = [];
+  const line = new WorkerLine((message, given = []) => posted.push([message, given]), "/");
+  const socket = line.socket(new URL("ws://host/api/boards/port"));
+  line.hear({ kind: "opened", id: 1 });
+  const whole = new Uint8Array([1, 2, 3, 4]);
+  socket.send(whole.subarray(1, 3));
+  const [said, given] = posted[1] ?? [];
+  expect(said).toEqual({ kind: "say", id: 1, words: new Uint8Array([2, 3]).buffer });
+  expect(given).toEqual(said?.kind === "say" ? [said.words] : []);
+  expect(whole.length).toBe(4);
+  expect(socket.bufferedAmount).toBe(0);
+});
+
 test("what is no answer is for somebody else", () => {
   const { line } = made();
   expect(line.hear({ kind: "ready" })).toBe(false);

@@ -11,20 +11,26 @@ type Post = (message: ToWorker, transfer?: Transferable[]) => void;
 /** Answers that have no body, not even an empty one. */
 const BODILESS = [204, 205, 304];
 
+type Say = (words: string | ArrayBuffer) => void;
+
 class PageSocket extends EventTarget {
   binaryType = "arraybuffer";
+  /** The worker takes what it is told. */
+  readonly bufferedAmount = 0;
   readyState: number = WebSocket.CONNECTING;
-  readonly #say: (words: string) => void;
+  readonly #say: Say;
   readonly #hangUp: () => void;
 
-  constructor(say: (words: string) => void, hangUp: () => void) {
+  constructor(say: Say, hangUp: () => void) {
     super();
     this.#say = say;
     this.#hangUp = hangUp;
   }
 
-  send(words: string): void {
-    if (this.readyState === WebSocket.OPEN) this.#say(words);
+  send(words: string | Uint8Array<ArrayBuffer>): void {
+    if (this.readyState !== WebSocket.OPEN) return;
+    // A copy, which the worker may have: the caller keeps its own, as with a network.
+    this.#say(typeof words === "string" ? words : words.slice().buffer);
   }
 
   close(): void {
@@ -95,7 +101,9 @@ export class WorkerLine implements Line {
       this.#sockets.delete(id);
       this.#post({ kind: "close", id });
     };
-    const made = new PageSocket((words) => this.#post({ kind: "say", id, words }), hangUp);
+    const made = new PageSocket((words) => {
+      this.#post({ kind: "say", id, words }, typeof words === "string" ? [] : [words]);
+    }, hangUp);
     this.#sockets.set(id, made);
     this.#post({ kind: "open", id, address: `/${pathname.slice(this.#base.length)}${search}` });
     return made as unknown as WebSocket;

@@ -13,7 +13,7 @@ import type { FromWorker, ToWorker } from "./messages";
 import { startPython } from "./python";
 
 interface Socket {
-  say: (words: string) => void;
+  say: (words: string | Uint8Array<ArrayBuffer>) => void;
   close: () => void;
   destroy: () => void;
 }
@@ -54,8 +54,8 @@ async function load(base: string): Promise<Studio> {
       const started = await startPython(base, parts, packages, env, MODULES, memory);
       keep = new Kept(started.pyodide, home, tell, () => forgetMemory(base));
       await keep.read();
-      const { begin_here } = started.pyodide.pyimport(MODULES) as { begin_here: (folder: string) => Studio };
-      return { studio: begin_here(`${home}/missions`), memory: started.memory };
+      const { begin_here } = started.pyodide.pyimport(MODULES) as { begin_here: (folder: string) => Promise<Studio> };
+      return { studio: await begin_here(`${home}/missions`), memory: started.memory };
     } catch (cause) {
       throw fetching.missing ?? cause;
     }
@@ -144,7 +144,10 @@ scope.addEventListener("message", ({ data }) => {
       opening = opening.then(() => open(data));
       break;
     case "say":
-      opening = opening.then(() => sockets.get(data.id)?.say(data.words));
+      opening = opening.then(() => {
+        const { id, words } = data;
+        sockets.get(id)?.say(typeof words === "string" ? words : new Uint8Array(words));
+      });
       break;
     case "close":
       opening = opening.then(() => {

@@ -1,4 +1,5 @@
 /** What the panel says where no robot is: how one gets there, and what this kind of computer may want first. */
+import { inPage } from "../../api/line";
 import { t } from "../../i18n/words";
 
 type System = "linux" | "windows" | "other";
@@ -16,7 +17,7 @@ export function EmptyRobots() {
       <h3>{t("boards.none")}</h3>
       <ol>
         <li>{t("boards.none-plug")}</li>
-        <li>{t("boards.none-appears")}</li>
+        <li>{t(inPage() ? "boards.none-choose" : "boards.none-appears")}</li>
       </ol>
       <details>
         <summary>{t("boards.none-trouble")}</summary>

@@ -8,6 +8,7 @@ import "./boards.css";
 
 import { type FormEvent, useEffect, useState } from "react";
 
+import { inPage } from "../../api/line";
 import { Icon } from "../../theme";
 import { Said } from "../../i18n/Said";
 import { t } from "../../i18n/words";
@@ -16,6 +17,7 @@ import { BoardCard } from "./BoardCard";
 import { isMine, MOST_ADDRESS, placesOf, useBoards } from "./boards";
 import { EmptyRobots } from "./EmptyRobots";
 import { FindBoard } from "./FindBoard";
+import { reach } from "./serial";
 import { connect, send } from "./socket";
 import { TeamPart } from "./Team";
 import { stopEverything } from "../../session/features";
@@ -140,7 +142,7 @@ export function Robots() {
       </header>
       <div className="robots-body">
         <Barred />
-        <TeamPart />
+        {inPage() ? null : <TeamPart />}
         {looking ? <p className="robots-note">{t("boards.looking")}</p> : null}
         {places.length > 0 ? (
           <ul className="robots-list">
@@ -148,11 +150,17 @@ export function Robots() {
               <BoardCard key={place.address} place={place} />
             ))}
           </ul>
-        ) : state.ports === null ? null : (
+        ) : state.ports === null || (inPage() && reach() !== "there") ? null : (
           <EmptyRobots />
         )}
         <FindBoard />
-        <Network />
+        {inPage() ? (
+          <p className="robots-note" data-testid="robots-in-page">
+            {t("boards.in-page")}
+          </p>
+        ) : (
+          <Network />
+        )}
       </div>
     </section>
   );
