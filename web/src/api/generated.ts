@@ -1317,6 +1317,11 @@ export interface Parts {
   catalogue: Catalogue;
 }
 
+/** What is different in a kit's file from the one that is there, a sentence each; nothing where it is no kit. */
+export interface PartsDifference {
+  changes: string[];
+}
+
 /**
  * A file that was put beside a mission: its name there, and the names that it brings along. `known` tells that the very
  * same file was there already.

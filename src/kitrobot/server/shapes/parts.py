@@ -61,6 +61,12 @@ class KitEntryShape(BaseModel):
     help: dict[str, str]
 
 
+class PartsDifferenceShape(BaseModel):
+    """What is different in a kit's file from the one that is there, a sentence each; nothing where it is no kit."""
+
+    changes: list[str]
+
+
 class PartsFileShape(BaseModel):
     """A file that was put beside a mission: its name there, and the names that it brings along.
 
