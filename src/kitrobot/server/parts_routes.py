@@ -95,7 +95,16 @@ def worlds(studio: ThisStudio, path: Name) -> list[WorldEntryShape]:
 def kits(studio: ThisStudio, path: Name) -> list[KitEntryShape]:
     """The kits that a robot can be built of, by their names."""
     found = kits_at_hand(studio.folder.folders_of(path)[0])
-    return [KitEntryShape(name=name, label=dict(kit.label), help=dict(kit.help)) for name, kit in sorted(found.items())]
+    return [
+        KitEntryShape(
+            name=name,
+            label=dict(kit.label),
+            help=dict(kit.help),
+            micropython=kit.micropython,
+            firmware=kit.firmware,
+        )
+        for name, kit in sorted(found.items())
+    ]
 
 
 @parts_routes.post("/parts")

@@ -16,6 +16,7 @@ import { BoardCard } from "./BoardCard";
 import { isMine, MOST_ADDRESS, placesOf, useBoards } from "./boards";
 import { EmptyRobots } from "./EmptyRobots";
 import { FindBoard } from "./FindBoard";
+import { FirmwarePart } from "./Firmware";
 import { connect, send } from "./socket";
 import { TeamPart } from "./Team";
 import { stopEverything } from "../../session/features";
@@ -153,6 +154,7 @@ export function Robots() {
         )}
         <FindBoard />
         <Network />
+        <FirmwarePart />
       </div>
     </section>
   );
