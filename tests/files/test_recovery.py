@@ -205,5 +205,9 @@ def test_files_that_are_no_journals_stand_in_nobodys_way_and_stay(journals, fold
     odd = folder.root / ".kitrobot" / "journal" / "00000000000000aa.journal"
     odd.write_bytes(data)
     os.utime(odd)
+    closed = [str(one.problem) for one in journals.left() if one.problem]
+    assert closed == (["this journal was written by a later KitRobot"] if b"journal 9" in data else [])
     assert journals.claim(journals.join(), "a.krt").records == ("base", "one")
     assert odd.read_bytes() == data
+    journals.forget(odd.stem)
+    assert not odd.exists()

@@ -101,7 +101,9 @@ def ended(app: Any, pids: dict[str, int]) -> bool:
 
 @pytest.mark.slow
 def test_it_is_a_run_like_any_other_and_goes_on_without_an_agent_that_is_killed(visit, app, tmp_path: Path) -> None:
-    app.state.studio.boards.team.pace = 1.0
+    team = app.state.studio.boards.team
+    # Only the killed agent is silent for so long, on a busy machine too.
+    team.pace, team.lease_ms = 1.0, 4000
     with visit() as page, visit() as other, visit("192.168.1.7") as away, page.fleet() as run:
         begun = run.until("started")
         assert [agent["name"] for agent in begun["agents"]] == NAMES
@@ -117,9 +119,9 @@ def test_it_is_a_run_like_any_other_and_goes_on_without_an_agent_that_is_killed(
         with away.client.websocket_connect(f"{SOCKET}/api/run?token={TOKEN}") as line:
             watcher = RunPage(line)
             watcher.send(type="watch", run=begun["run"], mission=away.mission)
-            assert (told := watcher.until("started"))["watching"]
-            assert told["fleet"]
-            assert not told["another"]
+            assert (shown := watcher.until("started"))["watching"]
+            assert shown["fleet"]
+            assert not shown["another"]
             watcher.send(type="stop")
             assert "steers it" in watcher.until("error")["message"]
         run.report(lambda said: bool(said["active"]), "robot-1")
@@ -136,7 +138,9 @@ def test_it_is_a_run_like_any_other_and_goes_on_without_an_agent_that_is_killed(
         assert run.until("state", tick=0)["status"] == "paused"
         run.send(type="resume", latest=True)
         assert run.until("state", status="running")["tick"] >= at + 50
-        assert run.until("state", status="done")["sentence"].startswith("Done after")
+        while (told := run.until("state"))["status"] in ("running", "paused"):
+            pass
+        assert told["sentence"].startswith("Done after")
         answer = page.client.get("/api/run/trace", params={"run": begun["run"]})
         path = tmp_path / "run.krtrace"
         path.write_bytes(answer.content)

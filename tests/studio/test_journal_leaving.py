@@ -32,7 +32,9 @@ def open_file(page: Page, name: str, data: bytes) -> None:
     page.get_by_test_id("open-file").set_input_files({"name": name, "mimeType": "", "buffer": data})
 
 
-def test_work_that_is_left_without_saving_is_said_to_be_kept_and_is_there_under_open(studio: Studio) -> None:
+def test_work_that_is_left_without_saving_is_said_to_be_kept_and_is_there_under_open(
+    studio: Studio, tmp_path: Path
+) -> None:
     page = studio.page
     banner = page.get_by_test_id("banner")
     wait_for(page, 7)
@@ -52,6 +54,21 @@ def test_work_that_is_left_without_saving_is_said_to_be_kept_and_is_there_under_
     page.keyboard.press("Control+o")
     expect(page.get_by_test_id("open-dialog")).to_contain_text("blink")
     expect(page.get_by_test_id("open-left")).to_have_count(0)
+
+    # A later KitRobot's is told, and left alone until somebody throws it away.
+    later = tmp_path / "missions" / ".kitrobot" / "journal" / "00000000000000aa.journal"
+    later.write_bytes(b"kitrobot journal 9\nlater")
+    page.evaluate("sessionStorage.clear()")
+    page.reload()
+    expect(banner).to_contain_text("This journal was written by a later KitRobot")
+    page.keyboard.press("Control+o")
+    expect(page.get_by_test_id("open-left").get_by_role("button")).to_be_disabled()
+    expect(page.get_by_test_id("open-left")).to_contain_text("a later KitRobot")
+    page.keyboard.press("Escape")
+    assert later.exists()
+    banner.get_by_role("button", name="Discard it").click()
+    expect(banner).to_have_count(0)
+    assert not later.exists()
 
 
 def test_work_that_the_journal_cannot_hold_is_not_left_without_a_word(studio: Studio) -> None:

@@ -109,6 +109,25 @@ ENTRY = """async (name) => {
 }"""
 
 
+LATER = """async () => {
+    const [{ name }] = await indexedDB.databases();
+    const done = (asked) => new Promise((yes, no) => {
+        asked.onsuccess = () => yes(asked.result);
+        asked.onerror = asked.onblocked = () => no(asked.error);
+    });
+    (await done(indexedDB.open(name, 99))).close();
+}"""
+"""As a later browser or KitRobot would leave it: this one cannot read it."""
+ENTRIES = """async () => {
+    const [{ name }] = await indexedDB.databases();
+    const db = await new Promise((yes) => (indexedDB.open(name).onsuccess = (event) => yes(event.target.result)));
+    const keys = db.transaction("FILE_DATA").objectStore("FILE_DATA").getAllKeys();
+    await new Promise((yes) => (keys.onsuccess = yes));
+    db.close();
+    return keys.result;
+}"""
+
+
 def opened(page: Page, address: str) -> Studio:
     page.goto(address)
     page.wait_for_function(IS_OPEN)
@@ -189,5 +208,19 @@ def test_a_site_runs_keeps_what_is_saved_and_works_without_its_server(
     other.wait_for_function(IS_OPEN)
     studio.expect_code("WAIT(17);")
     assert ["memory cannot be used" in line for line in warned] == [True]
+
+    # What was kept and cannot be read is told, and nothing is written over it.
+    other.goto(f"{server.address}site.json")
+    other.evaluate(LATER)
+    entries = other.evaluate(ENTRIES)
+    other.goto(server.address)
+    other.wait_for_function(IS_OPEN)
+    expect(studio.at("site")).to_contain_text("nothing is written over it")
+    studio.drop("Wait", "arc-start.next")
+    expect(studio.at("saved-state")).to_have_text("only in this page")
+    other.goto(f"{server.address}site.json")
+    assert entries
+    assert other.evaluate(ENTRIES) == entries
+
     assert [address for address in asked if not address.startswith((server.address, "data:", "blob:"))] == []
     assert faults == []

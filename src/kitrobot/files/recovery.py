@@ -34,12 +34,16 @@ _NAME = re.compile(r"[0-9a-f]{16}")
 
 @dataclass(frozen=True)
 class Left:
-    """Unsaved work that was left behind; `modified` is a moment in UTC (ISO 8601)."""
+    """Unsaved work that was left behind; `modified` is a moment in UTC (ISO 8601).
+
+    `problem` is why this KitRobot cannot open it, "" where it can; nothing else is known of such work.
+    """
 
     journal: str
     path: str
     name: str
     modified: str
+    problem: Sentence | str = ""
 
 
 @dataclass(frozen=True)
@@ -101,11 +105,7 @@ class Journals:
     def left(self) -> list[Left]:
         """Unsaved work that nobody has open, the newest first."""
         with self._lock:
-            return [
-                Left(file.stem, journal.path, journal.name, _moment(file))
-                for file, journal in self._free()
-                if journal.unsaved
-            ]
+            return [one for file in self._files() if (one := _left(file)) is not None]
 
     def claim(self, tab: str, path: str, journal: str = "") -> Claimed:
         """The journal for the mission that a tab has opened: the given one if it is free, else one that was left behind
@@ -188,7 +188,7 @@ class Journals:
     def forget(self, journal: str) -> None:
         """Throws away a journal that was left behind; one that somebody writes stays."""
         with self._lock:
-            for file, _ in list(self._free()):
+            for file in list(self._files()):
                 lock = _taken(file) if file.stem == journal else None
                 if lock is not None:
                     _remove(file)
@@ -228,14 +228,18 @@ class Journals:
 
     def _free(self) -> Iterator[tuple[Path, Journal]]:
         """The journals that can be read and that nobody writes, the newest first."""
-        files = [file for place in (self._own, self._state) for file in _files_in(place)]
-        for file in sorted(files, key=_age):
-            if FileLock.is_taken(_lock_of(file)):
-                continue
+        for file in self._files():
             with contextlib.suppress(FileError, JournalError):
                 journal = read_journal(file)
                 if journal is not None and journal.records:
                     yield file, journal
+
+    def _files(self) -> Iterator[Path]:
+        """Those that nobody writes, the newest first."""
+        files = [file for place in (self._own, self._state) for file in _files_in(place)]
+        for file in sorted(files, key=_age):
+            if not FileLock.is_taken(_lock_of(file)):
+                yield file
 
     def _file(self, journal: str) -> Path | None:
         if not _NAME.fullmatch(journal):
@@ -274,6 +278,19 @@ def state_folder() -> Path:
     if sys.platform == "darwin":
         return Path.home() / "Library" / "Application Support" / "kitrobot"
     return Path(os.environ.get("XDG_STATE_HOME") or Path.home() / ".local" / "state") / "kitrobot"
+
+
+def _left(file: Path) -> Left | None:
+    """What is unsaved in a journal; None when nothing is, or nobody can tell."""
+    try:
+        journal = read_journal(file)
+    except JournalError as error:
+        return Left(file.stem, "", "", _moment(file), error.message)
+    except FileError:
+        return None
+    if journal is None or not journal.records or not journal.unsaved:
+        return None
+    return Left(file.stem, journal.path, journal.name, _moment(file))
 
 
 def _release(tab: _Tab, forget: bool = True) -> None:

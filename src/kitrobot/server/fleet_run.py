@@ -25,8 +25,8 @@ from kitrobot.text import Sentence, listed
 from kitrobot.trace import ENDING
 from kitrobot.workspace import FleetPlan, PreparedRun, files_for_agents, free_endpoint, parts_of, run_fleet
 
-LEASE_MS, BOARD_LEASE_MS = 1000, 2000
-"""How long silence is borne, of simulated bodies alone and where a board is in the team: a small one is slow."""
+BOARD_LEASE_MS = 2000
+"""How long silence is borne at least where a board is in the team: a small one is slow."""
 
 _log = logging.getLogger("kitrobot.server")
 
@@ -126,7 +126,7 @@ class FleetRunning:
         file = files_for_agents(prepared.opened, self.source.header, folder, self._drivers)
         names = [agent.name for agent in simulation.members]
         network = Network(identity_of(simulation), (free_endpoint(),))
-        lease = BOARD_LEASE_MS if self._boards else LEASE_MS
+        lease = max(self._room.lease_ms, BOARD_LEASE_MS if self._boards else 0)
         plan = FleetPlan(file, names, network, None, self._boards, lease, self._room.pace)
         told = FleetTold(self._said, self._pressed.is_set, lambda now: self._stepped(), self._came, self._ended)
         return run_fleet(simulation, plan, self.agents, told)

@@ -27,8 +27,8 @@ from kitrobot.server.shapes import (
     mission_from_shape,
     mission_shape,
 )
-from kitrobot.server.shapes.journal import ConflictedShape, MergeAskShape, MergedShape
-from kitrobot.server.shapes.values import ClaimedValue, LeftValue
+from kitrobot.server.shapes.journal import ConflictedShape, LeftShape, MergeAskShape, MergedShape
+from kitrobot.server.shapes.values import ClaimedValue
 from kitrobot.server.studio import Studio
 from kitrobot.translation import said
 from kitrobot.versions import Difference, differences, merge_missions
@@ -63,13 +63,13 @@ def append(studio: ThisStudio, wanted: JournalAppendShape) -> JournalSizeShape:
 
 
 @journal_routes.get("/journal/left")
-def left(studio: ThisStudio) -> list[LeftValue]:
+def left(studio: ThisStudio) -> list[LeftShape]:
     """Unsaved work that nobody has open, the newest first."""
-    return studio.journals.left()
+    return [LeftShape.model_validate(one) for one in studio.journals.left()]
 
 
 @journal_routes.post("/journal/forget")
-def forget(studio: ThisStudio, wanted: ForgetShape) -> list[LeftValue]:
+def forget(studio: ThisStudio, wanted: ForgetShape) -> list[LeftShape]:
     """Throws unsaved work away that nobody has open; gives what is left."""
     studio.journals.forget(wanted.journal)
     return left(studio)

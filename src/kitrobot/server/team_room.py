@@ -78,10 +78,14 @@ class TeamStanding:
 
 
 class TeamRoom:
-    """The team of a studio. `pace`: of its world against real time."""
+    """The team of a studio.
+
+    `pace`: of its world against real time; `lease_ms`: how long silence of an agent is borne.
+    """
 
     def __init__(self, registry: RobotRegistry) -> None:
         self.pace = 1.0
+        self.lease_ms = 1000
         self.standing = TeamStanding()
         self.addresses: frozenset[str] = frozenset()
         """Boards that belong to the team now."""

@@ -931,12 +931,13 @@ export interface KitEntry {
   firmware: string;
 }
 
-/** Unsaved work that was left behind; `modified` is a moment in UTC (ISO 8601). */
+/** Unsaved work that was left behind; `problem` is why it cannot be opened, "" where it can. */
 export interface Left {
   journal: string;
   path: string;
   name: string;
   modified: string;
+  problem: string;
 }
 
 /** A coloured line on the floor, sampled like a road. */

@@ -14,21 +14,24 @@ export function Title() {
   const ready = useDocument((document) => document.ready);
   const others = useDisk((disk) => (disk.path === file.path ? disk.others : 0));
   const lost = useLink((link) => link.connected === false);
+  const kept = useLink((link) => link.kept);
   const changed = useDisk((disk) => isOther(disk, file));
   const name = shownName(file.name);
   useEffect(() => {
     document.title = ready ? `${dirty ? "• " : ""}${name} · ${t("app.name")}` : t("app.name");
   }, [name, dirty, ready]);
   if (!ready) return null;
-  const state = dirty
-    ? t(lost ? "file.not-kept" : "file.not-saved")
-    : file.path === ""
-      ? t("file.new-program")
-      : file.path.startsWith("example:")
-        ? t("file.example")
-        : isFromRecording(file.path)
-          ? t("recording.title")
-          : t(lost ? "file.unknown" : changed ? "file.changed" : "file.saved");
+  const state = !kept
+    ? t("file.only-here")
+    : dirty
+      ? t(lost ? "file.not-kept" : "file.not-saved")
+      : file.path === ""
+        ? t("file.new-program")
+        : file.path.startsWith("example:")
+          ? t("file.example")
+          : isFromRecording(file.path)
+            ? t("recording.title")
+            : t(lost ? "file.unknown" : changed ? "file.changed" : "file.saved");
   return (
     <div className="title" data-testid="title">
       <h1 title={name} dir="auto">

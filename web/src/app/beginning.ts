@@ -64,7 +64,8 @@ async function beginWhereItEnded(session: Session): Promise<boolean> {
   if (!keepsJournal()) return false;
   const before = journalBefore();
   if (before !== "" && (await takeLeft(before))) return true;
-  const [newest] = session.path === null ? await journalApi.left() : [];
+  const left = session.path === null ? await journalApi.left() : [];
+  const newest = left.find(({ problem }) => problem === "");
   return newest !== undefined && takeLeft(newest.journal);
 }
 

@@ -14,6 +14,9 @@ export const SITE_EN = {
     "Nothing is lost while this page stays open: choose Download .krt in the menu File before you close it.",
   "site.denied": "This browser keeps nothing of this page; perhaps it is a private window.",
   "site.denied-help": "Choose Download .krt in the menu File before you close the page.",
+  "site.unread": "The work that this browser keeps cannot be read now.",
+  "site.unread-help":
+    "It is still there, and nothing is written over it. Load the page again; what you make until then is not kept: choose Download .krt in the menu File.",
   "site.newer": "There is a new version of KitRobot.",
   "site.renew": "Load it",
   "site.crowd": "So many robots are slow in a page.",

@@ -36,8 +36,15 @@ interface Keeping {
   fail: (cause: unknown, again: () => void) => void;
 }
 
-/** Whether the server that keeps the journal is there; null before it was asked. */
-export const useLink = create<{ connected: boolean | null }>(() => ({ connected: null }));
+/** Where what is done here is kept. */
+interface Link {
+  /** Whether the server that keeps the journal is there; null before it was asked. */
+  connected: boolean | null;
+  /** Whether what it writes outlasts the page: not in a browser without room for it. */
+  kept: boolean;
+}
+
+export const useLink = create<Link>(() => ({ connected: null, kept: true }));
 
 let keeping: Keeping | null = null;
 let tab = "";

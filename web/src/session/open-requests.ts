@@ -81,13 +81,23 @@ export function openLeft(journal: string): void {
   });
 }
 
-/** Says that work on a new mission was left behind, which no file's name leads to. */
+/** Says that work on a new mission was left behind, which no file's name leads to, or work that cannot be opened here. */
 export function offerLeft(left: readonly Left[]): void {
-  const [first] = left.filter((one) => one.path === "");
-  if (first === undefined || useDocument.getState().banner !== null) return;
+  const first = left.find(({ path, problem }) => path === "" && problem === "");
+  const said = first ?? left.find(({ problem }) => problem !== "");
+  if (said === undefined || useDocument.getState().banner !== null) return;
+  const discard = () => void journalApi.forget(said.journal).then(offerLeft, complain);
+  if (first === undefined) {
+    const choices: [Key, () => void][] = [
+      ["journal.later", () => undefined],
+      ["journal.discard", discard],
+    ];
+    question(said.problem, choices, "question", t("journal.closed-help"));
+    return;
+  }
   const choices: [Key, () => void][] = [
     ["journal.open", () => openLeft(first.journal)],
-    ["journal.discard", () => void journalApi.forget(first.journal).then(offerLeft, complain)],
+    ["journal.discard", discard],
     ["journal.later", () => undefined],
   ];
   question(t("journal.left", { name: shownName(first.name) }), choices);

@@ -37,6 +37,7 @@ test("each state that a person should know of is said in a sentence, with a way 
     [{ phase: "broken", reason: "no WebAssembly" }, "use a newer version", "alert"],
     [{ phase: "ready", keeping: "full" }, "Nothing is lost while this page stays open", "alert"],
     [{ phase: "ready", keeping: "denied" }, "keeps nothing of this page", "alert"],
+    [{ phase: "ready", keeping: "unread" }, "nothing is written over it", "alert"],
   ];
   for (const [state, words, role] of states) {
     const strip = await told(state);

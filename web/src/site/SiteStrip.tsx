@@ -45,6 +45,8 @@ function useTold(): Told | null {
   }
   if (keeping === "full") return { kind: "error", message: t("site.full"), help: "site.full-help", action: null };
   if (keeping === "denied") return { kind: "error", message: t("site.denied"), help: "site.denied-help", action: null };
+  if (keeping === "unread")
+    return { kind: "error", message: t("site.unread"), help: "site.unread-help", action: again };
   if (crowd && renew === null) {
     return { kind: "note", message: t("site.crowd"), help: "site.crowd-help", action: null };
   }

@@ -15,8 +15,11 @@ export type ToWorker =
   | { kind: "say"; id: number; words: string }
   | { kind: "close"; id: number };
 
-/** Whether the browser keeps what is written: `full` and `denied` say why not. */
-export type Keeping = "kept" | "full" | "denied";
+/**
+ * Whether the browser keeps what is written: `full` and `denied` say why not; `unread`: what was kept before could not be
+ * read, and nothing is written over it.
+ */
+export type Keeping = "kept" | "full" | "denied" | "unread";
 
 export type FromWorker =
   | { kind: "progress"; fetched: number; total: number }

@@ -10,7 +10,7 @@ import { createRoot } from "react-dom/client";
 import { talkThrough } from "../api/line";
 import { moreWords } from "../i18n/words";
 import { features, install } from "../session/features";
-import { flush } from "../session/journal";
+import { flush, useLink } from "../session/journal";
 import { links, openLinked } from "./links";
 import { forgetMemory } from "./memory";
 import type { FromWorker, ToWorker } from "./messages";
@@ -33,7 +33,13 @@ export function openSite(spoken: Promise<unknown>): Promise<void> {
   }, path);
   talkThrough(line);
   install([...features(), links]);
-  alone(`kitrobot ${path}`, () => give(begun(line, base)));
+  alone(`kitrobot ${path}`, () => {
+    try {
+      give(begun(line, base));
+    } catch (cause) {
+      broke(base, String(cause));
+    }
+  });
   const begin = () => {
     draw();
     openLinked();
@@ -56,18 +62,18 @@ function alone(name: string, begin: () => void): void {
     return;
   }
   const hold = () => {
+    set({ phase: "fetching" });
     begin();
     return new Promise<never>(() => undefined);
   };
-  void navigator.locks.request(name, { ifAvailable: true }, (lock) => {
+  const wait = (lock: Lock | null) => {
     if (lock !== null) return hold();
     set({ phase: "other-tab" });
-    void navigator.locks.request(name, () => {
-      set({ phase: "fetching" });
-      return hold();
-    });
+    navigator.locks.request(name, hold).catch(begin);
     return undefined;
-  });
+  };
+  // A browser that gives no locks keeps nothing of this page.
+  navigator.locks.request(name, { ifAvailable: true }, wait).catch(begin);
 }
 
 function begun(line: WorkerLine, base: string): Worker {
@@ -97,7 +103,8 @@ function follow(base: string, message: FromWorker): void {
       break;
     case "ready":
       set({ phase: "ready" });
-      void navigator.storage?.persist?.();
+      // Whether the browser promises to keep it or not, the page works.
+      navigator.storage?.persist?.().catch(() => undefined);
       void keepFiles();
       break;
     case "broken":
@@ -106,6 +113,7 @@ function follow(base: string, message: FromWorker): void {
       break;
     case "keeping":
       set({ keeping: message.keeping });
+      useLink.setState({ kept: message.keeping === "kept" });
       break;
     default:
       break;

@@ -6,7 +6,9 @@ from typing import Annotated, Literal
 
 from pydantic import BaseModel, ConfigDict, Field
 
+from kitrobot.server.sentences import Spoken
 from kitrobot.server.shapes.mission import MissionShape
+from kitrobot.server.shapes.values import View
 
 MOST_RECORDS = 100_000
 
@@ -44,6 +46,16 @@ class JournalSizeShape(BaseModel):
     """How large the journal is now."""
 
     bytes: int
+
+
+class LeftShape(View):
+    """Unsaved work that was left behind; `problem` is why it cannot be opened, "" where it can."""
+
+    journal: str
+    path: str
+    name: str
+    modified: str
+    problem: Spoken
 
 
 class ForgetShape(BaseModel):

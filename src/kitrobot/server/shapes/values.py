@@ -11,7 +11,7 @@ from pydantic import AliasChoices, BaseModel, ConfigDict, Field, GetJsonSchemaHa
 from pydantic.json_schema import JsonSchemaValue
 from pydantic_core import CoreSchema
 
-from kitrobot.files import Claimed, Left
+from kitrobot.files import Claimed
 from kitrobot.graph import Arc, Vertex
 from kitrobot.mission import Agent, Goal
 from kitrobot.sim.breakpoints import Hit
@@ -58,7 +58,6 @@ ArcValue = Annotated[Arc, Sent()]
 AgentValue = Annotated[Agent, Sent("robot")]
 GoalValue = Annotated[Goal, Sent()]
 HitValue = Annotated[Hit, Sent()]
-LeftValue = Annotated[Left, Sent()]
 ClaimedValue = Annotated[Claimed, Sent()]
 PointValue = Annotated[Point, Sent()]
 SectionValue = Annotated[Section, Sent()]

@@ -68,18 +68,19 @@ export function OpenSheet() {
               <>
                 <h3>{t("journal.list")}</h3>
                 <ul data-testid="open-left">
-                  {left.map(({ journal, path, name, modified }) => (
+                  {left.map(({ journal, path, name, modified, problem }) => (
                     <li key={journal}>
                       <button
                         type="button"
                         className="open-entry"
+                        disabled={problem !== ""}
                         onClick={() => {
                           show(null);
                           openLeft(journal);
                         }}
                       >
-                        <Icon name="file" size={18} />
-                        <span className="open-title">{shownName(name)}</span>
+                        <Icon name={problem === "" ? "file" : "triangle-alert"} size={18} />
+                        <span className="open-title">{problem || shownName(name)}</span>
                         <span className="open-path">
                           {path} {new Date(modified).toLocaleString(languageInUse())}
                         </span>
