@@ -66,6 +66,8 @@ def test_every_part_is_tried_and_what_is_not_plugged_in_fails_by_itself_alone(ki
     assert broken == {"Captor", "Light"}
     assert "not plugged in" in rows["Captor"]["error"]["message"]
     assert rows["Button"]["values"]
+    assert "pressed" in rows["Button"]["words"][0]
+    assert len(rows["Button"]["words"]) == len(rows["Button"]["values"])
     assert rows["Wheel.Advance(40)"]["seen"] == "Both wheels turn forward."
     with connect(kit.address, 10) as board:
         assert board.hello.state_name == "ready"

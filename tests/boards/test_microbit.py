@@ -303,7 +303,7 @@ def test_a_program_that_does_not_fit_is_refused_and_the_old_one_goes_on(
     small = bench_program(tmp_path, PROGRAMS[0])
     place(used_microbit, small)
     with pytest.raises(BoardError, match="flash"):
-        put_program(used_microbit.address, bench_program(tmp_path, PROGRAMS[0] * 100))
+        put_program(used_microbit.address, bench_program(tmp_path, PROGRAMS[0] * 60))
     assert small.is_called(runs(used_microbit.address))
     with pytest.raises(BoardError, match="memory"):
         put_program(used_microbit.address, bench_program(tmp_path, PROGRAMS[0] * 150))
