@@ -40,8 +40,9 @@ motors and sensors are spoken to over a protocol of its own, for which there is 
 
 The rate of a turn by the clock (`rate`, degrees a second at full speed) is a guess until you measure it:
 [`kitrobot calibrate`](boards.md#measured) asks, and writes a file of your own. The kits of a micro:bit are for a V2,
-which was not tried, and for that of 2016, whose firmware was tried in QEMU: it has 16 kB of memory, and what does not
-fit there is said when it is sent, and leaves what the board had ([figures](benchmarks.md#the-gallery-on-boards)).
+which was not tried, and for that of 2016, whose firmware was tried in QEMU: it has 16 kB of memory. What is
+sure not to fit there is said before it is sent, what nearly fits when the board has tried it; both leave what the board
+had, but for `--fresh` ([figures](benchmarks.md#the-gallery-on-boards)).
 """
 
 

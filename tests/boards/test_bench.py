@@ -6,6 +6,7 @@ import io
 import json
 import os
 import pty
+import re
 import select
 import sys
 from collections.abc import Iterator
@@ -18,6 +19,7 @@ import pytest
 from kitrobot.cli import main
 from kitrobot.deploy import Fault, connect
 from kitrobot.primitives import read_kit
+from kitrobot.primitives.catalogue import SHIPPED
 from kitrobot.workspace.bench import bench_of
 from kitrobot.workspace.bench_loading import PartError
 from kitrobot.workspace.bench_run import BenchRun
@@ -26,10 +28,13 @@ from kitrobot.workspace.kit_files import kit_named
 from tests.boards.modern import ModernBoard, onboard_files
 from tests.boards.qemu import Emulated
 from tests.boards.test_modern_robot import pins_told
+from tests.effort import cases
 from tests.patience import PATIENCE_S
 
 MOTORS = (2, 3, 4, 5)
 MOMENT = ("--json", "--seconds", "0.7")
+LEFT_OUT = ["Pin0", "ButtonB", "Shake", "TiltY", "Random"]
+"""The micro:bit has each of these a second time, or its like: without them two programs do for all its parts."""
 UNPLUGGED = onboard_files()["machine.py"] + b"\nwidths[15] = None\n"
 """A Pico whose range finder does not answer; a colour sensor is on no bus of these boards anyway."""
 
@@ -66,6 +71,8 @@ def test_every_part_is_tried_and_what_is_not_plugged_in_fails_by_itself_alone(ki
     assert broken == {"Captor", "Light"}
     assert "not plugged in" in rows["Captor"]["error"]["message"]
     assert rows["Button"]["values"]
+    assert "pressed" in rows["Button"]["words"][0]
+    assert len(rows["Button"]["words"]) == len(rows["Button"]["values"])
     assert rows["Wheel.Advance(40)"]["seen"] == "Both wheels turn forward."
     with connect(kit.address, 10) as board:
         assert board.hello.state_name == "ready"
@@ -192,11 +199,26 @@ def test_a_kit_that_needs_a_newer_micropython_is_refused_with_the_way_to_it(kit:
     assert "https://example.org/k" in err
 
 
-def test_a_micro_bit_of_2016_gets_its_parts_in_as_many_programs_as_it_needs(microbit: Emulated) -> None:
-    out, _ = command(
-        "bench", microbit.address, "--robot", "microbit", "--board", "microbit", "--json", "--seconds", "0.5"
+def micro_bit_without(parts: list[str]) -> bytes:
+    """The shipped micro:bit as a robot's file, without the parts of these names."""
+    text = (SHIPPED / "microbit.robot.xml").read_text(encoding="utf-8")
+    for part in parts:
+        text, found = re.subn(rf'<(actuator|sensor) name="{part}".*?</\1>\s*', "", text, flags=re.DOTALL)
+        assert found, part
+    return text.encode()
+
+
+@pytest.mark.parametrize("left_out", cases([LEFT_OUT], [[]]), ids=lambda names: "without" if names else "all")
+def test_a_micro_bit_of_2016_gets_its_parts_in_as_many_programs_as_it_needs(
+    microbit: Emulated, tmp_path: Path, left_out: list[str]
+) -> None:
+    robot = tmp_path / "few.robot.xml"
+    robot.write_bytes(micro_bit_without(left_out))
+    out, err = command(
+        "bench", microbit.address, "--robot", str(robot), "--board", "microbit", "--json", "--seconds", "0.5"
     )
     rows = {(row["call"] or row["part"]): row for row in json.loads(out)}
     assert all(row["ok"] for row in rows.values())
     assert rows["Display.Image(0)"]["seen"] == "The display shows a picture."
     assert rows["ButtonA"]["values"] == [0]
+    assert err.splitlines().count("starting") > 1, err

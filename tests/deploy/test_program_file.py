@@ -8,7 +8,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from kitrobot.deploy import DeployError, ProgramFile, read_program_file
+from kitrobot.deploy import DeployError, ProgramFile, board_file, read_program_file
 from kitrobot.deploy.errors import BoardError
 from kitrobot.deploy.memory import image_bytes, refuse_what_does_not_fit
 from kitrobot.deploy.package import Package
@@ -73,9 +73,11 @@ def test_damage_is_noticed(tmp_path_factory: pytest.TempPathFactory, data: st.Da
 
 def test_a_program_that_is_too_large_for_a_board_is_refused(tmp_path: Path) -> None:
     program = bench_program(tmp_path, "Count.Add(1);\n" * 2000)
-    built = Package((tmp_path,)).built("microbit", program.file.drivers)
     image = program.file.image
     assert image_bytes(image) > 8000
-    with pytest.raises(BoardError, match=rf"needs {image_bytes(image)} bytes"):
-        refuse_what_does_not_fit(image, built, 18_000)
-    refuse_what_does_not_fit(image, built, 200_000)
+    for in_flash, needs in ((False, rf"needs {image_bytes(image)} bytes"), (True, "needs 1[0-9]{4} bytes")):
+        built = Package((tmp_path,)).built("microbit", program.file.drivers, in_flash=in_flash)
+        size = len(board_file(program.file, built))
+        with pytest.raises(BoardError, match=needs):
+            refuse_what_does_not_fit(program.file, built, size, 14_000)
+        refuse_what_does_not_fit(program.file, built, size, 200_000)

@@ -13,6 +13,7 @@ from kitrobot.primitives import (
     read_constructors,
     read_own,
     read_robot,
+    reading,
     write_constructor,
 )
 from kitrobot.sim.devices.display import IMAGES, SIDE
@@ -215,3 +216,31 @@ def test_terms_of_the_paper_have_plain_labels_and_keep_their_names(
     else:
         found = next(one for one in mini.objects if one.name == part).label
     assert found[""] == label
+
+
+@pytest.mark.parametrize(
+    ("said", "value", "words"),
+    [
+        ('min="0" max="100" unit="cm"', 12, "12 cm"),
+        ('min="0" max="100" unit="cm" scale="0.5"', 25, "12.5 cm"),
+        ('min="0" max="100" unit="cm" scale="0.5"', 24, "12 cm"),
+        ('min="-180" max="180" unit="°" scale="3.6"', -25, "-90°"),
+        ('min="0" max="100" unit="s" scale="wait-unit" field="time"', 10, "2.0 s"),
+        ('min="0" max="100" unit="s" scale="wait-unit" field="time"', 3, "0.6 s"),
+        ('min="0" max="1000000" unit="mm"', 1000000, "1000000 mm"),
+        ('min="0" max="9"', 7, "7"),
+        ('type="boolean"', 1, "true"),
+        ('type="boolean"', 0, "false"),
+    ],
+)
+def test_a_terminal_shows_what_a_sensor_measures_with_its_unit(said: str, value: int, words: str) -> None:
+    made, problems = read_robot(robot(f'<sensor name="Eye" device="range" {said}/>').encode(), "f.xml")
+    assert made is not None, problems
+    assert reading(made.sensors[0], value, 200) == words
+
+
+def test_a_named_value_is_shown_by_its_name() -> None:
+    text = '<sensor name="Eye" device="colour" min="0" max="2"><choice value="1"><label>red</label></choice></sensor>'
+    made, problems = read_robot(robot(text).encode(), "f.xml")
+    assert made is not None, problems
+    assert [reading(made.sensors[0], value) for value in (0, 1)] == ["0", "red"]

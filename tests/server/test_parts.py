@@ -82,6 +82,24 @@ class TestFiles:
         assert {"pico", "xrp", "tank"} <= {kit["name"] for kit in kits}
         assert [kit["label"] for kit in kits if kit["name"] == "tank"] == [{"fr": "Char"}]
 
+    def test_what_is_different_in_a_kit_from_the_one_that_is_there_is_said(self, page):
+        def differences(data, file="tank.xml"):
+            asked = {"path": "blink.krt", "file": file}
+            return page.post("/api/parts/difference", params=asked, content=data.encode()).json()
+
+        assert differences(KIT) == {"changes": []}, "there is none yet"
+        add(page, KIT, "tank.board.xml")
+        assert differences(KIT) == {"changes": []}
+        changed = KIT.replace('<board name="tank"', '<board name="tank" micropython="1.25"')
+        assert changed != KIT
+        assert differences(changed) == {"changes": ["The kit: micropython – → 1.25"]}
+        assert differences(changed.replace('version="1"', 'version="x"')) == {"changes": []}, (
+            "with a mistake in it it is no kit"
+        )
+        assert differences(ROBOT) == {"changes": []}
+        assert "cut off" in differences(changed[:-12])["help"]
+        assert "begins with <svg>" in differences("<svg/>")["message"]
+
     @pytest.mark.parametrize("path", ["", "example:transport/transport.krt"])
     def test_parts_of_a_new_mission_and_of_an_example_are_in_the_folder_of_missions(self, page, folder, path):
         add(page, ROBOT, path=path)

@@ -32,6 +32,7 @@ CONSTRUCTORS = """<constructors version="1">
 </constructors>
 """
 
+KIT = '<board name="tank" version="1"><actuator device="lamp" driver="led" pin="3"/></board>'
 DROP = """([files, padding]) => {
     const carried = new DataTransfer();
     for (const [name, data] of files) {
@@ -114,6 +115,22 @@ def a_file_of_that_name_is_replaced_only_after_a_question(studio: Studio) -> Non
     forgive_refusals(studio)
 
 
+def what_is_different_in_a_kit_is_shown_before_the_answer(studio: Studio) -> None:
+    file = studio.folder / "tank.board.xml"
+    file.write_text(KIT)
+    drop(studio, tank_board_xml=KIT.replace('pin="3"', 'pin="5"'))
+    expect(studio.at("banner")).to_contain_text("There is another tank.board.xml in this folder.")
+    studio.page.get_by_role("button", name="Show the difference").click()
+    expect(studio.at("differences")).to_have_text("The kit: actuator lamp: pin 3 → 5")
+    studio.page.keyboard.press("Escape")
+    expect(studio.at("difference-dialog")).to_be_hidden()
+    assert file.read_text() == KIT
+    studio.page.get_by_role("button", name="Replace it").click()
+    expect(studio.at("banner")).to_contain_text("The kit tank is there now.")
+    assert 'pin="5"' in file.read_text()
+    forgive_refusals(studio)
+
+
 def what_holds_no_parts_is_refused_in_a_sentence(studio: Studio) -> None:
     before = {path.name for path in studio.folder.iterdir()} | {".kitrobot"}
     for file, data, padding, says in (
@@ -136,6 +153,7 @@ def test_what_holds_no_parts_is_refused_and_a_file_of_that_name_is_replaced_only
     studio = open_studio(SQUARE)
     what_holds_no_parts_is_refused_in_a_sentence(studio)
     a_file_of_that_name_is_replaced_only_after_a_question(studio)
+    what_is_different_in_a_kit_is_shown_before_the_answer(studio)
 
 
 def test_mistakes_of_a_dropped_robot_are_problems_with_file_and_line(open_studio: OpenStudio) -> None:

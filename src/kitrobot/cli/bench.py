@@ -107,6 +107,7 @@ def send_progress() -> Any:
 
 def _tried(run: BenchRun, step: BenchStep, seconds: float) -> dict[str, Any]:
     """One step, done for so long, and what came of it."""
+    from kitrobot.primitives import reading
     from kitrobot.workspace.bench_loading import PartError
 
     values: list[int] = []
@@ -125,6 +126,7 @@ def _tried(run: BenchRun, step: BenchStep, seconds: float) -> dict[str, Any]:
         "help": step.trouble.get("", ""),
         "ok": error is None,
         "values": values,
+        "words": [reading(step.part, value, run.bench.robot.wait_unit_ms) for value in values],
         "late": run.late,
         "error": error_object(error) if error is not None else None,
     }
@@ -146,19 +148,21 @@ def _named(part: str, call: str) -> str:
 def _result(row: dict[str, Any]) -> str:
     if row["error"] is not None:
         return f"FAILED: {clean(row['error']['message'])}"
-    values = row["values"]
+    values, words = row["values"], [clean(told) for told in row["words"]]
     seen = clean(row["seen"])
     if row["late"]:
         seen += f" (its driver is slow: {row['late']} ticks took too long)"
     if not values:
         return f"done; {seen}"
-    told = str(values[0]) if len(values) == 1 else f"{min(values)} to {max(values)}"
+    least, most = (words[values.index(one)] for one in (min(values), max(values)))
+    told = least if len(values) == 1 else f"{least} to {most}"
     return f"{told}; {seen}"
 
 
 def _by_keys(run: BenchRun, bench: Bench) -> None:
     """Steps by keys until the person leaves."""
     from kitrobot.cli.keys import ESCAPE, pressed_keys
+    from kitrobot.primitives import reading
     from kitrobot.workspace.bench_loading import PartError
 
     tell(_HELP)
@@ -172,7 +176,9 @@ def _by_keys(run: BenchRun, bench: Bench) -> None:
             try:
                 run.poll(0.1 if going else 0.05)
                 if going and run.is_on:
-                    _line(f"  on   {'' if run.value is None else run.value}")
+                    value = run.value
+                    words = "" if value is None else reading(bench.steps[at].part, value, bench.robot.wait_unit_ms)
+                    _line(f"  on   {clean(words)}")
                 if pressed in ("q", ESCAPE):
                     run.end()
                     _line("")

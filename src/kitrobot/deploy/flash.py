@@ -96,6 +96,15 @@ class Flash:
         if free * _DATA < size:
             raise no_room()
 
+    def pieces_of(self, sign: int) -> int:
+        """How many pieces the whole block with that sign has; 0 when there is none."""
+        return next(iter(self._blocks({sign}).values()), 0)
+
+    @property
+    def room(self) -> int:
+        """How many pieces there are, of files or not."""
+        return len(self.area.firsts)
+
     def _blocks(self, signs: set[int]) -> dict[int, int]:
         """Where whole blocks with one of these signs are, with the number of their pieces."""
         found = {}
@@ -171,6 +180,11 @@ class Flash:
 
     def _write(self, at: int, words: bytes) -> None:
         self.board.write_words(at, words)
+
+
+def pieces(name: str, size: int) -> int:
+    """How many pieces a file of that name and so many bytes has."""
+    return -(-(2 + len(name) + size) // _DATA)
 
 
 def no_room() -> FullError:

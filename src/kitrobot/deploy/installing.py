@@ -18,8 +18,9 @@ from kitrobot.deploy.connecting import STARTS, greet
 from kitrobot.deploy.errors import BoardError, ForeignError, FullError, NoMemoryError, SilentError
 from kitrobot.deploy.firmware import Needs
 from kitrobot.deploy.fitting import refuse_misfits
-from kitrobot.deploy.flash_code import sign_of
+from kitrobot.deploy.flash_code import Frozen, sign_of
 from kitrobot.deploy.flash_install import freeze
+from kitrobot.deploy.flash_room import refuse_what_has_no_room
 from kitrobot.deploy.line import Line
 from kitrobot.deploy.memory import WORKING, refuse_what_does_not_fit
 from kitrobot.deploy.package import MODULE, PROGRAM, Built, Package
@@ -157,15 +158,17 @@ class _Job:
         if self.needs is not None:
             self.needs.refuse_older(board.micropython)
         family = MICROBIT if board.family == MICROBIT else "machine"
-        self.built: Built = self.package.built(family, self.program.drivers)
+        self.built: Built = self.package.built(family, self.program.drivers, in_flash=board.is_2016)
         refuse_misfits(self.program, self.package, family)
         content = board_file(self.program, self.built)
         self.name = program_name(content)
-        refuse_what_does_not_fit(self.program.image, self.built, board.free)
+        refuse_what_does_not_fit(self.program, self.built, len(content), board.free)
         self.wanted = {**self.built.files, self.name: content}
         names = board.names()
         lines = self._lines(names)
         self._guard_main(names, lines)
+        if self.built.frozen is not None and self.new is None:
+            self._refuse_without_room(self.built.frozen, names, lines)
         if self.fresh and self.new is None:
             # main.py too, which is ours: in the middle of a small flash it leaves no room in one piece.
             removed = [name for name in names if name in (*SLOTS, MAIN) or is_ours(name)]
@@ -278,6 +281,16 @@ class _Job:
     def _lines(self, names: list[str]) -> dict[str, StartLine]:
         found = {slot: read_line(self.board.read(slot)) for slot in SLOTS if slot in names}
         return {slot: line for slot, line in found.items() if line is not None}
+
+    def _refuse_without_room(self, one: Frozen, names: list[str], lines: dict[str, StartLine]) -> None:
+        """Before anything is removed: what stays is other people's files, and what starts now, unless all is new."""
+        wanted = {name: len(data) for name, data in {**self.wanted, MAIN: self.built.main}.items()}
+        staying = {name for name in names if not is_ours(name) and name not in SLOTS}
+        blocks = set()
+        if not self.fresh and (counts := newest(lines)) is not None:
+            staying |= needed(counts[1].files, self._content(names)) & set(names)
+            blocks |= {sign_of(counts[1].module)} if is_ours(f"{counts[1].module}.py") else set()
+        refuse_what_has_no_room(self.board, one, wanted, sorted(staying - set(wanted)), blocks)
 
     def _guard_main(self, names: list[str], lines: Mapping[str, StartLine]) -> None:
         if self.replace or MAIN not in names or self._holds(names, MAIN, self.built.main):

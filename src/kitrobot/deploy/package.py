@@ -13,7 +13,7 @@ from __future__ import annotations
 import ast
 import hashlib
 import re
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from functools import lru_cache
 from pathlib import Path
@@ -133,17 +133,24 @@ class Package:
         path = self.driver_file(driver, family)
         return _declared_once(read_source(path), str(path)) if path is not None else Declared()
 
-    def built(self, family: str, drivers: Mapping[str, Asked | None]) -> Built:
+    def built(self, family: str, drivers: Mapping[str, Asked | None], *, in_flash: bool = True) -> Built:
         """The package for a kind of board, with these drivers, each with what is asked of it; None: everything. From
-        any thread.
+        any thread. `in_flash`: whether a family that runs the loop from flash does so; a micro:bit V2 does not.
 
         Raises:
             PackageError: a driver is missing, or is no Python.
         """
         with _BUILDING:
-            return self._build(family, drivers)
+            return self._build(family, drivers, in_flash and family in IN_FLASH)
 
-    def _build(self, family: str, drivers: Mapping[str, Asked | None]) -> Built:
+    def built_for_all(self, drivers: Mapping[str, Asked | None]) -> Iterator[Built]:
+        """The packages for all kinds of boards that have these drivers; of micro:bits that of 2016 and the V2."""
+        for family in FAMILIES:
+            if not self.missing(drivers, family):
+                for in_flash in (True, False) if family in IN_FLASH else (False,):
+                    yield self.built(family, drivers, in_flash=in_flash)
+
+    def _build(self, family: str, drivers: Mapping[str, Asked | None], in_flash: bool) -> Built:
         making = _Making(shared=self._shared(family, drivers))
         modules = {}
         wants_range = {}
@@ -159,7 +166,7 @@ class Package:
             for driver in drivers
             if (path := self.driver_file(driver, family)) in making.bases
         }
-        built = replace(_built(family, making, modules, wants_range), tends=tends, bases=bases)
+        built = replace(_built(family, making, modules, wants_range, in_flash), tends=tends, bases=bases)
         if TEAM_DRIVER not in drivers:
             return built
         member = part(ONBOARD / "member.py")
@@ -193,16 +200,17 @@ class Package:
         )
 
 
-def _built(family: str, making: _Making, drivers: Mapping[str, str], wants_range: Mapping[str, bool]) -> Built:
+def _built(
+    family: str, making: _Making, drivers: Mapping[str, str], wants_range: Mapping[str, bool], in_flash: bool
+) -> Built:
     package = _Making()
     requests = package.stored(requests_file(family))
     loop: list[str] = []
-    if family in IN_FLASH:
-        in_flash = frozen_loop(family)
-        interpreter = in_flash.name
-        start = package.stored(start_from_flash(in_flash, family, requests))
+    block = frozen_loop(family) if in_flash else None
+    if block is not None:
+        interpreter = block.name
+        start = package.stored(start_from_flash(block, family, requests))
     else:
-        in_flash = None
         interpreter = package.stored(part(ONBOARD / "interpreter.py"))[: -len(".py")]
         loop = [package.stored(part(path)) for path in (ONBOARD / "ports" / f"{family}.py", *loop_files())]
         sizes = [len(package.files[name]) for name in loop]
@@ -212,7 +220,7 @@ def _built(family: str, making: _Making, drivers: Mapping[str, str], wants_range
     module = name_of(b"".join(sorted(package.files.values())))
     del package.files["main.py"]
     files = {**making.files, **package.files}
-    return Built(family, files, module, interpreter, start, loop, drivers, wants_range, main, in_flash)
+    return Built(family, files, module, interpreter, start, loop, drivers, wants_range, main, block)
 
 
 def missing_driver(driver: str, package: Package, family: str) -> PackageError:

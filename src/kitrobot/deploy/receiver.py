@@ -43,7 +43,10 @@ _LISTED = 400
 """Characters of the names of files that are asked for at once."""
 
 MICROBIT = "microbit"
-"""What the micro:bit of 2016 calls its platform."""
+"""What micro:bits call their platform: that of 2016 and the V2."""
+
+_CHIP_OF_2016 = "nRF51"
+"""What the micro:bit of 2016 names as its chip in `os.uname()`; a V2 names another one, `nRF52833`."""
 
 _READ = 64
 """Bytes of a file that are asked for at once: a small board has no room for many."""
@@ -62,6 +65,9 @@ class Receiver:
         self.modern = self.disturbed = False
         self.family = ""
         """What the board calls its platform."""
+
+        self.is_2016 = False
+        """Whether it is the micro:bit of 2016, which alone runs the loop from its flash."""
 
         self.micropython = ""
         """The version of its MicroPython, as `1.29`."""
@@ -209,6 +215,7 @@ class Receiver:
         self.repl.run("gc.collect()")
         free = self.repl.run("print(gc.mem_free())").strip()
         self.family = self.repl.run("print(sys.platform)").strip()
+        self.is_2016 = self.family == MICROBIT and self._has_chip_of_2016()
         numbers = _VERSION.fullmatch(version)
         if numbers is None or not free.isdecimal() or len(free) > _DIGITS:
             raise GarbledError(version)
@@ -216,7 +223,7 @@ class Receiver:
         self.micropython = f"{int(numbers[1])}.{int(numbers[2])}"
         self.modern = (int(numbers[1]), int(numbers[2])) >= (1, 20) and not self.disturbed
         self.free = int(free)
-        for text in _texts(self.family):
+        for text in _texts(self.is_2016):
             self.modern = self.modern and self._lay_at_once(text)
             if not self.modern:
                 self._lay_down(text)
@@ -224,7 +231,14 @@ class Receiver:
             self.repl.run("exec(s)")
             self.repl.run("s=0;gc.collect()")
         # What was heard as done may have been done by half: all that a text defines is there when its last is.
-        self.repl.run("unwrap,file,receive" + (",g,k,Flash,w" if self.family == MICROBIT else ""))
+        self.repl.run("unwrap,file,receive" + (",g,k,Flash,w" if self.is_2016 else ""))
+
+    def _has_chip_of_2016(self) -> bool:
+        self.repl.run("import os")
+        chip = self.repl.run("print(os.uname()[4])").strip()  # as "micro:bit with nRF51822"
+        if "nRF" not in chip:
+            raise GarbledError(chip)
+        return _CHIP_OF_2016 in chip
 
     def _lay_at_once(self, text: str) -> bool:
         """Brings a text into the board's `s` through mpremote; whether it is there as it was sent."""
@@ -354,10 +368,10 @@ def _number(text: bytes) -> int:
 
 
 @cache
-def _texts(family: str) -> Sequence[str]:
+def _texts(is_2016: bool) -> Sequence[str]:
     """What is told to the board: the frames, then the receiver without its import of them."""
     found = []
-    for name in ("link", "receiver", *(["flash"] if family == MICROBIT else [])):
+    for name in ("link", "receiver", *(["flash"] if is_2016 else [])):
         source = files("kitrobot_onboard").joinpath(f"{name}.py").read_text(encoding="utf-8")
         tree = parsed(source, f"{name}.py")
         tree.body = [

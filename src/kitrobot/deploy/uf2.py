@@ -165,6 +165,21 @@ def _mounted() -> Iterator[Path]:
             continue
 
 
+def drive_shown(folder: str) -> Drive:
+    """The drive of a board at that folder, one of those that this computer shows.
+
+    Raises:
+        FlashError: there is none.
+    """
+    found = next((one for one in drives() if str(one.folder) == folder), None)
+    if found is None:
+        raise FlashError(
+            Sentence("the board’s drive is gone"),
+            Sentence("hold its button BOOTSEL (or press RESET twice) while you plug it in again"),
+        )
+    return found
+
+
 def chosen_drive(folder: Path | None) -> Drive:
     """The drive at that folder; without one, the only one that there is.
 

@@ -21,6 +21,7 @@ from kitrobot.primitives.own_xml import (
     write_constructors,
     write_variable,
 )
+from kitrobot.primitives.reading import reading
 from kitrobot.primitives.robot import (
     LARGEST_VALUE,
     LONGEST_SETTING,
@@ -97,6 +98,7 @@ __all__ = [
     "read_own",
     "read_robot",
     "read_template",
+    "reading",
     "shape",
     "team_robot",
     "unfill",

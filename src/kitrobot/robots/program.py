@@ -54,10 +54,8 @@ class BoardProgram:
     def called(self) -> frozenset[str]:
         """What robots of each kind call it, as far as it has drivers for them, and robots that know drivers by name."""
         found = {program_name(self.file.to_bytes())[2:]}
-        for family in FAMILIES:
-            if not self.package.missing(self.file.drivers, family):
-                built = self.package.built(family, self.file.drivers)
-                found.add(program_name(board_file(self.file, built))[2:])
+        for built in self.package.built_for_all(self.file.drivers):
+            found.add(program_name(board_file(self.file, built))[2:])
         return frozenset(found)
 
     @property

@@ -21,6 +21,7 @@ from kitrobot.server.board_routes import board_routes
 from kitrobot.server.deadlines import Deadlines
 from kitrobot.server.drawing_checks import drawing_check_routes
 from kitrobot.server.exercises import exercise_routes
+from kitrobot.server.firmware_routes import firmware_routes
 from kitrobot.server.fragments import routes as fragment_routes
 from kitrobot.server.handshake import Handshake, StrangerError, handshake_routes
 from kitrobot.server.image_routes import image_routes
@@ -65,6 +66,7 @@ ROUTERS = (
     drawing_check_routes,
     board_routes,
     page_port_routes,
+    firmware_routes,
     journal_routes,
     text_routes,
     own_part_routes,

@@ -13,6 +13,7 @@ from kitrobot.server.shapes.own import OwnVariableShape, own_variable
 from kitrobot.server.shapes.own_world import OwnWorldShape, own_world, own_world_shape
 from kitrobot.server.shapes.parts import (
     KitEntryShape,
+    PartsDifferenceShape,
     PartsFileShape,
     PartsShape,
     PlanShape,
@@ -21,12 +22,14 @@ from kitrobot.server.shapes.parts import (
     WorldEntryShape,
     WorldFileShape,
 )
+from kitrobot.translation import said
 from kitrobot.workspace import (
     FoundWorld,
     WantedVariable,
     add_parts,
     kits_at_hand,
     make_variable,
+    part_differences,
     read_world_file,
     worlds_at_hand,
 )
@@ -92,7 +95,16 @@ def worlds(studio: ThisStudio, path: Name) -> list[WorldEntryShape]:
 def kits(studio: ThisStudio, path: Name) -> list[KitEntryShape]:
     """The kits that a robot can be built of, by their names."""
     found = kits_at_hand(studio.folder.folders_of(path)[0])
-    return [KitEntryShape(name=name, label=dict(kit.label), help=dict(kit.help)) for name, kit in sorted(found.items())]
+    return [
+        KitEntryShape(
+            name=name,
+            label=dict(kit.label),
+            help=dict(kit.help),
+            micropython=kit.micropython,
+            firmware=kit.firmware,
+        )
+        for name, kit in sorted(found.items())
+    ]
 
 
 @parts_routes.post("/parts")
@@ -103,6 +115,15 @@ def parts(
     added = add_parts(studio.folder, path, file, data, over)
     kind = cast('Literal["robot", "board", "constructors", "world"]', added.kind)
     return PartsFileShape(file=added.file, kind=kind, names=list(added.names), known=added.known)
+
+
+@parts_routes.post("/parts/difference")
+def parts_difference(
+    studio: ThisStudio, data: Annotated[bytes, Depends(_body)], path: Name, file: Name
+) -> PartsDifferenceShape:
+    """What is different in a kit's file from the one of its name beside a mission, a sentence each."""
+    found = (said(words) for words in part_differences(studio.folder, path, file, data))
+    return PartsDifferenceShape(changes=[words[:1].upper() + words[1:] for words in found])
 
 
 @parts_routes.post("/variable")

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING
 from kitrobot.lazy import lazy_names
 
 if TYPE_CHECKING:
-    from kitrobot.workspace.adding import AddedParts, PartsFileError, add_parts
+    from kitrobot.workspace.adding import AddedParts, PartsFileError, add_parts, part_differences
     from kitrobot.workspace.beginnings import Choices, FoundPlace, NoBeginningError, RobotSet, Starter
     from kitrobot.workspace.checking import FileReport, check_file
     from kitrobot.workspace.compile_cache import KeptPrograms
@@ -51,7 +51,7 @@ else:
     __getattr__ = lazy_names(
         __name__,
         {
-            "adding": ("AddedParts", "PartsFileError", "add_parts"),
+            "adding": ("AddedParts", "PartsFileError", "add_parts", "part_differences"),
             "checking": ("FileReport", "check_file"),
             "conversion": ("ConversionError", "Converted", "convert"),
             "executables": ("Executable", "load_executable"),
@@ -152,6 +152,7 @@ __all__ = [
     "new_mission",
     "open_mission",
     "open_trace",
+    "part_differences",
     "parts_of",
     "read_inputs",
     "read_mission_data",

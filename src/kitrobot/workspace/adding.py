@@ -7,13 +7,15 @@ and can be mended there. What cannot be read at all, or is of another kind, is r
 from __future__ import annotations
 
 import unicodedata
+from contextlib import suppress
 from dataclasses import dataclass
 from pathlib import PurePosixPath
 
 from kitrobot.diagnostics import KitRobotError
-from kitrobot.files import ConflictError, MissionFolder, MissionNameError, replace_file, revision_of
+from kitrobot.files import ConflictError, MissionFolder, MissionNameError, read_bytes, replace_file, revision_of
 from kitrobot.primitives import KIT_SUFFIX, read_constructors, read_kit, read_robot
 from kitrobot.text import Sentence
+from kitrobot.versions import kit_differences
 from kitrobot.workspace.checking import first_element
 from kitrobot.world import read_world
 
@@ -65,9 +67,7 @@ def add_parts(folder: MissionFolder, mission: str, file: str, data: bytes, over:
             Sentence("no file of robots or worlds is that large"),
         )
     kind, names = _looked_through(shown, data)
-    wanted = shown if shown.lower().endswith(".xml") else f"{shown}.xml"
-    if kind != "constructors" and not wanted.lower().endswith(_ENDINGS[kind]):
-        wanted = wanted[: -len(".xml")] + _ENDINGS[kind]
+    wanted = _wanted(shown, kind)
     hold = folder.hold_beside(mission, wanted, over)
     try:
         with hold as path:
@@ -77,6 +77,38 @@ def add_parts(folder: MissionFolder, mission: str, file: str, data: bytes, over:
             raise
         return AddedParts(wanted, kind, names, True)
     return AddedParts(wanted, kind, names, False)
+
+
+def part_differences(folder: MissionFolder, mission: str, file: str, data: bytes) -> list[str]:
+    """What is different in a file of parts from the one of its name that is there, where both are kits; else nothing.
+
+    Args:
+        folder: the missions.
+        mission: the name of the mission, "" for a new one.
+        file: the file's name.
+        data: what is in it.
+
+    Raises:
+        PartsFileError: it cannot be read.
+    """
+    shown = PurePosixPath(unicodedata.normalize("NFC", file)).name.strip()
+    if len(data) > LARGEST_PARTS_BYTES or _looked_through(shown, data)[0] != "board":
+        return []
+    wanted = _wanted(shown, "board")
+    with suppress(KitRobotError):
+        there, _ = read_kit(read_bytes(folder.own_folder_of(mission) / wanted), wanted)
+        found, _ = read_kit(data, wanted)
+        if there is not None and found is not None:
+            return [words for _, words in kit_differences(there, found)]
+    return []
+
+
+def _wanted(shown: str, kind: str) -> str:
+    """The name that a file gets, by which its parts are found."""
+    wanted = shown if shown.lower().endswith(".xml") else f"{shown}.xml"
+    if kind != "constructors" and not wanted.lower().endswith(_ENDINGS[kind]):
+        wanted = wanted[: -len(".xml")] + _ENDINGS[kind]
+    return wanted
 
 
 def _looked_through(file: str, data: bytes) -> tuple[str, tuple[str, ...]]:

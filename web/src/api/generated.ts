@@ -631,6 +631,13 @@ export interface DrawnProgram {
   arcs: (Arc | [number, number])[];
 }
 
+/** A drive that takes firmware; `board` as it names itself, `chip` "" where that says nothing. */
+export interface Drive {
+  folder: string;
+  board: string;
+  chip: string;
+}
+
 /** A request that could not be followed; `ended` when there is no run any more because of it. */
 export interface ErrorMessage {
   type: "error";
@@ -680,6 +687,12 @@ export interface Failure {
   problems?: Problem[];
 }
 
+/** The drives that there are now; `page`: where MicroPython for most boards is to be had. */
+export interface Firmware {
+  page: string;
+  drives: Drive[];
+}
+
 /** A request for a program of the whole team, of that name, for a mission that has none. */
 export interface FirstTeam {
   mission: SentMission;
@@ -692,6 +705,12 @@ export interface Fix {
   text: string;
   kind: "text" | "element" | "setting" | "unset" | "unwrap" | "before";
   name: string;
+}
+
+/** A firmware that was copied: the board as it names itself, and the version, "" for no MicroPython. */
+export interface Flashed {
+  board: string;
+  micropython: string;
 }
 
 /**
@@ -900,11 +919,16 @@ export interface Judged {
   mission: Mission;
 }
 
-/** What a robot can be built of. */
+/**
+ * What a robot can be built of; `micropython` is the least version that it needs, "" for any, and `firmware` the page
+ * where its file says that it is to be had.
+ */
 export interface KitEntry {
   name: string;
   label: Record<string, string>;
   help: Record<string, string>;
+  micropython: string;
+  firmware: string;
 }
 
 /** Unsaved work that was left behind; `problem` is why it cannot be opened, "" where it can. */
@@ -1316,6 +1340,11 @@ export interface PartWish {
 export interface Parts {
   stamp: string;
   catalogue: Catalogue;
+}
+
+/** What is different in a kit's file from the one that is there, a sentence each; nothing where it is no kit. */
+export interface PartsDifference {
+  changes: string[];
 }
 
 /**

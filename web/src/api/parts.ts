@@ -1,7 +1,17 @@
 /** Routes of parts: the files beside a mission, and new or changed variables. */
 import type { OwnVariable, OwnWorld, WorldEntry } from "../model/types";
 import { ask } from "./client";
-import type { KitEntry, Parts, PartsFile, Plan, Template, Text, VariableAsk, WorldFile } from "./generated";
+import type {
+  KitEntry,
+  Parts,
+  PartsDifference,
+  PartsFile,
+  Plan,
+  Template,
+  Text,
+  VariableAsk,
+  WorldFile,
+} from "./generated";
 
 /** A new or changed variable; `was`: the name of the one that it replaces, "" for a new one. */
 export type WantedVariable = Required<Omit<VariableAsk, "path" | "variables">>;
@@ -21,6 +31,11 @@ export const partsApi = {
   /** `over`: the revision of the file that may be replaced; else a file with something else in it is a refusal, 409. */
   add: (path: string, file: string, bytes: ArrayBuffer, over = "") =>
     ask<PartsFile>(`parts?${at(path)}&file=${encodeURIComponent(file)}&over=${over}`, { method: "POST", bytes }),
+  /** What is different from the file that is there, in words; nothing where it is no kit. */
+  difference: async (path: string, file: string, bytes: ArrayBuffer) => {
+    const where = `parts/difference?${at(path)}&file=${encodeURIComponent(file)}`;
+    return (await ask<PartsDifference>(where, { method: "POST", bytes })).changes;
+  },
   variable: (path: string, variables: readonly OwnVariable[], wanted: WantedVariable) =>
     ask<OwnVariable>("variable", { method: "POST", json: { path, variables, ...wanted } }),
 };

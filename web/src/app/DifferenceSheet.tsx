@@ -9,6 +9,7 @@ import { useStudio } from "../model/studio";
 import type { Mission } from "../model/types";
 import { closeOverlay, complain, dismissBanner, question, show } from "../session/document";
 import { commonBase, keepMerge, revisionMerged } from "../session/merges";
+import { type PartDifference, partDifference } from "../session/saving";
 import { Sheet } from "../ui/Sheet";
 import { useFetched } from "../ui/use-fetched";
 
@@ -65,6 +66,26 @@ function Conflict({ conflict: { name, what, sentence, ours, theirs, taken, open 
 }
 
 export function DifferenceSheet() {
+  const part = partDifference();
+  return part === null ? <MissionDifference /> : <PartSheet {...part} />;
+}
+
+function PartSheet({ file, changes }: PartDifference) {
+  return (
+    <Sheet title={t("difference.part-title", { file })} testId="difference-dialog" wide onClose={closeOverlay}>
+      <p>{t("difference.part-intro")}</p>
+      <ul data-testid="differences">
+        {changes.map((change) => (
+          <li key={change}>
+            <Said text={change} />
+          </li>
+        ))}
+      </ul>
+    </Sheet>
+  );
+}
+
+function MissionDifference() {
   const ask = useCallback(() => {
     const { file, mission } = useStudio.getState();
     return journalApi.difference(file.path, mission).then((found) => found.changes);

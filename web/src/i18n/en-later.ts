@@ -25,6 +25,8 @@ export const LATER_EN = {
   "difference.title": "Yours and the one on disk",
   "difference.none": "They are the same.",
   "difference.intro": "This is different in yours:",
+  "difference.part-title": "{file}: yours and the one that is there",
+  "difference.part-intro": "This is different in the file that you bring:",
   "merge.merge": "Merge them",
   "merge.title": "Both have changed this",
   "merge.intro": "Everything else of both is merged. Choose what stays here:",

@@ -93,8 +93,20 @@ function conflict(path: string, revision: string): void {
   ]);
 }
 
-/** Shows what is different between the open mission and its file; the question stays meanwhile. */
-export function showDifference(again: () => void): void {
+/** A file of parts, and what is different in it from the one of its name, in words. */
+export interface PartDifference {
+  file: string;
+  changes: readonly string[];
+}
+
+let part: PartDifference | null = null;
+
+/** What the sheet of differences is about; null: the open mission. */
+export const partDifference = () => part;
+
+/** Shows what is different between the open mission, or a file of parts, and the file there is; the question stays meanwhile. */
+export function showDifference(again: () => void, of: PartDifference | null = null): void {
+  part = of;
   show("difference");
   again();
 }

@@ -54,11 +54,21 @@ class WorldEntryShape(BaseModel):
 
 
 class KitEntryShape(BaseModel):
-    """What a robot can be built of."""
+    """What a robot can be built of; `micropython` is the least version that it needs, "" for any, and `firmware` the
+    page where its file says that it is to be had.
+    """
 
     name: str
     label: dict[str, str]
     help: dict[str, str]
+    micropython: str
+    firmware: str
+
+
+class PartsDifferenceShape(BaseModel):
+    """What is different in a kit's file from the one that is there, a sentence each; nothing where it is no kit."""
+
+    changes: list[str]
 
 
 class PartsFileShape(BaseModel):

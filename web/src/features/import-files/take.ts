@@ -7,13 +7,14 @@
 import { ApiError } from "../../api/client";
 import type { PartsFile } from "../../api/generated";
 import { partsApi } from "../../api/parts";
-import { languageInUse, t } from "../../i18n/words";
+import { type Key, languageInUse, t } from "../../i18n/words";
 import { changeWorld, sameWorld } from "../../model/commands/changeWorld";
 import { useStudio } from "../../model/studio";
 import { addProgramFor } from "../../session/actions";
-import { type BannerAction, dismissBanner, question, useDocument } from "../../session/document";
+import { type Banner, type BannerAction, dismissBanner, question, useDocument } from "../../session/document";
 import { openFromComputer } from "../../session/open-requests";
 import { useProblemList } from "../../session/problem-walk";
+import { showDifference } from "../../session/saving";
 import { openTeam } from "../../session/team-view";
 import { readParts } from "../../session/world-files";
 
@@ -83,24 +84,35 @@ async function take(file: File): Promise<PartsFile | null> {
     return await partsApi.add(path, name, bytes);
   } catch (cause) {
     if (!(cause instanceof ApiError) || cause.status !== 409) throw cause;
-    return (await mayReplace(name)) ? partsApi.add(path, name, bytes, cause.revision) : null;
+    const changes = await partsApi.difference(path, name, bytes).catch(() => []);
+    return (await mayReplace(name, changes)) ? partsApi.add(path, name, bytes, cause.revision) : null;
   }
 }
 
-/** Asks; a question that is overtaken by another banner is answered with no. */
-function mayReplace(file: string): Promise<boolean> {
+/** Asks; a question that is overtaken by another banner is answered with no. `changes`: what is different, in words. */
+function mayReplace(file: string, changes: readonly string[]): Promise<boolean> {
   return new Promise((resolve) => {
-    question(t("parts.taken", { file }), [
-      ["parts.replace", () => resolve(true)],
-      ["parts.leave", () => resolve(false)],
-    ]);
-    const asked = useDocument.getState().banner;
-    const off = useDocument.subscribe(({ banner }) => {
-      if (banner === asked) return;
-      off();
-      // The answer itself comes first: it takes the banner away and then resolves.
-      setTimeout(() => resolve(false));
-    });
+    let last: Banner | null = null;
+    const ask = () => {
+      question(t("parts.taken", { file }), [
+        ["parts.replace", () => resolve(true)],
+        ["parts.leave", () => resolve(false)],
+        ...(changes.length > 0
+          ? [["disk.difference", () => showDifference(ask, { file, changes })] satisfies [Key, () => void]]
+          : []),
+      ]);
+      const asked = useDocument.getState().banner;
+      last = asked;
+      const off = useDocument.subscribe(({ banner }) => {
+        if (banner === asked) return;
+        off();
+        // The answer itself comes first: it takes the banner away and then resolves, or asks again.
+        setTimeout(() => {
+          if (last === asked) resolve(false);
+        });
+      });
+    };
+    ask();
   });
 }
 

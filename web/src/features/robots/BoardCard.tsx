@@ -322,7 +322,12 @@ export function BoardCard({ place }: { place: Place }) {
       {mine ? (
         <>
           <Program address={address} disabled={board?.phase === "sending"} />
-          <KitChoice address={address} disabled={board?.phase === "sending"} />
+          <KitChoice
+            address={address}
+            disabled={board?.phase === "sending"}
+            has={board?.micropython ?? ""}
+            page={place.firmware}
+          />
           {board !== null && trying ? <TryParts board={board} /> : <Acts place={place} />}
           <Recorded board={board} />
         </>

@@ -8,6 +8,7 @@ import { languageInUse, t } from "../../i18n/words";
 import { useStudio } from "../../model/studio";
 import { chooseKit } from "./actions";
 import { kitFor, useBoards } from "./boards";
+import { FirmwareNeed } from "./Firmware";
 
 const useKits = create<{ path: string | null; kits: readonly KitEntry[] }>(() => ({ path: null, kits: [] }));
 
@@ -28,31 +29,44 @@ function useKitsAt(path: string): readonly KitEntry[] {
   return kits;
 }
 
-export function KitChoice({ address, disabled }: { address: string; disabled: boolean }) {
+interface KitProps {
+  address: string;
+  disabled: boolean;
+  /** The version of MicroPython that the board has, "" where that is not known. */
+  has: string;
+  /** The page with MicroPython for the board, "" where none is known. */
+  page: string;
+}
+
+export function KitChoice({ address, disabled, has, page }: KitProps) {
   const kits = useKitsAt(useStudio((studio) => studio.file.path));
   const state = useBoards();
   const chosen = kitFor(state, address);
   const language = languageInUse();
   const known = kits.some(({ name }) => name === chosen);
-  const help = kits.find(({ name }) => name === chosen)?.help;
+  const kit = kits.find(({ name }) => name === chosen);
+  const help = kit?.help;
   return (
-    <label className="robot-program">
-      <span>{t("boards.kit")}</span>
-      <select
-        data-testid="robot-kit"
-        disabled={disabled}
-        title={help?.[language] ?? help?.[""]}
-        value={chosen}
-        onChange={(event) => chooseKit(address, event.target.value)}
-      >
-        <option value="">{t("boards.kit-own")}</option>
-        {known || chosen === "" ? null : <option>{chosen}</option>}
-        {kits.map(({ name, label }) => (
-          <option key={name} value={name}>
-            {label[language] ?? label[""] ?? name}
-          </option>
-        ))}
-      </select>
-    </label>
+    <>
+      <label className="robot-program">
+        <span>{t("boards.kit")}</span>
+        <select
+          data-testid="robot-kit"
+          disabled={disabled}
+          title={help?.[language] ?? help?.[""]}
+          value={chosen}
+          onChange={(event) => chooseKit(address, event.target.value)}
+        >
+          <option value="">{t("boards.kit-own")}</option>
+          {known || chosen === "" ? null : <option>{chosen}</option>}
+          {kits.map(({ name, label }) => (
+            <option key={name} value={name}>
+              {label[language] ?? label[""] ?? name}
+            </option>
+          ))}
+        </select>
+      </label>
+      {kit === undefined ? null : <FirmwareNeed kit={kit} has={has} page={page} />}
+    </>
   );
 }

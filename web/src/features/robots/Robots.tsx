@@ -17,6 +17,7 @@ import { BoardCard } from "./BoardCard";
 import { isMine, MOST_ADDRESS, placesOf, useBoards } from "./boards";
 import { EmptyRobots } from "./EmptyRobots";
 import { FindBoard } from "./FindBoard";
+import { FirmwarePart } from "./Firmware";
 import { reach } from "./serial";
 import { connect, send } from "./socket";
 import { TeamPart } from "./Team";
@@ -159,7 +160,10 @@ export function Robots() {
             {t("boards.in-page")}
           </p>
         ) : (
-          <Network />
+          <>
+            <Network />
+            <FirmwarePart />
+          </>
         )}
       </div>
     </section>

@@ -1,0 +1,175 @@
+/**
+ * Which MicroPython a kit needs and whether the board has it; and MicroPython for a board that shows itself as a drive.
+ *
+ * Nothing is fetched from the network: the page of the maker is named, and a file that the reader has is copied.
+ */
+import { useEffect, useId, useState } from "react";
+
+import { ApiError } from "../../api/client";
+import { firmwareApi } from "../../api/firmware";
+import type { Drive, KitEntry } from "../../api/generated";
+import { Said } from "../../i18n/Said";
+import { t } from "../../i18n/words";
+import { Icon } from "../../theme";
+import { useBoards } from "./boards";
+import { Act, TroubleBox } from "./parts";
+import { isOlder } from "./versions";
+
+interface NeedProps {
+  kit: KitEntry;
+  /** The version that the board has, "" where that is not known. */
+  has: string;
+  /** The page with MicroPython for the board, "" where none is known. */
+  page: string;
+}
+
+/** The least version that a kit's file names, and whether the board has it. */
+export function FirmwareNeed({ kit, has, page }: NeedProps) {
+  const least = kit.micropython;
+  if (least === "") return null;
+  const older = has !== "" && isOlder(has, least);
+  const href = kit.firmware || page || "https://micropython.org/download/";
+  return (
+    <p
+      className={older ? "robot-need is-older" : "robot-need"}
+      role={older ? "alert" : undefined}
+      data-testid="robot-need"
+      data-met={has === "" ? "unknown" : older ? "no" : "yes"}
+    >
+      <Icon name={older ? "triangle-alert" : "info"} size={14} />
+      <span>
+        {has === ""
+          ? t("firmware.needs", { least })
+          : t(older ? "firmware.older" : "firmware.met", { least, version: has })}{" "}
+        {has === "" || older ? (
+          <a className="robot-link" href={href} target="_blank" rel="noreferrer">
+            {t("boards.firmware")}
+          </a>
+        ) : null}
+      </span>
+    </p>
+  );
+}
+
+interface Told {
+  message: string;
+  help: string;
+}
+
+/** A board in its bootloader: which drive it shows, and the file that is copied there. */
+function Flashing() {
+  const [drives, setDrives] = useState<readonly Drive[] | null>(null);
+  const [page, setPage] = useState("");
+  const [wrong, setWrong] = useState<Told | null>(null);
+  const [done, setDone] = useState("");
+  const [chosen, setChosen] = useState("");
+  const [file, setFile] = useState<File | null>(null);
+  const [busy, setBusy] = useState(false);
+  const ids = [useId(), useId()] as const;
+
+  const fail = (cause: unknown) => setWrong(cause instanceof ApiError ? cause : { message: String(cause), help: "" });
+  const look = () => {
+    firmwareApi.look().then((found) => {
+      setWrong(null);
+      setDrives(found.drives);
+      setPage(found.page);
+    }, fail);
+  };
+  useEffect(look, []);
+  const drive = drives?.find(({ folder }) => folder === chosen) ?? drives?.[0];
+  const copy = () => {
+    if (file === null || drive === undefined) return;
+    setBusy(true);
+    setWrong(null);
+    setDone("");
+    file
+      .arrayBuffer()
+      .then((bytes) => firmwareApi.flash(file.name, drive.folder, bytes))
+      .then(({ board, micropython }) => {
+        setDone(t(micropython === "" ? "firmware.done-other" : "firmware.done", { board, version: micropython }));
+        setFile(null);
+        look();
+      }, fail)
+      .finally(() => setBusy(false));
+  };
+  return (
+    <div className="robot-flash" data-testid="firmware">
+      <p className="robots-note">
+        {t("firmware.about")}{" "}
+        {page === "" ? null : (
+          <a className="robot-link" href={page} target="_blank" rel="noreferrer">
+            {t("firmware.page")}
+          </a>
+        )}
+      </p>
+      {drives === null ? null : drives.length === 0 ? (
+        <p className="robots-note" data-testid="firmware-none">
+          {t("firmware.none")}
+        </p>
+      ) : (
+        <>
+          <label className="robot-program" htmlFor={ids[0]}>
+            <span>{t("firmware.drive")}</span>
+            <select
+              id={ids[0]}
+              data-testid="firmware-drive"
+              disabled={busy}
+              value={drive?.folder ?? ""}
+              onChange={(event) => setChosen(event.target.value)}
+            >
+              {drives.map(({ folder, board, chip }) => (
+                <option key={folder} value={folder}>
+                  {[board || folder, chip].filter((word) => word !== "").join(" · ")}
+                </option>
+              ))}
+            </select>
+          </label>
+          <label className="robot-program" htmlFor={ids[1]}>
+            <span>{t("firmware.file")}</span>
+            <input
+              id={ids[1]}
+              key={done}
+              type="file"
+              accept=".uf2"
+              data-testid="firmware-file"
+              disabled={busy}
+              onChange={(event) => setFile(event.target.files?.[0] ?? null)}
+            />
+          </label>
+        </>
+      )}
+      {wrong === null ? null : <TroubleBox said={wrong} testId="firmware-trouble" />}
+      {done === "" ? null : (
+        <p role="status" data-testid="firmware-done">
+          <Said text={done} />
+        </p>
+      )}
+      <div className="robot-acts">
+        {drives !== null && drives.length > 0 ? (
+          <Act
+            ink
+            icon="upload"
+            label={t(busy ? "firmware.copying" : "firmware.copy")}
+            testId="firmware-copy"
+            disabled={busy || file === null}
+            onPress={copy}
+          />
+        ) : null}
+        <Act icon="refresh-cw" label={t("firmware.look")} testId="firmware-look" disabled={busy} onPress={look} />
+      </div>
+    </div>
+  );
+}
+
+/** A line of the panel that opens into it. */
+export function FirmwarePart() {
+  const you = useBoards((state) => state.you);
+  const [open, setOpen] = useState(false);
+  if (you === "") return null;
+  return (
+    <details className="robot-firmware" onToggle={(event) => setOpen(event.currentTarget.open)}>
+      <summary data-testid="firmware-open">{t("firmware.title")}</summary>
+      {open ? <Flashing /> : null}
+    </details>
+  );
+}
