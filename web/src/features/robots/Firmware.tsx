@@ -78,7 +78,9 @@ function Flashing() {
   useEffect(look, []);
   const place = useRef<HTMLDivElement>(null);
   const looked = drives !== null;
-  useEffect(() => place.current?.scrollIntoView({ block: "nearest" }), [looked]);
+  useEffect(() => {
+    place.current?.scrollIntoView({ block: "nearest" });
+  }, [looked]);
   const drive = drives?.find(({ folder }) => folder === chosen) ?? drives?.[0];
   const copy = () => {
     if (file === null || drive === undefined) return;
