@@ -34,3 +34,44 @@ NOTHING = b"".join(
     )
 )
 """One that sees nothing: bright ground, nobody near, no finger."""
+
+BEFORE = f"""
+from kitrobot_onboard.drivers.machine.shared import alvik
+STANDING, TURNED = {STANDING!r}, {TURNED!r}
+class Clock:  # stands, but for sleep
+    now = 1000
+    slept = 0
+    @staticmethod
+    def ticks_ms(): return Clock.now
+    @staticmethod
+    def ticks_diff(end, start): return end - start
+    @staticmethod
+    def sleep_ms(ms):
+        Clock.now += ms
+        Clock.slept += ms
+alvik.time = Clock
+said = []  # what the STM32 says, a piece at each look
+def stm32(data):
+    return said.pop(0) if said and not data else b""
+machine.partners[1] = stm32
+def begin_alvik(*pieces):
+    alvik.robots.clear()
+    levels[13] = 1
+    said[:] = pieces or (b"", STANDING)
+def ready():
+    begin_alvik()
+    robot = alvik.robot()
+    taken()
+    Clock.slept = 0
+    return robot
+def written():
+    return [value for name, what, value in taken() if what == "write"]
+def error_of(call, *arguments):
+    try:
+        return call(*arguments)
+    except OSError as error:
+        return str(error)
+result = None
+"""
+"""Goes before steps on a current MicroPython (see `kit_steps`): an STM32 that says what a step gives it, and a clock
+that stands."""

@@ -1,4 +1,5 @@
-"""The drivers of an Arduino Alvik on a current MicroPython: what they write to the UART, and make of what they read."""
+"""The drivers that move an Arduino Alvik, on a current MicroPython: what they write to the UART, and make of what they
+read."""
 
 from __future__ import annotations
 
@@ -6,63 +7,13 @@ from typing import Any
 
 import pytest
 
-from tests.boards.alvik import HEARD, STANDING, TURNED, checksum, frame
+from tests.boards.alvik import BEFORE, HEARD, frame
 from tests.boards.kit_steps import results_of
 
 LIGHT = frame("L", "B", 2)
 BEHAVIOUR = frame("B", "B", 1)
 STOPPED = [frame("J", "2f", 0, 0), HEARD]
-
-RAW = (
-    (400, 230, 220),
-    (180, 450, 250),
-    (170, 220, 500),
-    (450, 500, 510),
-    (160, 200, 190),
-    (-5, 0, 9),
-    (2000, 220, 200),
-)
-COLOURS = [frame("c", "3h", *raw) for raw in RAW]
 EYES = [frame("l", "3h", *eyes) for eyes in ((0, 900, 0), (900, 0, 0), (0, 0, 900), (900, 900, 900))]
-
-BEFORE = f"""
-from kitrobot_onboard.drivers.machine.shared import alvik
-STANDING, TURNED = {STANDING!r}, {TURNED!r}
-class Clock:  # stands, but for sleep
-    now = 1000
-    slept = 0
-    @staticmethod
-    def ticks_ms(): return Clock.now
-    @staticmethod
-    def ticks_diff(end, start): return end - start
-    @staticmethod
-    def sleep_ms(ms):
-        Clock.now += ms
-        Clock.slept += ms
-alvik.time = Clock
-said = []  # what the STM32 says, a piece at each look
-def stm32(data):
-    return said.pop(0) if said and not data else b""
-machine.partners[1] = stm32
-def begin_alvik(*pieces):
-    alvik.robots.clear()
-    levels[13] = 1
-    said[:] = pieces or (b"", STANDING)
-def ready():
-    begin_alvik()
-    robot = alvik.robot()
-    taken()
-    Clock.slept = 0
-    return robot
-def written():
-    return [value for name, what, value in taken() if what == "write"]
-def error_of(call, *arguments):
-    try:
-        return call(*arguments)
-    except OSError as error:
-        return str(error)
-result = None
-"""
 
 STEPS = {
     "before": BEFORE,
@@ -150,89 +101,6 @@ for _ in range(3):
     Clock.now += 200
     result.append(error_of(turn.done))
 """,
-    "frames": f"""
-key = (ready(), make("machine.alvik_touch", which="left"))[1]
-touched, free = {frame("t", "B", 0b100001)!r}, {frame("t", "B", 0)!r}
-wrong = touched[:-1] + bytes((touched[-1] ^ 1,))
-long = {frame("t", "2B", 0b100001, 0)!r}
-inside = {frame("f", "7h", *[0x4141] * 7)!r}  # values that look like the beginning of a frame
-result = []
-for noise in (b"", b"A", b"#", b"AA", b"A\\2", b"A\\xff", b"A\\0#\\0", wrong, long, inside, touched[:-1], bytes(200)):
-    said.append(free)
-    before = key.read()
-    for at in range(len(touched) + 1):
-        said.extend((noise + touched[:at], touched[at:] + STANDING * 8))
-        key.read()
-        seen = key.read()
-        said.extend((free, STANDING * 8))
-        again = key.read()
-        key.read()
-        result.append((before, seen, again))
-said.append(wrong + long)
-result.append((key.read(), 0, 0))
-""",
-    "sensors": f"""
-robot = ready()
-parts = [
-    make("machine.alvik_range", min="0", max="100", reach="1000"),
-    make("machine.alvik_range", min="10", max="30", reach="400", zone="bottom"),
-    make("machine.alvik_near", reach="120"),
-    make("machine.alvik_line", eye="left"), make("machine.alvik_line", eye="center", threshold="700", min="3"),
-    make("machine.alvik_line", eye="right"), make("machine.alvik_touch"), make("machine.alvik_touch", which="right"),
-]
-result = [[part.read() for part in parts]]
-for piece in (
-    {frame("f", "7h", 90, 500, 255, 500, 90, 90, 200) + frame("l", "3h", 512, 699, 511) + frame("t", "B", 0x81)!r},
-    {frame("f", "7h", 9, 130, -1, 119, 9, 9, 900) + frame("l", "3h", 0, 1023, 1023) + frame("t", "B", 0x03)!r},
-    b"",
-):
-    said.append(piece)
-    result.append([part.read() for part in parts])
-for late in (200, 200, 200):
-    Clock.now += late
-    said.append(STANDING)
-    answers = [error_of(part.read) for part in parts]
-result.append(answers)
-Clock.now += 251  # nobody listened: what waits is old
-said.append({frame("t", "B", 0)!r})
-result.append([parts[6].read(), parts[6].read()])
-said.append({frame("t", "B", 0)!r})
-result.append([parts[6].read(), Clock.slept])
-""",
-    "colours": f"""
-ready()
-sensor = make("machine.alvik_colour")
-other = make("machine.alvik_colour", revision="1.6")
-result = [sensor.read()]
-for piece in {COLOURS!r}:
-    said.append(piece)
-    result.append(sensor.read())
-said.append({frame("c", "3h", 700, 850, 430)!r})
-result.append(other.read())
-""",
-    "lights": f"""
-ready()
-left, both = make("machine.alvik_lamp", light="left", colour="red"), make("machine.alvik_lamp", colour="blue")
-taken()
-result = []
-for part, way in ((left, "On"), (both, "On"), (left, "Off"), (both, "Off"), (both, "On")):
-    part.do("Light" + way, [])
-    result.append(written())
-left.stop(), both.stop()
-result.append(written())
-drive = make("machine.alvik_drive")
-both.do("LightOn", [])
-drive.do("Advance", [50])
-taken()
-said.append({frame(chr(0x7E), "3B", 1, 1, 0)!r})  # the STM32 has begun anew
-drive.tend()
-result.append(written())
-drive.do("Advance", [50])
-result.append(written())
-levels[13] = 0
-both.stop()
-result.append(written())
-""",
     "road": f"""
 ready()
 road = make("machine.alvik_road")
@@ -264,14 +132,6 @@ def turn(degrees: float) -> bytes:
 def found() -> dict[str, Any]:
     """The result of each of the steps."""
     return results_of(STEPS)
-
-
-def test_a_frame_is_what_its_format_says_byte_by_byte() -> None:
-    assert checksum(b"123456789") == 0xA1  # the check value of CRC-8 of Maxim
-    assert wheels(100, -100) == bytes.fromhex("41 09 4a 00008c42 00008cc2 23") + bytes(
-        [checksum(bytes.fromhex("4a00008c4200008cc2"))]
-    )
-    assert HEARD[:5] == bytes.fromhex("41 02 58 4b 23")
 
 
 def test_the_stm32_is_started_anew_and_heard_before_it_is_told_anything(found: dict[str, Any]) -> None:
@@ -346,44 +206,6 @@ def test_a_turn_of_no_angle_is_done_one_without_speed_never_and_stop_ends_any(fo
     assert unknown == (False, [wheels(0, 0)])
     assert known == (False, [turn(90 * 180 / 200)])
     assert silent == [False, False, False, "no answer from the Alvik"]
-
-
-def test_frames_that_are_cut_garbled_or_of_another_length_hide_no_good_one(found: dict[str, Any]) -> None:
-    *seen, last = found["frames"]
-    assert len(seen) == 12 * 7
-    assert set(seen) == {(0, 1, 0)}
-    assert last == (0, 0, 0)
-
-
-def test_sensors_give_what_was_measured_last_and_silence_is_an_error(found: dict[str, Any]) -> None:
-    none, first, second, same, silent, paused, after = found["sensors"]
-    assert none == [100, 30, 0, 0, 3, 0, 0, 0]
-    assert first == [26, 20, 0, 1, 3, 0, 0, 1]
-    assert second == same == [0, 30, 1, 0, 4, 1, 1, 0]
-    assert set(silent) == {"no answer from the Alvik"}
-    assert paused == [1, 1]
-    assert after == [0, 0]
-
-
-def test_a_colour_is_the_one_that_is_clearly_larger_than_the_others_between_black_and_white(
-    found: dict[str, Any],
-) -> None:
-    assert found["colours"] == [0, 1, 2, 3, 0, 0, 0, 1, 1]
-
-
-def test_lights_keep_each_other_and_that_of_the_eyes_and_are_told_again_when_the_stm32_begins_anew(
-    found: dict[str, Any],
-) -> None:
-    def lights(bits: int) -> list[bytes]:
-        return [frame("L", "B", bits)]
-
-    red, blue = 0b100, 0b10010000
-    *told, stopped, anew, wheels_anew, off = found["lights"]
-    assert told == [lights(2 + red), lights(2 + red + blue), lights(2 + blue), lights(2), lights(2 + blue)]
-    assert stopped == lights(2 + blue) + lights(2)
-    assert anew == [*lights(2 + blue), BEHAVIOUR]
-    assert wheels_anew == [wheels(50, 50)]
-    assert off == lights(2)
 
 
 def test_an_alvik_on_a_road_slows_the_wheel_on_the_side_that_sees_the_line_and_only_forward(

@@ -2,9 +2,10 @@
 #
 # Both sides send frames: `A`, how many bytes, a code and its values, `#`, and a checksum (CRC-8 of Maxim) of code and
 # values. Told are `J` the revolutions a minute of both wheels, `R` a turn on the spot in degrees, `X` `K` that its end
-# was heard, `L` the lights, `B` a behaviour. The STM32 sends what it measures by itself, each kind about every 50 ms,
-# and `x` ten times a second: `R` once it has turned, until it hears `X`; 0 else. Nothing is waited for but once, when
-# the STM32 is started anew: a frame cut by the last program would keep it from understanding the next ones.
+# was heard, `L` the lights, `S` both servos, `B` a behaviour. The STM32 sends what it measures by itself, each kind
+# about every 50 ms, and `x` ten times a second: `R` once it has turned, until it hears `X`; 0 else. Nothing is waited
+# for but once, when the STM32 is started anew: a frame cut by the last program would keep it from understanding the
+# next ones.
 
 import struct
 import time
@@ -78,6 +79,7 @@ class Alvik:
         self.rpm = self.degrees = self.ack = None
         self.told = False
         self.lights = ILLUMINATOR
+        self.angles = [0, 0]
         self.begin()
 
     def refuse_off(self):
@@ -102,7 +104,7 @@ class Alvik:
         self.greet()
 
     def greet(self):
-        """What the STM32 does not know after a start. Its wheels stand, and do until they are told again."""
+        """What the STM32 does not know after a start. Its wheels stand then, until a driver wants something."""
         self.rpm = None
         self.say("L", "B", self.lights)
         self.say("B", "B", 1)  # no light for the ground while the robot is lifted
@@ -209,6 +211,12 @@ class Alvik:
     def darken(self, which):
         self.lights &= ~which
         self.say("L", "B", self.lights)
+
+    def servo(self, which, degrees):
+        """Both are told at once: the other one stays, or goes to 0 where it was not told yet."""
+        self.refuse_off()
+        self.angles[which] = degrees
+        self.say("S", "BB", *self.angles)
 
     def stop(self):
         """Is said whatever was said before, and whether it is heard or not."""
