@@ -58,25 +58,25 @@ for part in (left, turn):
 robot = ready()
 turn, drive = make("machine.alvik_turn"), make("machine.alvik_drive")
 result = []
-def step(*pieces):
+def trip(*pieces):
     said.extend(pieces)
     done = turn.done()
     result.append((done, written()))
 drive.do("Advance", [50])
 turn.do("AbsoluteTurn", [25, 60])
-step(STANDING)
-step()
+trip(STANDING)
+trip()
 drive.do("Advance", [100])
-step()
-step(STANDING[:3])
-step(STANDING[3:] + TURNED[:4])
-step(TURNED[4:])
-step()
+trip()
+trip(STANDING[:3])
+trip(STANDING[3:] + TURNED[:4])
+trip(TURNED[4:])
+trip()
 turn.do("AbsoluteTurn", [50, 60])  # the STM32 has not heard yet that the last turn is over
-step(TURNED)
-step(TURNED)
-step(STANDING)
-step(TURNED)
+trip(TURNED)
+trip(TURNED)
+trip(STANDING)
+trip(TURNED)
 result.append(Clock.slept)
 """,
     "turns that end": """
