@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 
 from kitrobot.deploy import connect
-from tests.boards.alvik import HEARD, STANDING, TURNED, frame
+from tests.boards.alvik import HEARD, NOTHING, STANDING, TURNED, frame
 from tests.boards.modern import ModernBoard, onboard_files
 from tests.boards.test_modern_robot import deploy_by_command, pins_told
 
@@ -90,3 +90,29 @@ partners[1] = stm32
     assert told[told.index(turn) + 1] == HEARD
     assert frame("J", "2f", 0, 0) in told[-4:]
     assert told.index(drives[0]) < len(told) - 4
+
+
+def test_an_alvik_that_falls_silent_is_a_fault_of_the_part_that_is_looked_at_and_its_wheels_are_told_to_stand(
+    tmp_path: Path,
+) -> None:
+    robot = f"""
+levels[13] = 1
+looks = [0]
+def stm32(data):
+    looks[0] += not data
+    return {NOTHING!r} if not data and looks[0] < 20 else b""
+partners[1] = stm32
+"""
+    with ModernBoard({"lib/machine.py": onboard_files()["machine.py"] + robot.encode()}) as board:
+        path = tmp_path / "wall.lll"
+        path.write_text("Wheel.Advance(50); *[Captor.GreaterThan(20)](WAIT(1); ); Wheel.Stop();", encoding="utf-8")
+        deploy_by_command(path, board, "--robot", "mini-robot", "--board", "alvik")
+        with connect(board.address, 10) as line:
+            fault = None
+            while fault is None:
+                fault = line.last_fault()
+        told = [value for _, what, value in pins_told(board) if what == "write"]
+    assert fault.text.startswith("s"), "a sensor"
+    assert "no answer from the Alvik" in fault.text
+    assert frame("J", "2f", 35, 35) in told
+    assert [data for data in told if data[2:3] == b"J"][-1] == frame("J", "2f", 0, 0)
