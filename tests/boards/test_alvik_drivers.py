@@ -53,6 +53,8 @@ for part, procedure, arguments in (
 for part in (left, turn):
     part.stop()
     result.append(written())
+left.do("Forward", [20])
+result.append(written())
 """,
     "turn": """
 robot = ready()
@@ -100,6 +102,18 @@ result.append(error_of(turn.done))
 for _ in range(3):
     Clock.now += 200
     result.append(error_of(turn.done))
+""",
+    "after a pause": """
+ready()
+turn = make("machine.alvik_turn")
+Clock.now += 251
+said.append(TURNED)  # what waits is old
+turn.do("AbsoluteTurn", [25, 50])
+result = [written()]
+for piece in (b"", TURNED, STANDING):
+    said.append(piece)
+    turn.done()
+    result.append(written())
 """,
     "road": f"""
 ready()
@@ -174,6 +188,7 @@ def test_wheels_drive_and_turn_at_once_and_what_is_known_is_not_told_again(found
         [wheels(0, -60)],
         STOPPED,
         STOPPED,
+        [wheels(20, 0)],  # what was wanted before the stop is forgotten
     ]
 
 
@@ -206,6 +221,10 @@ def test_a_turn_of_no_angle_is_done_one_without_speed_never_and_stop_ends_any(fo
     assert unknown == (False, [wheels(0, 0)])
     assert known == (False, [turn(90 * 180 / 200)])
     assert silent == [False, False, False, "no answer from the Alvik"]
+
+
+def test_what_was_acknowledged_before_a_pause_counts_for_nothing(found: dict[str, Any]) -> None:
+    assert found["after a pause"] == [[wheels(0, 0)], [], [HEARD], [turn(90)]]
 
 
 def test_an_alvik_on_a_road_slows_the_wheel_on_the_side_that_sees_the_line_and_only_forward(

@@ -41,7 +41,7 @@ for noise in (b"", b"A", b"#", b"AA", b"A\\2", b"A\\xff", b"A\\0#\\0", wrong, lo
         again = key.read()
         key.read()
         result.append((before, seen, again))
-said.append(wrong + long)
+said.append(wrong + long + touched[:-2] + b"!" + touched[-1:])
 result.append((key.read(), 0, 0))
 """,
     "sensors": f"""
