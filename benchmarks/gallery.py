@@ -48,9 +48,9 @@ def stm32(data):
     return TURNED if Stm32.turned else NOTHING
 partners[1] = stm32
 """
-"""More of the module `machine` of the tests: all pins, that a colour sensor and a gyroscope are on the bus, and an Alvik
-that is switched on, sees nothing, and has turned as soon as it is told. What it is told it forgets, for that would be
-counted as memory of the program.
+"""More of the module `machine` of the tests: all pins, that a colour sensor and a gyroscope are on the bus, and an
+Alvik that is switched on, sees nothing, and has turned as soon as it is told. What it is told it forgets, for that
+would be counted as memory of the program.
 """
 
 
