@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import os
 from collections.abc import Callable
 from pathlib import Path
 
@@ -54,8 +53,4 @@ def test_a_file_is_copied_to_a_board_and_the_kit_says_what_it_needs(
     expect(studio.at("firmware-done")).to_contain_text("MicroPython 1.27.0 is on the board")
     assert (drive / "FIRMWARE.UF2").read_bytes() == whole()
     find_nothing(studio, "copied")
-    if "SHOT" in os.environ:
-        studio.page.screenshot(path=os.environ["SHOT"])
-        studio.page.set_viewport_size({"width": 700, "height": 900})
-        studio.page.screenshot(path=os.environ["SHOT"] + "n.png")
     forgive_refusals(studio)

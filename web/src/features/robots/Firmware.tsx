@@ -3,7 +3,7 @@
  *
  * Nothing is fetched from the network: the page of the maker is named, and a file that the reader has is copied.
  */
-import { useEffect, useId, useState } from "react";
+import { useEffect, useId, useRef, useState } from "react";
 
 import { ApiError } from "../../api/client";
 import { firmwareApi } from "../../api/firmware";
@@ -76,6 +76,11 @@ function Flashing() {
     }, fail);
   };
   useEffect(look, []);
+  const place = useRef<HTMLDivElement>(null);
+  const looked = drives !== null;
+  useEffect(() => {
+    place.current?.scrollIntoView({ block: "nearest" });
+  }, [looked]);
   const drive = drives?.find(({ folder }) => folder === chosen) ?? drives?.[0];
   const copy = () => {
     if (file === null || drive === undefined) return;
@@ -93,7 +98,7 @@ function Flashing() {
       .finally(() => setBusy(false));
   };
   return (
-    <div className="robot-flash" data-testid="firmware">
+    <div ref={place} className="robot-flash" data-testid="firmware">
       <p className="robots-note">
         {t("firmware.about")}{" "}
         {page === "" ? null : (
