@@ -26,7 +26,10 @@ from kitrobot.workspace import board_program, open_mission, shipped_examples
 from kitrobot.workspace.robot_programs import ready_program
 
 EXAMPLES = Path(__file__).resolve().parents[1] / "examples"
-KITS = ("pico", "cardboard", "esp32", "xrp", "xrp-beta", "pololu-3pi", "microbit", "maqueen", "cutebot", "move-motor")
+KITS = (
+    *("pico", "cardboard", "esp32", "xrp", "xrp-beta", "pololu-3pi", "alvik"),
+    *("microbit", "maqueen", "cutebot", "move-motor"),
+)
 ANSWERS = b"""
 PINS = 48
 registers[0x29] = {}
@@ -35,9 +38,19 @@ class Forgets(list):
     def append(self, entry):
         pass
 log = Forgets()
+levels[13] = 1
+class Stm32:
+    turned = False
+def stm32(data):
+    if data:
+        Stm32.turned = data[2] == 82
+        return b""
+    return TURNED if Stm32.turned else NOTHING
+partners[1] = stm32
 """
-"""More of the module `machine` of the tests: all pins, and that a colour sensor and a gyroscope are on the bus. What it
-is told it forgets, for that would be counted as memory of the program.
+"""More of the module `machine` of the tests: all pins, that a colour sensor and a gyroscope are on the bus, and an
+Alvik that is switched on, sees nothing, and has turned as soon as it is told. What it is told it forgets, for that
+would be counted as memory of the program.
 """
 
 
@@ -156,9 +169,11 @@ def _figures(one: Candidate, kit: Kit, ticks: int, left_out: Sequence[str]) -> F
 
 
 def _board(kit: Kit) -> AbstractContextManager[Any]:
+    from tests.boards.alvik import NOTHING, TURNED
     from tests.boards.modern import ModernBoard, onboard_files
     from tests.boards.qemu import running
 
     if kit.family == "microbit":
         return running("-icount", "shift=6")
-    return ModernBoard({"lib/machine.py": onboard_files()["machine.py"] + ANSWERS})
+    alvik = f"\nNOTHING, TURNED = {NOTHING!r}, {TURNED!r}\n".encode()
+    return ModernBoard({"lib/machine.py": onboard_files()["machine.py"] + alvik + ANSWERS})

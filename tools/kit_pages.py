@@ -22,7 +22,19 @@ REPOSITORY = Path(__file__).resolve().parents[1]
 PAGE = REPOSITORY / "docs" / "kits.md"
 PICTURES = REPOSITORY / "docs" / "pictures"
 SMALL = Path(__file__).with_name("microbit-2016.json")
-ORDER = ("pico", "cardboard", "esp32", "xrp", "xrp-beta", "pololu-3pi", "maqueen", "cutebot", "move-motor", "microbit")
+ORDER = (
+    "pico",
+    "cardboard",
+    "esp32",
+    "xrp",
+    "xrp-beta",
+    "pololu-3pi",
+    "alvik",
+    "maqueen",
+    "cutebot",
+    "move-motor",
+    "microbit",
+)
 _TRIED = {
     Tried.DOCUMENTS: "from its documents: nobody has reported yet that it was tried",
     Tried.EMULATOR: "in an emulator: its drivers on a current MicroPython, with recorded pins",
@@ -35,8 +47,14 @@ deploy MISSION --board NAME` sends a program to it, `kitrobot check MISSION --bo
 How such a file is written stands in [robots' XML](xml.md#kits). This page is made by `python -m tools.kit_pages`.
 
 Of each kit it is said how it is known to work. No kit was at hand when this was written; pins and addresses are from
-the documents that are named. What is not in a document stands in no file: the Arduino Alvik is left out, because its
-motors and sensors are spoken to over a protocol of its own, for which there is no driver here yet.
+the documents that are named; what is not in a document stands in no file, but for figures that are called a guess.
+
+The motors and sensors of an Arduino Alvik are at a second chip, an STM32, with the firmware that it comes with. It is
+started anew when a program starts, and must answer within six seconds; a robot that is switched off or falls silent is
+a fault. A turn by an angle is done by the STM32, at its own speed. Where its eyes for the ground see a dark line
+(`threshold`) no document says: 512, the middle of what they read, is a guess until you look at yours with *Try the
+parts*. There are two kinds of its colour sensor: for a robot whose board has the revision 1.6 write `revision="1.6"`
+into a copy of the file. A servo cannot be left without force: after STOP it goes to where it was told last.
 
 The rate of a turn by the clock (`rate`, degrees a second at full speed) is a guess until you measure it:
 [`kitrobot calibrate`](boards.md#measured) asks, and writes a file of your own. The kits of a micro:bit are for a V2,

@@ -21,6 +21,7 @@ from kitrobot.robots import BoardProgram
 from kitrobot.workspace import board_program, kits_at_hand, open_mission, shipped_examples
 from kitrobot.workspace.opening import OpenMission
 from kitrobot.workspace.team_boards import agent_program
+from tests.boards.alvik import NOTHING
 from tests.boards.modern import onboard_files, run
 
 TICKS = 60
@@ -37,6 +38,8 @@ from kitrobot_onboard.state import *
 machine.PINS = 48  # as an RP2350 has
 machine.registers[0x29] = {}  # a colour sensor that sees nothing
 machine.registers[107] = {0x0F: b"\\x6c"}  # a gyroscope LSM6DSO that lies still
+SEEN_NOTHING = open("alvik.bin", "rb").read()  # by the STM32 of an Alvik
+machine.partners[1] = lambda data: b"" if data else SEEN_NOTHING
 for picture in PICTURES.split(","):
     setattr(microbit.Image, picture or "NONE", microbit.Image(picture))
 cases = json.load(open("cases.json"))
@@ -50,6 +53,7 @@ def made(driver, settings):
 
 def ran(case):
     machine.log.clear()
+    machine.levels[13] = 1  # an Alvik is switched on
     robot = [None] * LENGTH
     robot[:5] = load(binascii.unhexlify(case["image"]))
     robot[SEEN] = b""
@@ -161,7 +165,8 @@ def test_every_program_of_the_gallery_starts_on_each_of_its_bodies_and_does_tick
         for kit, ready_ones in there.items()
         for name, ready in ready_ones
     ]
-    files = {**onboard_files(), "cases.json": json.dumps(cases).encode(), "gallery.py": PROGRAM}
+    given = {"cases.json": json.dumps(cases).encode(), "alvik.bin": NOTHING, "gallery.py": PROGRAM}
+    files = onboard_files() | given
     found = [json.loads(line) for line in run(files, "gallery.py").splitlines()]
     assert [name for name, *_ in found] == [case["name"] for case in cases]
     assert [(name, problem) for name, _, _, problem in found if problem] == []

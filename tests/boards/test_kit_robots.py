@@ -8,6 +8,7 @@ from pathlib import Path
 import pytest
 
 from kitrobot.deploy import connect
+from tests.boards.alvik import HEARD, NOTHING, STANDING, TURNED, frame
 from tests.boards.modern import ModernBoard, onboard_files
 from tests.boards.test_modern_robot import deploy_by_command, pins_told
 
@@ -61,3 +62,57 @@ def test_a_range_finder_that_is_not_plugged_in_is_a_fault_of_its_part_and_everyt
         told = [value for name, what, value in pins_told(board) if name in MOTORS and what == "duty"]
     assert max(told) > 0
     assert told[-1] == 0
+
+
+def test_square_on_an_alvik_tells_its_stm32_to_drive_and_to_turn_and_stop_stops_it() -> None:
+    turn = frame("R", "f", 90)
+    robot = f"""
+levels[13] = 1
+ends = [{STANDING!r}]
+def stm32(data):
+    if data:
+        ends[0] = {TURNED!r} if data == {turn!r} else {STANDING!r}
+    return b"" if data else ends[0]
+partners[1] = stm32
+"""
+    with ModernBoard({"lib/machine.py": onboard_files()["machine.py"] + robot.encode()}) as board:
+        deploy_by_command(EXAMPLES / "square" / "square.krt", board, "--board", "alvik")
+        with connect(board.address, 10) as line:
+            while line.greet().state == 2 and line.greet().tick < 150:
+                continue
+            line.stop()
+            assert line.last_fault() is None
+        told = [value for _, what, value in pins_told(board) if what == "write"]
+    drives = [data for data in told if data[2:3] == b"J" and data != frame("J", "2f", 0, 0)]
+    assert drives
+    assert turn in told
+    assert told.index(drives[0]) < told.index(turn)
+    assert told[told.index(turn) + 1] == HEARD
+    assert frame("J", "2f", 0, 0) in told[-4:]
+    assert told.index(drives[0]) < len(told) - 4
+
+
+def test_an_alvik_that_falls_silent_is_a_fault_of_the_part_that_is_looked_at_and_its_wheels_are_told_to_stand(
+    tmp_path: Path,
+) -> None:
+    robot = f"""
+levels[13] = 1
+looks = [0]
+def stm32(data):
+    looks[0] += not data
+    return {NOTHING!r} if not data and looks[0] < 20 else b""
+partners[1] = stm32
+"""
+    with ModernBoard({"lib/machine.py": onboard_files()["machine.py"] + robot.encode()}) as board:
+        path = tmp_path / "wall.lll"
+        path.write_text("Wheel.Advance(50); *[Captor.GreaterThan(20)](WAIT(1); ); Wheel.Stop();", encoding="utf-8")
+        deploy_by_command(path, board, "--robot", "mini-robot", "--board", "alvik")
+        with connect(board.address, 10) as line:
+            fault = None
+            while fault is None:
+                fault = line.last_fault()
+        told = [value for _, what, value in pins_told(board) if what == "write"]
+    assert fault.text.startswith("s"), "a sensor"
+    assert "no answer from the Alvik" in fault.text
+    assert frame("J", "2f", 35, 35) in told
+    assert [data for data in told if data[2:3] == b"J"][-1] == frame("J", "2f", 0, 0)

@@ -7,6 +7,7 @@ volts = {}  # pin: what it reads as analogue, 0 to 65535
 widths = {}  # pin: microseconds of the next answer, None for none at all; a long one comes where nothing stands
 registers = {}  # of what is on an I2C bus: {address: {register: bytes}}; nothing else answers
 watchers = {}  # pin: what is called when it changes
+partners = {}  # UART: who gets what is written to it, or b"" when it is looked at, and gives what it then says
 NAMES = ("LED",)
 PINS = 30
 
@@ -15,6 +16,7 @@ class Pin:
     IN = 0
     OUT = 1
     PULL_UP = 2
+    PULL_DOWN = 3
     IRQ_RISING = 1
     IRQ_FALLING = 2
 
@@ -54,6 +56,29 @@ class I2C:
     def writeto_mem(self, address, register, data):
         self.here(address)
         log.append((address, register, bytes(data)))
+
+
+class UART:
+    def __init__(self, number, baudrate=9600, tx=None, rx=None, rxbuf=256):
+        self.number = number
+        self.waiting = b""
+        log.append(("uart", baudrate, (number, tx, rx)))
+
+    def hand(self, data):
+        if self.number in partners:
+            self.waiting += partners[self.number](data)
+
+    def any(self):
+        self.hand(b"")
+        return len(self.waiting)
+
+    def read(self, count):
+        data, self.waiting = self.waiting[:count], self.waiting[count:]
+        return data or None
+
+    def write(self, data):
+        log.append(("uart", "write", bytes(data)))
+        self.hand(bytes(data))
 
 
 class PWM:
