@@ -7,19 +7,16 @@ arrives intact; the board executes it once. So when a method returns, its effect
 
 from __future__ import annotations
 
-import ast
 import re
-from collections.abc import Callable, Sequence
-from functools import cache
-from importlib.resources import files
+from collections.abc import Callable
 from itertools import cycle
 
 from kitrobot.deploy.errors import BoardError, FullError, ResetError, SilentError
 from kitrobot.deploy.line import MOST, Line
 from kitrobot.deploy.modern import tell_at_once
 from kitrobot.deploy.patience import Patience
+from kitrobot.deploy.receiver_text import laid_down, pieces_of, texts
 from kitrobot.deploy.repl import LONGEST, GarbledError, RawRepl
-from kitrobot.deploy.shortening import parsed, shortened
 from kitrobot.text import Sentence
 from kitrobot_onboard import link
 
@@ -223,7 +220,7 @@ class Receiver:
         self.micropython = f"{int(numbers[1])}.{int(numbers[2])}"
         self.modern = (int(numbers[1]), int(numbers[2])) >= (1, 20) and not self.disturbed
         self.free = int(free)
-        for text in _texts(self.is_2016):
+        for text in texts(self.is_2016):
             self.modern = self.modern and self._lay_at_once(text)
             if not self.modern:
                 self._lay_down(text)
@@ -256,11 +253,11 @@ class Receiver:
     def _lay_down(self, text: str) -> None:
         """Brings a text into the board's `s` piece by piece, each no longer than a command, and compares them."""
         self.repl.run("import gc;t={}")
-        pieces = _pieces(text)
+        pieces = pieces_of(text)
         missing = list(range(len(pieces)))
         for _ in range(_DEFINITION_TRIES):
             for count, number in enumerate(missing):
-                self.repl.run(_laid_down(number, pieces[number]))
+                self.repl.run(laid_down(number, pieces[number]))
                 if count % 4 == 3:
                     self.repl.run("gc.collect()")  # or what the compiler needs is too scattered
             # A command that was garbled may have laid down something elsewhere: all is compared when all is there.
@@ -365,39 +362,6 @@ def _number(text: bytes) -> int:
     if not text.isdigit() or len(text) > _DIGITS:
         raise strange()
     return int(text)
-
-
-@cache
-def _texts(is_2016: bool) -> Sequence[str]:
-    """What is told to the board: the frames, then the receiver without its import of them."""
-    found = []
-    for name in ("link", "receiver", *(["flash"] if is_2016 else [])):
-        source = files("kitrobot_onboard").joinpath(f"{name}.py").read_text(encoding="utf-8")
-        tree = parsed(source, f"{name}.py")
-        tree.body = [
-            one
-            for one in tree.body
-            if not (isinstance(one, ast.ImportFrom) and (one.module or "").startswith("kitrobot_onboard"))
-        ]
-        found.append(shortened(tree))
-    return found
-
-
-def _laid_down(number: int, piece: str) -> str:
-    return f"t[{number}]={piece!r}"
-
-
-def _pieces(text: str) -> list[str]:
-    """A text in pieces, each of which can be laid down by one command."""
-    found: list[str] = []
-    at = 0
-    while at < len(text):
-        size = LONGEST
-        while len(_laid_down(len(found), text[at : at + size])) >= LONGEST:
-            size -= 1
-        found.append(text[at : at + size])
-        at += size
-    return found
 
 
 def _fitting(content: bytes, at: int) -> bytes:
