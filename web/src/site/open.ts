@@ -1,8 +1,8 @@
 /**
  * Begins a static site: one tab of the browser has the studio, with Python in a worker of it.
  *
- * Two tabs would each have a copy of the same files, so a second one waits until the first is closed. The files of the site
- * are kept by its service worker once Python is there, so that they are fetched once.
+ * A second tab waits until the first is closed (`alone`). The files of the site are kept by its service worker once Python is
+ * there, so that they are fetched once.
  */
 import { createElement } from "react";
 import { createRoot } from "react-dom/client";
@@ -11,6 +11,7 @@ import { talkThrough } from "../api/line";
 import { moreWords } from "../i18n/words";
 import { features, install } from "../session/features";
 import { flush, useLink } from "../session/journal";
+import { alone } from "./alone";
 import { links, openLinked } from "./links";
 import { forgetMemory } from "./memory";
 import type { FromWorker, ToWorker } from "./messages";
@@ -33,12 +34,16 @@ export function openSite(spoken: Promise<unknown>): Promise<void> {
   }, path);
   talkThrough(line);
   install([...features(), links]);
-  alone(`kitrobot ${path}`, () => {
-    try {
-      give(begun(line, base));
-    } catch (cause) {
-      broke(base, String(cause));
-    }
+  alone(`kitrobot ${path}`, {
+    begin: () => {
+      set({ phase: "fetching" });
+      try {
+        give(begun(line, base));
+      } catch (cause) {
+        broke(base, String(cause));
+      }
+    },
+    wait: () => set({ phase: "other-tab" }),
   });
   const begin = () => {
     draw();
@@ -52,28 +57,6 @@ function draw(): void {
   const place = document.createElement("div");
   document.body.append(place);
   createRoot(place).render(createElement(SiteStrip));
-}
-
-/** Calls it once no other tab has the studio; it has it as long as the page is there. */
-function alone(name: string, begin: () => void): void {
-  // Only pages of a safe address have locks, and other tabs of an unsafe one keep nothing either way.
-  if (!("locks" in navigator)) {
-    begin();
-    return;
-  }
-  const hold = () => {
-    set({ phase: "fetching" });
-    begin();
-    return new Promise<never>(() => undefined);
-  };
-  const wait = (lock: Lock | null) => {
-    if (lock !== null) return hold();
-    set({ phase: "other-tab" });
-    navigator.locks.request(name, hold).catch(begin);
-    return undefined;
-  };
-  // A browser that gives no locks keeps nothing of this page.
-  navigator.locks.request(name, { ifAvailable: true }, wait).catch(begin);
 }
 
 function begun(line: WorkerLine, base: string): Worker {
