@@ -19,14 +19,22 @@ const ROLES = { item: "menuitem", radio: "menuitemradio", check: "menuitemcheckb
 export function Menu({ id, label, entries, onClose, onAside }: MenuProps) {
   const [at, setAt] = useState(() => stepItem(entries, -1, 1));
   const list = useRef<HTMLUListElement>(null);
+  /** The focus is the opener's again: what the pointer passed last does not take it back. */
+  const closed = useRef(false);
 
   useEffect(() => {
+    if (closed.current) return;
     list.current?.querySelector<HTMLElement>(`[data-at="${String(at)}"]`)?.focus();
   }, [at]);
 
+  const close = () => {
+    closed.current = true;
+    onClose();
+  };
+
   const choose = (item: MenuItem) => {
     if (item.disabled === true) return;
-    onClose();
+    close();
     item.run();
   };
 
@@ -38,9 +46,9 @@ export function Menu({ id, label, entries, onClose, onAside }: MenuProps) {
     else if (event.key === "End") setAt(stepItem(entries, -1, -1));
     else if (event.key === "ArrowLeft" && onAside !== undefined) onAside(-1);
     else if (event.key === "ArrowRight" && onAside !== undefined) onAside(1);
-    else if (event.key === "Escape") onClose();
+    else if (event.key === "Escape") close();
     else if (event.key === "Tab") {
-      onClose();
+      close();
       return;
     } else if ((event.key === "Enter" || event.key === " ") && entry !== undefined && isItem(entry)) choose(entry);
     else if (event.key.length === 1 && !event.ctrlKey && !event.metaKey && !event.altKey) {
