@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 
 import pytest
-from playwright.sync_api import expect
+from playwright.sync_api import Locator, expect
 
 from kitrobot.deploy import Line, connect
 from tests.boards.qemu import running
@@ -22,6 +22,18 @@ DEPLOY_MS = 120_000
 RUNNING = 2
 QUIET_S = 1.5
 """Longer than a held robot goes on without a word."""
+
+
+def expect_stop_when_pulled(bridge: Bridge, address: str, robot: Locator) -> None:
+    """Pulls the cable of a robot that runs held: the page says so, and the robot has stopped by itself."""
+    bridge.pull()
+    expect_robot(robot, phase="lost")
+    expect(robot.get_by_test_id("robot-trouble")).to_contain_text("its motors stop within one second")
+    line = Line(address)
+    line.drain(QUIET_S, DEPLOY_MS / 1000)
+    line.close()
+    with connect(address) as there:
+        assert there.hello.state != RUNNING
 
 
 @pytest.mark.boards
@@ -53,14 +65,7 @@ def test_a_board_at_the_page_is_sent_to_watched_stopped_and_stops_when_its_cable
 
         robot.get_by_test_id("robot-run").click()
         expect_robot(robot, state="running")
-        bridge.pull()
-        expect_robot(robot, phase="lost")
-        expect(robot.get_by_test_id("robot-trouble")).to_contain_text("its motors stop within one second")
-        line = Line(board.address)
-        line.drain(QUIET_S, DEPLOY_MS / 1000)
-        line.close()
-        with connect(board.address) as there:
-            assert there.hello.state != RUNNING
+        expect_stop_when_pulled(bridge, board.address, robot)
 
         # Chosen again it has the place that it had; a tab that the browser freezes lets it go.
         studio.at("find-board").click()

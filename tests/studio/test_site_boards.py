@@ -8,12 +8,11 @@ from pathlib import Path
 import pytest
 from playwright.sync_api import Browser, expect
 
-from kitrobot.deploy import Line, connect
 from tests.boards.qemu import running
 from tests.sites import made_site
 from tests.studio.conftest import EXAMPLES, HEIGHT, WIDTH
 from tests.studio.serial_ports import Bridge
-from tests.studio.test_page_ports import DEPLOY_MS, QUIET_S, RUNNING
+from tests.studio.test_page_ports import DEPLOY_MS, expect_stop_when_pulled
 from tests.studio.test_robots import expect_robot
 from tests.studio.test_site import PATH, FileServer, link, opened
 
@@ -71,14 +70,7 @@ def test_a_board_is_sent_to_watched_and_stopped_by_python_in_the_page(
         # A cable that is pulled is told, and the robot has stopped by itself.
         robot.get_by_test_id("robot-run").click()
         expect_robot(robot, state="running")
-        bridge.pull()
-        expect_robot(robot, phase="lost")
-        expect(robot.get_by_test_id("robot-trouble")).to_contain_text("its motors stop within one second")
-        line = Line(board.address)
-        line.drain(QUIET_S, DEPLOY_MS / 1000)
-        line.close()
-        with connect(board.address) as there:
-            assert there.hello.state != RUNNING
+        expect_stop_when_pulled(bridge, board.address, robot)
 
         # Chosen again it goes on; let go, its port is free.
         studio.at("find-board").click()
