@@ -10,7 +10,7 @@ import { useStudio } from "../model/studio";
 import { findSpot, inChain } from "../model/tree";
 import type { Breakpoint } from "../model/types";
 import { nodeOf, currentDrawing, type Drawing } from "./drawing";
-import { canGoBack, useRun } from "./run";
+import { isEnded, isLive, useRun } from "./run";
 
 /** The vertex whose instruction holds that one: a condition's is what waits for it. Null for start and stop. */
 export function instructionOf(drawing: Drawing, id: string): string | null {
@@ -52,7 +52,7 @@ export function followBreakpoints(reveal: (program: string, vertices: string[]) 
   const offStudio = useStudio.subscribe(({ mission }, before) => {
     const [now, then] = [mission.breakpoints ?? NONE, before.mission.breakpoints ?? NONE];
     const { status, pauseAt } = useRun.getState();
-    if (now !== then && canGoBack(status)) pauseAt(now);
+    if (now !== then && (isLive(status) || isEnded(status))) pauseAt(now);
   });
   const offRun = useRun.subscribe(({ hits, selectAgent }, before) => {
     const [hit] = hits;

@@ -53,6 +53,8 @@ const NOTHING = {
 };
 
 let socket: RunSocket | null = null;
+/** What was asked of the run before it began. */
+let early: RunRequest[] = [];
 
 function sameActive(a: RunAgent["active"], b: RunAgent["active"]): boolean {
   return a.length === b.length && a.every(([slot, vertex], i) => b[i]?.[0] === slot && b[i][1] === vertex);
@@ -202,6 +204,7 @@ export function isOurs(run: string): boolean {
 function hangUp(): void {
   wanted = null;
   seeking = false;
+  early = [];
   socket?.close();
   socket = null;
 }
@@ -220,6 +223,7 @@ function connect(mission: Mission, request: RunRequest): void {
       if (message.type === "started") {
         if (!message.watching) ours.add(String(message.run));
         sendLook(useRun.getState());
+        early.splice(0).forEach(steer);
       }
       if (seeking && message.type === "tick") sought();
       if (
@@ -237,9 +241,11 @@ function connect(mission: Mission, request: RunRequest): void {
   });
 }
 
-/** Asks something of the run; of one that another page steers nothing is asked. */
+/** Asks something of the run, once it has begun; of one that another page steers nothing is asked. */
 function steer(request: RunRequest): void {
-  if (!useRun.getState().watching) socket?.send(request);
+  const { status, watching } = useRun.getState();
+  if (status === "connecting") early.push(request);
+  else if (!watching) socket?.send(request);
 }
 
 export const useRun = create<RunState>((set, get) => ({
