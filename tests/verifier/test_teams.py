@@ -2,18 +2,26 @@
 
 from __future__ import annotations
 
+import random
+from collections.abc import Sequence
 from types import SimpleNamespace
 from typing import Any
 
 import pytest
 
 from kitrobot.lll import parse_team
+from kitrobot.mission import FailureKind
 from kitrobot.sim import Simulation
+from kitrobot.sim import columns as c
 from kitrobot.verifier import AbstractionError, Budget, Model, Timing, judge, ready_properties, take_apart
 from kitrobot.verifier.agreeing import Agreement
+from kitrobot.verifier.bodies import RUNS
+from kitrobot.verifier.building import KINDS
 from kitrobot.verifier.engines import PLAIN
 from kitrobot.verifier.exploring import Explored, explore
+from kitrobot.verifier.missing import Watch
 from kitrobot.verifier.model import State
+from kitrobot.verifier.replay import Harm
 from tests.effort import cases
 from tests.sim.team_building import RunningTeam, random_team_program
 from tests.team_programs.hosting import TooLarge
@@ -42,33 +50,56 @@ def following(made: Explored, state: State) -> set[State]:
         made.fill(int(t.regs[0]))
 
 
-def follow(run: Simulation, steps: int) -> int:
-    """Follows a run of a team, and all states of the model in lockstep that fit; gives how much was agreed on."""
+def follow(run: Simulation, steps: int, harms: Sequence[Harm] = ()) -> int:
+    """Follows a run of a team, and all states of the model in lockstep that fit; gives how much was agreed on.
+
+    `harms`: what is done before which step, and to whom.
+    """
     parts = take_apart(run)
-    model = Model(run, parts)
+    failures = sum(harm.kind != "revive" for harm in harms)
+    model = Model(run, parts, failures, kinds=[kind for kind in KINDS if any(harm.kind == kind for harm in harms)])
+    assert model.agreement is not None
     made = explore(model, Budget(1), True, PLAIN)
-    actuators = [k for part in parts.parts for act in part.acts for k in (act.agrees,) if k >= 0]
     fitting = {made.state(0)}
     agreed = set()
     for _ in range(steps):
         if run.outcome is not None:
             break
+        for harm in harms:
+            if harm.tick == run.tick:
+                run.harm(harm.agent, harm.kind)
+                failures -= harm.kind != "revive"
         run.step()
-        now = Agreement(run, sorted(actuators)).first
-        agreed.add(now)
-        locals_now = []
-        for i, part in enumerate(model.parts):
-            part.table.machine.restore(run.members[i].machine.snapshot())
-            locals_now.append(part.table.current())
+        now = seen(run, model, failures)
+        agreed.add(now[-1])
         fitting = {
-            after
-            for state in fitting
-            for after in following(made, state)
-            if [model.inside(i, after[1 + i]).local for i in range(model.count)] == locals_now
-            and model.shareds()[after[0]][-len(now) :] == now
+            after for state in fitting for after in following(made, state) if shown(model, after, failures) == now
         }
         assert fitting, f"step {run.tick}"
     return len(agreed)
+
+
+def seen(run: Simulation, model: Model, left: int) -> tuple[Any, ...]:
+    """What can be seen of a run of a team that is also in a state of the model."""
+    robots, agents = run.state.robots.ints, []
+    for i, part in enumerate(model.parts):
+        part.table.machine.restore(run.members[i].machine.snapshot())
+        is_well = robots[c.DOWN][i] == c.WELL
+        agents.append((part.table.current(), robots[c.DOWN][i], is_well and robots[c.MUTED][i]))
+    assert model.agreement is not None
+    actuators = model.agreement.actuators
+    if model.watch is None:
+        return tuple(agents), Agreement(run, actuators).first
+    return tuple(agents), model.watch.reduced(Watch(run, actuators).first, left)
+
+
+def shown(model: Model, state: State, left: int) -> tuple[Any, ...]:
+    """The same of a state of the model, if so many failures are left in it."""
+    insides = [model.inside(i, state[1 + i]) for i in range(model.count)]
+    agents = tuple((one.local, one.down, one.down == RUNS and one.is_muted) for one in insides)
+    shared = model.shareds()[state[0]]
+    assert model.agreement is not None
+    return agents, shared[-len(model.agreement.first) :] if shared[0] == left else ()
 
 
 @pytest.mark.parametrize("seed", cases([0, 2, 4, 6, 7], [1, 3, 5, *range(8, 200)]))
@@ -79,6 +110,26 @@ def test_a_team_agrees_on_nothing_that_the_model_does_not(seed: int) -> None:
     except TooLarge:
         return
     assert follow(running.run, 120) > 1
+
+
+@pytest.mark.parametrize("seed", cases([0, 1, 2, 3, 4, 5, 6, 7], list(range(8, 400))))
+def test_a_team_of_which_some_fail_does_nothing_that_the_model_does_not(seed: int) -> None:
+    """They fail, stall or lose their radio at any moment, one or two of them; who stalls may go on, or is missed."""
+    chance = random.Random(seed)
+    maker, program = random_team_program(seed, chance.randint(0, 2))
+    for group in program.groups:
+        group.failure = chance.choice(("drop", "substitute", "substitute", "abort"))
+    try:
+        running = RunningTeam(maker, program, seed)
+    except TooLarge:
+        return
+    harms = []
+    for _ in range(1 if len(running.names) > 5 else 2):
+        who, when, kind = chance.choice(running.names), chance.randint(0, 60), chance.choice(list(KINDS))
+        harms.append(Harm(when, who, kind.value))
+        if kind is FailureKind.STALL and chance.random() < 0.8:
+            harms.append(Harm(when + chance.randint(1, 120), who, "revive"))
+    follow(running.run, 200, sorted(harms, key=lambda harm: harm.tick))
 
 
 @pytest.mark.parametrize("timing", list(Timing))

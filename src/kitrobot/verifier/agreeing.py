@@ -1,8 +1,8 @@
 """What a team has agreed on, as a part of what is shared: who waits where, answers, groups, and units of work.
 
 What commands to `Team` and to works do is done by the simulator itself (`sim.meetings`, `sim.work`), on tables apart
-that are put into the state in question before, and read off after. Robots that the team misses are not followed: nobody
-fails here, so whoever plays no role plays none for good.
+that are put into the state in question before, and read off after. Here nobody fails, so whoever plays no role plays
+none for good; who is missed, and who takes over, is left to `missing`.
 """
 
 from __future__ import annotations
@@ -19,7 +19,7 @@ from kitrobot.sim.devices.base import Command
 from kitrobot.sim.dispatch import start
 from kitrobot.sim.meetings import agree, find_members
 from kitrobot.sim.radio_tables import no_radio
-from kitrobot.sim.state import numbers
+from kitrobot.sim.state import State, numbers
 from kitrobot.sim.work import share_out
 
 Agreed = tuple[int, ...]
@@ -44,10 +44,18 @@ class Agreement:
     """
 
     def __init__(self, run: Simulation, actuators: Sequence[int]) -> None:
-        state = run.state
-        self._actuators = tuple(actuators)
+        self.actuators = tuple(actuators)
+        self._state = self._apart(run.state)
+        self._team = self._state.team
+        self._rows = self._own_rows()
+        self._sizes = [len(row) for row in self._rows]
+        self.first = self._read()
+        """The state before the first step."""
+
+    def _apart(self, state: State) -> State:
+        """A state of which everything is its own that what is done to it changes."""
         ints = [list(numbers(row)) for row in state.actuators.ints]
-        self._state = replace(
+        return replace(
             state,
             clock=[0] * len(state.clock),
             events=[0] * len(state.events),
@@ -55,16 +63,14 @@ class Agreement:
             radio=no_radio(),
             team=copy.deepcopy(state.team),
         )
-        self._team = self._state.team
-        self._rows = self._own_rows()
-        self._sizes = [len(row) for row in self._rows]
-        self.first = self._read()
-        """The state before the first step."""
+
+    def is_member(self, robot: int) -> bool:
+        """Whether a robot, by its number in the run, is of the team."""
+        return self._team.robots[tc.T_ACTUATOR][robot] >= 0
 
     def plays(self, robot: int) -> bool:
-        """Whether a robot, by its number in the run, plays a role, or is none of the team."""
-        robots = self._team.robots
-        return robots[tc.T_ACTUATOR][robot] < 0 or robots[tc.T_ROLE][robot] >= 0
+        """Whether it plays a role at first."""
+        return self._team.robots[tc.T_ROLE][robot] >= 0
 
     def answer(self, robot: int) -> int:
         """The place in a state of what a robot was answered last."""
@@ -76,7 +82,7 @@ class Agreement:
 
     def done(self, actuator: int) -> int:
         """The place in a state of whether an actuator has done what it was told."""
-        return self._place(len(self._rows)) + self._actuators.index(actuator)
+        return self._place(len(self._rows)) + self.actuators.index(actuator)
 
     def after(self, agreed: Agreed, told: Sequence[Told]) -> Agreed:
         """After commands, with nothing agreed on yet."""
@@ -126,7 +132,12 @@ class Agreement:
             if at[i] < 0:
                 given[i] = 0
         done = self._state.actuators.ints[c.A_DONE]
-        return (*(one for row in self._rows for one in row), *(done[k] for k in self._actuators))
+        agreed = (*(one for row in self._rows for one in row), *(done[k] for k in self.actuators))
+        return agreed + self._read_robots()
+
+    def _read_robots(self) -> Agreed:
+        """The rest of a state: what becomes of robots that fail."""
+        return ()
 
     def _write(self, agreed: Agreed) -> None:
         """Puts a state into the tables, and what follows from it."""
@@ -135,8 +146,9 @@ class Agreement:
         for row in self._rows:
             for n in range(len(row)):
                 row[n] = next(values)
-        for k, value in zip(self._actuators, values, strict=True):
-            state.actuators.ints[c.A_DONE][k] = value
+        for k in self.actuators:
+            state.actuators.ints[c.A_DONE][k] = next(values)
+        self._write_robots(values)
         state.clock[c.EVENTS] = 0
         waiting, at = team.points[tc.P_WAITING], team.robots[tc.T_AT]
         for p in range(len(waiting)):
@@ -144,7 +156,10 @@ class Agreement:
         for w in range(len(team.holds)):
             team.works[tc.W_TAKEN][w] = sum(one == tc.HAS_UNIT for one in team.holds[w])
             team.works[tc.W_WAITING][w] = sum(one >= 0 for one in team.waits[w])
-        # These lead substitutes, and nobody needs any.
-        for i in range(len(at)):
-            team.robots[tc.T_SINCE][i], team.robots[tc.T_ANCHOR][i] = 0, -1
         find_members(team)
+
+    def _write_robots(self, values: Iterator[int]) -> None:
+        """Puts the rest of a state into the tables. What leads substitutes is forgotten: nobody needs any."""
+        robots = self._team.robots
+        for i in range(len(robots[tc.T_AT])):
+            robots[tc.T_SINCE][i], robots[tc.T_ANCHOR][i] = 0, -1

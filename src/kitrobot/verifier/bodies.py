@@ -16,6 +16,8 @@ from typing import NamedTuple
 
 RUNS, STALLED, FAILED = range(3)
 """`Inside.down`: the order of `columns.WELL`, `STALLED` and `FAILED`."""
+ANEW = 3
+"""What befalls a robot whose program begins anew: it is told to stop."""
 
 
 class Inside(NamedTuple):
@@ -27,6 +29,8 @@ class Inside(NamedTuple):
         busy: of each of its actuators that take longer: 0, or 1 and the number of the procedure.
         down: RUNS, STALLED (it rolls on and does not tick) or FAILED.
         own: its copies of the shared variables, once it hears nobody; empty as long as it does.
+        is_muted: whether it hears nobody.
+        is_over: whether its team ended its program, since nobody needs it any more.
     """
 
     local: int
@@ -34,6 +38,8 @@ class Inside(NamedTuple):
     busy: tuple[int, ...]
     down: int
     own: tuple[int, ...] = ()
+    is_muted: bool = False
+    is_over: bool = False
 
 
 NEW_ZONE = 1 << 4
@@ -131,6 +137,8 @@ def in_gap(one: int, gap: int) -> int:
 
 
 def befallen(one: int, down: int) -> int:
-    """After it failed, stalled or runs again."""
+    """After it failed, stalled, runs again or has its program begin `ANEW`."""
+    if down == ANEW:
+        return told(one, 0)
     after = one & ~TICKS | (TICKS if down == RUNS else 0)
     return after & ~(_HELD | 3) | 1 if down == FAILED else after

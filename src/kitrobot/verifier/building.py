@@ -67,9 +67,12 @@ def check_size(parts: Sequence[Part]) -> None:
 
 
 def build(
-    run: Simulation, parts: Sequence[Part], roads: Roads, timing: Timing, may_fail: int, slower: int
+    run: Simulation, parts: Sequence[Part], roads: Roads, timing: Timing, may_fail: int, slower: int, watched: int
 ) -> tuple[Tables, int]:
-    """The tables, as lists, with nothing in them yet; how many fields a key has besides."""
+    """The tables, as lists, with nothing in them yet; how many fields a key has besides.
+
+    `watched`: 0, or 1 and how many works the team has that misses members.
+    """
     docks, houses = len(run.world.docks), len(run.world.storehouses)
     fixed = [0] * v.FIXED
     acts = max((len(part.acts) for part in parts), default=0)
@@ -80,15 +83,16 @@ def build(
     fixed[v.DUE_FIELD] = fields
     fixed[v.INSIDE_WIDTH], fixed[v.INSIDE_STRIDE] = v.I_ACT + 2 * acts, 16
     fixed[v.CONF_WIDTH] = v.C_STAND + docks + 10 * roads.places
-    fixed[v.SHARED_WIDTH] = v.G_STOCK + houses + len(parts)
+    fixed[v.WATCHED] = watched
+    fixed[v.SHARED_WIDTH] = v.G_STOCK + houses + len(parts) + (v.G_HOLDING + watched - 1 if watched else 0)
     gaps = max((part.track.gaps.beyond for part in parts if part.track is not None), default=0)
     fixed[v.USED_BITS] = 2 + 2 * (gaps + 2)
     fixed[v.POOL_WIDTH] = P_USED + -(-roads.places * fixed[v.USED_BITS] // USED_PER_WORD)
     fixed[v.MAY_FAIL], fixed[v.SLOWER] = may_fail, slower
     fixed[v.SETTLES] = int(run.team_plan is not None)
-    agents, geo, visits, act_rows = _static(run, parts, roads, docks)
+    agents, geo, visits, act_rows = _static(run, parts, roads, docks, watched > 0)
     taken: list[int] = [0] * (
-        MOST_TAKEN * v.TAKEN_WIDTH if timing is Timing.LOCKSTEP else 5 * v.TAKEN_WIDTH * v.MOST_AGENTS
+        MOST_TAKEN * v.TAKEN_WIDTH if timing is Timing.LOCKSTEP else v.TAKEN_WIDTH * (1 + v.TAKEN_WIDTH * v.MOST_AGENTS)
     )
     regs = [0] * v.REGS
     if timing is not Timing.LOCKSTEP:
@@ -161,7 +165,7 @@ def first_body(part: Part, parts: Sequence[Part], at: Sequence[float]) -> int:
 
 
 def _static(
-    run: Simulation, parts: Sequence[Part], roads: Roads, docks: int
+    run: Simulation, parts: Sequence[Part], roads: Roads, docks: int, is_watched: bool
 ) -> tuple[list[int], list[int], list[int], list[int]]:
     """`agents`, `geo`, `visits` and `acts`."""
     agents: list[int] = []
@@ -176,7 +180,8 @@ def _static(
         row[v.A_LEADER] = roads.place[part.leader] if part.leader >= 0 else -1
         row[v.A_FOLLOWER] = roads.place[part.follower] if part.follower >= 0 else -1
         row[v.A_LATE], row[v.A_BED] = int(part.is_late), int(bool(run.state.robots.ints[c.BED][part.agent.index]))
-        row[v.A_SHARES] = v.KEPT if part.is_asked else v.SHARED if part.shared else v.UNSHARED
+        is_heard = bool(part.shared) or (is_watched and part.is_member)
+        row[v.A_SHARES] = v.KEPT if part.is_asked else v.SHARED if is_heard else v.UNSHARED
         row[v.A_VISIT] = len(visits) // v.VISIT
         for sense in part.senses:
             if sense.discrete is Discrete.VISIT:

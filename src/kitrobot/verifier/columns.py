@@ -16,7 +16,9 @@ MOST_AGENTS = 62
 # -- numbers that do not change while exploring (`fixed`)
 AGENTS, ROADS, PLACES, DOCKS, HOUSES, TIMING, ACTS, FIELDS, ROAD_FIELD, DUE_FIELD = range(10)
 INSIDE_WIDTH, INSIDE_STRIDE, CONF_WIDTH, SHARED_WIDTH, POOL_WIDTH, USED_BITS, MAY_FAIL, SLOWER, SETTLES = range(10, 19)
-FIXED = 19
+WATCHED = 19
+"""Where a team misses members, 1 and how many works it has; 0 elsewhere."""
+FIXED = 20
 LOCKSTEP, PROMPT, FREE = range(3)
 MAY_CRASH, MAY_STALL, MAY_MUTE = 1, 2, 4
 """Bits of `MAY_FAIL`: what may befall agents; 0 where nothing does."""
@@ -26,8 +28,8 @@ CODE, CONFS, MOVES, MOMENTS, LOG, NEXTS, TAKEN = range(7)
 """Why exploring paused, and how many rows there are of each table."""
 MISS_A, MISS_B, MISS_C, SEEK, FOUND = range(7, 12)
 AT, COUNT, EDGES, LEVEL_END, DEPTH, DEAD, MOST, SEEN_KINDS, KEEPS, WORDS, TOUCHED = range(12, 23)
-AFTERS, AFTER_ROWS = range(23, 25)
-FIRST_OF = 25
+AFTERS, AFTER_ROWS, CHOICES = range(23, 26)
+FIRST_OF = 26
 """From here on: of each kind of event the state out of which it came first."""
 KINDS = 24
 REGS = FIRST_OF + KINDS
@@ -42,7 +44,7 @@ ROOM_AFTERS = 17
 A_SENSES_AT, A_SENSES, A_VISIT, A_VISITS, A_ACT, A_ACTS, A_BED, A_SHARES = range(11, 19)
 AGENT = 19
 UNSHARED, SHARED, KEPT = range(3)
-"""`A_SHARES`: whether it shares variables, and whether what it knows of them counts once it has failed."""
+"""`A_SHARES`: whether others hear of it, and whether what it knows of shared variables counts once it has failed."""
 # -- a row of `visits`: a dock, the number of its road (-1), the load that is wanted (2: any)
 VISIT = 3
 # -- a row of `acts`: whether it is an arm, its dock, its storehouse, the number of the dock's road, its capacity
@@ -51,16 +53,22 @@ ACT = 5
 # -- a row of `insides`
 I_TICKS, I_LOAD, I_DOWN, I_ENDS, I_ENDED, I_LOADED, I_BEFALLEN = range(7)
 """Whether it has ticks; its load; what befell it; whether something can end; whether its program has ended; the
-number with the other load; with RUNS, STALLED and FAILED (three); whether it has lost its radio."""
+number with the other load; with RUNS, STALLED and FAILED, and once its program began anew (four); whether it has lost
+its radio."""
 I_MUTED = 10
 I_ACT = 11
 """From here on two for each actuator: what it does (0 nothing, 1 its first procedure …), the number once done."""
 
 # -- a row of `shared`: failures that may still come, boxes in each storehouse, then what each agent sees of it
 G_FAILURES, G_STOCK = range(2)
+G_MEMBERS, G_SILENT, G_PLAYING, G_MISSED, G_OVER, G_HOLDING = range(6)
+"""Where a team misses members, behind these, as bits: who is of it and has not ended, who is silent, who plays a role,
+who is missed; whether it cannot go on; of each work who has a unit with a lease."""
 NO_WRITE = 0
 """`writes`: nothing, then for each storehouse a box less and a box more, a failure less, that a team settles what
-it can agree on, and what ticks write."""
+it can agree on; where it misses members, for each agent what comes of that (`W_SILENT`); and what ticks write."""
+W_SILENT, W_BACK, W_MISSED, W_ANEW, W_FREED = range(5)
+"""That it is silent, is heard again, is missed, is missed and begins anew; of each work that its unit is free again."""
 
 # -- a row of `confs`: the motion of all robots on a road
 (C_ROAD, C_FORWARD, C_BACKWARD, C_BEGIN, C_MUST, C_MOVE, C_MOVES, C_MOMENT, C_MOMENTS) = range(9)
@@ -72,18 +80,20 @@ MOVE = 3
 MOMENT = 6
 """A row of `moments`: the number after it, who began to roll, who came into a zone, kinds, the first event in `log`,
 how many."""
-AFTER_HEAD, AFTER = 4, 5
+AFTER_HEAD, AFTER = 4, 6
 """A row of `after_heads`: a key (two words), its first row in `after`, how many. One of `after`: the key of what may
-follow, who of the slower agents ticked, kinds of what befell agents, and the row of `harm` that says it."""
+follow, who of the slower agents ticked, kinds of what befell agents, the row of `harm` that says it, and for whom the
+team did not wait any longer."""
 OUTCOME = 3
 """A row of `outcomes`: the agent's number after it, what its wheels were told (`told_column`), what it writes."""
 S_COUNT = 13
 """A value of `reaction_at`: the first row, above how many there are."""
-TAKEN_WIDTH = 4
-"""A row of `taken`: who ticked, began to roll, came to an end, came into another zone, as bits."""
+TAKEN_WIDTH = 5
+"""A row of `taken`: who ticked, began to roll, came to an end, came into another zone, and for whom a team did not wait
+any longer, as bits."""
 LINE = 6
 """A row of `line` and `harm`: a key (two words), the event that led to it, the row it came from (-1), kinds of events
-so far, and who came to an end."""
+so far, and who came to an end; of `harm`, for whom a team did not wait any longer."""
 
 # -- the key of a reaction: inside, seen of shared, seen of the road, visits, agent; or, with the bit above these, of
 # what an agent is once it has lost its radio: inside, seen of shared, agent

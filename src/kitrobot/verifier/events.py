@@ -23,9 +23,12 @@ class What(IntEnum):
     STALL = 19
     RESUME = 20
     MUTE = 21
+    MISSED = 22
+    FREED = 23
 
 
-TICK, DONE, LOADED, UNLOADED, NO_EMPTY_CARRIER, NO_LOADED_CARRIER, NO_BOX, FAIL, STALL, RESUME, MUTE = map(int, What)
+TICK, DONE, LOADED, UNLOADED, NO_EMPTY_CARRIER, NO_LOADED_CARRIER, NO_BOX = map(int, list(What)[:7])
+FAIL, STALL, RESUME, MUTE, MISSED, FREED = map(int, list(What)[7:])
 """The same as whole numbers, which Numba takes."""
 
 SWINGS = (What.LOADED, What.UNLOADED, What.NO_BOX, What.NO_EMPTY_CARRIER, What.NO_LOADED_CARRIER)

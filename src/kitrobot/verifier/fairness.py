@@ -30,10 +30,12 @@ from kitrobot.verifier.columns import (
     SLOWER,
     TAKEN_WIDTH,
     TIMING,
+    WATCHED,
 )
 from kitrobot.verifier.looking import decode, stays
 from kitrobot.verifier.tables import Graph, Row, Tables
 from kitrobot.verifier.traffic import fill_moves
+from kitrobot.verifier.watching import is_over, may_pass
 
 ROOTS, ROOT, INDEX, TOP, WORK, REST, COLOUR, FIRST, EXPANDED, TWO = range(10)
 SEARCH_NUMBERS = 10
@@ -56,7 +58,7 @@ class Search(NamedTuple):
         stack: states whose part is not known yet.
         work, edge: the way to where the search is, and which step of each state is next.
         masks: what may happen in the state that is looked at: ends, begins, who gets on forward, backward; then the
-            progress classes of the steps within a part.
+            progress classes of the steps within a part; then for whom a team may not wait any longer in that state.
     """
 
     numbers: Row
@@ -139,15 +141,16 @@ def weigh(t: Tables, g: Graph, s: Search, first: int) -> int:
     numbers, masks, stack = s.numbers, s.masks, s.stack
     n, top, two = t.fixed[AGENTS], numbers[TOP], numbers[TWO] == 1
     root_order, root_colour = s.order[stack[first]], s.colour[stack[first]]
-    for k in range(4, 8):
+    for k in range(4, 10):
         masks[k] = 0
     ends = begins = forward = backward = 0
+    waited = -1
     is_left = top - first > 1
     if not is_left:
         # Most parts are one state, which something leaves in the end.
         if not may(t, g, s, stack[first], two):
             return MISSING
-        is_stuck = not (masks[0] or masks[1] or masks[2] ^ masks[3])
+        is_stuck = not (masks[0] or masks[1] or masks[2] ^ masks[3] or masks[9])
         for e in range(g.first_edge[stack[first]], g.first_edge[stack[first] + 1]):
             is_stuck = is_stuck or g.targets[e] == stack[first]
         if not is_stuck:
@@ -160,14 +163,17 @@ def weigh(t: Tables, g: Graph, s: Search, first: int) -> int:
             if target == state:
                 is_left = True
             if target < numbers[EXPANDED] and s.colour[target] == root_colour and s.order[target] >= root_order:
-                for k in range(4):
+                for k in range(TAKEN_WIDTH):
                     masks[4 + k] |= t.taken[g.taken[e] * TAKEN_WIDTH + k]
         if not may(t, g, s, state, two):
             return MISSING
         ends, begins, forward, backward = ends | masks[0], begins | masks[1], forward | masks[2], backward | masks[3]
+        waited &= masks[9]
     if not is_left:
         state = stack[first]
         rests = g.first_edge[state] == g.first_edge[state + 1]
+        if rests and is_over(t):
+            return FAIR
         if not rests and t.fixed[TIMING] != LOCKSTEP:
             decode(t, g.x[state], g.y[state] if two else 0)
             for i in range(n):
@@ -194,9 +200,11 @@ def weigh(t: Tables, g: Graph, s: Search, first: int) -> int:
                     wanted &= ~(1 << i)
         place += 1
     starved_begins, starved_ends = begins & ~masks[5], ends & ~masks[6]
+    # A lease that could always be over is, in the end; one that could be now and then may never be.
+    starved = waited & ~masks[8]
     # Who rolls one way, again and again, and stays in its zone.
     caught = (forward ^ backward) & ~masks[7]
-    if not wanted and not starved_begins and not starved_ends and not caught:
+    if not wanted and not starved_begins and not starved_ends and not caught and not starved:
         return FAIR
     numbers[COLOUR] += 1
     for place in range(first, top):
@@ -205,7 +213,7 @@ def weigh(t: Tables, g: Graph, s: Search, first: int) -> int:
             return MISSING
         s.order[state] = -1
         keeps = not (starved_begins & masks[1] or starved_ends & masks[0] or caught & (masks[2] | masks[3]))
-        if wanted or not keeps:
+        if wanted or starved or not keeps:
             s.colour[state] = 0
         else:
             s.colour[state] = numbers[COLOUR]
@@ -226,6 +234,11 @@ def may(t: Tables, g: Graph, s: Search, state: int, two: bool) -> bool:
     decode(t, g.x[state], g.y[state] if two else 0)
     for k in range(4):
         s.masks[k] = 0
+    s.masks[9] = 0
+    if is_over(t):
+        return True
+    if fixed[WATCHED]:
+        s.masks[9] = may_pass(t)
     for i in range(fixed[AGENTS]):
         row = (i * fixed[INSIDE_STRIDE] + t.now[1 + i]) * fixed[INSIDE_WIDTH]
         if t.insides[row + I_ENDS]:

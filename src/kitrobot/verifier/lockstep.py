@@ -38,6 +38,7 @@ from kitrobot.verifier.looking import decode
 from kitrobot.verifier.moments import fill_moments
 from kitrobot.verifier.tables import Tables
 from kitrobot.verifier.ticking import MOST_TRIED, after_all
+from kitrobot.verifier.watching import is_over
 
 
 def expand_lockstep(t: Tables, x: int, y: int) -> int:
@@ -51,6 +52,8 @@ def expand_lockstep(t: Tables, x: int, y: int) -> int:
     count, at, tried = 1, 0, 0
     while at < count:
         decode(t, line[at * LINE], line[at * LINE + 1])
+        if at == 0 and is_over(t):
+            return 0
         last = -1 if at == 0 else line[at * LINE + 2] >> E_AGENT & E_MASK
         for i in range(last + 1, fixed[AGENTS]):
             row = (i * fixed[INSIDE_STRIDE] + t.now[1 + i]) * fixed[INSIDE_WIDTH]
@@ -131,7 +134,8 @@ def give_all(t: Tables, x: int, y: int, ended: int, begins: int, zones: int, kin
     progress, came = t.line[ended * LINE + 5], kinds
     for row in range(first * AFTER, (first + count) * AFTER, AFTER):
         ticks, nx, ny = after[row + 2], after[row], after[row + 1]
-        if not emit_once(t, nx, ny, ticks, begins, progress, zones, came | after[row + 3]):
+        taken = intern_taken(t, ticks, begins, progress, zones, after[row + 5])
+        if taken < 0 or not emit_once(t, nx, ny, taken, came | after[row + 3]):
             return -1
         if regs[SEEK] == regs[NEXTS] - 1:
             tell(t, ended, after[row + 4])
@@ -139,12 +143,9 @@ def give_all(t: Tables, x: int, y: int, ended: int, begins: int, zones: int, kin
     return tried + count
 
 
-def emit_once(t: Tables, x: int, y: int, ticks: int, begins: int, ends: int, zones: int, kinds: int) -> bool:
+def emit_once(t: Tables, x: int, y: int, taken: int, kinds: int) -> bool:
     """Adds a step unless there is one to the same state with the same progress; False where there is no room."""
     regs = t.regs
-    taken = intern_taken(t, ticks, begins, ends, zones)
-    if taken < 0:
-        return False
     count = regs[NEXTS]
     h = ((x ^ taken) * MULTIPLIER ^ y * OTHER_MULTIPLIER) & ALL_BITS
     last = len(t.next_slots) - 1
@@ -164,15 +165,16 @@ def emit_once(t: Tables, x: int, y: int, ticks: int, begins: int, ends: int, zon
     return True
 
 
-def intern_taken(t: Tables, ticks: int, begins: int, ends: int, zones: int) -> int:
+def intern_taken(t: Tables, ticks: int, begins: int, ends: int, zones: int, passed: int) -> int:
     """The number of a set of progress classes."""
     slots, taken, regs = t.taken_slots, t.taken, t.regs
-    h = (ticks * 7 + begins * 31 + ends * 127 + zones) * MULTIPLIER & ALL_BITS
+    h = (ticks * 7 + begins * 31 + ends * 127 + zones + passed * 511) * MULTIPLIER & ALL_BITS
     last = len(slots) - 1
     at = h >> 31 & last
     while slots[at] != 0:
         row = (slots[at] - 1) * TAKEN_WIDTH
-        if taken[row] == ticks and taken[row + 1] == begins and taken[row + 2] == ends and taken[row + 3] == zones:
+        same = taken[row] == ticks and taken[row + 1] == begins and taken[row + 2] == ends
+        if same and taken[row + 3] == zones and taken[row + 4] == passed:
             return slots[at] - 1
         at = at + 1 & last
     number = regs[TAKEN]
@@ -180,7 +182,7 @@ def intern_taken(t: Tables, ticks: int, begins: int, ends: int, zones: int) -> i
     if row + TAKEN_WIDTH > len(taken):
         regs[CODE] = TOO_MANY
         return -1
-    taken[row], taken[row + 1], taken[row + 2], taken[row + 3] = ticks, begins, ends, zones
+    taken[row], taken[row + 1], taken[row + 2], taken[row + 3], taken[row + 4] = ticks, begins, ends, zones, passed
     slots[at] = number + 1
     regs[TAKEN] = number + 1
     return number

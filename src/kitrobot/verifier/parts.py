@@ -104,7 +104,8 @@ class Part:
         leader, follower: the agents ahead and behind on the same road, by their numbers; -1 for none.
         drive: the number of the actuator that moves it along its road; -1 for none.
         is_late: whether commands reach that one late, or may be lost.
-        is_spare: whether it plays no role in its team, so that it does nothing.
+        is_member: whether it is of the team.
+        is_spare: whether it plays no role in that, so that it does nothing as long as nobody fails.
         is_asked: whether properties ask for a shared variable of it: its own copy, also once it has failed.
     """
 
@@ -119,12 +120,9 @@ class Part:
     follower: int = -1
     drive: int = -1
     is_late: bool = False
+    is_member: bool = False
     is_spare: bool = False
     is_asked: bool = False
-
-    def is_over(self, local: int) -> bool:
-        """Whether its program has ended in a local state, or never begins."""
-        return self.is_spare or self.table.has_ended(local)
 
 
 @dataclass
@@ -190,7 +188,9 @@ class _Builder:
             part = Part(agent, table, [], acts, self._shared(agent), road)
             part.drive = next((at for at, act in enumerate(acts) if road >= 0 and act.discrete is Discrete.MOTION), -1)
             part.senses = self._senses(agent, acts, zones.get(road))
-            part.is_spare = self.agreement is not None and not self.agreement.plays(agent.index)
+            if self.agreement is not None:
+                part.is_member = self.agreement.is_member(agent.index)
+                part.is_spare = part.is_member and not self.agreement.plays(agent.index)
             part.is_asked = any(one.shared and one.name in self.kept for one in agent.robot.variables)
             parts.append(part)
         self._neighbours(parts, zones)
@@ -200,7 +200,7 @@ class _Builder:
         if self.run.mission.radio is not None:
             self._limit(Sentence("what a team agrees on is taken to be known at once"))
         if any(work.lease for work in self.run.mission.team.works):
-            self._limit(Sentence("units of work are taken to be never free again before they are done"))
+            self._limit(Sentence("as long as nobody fails, units of work are taken to be never free again undone"))
 
     def _limit(self, words: Sentence) -> None:
         self.limits[words] = None

@@ -54,7 +54,7 @@ def told_to_team(part: Part, reaction: Reaction) -> tuple[Told, ...]:
 
 def change_by(part: Part, inside: Inside, shared: tuple[int, ...], reaction: Reaction) -> Change:
     """What a reaction makes of what is shared, where the variables held this; without a radio nobody hears of it."""
-    if inside.own:
+    if inside.is_muted:
         return (), told_to_team(part, reaction)
     held = zip(part.shared, shared, reaction.shared, strict=True)
     return tuple((at, now) for at, was, now in held if was != now), told_to_team(part, reaction)
@@ -63,7 +63,7 @@ def change_by(part: Part, inside: Inside, shared: tuple[int, ...], reaction: Rea
 def after_silence(part: Part, inside: Inside, key: int, seen: tuple[int, ...]) -> Inside:
     """What an agent is once it hears nobody (`looking.silenced`): what it saw of shared variables is its own."""
     down = FAILED if key >> v.S_VIEW & 1 else inside.down
-    return inside._replace(own=seen[: len(part.shared)], down=down)
+    return inside._replace(own=seen[: len(part.shared)], down=down, is_muted=True)
 
 
 def after_reaction(part: Part, inside: Inside, reaction: Reaction) -> tuple[int, Inside]:
@@ -75,7 +75,7 @@ def after_reaction(part: Part, inside: Inside, reaction: Reaction) -> tuple[int,
             want = act.ways[command] if argument else 0
         elif act.busy >= 0 and command in act.later:
             busy[act.busy] = 1 + act.ways[command]
-    own = reaction.shared if inside.own else ()
+    own = reaction.shared if inside.is_muted else ()
     return want, inside._replace(local=reaction.local, busy=tuple(busy), own=own)
 
 

@@ -169,7 +169,7 @@ def _search(made: Explored, found: Any, count: int) -> f.Search:
     numbers[f.TWO] = int(made.model.layout.words == 2)
     rows = [engine.zeros(size) for _ in range(6)]
     return f.Search(
-        engine.row(numbers), colour, rows[0], rows[1], found, rows[2], rows[3], rows[4], rows[5], engine.row([0] * 8)
+        engine.row(numbers), colour, rows[0], rows[1], found, rows[2], rows[3], rows[4], rows[5], engine.row([0] * 10)
     )
 
 

@@ -15,6 +15,7 @@ from kitrobot.verifier.columns import (
     C_MOVE,
     C_MOVES,
     C_STAND,
+    CHOICES,
     CODE,
     CONF_WIDTH,
     DOCKS,
@@ -37,12 +38,14 @@ from kitrobot.verifier.columns import (
     ROOM_NEXT,
     S_COUNT,
     TIMING,
+    WATCHED,
 )
-from kitrobot.verifier.events import FAIL, TICK
+from kitrobot.verifier.events import FAIL, MUTE, TICK
 from kitrobot.verifier.happening import RESUMES, ends_of, harms_of
 from kitrobot.verifier.looking import changed, decode, react, stays
 from kitrobot.verifier.tables import Tables
 from kitrobot.verifier.traffic import after_tick, fill_moves
+from kitrobot.verifier.watching import is_over, watch
 
 
 def emit(t: Tables, x: int, y: int, event: int, taken: int) -> bool:
@@ -63,6 +66,8 @@ def expand_interleaved(t: Tables, x: int, y: int) -> int:
     regs[NEXTS] = 0
     decode(t, x, y)
     is_prompt = fixed[TIMING] == PROMPT
+    if is_over(t):
+        return 0
     due = now[fixed[DUE_FIELD]] if is_prompt else 0
     if not tick_each(t, x, y, is_prompt):
         return -1
@@ -74,8 +79,17 @@ def expand_interleaved(t: Tables, x: int, y: int) -> int:
             if found < 0:
                 return -1
             for n in range(found):
-                if not emit(t, t.harm[n * LINE], t.harm[n * LINE + 1], t.harm[n * LINE + 2], 0):
+                event, row = t.harm[n * LINE + 2], n * LINE
+                if fixed[WATCHED]:
+                    if watch(t, n, found, 0) < 0:
+                        return -1
+                    row = found * LINE
+                if not emit(t, t.harm[row], t.harm[row + 1], event, 0):
                     return -1
+            if fixed[WATCHED]:
+                decode(t, x, y)
+    if fixed[WATCHED] and due == 0 and not pass_time(t, x, y):
+        return -1
     return make_due(t, x, y, due) if is_prompt else regs[NEXTS]
 
 
@@ -158,6 +172,22 @@ def happen(t: Tables, x: int, y: int) -> bool:
     return True
 
 
+def pass_time(t: Tables, x: int, y: int) -> bool:
+    """Adds that a team waits for somebody no longer, or that the lease of a unit of work is over."""
+    harm, chosen, choices = t.harm, 0, 1
+    harm[0], harm[1], harm[4] = x, y, 0
+    while chosen < choices:
+        rows = watch(t, 0, 1, 1 << chosen)
+        if rows < 0:
+            return False
+        choices = t.regs[CHOICES]
+        event = harm[LINE + 2]
+        if rows and not emit(t, harm[LINE], harm[LINE + 1], event, 1 + 4 * t.fixed[AGENTS] + (event >> E_AGENT)):
+            return False
+        chosen += 1
+    return True
+
+
 def make_due(t: Tables, x: int, y: int, due: int) -> int:
     """Puts into each step of *prompt* who has a tick to make then; how many steps there are."""
     fixed = t.fixed
@@ -169,7 +199,7 @@ def make_due(t: Tables, x: int, y: int, due: int) -> int:
         wanted = t.mask[f]
         if kind == TICK:
             wanted = due & ~(1 << t.next_taken[n] - 1)
-        elif kind >= FAIL:
+        elif FAIL <= kind <= MUTE:
             wanted = due
         left = due_in(t, nx, ny, wanted)
         if left < 0:

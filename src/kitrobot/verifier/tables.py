@@ -23,7 +23,7 @@ class Tables(NamedTuple):
         outcomes: what ticks bring.
         confs, conf_slots: motions on roads, and where to find them by their bodies (number + 1; 0 is free).
         moves, moments, log: what can follow each.
-        taken, taken_slots: sets of progress classes that steps belong to, by number: ticks, begins, ends, zones.
+        taken, taken_slots: sets of progress classes that steps belong to, by number (see `TAKEN_WIDTH`).
         made: the bodies of a road that are being put together.
         now, seen: the fields of the state that is looked at; the reactions of its agents.
         pool, pool_slots, given_slots: what `traffic.fill_moments` looks through.

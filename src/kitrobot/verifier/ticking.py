@@ -17,6 +17,7 @@ from kitrobot.verifier.columns import (
     AGENT,
     AGENTS,
     ALL_BITS,
+    CHOICES,
     CODE,
     E_AGENT,
     E_KIND,
@@ -40,12 +41,14 @@ from kitrobot.verifier.columns import (
     SHARED_WIDTH,
     SLOWER,
     TOO_MANY,
+    WATCHED,
 )
 from kitrobot.verifier.events import MOST_AT_ONCE, RESUME, STALL
 from kitrobot.verifier.happening import MUTES, RESUMES, harms_of
 from kitrobot.verifier.looking import changed, decode, react
 from kitrobot.verifier.tables import Tables
 from kitrobot.verifier.traffic import after_tick
+from kitrobot.verifier.watching import watch
 
 MOST_TRIED = 20_000_000
 """Ways out of one state that are tried at most, those that come to the same counted apart."""
@@ -81,7 +84,7 @@ def after_all(t: Tables, x: int, y: int, is_sought: bool) -> int:
 def befall_all(t: Tables, x: int, y: int) -> bool:
     """Nothing befalls anybody, or something some agents; then all tick. False where something is missing."""
     fixed, harm, insides = t.fixed, t.harm, t.insides
-    harm[0], harm[1], harm[2], harm[3], harm[4] = x, y, 0, -1, 0
+    harm[0], harm[1], harm[2], harm[3], harm[4], harm[5] = x, y, 0, -1, 0, 0
     count, at, tried = 1, 0, 0
     while at < count:
         nx, ny = harm[at * LINE], harm[at * LINE + 1]
@@ -101,11 +104,34 @@ def befall_all(t: Tables, x: int, y: int) -> bool:
                 for n in range(count, count + found):
                     harm[n * LINE + 3] = at
                     harm[n * LINE + 4] = harm[at * LINE + 4] | 1 << (harm[n * LINE + 2] & E_KIND)
+                    harm[n * LINE + 5] = 0
                 count += found
-        tried = tick_all(t, nx, ny, at, tried)
-        if tried < 0:
-            return False
+        if not fixed[WATCHED]:
+            tried = tick_all(t, nx, ny, at, tried)
+            if tried < 0:
+                return False
         at += 1
+    return fixed[WATCHED] == 0 or watch_all(t, count)
+
+
+def watch_all(t: Tables, count: int) -> bool:
+    """After each of so many rows of `harm`: every way in which a team may miss agents, or not yet; then all tick."""
+    harm, tried, room = t.harm, 0, count
+    for at in range(count):
+        chosen = choices = 0
+        while chosen >> choices == 0:
+            rows = watch(t, at, room, chosen)
+            if rows < 0:
+                return False
+            choices = t.regs[CHOICES]
+            last = room + max(rows, 1) - 1
+            x, y = harm[last * LINE], harm[last * LINE + 1]
+            decode(t, x, y)
+            tried = tick_all(t, x, y, last if rows else at, tried)
+            if tried < 0:
+                return False
+            room += rows
+            chosen += 1
     return True
 
 
@@ -190,6 +216,6 @@ def tick_once(t: Tables, x: int, y: int, paused: int, harmed: int) -> bool:
         regs[CODE] = ROOM_AFTERS
         return False
     after[row], after[row + 1], after[row + 2] = x, y, fixed[SLOWER] & ~paused
-    after[row + 3], after[row + 4] = t.harm[harmed * LINE + 4], harmed
+    after[row + 3], after[row + 4], after[row + 5] = t.harm[harmed * LINE + 4], harmed, t.harm[harmed * LINE + 5]
     regs[AFTER_ROWS] += 1
     return True

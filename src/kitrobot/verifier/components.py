@@ -1,0 +1,249 @@
+"""The components of a model's states: each is given a number when it first comes up, and a row in the tables.
+
+The state of a mission is cut into *components*: what is shared (boxes, shared variables, failures that may still come,
+what a team agreed on), each agent but for its motion (`Inside`), and the motion of all robots on each road (`traffic`).
+A state is the numbers of these in one key (`columns`).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Collection
+
+from kitrobot.mission import FailureKind
+from kitrobot.sim import Simulation
+from kitrobot.sim import columns as c
+from kitrobot.verifier import columns as v
+from kitrobot.verifier import reactions
+from kitrobot.verifier.bodies import FAILED, RUNS, Inside, zone_of
+from kitrobot.verifier.building import KINDS, USUAL_KINDS, Roads, build, check_size, first_body
+from kitrobot.verifier.events import TooManyError
+from kitrobot.verifier.growing import longer, widen_insides
+from kitrobot.verifier.missing import Watch
+from kitrobot.verifier.packing import Layout, Widths
+from kitrobot.verifier.parts import Parts
+from kitrobot.verifier.timing import Timing
+
+State = tuple[int, ...]
+"""The numbers of a state's components: what is shared, each agent, each road; under *prompt* who has a tick to make."""
+
+Shared = tuple[int, ...]
+"""How many failures may still come, the boxes in each storehouse, the shared variables, what the team agreed on."""
+
+
+class Components:
+    """What the states of a model are made of; see `model.Model`.
+
+    Args:
+        run: the run.
+        parts: its agents, taken apart.
+        failures: how many failures there may be, together.
+        timing: when agents tick.
+        kinds: what kinds of failures: those of `KINDS`.
+
+    Raises:
+        AbstractionError: the mission is too large for the numbers of the tables.
+    """
+
+    def __init__(
+        self,
+        run: Simulation,
+        parts: Parts,
+        failures: int = 0,
+        timing: Timing = Timing.LOCKSTEP,
+        kinds: Collection[FailureKind] = USUAL_KINDS,
+    ) -> None:
+        state = run.state
+        self.run = run
+        self.agreement = parts.agreement
+        self.watch: Watch | None = None
+        """What becomes of a team's members that fail; None where nobody does."""
+        if self.agreement is not None and failures:
+            self.agreement = self.watch = Watch(run, self.agreement.actuators)
+        self.timing = timing
+        self.parts = parts.parts
+        self.limits = parts.limits
+        self.count = len(self.parts)
+        check_size(self.parts)
+        self.roads = Roads(run, self.parts)
+        self.goals = [(int(house), int(wanted)) for house, wanted in zip(*state.docks.goals, strict=True)]
+        self.houses = len(run.world.storehouses)
+        fastest = min((part.agent.period for part in self.parts), default=1)
+        slower = sum(1 << i for i, part in enumerate(self.parts) if part.agent.period > fastest)
+        may_fail = sum(KINDS[kind] for kind in set(kinds)) if failures else 0
+        watched = 0 if self.watch is None else 1 + self.watch.works
+        self.t, due = build(run, self.parts, self.roads, timing, may_fail, slower, watched)
+        self.widths = Widths(self.t.fixed[v.FIELDS], due if timing is Timing.PROMPT else -1, self.count)
+        self.layout: Layout = self.widths.layout()
+        self.place_fields()
+        self._insides: list[list[Inside]] = [[] for _ in self.parts]
+        self._inside_numbers: list[dict[Inside, int]] = [{} for _ in self.parts]
+        self._shareds: list[Shared] = []
+        self._shared_numbers: dict[Shared, int] = {}
+        self._writes: dict[reactions.Change, int] = {}
+        self._first_watched = 3 + 2 * self.houses
+        self._watched_each = v.W_FREED + watched - 1 if watched else 0
+        self._seen: list[dict[tuple[int, ...], int]] = [{} for _ in self.parts]
+        self._seen_tuples: list[list[tuple[int, ...]]] = [[] for _ in self.parts]
+        self._changes = self._reactions = self._outcomes = 0
+        self.failures = failures
+        loads, at = state.robots.ints[c.LOAD], [float(one) for one in state.robots.floats[c.AT]]
+        # The run may be gone on with before exploring begins.
+        self._first_shared = [*(int(one) for one in state.docks.stock), *(int(one) for one in state.shared.ints[0])]
+        self._agreed_at = 1 + len(self._first_shared)
+        if self.agreement is not None:
+            first = self.agreement.first
+            self._first_shared += first if self.watch is None else self.watch.reduced(first, failures)
+        self._first_insides = [
+            Inside(part.table.first, int(loads[part.agent.index]), reactions.idle_actuators(part), RUNS)
+            for part in self.parts
+        ]
+        self._first_bodies = [first_body(part, self.parts, at) if part.track is not None else 0 for part in self.parts]
+
+    # -- components
+
+    def inside(self, i: int, number: int) -> Inside:
+        """What an agent is, but for its motion."""
+        return self._insides[i][number]
+
+    def insides(self, i: int) -> list[Inside]:
+        """Everything that came up of it, by number."""
+        return self._insides[i]
+
+    def shareds(self) -> list[Shared]:
+        """Everything that came up of what is shared, by number."""
+        return self._shareds
+
+    def has_ended(self, i: int, inside: Inside) -> bool:
+        """Whether the program of agent i has ended."""
+        part = self.parts[i]
+        return inside.is_over or part.table.has_ended(inside.local) or (part.is_spare and self.watch is None)
+
+    def goals_hold(self, shared: Shared) -> bool:
+        """Whether every storehouse of a goal holds what it is to hold."""
+        return all(shared[1 + house] == wanted for house, wanted in self.goals)
+
+    def body(self, state: State, i: int) -> int:
+        """How an agent on a road moves (see `bodies`)."""
+        number = state[1 + self.count + self.roads.of[i]]
+        fixed = self.t.fixed
+        at = v.C_STAND + fixed[v.DOCKS] + fixed[v.PLACES] + self.roads.place[i]
+        return int(self.t.confs[number * fixed[v.CONF_WIDTH] + at])
+
+    def zone(self, state: State, i: int) -> int:
+        """The zone in which an agent on a road is."""
+        return zone_of(self.body(state, i))
+
+    def inside_number(self, i: int, inside: Inside) -> int:
+        """The number of what an agent is."""
+        known = self._inside_numbers[i]
+        if (number := known.get(inside)) is not None:
+            return number
+        number = len(known)
+        if number >= v.MOST_INSIDES:
+            raise TooManyError
+        self._hold(1 + i, number)
+        fixed = self.t.fixed
+        if number >= fixed[v.INSIDE_STRIDE]:
+            self.t = widen_insides(self.t, self.count)
+        known[inside] = number
+        self._insides[i].append(inside)
+        ended = self.has_ended(i, inside)
+        row = (i * fixed[v.INSIDE_STRIDE] + number) * fixed[v.INSIDE_WIDTH]
+        insides = self.t.insides
+        insides[row + v.I_TICKS] = int(inside.down == RUNS and not ended)
+        insides[row + v.I_LOAD], insides[row + v.I_DOWN] = inside.load, inside.down
+        insides[row + v.I_MUTED] = int(inside.is_muted)
+        insides[row + v.I_ENDS] = int(any(inside.busy) and inside.down != FAILED)
+        insides[row + v.I_ENDED] = int(ended)
+        for n, act in enumerate(self.parts[i].acts):
+            insides[row + v.I_ACT + 2 * n] = inside.busy[act.busy] if act.busy >= 0 else 0
+        return number
+
+    def shared_number(self, shared: Shared) -> int:
+        """The number of what is shared."""
+        if (number := self._shared_numbers.get(shared)) is not None:
+            return number
+        number = len(self._shareds)
+        self._hold(0, number)
+        seen = [self._seen_number(i, shared) << v.S_SHARED for i in range(self.count)]
+        row = [*shared[: 1 + self.houses], *seen]
+        if self.watch is not None:
+            row += self.watch.seen(shared[self._agreed_at :])
+        self._room("shared", (number + 1) * len(row))
+        self.t.shared[number * len(row) : (number + 1) * len(row)] = row
+        self._shared_numbers[shared] = number
+        self._shareds.append(shared)
+        return number
+
+    def _seen_number(self, i: int, shared: Shared) -> int:
+        """The number of what agent i sees of what is shared: its variables, and the storehouses and answers that it
+        senses; then whether its team ended its program.
+        """
+        part, ends = self.parts[i], []
+        if self.watch is not None:
+            ends = [int(self.watch.has_ended(shared[self._agreed_at :], part.agent.index))]
+        sensed = (
+            shared[1 + sense.store if sense.store >= 0 else self._agreed_at + sense.agreed]
+            for sense in part.senses
+            if reactions.is_shared(sense)
+        )
+        seen = (*(shared[1 + self.houses + n] for n in part.shared), *sensed, *ends)
+        number = self._seen[i].get(seen)
+        if number is None:
+            number = self._seen[i][seen] = len(self._seen[i])
+            self._seen_tuples[i].append(seen)
+            if number >= v.MOST_SEEN:
+                raise TooManyError
+        return number
+
+    def cells(self, i: int, key: int) -> list[int]:
+        """The first cells of agent i as its program would find them where it senses this (`looking.sensed`): inputs,
+        then variables, each at its place. An input that may read anything is 0, and so is a variable that `take_apart`
+        was not told of.
+        """
+        part, inside = self.parts[i], self._insides[i][key & v.MOST_INSIDES - 1]
+        seen = self._seen_tuples[i][key >> v.S_SHARED & v.MOST_SEEN - 1]
+        layout = part.agent.machine.layout
+        found = [0] * layout.cells
+        for at, (sense, there) in enumerate(
+            zip(part.senses, reactions.around(part, self._signs_of(i), key, seen[len(part.shared) :]), strict=True)
+        ):
+            found[1 + at] = reactions.read(inside, sense, there) or 0
+        for cell in layout.variables.values():
+            found[cell] = part.table.value(inside.local, cell)
+        for cell, value in zip(part.table.shared, inside.own or seen, strict=False):
+            found[cell] = value
+        return found
+
+    def _signs_of(self, i: int) -> list[tuple[int, ...]]:
+        """What the sensors for signs of agent i read in the classes of zones; none on no road."""
+        return self.roads.signs[i] if self.roads.of[i] >= 0 else []
+
+    # -- room in the tables
+
+    def _hold(self, field: int, number: int) -> None:
+        """Makes sure that a field is wide enough for a number; keys are written anew where it was not."""
+        if number > int(self.t.mask[field]):
+            self.layout = self.widths.widen(field, number)
+            self.place_fields()
+
+    def place_fields(self) -> None:
+        """Writes the layout into the tables."""
+        for name in ("shift", "mask", "word"):
+            getattr(self.t, name)[: len(self.layout.shift)] = getattr(self.layout, name)
+        self._forget_after()
+
+    def _forget_after(self) -> None:
+        """Empties `after`, whose keys are those of one layout, and which has room for so many states."""
+        self.t.regs[v.AFTERS] = self.t.regs[v.AFTER_ROWS] = 0
+        self.t.after_slots[:] = [0] * len(self.t.after_slots)
+
+    def _more(self, name: str) -> None:
+        """Doubles a table; its new rows hold what free ones hold."""
+        table = getattr(self.t, name)
+        free = -1 if name in ("change_keys", "reaction_keys") else 0
+        self.t = self.t._replace(**{name: longer(table, 2 * len(table), free)})
+
+    def _room(self, name: str, size: int) -> None:
+        while len(getattr(self.t, name)) < size:
+            self._more(name)

@@ -1,0 +1,216 @@
+"""What a team does about members that fail, stall or lose their radio, as a part of what it has agreed on (`agreeing`).
+
+Who is *silent* is missed at some time, or heard again before; the lease of a unit of work ends at some time. In the
+simulator both take a certain time, in the model any. What comes of it, by the rules of the groups, is done by the
+simulator itself (`sim.substitution`, `sim.work`), on a copy of the whole state of the run.
+
+What a substitute needs to be led is kept only for those who may still be missed and who have a spare robot.
+"""
+
+from __future__ import annotations
+
+import copy
+from collections.abc import Iterator, Sequence
+from dataclasses import replace
+
+from kitrobot.sim import Simulation
+from kitrobot.sim import columns as c
+from kitrobot.sim import team_columns as tc
+from kitrobot.sim.devices.base import Command
+from kitrobot.sim.dispatch import start
+from kitrobot.sim.meetings import is_left_empty
+from kitrobot.sim.radio_tables import no_radio
+from kitrobot.sim.state import State, Team
+from kitrobot.sim.substitution import begin_anew, end_spares, miss
+from kitrobot.verifier import columns as v
+from kitrobot.verifier.agreeing import Agreed, Agreement, Told
+
+ENDS = -1
+"""In `Told`, in place of an actuator: the program of a robot, which stands in place of the procedure, has ended."""
+
+
+def gave_up(team: Team) -> bool:
+    """Whether a team cannot go on, and says so: it is over, or nobody is left of a block who could do it."""
+    kinds, members = team.points[tc.P_KIND], team.points[tc.P_MEMBERS]
+    return bool(team.numbers[tc.TEAM_OVER]) or any(
+        kind == tc.BLOCK and is_left_empty(chosen, team) and team.emptied[chosen] - 2 <= p
+        for p, (kind, chosen) in enumerate(zip(kinds, members, strict=True))
+    )
+
+
+class Watch(Agreement):
+    """The team of a run that is before its first step, of whose robots some may fail.
+
+    Args:
+        run: the run.
+        actuators: those that take part in agreeing, by their numbers in the run.
+    """
+
+    def __init__(self, run: Simulation, actuators: Sequence[int]) -> None:
+        robots, programs = run.state.team.robots, run.state.robots.ints[c.PROGRAM]
+        places = [
+            (int(programs[i]), int(place)) if link >= 0 else None
+            for i, (link, place) in enumerate(zip(robots[tc.T_ACTUATOR], robots[tc.T_PLACE], strict=True))
+        ]
+        leads = tc.SUBSTITUTE in run.state.team.failure
+        self._has_spare = [leads and place is not None and places.count(place) > 1 for place in places]
+        super().__init__(run, actuators)
+        self.works = len(self._team.holds)
+        """How many works the team has."""
+
+    def _apart(self, state: State) -> State:
+        copied: State = copy.deepcopy(state)
+        return replace(copied, clock=[0] * len(state.clock), events=[0] * len(state.events), radio=no_radio())
+
+    # -- what happens
+
+    def befallen(self, agreed: Agreed, robot: int, what: int) -> Agreed:
+        """After a robot, by its number in the run, fell silent, is heard again, or is missed; or lost a unit of work.
+
+        `what` is one of `columns.W_SILENT` and those behind it.
+        """
+        self._write(agreed)
+        state, robots = self._state, self._team.robots
+        begins_anew = what == v.W_ANEW
+        if what == v.W_SILENT:
+            robots[tc.T_SILENT][robot] = 0
+        elif what == v.W_BACK:
+            robots[tc.T_SILENT][robot] = -1
+            begins_anew = bool(robots[tc.T_MISSED][robot])
+            robots[tc.T_MISSED][robot] = 0
+        elif what in (v.W_MISSED, v.W_ANEW):
+            miss(robot, state)
+        else:
+            self._team.holds[what - v.W_FREED][robot] = tc.LOST_UNIT
+        if begins_anew:
+            begin_anew(robot, state)
+        return self._read()
+
+    def after(self, agreed: Agreed, told: Sequence[Told]) -> Agreed:
+        made = super().after(agreed, [one for one in told if one.actuator != ENDS])
+        ended = [one.procedure for one in told if one.actuator == ENDS]
+        if not ended:
+            return made
+        for robot in ended:
+            self._state.robots.ints[c.ENDED][robot] = 1
+        return self._read()
+
+    def settled(self, agreed: Agreed) -> Agreed:
+        super().settled(agreed)
+        end_spares(self._state)
+        return self._read()
+
+    def halts(self, actuator: int) -> bool:
+        """Whether an actuator, by its number in the run, has come to rest when a program begins anew that left it busy;
+        else it goes on.
+        """
+        procedure, done = self._team.halts[actuator], self._state.actuators.ints[c.A_DONE]
+        if procedure < 0:
+            return False
+        kept, done[actuator] = done[actuator], 0
+        start(actuator, Command(procedure, 0, 0, 0, 0), 0.0, self._state)
+        rests, done[actuator] = bool(done[actuator]), kept
+        return rests
+
+    # -- what is seen of it
+
+    def seen(self, agreed: Agreed) -> list[int]:
+        """What the model's tables hold of a state: the columns from `G_MEMBERS` on."""
+        self._write(agreed)
+        team, ended = self._team, self._state.robots.ints[c.ENDED]
+        robots = team.robots
+        members = [link >= 0 and not over for link, over in zip(robots[tc.T_ACTUATOR], ended, strict=True)]
+        leases = zip(team.holds, team.works[tc.W_LEASE], strict=True)
+        return [
+            _bits(members),
+            _bits([silent >= 0 for silent in robots[tc.T_SILENT]]),
+            _bits([role >= 0 for role in robots[tc.T_ROLE]]),
+            _bits([bool(one) for one in robots[tc.T_MISSED]]),
+            int(team.numbers[tc.TEAM_OVER] > 0),
+            *(_bits([lease > 0 and one == tc.HAS_UNIT for one in holds]) for holds, lease in leases),
+        ]
+
+    def has_ended(self, agreed: Agreed, robot: int) -> bool:
+        """Whether a robot's program has ended."""
+        return bool(agreed[self._place(len(self._rows)) + len(self.actuators) + robot])
+
+    def takes_no_part(self, agreed: Agreed, robot: int) -> bool:
+        """Whether a robot of the team plays no role in it (any more)."""
+        self._write(agreed)
+        robots = self._team.robots
+        return robots[tc.T_ACTUATOR][robot] >= 0 > robots[tc.T_ROLE][robot]
+
+    def gave_up(self, agreed: Agreed) -> bool:
+        """Whether the team cannot go on, and says so."""
+        self._write(agreed)
+        return gave_up(self._team)
+
+    def reduced(self, agreed: Agreed, left: int) -> Agreed:
+        """The same without what leads substitutes of those who cannot be missed where so many failures are left."""
+        self._write(agreed)
+        robots = self._team.robots
+        for i in range(len(robots[tc.T_AT])):
+            if robots[tc.T_LED][i] >= 0 or robots[tc.T_TOLD][i] < robots[tc.T_TELL][i]:
+                continue
+            robots[tc.T_TOLD][i] = robots[tc.T_TELL][i] = 0
+            may_be_missed = robots[tc.T_ROLE][i] >= 0 and (left > 0 or robots[tc.T_SILENT][i] >= 0)
+            if not may_be_missed:
+                robots[tc.T_ANCHOR][i] = -1
+            if not (may_be_missed and self._has_spare[i]):
+                robots[tc.T_SINCE][i] = robots[tc.T_ANCHOR_ANSWER][i] = 0
+        return self._read()
+
+    # -- states
+
+    def _robot_rows(self) -> list[list[int]]:
+        """The rows that change besides, of which `ENDED` is the first and `T_SILENT` the second."""
+        robots = self._team.robots
+        own = (tc.T_MISSED, tc.T_ROLE, tc.T_SEAT, tc.T_HOLDER, tc.T_ANCHOR, tc.T_ANCHOR_ANSWER, tc.T_SINCE)
+        leads = (tc.T_LED, tc.T_TOLD, tc.T_TELL)
+        rows = [robots[row] for row in (tc.T_SILENT, *own, *leads)]
+        return [self._state.robots.ints[c.ENDED], *rows, self._team.emptied]
+
+    def _read_robots(self) -> Agreed:
+        team = self._team
+        silent, since = team.robots[tc.T_SILENT], team.robots[tc.T_SINCE]
+        # Since when somebody is silent, or how much too long what leads its substitute is, makes no difference.
+        for i, most in enumerate(map(len, team.since)):
+            silent[i], since[i] = (0 if silent[i] >= 0 else -1), min(since[i], most + 1)
+        past = (_number(row[:count], self._codes()) for row, count in zip(team.since, since, strict=True))
+        over = team.numbers[tc.TEAM_OVER]
+        return (*(int(one) for row in self._robot_rows() for one in row), *past, int(over))
+
+    def _write_robots(self, values: Iterator[int]) -> None:
+        team = self._team
+        for row in self._robot_rows():
+            for n in range(len(row)):
+                row[n] = next(values)
+        for row in team.since:
+            for n, one in enumerate(_digits(next(values), self._codes())):
+                row[n] = one
+        team.numbers[tc.TEAM_OVER] = next(values)
+
+    def _codes(self) -> int:
+        """How many different things are kept of a point that somebody goes on from."""
+        return 2 * len(self._team.points[tc.P_KIND])
+
+
+def _bits(flags: Sequence[bool]) -> int:
+    return sum(1 << n for n, flag in enumerate(flags) if flag)
+
+
+def _number(codes: Sequence[int], base: int) -> int:
+    """A row of numbers below `base` as one."""
+    number = 0
+    for code in reversed(codes):
+        number = number * (base + 1) + code + 1
+    return number
+
+
+def _digits(number: int, base: int) -> list[int]:
+    """What `_number` was made of."""
+    codes = []
+    while number:
+        number, code = divmod(number, base + 1)
+        codes.append(code - 1)
+    return codes

@@ -1,0 +1,165 @@
+"""What becomes of agents that a team may miss: between what befell agents and their ticks, as in the simulator.
+
+Who is not well is silent from then on; of those who were silent before, each may be missed, or not yet; who is well is
+heard again. In team order, since who fell silent takes nobody's role over. Before that, units of work with a lease may
+be free again, or not yet. What is here is in the part of Python that Numba takes; -1 says as in `stepping`.
+"""
+
+from __future__ import annotations
+
+from kitrobot.verifier.bodies import ANEW, RUNS
+from kitrobot.verifier.columns import (
+    A_PLACE,
+    A_ROAD,
+    AGENT,
+    AGENTS,
+    CHOICES,
+    CODE,
+    E_AGENT,
+    G_HOLDING,
+    G_MEMBERS,
+    G_MISSED,
+    G_OVER,
+    G_PLAYING,
+    G_SILENT,
+    G_STOCK,
+    HOUSES,
+    I_BEFALLEN,
+    I_DOWN,
+    I_MUTED,
+    INSIDE_STRIDE,
+    INSIDE_WIDTH,
+    LINE,
+    MISS_A,
+    MISS_B,
+    MISS_DOWN,
+    ROAD_FIELD,
+    SHARED_WIDTH,
+    TOO_MANY,
+    W_ANEW,
+    W_BACK,
+    W_FREED,
+    W_MISSED,
+    W_SILENT,
+    WATCHED,
+)
+from kitrobot.verifier.events import FREED, MISSED
+from kitrobot.verifier.looking import changed, decode
+from kitrobot.verifier.tables import Tables
+from kitrobot.verifier.traffic import after_harm
+
+MOST_CHOICES = 16
+"""Agents that may be missed, and units that may be free again, in one step."""
+
+
+def of_team(t: Tables, shared: int, column: int) -> int:
+    """A column, from `G_MEMBERS` on, of what is shared."""
+    fixed = t.fixed
+    return t.shared[shared * fixed[SHARED_WIDTH] + G_STOCK + fixed[HOUSES] + fixed[AGENTS] + column]
+
+
+def is_over(t: Tables) -> bool:
+    """Whether a team cannot go on in the state of `now`."""
+    return t.fixed[WATCHED] != 0 and of_team(t, t.now[0], G_OVER) != 0
+
+
+def befallen_team(t: Tables, shared: int, i: int, what: int) -> int:
+    """What is shared after one of what `W_SILENT` and those behind it say came of agent i."""
+    fixed = t.fixed
+    return changed(t, shared, 3 + 2 * fixed[HOUSES] + i * (W_FREED + fixed[WATCHED] - 1) + what)
+
+
+def may_pass(t: Tables) -> int:
+    """Whom the team may miss in the state of `now`, or whose units may be free again, as bits."""
+    fixed = t.fixed
+    shared = t.now[0]
+    found = of_team(t, shared, G_SILENT) & of_team(t, shared, G_PLAYING) & of_team(t, shared, G_MEMBERS)
+    for w in range(fixed[WATCHED] - 1):
+        found |= of_team(t, shared, G_HOLDING + w)
+    return found
+
+
+def watch(t: Tables, first: int, room: int, chosen: int) -> int:
+    """What a team makes of a row of `harm`: writes that into rows from `room` on, one for each event; how many.
+
+    The last one has the key of the state, also where there is no event. `chosen` says, as bits, what of all that may
+    happen does; how much that is is put into `CHOICES`.
+    """
+    fixed, now, harm, insides = t.fixed, t.now, t.harm, t.insides
+    x, y = harm[first * LINE], harm[first * LINE + 1]
+    decode(t, x, y)
+    shared, may, rows, parent = now[0], 0, 0, first
+    kinds, passed = harm[first * LINE + 4], 0
+    for w in range(fixed[WATCHED] - 1):
+        holding = of_team(t, now[0], G_HOLDING + w)
+        for i in range(fixed[AGENTS]):
+            if holding >> i & 1:
+                if chosen >> may & 1:
+                    shared = befallen_team(t, shared, i, W_FREED + w)
+                    passed |= 1 << i
+                    kinds |= 1 << FREED
+                    if shared < 0 or not note(t, room + rows, parent, FREED | i << E_AGENT, kinds, passed):
+                        return -1
+                    parent = room + rows
+                    rows += 1
+                may += 1
+    for i in range(fixed[AGENTS]):
+        if not of_team(t, shared, G_MEMBERS) >> i & 1:
+            continue
+        row = (i * fixed[INSIDE_STRIDE] + now[1 + i]) * fixed[INSIDE_WIDTH]
+        is_up = insides[row + I_DOWN] == RUNS
+        is_silent = of_team(t, shared, G_SILENT) >> i & 1 == 1
+        begins_anew = False
+        if is_up and not insides[row + I_MUTED]:
+            if is_silent:
+                begins_anew = of_team(t, shared, G_MISSED) >> i & 1 == 1
+                shared = befallen_team(t, shared, i, W_BACK)
+        elif not is_silent:
+            shared = befallen_team(t, shared, i, W_SILENT)
+        elif of_team(t, shared, G_PLAYING) >> i & 1:
+            if chosen >> may & 1:
+                begins_anew = is_up
+                shared = befallen_team(t, shared, i, W_ANEW if is_up else W_MISSED)
+                passed |= 1 << i
+                kinds |= 1 << MISSED
+                if not note(t, room + rows, parent, MISSED | i << E_AGENT, kinds, passed):
+                    return -1
+                parent = room + rows
+                rows += 1
+            may += 1
+        if shared < 0:
+            return -1
+        if begins_anew:
+            inside = insides[row + I_BEFALLEN + ANEW]
+            if inside < 0:
+                t.regs[CODE], t.regs[MISS_A], t.regs[MISS_B] = MISS_DOWN, i, ANEW
+                return -1
+            d = (now[1 + i] ^ inside) << t.shift[1 + i]
+            x, y = (x, y ^ d) if t.word[1 + i] else (x ^ d, y)
+            road = t.agents[i * AGENT + A_ROAD]
+            if road >= 0:
+                f = fixed[ROAD_FIELD] + road
+                before = (y if t.word[f] else x) >> t.shift[f] & t.mask[f]
+                conf = after_harm(t, before, t.agents[i * AGENT + A_PLACE], ANEW)
+                if conf < 0:
+                    return -1
+                d = (before ^ conf) << t.shift[f]
+                x, y = (x, y ^ d) if t.word[f] else (x ^ d, y)
+    x ^= (now[0] ^ shared) << t.shift[0]
+    t.regs[CHOICES] = may
+    if may > MOST_CHOICES or (rows == 0 and not note(t, room, -1, 0, kinds, 0)):
+        t.regs[CODE] = TOO_MANY
+        return -1
+    at = (room + max(rows, 1) - 1) * LINE
+    harm[at], harm[at + 1] = x, y
+    return rows
+
+
+def note(t: Tables, at: int, parent: int, event: int, kinds: int, passed: int) -> bool:
+    """Writes an event into a row of `harm`; False where there is no room."""
+    if (at + 1) * LINE > len(t.harm):
+        t.regs[CODE] = TOO_MANY
+        return False
+    row = at * LINE
+    t.harm[row + 2], t.harm[row + 3], t.harm[row + 4], t.harm[row + 5] = event, parent, kinds, passed
+    return True
