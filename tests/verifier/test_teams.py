@@ -13,7 +13,9 @@ from kitrobot.lll import parse_team
 from kitrobot.mission import FailureKind
 from kitrobot.sim import Simulation
 from kitrobot.sim import columns as c
+from kitrobot.sim.team_columns import T_MISSED
 from kitrobot.verifier import AbstractionError, Budget, Model, Timing, judge, ready_properties, take_apart
+from kitrobot.verifier import columns as v
 from kitrobot.verifier.agreeing import Agreement
 from kitrobot.verifier.bodies import RUNS
 from kitrobot.verifier.building import KINDS
@@ -57,18 +59,26 @@ def follow(run: Simulation, steps: int, harms: Sequence[Harm] = ()) -> int:
     """
     parts = take_apart(run)
     failures = sum(harm.kind != "revive" for harm in harms)
+    names = [agent.name for agent in run.members]
     model = Model(run, parts, failures, kinds=[kind for kind in KINDS if any(harm.kind == kind for harm in harms)])
     assert model.agreement is not None
     made = explore(model, Budget(1), True, PLAIN)
+    may_fail = model.t.fixed[v.MAY_FAIL]
     fitting = {made.state(0)}
     agreed = set()
     for _ in range(steps):
         if run.outcome is not None:
             break
-        for harm in harms:
-            if harm.tick == run.tick:
-                run.harm(harm.agent, harm.kind)
-                failures -= harm.kind != "revive"
+        now_harmed = [
+            harm for harm in harms if harm.tick == run.tick and run.view(names.index(harm.agent)).state != "failed"
+        ]
+        for harm in now_harmed:
+            run.harm(harm.agent, harm.kind)
+            failures -= harm.kind != "revive"
+        # What else could befall somebody in this step is left out: it would only take time.
+        if bool(model.t.fixed[v.MAY_FAIL]) != bool(now_harmed):
+            model.t.fixed[v.MAY_FAIL] = may_fail if now_harmed else 0
+            model.place_fields()
         run.step()
         now = seen(run, model, failures)
         agreed.add(now[-1])
@@ -85,7 +95,9 @@ def seen(run: Simulation, model: Model, left: int) -> tuple[Any, ...]:
     for i, part in enumerate(model.parts):
         part.table.machine.restore(run.members[i].machine.snapshot())
         is_well = robots[c.DOWN][i] == c.WELL
-        agents.append((part.table.current(), robots[c.DOWN][i], is_well and robots[c.MUTED][i]))
+        is_lost = not is_well and run.state.team.robots[T_MISSED][i]
+        local = part.table.first if is_lost else part.table.current()
+        agents.append((local, robots[c.DOWN][i], is_well and robots[c.MUTED][i]))
     assert model.agreement is not None
     actuators = model.agreement.actuators
     if model.watch is None:

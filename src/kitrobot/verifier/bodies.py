@@ -18,6 +18,8 @@ RUNS, STALLED, FAILED = range(3)
 """`Inside.down`: the order of `columns.WELL`, `STALLED` and `FAILED`."""
 ANEW = 3
 """What befalls a robot whose program begins anew: it is told to stop."""
+LOST = 4
+"""What befalls one that is down, and missed: where its program stood makes no difference any more."""
 
 
 class Inside(NamedTuple):

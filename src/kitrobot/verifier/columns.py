@@ -53,10 +53,10 @@ ACT = 5
 # -- a row of `insides`
 I_TICKS, I_LOAD, I_DOWN, I_ENDS, I_ENDED, I_LOADED, I_BEFALLEN = range(7)
 """Whether it has ticks; its load; what befell it; whether something can end; whether its program has ended; the
-number with the other load; with RUNS, STALLED and FAILED, and once its program began anew (four); whether it has lost
-its radio."""
-I_MUTED = 10
-I_ACT = 11
+number with the other load; with RUNS, STALLED and FAILED, once its program began anew, and once it is missed (five);
+whether it has lost its radio."""
+I_MUTED = 11
+I_ACT = 12
 """From here on two for each actuator: what it does (0 nothing, 1 its first procedure …), the number once done."""
 
 # -- a row of `shared`: failures that may still come, boxes in each storehouse, then what each agent sees of it

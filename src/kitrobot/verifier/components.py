@@ -14,6 +14,7 @@ from kitrobot.sim import Simulation
 from kitrobot.sim import columns as c
 from kitrobot.verifier import columns as v
 from kitrobot.verifier import reactions
+from kitrobot.verifier.agreeing import Agreed
 from kitrobot.verifier.bodies import FAILED, RUNS, Inside, zone_of
 from kitrobot.verifier.building import KINDS, USUAL_KINDS, Roads, build, check_size, first_body
 from kitrobot.verifier.events import TooManyError
@@ -118,6 +119,10 @@ class Components:
         part = self.parts[i]
         return inside.is_over or part.table.has_ended(inside.local) or (part.is_spare and self.watch is None)
 
+    def agreed(self, shared: Shared) -> Agreed:
+        """What a team has agreed on; nothing without one."""
+        return shared[self._agreed_at :]
+
     def goals_hold(self, shared: Shared) -> bool:
         """Whether every storehouse of a goal holds what it is to hold."""
         return all(shared[1 + house] == wanted for house, wanted in self.goals)
@@ -168,7 +173,7 @@ class Components:
         seen = [self._seen_number(i, shared) << v.S_SHARED for i in range(self.count)]
         row = [*shared[: 1 + self.houses], *seen]
         if self.watch is not None:
-            row += self.watch.seen(shared[self._agreed_at :])
+            row += self.watch.seen(self.agreed(shared))
         self._room("shared", (number + 1) * len(row))
         self.t.shared[number * len(row) : (number + 1) * len(row)] = row
         self._shared_numbers[shared] = number
@@ -181,7 +186,7 @@ class Components:
         """
         part, ends = self.parts[i], []
         if self.watch is not None:
-            ends = [int(self.watch.has_ended(shared[self._agreed_at :], part.agent.index))]
+            ends = [int(self.watch.has_ended(self.agreed(shared), part.agent.index))]
         sensed = (
             shared[1 + sense.store if sense.store >= 0 else self._agreed_at + sense.agreed]
             for sense in part.senses

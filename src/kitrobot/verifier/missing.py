@@ -12,6 +12,7 @@ from __future__ import annotations
 import copy
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
+from typing import NamedTuple
 
 from kitrobot.sim import Simulation
 from kitrobot.sim import columns as c
@@ -27,6 +28,13 @@ from kitrobot.verifier.agreeing import Agreed, Agreement, Told
 
 ENDS = -1
 """In `Told`, in place of an actuator: the program of a robot, which stands in place of the procedure, has ended."""
+
+
+class Standing(NamedTuple):
+    """Who plays a role, as bits by the robot's number in the run, and whether the team is over."""
+
+    plays: int
+    is_over: bool
 
 
 def gave_up(team: Team) -> bool:
@@ -54,6 +62,7 @@ class Watch(Agreement):
         ]
         leads = tc.SUBSTITUTE in run.state.team.failure
         self._has_spare = [leads and place is not None and places.count(place) > 1 for place in places]
+        self._given_up: dict[Agreed, bool] = {}
         super().__init__(run, actuators)
         self.works = len(self._team.holds)
         """How many works the team has."""
@@ -132,18 +141,29 @@ class Watch(Agreement):
 
     def has_ended(self, agreed: Agreed, robot: int) -> bool:
         """Whether a robot's program has ended."""
-        return bool(agreed[self._place(len(self._rows)) + len(self.actuators) + robot])
+        return bool(self._of_robot(agreed, 0, robot))
+
+    def standing(self, agreed: Agreed) -> Standing:
+        """Who plays a role, and whether the team is over."""
+        seen = self.seen(agreed)
+        return Standing(seen[v.G_PLAYING], seen[v.G_OVER] > 0)
 
     def takes_no_part(self, agreed: Agreed, robot: int) -> bool:
         """Whether a robot of the team plays no role in it (any more)."""
-        self._write(agreed)
-        robots = self._team.robots
-        return robots[tc.T_ACTUATOR][robot] >= 0 > robots[tc.T_ROLE][robot]
+        return self.is_member(robot) and self._of_robot(agreed, 3, robot) < 0
 
     def gave_up(self, agreed: Agreed) -> bool:
         """Whether the team cannot go on, and says so."""
-        self._write(agreed)
-        return gave_up(self._team)
+        found = self._given_up.get(agreed)
+        if found is None:
+            self._write(agreed)
+            found = self._given_up[agreed] = gave_up(self._team)
+        return found
+
+    def _of_robot(self, agreed: Agreed, row: int, robot: int) -> int:
+        """What one of `_robot_rows` holds of a robot."""
+        rows = self._place(len(self._rows)) + len(self.actuators)
+        return agreed[rows + row * len(self._has_spare) + robot]
 
     def reduced(self, agreed: Agreed, left: int) -> Agreed:
         """The same without what leads substitutes of those who cannot be missed where so many failures are left."""
@@ -163,7 +183,7 @@ class Watch(Agreement):
     # -- states
 
     def _robot_rows(self) -> list[list[int]]:
-        """The rows that change besides, of which `ENDED` is the first and `T_SILENT` the second."""
+        """The rows that change besides, of which `ENDED` is the first and `T_ROLE` the fourth."""
         robots = self._team.robots
         own = (tc.T_MISSED, tc.T_ROLE, tc.T_SEAT, tc.T_HOLDER, tc.T_ANCHOR, tc.T_ANCHOR_ANSWER, tc.T_SINCE)
         leads = (tc.T_LED, tc.T_TOLD, tc.T_TELL)

@@ -15,7 +15,7 @@ from kitrobot.sim import columns as c
 from kitrobot.verifier import columns as v
 from kitrobot.verifier import reactions
 from kitrobot.verifier.agreeing import Agreed, Told
-from kitrobot.verifier.bodies import ANEW, RUNS, Inside
+from kitrobot.verifier.bodies import ANEW, FAILED, LOST, RUNS, Inside
 from kitrobot.verifier.components import Components, Shared, State
 from kitrobot.verifier.events import TooManyError
 from kitrobot.verifier.growing import find_confs_again, put
@@ -196,19 +196,24 @@ class Model(Components):
             after = inside._replace(busy=tuple(busy))
         elif code == v.MISS_DOWN:
             column = v.I_BEFALLEN + which
-            after = self._begun_anew(i, inside) if which == ANEW else inside._replace(down=which)
+            after = self._left_behind(i, inside, which) if which >= ANEW else inside._replace(down=which)
         to = self.inside_number(i, after)
         fixed = self.t.fixed
         self.t.insides[(i * fixed[v.INSIDE_STRIDE] + number) * fixed[v.INSIDE_WIDTH] + column] = to
 
-    def _begun_anew(self, i: int, inside: Inside) -> Inside:
-        """What agent i is once its program begins anew: devices that were told to stop by that have stopped."""
+    def _left_behind(self, i: int, inside: Inside, how: int) -> Inside:
+        """What agent i is once its program begins `ANEW`, or is `LOST` while it is down.
+
+        Devices that are told to stop by that have stopped, and those of a robot that failed do nothing any more.
+        """
         part, busy = self.parts[i], list(inside.busy)
-        assert self.watch is not None, "only a team's programs begin anew"
+        assert self.watch is not None, "only a team misses members"
+        if how == LOST and part.table.is_asked:
+            return inside
         first = int(self.run.state.robots.ints[c.ACTUATOR_INDEX][part.agent.index])
         for at, act in enumerate(part.acts):
             k = int(self.run.state.actuators.actuator_index[first + at])
-            if act.busy >= 0 and self.watch.halts(k):
+            if act.busy >= 0 and (inside.down == FAILED or (how == ANEW and self.watch.halts(k))):
                 busy[act.busy] = 0
         return inside._replace(local=part.table.first, busy=tuple(busy))
 

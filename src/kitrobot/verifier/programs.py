@@ -77,6 +77,11 @@ class ProgramTable:
         self.ticks = 0
         """How many times the interpreter was asked."""
 
+    @property
+    def is_asked(self) -> bool:
+        """Whether values of its variables are asked for from outside."""
+        return bool(self._kept)
+
     def __len__(self) -> int:
         """How many local states have come up."""
         return len(self._snapshots)

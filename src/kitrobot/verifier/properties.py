@@ -85,6 +85,7 @@ class Property:
         watch: begins to look at a run of the simulator, where its events do not tell whether it breaks the property.
         seen_as: the events of the simulator (see `sim.columns`) that break it.
         ends_as: the outcomes of a run of the simulator that break it.
+        spares_teams: whether the end of a team that gave up, and says why, does not break it.
     """
 
     name: str
@@ -101,6 +102,7 @@ class Property:
     watch: Callable[[Simulation], Watch] | None = None
     seen_as: tuple[int, ...] = ()
     ends_as: tuple[str, ...] = ()
+    spares_teams: bool = False
 
 
 def ready_properties(model: Model) -> list[Property]:
@@ -141,6 +143,7 @@ def ready_properties(model: Model) -> list[Property]:
             Sentence("the mission never comes to a standstill before it is done"),
             is_wrong=_not_done(model),
             ends_as=("stuck", "failed"),
+            spares_teams=True,
         )
     )
     if model.goals:
@@ -192,8 +195,24 @@ def _goals_missed(model: Model) -> Condition:
 
 
 def _somebody_goes_on(model: Model) -> Condition:
-    """That the program of an agent has not ended."""
-    return tuple((_goes_on(model, i),) for i in range(model.count))
+    """That the program of an agent has not ended, which its team, if it misses members, still needs."""
+    return tuple((_goes_on(model, i), *_needed(model, i)) for i in range(model.count))
+
+
+def _needed(model: Model, i: int) -> list[Fact]:
+    """That the team has not given up, and agent i plays a role if it is of the team; nothing where nobody is missed."""
+    watch, robot = model.watch, model.parts[i].agent.index
+    if watch is None:
+        return []
+    return [
+        _has_not_given_up(model),
+        OfShared(lambda shared: not watch.takes_no_part(model.agreed(shared), robot)),
+    ]
+
+
+def _has_not_given_up(model: Model) -> OfShared:
+    watch = model.watch
+    return OfShared(lambda shared: watch is None or not watch.gave_up(model.agreed(shared)))
 
 
 def _goes_on(model: Model, i: int) -> OfAgent:
@@ -202,4 +221,7 @@ def _goes_on(model: Model, i: int) -> OfAgent:
 
 def _not_done(model: Model) -> Condition:
     """That a state which nothing leaves is not one that the mission was to come to."""
-    return _goals_missed(model) if model.goals else _somebody_goes_on(model)
+    if not model.goals:
+        return _somebody_goes_on(model)
+    missed = OfShared(lambda shared: not model.goals_hold(shared))
+    return ((missed,),) if model.watch is None else ((missed, _has_not_given_up(model)),)

@@ -14,6 +14,7 @@ from kitrobot.sim import Simulation
 from kitrobot.sim import columns as c
 from kitrobot.verifier.events import What
 from kitrobot.verifier.judging import Way
+from kitrobot.verifier.missing import gave_up
 from kitrobot.verifier.model import Model
 from kitrobot.verifier.properties import Property
 
@@ -109,7 +110,8 @@ def _broken_at(one: Property, run: Simulation, harms: Sequence[Harm]) -> int:
             return found
     if watch is not None:
         return run.tick if watch.at_end() else -1
-    return run.tick if run.outcome in one.ends_as else -1
+    has_said_why = one.spares_teams and gave_up(run.state.team)
+    return run.tick if run.outcome in one.ends_as and not has_said_why else -1
 
 
 def _seen(one: Property, run: Simulation) -> int:

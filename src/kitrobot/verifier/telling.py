@@ -17,6 +17,20 @@ def told(model: Model, way: Way) -> Iterator[tuple[int, Sentence]]:
         for event in step.events:
             if event.what is not What.TICK:
                 yield number, say(model, event, state)
+        for sentence in _of_team(model, way.states[number], state):
+            yield number, sentence
+
+
+def _of_team(model: Model, before: State, after: State) -> Iterator[Sentence]:
+    """What a team that misses somebody makes of that in a step: who takes a role over, and whether it gives up."""
+    if model.watch is None:
+        return
+    was, now = (model.watch.standing(model.agreed(model.shareds()[state[0]])) for state in (before, after))
+    for part in model.parts:
+        if now.plays >> part.agent.index & 1 and not was.plays >> part.agent.index & 1:
+            yield Sentence("{agent} takes over a role", part.agent.name)
+    if now.is_over and not was.is_over:
+        yield Sentence("the team cannot go on")
 
 
 def say(model: Model, event: Event, after: State) -> Sentence:
@@ -52,6 +66,10 @@ def say(model: Model, event: Event, after: State) -> Sentence:
         return Sentence("{agent} stalls: it misses its ticks", name)
     if event.what is What.MUTE:
         return Sentence("{agent} loses its radio", name)
+    if event.what is What.MISSED:
+        return Sentence("the team misses {agent}", name)
+    if event.what is What.FREED:
+        return Sentence("the lease of {agent} is over: its unit of work is free again", name)
     if event.what is What.RESUME:
         return Sentence("{agent} has its ticks again", name)
     return Sentence("{agent} has done what takes it longer", name)

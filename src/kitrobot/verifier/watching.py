@@ -7,7 +7,7 @@ be free again, or not yet. What is here is in the part of Python that Numba take
 
 from __future__ import annotations
 
-from kitrobot.verifier.bodies import ANEW, RUNS
+from kitrobot.verifier.bodies import ANEW, LOST, RUNS
 from kitrobot.verifier.columns import (
     A_PLACE,
     A_ROAD,
@@ -109,16 +109,17 @@ def watch(t: Tables, first: int, room: int, chosen: int) -> int:
         row = (i * fixed[INSIDE_STRIDE] + now[1 + i]) * fixed[INSIDE_WIDTH]
         is_up = insides[row + I_DOWN] == RUNS
         is_silent = of_team(t, shared, G_SILENT) >> i & 1 == 1
-        begins_anew = False
+        becomes = -1
         if is_up and not insides[row + I_MUTED]:
             if is_silent:
-                begins_anew = of_team(t, shared, G_MISSED) >> i & 1 == 1
+                if of_team(t, shared, G_MISSED) >> i & 1:
+                    becomes = ANEW
                 shared = befallen_team(t, shared, i, W_BACK)
         elif not is_silent:
             shared = befallen_team(t, shared, i, W_SILENT)
         elif of_team(t, shared, G_PLAYING) >> i & 1:
             if chosen >> may & 1:
-                begins_anew = is_up
+                becomes = ANEW if is_up else LOST
                 shared = befallen_team(t, shared, i, W_ANEW if is_up else W_MISSED)
                 passed |= 1 << i
                 kinds |= 1 << MISSED
@@ -129,15 +130,15 @@ def watch(t: Tables, first: int, room: int, chosen: int) -> int:
             may += 1
         if shared < 0:
             return -1
-        if begins_anew:
-            inside = insides[row + I_BEFALLEN + ANEW]
+        if becomes >= 0:
+            inside = insides[row + I_BEFALLEN + becomes]
             if inside < 0:
-                t.regs[CODE], t.regs[MISS_A], t.regs[MISS_B] = MISS_DOWN, i, ANEW
+                t.regs[CODE], t.regs[MISS_A], t.regs[MISS_B] = MISS_DOWN, i, becomes
                 return -1
             d = (now[1 + i] ^ inside) << t.shift[1 + i]
             x, y = (x, y ^ d) if t.word[1 + i] else (x ^ d, y)
             road = t.agents[i * AGENT + A_ROAD]
-            if road >= 0:
+            if road >= 0 and becomes == ANEW:
                 f = fixed[ROAD_FIELD] + road
                 before = (y if t.word[f] else x) >> t.shift[f] & t.mask[f]
                 conf = after_harm(t, before, t.agents[i * AGENT + A_PLACE], ANEW)

@@ -224,9 +224,6 @@ def verify_runs(
     columns: list[Column] = []
     search = _Search(runs, options, ends)
     for failures, timing in _assumptions(options):
-        if failures and parts.agreement is not None:
-            limits.append(Sentence("nobody of the team fails: what it does about failures has no discrete form yet"))
-            break
         model = Model(run, parts, failures, timing, options.kinds)
         own, left_out = asked_properties(model, asked)
         limits += [words for words in left_out if words not in limits]
@@ -255,7 +252,7 @@ def verify_runs(
 
 def _said_of_radios(parts: Parts) -> Sentence:
     """What is taken for granted of robots that lose their radio."""
-    if any(part.shared for part in parts.parts):
+    if any(part.shared or part.is_member for part in parts.parts):
         return Sentence("a robot that loses its radio is taken never to have it again")
     return Sentence("nobody loses its radio: no robot of this mission shares a variable")
 
