@@ -14,7 +14,7 @@ from kitrobot.mission import FailureKind
 from kitrobot.sim import Simulation
 from kitrobot.sim import columns as c
 from kitrobot.sim.team_columns import T_MISSED
-from kitrobot.verifier import AbstractionError, Budget, Model, Timing, judge, ready_properties, take_apart
+from kitrobot.verifier import Budget, Model, Timing, confirm, judge, ready_properties, take_apart, told
 from kitrobot.verifier import columns as v
 from kitrobot.verifier.agreeing import Agreement
 from kitrobot.verifier.bodies import RUNS
@@ -168,10 +168,43 @@ def test_the_shipped_teams_come_to_their_end(name: str) -> None:
     assert answers(made) == {"deadlock": "holds"}
 
 
-def test_failures_of_a_team_are_refused_in_a_sentence() -> None:
-    run = team("SeqOfPar scout ( Arm.Do(1); );").run
-    with pytest.raises(AbstractionError, match="what a team does about failures"):
-        Model(run, take_apart(run), failures=1)
+WAITING = """role giver: ant; role waiter: ant;
+group givers = {{giver}} on failure {rule}; group waiters = {{waiter}} on failure drop;
+work Boxes = 1;
+ParOfSeq givers ( Boxes.Take(); Arm.Do(1); Boxes.Done(); );
+ParOfSeq waiters ( <Boxes.IsEmpty()>( Arm.Do(2); ); );
+"""
+
+
+@pytest.mark.parametrize("timing", [Timing.LOCKSTEP, Timing.FREE])
+@pytest.mark.parametrize(("rule", "answer"), [("drop", "broken"), ("substitute", "holds"), ("abort", "holds")])
+def test_who_waits_for_a_role_that_nobody_takes_over_waits_for_ever(rule: str, answer: str, timing: Timing) -> None:
+    """A team that gives up, and says why, does not stand still."""
+    parsed = parse_team(WAITING.format(rule=rule))
+    assert parsed.diagnostics == []
+    agents = {"giver-0": ("ant", "giver"), "waiter-0": ("ant", "waiter"), "spare-0": ("ant", "")}
+    maker: Any = SimpleNamespace(agents=agents, programs={})
+    team = RunningTeam(maker, parsed.program, 1)
+    assert answers(judged(team.run, timing)) == {"deadlock": "holds"}
+    model = Model(team.run, take_apart(team.run), 1, timing, (FailureKind.FAIL,))
+    made = judge(model, ready_properties(model), Budget(50_000))
+    assert made.complete
+    assert answers(made) == {"deadlock": answer}
+    way = made.verdicts[0].way
+    if way is not None:
+        assert "the team misses giver-0" in [str(words) for _, words in told(model, way)]
+        assert confirm(made.verdicts[0].property, way, model, lambda seed: team.anew(), lambda: False) is not None
+
+
+@pytest.mark.parametrize("rule", ["drop", "substitute", "abort"])
+@pytest.mark.parametrize("timing", list(Timing))
+def test_members_that_meet_go_on_or_give_up_after_any_one_failure(timing: Timing, rule: str) -> None:
+    parsed = parse_team(f"role scout: ant 2; group scouts = scout on failure {rule}; SeqOfPar scouts ( Arm.Do(1); );")
+    agents = {"scout-0": ("ant", "scout"), "scout-1": ("ant", "scout"), "spare-0": ("ant", "")}
+    maker: Any = SimpleNamespace(agents=agents, programs={})
+    made = judged(RunningTeam(maker, parsed.program, 1).run, timing, failures=1)
+    assert made.complete
+    assert answers(made) == {"deadlock": "holds"}
 
 
 def test_a_shipped_team_on_a_road_is_followed() -> None:
