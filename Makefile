@@ -25,6 +25,8 @@ install: $(STAMP) ## install everything into .venv, the page's tools into web/no
 run: $(STAMP) page ## install, build the page, open the studio with an example that runs
 	$(BIN)/kitrobot examples/transport/transport.krt
 
+# Each of the many processes that the tests start would translate all modules again.
+test: export PYTHONDONTWRITEBYTECODE :=
 test: install page ## run every test: the page's, Python's and those in a browser
 	$(PAGE) npm run test
 	@$(PY) -m tools.chromium --install

@@ -11,12 +11,12 @@ import time
 from dataclasses import asdict
 
 from benchmarks.measuring import Rate, Row
-from benchmarks.subjects import subjects
+from benchmarks.subjects import names, subject
 
 
 def main(arguments: list[str] | None = None) -> int:
     """Runs the subjects that were asked for; status 2 when there is none of that name."""
-    known = subjects()
+    known = names()
     parser = argparse.ArgumentParser(prog="python -m benchmarks", description="Measure, each subject beside its peer.")
     parser.add_argument("subject", nargs="*", help=f"some of {', '.join(known)}; all when none is named")
     parser.add_argument("--no-peers", action="store_true", help="measure only ours")
@@ -31,8 +31,8 @@ def main(arguments: list[str] | None = None) -> int:
     measured: dict[str, list[Row]] = {}
     for name in given.subject or known:
         print(f"measuring {name} …", file=sys.stderr, flush=True)
-        subject = known[name]
-        measured[name] = subject.run(subject.TINY if given.tiny else subject.FULL, peers=not given.no_peers)
+        one = subject(name)
+        measured[name] = one.run(one.TINY if given.tiny else one.FULL, peers=not given.no_peers)
     if given.json:
         rows = [
             {"subject": name, **asdict(row), "ratio": row.ratio} for name, found in measured.items() for row in found

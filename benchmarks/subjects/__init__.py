@@ -20,9 +20,11 @@ class Subject(Protocol):
         """Measures; without `peers` only ours."""
 
 
-def subjects() -> dict[str, Subject]:
-    """All subjects by name, in the order of their names."""
-    return {
-        found.name: cast("Subject", importlib.import_module(f"{__name__}.{found.name}"))
-        for found in pkgutil.iter_modules(__path__)
-    }
+def names() -> list[str]:
+    """The names of all subjects, in their order; nothing is imported."""
+    return [found.name for found in pkgutil.iter_modules(__path__)]
+
+
+def subject(name: str) -> Subject:
+    """The subject of a name that is there."""
+    return cast("Subject", importlib.import_module(f"{__name__}.{name}"))

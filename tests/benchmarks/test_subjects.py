@@ -12,14 +12,16 @@ from benchmarks.__main__ import main, table
 from benchmarks.material import ROBOT, catalogue, graph_of, text_of_lines, tree_of_vertices
 from benchmarks.measuring import Rate, Row, in_turns
 from benchmarks.peers import behaviour_tree, blockly, lark_parser
-from benchmarks.subjects import subjects
+from benchmarks.subjects import names, subject
 from kitrobot.compiler import compile_program
 from kitrobot.lll import Call, nodes, parse, print_program
+from tests.effort import cases
 from tests.strategies import Shape, random_program
 
 ROOT = Path(__file__).parents[2]
 
 
+CHEAP = ["checking", "compiling", "interpreting", "meetings", "parsing", "starting", "tracing", "watchers"]
 IN_A_BROWSER = ("site", "studio")
 
 
@@ -27,19 +29,19 @@ IN_A_BROWSER = ("site", "studio")
     "name",
     [
         pytest.param(name, marks=[pytest.mark.browser] * (name in IN_A_BROWSER) + [pytest.mark.site] * (name == "site"))
-        for name in subjects()
+        for name in cases(CHEAP, [name for name in names() if name not in CHEAP])
     ],
 )
 def test_every_subject_runs(name: str) -> None:
-    subject = subjects()[name]
-    rows = subject.run(subject.TINY, peers=False)
+    one = subject(name)
+    rows = one.run(one.TINY, peers=False)
     assert rows
     assert all(row.ours.slowest > 0 and row.ours.fastest > 0 and row.theirs is None for row in rows)
 
 
 def test_there_are_the_subjects_that_the_page_tells_of() -> None:
     page = (ROOT / "docs" / "benchmarks.md").read_text(encoding="utf-8")
-    assert [name for name in subjects() if f"`{name}`" not in page] == []
+    assert [name for name in names() if f"`{name}`" not in page] == []
 
 
 def test_a_generated_text_is_a_program_without_mistakes_and_the_same_for_the_same_seed() -> None:

@@ -15,7 +15,7 @@ from kitrobot.server.shapes.sweep import SWEEP_REQUEST_MODELS
 from tests.effort import THOROUGH
 from tests.server.conftest import HOST, SOCKET, TOKEN, TestClient
 
-BUDGET = int(os.environ.get("KITROBOT_BUDGET", "600"))
+BUDGET = int(os.environ.get("KITROBOT_BUDGET", "240"))
 STREAMS = 4
 ODD = (
     *("", "\ud800", "a\x00b", "x" * 300, "../x", "blink.krt", "example:square/square.krt", "recording:1/x", "é", "²"),
