@@ -79,13 +79,14 @@ const still = (name) => {
         return null;
     }
     const hit = document.elementFromPoint(x, y);
-    return width > 0 && hit && (found.contains(hit) || hit.contains(found) || hit.closest("label")?.contains(found)) ? [x, y] : null;
+    const free = hit && (found.contains(hit) || hit.contains(found) || hit.closest("label")?.contains(found));
+    return width > 0 && free ? [x, y] : null;
 };
 """
 
 
 class Firefox:
-    """One Firefox, which ends with its `with`; `faults` is what pages reported, `asked` what they asked a network for."""
+    """One Firefox, which ends with its `with`. `faults`: what pages reported; `asked`: addresses of their requests."""
 
     def __init__(self, program: str, **preferences: object) -> None:
         self.faults: list[str] = []
@@ -111,7 +112,9 @@ class Firefox:
             address = next(line.split(LISTENS)[1].strip() for line in heard if LISTENS in line)
             # What else it says is read away, or it would wait for a reader.
             threading.Thread(target=list, args=(heard,), daemon=True).start()
-            self._wire = ends.enter_context(connect(f"{address}/session", compression=None, max_size=None))
+            self._wire = ends.enter_context(
+                connect(f"{address}/session", compression=None, max_size=None, ping_interval=None)
+            )
             self.tell("session.new", capabilities={})
             ends.callback(self._quit, process)
             self.tell("session.subscribe", events=EVENTS)
@@ -185,7 +188,8 @@ class Tab:
         """What a function of the page makes of the values, once that is there."""
         answer = self.firefox.tell(
             "script.callFunction",
-            functionDeclaration=f"async (words) => {{ {AT} return JSON.stringify(await ({function})(...JSON.parse(words))); }}",
+            functionDeclaration=f"async (words) => {{ {AT}\nconst made = await ({function})(...JSON.parse(words));\n"
+            "return JSON.stringify(made); }",
             arguments=[{"type": "string", "value": json.dumps(values)}],
             target={"context": self.context},
             awaitPromise=True,

@@ -1,6 +1,6 @@
-"""The static site in Firefox, by the main path: run, edit, save, another tab, a link, robots, and a visit without a server.
+"""The static site in Firefox, by the main path: run, edit, save, another tab, a visit without a server, a link.
 
-One test that starts Python twice, because in a page that takes seconds. All else the same code does in Chromium (`test_site`).
+One test that starts Python twice, because in a page that takes seconds. The rest is tried in Chromium (`test_site`).
 """
 
 from __future__ import annotations
