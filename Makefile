@@ -30,13 +30,15 @@ test: export PYTHONDONTWRITEBYTECODE :=
 test: install page ## run every test: the page's, Python's and those in a browser
 	$(PAGE) npm run test
 	@$(PY) -m tools.chromium --install
+	@$(PY) -m tools.firefox --install
 	@$(PY) -m tools.qemu --install
 	@$(PY) -m tools.pico
 	@$(PY) -m tools.site_parts --quiet
 	@browser="$$($(PY) -m tools.chromium > /dev/null || echo ' and not browser')"; \
+	firefox="$$($(PY) -m tools.firefox > /dev/null || echo ' and not firefox')"; \
 	boards="$$($(PY) -m tools.qemu > /dev/null || echo ' and not boards')"; \
 	site="$$($(PY) -m tools.site_parts > /dev/null || echo ' and not site')"; \
-	left="$$browser$$boards$$site"; \
+	left="$$browser$$firefox$$boards$$site"; \
 	$(BIN)/pytest -n auto --dist worksteal --durations=50 --durations-min=2 -m "$${left# and }"
 
 check: install ## format, lint, types, the stairs; changes nothing

@@ -10,7 +10,7 @@ import hypothesis
 import pytest
 
 from tests.effort import THOROUGH
-from tools import chromium, pico
+from tools import chromium, firefox, pico
 
 # A shell starts what runs in its background deaf to Ctrl+C, and what that starts inherits it: some tests press it.
 if signal.getsignal(signal.SIGINT) is signal.SIG_IGN:
@@ -51,4 +51,13 @@ def chromium_path() -> str:
     if path is None:
         # Not skipped: who leaves the browser tests out says so with -m.
         pytest.fail("no Chromium on this machine; install it, or leave these tests out with -m 'not browser'")
+    return path
+
+
+@pytest.fixture(scope="session")
+def firefox_path() -> str:
+    """The Firefox of the machine."""
+    path = firefox.find()
+    if path is None:
+        pytest.fail("no Firefox on this machine; install it, or leave its tests out with -m 'not firefox'")
     return path

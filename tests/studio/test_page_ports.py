@@ -80,5 +80,5 @@ def test_a_board_at_the_page_is_sent_to_watched_stopped_and_stops_when_its_cable
         studio.page.evaluate("Object.defineProperty(navigator, 'serial', { value: undefined })")
         studio.at("robots-close").click()
         studio.page.keyboard.press("Alt+r")
-        expect(studio.at("find-board-not")).to_contain_text("Chrome and Edge do; or install KitRobot")
+        expect(studio.at("find-board-not")).to_contain_text("Edge and Firefox do; or install KitRobot")
         expect(studio.at("find-board")).to_have_count(0)

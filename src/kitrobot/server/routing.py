@@ -43,7 +43,7 @@ def refuse_visitors(connection: HTTPConnection) -> None:
             return
         raise AddressError(
             Sentence("this browser cannot wait for robots while it does other things"),
-            Sentence("open this page in a new Chrome or Edge, or install KitRobot on this computer"),
+            Sentence("open this page in a new Chrome, Edge or Firefox, or install KitRobot on this computer"),
         )
     host = connection.client.host if connection.client is not None else ""
     try:

@@ -226,7 +226,7 @@ export const LATER_EN = {
   "boards.find": "Find a board",
   "boards.find-help": "For a board at the computer where you see this page. The browser asks which one.",
   "boards.find-none":
-    "This browser reaches no boards by itself. Chrome and Edge do; or install KitRobot where the board is.",
+    "This browser reaches no boards by itself. New versions of Chrome, Edge and Firefox do; or install KitRobot where the board is.",
   "boards.find-unsafe":
     "The browser reaches boards only from a safe address (https). Or install KitRobot where the board is.",
   "boards.in-page": "Robots on the network, and teams of several boards, need KitRobot installed on a computer.",

@@ -2,6 +2,7 @@
 import { ARM_OUT, LAMP, type Storehouse } from "../../api/wire";
 import { t } from "../../i18n/words";
 import { grouped } from "../../i18n/numbers";
+import { fontOf } from "../../theme";
 import { toScreen } from "./camera";
 import type * as DrawBoard from "./draw-board";
 import type * as DrawCrowd from "./draw-crowd";
@@ -82,7 +83,7 @@ function drawName(brush: Brush, { actor }: Seen, away: number, named: boolean): 
   const { pen, colours } = brush;
   const y = away + 11;
   pen.textBaseline = "middle";
-  pen.font = `600 12px "Inter Variable", system-ui, sans-serif`;
+  pen.font = fontOf(600, 12);
   const width = named ? pen.measureText(actor.name).width : 0;
   const left = named ? -(width + 30) / 2 : -10;
   if (named) {
@@ -202,7 +203,7 @@ function drawCaption(
   const { pen, colours } = brush;
   pen.textAlign = "left";
   pen.textBaseline = "middle";
-  pen.font = `${String(weight)} ${px.toFixed(1)}px "Inter Variable", system-ui, sans-serif`;
+  pen.font = fontOf(weight, px);
   const width = pen.measureText(words).width + 16;
   const left = Math.min(Math.max(x, 8), Math.max(8, brush.room.width - width - 8));
   pen.beginPath();

@@ -5,6 +5,7 @@
  */
 import type { Dock, Road, Storehouse } from "../../api/wire";
 import type { World } from "../../model/types";
+import { fontOf } from "../../theme";
 import { type Camera, type Room, toScreen } from "./camera";
 import type { Colours } from "./colours";
 import { boundsOf, isIn, lineOf, placeAlong, ROBOT_MM } from "./geometry";
@@ -45,7 +46,7 @@ export function write(
   colour: string,
 ): void {
   const { pen } = brush;
-  pen.font = `${String(weight)} ${px.toFixed(1)}px "Inter Variable", system-ui, sans-serif`;
+  pen.font = fontOf(weight, px);
   pen.fillStyle = colour;
   pen.fillText(text, x, y);
 }

@@ -5,7 +5,7 @@
 import { type Key, t } from "../../i18n/words";
 import { decimal } from "../../i18n/numbers";
 import type { World } from "../../model/types";
-import { useTheme } from "../../theme";
+import { fontOf, useTheme } from "../../theme";
 import { toScreen } from "./camera";
 import { type Brush, write } from "./draw-world";
 
@@ -125,7 +125,7 @@ function drawSign({ pen }: Brush, kind: Zone["kind"], x: number, y: number, size
 /** The sign, the word and the value on a pill, as far as there is room. */
 function drawWords(brush: Brush, zone: Zone, x: number, y: number, room: number): void {
   const { pen, colours } = brush;
-  pen.font = `600 13px "Inter Variable", system-ui, sans-serif`;
+  pen.font = fontOf(600, 13);
   const width = (text: string) => pen.measureText(text).width + 38;
   // Each keeps the way that it is written in.
   const value = `\u2066${valueOf(zone)}\u2069`;

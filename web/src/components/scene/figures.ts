@@ -5,6 +5,7 @@
  * and never thinner than 1.15 px. Small figures lose what cannot be seen: seams and treads first, then rays of a lamp.
  * Where a figure stands on the screen, and its badges, is left to `draw-robots.ts`; boards have `draw-board.ts`.
  */
+import { fontOf } from "../../theme";
 import { LIDS } from "./lids";
 
 /** What of a robot's state its figure shows. */
@@ -237,7 +238,7 @@ function manager(hand: Hand, looks: Looks, lid: string, colours: FigureColours):
   if (hand.u >= RAYS) {
     box(hand, -13, 5, 10, colours);
     const { pen } = hand;
-    pen.font = `700 14px "Inter Variable", system-ui, sans-serif`;
+    pen.font = fontOf(700, 14);
     pen.textAlign = "center";
     pen.textBaseline = "middle";
     pen.fillStyle = "#f4f6f8";

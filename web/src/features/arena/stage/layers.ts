@@ -13,7 +13,7 @@ import { PEN_COLOURS } from "../../../components/scene/pen-strokes";
 import { decimal } from "../../../i18n/numbers";
 import { useStudio } from "../../../model/studio";
 import { useRun } from "../../../session/run";
-import { token, useTheme } from "../../../theme";
+import { fontOf, token, useTheme } from "../../../theme";
 import { Confetti, reachedGoal } from "./confetti";
 import { Motion } from "./motion";
 import { type Ray, raysOf } from "./rays";
@@ -232,7 +232,7 @@ export class StageLayers implements Layers {
     const [ax, ay] = toScreen(camera, ...from);
     const [bx, by] = toScreen(camera, ...to);
     const words = `${decimal(Math.round(mm) / 10)} cm`;
-    pen.font = `600 13px "Inter Variable", system-ui, sans-serif`;
+    pen.font = fontOf(600, 13);
     const width = pen.measureText(words).width + 16;
     const long = Math.hypot(bx - ax, by - ay);
     const clear = robotUnit(camera, ROBOT_MM) * 30;

@@ -10,6 +10,7 @@ import { type Brush, robotUnit, write } from "../../../components/scene/draw-wor
 import { drawGlow } from "../../../components/scene/figures";
 import type { Scene, Seen } from "../../../components/scene/scene";
 import { type Area, placeTag } from "../../../components/scene/tag-place";
+import { fontOf } from "../../../theme";
 
 const MOST_SENSES = 3;
 
@@ -125,7 +126,7 @@ export function drawTag(brush: Brush, scene: Scene, seen: readonly Seen[], one: 
   if (senses.length === 0 || role === "keeper") return;
   const words = [role === "robot" ? String(number) : name, ...senses.slice(0, MOST_SENSES)].join(" · ");
   const [x, y] = toScreen(camera, one.pose.x_mm, one.pose.y_mm);
-  pen.font = `600 13px "Inter Variable", system-ui, sans-serif`;
+  pen.font = fontOf(600, 13);
   const size = { width: pen.measureText(words).width + 24, height: 24 };
   const away = ringOf(one.actor, robotUnit(camera, one.actor.length_mm));
   const { area, right, below } = placeTag(x, y, away, size, room, takenAreas(brush, scene, seen, one));
