@@ -1,9 +1,9 @@
 """The largest program of the gallery that runs on a kit, on its board in an emulator (`subjects.gallery`).
 
 Its drivers are those of the kit, with pins wired to nothing. A sensor of time is added (`peers/clock.driver.py`), which
-tells when ticks begin, on the board's own clock. A kit of a board with the module `machine` runs on a current
+tells when ticks begin, on the board's own clock. The boards are those with the module `machine`, as a current
 MicroPython as WebAssembly: as fast as this machine, and its memory grows as it needs more, so what is told of it is
-what is taken. One of the micro:bit runs on the firmware of 2016 in QEMU, whose bus takes all that is said to motors.
+what is taken. Kits of a micro:bit are measured by `benchmarks.microbit_ticks`.
 """
 
 from __future__ import annotations
@@ -18,7 +18,7 @@ from typing import Any
 
 from benchmarks.boards import ROBOT, allocated, read_log
 from kitrobot.compiler import compile_text, robot_of
-from kitrobot.deploy import BoardError, Deployed, Package, connect, deploy, fitted
+from kitrobot.deploy import BoardError, Package, connect, deploy, fitted
 from kitrobot.diagnostics import KitRobotError
 from kitrobot.primitives import Kit, Robot, config_folder, read_robot
 from kitrobot.robots import BoardProgram
@@ -26,10 +26,7 @@ from kitrobot.workspace import board_program, open_mission, shipped_examples
 from kitrobot.workspace.robot_programs import ready_program
 
 EXAMPLES = Path(__file__).resolve().parents[1] / "examples"
-KITS = (
-    *("pico", "cardboard", "esp32", "xrp", "xrp-beta", "pololu-3pi", "alvik"),
-    *("microbit", "maqueen", "cutebot", "move-motor"),
-)
+KITS = ("pico", "cardboard", "esp32", "xrp", "xrp-beta", "pololu-3pi", "alvik")
 ANSWERS = b"""
 PINS = 48
 registers[0x29] = {}
@@ -54,8 +51,7 @@ would be counted as memory of the program.
 """
 
 
-MOST_ON_MICROBIT = 100
-"""Ticks that a micro:bit of 2016 has room to write down beside a program and its drivers."""
+_ASKED_S = 0.2
 
 
 class FaultError(Exception):
@@ -77,7 +73,7 @@ class Figures:
     """What was measured of a kit; `left_out` are larger programs that do not run on its board here, and why.
 
     `intervals_us`: between the beginnings of two ticks; `busy_us`: the same where a tick is asked for each millisecond,
-    so that the next one begins when it is done. `memory`: bytes that are left on a micro:bit, that are taken on others.
+    so that the next one begins when it is done. `memory`: bytes that are taken.
     """
 
     program: Candidate
@@ -117,7 +113,7 @@ def with_clock(one: Candidate, kit: Kit, folder: Path, ticks: int, tick_ms: int)
     return ready_program(one.name, robot, compile_text(text, robot), (), (), folder)
 
 
-def ran(address: str, made: BoardProgram, ticks: int, asked_s: float, limit_s: float = 300) -> Deployed:
+def ran(address: str, made: BoardProgram, ticks: int, limit_s: float = 300) -> None:
     """Runs a program for so many ticks; its clock wrote down when they began.
 
     Raises:
@@ -133,9 +129,8 @@ def ran(address: str, made: BoardProgram, ticks: int, asked_s: float, limit_s: f
             fault = board.last_fault() if board.hello.state_name == "fault" else None
             if fault is not None:
                 raise FaultError(made.names.fault_text(fault.text))
-            time.sleep(asked_s)
+            time.sleep(_ASKED_S)
         board.quit()
-    return deployed
 
 
 def figures_of(kit: Kit, ticks: int) -> Figures:
@@ -154,26 +149,20 @@ def figures_of(kit: Kit, ticks: int) -> Figures:
 
 
 def _figures(one: Candidate, kit: Kit, ticks: int, left_out: Sequence[str]) -> Figures:
-    small = kit.family == "microbit"
-    ticks = min(ticks, MOST_ON_MICROBIT) if small else ticks
-    asked_s = 5 if small else 0.2
-    with tempfile.TemporaryDirectory() as folder, _board(kit) as board:
-        before = 0 if small else allocated(board.address)
+    with tempfile.TemporaryDirectory() as folder, _board() as board:
+        before = allocated(board.address)
         made = with_clock(one, kit, Path(folder), ticks, one.robot.tick_ms)
-        deployed = ran(board.address, made, ticks, asked_s)
-        memory = deployed.free if small else allocated(board.address) - before
+        ran(board.address, made, ticks)
+        memory = allocated(board.address) - before
         intervals = read_log(board.address)
         made = with_clock(one, kit, Path(folder), ticks, 1)
-        ran(board.address, made, ticks, asked_s)
+        ran(board.address, made, ticks)
         return Figures(one, intervals, read_log(board.address), memory, tuple(left_out))
 
 
-def _board(kit: Kit) -> AbstractContextManager[Any]:
+def _board() -> AbstractContextManager[Any]:
     from tests.boards.alvik import NOTHING, TURNED
     from tests.boards.modern import ModernBoard, onboard_files
-    from tests.boards.qemu import running
 
-    if kit.family == "microbit":
-        return running("-icount", "shift=6")
     alvik = f"\nNOTHING, TURNED = {NOTHING!r}, {TURNED!r}\n".encode()
     return ModernBoard({"lib/machine.py": onboard_files()["machine.py"] + alvik + ANSWERS})

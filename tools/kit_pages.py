@@ -11,6 +11,7 @@ import os
 import sys
 import tempfile
 from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
 from pathlib import Path
 
 from kitrobot.deploy import Package
@@ -22,6 +23,7 @@ REPOSITORY = Path(__file__).resolve().parents[1]
 PAGE = REPOSITORY / "docs" / "kits.md"
 PICTURES = REPOSITORY / "docs" / "pictures"
 SMALL = Path(__file__).with_name("microbit-2016.json")
+TICKS_2016 = Path(__file__).with_name("microbit-ticks.json")
 ORDER = (
     "pico",
     "cardboard",
@@ -62,6 +64,22 @@ which was not tried, and for that of 2016, whose firmware was tried in QEMU: it 
 sure not to fit there is said before it is sent, what nearly fits when the board has tried it; both leave what the board
 had, but for `--fresh` ([figures](benchmarks.md#the-gallery-on-boards)).
 """
+
+
+@dataclass(frozen=True)
+class TickRow:
+    """How a program runs on a micro:bit of 2016. In ms, as median, 99 of 100 and worst: `late_ms`, by how much
+    a late tick was done after the next one was due; `takes_ms`, a tick by itself; `off_ms`, how far the beginnings of
+    two ticks are from a period. `free`: bytes of memory after its start and at the end. `flash`: bytes of files.
+    """
+
+    ticks: int
+    late: int
+    late_ms: list[int]
+    takes_ms: list[float]
+    off_ms: list[float]
+    free: list[int]
+    flash: int
 
 
 def pages() -> dict[Path, str]:
@@ -115,6 +133,12 @@ def measured_2016() -> Mapping[str, Mapping[str, Mapping[str, int | str]]]:
     return found
 
 
+def ticks_2016() -> Mapping[str, Mapping[str, TickRow]]:
+    """What `benchmarks.microbit_ticks` found, by kit and mission."""
+    found = json.loads(TICKS_2016.read_text(encoding="utf-8"))
+    return {kit: {mission: TickRow(**row) for mission, row in rows.items()} for kit, rows in found.items()}
+
+
 def _runs(on_2016: Mapping[str, int | str] | None) -> str:
     """What a cell says of a mission that a kit has all parts for."""
     return f"V2; {on_2016['problem']}" if on_2016 is not None and "problem" in on_2016 else "yes"
@@ -158,6 +182,7 @@ def _kit(kit: Kit) -> Iterator[str]:
         yield ""
         yield from (f"{number}. {text['']}" for number, text in enumerate(kit.steps, 1))
         yield ""
+    yield from _ticks(kit)
     yield "| devices | driver | settings |"
     yield "|---|---|---|"
     for part in kit.parts:
@@ -169,6 +194,25 @@ def _kit(kit: Kit) -> Iterator[str]:
         else:
             settings = " ".join(f"{name}={value}" for name, value in part.board.settings.items())
             yield f"| {which} | {part.board.driver or 'as the device'} | {settings} |"
+    yield ""
+
+
+def _ticks(kit: Kit) -> Iterator[str]:
+    rows = ticks_2016().get(kit.name, {})
+    if not rows:
+        if kit.family != "microbit":
+            yield "On its board: *not measured*, neither ticks nor the memory that is left; none was at hand."
+            yield ""
+        return
+    yield "On the slowest board, the micro:bit of 2016 in an emulator that is faster than the board"
+    yield "([what that is worth](benchmarks.md#the-slowest-board)):"
+    yield ""
+    yield "| program | late ticks | by, ms | a tick takes, ms | off the tick, ms | memory left, B | flash left, B |"
+    yield "|---|---|---|---|---|---|---|"
+    for mission, row in rows.items():
+        times = " | ".join(" · ".join(f"{one:g}" for one in times) for times in (row.late_ms, row.takes_ms, row.off_ms))
+        memory = " → ".join(map(str, row.free))
+        yield f"| {title_of(mission)} | {row.late} of {row.ticks} | {times} | {memory} | {row.flash} |"
     yield ""
 
 

@@ -37,17 +37,17 @@ class Emulated:
 
     def cut_power(self) -> None:
         """Takes the power away at once and gives it back; what is in the flash stays."""
-        self._tell_emulator(b"system_reset")
+        self.tell_emulator(b"system_reset")
 
     def pause(self) -> None:
         """Stops its processor, which takes some of ours also while it waits."""
-        self._tell_emulator(b"stop")
+        self.tell_emulator(b"stop")
 
     def resume(self) -> None:
         """Lets it go on where it was stopped."""
-        self._tell_emulator(b"cont")
+        self.tell_emulator(b"cont")
 
-    def _tell_emulator(self, command: bytes) -> None:
+    def tell_emulator(self, command: bytes) -> None:
         assert self.process.stdin is not None
         self.process.stdin.write(command + b"\n")
         self.process.stdin.flush()

@@ -15,29 +15,30 @@ from tests.boards.test_bench import UNPLUGGED
 from tests.server.test_boards import visit
 
 __all__ = ["visit"]
-ROBOT = """<robot name="two-motors" version="1">
+ROBOT = """<robot name="harbour" version="1">
   <actuator name="Crane"><board driver="crane"/>
     <label>Crane arm</label><label xml:lang="ur">کرین کا بازو</label>
     <procedure name="Lift" completes="later"/></actuator>
-  <actuator name="Fan"><board driver="fan"/><label>Big fan</label><procedure name="On"/></actuator>
+  <sensor name="Eye" min="0" max="1"><board driver="eye"/><operation name="IsOpen" test="equal" to="1"/></sensor>
 </robot>
 """
 CRANE = """from machine import Pin
 class Crane:
-    def do(self, procedure, arguments): pass
+    def do(self, procedure, arguments): Pin(7, Pin.OUT).value(0)
     def done(self):
         if Pin(7).value(): raise OSError(5)
         return False
     def stop(self): pass
 def make(settings): return Crane()
 """
-FAN = """from machine import Pin
-class Fan:
-    def do(self, procedure, arguments): Pin(7, Pin.OUT).value(1)
-    def stop(self): pass
-def make(settings): return Fan()
+EYE = """from machine import Pin
+def make(settings):
+    def read():
+        Pin(7).value(1)
+        return 1
+    return read
 """
-"""Once the fan has turned, the crane, which still lifts, fails when it is asked whether it is done."""
+"""Once the eye is looked at, the crane, which still lifts, fails when it is asked whether it is done."""
 
 SQUARE = Path(__file__).resolve().parents[2] / "examples" / "square" / "square.krt"
 
@@ -93,17 +94,17 @@ def test_each_step_runs_until_another_one_and_tells_its_value_or_what_is_broken(
 
 
 def test_a_fault_that_names_another_part_than_the_tried_one_is_told_at_the_part_that_is_named(tmp_path) -> None:
-    (tmp_path / "two-motors.robot.xml").write_text(ROBOT)
+    (tmp_path / "harbour.robot.xml").write_text(ROBOT)
     (tmp_path / "crane.driver.py").write_text(CRANE)
-    (tmp_path / "fan.driver.py").write_text(FAN)
-    bench = bench_of(find_robot("two-motors", tmp_path), None, tmp_path)
-    crane, fan = bench.steps
+    (tmp_path / "eye.driver.py").write_text(EYE)
+    bench = bench_of(find_robot("harbour", tmp_path), None, tmp_path)
+    crane, eye = bench.steps
     with ModernBoard({"lib/machine.py": UNPLUGGED}) as board, BenchRun(board.address, bench) as run:
         run.begin(crane)
         run.watch(0.1)
         tried = Tried(run._hand.session, bench)
         tried.hand = run._hand
-        tried.do(bench.steps.index(fan))
+        tried.do(bench.steps.index(eye))
         while not (failed := tried.shape().failed):
             run._hand.session.poll(0.1)
             tried.check()

@@ -92,9 +92,13 @@ class Flash:
 
     def refuse_less_than(self, size: int) -> None:
         """Raises a FullError when files of so many bytes find no room."""
-        free = sum(first in (_FREED, _UNUSED) for first in self.area.firsts)
-        if free * _DATA < size:
+        if self.free < size:
             raise no_room()
+
+    @property
+    def free(self) -> int:
+        """Bytes of files that there is room for."""
+        return _DATA * sum(first in (_FREED, _UNUSED) for first in self.area.firsts)
 
     def pieces_of(self, sign: int) -> int:
         """How many pieces the whole block with that sign has; 0 when there is none."""
