@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import contextlib
 import json
+import re
 import struct
 from typing import Any
 
@@ -104,6 +105,13 @@ def forever(page):
     return page.post("/api/mission/read", content=FOREVER.encode()).json()["mission"]
 
 
+@pytest.fixture
+def polling(page):
+    """A mission whose program only waits until somebody takes its variable Run from 1."""
+    waiting = re.sub(r'"Wheel.*/set>', '"Wait"><set name="duration">1</set>', FOREVER)
+    return page.post("/api/mission/read", content=waiting.encode()).json()["mission"]
+
+
 def test_a_short_run_starts_and_ends_as_done(connect, mission):
     with connect() as watcher:
         started = watcher.start(mission())
@@ -202,6 +210,21 @@ def test_resume_goes_on_after_a_pause(connect, forever):
         watcher.send(type="resume")
         watcher.until("state", status="running")
         assert watcher.until("tick")["tick"] > at
+
+
+def test_a_run_in_which_nothing_can_change_goes_on_when_a_person_changes_something(connect, polling):
+    """What was there before its end is gone back to as ever, and the run then stands."""
+    with connect() as watcher:
+        watcher.start(polling)
+        tick = watcher.until("state", status="stuck")["tick"]
+        watcher.send(type="set", agent="robot-1", variable="Run", value=0)
+        watcher.until("state", status="running")
+        assert watcher.until("state", status="done")["tick"] > tick
+        watcher.send(type="seek", tick=5)
+        watcher.until("state", status="paused")
+        watcher.send(type="set", agent="robot-1", variable="Run", value=0)
+        watcher.send(type="resume")
+        watcher.until("state", status="done")
 
 
 def test_stop_ends_a_run_that_never_would(connect, forever):

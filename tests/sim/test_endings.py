@@ -75,6 +75,36 @@ def test_waiting_for_what_cannot_come_is_stuck(text: str) -> None:
     assert run.seconds < 20
 
 
+@pytest.mark.parametrize(("value", "outcome"), [(1, "done"), (0, "stuck")])
+def test_a_run_that_is_stuck_goes_on_when_a_sensor_is_held_by_hand(value: int, outcome: str) -> None:
+    """Where its program then waits as before, it is stuck once more, later."""
+    run = ended("<Button.IsPressed()>(); WAIT(5);")
+    assert run.outcome == "stuck"
+    tick = run.tick
+    run.force("a", "Button", value)
+    assert (run.outcome, run.sentence) == (None, "")
+    while run.outcome is None:
+        run.step()
+    assert run.tick > tick
+    assert run.outcome == outcome
+
+
+def test_a_run_that_is_stuck_goes_on_when_a_variable_is_set_by_hand() -> None:
+    run = ended("*[Count.LessThan(1)]( WAIT(1); );")
+    assert run.outcome == "stuck"
+    run.set_variable("a", "Count", 1)
+    while run.outcome is None:
+        run.step()
+    assert run.outcome == "done"
+
+
+def test_a_run_that_is_done_stays_done_whatever_is_held() -> None:
+    run = ended("WAIT(1);")
+    run.force("a", "Button", 1)
+    run.set_variable("a", "Count", 7)
+    assert run.outcome == "done"
+
+
 @pytest.mark.parametrize(
     "text",
     [

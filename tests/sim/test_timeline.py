@@ -13,6 +13,7 @@ import kitrobot
 from kitrobot.diagnostics import KitRobotError
 from kitrobot.sim import Simulation
 from kitrobot.sim.timeline import Intervention, Timeline
+from tests.sim.building import catalogue, empty_world, run_of
 
 EXAMPLES = Path(__file__).resolve().parents[2] / "examples"
 TRANSPORT = kitrobot.open(EXAMPLES / "transport" / "transport.krt")
@@ -140,6 +141,30 @@ def test_a_run_that_has_ended_can_be_gone_back_in() -> None:
     timeline.advance(10)
     assert said(timeline) == "done"
     assert (timeline.simulation.agents, timeline.simulation.stock, timeline.tick) == end
+
+
+def test_a_run_that_was_stuck_and_freed_by_hand_is_the_same_when_it_is_gone_through_again() -> None:
+    mini = catalogue().robots["mini-robot"]
+
+    def waiting() -> Simulation:
+        return run_of({"a": (mini, "<Button.IsPressed()>(); WAIT(5);")}, empty_world(a=(1000, 1000, 0)))
+
+    timeline = Timeline(waiting())
+    timeline.advance(10_000)
+    assert said(timeline) == "stuck"
+    stuck = timeline.tick
+    timeline.force("a", "Button", 1)
+    timeline.advance(10_000)
+    assert said(timeline) == "done"
+    end = timeline.tick
+    for tick in (0, stuck - 1, stuck):
+        timeline.go_to(tick)
+        assert said(timeline) is None
+        timeline.advance(10_000)
+        assert (said(timeline), timeline.tick) == ("done", end)
+    twin = waiting()
+    assert sum(1 for _ in timeline.done_again(twin)) == end + 1
+    assert (twin.outcome, twin.tick) == ("done", end)
 
 
 def test_going_out_of_the_run_goes_to_its_ends() -> None:

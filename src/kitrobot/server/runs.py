@@ -270,7 +270,9 @@ class Session:
         self._counts = counts
 
     async def _drive(self, watch: WatchedRun, pace: Pace, broadcast: Broadcast) -> None:
-        """Goes round until the run is stopped. At its end it stands still, and can be taken back from there."""
+        """Goes round until the run is stopped. At its end it stands still, and can be taken back from there; it goes on
+        when a person changes what kept it from going on.
+        """
         self._pace, self._name = pace, f"run-{next(_numbers)}"
         self._studio.watches[self._name] = watch
         self._studio.broadcasts[self._name] = broadcast
@@ -296,7 +298,6 @@ class Session:
                 watch.hold()
             if watch.outcome and not watch.real:
                 await self._telling.state(watch, watch.outcome)
-                pace.set_paused(True, watch.tick)
                 self._count(False)
                 await self._wake.wait()
                 if not self._is_stopping() and not self._take_place():

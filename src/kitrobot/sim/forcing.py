@@ -1,8 +1,23 @@
-"""Puts values in the place of what sensors measure."""
+"""What a person does to a run: values in the place of what sensors measure, and the emergency stop."""
 
 from __future__ import annotations
 
-from kitrobot.sim.columns import CHANCE, S_DROPOUT, S_FORCE, S_FORCED, S_NOISE, S_PLAIN, S_RESTLESS, S_SIZE
+from kitrobot.sim.columns import (
+    CHANCE,
+    ROLLING,
+    S_DROPOUT,
+    S_FORCE,
+    S_FORCED,
+    S_NOISE,
+    S_PLAIN,
+    S_RESTLESS,
+    S_SIZE,
+    SPEED,
+    TARGET,
+    TOLD,
+    TURN,
+    WAY,
+)
 from kitrobot.sim.deadlock_detection import stirred
 from kitrobot.sim.state import State
 
@@ -21,3 +36,11 @@ def force_sensor(k: int, value: int | None, state: State) -> None:
     table[S_FORCE][k] = max(-MOST, min(MOST, value)) if value is not None else 0
     table[S_PLAIN][k] = 1 if not is_forced and table[S_SIZE][k] == 1 and not by_chance else 0
     stirred(clock)
+
+
+def stop_motors(state: State) -> None:
+    """Every robot stands still at once."""
+    floats = state.robots.floats
+    for column in (SPEED, TARGET, TOLD, TURN, WAY):
+        floats[column][:] = [0.0] * len(floats[column])
+    state.clock[ROLLING] = 0

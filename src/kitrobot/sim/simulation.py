@@ -23,7 +23,6 @@ from kitrobot.diagnostics import KitRobotError
 from kitrobot.image import Image
 from kitrobot.mission import FailureKind, Mission, write_mission
 from kitrobot.primitives import Catalogue
-from kitrobot.sim import columns
 from kitrobot.sim.agent_views import AgentView, poses_of, view_of
 from kitrobot.sim.agents import Agent
 from kitrobot.sim.arrays import as_arrays
@@ -33,7 +32,7 @@ from kitrobot.sim.deadlock_detection import stirred
 from kitrobot.sim.endings import Goals, is_at_once, say_done, say_failed, say_stuck, say_team_over, say_time
 from kitrobot.sim.event_text import Event, EventText, sensor_names
 from kitrobot.sim.failures import harm_by_hand, keep_untold, plan_more, room_to_tell
-from kitrobot.sim.forcing import force_sensor
+from kitrobot.sim.forcing import force_sensor, stop_motors
 from kitrobot.sim.jit_policy import JitPolicy
 from kitrobot.sim.limits import check_limits
 from kitrobot.sim.packing import Packing
@@ -178,8 +177,9 @@ class Simulation:
         return self._jit.would_gain
 
     def look_for_an_end(self) -> None:
-        """Ends the run if it is over."""
+        """Says anew whether the run is over."""
         clock, goals, members = self.state.clock, self._goals, self.members
+        self.outcome, self.sentence = None, ""
         if self.state.team.numbers[TEAM_OVER]:
             self._end("failed", say_team_over(self._team_text.over(self.state), goals, members))
         elif not clock[STUCK] and not is_going_on(self.state):
@@ -228,7 +228,7 @@ class Simulation:
             seen += [0] * (agent.machine.image.instructions - len(seen))
         self._packing = Packing(self.state)
 
-    # -- from outside
+    # -- from outside; a run that was stuck goes on after a sensor is forced, a variable set or an agent harmed
 
     def force(self, agent: str, sensor: str, value: int | None) -> None:
         """Puts a value in the place of what a sensor measures, from the next step on; None gives it back.
@@ -242,6 +242,7 @@ class Simulation:
                 Sentence("no agent {agent} with a sensor {sensor} takes part in this run", agent, sensor)
             )
         force_sensor(k, value, self.state)
+        self._go_on_if_stuck()
 
     def forced(self, agent: str) -> list[str]:
         """The sensors of an agent in whose place a value stands."""
@@ -270,6 +271,7 @@ class Simulation:
         member.machine.set_variable(variable, value)
         self.state.robots.ints[ASLEEP][member.index] = 0
         stirred(self.state.clock)
+        self._go_on_if_stuck()
 
     def harm(self, agent: str, kind: FailureKind | str, away: bool = False) -> bool:
         """Lets an agent fail, stall or lose its radio, or makes it well again (see faults); told with the next step.
@@ -292,10 +294,12 @@ class Simulation:
         harm_by_hand(self.state, member.index, FailureKind(kind), away)
         if self.state.clock[EVENTS] == before:
             return False
-        self.state.clock[STUCK] = 0
-        self.outcome, self.sentence = None, ""
-        self.look_for_an_end()
+        self._go_on_if_stuck()
         return True
+
+    def _go_on_if_stuck(self) -> None:
+        self.state.clock[STUCK] = 0
+        self.look_for_an_end()
 
     def plan_failures(self, failures: Sequence[tuple[int, int]]) -> None:
         """Puts up to two failures, (step, agent's place in the team), on the schedule, as if the mission had them too.
@@ -312,11 +316,7 @@ class Simulation:
 
     def stop_motors(self) -> None:
         """Everything stands still at once: the emergency stop, after which a run is not gone on with."""
-        floats = self.state.robots.floats
-        for column in (columns.SPEED, columns.TARGET, columns.TOLD, columns.TURN, columns.WAY):
-            floats[column][:] = [0.0] * len(self.members)
-        clock = self.state.clock
-        clock[columns.ROLLING] = 0
+        stop_motors(self.state)
 
     # -- keeping and going back
 
@@ -349,7 +349,6 @@ class Simulation:
             self._packing.unpack(self.state, body)
         except ValueError as error:
             raise damaged() from error
-        self.outcome, self.sentence = None, ""
         self.events = [event for event in self._event_text.events(self.state) if event.tick < self.tick]
         self.look_for_an_end()
 
