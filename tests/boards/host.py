@@ -78,6 +78,8 @@ def write_pulse(folder: Path, broken: bool = False) -> Path:
 
 HELD_PACE = 0.2
 """Who holds a robot must be heard every 0.8 s of its clock, which a busy machine does not grant: so it goes slower."""
+SEEN_PACE = 0.1
+"""The same where two pages of a browser run beside it."""
 
 
 @dataclass

@@ -104,7 +104,7 @@ def test_a_team_of_boards_shares_meets_and_goes_on_without_one(
     sent = json.loads(sending.stdout)
     assert [one["agent"] for one in sent] == list(ports)
     assert all(one["free"] > 2200 for one in sent)
-    with started("team", str(mission), *words, "--lease", "2000", "--json") as team:
+    with started("team", str(mission), *words, "--lease", "6000", "--json") as team:
         team.until("bit-1: Told = ")
         bits[0].process.kill()
         team.until("bit-1: its board is lost")

@@ -10,7 +10,7 @@ from pathlib import Path
 import pytest
 from playwright.sync_api import Locator, expect
 
-from tests.boards.host import HELD_PACE, HostBoard, host_board, write_pulse
+from tests.boards.host import SEEN_PACE, HostBoard, host_board, write_pulse
 from tests.boards.modern import ModernBoard, onboard_files
 from tests.boards.qemu import running
 from tests.studio.conftest import LOOKS, Studio
@@ -44,7 +44,7 @@ def robots(tmp_path: Path) -> Iterator[Callable[..., HostBoard]]:
         def robot(broken: bool = False) -> HostBoard:
             folder = tmp_path / "robots"
             folder.mkdir(exist_ok=True)
-            return stack.enter_context(host_board(write_pulse(folder, broken), "pulse", HELD_PACE))
+            return stack.enter_context(host_board(write_pulse(folder, broken), "pulse", SEEN_PACE))
 
         yield robot
 
