@@ -129,6 +129,8 @@ def test_chips_show_what_sensors_say_while_a_run_exists_and_can_be_switched(open
     studio.at("watch-button").click()
     expect(studio.at("watch-Captor").get_by_role("textbox")).to_have_value(re.compile(r"\d+ cm"))
     expect(studio.at("watch-Light").get_by_role("textbox")).to_have_value("none")
+    # Nothing moves here: the run is over, and goes on when a sensor is held.
+    expect(studio.at("status")).to_have_attribute("data-status", "stuck")
     box = studio.at("watch-Captor").get_by_role("textbox")
     box.click()
     box.fill("12 cm")

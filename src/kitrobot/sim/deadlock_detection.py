@@ -160,6 +160,7 @@ def detect_deadlock(state: State) -> None:
 
 
 def stirred(clock: list[int]) -> None:
-    """Something moved or was said: the search begins anew."""
+    """Something moved, was said, or was done from outside: nothing is stuck, and the search begins anew."""
     clock[QUIET] = 0
     clock[KEPT] = 0
+    clock[STUCK] = 0

@@ -228,10 +228,12 @@ class Simulation:
             seen += [0] * (agent.machine.image.instructions - len(seen))
         self._packing = Packing(self.state)
 
-    # -- from outside; a run that was stuck goes on after a sensor is forced, a variable set or an agent harmed
+    # -- from outside
 
     def force(self, agent: str, sensor: str, value: int | None) -> None:
         """Puts a value in the place of what a sensor measures, from the next step on; None gives it back.
+
+        A run that was stuck goes on.
 
         Raises:
             KitRobotError: there is no such agent or sensor.
@@ -242,7 +244,7 @@ class Simulation:
                 Sentence("no agent {agent} with a sensor {sensor} takes part in this run", agent, sensor)
             )
         force_sensor(k, value, self.state)
-        self._go_on_if_stuck()
+        self.look_for_an_end()
 
     def forced(self, agent: str) -> list[str]:
         """The sensors of an agent in whose place a value stands."""
@@ -260,6 +262,8 @@ class Simulation:
     def set_variable(self, agent: str, variable: str, value: int) -> None:
         """Sets an agent's variable between two steps, within its range; a shared one spreads with the next step.
 
+        A run that was stuck goes on.
+
         Raises:
             KitRobotError: there is no such agent or variable.
         """
@@ -271,7 +275,7 @@ class Simulation:
         member.machine.set_variable(variable, value)
         self.state.robots.ints[ASLEEP][member.index] = 0
         stirred(self.state.clock)
-        self._go_on_if_stuck()
+        self.look_for_an_end()
 
     def harm(self, agent: str, kind: FailureKind | str, away: bool = False) -> bool:
         """Lets an agent fail, stall or lose its radio, or makes it well again (see faults); told with the next step.
@@ -294,12 +298,8 @@ class Simulation:
         harm_by_hand(self.state, member.index, FailureKind(kind), away)
         if self.state.clock[EVENTS] == before:
             return False
-        self._go_on_if_stuck()
-        return True
-
-    def _go_on_if_stuck(self) -> None:
-        self.state.clock[STUCK] = 0
         self.look_for_an_end()
+        return True
 
     def plan_failures(self, failures: Sequence[tuple[int, int]]) -> None:
         """Puts up to two failures, (step, agent's place in the team), on the schedule, as if the mission had them too.
