@@ -137,6 +137,7 @@ def test_chips_show_what_sensors_say_while_a_run_exists_and_can_be_switched(open
     studio.page.keyboard.press("Enter")
     expect(live).to_have_text("now 12 cm")
     expect(live).to_have_attribute("data-on", "true")
+    expect(studio.at("event-list").locator("tr", has_text="Captor was held at 12 by hand")).to_have_count(1)
     studio.at("menu-View").click()
     studio.at("menu-view-live").click()
     expect(studio.page.locator(".live-value")).to_have_count(0)

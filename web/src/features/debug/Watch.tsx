@@ -202,7 +202,6 @@ function NumberCell({
       onKeyDown={(event) => {
         event.stopPropagation();
         if (event.key === "Enter") {
-          keep();
           event.currentTarget.blur();
         } else if (event.key === "Escape") {
           setTyped(null);
