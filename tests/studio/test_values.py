@@ -6,7 +6,7 @@ import re
 from collections.abc import Callable
 
 import pytest
-from playwright.sync_api import Locator, expect
+from playwright.sync_api import Locator, Route, expect
 
 from tests.studio.conftest import Studio
 
@@ -73,6 +73,27 @@ def test_a_value_is_shown_with_its_unit_and_edited_where_it_stands(open_studio: 
     keys.type("35")
     keys.press("Enter")
     studio.expect_code("Captor.LessThan(35)")
+
+
+def test_what_is_typed_before_the_field_is_there_is_typed_into_it(open_studio: OpenStudio) -> None:
+    studio = opened(open_studio)
+    keys = studio.page.keyboard
+    waiting: list[Route] = []
+    studio.page.route(re.compile(r"/InPlace-[^/]*\.js$"), lambda route: waiting.append(route))
+    vertex(studio, "Turn by").locator(".vertex-name").click()
+    with studio.page.expect_request(re.compile(r"/InPlace-[^/]*\.js$")):
+        keys.type("1")
+    keys.type("79")
+    keys.press("Backspace")
+    keys.type("8")
+    keys.press("Enter")
+    keys.press("ArrowDown")
+    waiting.pop().continue_()
+    # Enter kept the value, and the key after it was for the graph again.
+    studio.expect_code("Motor.AbsoluteTurn(49, 50)")
+    expect(studio.at("in-place")).to_have_count(0)
+    expect(studio.at("canvas")).to_be_focused()
+    expect(studio.at("inspector").locator("h2")).to_have_text("Wait")
 
 
 def test_the_inspector_has_the_same_field_with_what_fits_and_the_name_of_lll(open_studio: OpenStudio) -> None:

@@ -6,29 +6,11 @@
 import { type ComponentType, createElement, type ReactNode, useEffect, useRef, useState } from "react";
 
 import { t } from "../i18n/words";
+import { holdKeys } from "./held-keys";
 
 type Fail = (cause: unknown) => void;
 
-/** Keeps what is typed from now on; the returned function gives it to whatever has the focus then, or to nobody. */
-function keepTyped(): (give: boolean) => void {
-  let typed = "";
-  const onKey = (event: KeyboardEvent) => {
-    if (event.ctrlKey || event.metaKey || event.altKey) return;
-    if (event.key === "Backspace") typed = typed.slice(0, -1);
-    else if (event.key.length === 1) typed += event.key;
-    else return;
-    event.preventDefault();
-    event.stopPropagation();
-  };
-  window.addEventListener("keydown", onKey, true);
-  return (give) => {
-    window.removeEventListener("keydown", onKey, true);
-    // The one way to put text into a field of any kind as if it were typed.
-    if (give && typed !== "") document.execCommand("insertText", false, typed);
-  };
-}
-
-/** `typing`: the part takes the focus into a field; what is typed before it is there is typed into that. */
+/** `typing`: the part takes the focus into a field; keys that are pressed before it is there are pressed in that. */
 export function later<Props extends object>(
   load: () => Promise<ComponentType<Props>>,
   fail: Fail,
@@ -47,7 +29,7 @@ export function later<Props extends object>(
     useEffect(() => {
       if (kept !== null) return;
       let there = true;
-      const release = typing ? keepTyped() : () => undefined;
+      const release = typing ? holdKeys() : () => undefined;
       held.current = release;
       load().then(
         (loaded) => {

@@ -119,7 +119,10 @@ export function useCanvasKeys(root: RefObject<HTMLDivElement | null>): void {
   useEffect(() => {
     const onKey = (event: KeyboardEvent) => {
       const target = event.target instanceof Element ? event.target : document.body;
-      if (event.defaultPrevented || target.closest("input, textarea, select, [contenteditable=true], [role=dialog]"))
+      if (
+        event.defaultPrevented ||
+        target.closest("input, textarea, select, [contenteditable=true], [role=dialog], .in-place")
+      )
         return;
       const inPalette = target.closest("[role=tree]") !== null;
       if (target !== document.body && !inPalette && root.current?.contains(target) !== true) return;
@@ -134,9 +137,7 @@ export function useCanvasKeys(root: RefObject<HTMLDivElement | null>): void {
       const last = useStudio.getState().selection.at(-1);
       // A digit is typed over the value of what is selected.
       if (id === null && last !== undefined && /^\p{Nd}$/u.test(event.key) && !event.ctrlKey && !event.altKey) {
-        // More digits may come before the field is there.
-        const before = useView.getState().editing;
-        openField(last, "", (before?.vertex === last ? before.typed : "") + event.key);
+        openField(last, "", event.key);
         event.preventDefault();
       }
       if (id !== null && ACTIONS[id]()) event.preventDefault();
