@@ -80,3 +80,30 @@ def test_the_studio_asks_nothing_of_a_robot_that_runs(robot: HostBoard, tmp_path
             worker.close()
             worker.wait(PATIENCE_S)
     assert ear.asked() == 0
+
+
+def test_a_robot_whose_cable_is_pulled_as_soon_as_it_is_connected_is_lost(robot: HostBoard, tmp_path: Path) -> None:
+    program = load_board_program(tmp_path / "pulse.krt")
+    said = threading.Condition()
+
+    def pull_at_watch(data: bytes) -> bytes:
+        asked = [found[0] for piece in data.split(b"~") if (found := unwrap(piece)) is not None]
+        if "w" not in asked:
+            return data
+        wire.cut()
+        return b""
+
+    def changed() -> None:
+        with said:
+            said.notify_all()
+
+    with Proxy(int(robot.address.rpartition(":")[2]), disturb=pull_at_watch) as wire:
+        worker = RobotWorker(wire.address, "robot", "page", SerialGateway(), changed)
+        try:
+            with said:
+                worker.connect(program)
+                assert said.wait_for(lambda: bool(worker.standing.message), PATIENCE_S)
+            assert worker.standing.phase == "lost"
+            assert "look at its cable" in str(worker.standing.help)
+        finally:
+            worker.close()

@@ -219,6 +219,8 @@ class RobotWorker:
             self.session.close()
             said = error if isinstance(error, KitRobotError) else no_answer(self.name)
             self._say(phase="closed", message=said.message, help=way_out(said))
+        else:
+            self._follow()
 
     def _greet(self, program: BoardProgram | None) -> None:
         link = self._links.connect(self.address)
@@ -230,7 +232,10 @@ class RobotWorker:
         known = program.known if program is not None and program.is_called(hello.program) else None
         self.session.open(link, hello, known)
         self._say(phase="open", micropython=kept_firmware(self.address, hello))
-        if known is not None:
+
+    def _follow(self) -> None:
+        """Has a robot whose program is known tell what changes. One that does not answer any more now is lost."""
+        if self.session.known is not None:
             self.session.watch(WATCH_MS)
 
     def _send(self, program: BoardProgram, then: str, replace: bool, fresh: bool) -> None:
@@ -266,6 +271,7 @@ class RobotWorker:
             way = self._links.way(said)
             self._say(phase="closed", progress=None, message=said.message, help=way_out(said), way=way)
             return False
+        self._follow()
         return True
 
     def _begin_bench(self, tried: Tried, needed: PartKey | None, replace: bool) -> None:
