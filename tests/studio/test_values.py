@@ -164,6 +164,23 @@ def test_chips_show_what_sensors_say_while_a_run_exists_and_can_be_switched(open
     expect(studio.page.locator(".live-value")).to_have_count(0)
 
 
+COVERED = """() => {
+    const place = (one) => [one.textContent, one.getBoundingClientRect()];
+    const places = (of) => [...document.querySelectorAll(of)].map(place);
+    const meet = (a, b) => a.left < b.right && b.left < a.right && a.top < b.bottom && b.top < a.bottom;
+    return places(".arc-label").flatMap(([label, at]) =>
+        places(".live-value").filter(([, over]) => meet(at, over)).map(([value]) => `${value} lies over ${label}`));
+}"""
+
+
+def test_what_a_sensor_says_lies_over_no_label_of_an_arc(open_studio: OpenStudio) -> None:
+    studio = open_studio("transport/transport.krt", locale="en")
+    studio.at("run-button").click()
+    expect(studio.page.locator(".live-value").first).to_be_visible()
+    assert studio.page.locator(".arc-label").count() > 0
+    assert studio.page.evaluate(COVERED) == []
+
+
 def test_an_empty_body_shows_where_to_drop_and_what_follows_a_new_loop_goes_inside(open_studio: OpenStudio) -> None:
     studio = open_studio(BLINK, locale="en")
     written(studio, "")

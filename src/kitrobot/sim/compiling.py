@@ -1,6 +1,6 @@
 """The compiled step: `stepping.advance` through Numba, compiled once for a machine and kept in the user's cache folder.
 
-Compiling takes about 40 s, so nobody waits for it: `ask` begins it in a process of its own with low
+Compiling takes one to two minutes, so nobody waits for it: `ask` begins it in a process of its own with low
 priority, or, when it was done before, loads what is kept in a thread beside; `compiled` gives the step once it is
 there. Numba works on the very functions that CPython runs: they are told to it here, and nothing is decorated. The
 folder's name is a digest of their sources, of the constants they use and of what compiles them, so nothing stale is

@@ -12,6 +12,9 @@ import { Icon } from "../../theme";
 
 /** What is beside the words: padding, and the tick. */
 const EDGE = 36;
+/** Where it hangs: so far from the end of the vertex; of a loop further out, behind the label of the arc in the middle. */
+const INSET = 24;
+const LABEL = 30;
 
 /** Whether the test is true for a value; null where that is not known here. */
 export function isTrue({ shape, vertex, plugs }: Block, value: number): boolean | null {
@@ -35,9 +38,16 @@ export function LiveValue({ node, spare }: { node: LayoutNode; spare: number }) 
   if (value === undefined || object === null || test === null) return null;
   const words = t("graph.now", { value: valueWords(object, value) });
   const on = isTrue(test, value) === true;
-  const fits = node.inside === null && spare >= textWidth(words, 13, true) + EDGE;
+  const width = textWidth(words, 13, true) + EDGE;
+  const fits = node.inside === null && spare >= width;
+  const inset = node.kind === "hexagon" ? INSET : Math.min(INSET, node.w / 2 - LABEL - width);
   return (
-    <span className={fits ? "live-value" : "live-value is-hung"} data-on={on} data-testid={`live-${node.vertex}`}>
+    <span
+      className={fits ? "live-value" : "live-value is-hung"}
+      style={fits ? undefined : { insetInlineEnd: inset }}
+      data-on={on}
+      data-testid={`live-${node.vertex}`}
+    >
       {on ? <Icon name="check" size={12} /> : null}
       {words}
     </span>
