@@ -44,8 +44,10 @@ OWN_SUFFIX = ".driver.py"
 _BUILDING = Lock()
 """Trees of Python are shared, and written to while they are made short."""
 
-TRIMMED = ("drivers.microbit.shared.motors",)
-"""Modules with what several drivers are, which are trimmed as a driver is."""
+TRIMMED = tuple(
+    f"drivers.microbit.shared.{path.stem}" for path in sorted((ONBOARD / "drivers/microbit/shared").glob("[!_]*.py"))
+)
+"""Modules with what several drivers of the smallest board are, which are trimmed as a driver is."""
 
 _REMEMBERED = 200
 """Drivers whose declarations are remembered."""

@@ -1,4 +1,4 @@
-import { act, createElement } from "react";
+import { act, createElement, useLayoutEffect } from "react";
 import { createRoot } from "react-dom/client";
 import { afterEach, beforeEach, describe, expect, it, vi } from "vitest";
 
@@ -49,5 +49,24 @@ describe("a part that is fetched later", () => {
     await show(null);
     await show(createElement(Later, { name: "Ada" }));
     expect(host.textContent).toBe("Hello Ada");
+  });
+
+  it("is shown also where it came for another one between drawing and the effects of that", async () => {
+    let arrive = (_: typeof Greeting): void => undefined;
+    const arriving = {
+      then: (there: typeof arrive) => {
+        arrive = there;
+      },
+    };
+    const Later = later(() => arriving as unknown as Promise<typeof Greeting>, vi.fn());
+    const Between = () => {
+      useLayoutEffect(() => arrive(Greeting), []);
+      return null;
+    };
+    const first = createElement(Later, { key: 1, name: "Ada" });
+    await show([first]);
+    expect(host.textContent).toBe("");
+    await show([first, createElement(Later, { key: 2, name: "Bo" }), createElement(Between, { key: 3 })]);
+    expect(host.textContent).toBe("Hello AdaHello Bo");
   });
 });

@@ -27,7 +27,11 @@ export function later<Props extends object>(
       held.current = null;
     }, [part]);
     useEffect(() => {
-      if (kept !== null) return;
+      if (kept !== null) {
+        // Another one of these has fetched it since this one was drawn.
+        setPart(() => kept);
+        return;
+      }
       let there = true;
       const release = typing ? holdKeys() : () => undefined;
       held.current = release;
