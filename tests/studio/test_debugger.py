@@ -74,6 +74,7 @@ def the_breakpoint_is_kept_in_the_mission_and_undone(studio: Studio) -> None:
     for _ in range(3):
         studio.page.keyboard.press("Control+z")
     expect(studio.page.locator(".breakpoint")).to_have_count(0)
+    expect(studio.at("tab-blink")).to_have_attribute("aria-selected", "true")
 
 
 def saved(studio: Studio) -> str:

@@ -45,6 +45,7 @@ export function closeTeam(): void {
 
 const OF_TEAM = ["agents", "goals", "failures", "world", "label", "help"] as const satisfies (keyof Mission)[];
 const DECLARED = ["roles", "groups", "works"] as const satisfies (keyof Mission)[];
+const OF_PROGRAMS = ["programs", "breakpoints"] as const satisfies (keyof Mission)[];
 /** Codes of what is wrong with the team and its world. */
 const CODES =
   /^(?:mission|run)-(?:same-name|no-start|no-storehouse|no-world|no-program|too-many-agents|no-agent|start|device|goal|failure)$/;
@@ -88,6 +89,6 @@ export function keepTeamView(): () => void {
     if (now.own_world !== then.own_world && now.programs === then.programs) showWorld();
     else if (DECLARED.some((part) => now[part] !== then[part]) && now.agents === then.agents) showSide("team");
     else if (OF_TEAM.some((part) => now[part] !== then[part]) && now.programs === then.programs) openTeam();
-    else if (now.programs !== then.programs) closeTeam();
+    else if (OF_PROGRAMS.some((part) => now[part] !== then[part])) closeTeam();
   });
 }

@@ -3,18 +3,16 @@ import { t } from "../../i18n/words";
 import { becomes, type Command } from "../command";
 import type { Breakdown, Breakpoint, Mission, Program, Radio, ScheduledFailure } from "../types";
 
-/** The mission with these lists, each left out when it is empty, as in a mission that never had one. */
-function withTrial(
-  mission: Mission,
-  breakpoints: readonly Breakpoint[],
-  failures: readonly ScheduledFailure[],
-): Mission {
-  const { breakpoints: _, failures: __, ...rest } = mission;
-  return {
-    ...rest,
-    ...(breakpoints.length === 0 ? {} : { breakpoints: [...breakpoints] }),
-    ...(failures.length === 0 ? {} : { failures: [...failures] }),
-  };
+// An empty list is left out; everything else stays the same objects, by which it is seen what changed.
+
+function withBreakpoints(mission: Mission, breakpoints: Breakpoint[]): Mission {
+  const { breakpoints: _, ...rest } = mission;
+  return breakpoints.length === 0 ? rest : { ...rest, breakpoints };
+}
+
+function withFailures(mission: Mission, failures: ScheduledFailure[]): Mission {
+  const { failures: _, ...rest } = mission;
+  return failures.length === 0 ? rest : { ...rest, failures };
 }
 
 /** The breakpoint of a vertex, or undefined. */
@@ -38,7 +36,7 @@ export function setBreakpoint(mission: Mission, made: Breakpoint): Command | nul
   const old = breakpointAt(mission, made.program, made.vertex);
   const others = sound(mission);
   const list = old === undefined ? [...others, made] : others.map((one) => (one === old ? made : one));
-  return becomes(t("command.breakpoint", { name: there.element }), withTrial(mission, list, mission.failures ?? []));
+  return becomes(t("command.breakpoint", { name: there.element }), withBreakpoints(mission, list));
 }
 
 /** Without the breakpoint of a vertex; null when it has none. */
@@ -46,14 +44,14 @@ export function removeBreakpoint(mission: Mission, program: string, vertex: stri
   const old = breakpointAt(mission, program, vertex);
   if (old === undefined) return null;
   const list = sound(mission).filter((one) => one !== old);
-  return becomes(t("command.no-breakpoint"), withTrial(mission, list, mission.failures ?? []));
+  return becomes(t("command.no-breakpoint"), withBreakpoints(mission, list));
 }
 
 /** Other failures on schedule, in the order of time; null when they are the same. */
 export function setFailures(mission: Mission, failures: readonly ScheduledFailure[]): Command | null {
   const list = [...failures].sort((a, b) => a.at_s - b.at_s);
   if (JSON.stringify(list) === JSON.stringify(mission.failures ?? [])) return null;
-  return becomes(t("command.failures"), withTrial(mission, mission.breakpoints ?? [], list));
+  return becomes(t("command.failures"), withFailures(mission, list));
 }
 
 /** Another radio, or none; null when it is the same. */

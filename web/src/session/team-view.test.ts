@@ -1,0 +1,48 @@
+import { afterEach, beforeEach, expect, it } from "vitest";
+
+import { setBreakpoint, setFailures } from "../model/commands/changeTrial";
+import { historyOf } from "../model/history";
+import { useStudio } from "../model/studio";
+import { CARRIER, missionOf } from "../model/testing/missions";
+import { closeTeam, keepTeamView, openTeam, useTeam } from "./team-view";
+
+const vertex = CARRIER.vertices[1]?.id ?? "";
+let stop = () => {};
+
+beforeEach(() => {
+  stop = keepTeamView();
+  // A mission as the server sends it, with its empty lists.
+  const mission = { ...missionOf(CARRIER), breakpoints: [], failures: [] };
+  useStudio.setState({ mission, activeProgram: CARRIER.name, history: historyOf(mission) });
+  closeTeam();
+});
+
+afterEach(() => stop());
+
+function breakpointSetAndTakenBack(between = () => {}): void {
+  const { mission, execute } = useStudio.getState();
+  const command = setBreakpoint(mission, { program: CARRIER.name, vertex });
+  if (command === null) throw new Error("no such vertex");
+  execute(command);
+  between();
+  useStudio.getState().undo();
+}
+
+it("leaves the program in view when a breakpoint is taken back", () => {
+  breakpointSetAndTakenBack();
+  expect(useTeam.getState().open).toBe(false);
+});
+
+it("goes back to the program when a breakpoint is taken back", () => {
+  breakpointSetAndTakenBack(() => openTeam());
+  expect(useTeam.getState().open).toBe(false);
+});
+
+it("shows the team when a failure on schedule is taken back", () => {
+  const { mission, execute } = useStudio.getState();
+  const command = setFailures(mission, [{ agent: "a", at_s: 3, kind: "fail" }]);
+  if (command === null) throw new Error("nothing to do");
+  execute(command);
+  useStudio.getState().undo();
+  expect(useTeam.getState().open).toBe(true);
+});
