@@ -24,7 +24,7 @@ from kitrobot.server import create_app
 from kitrobot.server.serving import server_config
 from tests.effort import THOROUGH
 from tests.patience import PATIENCE_S, STATE_MS
-from tests.studio.tabs import NOTHING, Tab, Tabs
+from tests.studio.tabs import HANDS_MS, NOTHING, Tab, Tabs
 from tools.chromium import FLAGS
 
 EXAMPLES = Path(__file__).resolve().parents[2] / "examples"
@@ -72,7 +72,7 @@ def pytest_runtest_makereport(
 def browser(chromium_path: str) -> Iterator[Browser]:
     """One Chromium for all tests of a worker."""
     with sync_playwright() as playwright:
-        browser = playwright.chromium.launch(executable_path=chromium_path, args=list(FLAGS))
+        browser = playwright.chromium.launch(executable_path=chromium_path, args=list(FLAGS), slow_mo=HANDS_MS)
         yield browser
         browser.close()
 

@@ -7,6 +7,7 @@ without anything kept, nobody's keys held, and set back to the device it was mad
 
 from __future__ import annotations
 
+import os
 from collections.abc import Callable
 from dataclasses import dataclass, field
 from typing import Any
@@ -20,6 +21,10 @@ NOTHING = "/nothing"
 """The path of the empty page: between two tests a tab is of no studio, and yet at the address of all of them."""
 IDLE, USES = 2, 12
 """How many tabs wait for the next test, and how many tests use one: the browser frees little between them."""
+HANDS_MS = int(os.environ.get("KITROBOT_HANDS_MS", "0"))
+"""How long a test waits between two things it does: what comes late in the page has come by then."""
+LINE_MS = int(os.environ.get("KITROBOT_LINE_MS", "0"))
+"""How long each request of the page takes more: what is fetched at its first use comes after the next keys."""
 
 
 @dataclass
@@ -85,7 +90,13 @@ class Tabs:
         """A tab in which nothing was opened before."""
         context = self._browser.new_context(**device)
         context.set_default_timeout(STATE_MS)
-        return Tab(context.new_page(), device)
+        page = context.new_page()
+        if LINE_MS > 0:
+            line = {"offline": False, "latency": LINE_MS, "downloadThroughput": -1, "uploadThroughput": -1}
+            session = context.new_cdp_session(page)
+            session.send("Network.enable")
+            session.send("Network.emulateNetworkConditions", line)
+        return Tab(page, device)
 
     def give_back(self, tab: Tab, address: str) -> None:
         """Keeps a tab whose test has ended for another one, or closes it."""
