@@ -1,6 +1,6 @@
 import { afterEach, beforeEach, expect, it } from "vitest";
 
-import { setBreakpoint, setFailures } from "../model/commands/changeTrial";
+import { setBreakdown, setBreakpoint, setFailures, setRadio } from "../model/commands/changeTrial";
 import { historyOf } from "../model/history";
 import { useStudio } from "../model/studio";
 import { CARRIER, missionOf } from "../model/testing/missions";
@@ -38,11 +38,14 @@ it("goes back to the program when a breakpoint is taken back", () => {
   expect(useTeam.getState().open).toBe(false);
 });
 
-it("shows the team when a failure on schedule is taken back", () => {
-  const { mission, execute } = useStudio.getState();
-  const command = setFailures(mission, [{ agent: "a", at_s: 3, kind: "fail" }]);
-  if (command === null) throw new Error("nothing to do");
-  execute(command);
+it.each([
+  ["a failure on schedule", () => setFailures(useStudio.getState().mission, [{ agent: "a", at_s: 3, kind: "fail" }])],
+  ["the radio", () => setRadio(useStudio.getState().mission, { range_mm: 500 })],
+  ["what becomes of robots that fail", () => setBreakdown(useStudio.getState().mission, { rule: "tow", after_s: 5 })],
+])("shows the team when %s is taken back", (_, command) => {
+  const made = command();
+  if (made === null) throw new Error("nothing to do");
+  useStudio.getState().execute(made);
   useStudio.getState().undo();
   expect(useTeam.getState().open).toBe(true);
 });

@@ -43,9 +43,18 @@ export function closeTeam(): void {
   if (open || world) useTeam.setState({ open: false, world: false, wanted: null });
 }
 
-const OF_TEAM = ["agents", "goals", "failures", "world", "label", "help"] as const satisfies (keyof Mission)[];
-const DECLARED = ["roles", "groups", "works"] as const satisfies (keyof Mission)[];
-const OF_PROGRAMS = ["programs", "breakpoints"] as const satisfies (keyof Mission)[];
+/** What undo and redo show, by the parts of the mission that they change: the first line that names one of them. */
+const SHOWN_FOR: readonly { parts: readonly (keyof Mission)[]; show: () => void }[] = [
+  { parts: ["programs"], show: closeTeam },
+  { parts: ["own_world"], show: showWorld },
+  {
+    parts: ["agents", "goals", "failures", "breakdown", "radio", "world", "label", "help"],
+    show: () => openTeam(),
+  },
+  { parts: ["roles", "groups", "works"], show: () => showSide("team") },
+  { parts: ["breakpoints"], show: closeTeam },
+];
+
 /** Codes of what is wrong with the team and its world. */
 const CODES =
   /^(?:mission|run)-(?:same-name|no-start|no-storehouse|no-world|no-program|too-many-agents|no-agent|start|device|goal|failure)$/;
@@ -86,9 +95,6 @@ export function keepTeamView(): () => void {
     const { kind } = state.change;
     if (state.change === before.change || (kind !== "undo" && kind !== "redo")) return;
     const [now, then] = [state.mission, before.mission];
-    if (now.own_world !== then.own_world && now.programs === then.programs) showWorld();
-    else if (DECLARED.some((part) => now[part] !== then[part]) && now.agents === then.agents) showSide("team");
-    else if (OF_TEAM.some((part) => now[part] !== then[part]) && now.programs === then.programs) openTeam();
-    else if (OF_PROGRAMS.some((part) => now[part] !== then[part])) closeTeam();
+    SHOWN_FOR.find(({ parts }) => parts.some((part) => now[part] !== then[part]))?.show();
   });
 }
