@@ -44,7 +44,12 @@ STAND_IN = """([address, vendor]) => {
                     };
                 },
             });
-            this.writable = new WritableStream({ write: (data) => wire.send(data) });
+            this.writable = new WritableStream({
+                write: (data) => {
+                    if (wire.readyState === WebSocket.OPEN) wire.send(data);
+                    else throw new DOMException("The device has been lost.", "NetworkError");
+                },
+            });
         }
         async close() {
             this.wire?.close();
