@@ -30,7 +30,7 @@ from kitrobot_onboard.state import (
 )
 
 GAP_MS = 50  # the longest wait when no tick is due
-HOLD_MS = 800  # a held run ends when no whole frame came for so long
+HOLD_MS = 800  # a held run ends when no whole frame came for so long, not counting what a request takes
 
 
 def run(robot):
@@ -65,6 +65,7 @@ def run(robot):
                 request = receive_request(robot, left)
                 if request:
                     dispatch_request(robot, request)
+                    robot[HEARD] = robot[TICKS]()
         except Exception as error:
             fail(robot, 1, error)
     stop(robot)

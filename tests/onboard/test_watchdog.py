@@ -11,6 +11,7 @@ from kitrobot.compiler import compile_lll
 from kitrobot.image import Image, Layout
 from kitrobot.lll import parse
 from kitrobot.primitives import Robot, read_robot
+from kitrobot_onboard.state import WRITE
 from tests.boards import drivers
 from tests.boards.program_files import device_lines, program_file
 from tests.onboard.bench import Bench
@@ -139,6 +140,22 @@ def test_a_held_run_ends_when_nobody_is_heard_for_a_while(tmp_path: Path) -> Non
             assert bench.ask("p") == ("K", b"")
         assert [fault[0] for fault in faults(bench.wait(900))] == [6]
         assert state(bench) == (4, 6)
+
+
+def test_the_time_that_a_request_takes_is_no_silence(tmp_path: Path) -> None:
+    with Bench(tmp_path, file()) as bench:
+        write = bench.robot[WRITE]
+
+        def write_late(data: bytes) -> None:
+            bench.wire.now += 2000
+            bench.robot[WRITE] = write
+            write(data)
+
+        assert bench.ask("s", b"\1") == ("K", b"")
+        bench.robot[WRITE] = write_late
+        assert bench.ask("p") == ("K", b"")
+        assert faults(bench.wait(700)) == []
+        assert [fault[0] for fault in faults(bench.wait(900))] == [6]
 
 
 def test_a_free_run_needs_nobody(tmp_path: Path) -> None:
