@@ -1,10 +1,11 @@
 import { afterEach, beforeEach, expect, it } from "vitest";
 
+import { renameDeclared } from "../model/commands/changeDeclared";
 import { setBreakdown, setBreakpoint, setFailures, setRadio } from "../model/commands/changeTrial";
 import { historyOf } from "../model/history";
 import { useStudio } from "../model/studio";
 import { CARRIER, missionOf } from "../model/testing/missions";
-import { closeTeam, keepTeamView, openTeam, useTeam } from "./team-view";
+import { closeTeam, keepTeamView, openTeam, showSide, useTeam } from "./team-view";
 
 const vertex = CARRIER.vertices[1]?.id ?? "";
 let stop = () => {};
@@ -48,4 +49,16 @@ it.each([
   useStudio.getState().execute(made);
   useStudio.getState().undo();
   expect(useTeam.getState().open).toBe(true);
+});
+
+it("shows the side of the team when the name of a work is taken back, which programs have too", () => {
+  const { mission, execute, catalogue } = useStudio.getState();
+  const added = { ...mission, works: [{ name: "clean", units: 3 }] };
+  const command = renameDeclared(added, catalogue, "clean", "tidy");
+  if (command === null) throw new Error("no such work");
+  useStudio.setState({ mission: added, history: historyOf(added) });
+  execute(command);
+  showSide("parts");
+  useStudio.getState().undo();
+  expect(useTeam.getState()).toMatchObject({ side: "team", open: false });
 });

@@ -43,18 +43,10 @@ export function closeTeam(): void {
   if (open || world) useTeam.setState({ open: false, world: false, wanted: null });
 }
 
-/** What undo and redo show, by the parts of the mission that they change: the first line that names one of them. */
-const SHOWN_FOR: readonly { parts: readonly (keyof Mission)[]; show: () => void }[] = [
-  { parts: ["programs"], show: closeTeam },
-  { parts: ["own_world"], show: showWorld },
-  {
-    parts: ["agents", "goals", "failures", "breakdown", "radio", "world", "label", "help"],
-    show: () => openTeam(),
-  },
-  { parts: ["roles", "groups", "works"], show: () => showSide("team") },
-  { parts: ["breakpoints"], show: closeTeam },
-];
+type Parts = readonly (keyof Mission)[];
 
+const OF_TEAM: Parts = ["agents", "goals", "failures", "breakdown", "radio", "world", "label", "help"];
+const DECLARED: Parts = ["roles", "groups", "works"];
 /** Codes of what is wrong with the team and its world. */
 const CODES =
   /^(?:mission|run)-(?:same-name|no-start|no-storehouse|no-world|no-program|too-many-agents|no-agent|start|device|goal|failure)$/;
@@ -95,6 +87,12 @@ export function keepTeamView(): () => void {
     const { kind } = state.change;
     if (state.change === before.change || (kind !== "undo" && kind !== "redo")) return;
     const [now, then] = [state.mission, before.mission];
-    SHOWN_FOR.find(({ parts }) => parts.some((part) => now[part] !== then[part]))?.show();
+    const changed = (...parts: Parts) => parts.some((part) => now[part] !== then[part]);
+    // A role that has another name has it in programs too, and is seen at the side of them.
+    if (changed(...DECLARED) && !changed("agents")) showSide("team");
+    else if (changed("programs")) closeTeam();
+    else if (changed("own_world")) showWorld();
+    else if (changed(...OF_TEAM)) openTeam();
+    else if (changed("breakpoints")) closeTeam();
   });
 }
