@@ -19,8 +19,8 @@ def receive_request(robot, left):
     robot[REST] = data[at + 1 :]
     found = unwrap(data[:at]) if 3 < at < 59 else None
     if found and found[0] >= "a" and found[1]:
-        robot[HEARD] = robot[TICKS]()
         if robot[LAST] != found[:2] or found[0] in "hlp":
             return found
         robot[WRITE](robot[REPLY])
+        robot[HEARD] = robot[TICKS]()
     return None

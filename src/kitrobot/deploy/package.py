@@ -44,10 +44,8 @@ OWN_SUFFIX = ".driver.py"
 _BUILDING = Lock()
 """Trees of Python are shared, and written to while they are made short."""
 
-TRIMMED = tuple(
-    f"drivers.microbit.shared.{path.stem}" for path in sorted((ONBOARD / "drivers/microbit/shared").glob("[!_]*.py"))
-)
-"""Modules with what several drivers of the smallest board are, which are trimmed as a driver is."""
+TRIMMED = "drivers.microbit.shared"
+"""The package of modules with what several drivers of the smallest board are, which are trimmed as a driver is."""
 
 _REMEMBERED = 200
 """Drivers whose declarations are remembered."""
@@ -193,7 +191,9 @@ class Package:
         if path is None:
             return []
         text = read_source(path)
-        return [ONBOARD.joinpath(*name.split(".")).with_suffix(".py") for name in TRIMMED if f"{ROOT}.{name} " in text]
+        folder = ONBOARD.joinpath(*TRIMMED.split("."))
+        named = dict.fromkeys(re.findall(rf"{re.escape(f'{ROOT}.{TRIMMED}.')}(\w+) ", text))
+        return [folder / f"{name}.py" for name in named if (folder / f"{name}.py").is_file()]
 
     def _tends(self, driver: str, family: str) -> bool:
         path = self.driver_file(driver, family)
@@ -297,7 +297,7 @@ class _Imports(ast.NodeTransformer):
         place = ONBOARD.joinpath(*words[1:])
         if place.with_suffix(".py").is_file() and place != ONBOARD:
             node.module = self.making.add(place.with_suffix(".py"))
-            if ".".join(words[1:]) in TRIMMED:
+            if ".".join(words[1:-1]) == TRIMMED:
                 self.making.bases[self.path] = f"{node.module}.py"
                 return []  # its names are in the driver's space already
             return node
