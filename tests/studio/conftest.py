@@ -255,7 +255,8 @@ def open_studio(tabs: Tabs, servers: ServerThread, tmp_path: Path, monkeypatch: 
     def open_on(example: str | None, *, first_visit: bool = False, **device: Any) -> Studio:
         target = tmp_path / "missions"
         if example is not None:
-            shutil.copytree((EXAMPLES / example).parent, target)
+            # Without what a studio that somebody opened on the example has kept beside it.
+            shutil.copytree((EXAMPLES / example).parent, target, ignore=shutil.ignore_patterns(".kitrobot"))
         else:
             target.mkdir()
         running = servers.serve(target if example is None else target / Path(example).name)

@@ -4,6 +4,7 @@
 
 from __future__ import annotations
 
+import re
 from pathlib import Path
 
 import pytest
@@ -66,7 +67,8 @@ def test_work_that_is_left_without_saving_is_said_to_be_kept_and_is_there_under_
     expect(page.get_by_test_id("open-left")).to_contain_text("a later KitRobot")
     page.keyboard.press("Escape")
     assert later.exists()
-    banner.get_by_role("button", name="Discard it").click()
+    with page.expect_response(re.compile("/api/journal/forget$")):
+        banner.get_by_role("button", name="Discard it").click()
     expect(banner).to_have_count(0)
     assert not later.exists()
 
