@@ -190,6 +190,29 @@ def test_a_board_that_restarts_during_a_deploy_is_entered_again_while_the_line_s
         assert new.is_called(runs(board.address))
 
 
+def test_a_receiver_without_room_to_read_a_request_is_begun_anew(
+    board: Any, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    value = Receiver.value
+    times = iter([True])
+
+    def crowded(receiver: Receiver, expression: str, timeout_s: float = 2.0) -> bytes:
+        if expression.startswith("z(") and next(times, False):
+            value(receiver, "bytearray(1 << 28)")
+        return value(receiver, expression, timeout_s)
+
+    put(board.address, bench_program(tmp_path))
+    monkeypatch.setattr(Receiver, "value", crowded)
+    program = bench_program(tmp_path)
+    assert program.is_called(put(board.address, program).program)
+    assert not next(times, False)
+    times = iter([True] * 99)
+    with pytest.raises(BoardError, match="the board failed: MemoryError"):
+        put(board.address, program)
+    monkeypatch.undo()
+    assert program.is_called(runs(board.address))
+
+
 def test_a_first_deploy_that_is_cut_is_mended_by_the_next_one(board: Any, tmp_path: Path) -> None:
     program = bench_program(tmp_path)
     for cut in range(15, 400, 10 if THOROUGH else 190):

@@ -31,6 +31,10 @@ class BoardError(DeployError):
     said: str = ""
 
 
+class CrampedError(BoardError):
+    """The receiver found no piece of free memory that was long enough; begun anew, it has an empty one."""
+
+
 class NoMemoryError(BoardError):
     """The board has too little memory for what it was asked."""
 

@@ -15,7 +15,7 @@ from dataclasses import dataclass, field
 from kitrobot.deploy.board import Board, Hello
 from kitrobot.deploy.boot_records import LAST_GENERATION, MAIN, SLOTS, StartLine, is_ours, needed, newest, read_line
 from kitrobot.deploy.connecting import STARTS, greet
-from kitrobot.deploy.errors import BoardError, ForeignError, FullError, NoMemoryError, SilentError
+from kitrobot.deploy.errors import BoardError, CrampedError, ForeignError, FullError, NoMemoryError, SilentError
 from kitrobot.deploy.firmware import Needs
 from kitrobot.deploy.fitting import refuse_misfits
 from kitrobot.deploy.flash_code import Frozen, sign_of
@@ -146,6 +146,9 @@ class _Job:
                 return work()
             except SilentError:
                 if not self.board.repl.answered or not tries_left:
+                    raise
+            except CrampedError:
+                if not tries_left:
                     raise
             except GarbledError:
                 if not tries_left:

@@ -11,7 +11,7 @@ import re
 from collections.abc import Callable
 from itertools import cycle
 
-from kitrobot.deploy.errors import BoardError, FullError, ResetError, SilentError
+from kitrobot.deploy.errors import BoardError, CrampedError, FullError, ResetError, SilentError
 from kitrobot.deploy.line import MOST, Line
 from kitrobot.deploy.modern import tell_at_once
 from kitrobot.deploy.patience import Patience
@@ -111,7 +111,7 @@ class Receiver:
         """The value of a Python expression on the board.
 
         Raises:
-            BoardError: it raised an exception there.
+            BoardError: it raised an exception there; a CrampedError when that was a MemoryError.
         """
         data = expression.encode()
         assert len(data) < LONGEST - 6, expression
@@ -123,7 +123,7 @@ class Receiver:
                     Sentence("the board's flash is full"),
                     Sentence("remove files of yours from the board, or use --fresh"),
                 )
-            raise BoardError(
+            raise (CrampedError if text.startswith("MemoryError") else BoardError)(
                 Sentence("the board failed: {reason}", text), Sentence("reset it and run the command again")
             )
         return answer
