@@ -9,7 +9,7 @@ import { Slot } from "../../components/Slot";
 import { languageInUse, t } from "../../i18n/words";
 import { closeOverlay, show, shownName, useDocument } from "../../session/document";
 import { openFromComputer, openLeft, openPath } from "../../session/open-requests";
-import { useLeft, useMissions, useRecordings } from "./missions";
+import { useOpenable } from "./missions";
 import { Sheet } from "../../ui/Sheet";
 
 // One chunk: an empty program shows a few of what the sheet shows all of.
@@ -48,70 +48,73 @@ function Entry({ entry: { path, problem }, icon, title }: EntryProps) {
   );
 }
 
-export function OpenSheet() {
-  const missions = useMissions();
+/** All lists at once: one that came later would push what is below it away from under a pointer. */
+function Lists() {
+  const openable = useOpenable();
   const workspace = useDocument((document) => document.session?.workspace ?? "");
+  if (openable === null) return <p className="sheet-note">{t("open.loading")}</p>;
+  const { left, missions, recordings } = openable;
+  const own = missions.filter((entry) => entry.example === null);
+  const examples = missions.filter((entry) => entry.example !== null);
+  return (
+    <>
+      {left.length === 0 ? null : (
+        <>
+          <h3>{t("journal.list")}</h3>
+          <ul data-testid="open-left">
+            {left.map(({ journal, path, name, modified, problem }) => (
+              <li key={journal}>
+                <button
+                  type="button"
+                  className="open-entry"
+                  disabled={problem !== ""}
+                  onClick={() => {
+                    show(null);
+                    openLeft(journal);
+                  }}
+                >
+                  <Icon name={problem === "" ? "file" : "triangle-alert"} size={18} />
+                  <span className="open-title">{problem || shownName(name)}</span>
+                  <span className="open-path">
+                    {path} {new Date(modified).toLocaleString(languageInUse())}
+                  </span>
+                </button>
+              </li>
+            ))}
+          </ul>
+        </>
+      )}
+      <h3>{t("open.workspace", { folder: workspace })}</h3>
+      {own.length === 0 ? <p className="sheet-note">{t("open.workspace-empty")}</p> : null}
+      <ul>
+        {own.map((entry) => (
+          <Entry key={entry.path} entry={entry} icon="file" title={entry.title || entry.name} />
+        ))}
+      </ul>
+      {recordings.length === 0 ? null : (
+        <>
+          <h3>{t("recording.list", { folder: workspace })}</h3>
+          <ul data-testid="open-recordings">
+            {recordings.map((entry) => (
+              <Entry key={entry.path} entry={entry} icon="clapperboard" title={entry.name} />
+            ))}
+          </ul>
+        </>
+      )}
+      {examples.length === 0 ? null : <h3>{t("open.examples")}</h3>}
+      {examples.length === 0 ? null : <Gallery examples={examples} open={open} />}
+      <Slot name="open-lists" />
+    </>
+  );
+}
+
+export function OpenSheet() {
   const chooser = useRef<HTMLInputElement>(null);
-  const recordings = useRecordings();
-  const left = useLeft();
-  const own = missions?.filter((entry) => entry.example === null) ?? [];
-  const examples = missions?.filter((entry) => entry.example !== null) ?? [];
   return (
     <Sheet title={t("open.title")} testId="open-dialog" wide onClose={closeOverlay}>
       <div className="open-lists">
         <Jumps />
-        {missions === null ? (
-          <p className="sheet-note">{t("open.loading")}</p>
-        ) : (
-          <>
-            {left.length === 0 ? null : (
-              <>
-                <h3>{t("journal.list")}</h3>
-                <ul data-testid="open-left">
-                  {left.map(({ journal, path, name, modified, problem }) => (
-                    <li key={journal}>
-                      <button
-                        type="button"
-                        className="open-entry"
-                        disabled={problem !== ""}
-                        onClick={() => {
-                          show(null);
-                          openLeft(journal);
-                        }}
-                      >
-                        <Icon name={problem === "" ? "file" : "triangle-alert"} size={18} />
-                        <span className="open-title">{problem || shownName(name)}</span>
-                        <span className="open-path">
-                          {path} {new Date(modified).toLocaleString(languageInUse())}
-                        </span>
-                      </button>
-                    </li>
-                  ))}
-                </ul>
-              </>
-            )}
-            <h3>{t("open.workspace", { folder: workspace })}</h3>
-            {own.length === 0 ? <p className="sheet-note">{t("open.workspace-empty")}</p> : null}
-            <ul>
-              {own.map((entry) => (
-                <Entry key={entry.path} entry={entry} icon="file" title={entry.title || entry.name} />
-              ))}
-            </ul>
-            {recordings.length === 0 ? null : (
-              <>
-                <h3>{t("recording.list", { folder: workspace })}</h3>
-                <ul data-testid="open-recordings">
-                  {recordings.map((entry) => (
-                    <Entry key={entry.path} entry={entry} icon="clapperboard" title={entry.name} />
-                  ))}
-                </ul>
-              </>
-            )}
-            {examples.length === 0 ? null : <h3>{t("open.examples")}</h3>}
-            {examples.length === 0 ? null : <Gallery examples={examples} open={open} />}
-          </>
-        )}
-        <Slot name="open-lists" />
+        <Lists />
       </div>
       <div className="sheet-foot">
         <input

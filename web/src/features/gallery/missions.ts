@@ -16,14 +16,28 @@ export function useMissions(): MissionEntry[] | null {
   return useFetched<MissionEntry[]>(api.missions, none);
 }
 
-/** Unsaved work that is open in no page; empty while the list is on its way. */
-export function useLeft(): Left[] {
-  return useFetched<Left[]>(journalApi.left, none) ?? [];
+/** Unsaved work that is open in no page; null while the list is on its way. */
+function useLeft(): Left[] | null {
+  return useFetched<Left[]>(journalApi.left, none);
 }
 
-/** Empty while the list is on its way. */
-export function useRecordings(): RecordingEntry[] {
-  return useFetched<RecordingEntry[]>(traceApi.all, none) ?? [];
+/** null while the list is on its way. */
+function useRecordings(): RecordingEntry[] | null {
+  return useFetched<RecordingEntry[]>(traceApi.all, none);
+}
+
+interface Openable {
+  left: Left[];
+  missions: MissionEntry[];
+  recordings: RecordingEntry[];
+}
+
+/** All that can be opened; null until every list is there, so that none pushes what is below it away from the pointer. */
+export function useOpenable(): Openable | null {
+  const left = useLeft();
+  const missions = useMissions();
+  const recordings = useRecordings();
+  return left === null || missions === null || recordings === null ? null : { left, missions, recordings };
 }
 
 /** Previews that were fetched, by the example as it was then. */
