@@ -31,10 +31,12 @@ from kitrobot_onboard.state import (
 
 GAP_MS = 50  # the longest wait when no tick is due
 HOLD_MS = 800  # a held run ends when no whole frame came for so long, not counting what a request takes
+LOOK_MS = 200  # of what passes between two looks at the line no more counts: frames may have come and wait to be read
 
 
 def run(robot):
     """Goes on until somebody asks for the prompt. `robot`: what the program file made."""
+    last = robot[TICKS]()
     while not robot[GONE]:
         try:
             left = GAP_MS
@@ -51,7 +53,11 @@ def run(robot):
             for robot[WHO], tend in robot[TENDS]:
                 tend()
             robot[WHO] = None
-            if robot[HELD] and robot[DIFF](robot[TICKS](), robot[HEARD]) > HOLD_MS:
+            now = robot[TICKS]()
+            if robot[DIFF](now, last) > LOOK_MS:
+                robot[HEARD] = robot[ADD](robot[HEARD], robot[DIFF](now, last) - LOOK_MS)
+            last = now
+            if robot[HELD] and robot[DIFF](now, robot[HEARD]) > HOLD_MS:
                 fail(robot, 6, None)
             if robot[FAILED]:
                 stop(robot)
@@ -65,7 +71,7 @@ def run(robot):
                 request = receive_request(robot, left)
                 if request:
                     dispatch_request(robot, request)
-                    robot[HEARD] = robot[TICKS]()
+                    robot[HEARD] = last = robot[TICKS]()
         except Exception as error:
             fail(robot, 1, error)
     stop(robot)

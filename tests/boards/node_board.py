@@ -39,6 +39,7 @@ class NodeBoard:
             stdin=subprocess.PIPE,
             stdout=subprocess.PIPE,
             text=True,
+            start_new_session=True,  # as in `tests.boards.qemu`
         )
         self._answers: Queue[str] = Queue()
         threading.Thread(target=self._listen, daemon=True).start()

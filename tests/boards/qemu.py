@@ -72,6 +72,7 @@ def running(*extra: str) -> Iterator[Emulated]:
             pass_fds=[listener.fileno()],
             stdin=subprocess.PIPE,
             stdout=subprocess.DEVNULL,
+            start_new_session=True,  # Linux shares cores among sessions: a board is no part of a worker's share
         )
     try:
         board = Emulated(f"socket://127.0.0.1:{port}", port, process)

@@ -158,6 +158,18 @@ def test_the_time_that_a_request_takes_is_no_silence(tmp_path: Path) -> None:
         assert [fault[0] for fault in faults(bench.wait(900))] == [6]
 
 
+def test_a_board_that_was_held_up_reads_what_waits_before_it_says_that_nobody_is_heard(tmp_path: Path) -> None:
+    with Bench(tmp_path, file()) as bench:
+        assert bench.ask("s", b"\1") == ("K", b"")
+        for _ in range(3):
+            assert faults(bench.wait(500)) == []
+            bench.wire.now += 2000
+            assert bench.ask("p") == ("K", b"")
+        assert faults(bench.wait(500)) == []
+        bench.wire.now += 2000
+        assert [fault[0] for fault in faults(bench.wait(200))] == [6]
+
+
 def test_a_free_run_needs_nobody(tmp_path: Path) -> None:
     with Bench(tmp_path, file()) as bench:
         assert bench.ask("s", b"\0") == ("K", b"")
