@@ -185,7 +185,7 @@ function Studio() {
           </nav>
         )}
         <main className="centre" aria-label={t("app.canvas")}>
-          <Tabs />
+          {ready ? <Tabs /> : <div className="tabs" />}
           <Slot name="above" />
           <div className="centre-panel">
             <div

@@ -128,11 +128,39 @@ function Together() {
   );
 }
 
-export function Robots() {
-  useLooking();
+/** The robots, and the ways to get more of them; drawn together, so that none moves away from under a pointer. */
+function Places() {
   const state = useBoards();
   const places = placesOf(state);
-  const looking = state.ports === null && state.barred === null && places.length === 0;
+  return (
+    <>
+      {places.length > 0 ? (
+        <ul className="robots-list">
+          {places.map((place) => (
+            <BoardCard key={place.address} place={place} />
+          ))}
+        </ul>
+      ) : state.ports === null || (inPage() && reach() !== "there") ? null : (
+        <EmptyRobots />
+      )}
+      <FindBoard />
+      {inPage() ? (
+        <p className="robots-note" data-testid="robots-in-page">
+          {t("boards.in-page")}
+        </p>
+      ) : (
+        <>
+          <Network />
+          <FirmwarePart />
+        </>
+      )}
+    </>
+  );
+}
+
+export function Robots() {
+  useLooking();
+  const looking = useBoards((state) => state.ports === null && state.barred === null && placesOf(state).length === 0);
   return (
     <section className="robots" data-testid="robots" aria-label={t("boards.title")}>
       <header className="robots-head">
@@ -144,27 +172,7 @@ export function Robots() {
       <div className="robots-body">
         <Barred />
         {inPage() ? null : <TeamPart />}
-        {looking ? <p className="robots-note">{t("boards.looking")}</p> : null}
-        {places.length > 0 ? (
-          <ul className="robots-list">
-            {places.map((place) => (
-              <BoardCard key={place.address} place={place} />
-            ))}
-          </ul>
-        ) : state.ports === null || (inPage() && reach() !== "there") ? null : (
-          <EmptyRobots />
-        )}
-        <FindBoard />
-        {inPage() ? (
-          <p className="robots-note" data-testid="robots-in-page">
-            {t("boards.in-page")}
-          </p>
-        ) : (
-          <>
-            <Network />
-            <FirmwarePart />
-          </>
-        )}
+        {looking ? <p className="robots-note">{t("boards.looking")}</p> : <Places />}
       </div>
     </section>
   );

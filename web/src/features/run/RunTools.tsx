@@ -27,8 +27,12 @@ export function RunTools() {
         title={`${paused ? t("run.resume") : t("run.run")} (${keyFor.page("run")})`}
         onClick={run}
       >
-        <Icon name="play" size={16} />
-        {paused ? t("run.resume") : t("run.run")}
+        <span className="run-face" data-other={t(paused ? "run.run" : "run.resume")}>
+          <span className="run-words">
+            <Icon name="play" size={16} />
+            {t(paused ? "run.resume" : "run.run")}
+          </span>
+        </span>
       </button>
       <Tool
         icon="pause"

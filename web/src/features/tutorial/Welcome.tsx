@@ -2,6 +2,7 @@
 import { t } from "../../i18n/words";
 import { useStudio } from "../../model/studio";
 import { text } from "../../model/texts";
+import { useDocument } from "../../session/document";
 import { Icon } from "../../theme";
 import { Tool } from "../../ui/Tool";
 import { begin } from "./opening";
@@ -11,9 +12,10 @@ import "./welcome.css";
 export function Welcome() {
   const { all, tutorial, welcomed } = useTutorial();
   const path = useStudio((studio) => studio.file.path);
+  const ready = useDocument((document) => document.ready);
   const [first] = (all ?? []).filter((one) => one.steps.length > 0);
   // Not above a mission of the folder; a new mission begins where the folder has none.
-  if (welcomed || tutorial !== null || first === undefined) return null;
+  if (!ready || welcomed || tutorial !== null || first === undefined) return null;
   if (path !== "" && !path.startsWith("example:")) return null;
   return (
     <section className="welcome" aria-label={t("tutorial.welcome")} data-testid="welcome">
