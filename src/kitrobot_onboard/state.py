@@ -47,7 +47,7 @@ GONE = 32  # leave to the prompt
 
 # The link.
 REST = 33  # what was heard and not read yet
-HEARD = 34  # when the last request was answered
+HEARD = 34  # when the last request was answered, and later by what was held up since (`LOOK_MS`)
 LAST = 35  # kind and number of the last request
 REPLY = 36  # its answer
 KIND = 37  # of the request that is being answered; letters of the pieces that belong to it
