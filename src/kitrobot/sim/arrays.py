@@ -1,36 +1,30 @@
-"""The state of a run as NumPy arrays, for Numba; ragged rows are filled up with zeros.
-
-Numba takes groups of arrays as named tuples, and CPython reads the attributes of objects with slots in a third of the
-time. So this module has a named tuple for each group of `state`, with the same name and the same fields.
-"""
+"""The state of a run as NumPy arrays, for Numba; ragged rows are filled up with zeros."""
 
 from __future__ import annotations
 
-import sys
-from collections import namedtuple
-from dataclasses import fields, is_dataclass
-from typing import Any, cast, get_type_hints
+from dataclasses import dataclass, fields, is_dataclass
+from typing import Any, get_type_hints
 
-from kitrobot.sim import state as groups
 from kitrobot.sim.state import CHANGING, FloatRows, Floats, Ints, State
+from kitrobot.sim.table_pointer import TablePointer
 
 _NARROW = frozenset((*CHANGING, "out", "seen")) | {f"{was}_{name}" for was in ("was", "kept") for name in CHANGING}
 """Tables of machines: 32 bits are enough for them, as on a board."""
 
-_TUPLES: dict[type, Any] = {
-    group: namedtuple(group.__name__, [field.name for field in fields(group)], module=__name__)
-    for group in vars(groups).values()
-    if isinstance(group, type) and is_dataclass(group)
-}
-# Numba finds them by these names when it loads what is kept.
-vars(sys.modules[__name__]).update({f"{tables.__name__}": tables for tables in _TUPLES.values()})
+
+@dataclass(frozen=True, slots=True)
+class ArrayState(State):
+    """A state whose tables are arrays, and the pointer to them that compiled code takes."""
+
+    pointer: TablePointer
 
 
-def as_arrays(state: State) -> State:
+def as_arrays(state: State) -> ArrayState:
     """The same state as arrays; needs NumPy."""
     widths = {name: max((len(row) for row in getattr(state.machines, name)), default=0) for name in CHANGING}
-    made = _arrays(state, {f"{was}_{name}": widths[name] for was in ("was", "kept") for name in CHANGING})
-    return cast(State, made)
+    made: State = _arrays(state, {f"{was}_{name}": widths[name] for was in ("was", "kept") for name in CHANGING})
+    tables = {field.name: getattr(made, field.name) for field in fields(State)}
+    return ArrayState(**tables, pointer=TablePointer(made))
 
 
 def _arrays(tables: Any, widths: dict[str, int]) -> Any:
@@ -55,4 +49,4 @@ def _arrays(tables: Any, widths: dict[str, int]) -> Any:
             for at, row in enumerate(table):
                 filled[at, : len(row)] = row
         made.append(filled)
-    return _TUPLES[type(tables)](*made)
+    return type(tables)(*made)

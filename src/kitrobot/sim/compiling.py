@@ -1,6 +1,6 @@
 """The compiled step: `stepping.advance` through Numba, compiled once for a machine and kept in the user's cache folder.
 
-Compiling takes one to two minutes, so nobody waits for it: `ask` begins it in a process of its own with low
+Compiling takes about a minute, so nobody waits for it: `ask` begins it in a process of its own with low
 priority, or, when it was done before, loads what is kept in a thread beside; `compiled` gives the step once it is
 there. Numba works on the very functions that CPython runs: they are told to it here, and nothing is decorated. The
 folder's name is a digest of their sources, of the constants they use and of what compiles them, so nothing stale is
@@ -29,18 +29,15 @@ from typing import Any
 
 Advance = Callable[[Any, int], int]
 
-_OPTIONS: dict[str, Any] = {"error_model": "numpy", "nogil": True, "_nrt": False, "forceinline": True}
-"""One core, other threads go on beside. No division by zero can happen. Nothing is allocated, so the references to the
-arrays need not be counted, which alone would take two thirds of the time of a ray. Calls are inlined: a call copies the
-places of all arrays of the state that it is given, which would double the time of a step of few robots."""
+_OPTIONS: dict[str, Any] = {"error_model": "numpy", "nogil": True, "_nrt": False}
+"""Other threads go on beside. No division by zero can happen. Nothing is allocated, and the arrays are the caller's:
+no references are counted."""
 
 _CALLED: dict[str, Any] = {**_OPTIONS, "no_cpython_wrapper": True, "no_cfunc_wrapper": True}
-"""Of what the step calls. Python calls none of it, and unpacking a state for that takes a third of compiling."""
+"""Of what compiled functions call. Python calls none of it, and needs no wrapper for that."""
 
-_APART: dict[str, Any] = {**_CALLED, "forceinline": False}
-_RARE = ("kitrobot.sim.breakdowns", "kitrobot.sim.meetings", "kitrobot.sim.substitution", "kitrobot.sim.work")
-"""What only teams need, and robots that fail, stays apart: inlined, it would more than double the time of compiling for
-everybody."""
+POINTER_SOURCES = tuple(Path(__file__).with_name(name) for name in ("table_pointer.py", "numba_tables.py"))
+"""What tells Numba how tables are reached."""
 
 READY = "ready"
 """The file in the cache folder that says that all of it is there."""
@@ -131,7 +128,8 @@ def cache_folder() -> Path:
     digest = hashlib.sha256()
     functions = [stepping.advance, *loops().values()]
     modules = {__name__, arrays.__name__, base.__name__, state.__name__, *(one.__module__ for one in functions)}
-    for source in sorted(Path(str(sys.modules[name].__file__)) for name in modules):
+    sources = {Path(str(sys.modules[name].__file__)) for name in modules}
+    for source in sorted({*sources, *POINTER_SOURCES}):
         digest.update(str(source).encode() + source.read_bytes())
     digest.update(dispatch.SOURCE.encode())
     for function in functions:
@@ -199,7 +197,7 @@ def _told(folder: Path) -> Advance:
     import numba
     from numba import extending
 
-    from kitrobot.sim import rows
+    from kitrobot.sim import numba_tables, rows  # noqa: F401 (it tells Numba what a pointer to tables is)
     from kitrobot.sim.stepping import advance
 
     def same_arrays(one: Any, other: Any) -> Any:
@@ -224,15 +222,15 @@ def _told(folder: Path) -> Advance:
     extending.overload(rows.copy_row, jit_options=options)(copy_arrays)
     for loop in loops().values():
         if loop.__module__ != rows.__name__:
-            extending.register_jitable(**(_APART if loop.__module__ in _RARE else _CALLED))(loop)
+            extending.register_jitable(**options)(loop)
     config: Any = numba.config
     kept = config.CACHE_DIR
     config.CACHE_DIR = str(folder)
     try:
-        made: Advance = numba.njit(cache=True, **_OPTIONS)(advance)
+        compiled: Any = numba.njit(cache=True, **_OPTIONS)(advance)
     finally:
         config.CACHE_DIR = kept
-    return made
+    return lambda state, steps: int(compiled(state.pointer, steps))
 
 
 def _make_in_peace() -> None:
