@@ -39,7 +39,7 @@ def test_compiled_code_reads_and_writes_the_arrays_of_every_group() -> None:
         np.array([3, 4]), Inner(np.arange(8, dtype=np.int32).reshape(2, 4), np.array([7], np.uint8)), np.zeros(2)
     )
     pointer = TablePointer(tables)
-    assert numba_tables.tables_type(pointer.layout).words == 2 + 3 + 2 + 2
+    assert numba_tables.pointer_type(pointer.layout).words == 2 + 3 + 2 + 2
     assert numba.njit(_nrt=False)(work)(pointer) == 2402
     assert tables.inner.rows.tolist() == [[0, 1, 2, 3], [4, 5, 11, 7]]
     assert tables.last.tolist() == [0.0, 0.5]

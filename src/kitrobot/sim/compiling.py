@@ -36,7 +36,7 @@ no references are counted."""
 _CALLED: dict[str, Any] = {**_OPTIONS, "no_cpython_wrapper": True, "no_cfunc_wrapper": True}
 """Of what compiled functions call. Python calls none of it, and needs no wrapper for that."""
 
-POINTER_SOURCES = tuple(Path(__file__).with_name(name) for name in ("table_pointer.py", "numba_tables.py"))
+_POINTER_SOURCES = tuple(Path(__file__).with_name(name) for name in ("table_pointer.py", "numba_tables.py"))
 """What tells Numba how tables are reached."""
 
 READY = "ready"
@@ -129,7 +129,7 @@ def cache_folder() -> Path:
     functions = [stepping.advance, *loops().values()]
     modules = {__name__, arrays.__name__, base.__name__, state.__name__, *(one.__module__ for one in functions)}
     sources = {Path(str(sys.modules[name].__file__)) for name in modules}
-    for source in sorted({*sources, *POINTER_SOURCES}):
+    for source in sorted({*sources, *_POINTER_SOURCES}):
         digest.update(str(source).encode() + source.read_bytes())
     digest.update(dispatch.SOURCE.encode())
     for function in functions:
@@ -230,7 +230,7 @@ def _told(folder: Path) -> Advance:
         compiled: Any = numba.njit(cache=True, **_OPTIONS)(advance)
     finally:
         config.CACHE_DIR = kept
-    return lambda state, steps: int(compiled(state.pointer, steps))
+    return lambda state, steps: compiled(state.pointer, steps)
 
 
 def _make_in_peace() -> None:

@@ -10,6 +10,7 @@ from __future__ import annotations
 from functools import cache
 from typing import Any
 
+import numpy as np
 from llvmlite import ir
 from numba.core import cgutils, types
 from numba.core.typing.templates import AttributeTemplate
@@ -30,7 +31,7 @@ _WORD = ir.IntType(64)
 _WORDS = _WORD.as_pointer()
 
 
-class Tables(types.Type):
+class PointerType(types.Type):
     """A pointer to a group of tables.
 
     Attributes:
@@ -45,43 +46,37 @@ class Tables(types.Type):
         self.words = 0
         for table, kind in kinds.items():
             self.places[table] = self.words
-            self.words += kind.words if isinstance(kind, Tables) else 1 + kind.ndim
+            self.words += kind.words if isinstance(kind, PointerType) else 1 + kind.ndim
         # Types of the same name are the same to Numba.
         super().__init__(f"{name}({', '.join(f'{table}: {kind.name}' for table, kind in kinds.items())})")
 
 
 @cache
-def tables_type(layout: Layout) -> Tables:
+def pointer_type(layout: Layout) -> PointerType:
     """The type of the pointers with this layout."""
     name, tables = layout
     kinds: dict[str, Any] = {}
     for table, kind in tables:
         if isinstance(kind[1], int):
-            kinds[table] = types.Array(numpy_support.from_dtype(_dtype(kind[0])), kind[1], "C")
+            kinds[table] = types.Array(numpy_support.from_dtype(np.dtype(kind[0])), kind[1], "C")
         else:
-            kinds[table] = tables_type(kind)
-    return Tables(name, kinds)
-
-
-def _dtype(name: str) -> Any:
-    import numpy as np
-
-    return np.dtype(name)
+            kinds[table] = pointer_type(kind)
+    return PointerType(name, kinds)
 
 
 @typeof_impl.register(TablePointer)
-def _type_of(pointer: TablePointer, _: Any) -> Tables:
-    return tables_type(pointer.layout)
+def _type_of(pointer: TablePointer, _: Any) -> PointerType:
+    return pointer_type(pointer.layout)
 
 
-@register_model(Tables)
+@register_model(PointerType)
 class _Model(models.PrimitiveModel):
-    def __init__(self, manager: Any, tables: Tables) -> None:
+    def __init__(self, manager: Any, tables: PointerType) -> None:
         super().__init__(manager, tables, _WORDS)
 
 
-@unbox(Tables)
-def _unbox(_: Tables, pointer: Any, unboxing: Any) -> NativeValue:
+@unbox(PointerType)
+def _unbox(_: PointerType, pointer: Any, unboxing: Any) -> NativeValue:
     address = unboxing.pyapi.object_getattr_string(pointer, "address")
     word = unboxing.unbox(types.intp, address)
     unboxing.pyapi.decref(address)
@@ -90,16 +85,16 @@ def _unbox(_: Tables, pointer: Any, unboxing: Any) -> NativeValue:
 
 @infer_getattr
 class _Attributes(AttributeTemplate):
-    key = Tables
+    key = PointerType
 
-    def generic_resolve(self, tables: Tables, name: str) -> Any:  # type: ignore[override]
+    def generic_resolve(self, tables: PointerType, name: str) -> Any:  # type: ignore[override]
         return tables.kinds.get(name)
 
 
-@lower_getattr_generic(Tables)
-def _lower_attribute(context: Any, builder: Any, tables: Tables, pointer: Any, name: str) -> Any:
+@lower_getattr_generic(PointerType)
+def _lower_attribute(context: Any, builder: Any, tables: PointerType, pointer: Any, name: str) -> Any:
     kind, at = tables.kinds[name], tables.places[name]
-    if isinstance(kind, Tables):
+    if isinstance(kind, PointerType):
         return cgutils.gep_inbounds(builder, pointer, at)
     number = context.get_data_type(kind.dtype)
     size = context.get_abi_sizeof(number)
