@@ -19,8 +19,9 @@ from pathlib import Path
 
 from benchmarks.measuring import Rate, Row, in_turns
 from kitrobot.sim import Simulation
-from kitrobot.sim.compiling import available
-from kitrobot.verifier import Budget, Model, Timing, compiling, take_apart
+from kitrobot.sim.jit_cache import available
+from kitrobot.verifier import Budget, Model, Timing, take_apart
+from kitrobot.verifier.compiling import engine
 from kitrobot.verifier.engines import PLAIN
 from kitrobot.verifier.exploring import explore
 from kitrobot.workspace import RunOptions, open_mission
@@ -46,7 +47,7 @@ TINY = Size(states=200, compiled=200, carriers=(2,), rounds=1)
 
 def run(size: Size, *, peers: bool) -> list[Row]:
     has_peer = peers and shutil.which("spin") is not None and shutil.which("gcc") is not None
-    engines = {"plain": PLAIN, **({"Numba": compiling.make()} if available() else {})}
+    engines = {"plain": PLAIN, **({"Numba": engine.make()} if available() else {})}
     rows = []
     for carriers in size.carriers:
         transport = _transport(carriers)

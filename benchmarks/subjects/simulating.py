@@ -20,7 +20,7 @@ from benchmarks.peers import agents_in_space, trees
 from benchmarks.swarm import SPACING_MM, instructions_a_tick, swarm
 from benchmarks.table import table
 from kitrobot.mission import Radio
-from kitrobot.sim import Simulation, compiling
+from kitrobot.sim import Simulation, jit_cache
 
 TITLE = "simulating"
 TRANSPORT = Path(__file__).resolve().parents[2] / "examples" / "transport" / "transport.krt"
@@ -64,7 +64,7 @@ def run(size: Size, *, peers: bool) -> list[Row]:
     rows: list[Row] = []
     for robots in size.beside:
         rows += _beside(robots, size, peers)
-    if compiling.available():
+    if jit_cache.available():
         for robots in size.growth:
             rows.append(Row(f"Numba, {robots} robots", "steps/s", _numba(robots, size)))
     return rows + _talking(size, peers) + _pushing(size, peers) + _transport(size)
@@ -82,7 +82,7 @@ def _beside(robots: int, size: Size, peers: bool) -> list[Row]:
     plain = swarm(robots)
     plain.stays_plain = True
     work: dict[str, Callable[[], object]] = {"plain": lambda: go(plain, plain_steps)}
-    if compiling.available():
+    if jit_cache.available():
         ours = hurried(swarm(robots))
         steps["Numba"] = max(1, size.work // robots)
         work["Numba"] = lambda: go(ours, steps["Numba"])
@@ -114,7 +114,7 @@ def _pushing(size: Size, peers: bool) -> list[Row]:
     plain = table(boxes, robots)
     plain.stays_plain = True
     work: dict[str, Callable[[], object]] = {"plain": lambda: go(plain, steps["plain"])}
-    if compiling.available():
+    if jit_cache.available():
         ours = hurried(table(boxes, robots))
         work["Numba"] = lambda: go(ours, steps["Numba"])
     name = ""
@@ -137,7 +137,7 @@ RADIO = Radio(range_mm=1000, delay_ms=20, loss=5)
 def _talking(size: Size, peers: bool) -> list[Row]:
     """Robots that share a variable over a radio of range, delay and loss, beside the same who all hear at once."""
     rows = []
-    for name in ("plain", "Numba") if compiling.available() else ("plain",):
+    for name in ("plain", "Numba") if jit_cache.available() else ("plain",):
         steps = max(1, (size.work if name == "Numba" else size.plain_work) // size.talking)
         runs = {"at once": swarm(size.talking, talks=True), "radio": swarm(size.talking, talks=True, radio=RADIO)}
         for one in runs.values():
@@ -169,7 +169,7 @@ def _transport(size: Size) -> list[Row]:
         simulated[name] = run.seconds
 
     work: dict[str, Callable[[], object]] = {"plain": lambda: mission("plain")}
-    if compiling.available():
+    if jit_cache.available():
         work["Numba"] = lambda: mission("Numba")
     seconds = in_turns(work, size.rounds)
     return [

@@ -7,7 +7,7 @@ import platform
 import pytest
 
 from kitrobot.files import examples_folder
-from kitrobot.sim import compiling, jit_policy
+from kitrobot.sim import jit_cache, jit_policy
 from kitrobot.verifier import engines
 from tests.cli.conftest import EXAMPLE
 
@@ -20,7 +20,7 @@ RING = EXAMPLES / "passing-loop" / "passing-loop.krt"
 @pytest.fixture
 def without_numba(monkeypatch):
     monkeypatch.setenv("KITROBOT_COMPILE", "")
-    monkeypatch.setattr(compiling, "available", lambda: False)
+    monkeypatch.setattr(jit_cache, "available", lambda: False)
     monkeypatch.setattr(platform, "machine", lambda: "x86_64")
     monkeypatch.setattr("sys.platform", "linux")
     # All of these are long.

@@ -9,7 +9,7 @@ from pathlib import Path
 
 import pytest
 
-from kitrobot.sim import compiling
+from kitrobot.sim.compiling import step
 
 if sys.platform != "win32":
     import fcntl
@@ -24,5 +24,5 @@ def with_numba() -> Iterator[None]:
         with open(Path(tempfile.gettempdir(), "kitrobot-tests-compile.lock"), "w") as lock:
             if sys.platform != "win32":
                 fcntl.flock(lock, fcntl.LOCK_EX)
-            assert compiling.wait() is not None, "Numba is here, and does not compile the step"
+            assert step.wait() is not None, "Numba is here, and does not compile the step"
         yield

@@ -17,7 +17,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from kitrobot.mission import Failure, FailureKind, Radio
-from kitrobot.sim import Simulation, compiling, simulate
+from kitrobot.sim import Simulation, compiling, jit_cache, simulate
 from tests.patience import PATIENCE_S
 from tests.sim.building import transport
 from tests.sim.team_building import RunningTeam, random_team_program
@@ -133,10 +133,10 @@ def test_force_and_set_variable_do_the_same_on_both() -> None:
 
 CHILD = """
 import sys
-from kitrobot.sim import Simulation, compiling
+from kitrobot.sim import Simulation, jit_cache
 from tests.sim.building import transport
 run = transport(3, 3)
-assert run.compile_step() is (sys.argv[1] == "yes"), compiling.available()
+assert run.compile_step() is (sys.argv[1] == "yes"), jit_cache.available()
 assert run.advance(500) == 500
 sys.stdout.buffer.write(run.snapshot())
 """
@@ -144,14 +144,15 @@ sys.stdout.buffer.write(run.snapshot())
 
 LONG = """
 import sys
-from kitrobot.sim import compiling, jit_policy
+from kitrobot.sim import jit_policy
+from kitrobot.sim.compiling import step
 from tests.sim.teams import random_team
 jit_policy.WORTH = 500
 run = random_team(5, 10)
 run.advance(60)
 run.advance(1)
-assert compiling._asked is not None, "600 steps of a robot are work enough"
-compiling._asked.join()
+assert step.asked is not None, "600 steps of a robot are work enough"
+step.asked.join()
 run.advance(60)
 assert not isinstance(run.state.clock, list), "the compiled step is there and not taken"
 sys.stdout.buffer.write(run.snapshot())
@@ -173,13 +174,14 @@ def test_a_long_run_asks_for_the_compiled_step_and_takes_it_when_it_is_there() -
 
 CROWD = """
 import sys
-from kitrobot.sim import compiling, expect_run
+from kitrobot.sim import expect_run
+from kitrobot.sim.compiling import step
 from tests.sim.teams import random_team
 expect_run(99)
-assert compiling._asked is None, "for so few it is not worth it"
+assert step.asked is None, "for so few it is not worth it"
 expect_run(100)
-assert compiling._asked is not None
-compiling._asked.join()
+assert step.asked is not None
+step.asked.join()
 run = random_team(5, 130)
 run.advance(20)
 run.advance(20)
@@ -226,10 +228,10 @@ extending = sys.modules["kitrobot.sim.numba_tables"] = sys.modules[__name__]
 """In place of Numba: compiles to functions that do nothing, and says which process asked."""
 
 ASKED = """
-from kitrobot.sim import compiling
-compiling.ask()
-compiling._asked.join()
-assert compiling.compiled() is not None
+from kitrobot.sim.compiling import step
+step.ask()
+step.asked.join()
+assert step.made is not None
 """
 
 
@@ -239,7 +241,7 @@ def test_what_is_not_kept_yet_is_compiled_in_a_process_of_its_own(tmp_path: Path
     environment = {**os.environ, "PYTHONPATH": path, "KITROBOT_CACHE": str(tmp_path)}
     for _ in range(2):
         subprocess.run([sys.executable, "-c", ASKED], env=environment, check=True, timeout=PATIENCE_S)
-    assert [path.name for path in tmp_path.glob(f"*/{compiling.READY}")] == [compiling.READY]
+    assert [path.name for path in tmp_path.glob(f"*/{jit_cache.READY}")] == [jit_cache.READY]
     elsewhere, first, second = (tmp_path / "compiled-by").read_text().split()
     assert len({elsewhere, first, second}) == 3, "once more by each who asked, from what was compiled elsewhere"
 
@@ -249,7 +251,7 @@ def test_what_is_not_kept_yet_is_compiled_in_a_process_of_its_own(tmp_path: Path
 def test_numba_compiles_what_is_not_kept_yet(tmp_path: Path) -> None:
     environment = {**os.environ, "PYTHONPATH": f"{ROOT}:{ROOT / 'src'}", "KITROBOT_CACHE": str(tmp_path)}
     subprocess.run([sys.executable, "-c", LONG], env=environment, capture_output=True, check=True, timeout=PATIENCE_S)
-    assert [path.name for path in tmp_path.glob(f"*/{compiling.READY}")] == [compiling.READY]
+    assert [path.name for path in tmp_path.glob(f"*/{jit_cache.READY}")] == [jit_cache.READY]
 
 
 @pytest.mark.parametrize("prelude", ["", "import sys; sys.modules['numba'] = None\n"])
@@ -275,7 +277,7 @@ def test_what_is_kept_is_only_for_these_very_sources(tmp_path: Path, monkeypatch
     folder = compiling.cache_folder()
     assert folder.parent == tmp_path
     assert folder == compiling.cache_folder()
-    monkeypatch.setattr(compiling, "version", lambda package: f"{package} of tomorrow")
+    monkeypatch.setattr(jit_cache, "version", lambda package: f"{package} of tomorrow")
     assert compiling.cache_folder() != folder
 
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, NamedTuple
 
 import pytest
 
@@ -49,3 +49,21 @@ def test_an_array_that_is_not_contiguous_is_refused() -> None:
     np = pytest.importorskip("numpy")
     with pytest.raises(ValueError, match="the table rows is not contiguous"):
         TablePointer(Inner(np.zeros((4, 4))[:, ::2], np.zeros(1)))
+
+
+class Named(NamedTuple):
+    numbers: Any
+
+
+def test_a_named_tuple_is_reached_as_a_dataclass_is() -> None:
+    np = pytest.importorskip("numpy")
+    numba = pytest.importorskip("numba")
+    from kitrobot.sim import numba_tables  # noqa: F401 (it tells Numba what a pointer to tables is)
+
+    def write(tables: Any) -> int:
+        tables.numbers[0] = 5
+        return len(tables.numbers)
+
+    tables = Named(np.zeros(3, np.int32))
+    assert numba.njit(_nrt=False)(write)(TablePointer(tables)) == 3
+    assert tables.numbers.tolist() == [5, 0, 0]

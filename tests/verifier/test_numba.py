@@ -14,12 +14,12 @@ from kitrobot.verifier import (
     Model,
     Timing,
     asked_properties,
-    compiling,
     judge,
     ready_properties,
     take_apart,
     variables_asked,
 )
+from kitrobot.verifier.compiling import engine
 from kitrobot.verifier.engines import PLAIN, Engine
 from kitrobot.verifier.exploring import Explored, explore
 from tests.sim.building import transport
@@ -32,7 +32,7 @@ pytestmark = pytest.mark.thorough
 @pytest.fixture(scope="module")
 def compiled() -> Engine:
     pytest.importorskip("numba")
-    return compiling.make()
+    return engine.make()
 
 
 @pytest.mark.timeout(900)
@@ -61,11 +61,11 @@ def test_compiled_and_plain_give_the_same_numbers(
     assert list(plain.graph.targets[:edges]) == list(fast.graph.targets[:edges])
     assert list(plain.graph.taken[:edges]) == list(fast.graph.taken[:edges])
     verdicts = []
-    for engine in (PLAIN, compiled):
+    for each in (PLAIN, compiled):
         model = Model(run, parts, failures, timing, KINDS)
         own, left_out = asked_properties(model, asked)
         assert left_out == []
-        judged = judge(model, [*ready_properties(model), *own], Budget(30_000), engine)
+        judged = judge(model, [*ready_properties(model), *own], Budget(30_000), each)
         verdicts.append([(one.answer, one.way) for one in judged.verdicts])
     assert verdicts[0] == verdicts[1]
 

@@ -6,7 +6,8 @@ same numbers. For a large team it is worth it from the first steps, and `expect_
 
 from __future__ import annotations
 
-from kitrobot.sim import compiling
+from kitrobot.sim.compiling import Advance, step
+from kitrobot.sim.jit_cache import is_missed
 
 WORTH = 100_000
 """Steps of one robot in a run after which it asks for the compiled step: a second or two of plain work."""
@@ -30,7 +31,7 @@ AT_ONCE = 10_000
 def expect_run(robots: int) -> None:
     """A run of so many robots may begin soon: has the compiled step made or loaded, if it is worth it for them."""
     if robots >= CROWD:
-        compiling.ask()
+        step.ask()
 
 
 def expect_many_runs(work: int) -> bool:
@@ -38,12 +39,12 @@ def expect_many_runs(work: int) -> bool:
 
     Where it is not kept and worth it, it is made here first, or each of them would make its own.
     """
-    return compiling.is_kept() or (work >= MANY and compiling.wait() is not None)
+    return step.is_kept() or (work >= MANY and step.wait() is not None)
 
 
 def would_gain(work: int) -> bool:
     """Whether so many steps of one robot would have been much quicker if Numba were installed."""
-    return work >= GAIN and compiling.is_missed()
+    return work >= GAIN and is_missed()
 
 
 class JitPolicy:
@@ -53,20 +54,20 @@ class JitPolicy:
         self._robots = max(1, robots)
         self._work = 0
         self._asked = False
-        self._advance: compiling.Advance | None = None
+        self._advance: Advance | None = None
         self.most = max(1, AT_ONCE // self._robots)
 
     def worked(self, steps: int) -> None:
         """So many steps were run plain."""
         self._work += steps * self._robots
 
-    def compiled(self) -> compiling.Advance | None:
+    def compiled(self) -> Advance | None:
         """The compiled step, if it is worth it and there; None: go on plain."""
         if self._advance is None and self._work >= (WORTH if self._robots < CROWD else CROWD_WORTH):
             if not self._asked:
                 self._asked = True
-                compiling.ask()
-            self._advance = compiling.compiled()
+                step.ask()
+            self._advance = step.made
         return self._advance
 
     @property
@@ -76,5 +77,5 @@ class JitPolicy:
 
     def wait(self) -> bool:
         """Takes the compiled step, waiting for it; False where there is none."""
-        self._advance = compiling.wait()
+        self._advance = step.wait()
         return self._advance is not None

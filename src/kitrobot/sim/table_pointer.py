@@ -26,7 +26,7 @@ class TablePointer:
     __slots__ = ("_tables", "_words", "address", "layout")
 
     def __init__(self, tables: Any) -> None:
-        """Points to the arrays of a dataclass; they must not be replaced by others afterwards.
+        """Points to the arrays of a dataclass or of a named tuple; they must not be replaced by others afterwards.
 
         Raises:
             ValueError: an array is not contiguous in the order of C; compiled code would read other numbers.
@@ -43,8 +43,9 @@ class TablePointer:
 def _layout(tables: Any, words: list[int]) -> Layout:
     """The layout of a group; its words are written behind the others."""
     kinds: list[tuple[str, Any]] = []
-    for field in fields(tables):
-        name, table = field.name, getattr(tables, field.name)
+    names = [field.name for field in fields(tables)] if is_dataclass(tables) else tables._fields
+    for name in names:
+        table = getattr(tables, name)
         if is_dataclass(table):
             kinds.append((name, _layout(table, words)))
             continue

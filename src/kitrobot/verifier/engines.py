@@ -7,9 +7,11 @@ from __future__ import annotations
 
 from array import array
 from collections.abc import Callable
+from functools import cached_property
 from typing import Any, NamedTuple
 
-from kitrobot.sim.compiling import is_missed
+from kitrobot.sim.jit_cache import is_missed
+from kitrobot.sim.table_pointer import TablePointer
 from kitrobot.verifier import fairness, marking, visiting
 from kitrobot.verifier.tables import Graph, Tables
 
@@ -78,8 +80,37 @@ PLAIN = Engine(
 )
 
 
+class ArrayTables(Tables):
+    """Tables that are arrays."""
+
+    @cached_property
+    def pointer(self) -> TablePointer:
+        """What compiled code is given."""
+        return TablePointer(self)
+
+
+class ArrayGraph(Graph):
+    """A graph whose tables are arrays."""
+
+    @cached_property
+    def pointer(self) -> TablePointer:
+        """What compiled code is given."""
+        return TablePointer(self)
+
+
+def _given(argument: Any) -> Any:
+    """An argument as compiled code takes it."""
+    if isinstance(argument, fairness.Search):
+        return TablePointer(argument)
+    return argument.pointer if isinstance(argument, ArrayTables | ArrayGraph) else argument
+
+
+def _taking_pointers(function: Callable[..., Any]) -> Callable[..., Any]:
+    return lambda *arguments: function(*map(_given, arguments))
+
+
 def arrays(functions: dict[str, Callable[..., Any]]) -> Engine:
-    """An engine of these functions, which take arrays."""
+    """An engine of compiled functions, which take pointers to arrays."""
     import numpy as np
 
     def take(tables: Tables, graph: Graph, most: int) -> tuple[Tables, Graph]:
@@ -96,10 +127,10 @@ def arrays(functions: dict[str, Callable[..., Any]]) -> Engine:
             filled[: len(table)] = table
             made.append(filled)
         rows: list[Any] = [np.array(table, np.int64) for table in tables]
-        return Tables(*rows), Graph(*made)
+        return ArrayTables(*rows), ArrayGraph(*made)
 
     return Engine(
-        **functions,
+        **{name: _taking_pointers(function) for name, function in functions.items()},
         row=lambda numbers: np.array(numbers, np.int64),
         zeros=lambda size: np.zeros(size, np.int32),
         bytes=lambda size: np.zeros(size, np.uint8),
@@ -123,8 +154,8 @@ def worth(states: int, seconds: float) -> Engine | None:
     """The compiled engine, where it is there and worth it after so many states and so many seconds of plain work."""
     if states < WORTH_STATES and seconds < LOADED_S:
         return None
-    from kitrobot.verifier import compiling
+    from kitrobot.verifier.compiling import engine
 
-    if states >= WORTH_STATES or seconds >= WORTH_S or compiling.is_kept():
-        compiling.ask()
-    return compiling.compiled()
+    if states >= WORTH_STATES or seconds >= WORTH_S or engine.is_kept():
+        engine.ask()
+    return engine.made
