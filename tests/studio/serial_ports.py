@@ -17,16 +17,22 @@ from websockets.sync.server import ServerConnection, serve
 
 from tests.patience import PATIENCE_S
 
-MICROBIT = 0x0D28
-STAND_IN = """([address, vendor]) => {
+MICROBIT, PICO = 0x0D28, 0x2E8A
+"""Who made the chip of a port, by which a page knows what may be there."""
+STAND_IN = """(given) => {
     class Port extends EventTarget {
         readable = null;
         writable = null;
-        getInfo() { return { usbVendorId: vendor }; }
+        constructor([address, vendor]) {
+            super();
+            this.address = address;
+            this.vendor = vendor;
+        }
+        getInfo() { return { usbVendorId: this.vendor }; }
         async setSignals() {}
         async open() {
             if (this.wire !== undefined) throw new DOMException("already open", "InvalidStateError");
-            const wire = new WebSocket(address);
+            const wire = new WebSocket(this.address);
             wire.binaryType = "arraybuffer";
             await new Promise((resolve, reject) => {
                 wire.onopen = resolve;
@@ -57,15 +63,16 @@ STAND_IN = """([address, vendor]) => {
             this.readable = this.writable = null;
         }
     }
-    const port = new Port();
+    const ports = given.map((one) => new Port(one));
     const serial = new EventTarget();
     // As in a browser, what a port tells bubbles to `navigator.serial`.
-    port.addEventListener("disconnect", () => {
+    for (const port of ports) port.addEventListener("disconnect", () => {
         const told = new Event("disconnect");
         Object.defineProperty(told, "target", { value: port });
         serial.dispatchEvent(told);
     });
-    serial.requestPort = async () => port;
+    // Who is asked chooses one that is not in use.
+    serial.requestPort = async () => ports.find((port) => port.wire === undefined) ?? ports[0];
     Object.defineProperty(navigator, "serial", { value: serial, configurable: true });
 }"""
 
@@ -73,7 +80,8 @@ STAND_IN = """([address, vendor]) => {
 class Bridge:
     """Passes bytes on between a page and a board's line; `pull` is the cable that is pulled."""
 
-    def __init__(self, port: int) -> None:
+    def __init__(self, port: int, vendor: int = MICROBIT) -> None:
+        self.vendor = vendor
         self._board = ("127.0.0.1", port)
         self._open: list[socket.socket] = []
         self._server = serve(self._pass, "127.0.0.1", 0, compression=None)
@@ -91,9 +99,9 @@ class Bridge:
         self._server.shutdown()
         self._thread.join(PATIENCE_S)
 
-    def give(self, page: Page) -> None:
-        """The page has that port, and no other."""
-        page.evaluate(STAND_IN, [self.address, MICROBIT])
+    def give(self, page: Page, *others: Bridge) -> None:
+        """The page has that port and those of others, and no more."""
+        page.evaluate(STAND_IN, [[one.address, one.vendor] for one in (self, *others)])
 
     def pull(self) -> None:
         """Hangs up."""

@@ -1,4 +1,4 @@
-"""A board at the static site: the firmware of the micro:bit behind a port of the page, and Python in its worker."""
+"""Boards at the static site: a micro:bit and a Pico behind ports of the page, Python in its worker."""
 
 from __future__ import annotations
 
@@ -8,10 +8,13 @@ from pathlib import Path
 import pytest
 from playwright.sync_api import Browser, expect
 
+from kitrobot.workspace import open_trace
+from tests.boards.modern import ModernBoard
 from tests.boards.qemu import running
+from tests.boards.test_bench import UNPLUGGED
 from tests.sites import made_site
 from tests.studio.conftest import EXAMPLES, HEIGHT, WIDTH
-from tests.studio.serial_ports import Bridge
+from tests.studio.serial_ports import PICO, Bridge
 from tests.studio.test_page_ports import DEPLOY_MS, expect_stop_when_pulled
 from tests.studio.test_robots import expect_robot
 from tests.studio.test_site import PATH, FileServer, link, opened
@@ -19,7 +22,7 @@ from tests.studio.test_site import PATH, FileServer, link, opened
 pytestmark = [pytest.mark.browser, pytest.mark.site, pytest.mark.boards]
 
 
-def test_a_board_is_sent_to_watched_and_stopped_by_python_in_the_page(
+def test_boards_are_sent_to_watched_stopped_and_tried_by_python_in_the_page(
     browser: Browser, tmp_path: Path, tmp_path_factory: pytest.TempPathFactory
 ) -> None:
     (tmp_path / PATH.strip("/")).parent.mkdir()
@@ -31,12 +34,21 @@ def test_a_board_is_sent_to_watched_and_stopped_by_python_in_the_page(
     context.on("weberror", lambda error: faults.append(str(error.error)))
     page = context.new_page()
     page.on("console", lambda message: faults.append(message.text) if message.type == "error" else None)
-    with running() as board, Bridge(board.port) as bridge:
+    with (
+        running() as board,
+        Bridge(board.port) as bridge,
+        ModernBoard({"lib/machine.py": UNPLUGGED}) as other,
+        Bridge(int(other.address.rsplit(":", 1)[1]), PICO) as other_bridge,
+    ):
         studio = opened(page, server.address)
-        bridge.give(page)
-        heart = (EXAMPLES / "heart" / "heart.krt").read_text(encoding="utf-8")
-        page.evaluate("hash => location.hash = hash", link(heart, "heart"))
-        expect(page).to_have_title(re.compile("heart"))
+        bridge.give(page, other_bridge)
+
+        def show(mission: str) -> None:
+            text = (EXAMPLES / mission / f"{mission}.krt").read_text(encoding="utf-8")
+            page.evaluate("hash => location.hash = hash", link(text, mission))
+            expect(page).to_have_title(re.compile(mission))
+
+        show("heart")
 
         # Boards are chosen here; what cannot be there is said.
         page.keyboard.press("Alt+r")
@@ -76,6 +88,44 @@ def test_a_board_is_sent_to_watched_and_stopped_by_python_in_the_page(
         studio.at("find-board").click()
         robot.get_by_test_id("robot-reconnect").click()
         expect_robot(robot, phase="open")
+
+        # A second board beside it is built otherwise, has another program, and a sensor of it is held.
+        show("dice")
+        robot.get_by_test_id("robot-run").click()
+        expect_robot(robot, state="running")
+        show("blink")
+        studio.at("find-board").click()
+        expect(studio.at("robot")).to_have_count(2)
+        second = page.get_by_role("listitem", name="Raspberry Pi Pico")
+        first = page.get_by_role("listitem", name="micro:bit")
+        second.get_by_test_id("robot-kit").select_option("pico")
+        second.get_by_test_id("robot-run").click()
+        expect_robot(second, state="running")
+        second.get_by_test_id("robot-watch").click()
+        studio.at("watch-Button").get_by_role("combobox").select_option("0")
+        expect(studio.at("watch-Button")).to_have_attribute("data-forced", "true")
+        expect_robot(first, state="running")
+
+        # STOP is for both; what the second did was recorded, and its parts are tried by hand.
+        studio.at("team-stop").click()
+        expect_robot(first, state="ready")
+        expect_robot(second, state="ready")
+        with page.expect_download() as saving:
+            second.get_by_test_id("robot-save-recording").click()
+        recording = tmp_path / "second.krtrace"
+        saving.value.save_as(recording)
+        with open_trace(recording).reader as reader:
+            told = [event.text for _, event in reader.events]
+        assert [text for text in told if "the sensor Button is held at 0" in text]
+        second.get_by_test_id("robot-try").click()
+        steps = second.get_by_test_id("bench").get_by_test_id("bench-step")
+        forward = steps.filter(has_text="Wheel.Advance(40)").first
+        forward.get_by_test_id("bench-try").click()
+        expect(forward).to_have_attribute("data-going", "true")
+        ranger = steps.filter(has_text="Distance sensor").first
+        ranger.get_by_test_id("bench-try").click()
+        expect(forward).to_have_attribute("data-going", "false")
+        expect(ranger.get_by_test_id("bench-failure")).to_contain_text("not plugged in")
     assert faults == []
     context.close()
     server.end()

@@ -146,10 +146,12 @@ function Row({ object, agent, sensor }: { object: RobotObject; agent: RunAgent; 
         <Plot agent={agent.name} object={object} label={label} />
       </td>
       <td className="watch-force">
-        {forced ? (
+        {/* Where nothing is held the button keeps its room, so that holding a sensor moves nothing. */}
+        {sensor ? (
           <button
             type="button"
-            data-testid={`release-${name}`}
+            className={forced ? undefined : "is-room"}
+            data-testid={forced ? `release-${name}` : undefined}
             title={t("debug.release-help")}
             onClick={() => useRun.getState().force(agent.name, name, null)}
           >
@@ -188,6 +190,7 @@ function NumberCell({
     <input
       type="text"
       inputMode="numeric"
+      size={7}
       aria-label={label}
       aria-invalid={wrong}
       title={`${inWords(field, object.min)} … ${inWords(field, object.max)}`}
