@@ -97,6 +97,7 @@ export const LATER_EN = {
   "own.leave": "Delete and leave them",
   "own.changed": "The program has changed meanwhile. Look at the selection and try again.",
   "debug.events": "What happened, the newest first",
+  "debug.no-events": "Nothing has happened yet.",
   "debug.event-when": "When",
   "debug.event-who": "Who",
   "debug.event-what": "What",

@@ -37,7 +37,15 @@ export function EventList() {
   // While the run is at its newest moment only a new event changes the list.
   const until = tick >= last ? Infinity : tick;
   const shown = useMemo(() => lastOf(events, until, SHOWN), [events, until]);
-  if (shown.length === 0) return null;
+  if (shown.length === 0) return <p className="watch-happened is-empty">{t("debug.no-events")}</p>;
+  return (
+    <div className="watch-happened" role="region" aria-label={t("debug.events")} tabIndex={0}>
+      <EventTable shown={shown} tickMs={tickMs} goes={goes} />
+    </div>
+  );
+}
+
+function EventTable({ shown, tickMs, goes }: { shown: RunEvent[]; tickMs: number; goes: boolean }) {
   return (
     <table className="watch-table watch-events" data-testid="event-list">
       <caption>{t("debug.events")}</caption>
@@ -67,7 +75,9 @@ export function EventList() {
               </td>
               <th scope="row">{event.agent}</th>
               <td>
-                {t(`strip.${event.kind}`)}: <Said text={withoutCause(event)} />
+                {/* What is done by hand has that as its cause beside it. */}
+                {event.kind === "outside" ? null : `${t(`strip.${event.kind}`)}: `}
+                <Said text={withoutCause(event)} />
               </td>
               <td className="watch-cause">{t(`debug.cause-${event.cause}`)}</td>
             </tr>
