@@ -106,6 +106,39 @@ def test_a_part_moves_until_its_step_ends_and_everything_stands_when_the_line_is
     assert moves[-1] == (0, 0, 0, 0)
 
 
+SLOW = b"""
+import time
+quick = Pin.value
+def slow(self, *level):
+    if self.name == 10:
+        time.sleep_ms(90)
+    return quick(self, *level)
+Pin.value = slow
+"""
+
+
+def test_a_driver_that_takes_longer_than_a_tick_is_told_of_its_own_step_alone(tmp_path: Path) -> None:
+    parts = '<actuator device="lamp" driver="led" pin="1"/><sensor device="button" driver="key" pin="10"/>'
+    path = tmp_path / "two.board.xml"
+    path.write_text(f'<board name="two" version="1">{parts}</board>')
+    with ModernBoard({"lib/machine.py": onboard_files()["machine.py"] + SLOW}) as board:
+        out, _ = command("bench", board.address, "--board", str(path), "--all", "--seconds", "2")
+        (button,) = (line for line in out.splitlines() if line.startswith("Button"))
+        assert "this part takes longer than a tick" in button
+        kit, _ = read_kit(path.read_bytes(), "two")
+        assert kit is not None
+        bench = bench_of(bench_robot(), kit)
+        lamp = next(step for step in bench.steps if step.call)
+        (pressed,) = (step for step in bench.steps if step.part.name == "Button")
+        with BenchRun(board.address, bench) as run:
+            run.begin(pressed)
+            while not run.is_slow:
+                run.poll(0.1)
+            run.end()
+            run.begin(lamp)
+            assert (run.late, run.is_slow) == (0, False)
+
+
 def test_by_keys_a_step_goes_on_and_off_and_ctrl_c_stops_everything(kit: ModernBoard, tmp_path: Path) -> None:
     pid, terminal = pty.fork()
     if pid == 0:

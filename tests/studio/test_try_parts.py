@@ -10,7 +10,7 @@ from playwright.sync_api import expect
 
 from kitrobot.workspace import kits_at_hand
 from tests.boards.modern import ModernBoard
-from tests.boards.test_bench import UNPLUGGED
+from tests.boards.test_bench import SLOW, UNPLUGGED
 from tests.studio.conftest import Studio
 from tests.studio.test_reach import find_nothing
 
@@ -20,7 +20,7 @@ pytestmark = pytest.mark.browser
 def test_a_robot_is_built_of_a_kit_and_its_parts_are_tried_by_hand(
     open_studio: Callable[..., Studio], monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    with ModernBoard({"lib/machine.py": UNPLUGGED}) as board:
+    with ModernBoard({"lib/machine.py": UNPLUGGED + SLOW}) as board:
         monkeypatch.setenv("KITROBOT_BOARDS", board.address)
         studio = open_studio("square/square.krt")
         page = studio.page
@@ -46,6 +46,7 @@ def test_a_robot_is_built_of_a_kit_and_its_parts_are_tried_by_hand(
         step("Button").get_by_test_id("bench-try").click()
         expect(forward).to_have_attribute("data-going", "false")
         expect(step("Button").get_by_test_id("bench-value")).to_have_text(re.compile("^(released|pressed)$"))
+        expect(step("Button").get_by_test_id("bench-slow")).to_contain_text("longer than a tick")
         step("Distance sensor").get_by_test_id("bench-try").click()
         expect(step("Distance sensor").get_by_test_id("bench-failure")).to_contain_text("Distance sensor failed")
         expect(step("Distance sensor").get_by_test_id("bench-failure")).to_contain_text("not plugged in")

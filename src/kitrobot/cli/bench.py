@@ -112,9 +112,11 @@ def _tried(run: BenchRun, step: BenchStep, seconds: float) -> dict[str, Any]:
 
     values: list[int] = []
     error: KitRobotError | None = None
+    slow = False
     try:
         run.begin(step)
         values = run.watch(seconds)
+        slow = run.is_slow
         run.end()
     except PartError as found:
         error = found
@@ -128,6 +130,7 @@ def _tried(run: BenchRun, step: BenchStep, seconds: float) -> dict[str, Any]:
         "values": values,
         "words": [reading(step.part, value, run.bench.robot.wait_unit_ms) for value in values],
         "late": run.late,
+        "slow": slow,
         "error": error_object(error) if error is not None else None,
     }
 
@@ -150,8 +153,8 @@ def _result(row: dict[str, Any]) -> str:
         return f"FAILED: {clean(row['error']['message'])}"
     values, words = row["values"], [clean(told) for told in row["words"]]
     seen = clean(row["seen"])
-    if row["late"]:
-        seen += f" (its driver is slow: {row['late']} ticks took too long)"
+    if row["slow"]:
+        seen += " (this part takes longer than a tick: programs that use it run slower than they say)"
     if not values:
         return f"done; {seen}"
     least, most = (words[values.index(one)] for one in (min(values), max(values)))
@@ -178,7 +181,8 @@ def _by_keys(run: BenchRun, bench: Bench) -> None:
                 if going and run.is_on:
                     value = run.value
                     words = "" if value is None else reading(bench.steps[at].part, value, bench.robot.wait_unit_ms)
-                    _line(f"  on   {clean(words)}")
+                    slow = "  (takes longer than a tick)" if run.is_slow else ""
+                    _line(f"  on   {clean(words)}{slow}")
                 if pressed in ("q", ESCAPE):
                     run.end()
                     _line("")

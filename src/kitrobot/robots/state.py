@@ -27,7 +27,7 @@ class RobotState:
         held: whether the run ends when the robot hears nothing from here.
         free: bytes of memory that are left.
         tick: the robot's own count since its run began.
-        late: ticks that began late.
+        late: ticks since then that began late.
         generation: which installation on the board it is.
         package: the version of KitRobot on it, "-" for none.
         installed: its program, by the name that the robot gives, "-" for none.
@@ -91,7 +91,7 @@ class RobotState:
     def started(self, held: bool, first: Mapping[int, int]) -> RobotState:
         """The same robot after its program was begun; `first`: cells that have their first values again."""
         cells = {**self.cells, **first}
-        return replace(self, doing="running", held=held, tick=0, cells=cells, threads={}, fault=None)
+        return replace(self, doing="running", held=held, tick=0, late=0, cells=cells, threads={}, fault=None)
 
     def stopped(self) -> RobotState:
         """The same robot after it was stopped."""

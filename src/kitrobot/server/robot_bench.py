@@ -84,7 +84,7 @@ class Tried:
             if (error := self._broken.get(one.key)) is not None
         ]
         at = next((at for at, one in enumerate(steps) if one is step), None)
-        return BoardBenchShape(step=at, value=self.hand.value, failed=failed)
+        return BoardBenchShape(step=at, value=self.hand.value, slow=self.hand.is_slow, failed=failed)
 
 
 def _by_label(error: KitRobotError, part: RobotObject) -> str:

@@ -32,6 +32,8 @@ _SETTLED_TICKS = 5
 """Until then the value of a sensor may be the one at which it was held."""
 _CALLED_TICKS = 20
 """By then a step is called, though its number was not told: one that comes back within a period is not."""
+_FEW_TICKS = 10
+"""Of fewer ticks nothing is said: a robot that has just begun is late now and then."""
 
 Progress = Callable[[str, int, int], None]
 """Is told what is done now, and how many bytes of how many."""
@@ -45,6 +47,7 @@ class BenchHand:
         self.step: BenchStep | None = None
         """What is done now."""
 
+        self._begun = self._late_before = 0
         self._valid_from = self._called_by = 0
         """Ticks of the robot: the value of the step counts from the first, and the step is called in the second."""
 
@@ -66,7 +69,9 @@ class BenchHand:
         self.end()
         if self.session.state.doing != "running":
             self.restart()
+        self._late_before = self.session.link.greet().late
         self.step, now = step, self.session.state.tick
+        self._begun = now
         self._valid_from, self._called_by = now + _SETTLED_TICKS, now + _CALLED_TICKS
         if step.part.category is not Category.SENSOR:
             self.session.set_variable(self.bench.variable, step.number)
@@ -121,6 +126,16 @@ class BenchHand:
         if step is None or known is None or step.part.name not in known.names.sensors or state.tick < self._valid_from:
             return None
         return state.cells.get(known.names.sensors[step.part.name]) if self.looks else None
+
+    @property
+    def late(self) -> int:
+        """How many ticks began late since the step began."""
+        return max(0, self.session.state.late - self._late_before)
+
+    @property
+    def is_slow(self) -> bool:
+        """Whether the driver of the part takes longer than a tick: most ticks of the step began late."""
+        return self.step is not None and 2 * self.late > max(_FEW_TICKS, self.session.state.tick - self._begun)
 
     @property
     def looks(self) -> bool:
@@ -251,8 +266,13 @@ class BenchRun:
 
     @property
     def late(self) -> int:
-        """How many ticks took longer than a tick since the robot was started."""
-        return self._hand.session.state.late
+        """How many ticks began late since the step began."""
+        return self._hand.late
+
+    @property
+    def is_slow(self) -> bool:
+        """Whether the driver of the step's part takes longer than a tick."""
+        return self._hand.is_slow
 
     def _load(self, step: BenchStep) -> None:
         self.close()

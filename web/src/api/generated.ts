@@ -123,10 +123,14 @@ export interface BenchStep {
   trouble: Record<string, string>;
 }
 
-/** Parts that are tried: the `step` that is done now, None for none; `value` of its sensor, None before. */
+/**
+ * Parts that are tried: the `step` that is done now, None for none; `value` of its sensor, None before; whether its
+ * driver is `slow` and takes longer than a tick.
+ */
 export interface BoardBench {
   step: number | null;
   value: number | null;
+  slow: boolean;
   failed: BoardBenchFailure[];
 }
 

@@ -20,10 +20,13 @@ class BoardBenchFailureShape(BaseModel):
 
 
 class BoardBenchShape(BaseModel):
-    """Parts that are tried: the `step` that is done now, None for none; `value` of its sensor, None before."""
+    """Parts that are tried: the `step` that is done now, None for none; `value` of its sensor, None before;
+    whether its driver is `slow` and takes longer than a tick.
+    """
 
     step: int | None
     value: int | None
+    slow: bool
     failed: list[BoardBenchFailureShape]
 
 

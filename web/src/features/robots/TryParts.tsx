@@ -23,6 +23,7 @@ function Step({
   step,
   going,
   value,
+  slow,
   failure,
 }: {
   address: string;
@@ -30,6 +31,7 @@ function Step({
   step: BenchStep;
   going: boolean;
   value: number | null;
+  slow: boolean;
   failure: { message: string; help: string } | undefined;
 }) {
   const name = nameOf(step);
@@ -60,6 +62,7 @@ function Step({
         <p>
           <Said text={inWords(step.seen)} />
         </p>
+        {going && slow ? <p data-testid="bench-slow">{t("boards.try-slow")}</p> : null}
         {failure === undefined ? null : <TroubleBox said={failure} testId="bench-failure" />}
         {trouble === "" ? null : (
           <details>
@@ -90,6 +93,7 @@ export function TryParts({ board }: { board: Board }) {
             step={step}
             going={bench.step === at}
             value={bench.value}
+            slow={bench.slow}
             failure={bench.failed.find((one) => one.step === at)}
           />
         ))}
