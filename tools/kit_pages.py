@@ -39,9 +39,10 @@ ORDER = (
 )
 _TRIED = {
     Tried.DOCUMENTS: "from its documents: nobody has reported yet that it was tried",
-    Tried.EMULATOR: "in an emulator: its drivers on a current MicroPython, with recorded pins",
+    Tried.EMULATOR: "in an emulator: its drivers on a current MicroPython (WebAssembly) whose pins only remember",
     Tried.HAND: "in the hand, as reported by {by}",
 }
+_FIRMWARE = "in an emulator: its drivers on the firmware of the micro:bit of 2016, in QEMU"
 _HEAD = """# Kits
 
 One robot definition runs on many kits: `NAME.board.xml` says how the parts of robots are wired on one. `kitrobot
@@ -167,7 +168,9 @@ def _kit(kit: Kit) -> Iterator[str]:
     yield ""
     yield f"**{kit.label['']}.** {kit.help['']}"
     yield ""
-    yield f"- Known to work: *{_TRIED[kit.tried].format(by=kit.tried_by)}*."
+    firmware = kit.tried is Tried.EMULATOR and kit.family == "microbit"
+    tried = _FIRMWARE if firmware else _TRIED[kit.tried].format(by=kit.tried_by)
+    yield f"- Known to work: *{tried}*."
     board = "a micro:bit" if kit.family == "microbit" else "MicroPython with the module `machine`"
     yield f"- Board: {board}" + (f", {kit.micropython} or later." if kit.micropython else ".")
     for source in kit.sources:

@@ -165,6 +165,13 @@ result = []
 for thousandths in (500, 750, 1000, 100, 3300):  # a TMP36 at 0, 25, 50, -40 and more than all degrees
     volts[26] = thousandths * 65535 // 3300
     result.append(sensor.read())
+sensor = make("machine.analog", pin="26", low="9929", high="19859", floor="1986", min="0", max="50")
+for voltage in (1986, 1985):
+    volts[26] = voltage
+    try:
+        result.append(sensor.read())
+    except OSError as error:
+        result.append(str(error))
 try:
     make("machine.analog", pin="26", low="7", high="7")
 except ValueError as error:
@@ -252,6 +259,7 @@ def test_a_voltage_is_a_distance_in_a_straight_line_between_two_ends(found: dict
 
 
 def test_a_sensor_of_warmth_says_degrees_from_its_voltage(found: dict[str, Any]) -> None:
-    *degrees, wrong = found["warmth"]
+    *degrees, least, nothing, wrong = found["warmth"]
     assert degrees == [0, 25, 50, 0, 50]
+    assert (least, nothing) == (0, "no answer: not plugged in?")
     assert wrong == "low and high are the same"

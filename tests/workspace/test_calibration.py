@@ -171,6 +171,18 @@ def square(turn: str) -> str:
     return f"4*( Wheel.Advance(40); WAIT({1000 // TICK_MS}); Wheel.Stop(); WAIT(25); {turn} WAIT(25); ); WAIT(25);"
 
 
+def test_the_simulator_takes_speed_and_noise_from_what_was_measured(tmp_path: Path) -> None:
+    drives = f"Wheel.Advance(100); WAIT({1000 // TICK_MS}); Wheel.Stop(); WAIT(50);"
+
+    def distance(noise: str) -> float:
+        values = {"speed": "300", "noise": noise}
+        kit = Kit("k", "machine", measured=(Measured(("drive",), values),))
+        return end_of(tmp_path, drives, kit)[0]
+
+    assert distance("0") == distance("0") == pytest.approx(300, rel=0.05)
+    assert abs(distance("20") - distance("0")) > 1
+
+
 def test_a_square_on_the_floor_and_in_the_simulator_agree_within_two_percent_after_calibrating(tmp_path: Path) -> None:
     kit = kit_named("pico")
     drives = f"Wheel.Advance(50); WAIT({2000 // TICK_MS}); Wheel.Stop(); WAIT(50);"
