@@ -20,8 +20,9 @@ from benchmarks.boards import ROBOT, allocated, read_log
 from kitrobot.compiler import compile_text, robot_of
 from kitrobot.deploy import BoardError, Package, connect, deploy, fitted
 from kitrobot.diagnostics import KitRobotError
-from kitrobot.primitives import Kit, Robot, config_folder, read_robot
+from kitrobot.primitives import Kit, Robot, read_robot
 from kitrobot.robots import BoardProgram
+from kitrobot.user_folders import config_folder
 from kitrobot.workspace import board_program, open_mission, shipped_examples
 from kitrobot.workspace.robot_programs import ready_program
 

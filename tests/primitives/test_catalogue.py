@@ -9,7 +9,6 @@ import pytest
 from kitrobot.diagnostics import KitRobotError, open_regular
 from kitrobot.lll import Break, Conditional, Seq, While
 from kitrobot.primitives import Catalogue, Constructor, catalogue, load_catalogue, read_constructors, read_robot, shape
-from kitrobot.primitives.catalogue import config_folder
 from kitrobot.primitives.match_template import is_more_specific
 from tests.primitives.samples import CONSTRUCTORS, ROBOT, constructors
 
@@ -295,15 +294,3 @@ def test_other_code_that_is_read_must_be_one_construct_around_the_same_slots(ins
     groups, problems = read_constructors(text.encode(), "c.xml")
     assert [one for group in groups for one in group.constructors] == []
     assert message in problems[0].message
-
-
-def test_the_users_folder_follows_the_platform(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
-    monkeypatch.delenv("KITROBOT_CONFIG")
-    monkeypatch.setattr("sys.platform", "linux")
-    monkeypatch.setenv("XDG_CONFIG_HOME", str(tmp_path))
-    assert config_folder() == tmp_path / "kitrobot"
-    monkeypatch.delenv("XDG_CONFIG_HOME")
-    assert config_folder() == Path.home() / ".config" / "kitrobot"
-    monkeypatch.setattr("sys.platform", "win32")
-    monkeypatch.setenv("APPDATA", str(tmp_path))
-    assert config_folder() == tmp_path / "kitrobot"

@@ -50,7 +50,7 @@ if TYPE_CHECKING:
     from kitrobot.files.journal_file import Journal, JournalError, read_journal, write_journal
     from kitrobot.files.layout import Layout, lay_out, lay_out_file
     from kitrobot.files.places import Places
-    from kitrobot.files.recovery import Claimed, Journals, Left, News, state_folder
+    from kitrobot.files.recovery import Claimed, Journals, Left, News
 else:
     # Hidden from mypy, which would take every name for one that there is.
     __getattr__ = lazy_names(
@@ -96,7 +96,7 @@ else:
             "journal_file": ("Journal", "JournalError", "read_journal", "write_journal"),
             "layout": ("Layout", "lay_out", "lay_out_file"),
             "places": ("Places",),
-            "recovery": ("Claimed", "Journals", "Left", "News", "state_folder"),
+            "recovery": ("Claimed", "Journals", "Left", "News"),
         },
     )
 
@@ -149,7 +149,6 @@ __all__ = [
     "revision_of",
     "same_file",
     "saving_in",
-    "state_folder",
     "sweep",
     "write_atomic",
     "write_journal",

@@ -15,7 +15,6 @@ import hashlib
 import os
 import re
 import secrets
-import sys
 import threading
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
@@ -27,6 +26,7 @@ from kitrobot.files.file_lock import FileLock
 from kitrobot.files.folder import EXAMPLE, RECORDING, MissionFolder
 from kitrobot.files.journal_file import Journal, JournalError, append_records, read_journal, write_journal
 from kitrobot.text import Sentence
+from kitrobot.user_folders import state_folder
 
 ENDING = ".journal"
 _NAME = re.compile(r"[0-9a-f]{16}")
@@ -266,18 +266,6 @@ class Journals:
             with contextlib.suppress(OSError):
                 os.replace(file, file.with_suffix(".damaged"))
         write_journal(file, found)
-
-
-def state_folder() -> Path:
-    """The user's folder for what programs remember: `$KITROBOT_STATE`, or the platform's usual place."""
-    given = os.environ.get("KITROBOT_STATE")
-    if given:
-        return Path(given)
-    if sys.platform == "win32":
-        return Path(os.environ.get("LOCALAPPDATA") or Path.home() / "AppData" / "Local") / "kitrobot"
-    if sys.platform == "darwin":
-        return Path.home() / "Library" / "Application Support" / "kitrobot"
-    return Path(os.environ.get("XDG_STATE_HOME") or Path.home() / ".local" / "state") / "kitrobot"
 
 
 def _left(file: Path) -> Left | None:

@@ -2,7 +2,7 @@
 
 from kitrobot.primitives.attribute_kinds import IDENTIFIER, LEVEL
 from kitrobot.primitives.automatic import number_variable, work_object
-from kitrobot.primitives.catalogue import SHIPPED, Catalogue, config_folder, load_catalogue
+from kitrobot.primitives.catalogue import SHIPPED, Catalogue, load_catalogue
 from kitrobot.primitives.constructors import Constructor, ConstructorTable, Group, Role, Slot, SlotKind
 from kitrobot.primitives.constructors_xml import read_constructors
 from kitrobot.primitives.crew import Crew, CrewProgram, declaring, team_robot
@@ -84,7 +84,6 @@ __all__ = [
     "Tried",
     "ValueType",
     "as_measured",
-    "config_folder",
     "declaring",
     "fill_with",
     "has_team",

@@ -10,9 +10,7 @@ Left to others: what a constructor means (compiler), missions and worlds in the 
 
 from __future__ import annotations
 
-import os
 import re
-import sys
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cached_property, lru_cache
@@ -31,6 +29,7 @@ from kitrobot.primitives.robot import Robot, RobotObject
 from kitrobot.primitives.robot_xml import read_robot
 from kitrobot.primitives.templates import Shape, inverse_shape, shape, shape_drawn
 from kitrobot.text import COMMA, Sentence, Series, Suggestions, Word, did_you_mean
+from kitrobot.user_folders import config_folder
 from kitrobot.xml import MAX_BYTES
 from kitrobot.xml import rules as xml_rules
 
@@ -176,18 +175,6 @@ class Catalogue:
 
 def _without(constructors: tuple[Constructor, ...], names: set[str]) -> tuple[Constructor, ...]:
     return tuple(constructor for constructor in constructors if constructor.name not in names)
-
-
-def config_folder() -> Path:
-    """The user's folder of XML: `$KITROBOT_CONFIG`, or the platform's usual place."""
-    given = os.environ.get("KITROBOT_CONFIG")
-    if given:
-        return Path(given)
-    if sys.platform == "win32":
-        return Path(os.environ.get("APPDATA") or Path.home() / "AppData" / "Roaming") / "kitrobot"
-    if sys.platform == "darwin":
-        return Path.home() / "Library" / "Application Support" / "kitrobot"
-    return Path(os.environ.get("XDG_CONFIG_HOME") or Path.home() / ".config") / "kitrobot"
 
 
 def load_catalogue(folders: Sequence[Path | str] = ()) -> Catalogue:

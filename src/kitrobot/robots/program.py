@@ -23,12 +23,13 @@ from kitrobot.deploy import (
 )
 from kitrobot.diagnostics import Diagnostic, Source
 from kitrobot.image import verify
-from kitrobot.primitives import Kit, Robot, config_folder
+from kitrobot.primitives import Kit, Robot
 from kitrobot.robots.carried import Carried
 from kitrobot.robots.names import BoardNames, names_of
 from kitrobot.robots.session import Known
 from kitrobot.robots.sharing import SHARED_ON_BOARD
 from kitrobot.text import COMMA, Sentence, Series
+from kitrobot.user_folders import config_folder
 
 
 @dataclass(frozen=True)

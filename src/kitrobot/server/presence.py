@@ -33,10 +33,11 @@ from typing import Any
 from urllib.parse import urlsplit
 
 from kitrobot.diagnostics import KitRobotError
-from kitrobot.files import FileLock, state_folder
+from kitrobot.files import FileLock
 from kitrobot.server import pages
 from kitrobot.server.proofs import proof_of
 from kitrobot.text import Sentence
+from kitrobot.user_folders import state_folder
 
 _LARGEST_BYTES = 10_000
 _STARTS_WITHIN_S = 10.0

@@ -17,7 +17,7 @@ from pathlib import Path
 from kitrobot.diagnostics import KitRobotError
 from kitrobot.files import RECORDING, Journals, MissionFolder
 from kitrobot.mission import Mission
-from kitrobot.primitives import SHIPPED, Catalogue, config_folder, load_catalogue
+from kitrobot.primitives import SHIPPED, Catalogue, load_catalogue
 from kitrobot.server.broadcast import Broadcast
 from kitrobot.server.gallery import Gallery
 from kitrobot.server.recordings import Recordings
@@ -25,6 +25,7 @@ from kitrobot.server.robot_gateway import SerialGateway
 from kitrobot.server.robot_registry import RobotRegistry
 from kitrobot.server.shapes import CatalogueShape, catalogue_shape
 from kitrobot.server.watched_run import WatchedRun
+from kitrobot.user_folders import config_folder
 from kitrobot.workspace import (
     Choices,
     Exercises,

@@ -25,6 +25,8 @@ from importlib.metadata import PackageNotFoundError, version
 from pathlib import Path
 from typing import Any, Generic, TypeVar
 
+from kitrobot.user_folders import cache_folder
+
 Made = TypeVar("Made")
 
 _OPTIONS: dict[str, Any] = {"error_model": "numpy", "nogil": True, "_nrt": False}
@@ -179,19 +181,7 @@ def folder_of(begin: str, sources: Iterable[Path], *more: str) -> Path:
         except PackageNotFoundError:
             digest.update(package.encode())
     digest.update(f"{sys.version} {platform.machine()}".encode())
-    return user_cache() / f"{begin}-{digest.hexdigest()[:24]}"
-
-
-def user_cache() -> Path:
-    """The folder for what is compiled: KITROBOT_CACHE, or the user's cache folder."""
-    given = os.environ.get("KITROBOT_CACHE")
-    if given:
-        return Path(given)
-    if sys.platform == "win32":
-        return Path(os.environ.get("LOCALAPPDATA", Path.home() / "AppData" / "Local"), "kitrobot", "cache")
-    if sys.platform == "darwin":
-        return Path.home() / "Library" / "Caches" / "kitrobot"
-    return Path(os.environ.get("XDG_CACHE_HOME") or Path.home() / ".cache", "kitrobot")
+    return cache_folder() / f"{begin}-{digest.hexdigest()[:24]}"
 
 
 def _forget_old(folder: Path) -> None:

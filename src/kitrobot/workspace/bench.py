@@ -16,10 +16,11 @@ from pathlib import Path
 from kitrobot.compiler import compile_text
 from kitrobot.deploy import Package, PackageError, look_at_parts
 from kitrobot.diagnostics import KitRobotError, Source
-from kitrobot.primitives import Category, Kit, Method, Robot, RobotObject, Texts, config_folder, number_variable
+from kitrobot.primitives import Category, Kit, Method, Robot, RobotObject, Texts, number_variable
 from kitrobot.primitives import Kind as MethodKind
 from kitrobot.robots import BoardProgram
 from kitrobot.text import Sentence
+from kitrobot.user_folders import config_folder
 from kitrobot.workspace.bench_notes import BenchNote, notes_for
 from kitrobot.workspace.robot_programs import ready_program
 

@@ -17,8 +17,9 @@ from statistics import fmean, stdev
 
 from kitrobot.diagnostics import KitRobotError
 from kitrobot.files import write_atomic
-from kitrobot.primitives import SHIPPED, Category, Kit, KitPart, Measured, Robot, config_folder, read_robot, write_kit
+from kitrobot.primitives import SHIPPED, Category, Kit, KitPart, Measured, Robot, read_robot, write_kit
 from kitrobot.text import Sentence
+from kitrobot.user_folders import config_folder
 from kitrobot.workspace.bench import Bench, BenchStep, bench_of
 from kitrobot.workspace.bench_notes import MEASURES, fits, shipped_notes
 

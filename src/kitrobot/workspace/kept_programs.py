@@ -12,9 +12,10 @@ from contextlib import suppress
 from dataclasses import asdict
 from typing import Any
 
-from kitrobot.files import FileError, state_folder, write_atomic
+from kitrobot.files import FileError, write_atomic
 from kitrobot.robots import NAME_ON_ROBOT, BoardNames, BoardProgram, Carried, Known
 from kitrobot.trace import TracePart
+from kitrobot.user_folders import state_folder
 
 _KEPT = 200
 """Programs whose names are kept; the oldest go."""

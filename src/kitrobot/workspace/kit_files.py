@@ -8,8 +8,9 @@ from pathlib import Path
 from kitrobot.deploy import Package, kit_problems
 from kitrobot.diagnostics import Diagnostic, KitRobotError, Place, ProblemsError, Severity, Source, open_regular, rule
 from kitrobot.files import read_bytes
-from kitrobot.primitives import KIT_SUFFIX, SHIPPED, Kit, config_folder, read_kit
+from kitrobot.primitives import KIT_SUFFIX, SHIPPED, Kit, read_kit
 from kitrobot.text import COMMA, Sentence, Series, did_you_mean
+from kitrobot.user_folders import config_folder
 from kitrobot.workspace.robots import names_a_file
 
 MOST_KITS = 200

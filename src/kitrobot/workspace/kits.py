@@ -9,7 +9,8 @@ from pathlib import Path
 from kitrobot.compiler import Compiled, compile_program, robot_of
 from kitrobot.deploy import Package, PartOnKit, look_at_parts
 from kitrobot.diagnostics import KitRobotError
-from kitrobot.primitives import Kit, Robot, config_folder, with_team
+from kitrobot.primitives import Kit, Robot, with_team
+from kitrobot.user_folders import config_folder
 from kitrobot.workspace.opening import OpenMission
 from kitrobot.workspace.robot_programs import board_program
 from kitrobot.workspace.team_boards import agent_program

@@ -10,9 +10,10 @@ from pathlib import Path
 
 from kitrobot.deploy import Package
 from kitrobot.diagnostics import Diagnostic, Severity, in_reading_order, rule
-from kitrobot.primitives import Robot, RobotObject, config_folder
+from kitrobot.primitives import Robot, RobotObject
 from kitrobot.sim import device_problems, simulated_devices
 from kitrobot.text import Sentence, did_you_mean, shown
+from kitrobot.user_folders import config_folder
 
 NOT_SIMULATED = rule(
     "robot-not-simulated",
