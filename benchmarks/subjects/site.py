@@ -2,17 +2,20 @@
 
 A first visit is one of a browser that has nothing of it; a second visit is another page of the same browser, whose
 service worker has the files. Both wait for the graph of the transport mission, then run it once at full speed. Memory
-is what the largest process of the browser keeps after that run: page and worker are in it. There is no peer.
+is what the largest process of the browser keeps after that run: page and worker are in it. There is no peer, but for a
+key in the code, which is measured beside the installed studio on the same mission.
 """
 
 from __future__ import annotations
 
+import base64
 import gzip
 import statistics
 import sys
 import tempfile
 import threading
 import time
+import zlib
 from collections import defaultdict
 from collections.abc import Iterator
 from contextlib import contextmanager
@@ -25,6 +28,7 @@ from playwright.sync_api import Browser, Page
 
 from benchmarks import browser as web
 from benchmarks.measuring import Rate, Row
+from benchmarks.subjects.studio import WORKING, mission_of, studio_of, type_in_code
 from kitrobot.workspace.site import PACKED, make_site
 from tools.site_parts import PARTS, ROOT, fetch
 
@@ -39,9 +43,11 @@ class Size:
     rounds: int
     second: bool
     """Whether second visits are measured too."""
+    vertices: tuple[int, ...]
+    """Of the programs in whose code a key is pressed."""
 
 
-FULL, TINY = Size(3, True), Size(1, False)
+FULL, TINY = Size(3, True, (100, 1000)), Size(1, False, (20,))
 
 Found = dict[str, list[float]]
 
@@ -59,7 +65,8 @@ def run(size: Size, *, peers: bool) -> list[Row]:
             with _served(Path(folder)) as address:
                 for _ in range(size.rounds):
                     _visits(browser, f"{address}site/", size, found)
-    return [
+                keys = [_keys(browser, f"{address}site/", vertices, size.rounds) for vertices in size.vertices]
+    return keys + [
         Row(
             what.partition(" (")[0],
             what.partition("(")[2].rstrip(")"),
@@ -68,6 +75,29 @@ def run(size: Size, *, peers: bool) -> list[Row]:
         )
         for what, values in found.items()
     ]
+
+
+def _keys(browser: Browser, address: str, vertices: int, rounds: int) -> Row:
+    """A key in the code, on the site and in the installed studio by turns."""
+    packer = zlib.compressobj(9, zlib.DEFLATED, -15)
+    packed = packer.compress(mission_of(vertices)) + packer.flush()
+    link = f"{address}#mission={base64.urlsafe_b64encode(packed).decode().rstrip('=')}&name=measured"
+    ours, theirs = list[float](), list[float]()
+    for _ in range(rounds):
+        ours.append(_key(browser, link))
+        with studio_of(vertices) as installed:
+            theirs.append(_key(browser, installed))
+    rates = [Rate(statistics.median(values), max(values), min(values)) for values in (ours, theirs)]
+    what = f"key in the code → graph, code, problems, {vertices} vertices"
+    return Row(what, "ms", rates[0], "the installed studio", rates[1], lower_is_better=True)
+
+
+def _key(browser: Browser, address: str) -> float:
+    with web.opened(browser, address, GRAPH) as (page, _):
+        page.set_default_timeout(PATIENCE_MS)
+        page.wait_for_selector("[data-testid=code-editor][data-writable=true] .cm-line", timeout=PATIENCE_MS)
+        web.wait(page, f"!({WORKING})")
+        return type_in_code(page)
 
 
 def _weight(place: Path) -> int:

@@ -71,7 +71,7 @@ def run(size: Size, *, peers: bool) -> list[Row]:
             with _blockly(vertices, wanted=peers) as peer:
                 for _ in range(size.rounds):
                     # A studio of its own: another one would bring the work of the round before back.
-                    with _studio(vertices) as address:
+                    with studio_of(vertices) as address:
                         _measure_studio(browser, address, size, ours)
                     if peer is not None:
                         _measure_blockly(browser, peer, vertices, size, theirs)
@@ -95,14 +95,18 @@ def _rate(values: list[float], unit: str) -> Rate:
     return Rate(statistics.median(values), slow(values), fast(values))
 
 
-@contextmanager
-def _studio(vertices: int) -> Iterator[str]:
-    """A studio of its own on a generated mission; gives its address."""
+def mission_of(vertices: int) -> bytes:
+    """A generated mission with a program of about so many vertices."""
     program = graph_of(tree_of_vertices(vertices))
-    mission = Mission(programs=[program], team=Team(agents=[Agent("robot-1", program.name)]))
+    return write_mission(Mission(programs=[program], team=Team(agents=[Agent("robot-1", program.name)])))
+
+
+@contextmanager
+def studio_of(vertices: int) -> Iterator[str]:
+    """A studio of its own on a generated mission; gives its address."""
     with tempfile.TemporaryDirectory() as folder:
         path = Path(folder, "measured.krt")
-        path.write_bytes(write_mission(mission))
+        path.write_bytes(mission_of(vertices))
         with web.studio(path) as address:
             yield address
 
@@ -148,7 +152,7 @@ def _measure_studio(browser: Browser, address: str, size: Size, found: Found) ->
         found["the page, compressed"].append(web.weight(page) / 1000)
         found["insert → picture"].append(_insert(page, "true"))
         found["insert → code and problems"].append(_insert(page, f"!({WORKING})"))
-        found["key in the code → graph, code, problems"].append(_type(page))
+        found["key in the code → graph, code, problems"].append(type_in_code(page))
         found["panning"].append(_pan(page, size))
         page.keyboard.press("Escape")
         found["dragging"].append(
@@ -176,8 +180,8 @@ def _insert(page: Page, also: str) -> float:
     return taken
 
 
-def _type(page: Page) -> float:
-    """One key in the code panel that changes a number of the first instruction."""
+def type_in_code(page: Page) -> float:
+    """One key in the code panel that changes a number of the first instruction: ms until all of the page follows."""
     page.locator("[data-testid=code-editor] .cm-content").focus()
     page.keyboard.press("Control+Home")
     page.keyboard.insert_text("WAIT(5);\n")

@@ -5,8 +5,8 @@
  * is in it is then read as any file is.
  */
 export const MOST_LETTERS = 1_000_000;
-/** Of the text, unpacked: a mission of some ten thousand parts. */
-export const MOST_BYTES = 8 * 1024 * 1024;
+/** Of the text, unpacked: a mission of some ten thousand parts, which Python in the page reads and checks in seconds. */
+export const MOST_BYTES = 2 * 1024 * 1024;
 const MOST_NAME = 80;
 
 export type LinkFault = "site.link-long" | "site.link-damaged";
@@ -29,7 +29,9 @@ type Bytes = Uint8Array<ArrayBuffer>;
 
 /** The part of an address behind its `#`. */
 export async function linkTo(text: string, name: string): Promise<string> {
-  const packed = await through(new TextEncoder().encode(text), new CompressionStream("deflate-raw"), Infinity);
+  const bytes = new TextEncoder().encode(text);
+  if (bytes.length > MOST_BYTES) throw new LinkError("site.link-long");
+  const packed = await through(bytes, new CompressionStream("deflate-raw"), Infinity);
   const said = toLetters(packed);
   if (said.length > MOST_LETTERS) throw new LinkError("site.link-long");
   return `mission=${said}&name=${encodeURIComponent(name)}`;
