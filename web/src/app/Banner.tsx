@@ -1,14 +1,26 @@
 /** One message across the page: a failure or a question, with what can be done about it. Nothing waits for it. */
+import { useEffect, useRef } from "react";
+
 import { Said } from "../i18n/Said";
 import { t } from "../i18n/words";
 import { type Banner as Message, dismissBanner, useDocument } from "../session/document";
 import { useRun } from "../session/run";
 import { Icon } from "../theme";
+import { borrowFocus } from "../ui/borrow-focus";
 import { Tool } from "../ui/Tool";
 
 function Strip({ said, onClose }: { said: Message; onClose: () => void }) {
+  const asks = said.takesFocus === true;
+  const strip = useRef<HTMLDivElement>(null);
+  useEffect(() => (asks ? borrowFocus(strip.current?.querySelector("button")) : undefined), [asks]);
   return (
-    <div className={`banner banner-${said.kind}`} role={said.kind === "note" ? "status" : "alert"} data-testid="banner">
+    <div
+      ref={strip}
+      className={`banner banner-${said.kind}`}
+      role={said.kind === "note" ? "status" : "alert"}
+      data-testid="banner"
+      onKeyDown={asks ? (event) => event.key === "Escape" && onClose() : undefined}
+    >
       <Icon name={said.kind === "error" ? "triangle-alert" : "info"} size={18} />
       <p>
         <strong>
@@ -31,7 +43,7 @@ function Strip({ said, onClose }: { said: Message; onClose: () => void }) {
 export function Banner() {
   const said = useDocument((document) => document.banner);
   const failure = useRun((run) => run.error);
-  if (said !== null) return <Strip said={said} onClose={dismissBanner} />;
+  if (said !== null) return <Strip key={said.message} said={said} onClose={dismissBanner} />;
   if (failure !== null) {
     return <Strip said={{ kind: "error", ...failure, actions: [] }} onClose={useRun.getState().dismissError} />;
   }

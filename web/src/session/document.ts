@@ -21,6 +21,8 @@ export interface Banner {
   message: string;
   help: string;
   actions: BannerAction[];
+  /** Whether it answers what the user has just done, and so takes the focus. */
+  takesFocus?: boolean;
 }
 
 export type Overlay = "new" | "open" | "save-as" | "shortcuts" | "about" | "difference" | null;
@@ -86,6 +88,12 @@ export function question(message: string, choices: [Key, () => void][], kind: Ba
     },
   }));
   set({ banner: { kind, message, help, actions } });
+}
+
+/** Asks before something goes on that the user has just begun: the first answer has the focus, and Escape is none. */
+export function ask(message: string, choices: [Key, () => void][], help = "") {
+  question(message, choices, "question", help);
+  useDocument.setState(({ banner }) => ({ banner: banner && { ...banner, takesFocus: true } }));
 }
 
 /** Always a .krt, whatever was typed. */

@@ -6,7 +6,7 @@ import { traceApi } from "../api/traces";
 import { type Key, t } from "../i18n/words";
 import { useStudio } from "../model/studio";
 import type { MissionFile } from "../model/types";
-import { asMissionPath, complain, fileName, question, shownName, useDocument } from "./document";
+import { asMissionPath, complain, fileName, ask, question, shownName, useDocument } from "./document";
 import { flush, isKept } from "./journal";
 import { bringMission, bringRecording, takeLeft, whileOpening } from "./opening";
 import { isRecording } from "./recordings";
@@ -37,14 +37,13 @@ function unlessUnsaved(go: () => Promise<boolean>, path = ""): void {
   const name = fileName();
   // The same file again: its unsaved changes are to be discarded.
   const again = path !== "" && path === file.path;
-  question(
+  ask(
     t("banner.unsaved", { name }),
     [
       ["banner.save", () => void save().then((saved) => saved && go())],
       again ? ["journal.discard", () => void go()] : ["banner.discard", () => void leave(go, name)],
       ["banner.cancel", () => undefined],
     ],
-    "question",
     t(again ? "journal.again-help" : "journal.leave-help"),
   );
 }
@@ -53,15 +52,11 @@ function unlessUnsaved(go: () => Promise<boolean>, path = ""): void {
 async function leave(go: () => Promise<boolean>, name: string): Promise<void> {
   await flush();
   if (!isKept()) {
-    question(
-      t("journal.not-kept", { name }),
-      [
-        ["banner.save", () => void save().then((saved) => saved && go())],
-        ["journal.discard", () => void go()],
-        ["banner.cancel", () => undefined],
-      ],
-      "error",
-    );
+    ask(t("journal.not-kept", { name }), [
+      ["banner.save", () => void save().then((saved) => saved && go())],
+      ["journal.discard", () => void go()],
+      ["banner.cancel", () => undefined],
+    ]);
     return;
   }
   if (!(await go()) || useDocument.getState().banner !== null) return;

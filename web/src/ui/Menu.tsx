@@ -2,7 +2,7 @@
 import { type KeyboardEvent, useEffect, useRef, useState } from "react";
 
 import { Icon } from "../theme";
-import { isItem, itemByLetter, type MenuEntry, type MenuItem, stepItem } from "./menu-model";
+import { firstItem, isItem, itemByLetter, type MenuEntry, type MenuItem, stepItem } from "./menu-model";
 
 interface MenuProps {
   id: string;
@@ -17,7 +17,7 @@ interface MenuProps {
 const ROLES = { item: "menuitem", radio: "menuitemradio", check: "menuitemcheckbox" } as const;
 
 export function Menu({ id, label, entries, onClose, onAside }: MenuProps) {
-  const [at, setAt] = useState(() => stepItem(entries, -1, 1));
+  const [at, setAt] = useState(() => firstItem(entries));
   const list = useRef<HTMLUListElement>(null);
   /** The focus is the opener's again: what the pointer passed last does not take it back. */
   const closed = useRef(false);

@@ -8,6 +8,7 @@ import { type ReactNode, useEffect, useRef } from "react";
 import { t } from "../i18n/words";
 import "./sheets.css";
 import { Tool } from "./Tool";
+import { borrowFocus } from "./borrow-focus";
 
 interface SheetProps {
   title: string;
@@ -25,15 +26,15 @@ export function Sheet({ title, testId, children, wide = false, onClose }: SheetP
   });
   useEffect(() => {
     const element = dialog.current;
-    const before = document.activeElement;
-    if (element !== null && !element.contains(before)) element.querySelector<HTMLElement>("button, input")?.focus();
+    const has = element?.contains(document.activeElement) === true;
+    const giveBack = borrowFocus(has ? null : element?.querySelector<HTMLElement>("button, input"));
     const outside = (event: PointerEvent) => {
       if (event.target instanceof Node && element?.contains(event.target) !== true) close.current();
     };
     document.addEventListener("pointerdown", outside);
     return () => {
       document.removeEventListener("pointerdown", outside);
-      if (before instanceof HTMLElement) before.focus();
+      giveBack();
     };
   }, []);
   return (

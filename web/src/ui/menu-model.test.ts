@@ -1,6 +1,6 @@
 import { describe, expect, it } from "vitest";
 
-import { itemByLetter, type MenuEntry, menuItem, stepItem } from "./menu-model";
+import { firstItem, itemByLetter, type MenuEntry, menuItem, stepItem } from "./menu-model";
 
 describe("a menu", () => {
   const item = (label: string) => menuItem(label, label, null, () => undefined);
@@ -11,6 +11,13 @@ describe("a menu", () => {
     item("Save"),
     item("Save as"),
   ];
+
+  it("begins at the first item that can be chosen", () => {
+    const none = menuItem("none", "None", null, () => undefined, true);
+    expect(firstItem([{ kind: "line", id: "l" }, none, item("Save")])).toBe(2);
+    expect(firstItem([none, none])).toBe(0);
+    expect(firstItem([])).toBe(-1);
+  });
 
   it("walks over its items round and round", () => {
     expect(stepItem(entries, -1, 1)).toBe(1);

@@ -54,6 +54,12 @@ export function stepItem(entries: readonly MenuEntry[], from: number, by: 1 | -1
   return -1;
 }
 
+/** The item that has the focus when the menu opens: the first that can be chosen. */
+export function firstItem(entries: readonly MenuEntry[]): number {
+  const found = entries.findIndex((entry) => isItem(entry) && entry.disabled !== true);
+  return found < 0 ? stepItem(entries, -1, 1) : found;
+}
+
 /** The next item after `from` whose label begins with a letter. */
 export function itemByLetter(entries: readonly MenuEntry[], from: number, letter: string): number {
   for (let move = 1; move <= entries.length; move++) {

@@ -11,6 +11,7 @@ import { Tile } from "../../theme";
 import { Tool } from "../../ui/Tool";
 import { closeHelp, useAccessibility } from "./state";
 import "../../ui/sheets.css";
+import { borrowFocus } from "../../ui/borrow-focus";
 
 export function PartHelp() {
   const element = useAccessibility((state) => state.explained);
@@ -23,13 +24,7 @@ export function PartHelp() {
 
 function Card({ shape }: { shape: Shape | null }) {
   const close = useRef<HTMLButtonElement>(null);
-  useEffect(() => {
-    const before = document.activeElement;
-    close.current?.focus();
-    return () => {
-      if (before instanceof HTMLElement) before.focus();
-    };
-  }, []);
+  useEffect(() => borrowFocus(close.current), []);
   return (
     <dialog
       className="sheet"

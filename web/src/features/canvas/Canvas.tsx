@@ -33,7 +33,7 @@ import { NoteEditor } from "./NoteEditor";
 import { usePlain } from "./Plain";
 import { Said } from "./Said";
 import { useViewport } from "./viewport";
-import { LEAST_ZOOM, MOST_ZOOM } from "./zoom-range";
+import { leastZoom, MOST_ZOOM } from "./zoom-range";
 import { ZoomControl } from "./ZoomControl";
 
 const ContextMenu = later(() => import("./ContextMenu").then((chunk) => chunk.ContextMenu), complain);
@@ -118,7 +118,7 @@ function Graph({ drawing }: { drawing: Drawing }) {
         nodeTypes={plain ? PLAIN_TYPES : NODE_TYPES}
         defaultViewport={first}
         onInit={onReady}
-        minZoom={LEAST_ZOOM}
+        minZoom={leastZoom(drawing.layout.bounds)}
         maxZoom={MOST_ZOOM}
         onlyRenderVisibleElements
         nodesDraggable={false}

@@ -30,7 +30,7 @@ function spreadOf(touches: TouchList): Spread | null {
 
 /** The camera that keeps what was between the fingers between them; places in px from the canvas's corner. */
 export function pinched({ x, y, zoom }: Camera, before: Spread, now: Spread): Camera {
-  const next = Math.min(MOST_ZOOM, Math.max(LEAST_ZOOM, (zoom * now.far) / before.far));
+  const next = Math.min(MOST_ZOOM, Math.max(Math.min(LEAST_ZOOM, zoom), (zoom * now.far) / before.far));
   const by = next / zoom;
   return { x: now.x - (before.x - x) * by, y: now.y - (before.y - y) * by, zoom: next };
 }

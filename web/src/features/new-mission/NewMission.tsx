@@ -19,6 +19,7 @@ import { useFetched } from "../../ui/use-fetched";
 import { type Choice, chosenPlace, fittingFirst, NOTHING, placeFits, settled, starterFits } from "./choosing";
 import { RobotsPicture } from "./RobotsPicture";
 import "./new-mission.css";
+import { borrowFocus } from "../../ui/borrow-focus";
 
 const GraphPicture = later(() => import("../../components/WorldPicture").then((chunk) => chunk.GraphPicture), complain);
 const WorldPicture = later(() => import("../../components/WorldPicture").then((chunk) => chunk.WorldPicture), complain);
@@ -141,13 +142,7 @@ function Form({ all }: { all: Beginnings }) {
   const robotSet = all.robot_sets.find((one) => one.name === choice.robotSet);
   const starter = all.starters.find((one) => one.name === choice.starter);
 
-  useEffect(() => {
-    const before = document.activeElement;
-    form.current?.querySelector<HTMLElement>("input:checked")?.focus();
-    return () => {
-      if (before instanceof HTMLElement) before.focus();
-    };
-  }, []);
+  useEffect(() => borrowFocus(form.current?.querySelector<HTMLElement>("input:checked")), []);
 
   const choose = (wish: Partial<Choice>) => {
     useLastChoice.setState(settled(all, { ...choice, ...wish }));

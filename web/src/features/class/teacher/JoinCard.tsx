@@ -4,6 +4,7 @@ import { useEffect, useRef } from "react";
 import { t } from "../../../i18n/words";
 import { Icon } from "../../../theme";
 import { useDesk } from "./store";
+import { borrowFocus } from "../../../ui/borrow-focus";
 
 /** A QR code as one path: black on white in every theme, with its quiet zone, for cameras want it so. */
 function Qr({ rows }: { rows: readonly string[] }) {
@@ -60,13 +61,7 @@ export function JoinCard({ large, onLarge }: { large: boolean; onLarge?: () => v
 /** Fills the screen, for a projector; any key or press closes it. */
 export function LargeJoin({ onClose }: { onClose: () => void }) {
   const place = useRef<HTMLDivElement>(null);
-  useEffect(() => {
-    const before = document.activeElement;
-    place.current?.focus();
-    return () => {
-      if (before instanceof HTMLElement) before.focus();
-    };
-  }, []);
+  useEffect(() => borrowFocus(place.current), []);
   return (
     <div
       className="class-large"
