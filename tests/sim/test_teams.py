@@ -11,7 +11,7 @@ from hypothesis import strategies as st
 from kitrobot.lll import parse_team
 from kitrobot.mission import Failure, FailureKind
 from kitrobot.sim import Simulation
-from kitrobot.sim.team_columns import HAS_UNIT, T_HOLDER, W_LEFT, W_TAKEN
+from kitrobot.sim.team_columns import HAS_UNIT, LOST_UNIT, NO_UNIT, T_HOLDER, W_LEFT, W_TAKEN
 from tests.effort import examples
 from tests.sim.team_building import RunningTeam, random_team_program
 from tests.team_programs.hosting import TooLarge
@@ -262,6 +262,17 @@ def test_a_unit_is_free_again_after_its_lease_and_its_old_holder_is_refused() ->
     assert told(run) == [("a-0", late), ("a-1", late)]
     assert run.outcome == "done"
     assert list(run.state.team.works[W_LEFT]) == [1]
+
+
+def test_of_two_who_wait_for_the_unit_of_one_that_failed_the_second_waits_on() -> None:
+    lines = "Boxes.Take();\n  WAIT(100);\n  Boxes.Done();"
+    text = WORK.format(robots=3, failure="drop", units=1, lease=60, block="ParOfSeq", lines=lines)
+    run = small(text, crowd(3), [Failure("a-0", 0.2)])
+    run.advance(75)
+    holds, waits = run.state.team.holds[0], run.state.team.waits[0]
+    assert list(holds) == [LOST_UNIT, HAS_UNIT, NO_UNIT]
+    assert waits[2] >= 0
+    assert ended(run).outcome == "done"
 
 
 BESIDE = """role scout: ant;
