@@ -6,12 +6,16 @@ import json
 import signal
 import socket
 import ssl
+import time
 from collections.abc import Callable
 from pathlib import Path
 
 import pytest
 import zenoh
 
+from kitrobot.fleet import Channel, Network
+from kitrobot.fleet.envelopes import MEMBER, Envelope, sealed
+from kitrobot.fleet.transport import MOST_OF_ONE
 from kitrobot.workspace import free_endpoint
 from tests.certificates import by_authority
 from tests.fleet.test_processes import agents_of, linux, started
@@ -48,6 +52,33 @@ def test_a_team_meets_through_a_router(record_property: Callable[[str, object], 
         config.insert_json5(name, json.dumps(value))
     with zenoh.open(config):
         run_and_stop(record_property, where, "--router", where)
+
+
+def test_who_has_not_the_key_uses_up_no_members_share() -> None:
+    key = bytes(32)
+    where, name = free_endpoint(), "kitrobot/here/m/0"
+    channel = Channel(Network("here", (where,)), 0, key)
+    config = zenoh.Config()
+    for setting, value in (("connect/endpoints", [where]), ("scouting/multicast/enabled", False)):
+        config.insert_json5(setting, json.dumps(value))
+    try:
+        with zenoh.open(config) as session:
+            way = session.declare_publisher(name, congestion_control=zenoh.CongestionControl.BLOCK)
+            while not getattr(way.matching_status, "matching", way.matching_status):
+                time.sleep(0.01)
+            for serial in range(MOST_OF_ONE + 50):
+                forged = sealed(Envelope(MEMBER, 0, 1, 0, serial, b""), bytes(range(32)))
+                way.put(forged)
+            way.put(sealed(Envelope(MEMBER, 0, 1, 0, 1, b"of the member"), key))
+            # Nothing is read until all has come.
+            time.sleep(0.3)
+            end, found = time.monotonic() + 20, list[Envelope]()
+            while not found and time.monotonic() < end:
+                found = channel.receive(1)
+        assert [envelope.body for envelope in found] == [b"of the member"]
+        assert [why for why in channel.refused if "another key" in why] == channel.refused != []
+    finally:
+        channel.close()
 
 
 def test_who_shows_no_certificate_of_the_authority_is_refused(tmp_path: Path) -> None:
