@@ -1,4 +1,4 @@
-"""Certificates for tests: self-signed, on the curve P-256, in plain Python. Not for secrets."""
+"""Certificates for tests, on the curve P-256, in plain Python: self-signed, or by an authority. Not for secrets."""
 
 from __future__ import annotations
 
@@ -74,35 +74,75 @@ class Certificate:
     key: Path
 
 
-def self_signed(folder: Path, days: int = 30, since: int = -1, stem: str = "class") -> Certificate:
-    """A certificate of 127.0.0.1 that counts from `since` days on, for so many."""
-    secret = secrets.randbelow(_N - 1) + 1
-    public = b"\x04" + b"".join(one.to_bytes(32, "big") for one in _times(secret, _G))
-    name = _der(0x30, _der(0x31, _der(0x30, bytes.fromhex("0603550403"), _der(0x0C, b"a class"))))
+def _named(text: str) -> bytes:
+    return _der(0x30, _der(0x31, _der(0x30, bytes.fromhex("0603550403"), _der(0x0C, text.encode()))))
+
+
+def _extension(number: str, value: bytes, critical: bool = False) -> bytes:
+    return _der(0x30, bytes.fromhex(number), _der(0x01, b"\xff") if critical else b"", _der(0x04, value))
+
+
+_AUTHORITY = _extension("0603551d13", _der(0x30, _der(0x01, b"\xff")), critical=True)
+_LOOPBACK = _extension("0603551d11", _der(0x30, _der(0x87, ipaddress.ip_address("127.0.0.1").packed)))
+
+
+@dataclass(frozen=True)
+class _Signer:
+    """Who signs: a name and a secret number."""
+
+    name: bytes
+    secret: int
+
+
+def _new_signer(name: str) -> _Signer:
+    return _Signer(_named(name), secrets.randbelow(_N - 1) + 1)
+
+
+def _made(subject: _Signer, signer: _Signer, extension: bytes, days: int, since: int) -> tuple[str, str]:
+    """A certificate and its key, as PEM; it counts from `since` days on, for so many."""
+    public = b"\x04" + b"".join(one.to_bytes(32, "big") for one in _times(subject.secret, _G))
     first = datetime.now(UTC) + timedelta(days=since)
     moments = [_der(0x18, f"{one:%Y%m%d%H%M%SZ}".encode()) for one in (first, first + timedelta(days=days))]
-    address = _der(0x87, ipaddress.ip_address("127.0.0.1").packed)
-    alternatives = _der(0x30, bytes.fromhex("0603551d11"), _der(0x04, _der(0x30, address)))
     inner = _der(
         0x30,
         _der(0xA0, _integer(2)),
         _integer(secrets.randbits(64)),
         _SIGNED_SO,
-        name,
+        signer.name,
         _der(0x30, *moments),
-        name,
+        subject.name,
         _der(0x30, _der(0x30, _EC_KEY, _CURVE), _bits(public)),
-        _der(0xA3, _der(0x30, alternatives)),
+        _der(0xA3, _der(0x30, extension)),
     )
     digest = int.from_bytes(hashlib.sha256(inner).digest(), "big")
     once = secrets.randbelow(_N - 1) + 1
     r = _times(once, _G)[0] % _N
-    s = pow(once, -1, _N) * (digest + r * secret) % _N
+    s = pow(once, -1, _N) * (digest + r * signer.secret) % _N
     whole = _der(0x30, inner, _SIGNED_SO, _bits(_der(0x30, _integer(r), _integer(s))))
     private = _der(
-        0x30, _integer(1), _der(0x04, secret.to_bytes(32, "big")), _der(0xA0, _CURVE), _der(0xA1, _bits(public))
+        0x30,
+        _integer(1),
+        _der(0x04, subject.secret.to_bytes(32, "big")),
+        _der(0xA0, _CURVE),
+        _der(0xA1, _bits(public)),
     )
+    return _pem("CERTIFICATE", whole), _pem("EC PRIVATE KEY", private)
+
+
+def self_signed(folder: Path, days: int = 30, since: int = -1, stem: str = "class") -> Certificate:
+    """A certificate of 127.0.0.1 that counts from `since` days on, for so many."""
+    own = _new_signer("a class")
     made = Certificate(folder / f"{stem}.pem", folder / f"{stem}.key")
-    made.certificate.write_text(_pem("CERTIFICATE", whole))
-    made.key.write_text(_pem("EC PRIVATE KEY", private))
+    for path, text in zip((made.certificate, made.key), _made(own, own, _LOOPBACK, days, since), strict=True):
+        path.write_text(text)
     return made
+
+
+def by_authority(folder: Path) -> Path:
+    """The folder, with `ca.pem`, and `cert.pem` and `key.pem` of 127.0.0.1 that this authority has signed."""
+    authority = _new_signer("an authority")
+    (folder / "ca.pem").write_text(_made(authority, authority, _AUTHORITY, 30, -1)[0])
+    certificate, key = _made(_new_signer("a team"), authority, _LOOPBACK, 30, -1)
+    (folder / "cert.pem").write_text(certificate)
+    (folder / "key.pem").write_text(key)
+    return folder

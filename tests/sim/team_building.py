@@ -12,7 +12,7 @@ from kitrobot.lll import TeamProgram, print_team_program
 from kitrobot.mission import Agent, Failure, Mission, Radio, Team, image_name
 from kitrobot.primitives import Catalogue, Crew, Level, Robot, declaring, read_robot, with_team
 from kitrobot.sim import Simulation
-from kitrobot.sim.team_columns import T_ANCHOR, T_ANCHORED, T_ROLE, T_SEAT
+from kitrobot.sim.team_columns import T_ANCHOR, T_ANCHORED, T_ROLE, T_SEAT, W_LEFT
 from tests.sim.building import empty_world
 from tests.team_programs.hosting import TooLarge
 from tests.team_programs.making import KINDS, TeamMaker
@@ -60,7 +60,8 @@ class RunningTeam:
         )
         crew = declaring(Crew(agents=tuple((name, kind) for name, (kind, _) in maker.agents.items())), program)
         source = Source("team.lll", print_team_program(program))
-        projection = project(program.seq, crew, maker.programs, source, "team")
+        works = {work.name for work in program.works}
+        projection = project(program.seq, crew, maker.programs, source, "team", lambda call: call.object in works)
         assert projection.diagnostics == []
         self.robots = {name: worker(name, tick) for name, tick in zip(KINDS, (20, 40), strict=True)}
         self.images = {}
@@ -124,13 +125,18 @@ class RunningTeam:
         names = [agent.name for agent in self.run.members]
         return {names[seats[names.index(name)]]: self.lines[name] for name in self.playing()}
 
+    def left(self) -> dict[str, int]:
+        """Of each work, how many units are not done."""
+        table = self.run.state.team.works
+        return {work.name: table[W_LEFT][n] for n, work in enumerate(self.mission.team.works)}
+
     def finish(self) -> None:
         """Until the run is over."""
         while self.run.outcome is None:
             self.step()
 
 
-def random_team_program(seed: int, spares: int = 0) -> tuple[TeamMaker, TeamProgram]:
+def random_team_program(seed: int, spares: int = 0, asks: bool = True) -> tuple[TeamMaker, TeamProgram]:
     """What `TeamMaker` makes of a seed."""
-    maker = TeamMaker(random.Random(seed), spares)
+    maker = TeamMaker(random.Random(seed), spares, asks)
     return maker, maker.program()

@@ -11,7 +11,7 @@ from hypothesis import strategies as st
 from kitrobot.lll import parse_team
 from kitrobot.mission import Failure, FailureKind
 from kitrobot.sim import Simulation
-from kitrobot.sim.team_columns import HAS_UNIT, T_HOLDER, W_LEFT, W_TAKEN
+from kitrobot.sim.team_columns import HAS_UNIT, LOST_UNIT, NO_UNIT, T_HOLDER, W_LEFT, W_TAKEN
 from tests.effort import examples
 from tests.sim.team_building import RunningTeam, random_team_program
 from tests.team_programs.hosting import TooLarge
@@ -21,11 +21,11 @@ from tests.team_programs.reference import Meaning, TooLong
 SEEDS = st.integers(0, 10**9)
 
 
-def team_and_meaning(seed: int, spares: int = 0) -> tuple[RunningTeam, Meaning]:
+def team_and_meaning(seed: int, spares: int = 0, asks: bool = True) -> tuple[RunningTeam, Meaning]:
     """A random team before its first step, and what it is to do."""
-    maker, program = random_team_program(seed, spares)
+    maker, program = random_team_program(seed, spares, asks)
     roles = {name: role for name, (_, role) in maker.agents.items() if role}
-    meaning = Meaning(roles, maker.sets(program), maker.programs)
+    meaning = Meaning(roles, maker.sets(program), maker.programs, left=dict(maker.works))
     try:
         meaning.seq(program.seq, list(roles))
         return RunningTeam(maker, program, seed), meaning
@@ -42,6 +42,7 @@ def test_every_robot_does_its_lines_and_nobody_goes_on_before_all_are_there(seed
     assert team.run.outcome == "done", team.run.sentence
     assert {name: lines for name, lines in team.lines.items() if name in meaning.lines} == meaning.lines
     assert not any(lines for name, lines in team.lines.items() if name not in meaning.lines)
+    assert team.left() == meaning.left
     for moment in meaning.before:
         logs = [(team.moments[name], count) for name, count in moment.items()]
         over = [log[count - 1][1] for log, count in logs if count]
@@ -66,7 +67,7 @@ def test_from_a_snapshot_another_run_goes_on_alike(seed: int) -> None:
 @given(SEEDS, st.lists(st.integers(0, 80), min_size=1, max_size=4))
 @settings(max_examples=examples(30))
 def test_a_substitute_goes_on_with_what_was_lost_and_no_role_is_held_twice(seed: int, moments: list[int]) -> None:
-    team, meaning = team_and_meaning(seed, spares=2)
+    team, meaning = team_and_meaning(seed, spares=2, asks=False)
     run, chance = team.run, random.Random(seed)
     kinds = {agent.name: agent.robot.name for agent in run.members}
     left = {"ant": 2, "bee": 2}
@@ -86,6 +87,8 @@ def test_a_substitute_goes_on_with_what_was_lost_and_no_role_is_held_twice(seed:
         assert len(seats) == len(set(seats)) == len(team.playing())
     assert run.outcome == "done", run.sentence
     assert team.lines_of_roles() == meaning.lines
+    assert not any(run.state.team.works[W_TAKEN])
+    assert all(0 <= team.left()[work] <= left for work, left in meaning.left.items())
 
 
 @given(SEEDS, st.lists(st.integers(0, 80), min_size=1, max_size=4))
@@ -262,6 +265,17 @@ def test_a_unit_is_free_again_after_its_lease_and_its_old_holder_is_refused() ->
     assert told(run) == [("a-0", late), ("a-1", late)]
     assert run.outcome == "done"
     assert list(run.state.team.works[W_LEFT]) == [1]
+
+
+def test_of_two_who_wait_for_the_unit_of_one_that_failed_the_second_waits_on() -> None:
+    lines = "Boxes.Take();\n  WAIT(100);\n  Boxes.Done();"
+    text = WORK.format(robots=3, failure="drop", units=1, lease=60, block="ParOfSeq", lines=lines)
+    run = small(text, crowd(3), [Failure("a-0", 0.2)])
+    run.advance(75)
+    holds, waits = run.state.team.holds[0], run.state.team.waits[0]
+    assert list(holds) == [LOST_UNIT, HAS_UNIT, NO_UNIT]
+    assert waits[2] >= 0
+    assert ended(run).outcome == "done"
 
 
 BESIDE = """role scout: ant;

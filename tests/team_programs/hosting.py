@@ -71,6 +71,8 @@ class Hosted:
     busy_until: int = 0
     doing: int = 0
     began: int = 0
+    takes: str = ""
+    """The work of which it waits for a unit."""
     led_to: int = -1
     told: list[tuple[int, int]] = field(default_factory=list)
     """What it is told again."""
@@ -99,15 +101,20 @@ class Team:
         source = Source("team.lll", print_team_program(team))
         kinds = tuple((name, kind) for name, (kind, _) in members.items())
         crew = declaring(Crew(agents=kinds), team)
-        self.projection: Projection = project(team.seq, crew, programs or {}, source, "team")
+        self.left = {work.name: work.units for work in team.works}
+        self.projection: Projection = project(
+            team.seq, crew, programs or {}, source, "team", lambda call: call.object in self.left
+        )
         assert self.projection.diagnostics == [], self.projection.diagnostics
         self.points = self.projection.plan.points
         self.chance = random.Random(seed)
         self.tick = 0
         self.counts: dict[int, int] = {}
+        self.held: set[tuple[str, str]] = set()
+        """Robot and work of each unit that somebody has."""
         self.images: dict[str, tuple[Image, Robot]] = {}
         for kind, program in self.projection.programs.items():
-            target = with_team(robot(kind))
+            target = with_team(robot(kind), team.works)
             compiled = compile_lll(program, target, name=kind)
             if compiled.image is None:
                 assert [item.code for item in compiled.diagnostics if item.is_error] == ["too-large"]
@@ -165,16 +172,44 @@ class Team:
             machine.set_done("Arm", not one.doing)
             machine.set_done("Team", one.released)
             machine.set_input("Team", one.answer)
+            for work, left in self.left.items():
+                machine.set_done(work, one.takes != work)
+                machine.set_input(work, left)
             for command in machine.tick():
                 if command.actuator == "Arm":
                     assert not one.doing
                     one.doing, one.began = command.arguments[0], self.tick
                     one.busy_until = self.tick + self.chance.randrange(1, 6)
+                elif command.actuator in self.left:
+                    self.works(one, command.actuator, command.procedure)
                 else:
                     self.called(one, command.procedure, list(command.arguments))
         for number, point in enumerate(self.points):
             self.agree(number, point)
+        for work in self.left:
+            self.share_out(work)
         self.tick += 1
+
+    def works(self, one: Hosted, work: str, what: str) -> None:
+        """A robot wants a unit of a work, or says that its one is done."""
+        if what == "Take":
+            one.takes = "" if (one.name, work) in self.held else work
+            self.share_out(work)
+        elif (one.name, work) in self.held:
+            self.held.discard((one.name, work))
+            self.left[work] -= 1
+
+    def share_out(self, work: str) -> None:
+        """Free units are given to those who wait; without one go on who would wait in vain."""
+        holders = [name for name, held in self.held if held == work]
+        for one in self.robots.values():
+            if one.alive and one.takes == work and len(holders) < self.left[work]:
+                self.held.add((one.name, work))
+                holders.append(one.name)
+                one.takes = ""
+        if not self.left[work] or (holders and all(self.robots[name].at for name in holders)):
+            for one in self.robots.values():
+                one.takes = "" if one.takes == work else one.takes
 
     def called(self, one: Hosted, method: str, arguments: list[int]) -> None:
         """A command to `Team`."""
@@ -217,6 +252,7 @@ class Team:
         """A robot fails; a spare one of its kind takes its role over, if there is one."""
         lost = self.robots[name]
         lost.alive = False
+        self.held = {(one, work) for one, work in self.held if one != name}
         spare = next(
             (one for one in self.robots.values() if one.alive and not one.role and one.kind == lost.kind), None
         )

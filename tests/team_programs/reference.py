@@ -54,6 +54,7 @@ class Meaning:
     Attributes:
         lines: of each robot, the numbers of the lines that it does.
         before: of each moment at which some wait for others, how many lines each of those has done.
+        left: of each work, how many units are not done.
     """
 
     roles: Mapping[str, str]
@@ -63,6 +64,8 @@ class Meaning:
     lines: dict[str, list[int]] = field(default_factory=dict)
     before: list[dict[str, int]] = field(default_factory=list)
     counters: dict[str, int] = field(default_factory=dict)
+    left: dict[str, int] = field(default_factory=dict)
+    held: set[tuple[str, str]] = field(default_factory=set)
     steps: int = 0
 
     def __post_init__(self) -> None:
@@ -110,7 +113,7 @@ class Meaning:
                     with suppress(_Left):
                         self.seq(branch, [name for name in robots if name in inside])
                 self.meet(robots)
-            case While() | Conditional() if lockstep and isinstance(node.condition, Call):
+            case While() | Conditional() if lockstep and self.is_own(node.condition):
                 for name in robots:
                     self.each(Seq([node]), name)
                 self.meet(robots)
@@ -151,6 +154,9 @@ class Meaning:
                     self.line(node, name)
                 if lockstep:
                     self.meet(robots)
+
+    def is_own(self, condition: Condition | None) -> bool:
+        return isinstance(condition, Call) and condition.object not in self.left
 
     def loop(self, again: Callable[[], bool], body: Seq, robots: list[str], lockstep: bool) -> None:
         try:
@@ -208,6 +214,13 @@ class Meaning:
                 self.counters[name] = min(1000, self.counters[name] + number)
             case Wait():
                 pass
+            case Call(object=work, method="Take") if work in self.left:
+                # Who waits is given a unit when another's is done, if one is left then: as if they came one by one.
+                if sum(held == work for _, held in self.held) < self.left[work]:
+                    self.held.add((name, work))
+            case Call(object=work, method="Done") if work in self.left:
+                self.left[work] -= (name, work) in self.held
+                self.held.discard((name, work))
             case _:
                 raise AssertionError(node)
 
@@ -224,6 +237,8 @@ class Meaning:
                 return self.holds(condition.left, robots) or self.holds(condition.right, robots)
             case Not():
                 return not self.holds(condition.condition, robots)
+            case Call(object=work, method="IsEmpty"):
+                return self.left[work] == 0
         raise AssertionError(condition)
 
     def one_holds(self, condition: Condition, name: str) -> bool:
@@ -236,4 +251,6 @@ class Meaning:
                 return not self.one_holds(condition.condition, name)
             case Call(object="Count", method="LessThan", params=[Number(value=number)]):
                 return self.counters[name] < number
+            case Call(object=work, method="IsEmpty"):
+                return self.left[work] == 0
         raise AssertionError(condition)

@@ -1,8 +1,9 @@
 """`Channel`: envelopes over Zenoh between the processes of a fleet.
 
 An agent hears what is for all agents and what is for it; the team's process hears what is for it. Zenoh's own threads
-only put bytes into a queue, of which each sender may fill a part; whoever has the channel takes them out, and what is
-no envelope of this team is refused there and told, each kind of reason once in a while.
+look at the seal of what comes, and put it into a queue, of which each sender may fill a part: who has not the key uses
+up nobody's. Whoever has the channel takes envelopes out. What is no envelope of this team is refused and told, each
+kind of reason once in a while.
 """
 
 from __future__ import annotations
@@ -25,6 +26,8 @@ MOST_OF_ONE = 1024
 MOST_WAITING = 16_384
 TOLD_EVERY_S = 5.0
 """How often the same reason to refuse messages is told."""
+MOST_REASONS = 16
+"""Reasons to refuse messages that are kept until they are told."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -62,8 +65,9 @@ class Channel:
         self.refused: list[Sentence] = []
         self._key = key
         self._serial = 0
-        self._waiting: deque[bytes] = deque()
-        self._of: Counter[bytes] = Counter()
+        self._waiting: deque[Envelope] = deque()
+        self._of: Counter[int] = Counter()
+        self._forged: set[Sentence] = set()
         self._dropped = 0
         self._arrived = Condition()
         self._told: dict[str, float] = {}
@@ -77,15 +81,20 @@ class Channel:
 
     def _came(self, sample: Any) -> None:
         """Called in a thread of Zenoh's."""
-        payload = sample.payload
-        data = bytes(payload)
-        sender = data[12:14]
+        try:
+            envelope = opened(bytes(sample.payload), self._key)
+        except EnvelopeError as error:
+            with self._arrived:
+                if len(self._forged) < MOST_REASONS:
+                    self._forged.add(error.args[0])
+                    self._arrived.notify()
+            return
         with self._arrived:
-            if self._of[sender] >= MOST_OF_ONE or len(self._waiting) >= MOST_WAITING:
+            if self._of[envelope.sender] >= MOST_OF_ONE or len(self._waiting) >= MOST_WAITING:
                 self._dropped += 1
                 return
-            self._of[sender] += 1
-            self._waiting.append(data)
+            self._of[envelope.sender] += 1
+            self._waiting.append(envelope)
             self._arrived.notify()
 
     def wake(self) -> None:
@@ -99,26 +108,25 @@ class Channel:
             if not self._waiting and seconds > 0:
                 self._arrived.wait(seconds)
             taken = [self._waiting.popleft() for _ in range(min(most, len(self._waiting)))]
-            for data in taken:
-                self._of[data[12:14]] -= 1
+            for envelope in taken:
+                self._of[envelope.sender] -= 1
             dropped, self._dropped = self._dropped, 0
+            forged, self._forged = self._forged, set()
+        for why in forged:
+            self._refuse(why)
         if dropped:
             self._refuse(Sentence("messages that come faster than they can be read are dropped"))
-        return [envelope for data in taken if (envelope := self._opened(data)) is not None]
+        return [envelope for envelope in taken if self._is_mine(envelope)]
 
-    def _opened(self, data: bytes) -> Envelope | None:
-        try:
-            envelope = opened(data, self._key)
-        except EnvelopeError as error:
-            self._refuse(error.args[0])
-            return None
+    def _is_mine(self, envelope: Envelope) -> bool:
+        """Whether it is for this process and of this run; else that is told."""
         if envelope.to not in (self.me, EVERYBODY) or envelope.sender == self.me:
             self._refuse(Sentence("a message for somebody else"))
-            return None
+            return False
         if self.run and envelope.run not in (0, self.run):
             self._refuse(Sentence("a message of another run"))
-            return None
-        return envelope
+            return False
+        return True
 
     def _refuse(self, why: Sentence) -> None:
         now = time.monotonic()

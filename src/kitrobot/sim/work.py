@@ -86,21 +86,31 @@ def share_out(state: State) -> None:
     for w in range(len(team.holds)):
         if team.works[W_WAITING][w] == 0:
             continue
-        vain = team.works[W_LEFT][w] == 0 or is_in_vain(w, team)
-        waits = team.waits[w]
-        for i in range(len(waits)):
-            if waits[i] < 0 or team.robots[T_SILENT][i] >= 0:
-                continue
-            free = team.works[W_TAKEN][w] < team.works[W_LEFT][w]
-            if free:
+        for i in range(len(team.waits[w])):
+            if team.works[W_TAKEN][w] < team.works[W_LEFT][w] and is_waiting(i, w, team):
                 give_unit(i, w, state)
-            if free or vain:
-                state.actuators.ints[A_DONE][waits[i]] = 1
-                waits[i] = -1
-                team.works[W_WAITING][w] -= 1
+                wait_no_more(i, w, state)
+        # Only now: who has been given one may be who the others wait for.
+        if team.works[W_WAITING][w] > 0 and (team.works[W_LEFT][w] == 0 or is_in_vain(w, team)):
+            for i in range(len(team.waits[w])):
+                if is_waiting(i, w, team):
+                    wait_no_more(i, w, state)
         if team.works[W_WAITING][w] > 0 and team.works[W_LEASE][w] > 0:
             leased += team.works[W_TAKEN][w]
     team.numbers[TEAM_LEASED] = leased
+
+
+def is_waiting(i: int, w: int, team: Team) -> bool:
+    """Whether robot i waits for a unit of work w and is not silent."""
+    return team.waits[w][i] >= 0 and team.robots[T_SILENT][i] < 0
+
+
+def wait_no_more(i: int, w: int, state: State) -> None:
+    """Robot i, which waits for a unit of work w, goes on."""
+    team = state.team
+    state.actuators.ints[A_DONE][team.waits[w][i]] = 1
+    team.waits[w][i] = -1
+    team.works[W_WAITING][w] -= 1
 
 
 def is_in_vain(w: int, team: Team) -> bool:
