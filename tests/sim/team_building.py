@@ -22,6 +22,8 @@ XML = """<robot name="{name}" version="1" tick="{tick}" wait-unit="20">
     <procedure name="Do" completes="later"><parameter name="n" min="0" max="60000"/></procedure>
   </actuator>
   <variable name="Count" min="0" max="1000"/>
+  <variable name="Sum" min="0" max="1000" shared="yes"/>
+  <variable name="Said" type="boolean" shared="yes"/>
 </robot>"""
 
 
@@ -60,9 +62,10 @@ class RunningTeam:
         )
         crew = declaring(Crew(agents=tuple((name, kind) for name, (kind, _) in maker.agents.items())), program)
         source = Source("team.lll", print_team_program(program))
-        works = {work.name for work in program.works}
-        projection = project(program.seq, crew, maker.programs, source, "team", lambda call: call.object in works)
+        shared = {work.name for work in program.works} | {"Sum", "Said"}
+        projection = project(program.seq, crew, maker.programs, source, "team", lambda call: call.object in shared)
         assert projection.diagnostics == []
+        self.crew, self.whole = crew, projection.whole
         self.robots = {name: worker(name, tick) for name, tick in zip(KINDS, (20, 40), strict=True)}
         self.images = {}
         for kind, seq in projection.programs.items():

@@ -72,11 +72,15 @@ Shared = Callable[[Call], bool]
 
 @dataclass(frozen=True)
 class Projection:
-    """What became of a team's program: of each kind of robot its program, the points, and what is wrong."""
+    """What became of a team's program: of each kind of robot its program, the points, and what is wrong.
+
+    `whole` is the team's program with every `PROGRAM` in its place; empty where that cannot be.
+    """
 
     programs: dict[str, Seq]
     plan: TeamPlan
     diagnostics: list[Diagnostic] = field(default_factory=list)
+    whole: Seq = field(default_factory=Seq)
 
 
 def project(
@@ -106,7 +110,7 @@ def project(
     projector = _Projector(TeamSets(crew, whole), report, shared or (lambda call: False))
     lines = projector.seq(whole, ALL)
     made = {kind: Seq([team_call("Join"), *items]) for kind, items in sorted(lines.items())}
-    return Projection(made, TeamPlan(tuple(projector.points), projector.sets.groups), found)
+    return Projection(made, TeamPlan(tuple(projector.points), projector.sets.groups), found, whole)
 
 
 class _Projector:

@@ -7,10 +7,12 @@ from dataclasses import dataclass, field
 
 from kitrobot.compiler.compilation import Compiled, compile_lll
 from kitrobot.compiler.projection import project
+from kitrobot.compiler.team_effects import MovesBoxes, report_effects_done_twice
 from kitrobot.compiler.team_points import TeamPlan
-from kitrobot.diagnostics import Diagnostic, Source
-from kitrobot.lll import Call, Seq, print_program
+from kitrobot.diagnostics import Diagnostic, Rule, Source
+from kitrobot.lll import Call, Instruction, Node, Seq, print_program
 from kitrobot.primitives import Catalogue, Level, with_team
+from kitrobot.text import Help, Sentence
 
 
 @dataclass(frozen=True)
@@ -23,7 +25,11 @@ class CompiledTeam:
 
 
 def compile_team(
-    name: str, programs: Mapping[str, Compiled], catalogue: Catalogue, kinds: Iterable[str]
+    name: str,
+    programs: Mapping[str, Compiled],
+    catalogue: Catalogue,
+    kinds: Iterable[str],
+    moves_boxes: MovesBoxes = lambda part: False,
 ) -> CompiledTeam:
     """A team's program, compiled for kinds of robots.
 
@@ -32,6 +38,7 @@ def compile_team(
         programs: the mission's programs by name; none has an error.
         catalogue: the robots at hand, and the team.
         kinds: the kinds of robots of those that run it.
+        moves_boxes: whether a part moves boxes of a storehouse.
     """
     whole = programs[name]
     others = {other: compiled.program for other, compiled in programs.items()}
@@ -50,4 +57,12 @@ def compile_team(
             source = Source(f"{name}.{kind}.lll", print_program(seq))
             made[kind] = compile_lll(seq, with_team(catalogue.robots[kind], catalogue.crew.works), source, name)
             found += [item for item in made[kind].diagnostics if item.is_error]
+
+        def report(rule: Rule, message: Sentence, node: Node, help: Help = "") -> None:
+            program = (node.program if isinstance(node, Instruction) else None) or name
+            place = programs[program].source.place(node.start, node.end)
+            vertices = (node.vertex,) if node.vertex else ()
+            found.append(rule(message, place, help=help, program=program, vertices=vertices))
+
+        report_effects_done_twice(projection.whole, catalogue.crew, catalogue.robots, moves_boxes, report)
     return CompiledTeam(made, projection.plan, found)

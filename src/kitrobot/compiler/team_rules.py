@@ -92,3 +92,12 @@ ONE_LEAVES = rule(
     "A loop around blocks, and one of a SeqOfPar, is gone through by all together. What a robot does on its own, in a "
     "ParOfSeq or Where or behind a test of its own, can leave loops of its own only.",
 )
+DONE_TWICE = rule(
+    "team-done-twice",
+    Severity.WARNING,
+    "A substitute would do an effect a second time",
+    "Where a group says `on failure substitute`, the substitute begins the outermost block in which the role was lost "
+    "from its start, with shared variables and boxes as they stand. A line that adds to a shared variable, takes away "
+    "from it, turns it round, or moves a box, is then done twice. Do it between `Take()` and `Done()` of a work, or "
+    "let a `ParOfSeq` ask first whether it is done, as in `[Counted.IsFalse()](Total.Add(1); Counted.Set(1);)`.",
+)

@@ -35,10 +35,11 @@ class TeamSets:
         names = list(names)
         if not names:
             return frozenset(kind for _, _, kind in self._names.atoms(self._names.members) if kind)
-        return frozenset(kind for _, _, kind in self._ever(names) if kind)
+        return frozenset(kind for _, _, kind in self.ever(names) if kind)
 
-    def _ever(self, names: list[str]) -> Atoms:
-        waiting, seen, found = names, set(names), Atoms()
+    def ever(self, names: Iterable[str]) -> Atoms:
+        """The roles and agents whose robots can ever be in a set."""
+        waiting, seen, found = list(names), set(names), Atoms()
         while waiting:
             name = waiting.pop()
             found |= self._names.atom(name)

@@ -1,7 +1,7 @@
 """The words a robot understands: constructors and robots, read from XML."""
 
 from kitrobot.primitives.attribute_kinds import IDENTIFIER, LEVEL
-from kitrobot.primitives.automatic import number_variable, work_object
+from kitrobot.primitives.automatic import DONE, TAKE, number_variable, work_object
 from kitrobot.primitives.catalogue import SHIPPED, Catalogue, load_catalogue
 from kitrobot.primitives.constructors import Constructor, ConstructorTable, Group, Role, Slot, SlotKind
 from kitrobot.primitives.constructors_xml import read_constructors
@@ -42,6 +42,7 @@ from kitrobot.primitives.template_xml import Template, read_template
 from kitrobot.primitives.templates import Shape, holes, shape
 
 __all__ = [
+    "DONE",
     "IDENTIFIER",
     "KIT_SUFFIX",
     "LARGEST_VALUE",
@@ -52,6 +53,7 @@ __all__ = [
     "OWN",
     "OWN_GROUP",
     "SHIPPED",
+    "TAKE",
     "TEAM",
     "Board",
     "Bound",

@@ -20,6 +20,9 @@ from kitrobot.primitives.robot import (
 FAULT = "Fault"
 """The system object that says whether a number had to be clamped."""
 
+TAKE, DONE = "Take", "Done"
+"""The procedures of a team's work: a unit is this robot's, and is done."""
+
 
 def texts(english: str, french: str, urdu: str) -> Texts:
     """A text in the three languages."""
@@ -233,7 +236,7 @@ def work_object(name: str, units: int) -> RobotObject:
         Category.SYSTEM,
         (
             Method(
-                "Take",
+                TAKE,
                 Kind.PROCEDURE,
                 completes_later=True,
                 icon="hand",
@@ -245,7 +248,7 @@ def work_object(name: str, units: int) -> RobotObject:
                 ),
             ),
             Method(
-                "Done",
+                DONE,
                 Kind.PROCEDURE,
                 completes_later=True,
                 icon="check",

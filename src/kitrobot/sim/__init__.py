@@ -8,7 +8,7 @@ from kitrobot.sim.jit_policy import expect_run
 from kitrobot.sim.limits import MAX_SECONDS, MAX_SEED, check_limits
 from kitrobot.sim.pens import pens_of
 from kitrobot.sim.recording import DOING, Recorder, record_again, simulate, strokes_now
-from kitrobot.sim.settings import Appearance, appearance_of, device_problems, length_of, simulated_devices
+from kitrobot.sim.settings import Appearance, appearance_of, device_problems, length_of, moves_boxes, simulated_devices
 from kitrobot.sim.setup import MAX_AGENTS, SimulationError, free_start, look_over
 from kitrobot.sim.simulation import Outcome, Simulation
 from kitrobot.sim.source import SimulationSource
@@ -43,6 +43,7 @@ __all__ = [
     "hosted_step",
     "length_of",
     "look_over",
+    "moves_boxes",
     "pens_of",
     "readings",
     "record_again",

@@ -10,7 +10,7 @@ from kitrobot.diagnostics import Diagnostic
 from kitrobot.primitives import Category, Robot, RobotObject
 from kitrobot.sim import rules
 from kitrobot.sim.devices import Actuator, Device, Sensor, Setting, Values, actuators, sensors
-from kitrobot.sim.devices.base import Hand, Look
+from kitrobot.sim.devices.base import MOVES_BOXES, Hand, Look
 from kitrobot.text import Sentence, did_you_mean, one_of, shown
 from kitrobot.world import World
 
@@ -24,6 +24,12 @@ SIMULATED = (Category.ACTUATOR, Category.SENSOR)
 def simulated_devices(category: Category) -> Mapping[str, type[Device]]:
     """The simulator's devices for actuators, or for sensors, by name."""
     return actuators() if category is Category.ACTUATOR else sensors()
+
+
+def moves_boxes(part: RobotObject) -> bool:
+    """Whether an actuator moves boxes between a storehouse and a robot."""
+    device = actuators().get(part.model)
+    return device is not None and device.handles == MOVES_BOXES
 
 
 def device_problems(robot: Robot, apart_from: Collection[tuple[Category, str]] = ()) -> list[Diagnostic]:
