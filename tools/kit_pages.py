@@ -59,6 +59,10 @@ a fault. A turn by an angle is done by the STM32, at its own speed. Where its ey
 parts*. There are two kinds of its colour sensor: for a robot whose board has the revision 1.6 write `revision="1.6"`
 into a copy of the file. A servo cannot be left without force: after STOP it goes to where it was told last.
 
+None of these kits has its motors behind an I²C chip at a board with `machine`; a file of your own may, with
+`motors="pca9685"` in the place of pins, as for the motor boards of Adafruit and Waveshare
+([how](drivers.md#another-chip-for-motors)).
+
 The rate of a turn by the clock (`rate`, degrees a second at full speed) is a guess until you measure it:
 [`kitrobot calibrate`](boards.md#measured) asks, and writes a file of your own. The kits of a micro:bit are for a V2,
 which was not tried, and for that of 2016, whose firmware was tried in QEMU: it has 16 kB of memory. What is
@@ -259,12 +263,13 @@ def _pin(pin: str) -> str:
 
 def _wires(part: KitPart, kit: Kit, package: Package) -> list[tuple[str, str]]:
     """The settings of a part that are pins."""
+    settings = part.board.settings
     asked = {
         name: setting
         for device in part.devices
-        for name, setting in (package.declared(part.board.driver or device, kit.family).settings or {}).items()
+        for name, setting in package.declared(part.board.driver or device, kit.family).known(settings).items()
     }
-    return [(name, value) for name, value in part.board.settings.items() if name in asked and asked[name].is_pin]
+    return [(name, value) for name, value in settings.items() if name in asked and asked[name].is_pin]
 
 
 def stale(made: Mapping[Path, str]) -> list[Path]:

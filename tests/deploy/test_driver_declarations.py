@@ -56,6 +56,22 @@ PROCEDURES = "Open Close"
     }
 
 
+def test_what_a_setting_is_may_depend_on_another_one() -> None:
+    text = """SETTINGS = {
+    "by": "pins|one|two = pins",
+    "a": "channel 0..3? where by=one; 1..2 where by=two; pin",
+    "by-address": "5..6 where by=one",
+}"""
+    says = declared(ast.parse(text), "own.driver.py")
+    found = {by: says.known({"by": by}) for by in ("pins", "one", "two")}
+    assert [sorted(known) for known in found.values()] == [["a", "by"], ["a", "by", "by-address"], ["a", "by"]]
+    assert (found["pins"]["a"].is_pin, found["pins"]["a"].is_channel) == (True, False)
+    one = found["one"]["a"]
+    assert (one.is_channel, one.is_pin, one.needed, one.least, one.most) == (True, False, False, 0, 3)
+    assert (found["two"]["a"].least, found["two"]["a"].is_channel) == (1, False)
+    assert says.known({}) == found["pins"]
+
+
 @pytest.mark.parametrize(
     "line",
     [
@@ -66,6 +82,10 @@ PROCEDURES = "Open Close"
         "SETTINGS = {'a': 1}",
         "SETTINGS = {1: 'pin'}",
         "SETTINGS = {'a': 'x|'}",
+        "SETTINGS = {'a': 'channel 0..3'}",
+        "SETTINGS = {'a': 'pin; channel 0..3 where b=c'}",
+        "SETTINGS = {'a': 'pin where b'}",
+        "SETTINGS = {'a': 'pin where b=c;'}",
         "PROCEDURES = ['Open']",
         "PROCEDURES = x + 1",
     ],
@@ -101,6 +121,14 @@ def test_what_a_driver_does_not_understand_is_refused(line: str, sentence: str, 
 def test_two_parts_on_one_pin_are_refused() -> None:
     error = refused("a led - LightOn/0 pin=2", "s key 1 0 1 pin=3", "a pwm-motor - Stop/0 forward=4 backward=3")
     assert error.message == "`Part1` and `Part2` are both wired to the pin `3`"
+    channels = "left-forward=0 left-backward=1 right-forward=2 right-backward={}"
+    bus = "motors=pca9685 sda=0 scl=1"
+    drive = f"a drive - Stop/0 {bus} {channels}"
+    refuse_misfits(file_of(drive.format(3), f"a turn - Stop/0 {bus} {channels.format(3)}"), Package(), "machine")
+    assert refused(drive.format(0)).message == "`Part0` says the channel `0` for two different things"
+    shifted = channels.replace("forward=2", "forward=4").format(2)
+    error = refused(drive.format(3), f"a turn - Stop/0 {bus} {shifted}")
+    assert error.message == "`Part0` and `Part1` both use the channel `2` of one chip"
     error = refused("a pwm-motor - Stop/0 forward=4 backward=4")
     assert error.message == "`Part0` says the pin `4` for two different things"
 

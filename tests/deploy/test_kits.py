@@ -49,6 +49,90 @@ def test_a_wiring_that_cannot_be_is_told(parts: str, says: str) -> None:
     assert says in found
 
 
+CHIP = (
+    'motors="pca9685" sda="0" scl="1" left-forward="10" left-backward="9" left-power="8"'
+    ' right-forward="11" right-backward="12" right-power="13"'
+)
+"""Motors behind a chip, at its channels."""
+
+OTHER = CHIP.replace("10", "14").replace('"8"', '"10"')
+"""The same with the power of the left one where the other has its forward."""
+
+
+@pytest.mark.parametrize(
+    ("parts", "says"),
+    [
+        (f'<actuator device="drive turn wheel" {CHIP}/>', ""),
+        (f'<actuator device="drive turn" {CHIP} frequency="24" motors-address="119" bus="1" rate="90"/>', ""),
+        (f'<actuator device="drive" {CHIP}/><sensor device="button" driver="key" pin="10"/>', ""),
+        (f'<actuator device="turn" {CHIP} gyro="lsm6dso"/><sensor device="a" driver="tcs34725" sda="0" scl="1"/>', ""),
+        (
+            f'<actuator device="drive turn" {CHIP}/><actuator device="drive" when="guide=road" driver="road" {CHIP}'
+            ' left-eye="16" right-eye="17"/>',
+            "",
+        ),
+        (f'<actuator device="drive" {CHIP} frequency="23"/>', "`frequency` of `drive` must be a whole number from 24"),
+        (f'<actuator device="drive" {CHIP} frequency="1527"/>', "from 24 to 1526, and it is `1527`"),
+        (f'<actuator device="drive" {CHIP} motors-address="63"/>', "from 64 to 119, and it is `63`"),
+        (f'<actuator device="drive" {CHIP} motors-address="120"/>', "from 64 to 119, and it is `120`"),
+        (f'<actuator device="drive" {CHIP.replace("13", "16")}/>', "from 0 to 15, and it is `16`"),
+        (f'<actuator device="drive" {CHIP.replace("13", "LED")}/>', "from 0 to 15, and it is `LED`"),
+        (f'<actuator device="drive" {CHIP.replace("13", "9")}/>', "`drive` says the channel `9` for two different"),
+        (f'<actuator device="drive" {CHIP.replace("13", "+9")}/>', "says the channel `+9` for two different things"),
+        (
+            f'<actuator device="drive" {CHIP}/><actuator device="turn" {OTHER}/>',
+            "`drive` and `turn` both use the channel `10` of one chip",
+        ),
+        (
+            f'<actuator device="drive" {CHIP}/><actuator device="turn" {OTHER} motors-address="65"/>',
+            "",
+        ),
+        (
+            f'<actuator device="drive" {CHIP}/><actuator device="turn" motors-address="64" {OTHER}/>',
+            "both use the channel `10` of one chip",
+        ),
+        (f'<actuator device="drive" {CHIP.replace("scl", "scI")}/>', "no driver of `drive` knows the setting `scI`"),
+        (f'<actuator device="drive" {CHIP.replace("scl=", "bus=")}/>', "`drive` does not say its `scl`"),
+        (f'<actuator device="drive" {CHIP.replace("pca9685", "pca9686")}/>', "must be one of `pins`, `pca9685`"),
+        (f'<actuator device="drive" {CHIP}/><sensor device="button" driver="key" pin="1"/>', "wired to the pin `1`"),
+    ],
+)
+def test_motors_behind_a_chip_name_its_channels_and_pins_of_its_bus(parts: str, says: str) -> None:
+    found = problems(parts)
+    assert len(found) == bool(says), found
+    assert all(says in one for one in found)
+
+
+def test_a_setting_that_counts_only_with_another_one_is_told_with_that() -> None:
+    for wires in (MOTORS, f'{MOTORS} motors="pins"'):
+        kit = kit_of(f'<actuator device="drive" {wires} motors-address="64"/>')
+        ((_, problem),) = kit_problems(kit, Package())
+        assert problem.message == "no driver of `drive` knows the setting `motors-address`"
+        assert problem.help == 'it counts only with motors="pca9685"'
+
+
+def test_a_channel_gives_no_square_wave_of_the_board() -> None:
+    text = (
+        f'<board name="k" version="1" chip="rp2040" pins="0..28"><actuator device="drive" {CHIP}/>'
+        '<actuator device="door" driver="servo" pin="24"/></board>'
+    )
+    kit, _ = read_kit(text.encode(), "k.board.xml")
+    assert kit is not None
+    assert kit_problems(kit, Package()) == []
+
+
+def test_a_part_is_told_nothing_of_a_bus_that_its_motors_are_not_on() -> None:
+    wires = f'{MOTORS} gyro="lsm6dso" sda="8" scl="9"'
+    robot = load_catalogue().robots["mini-robot"]
+    told = {}
+    for name, given in (("pins", wires), ("chip", f'{CHIP} gyro="lsm6dso"')):
+        fit = fitted(robot, kit_of(f'<actuator device="drive turn" {given}/>'), Package())
+        told[name] = {part.name: part.board.settings for part in fit.actuators}
+    assert "sda" not in told["pins"]["Wheel"]
+    assert told["pins"]["Motor"]["sda"] == "8"
+    assert told["chip"]["Wheel"]["sda"] == told["chip"]["Motor"]["sda"] == "0"
+
+
 @pytest.mark.parametrize(
     ("chip", "parts", "says"),
     [

@@ -85,7 +85,7 @@ def test_a_setting_of_a_driver_fits_into_a_line_of_words(value: str, right: bool
     assert (made is not None) == right == (not problems)
 
 
-@pytest.mark.parametrize(("count", "right"), [(16, True), (17, False)])
+@pytest.mark.parametrize(("count", "right"), [(24, True), (25, False)])
 def test_a_driver_has_few_settings(count: int, right: bool) -> None:
     settings = " ".join(f's{number}="1"' for number in range(count))
     made, problems = read_robot(robot(f'<sensor name="S"><board {settings}/></sensor>').encode(), "f.xml")

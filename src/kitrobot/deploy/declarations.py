@@ -10,13 +10,20 @@ same name (a bus, the motors of two drivers), a pin that is only read and so an 
 whole number in a range, or one of several words; `= VALUE` is the default, `?` marks an optional setting. Both are read
 without running the driver and are left out of what is installed on a board. A driver without declarations gets all
 settings of the XML, unchecked. `WAVES` says which pins get square waves (waves).
+
+What a setting is may depend on another one,
+
+    SETTINGS = {"motors": "pins|pca9685 = pins", "forward": "channel 0..15 where motors=pca9685; shared"}
+
+the first that holds counts, and none: the driver does not know the setting then. A `channel` is an output of the chip
+at the I2C bus `sda`, `scl` and the address that the setting NAME`-address` says, where `where NAME=…` names the chip.
 """
 
 from __future__ import annotations
 
 import ast
 import re
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 
 from kitrobot.deploy.errors import PackageError
@@ -28,8 +35,10 @@ ALWAYS = frozenset({"limit"})
 _NAMES = ("SETTINGS", "PROCEDURES", "WAVES")
 _PINS = ("pin", "shared", "input")
 _KIND = re.compile(
-    r"(?P<kind>pin|shared|input|text|(?P<least>-?[0-9]{1,9})\.\.(?P<most>-?[0-9]{1,9})|(?P<words>[^\s|?=]+(\|[^\s|?=]+)+))"
+    r"(?P<kind>pin|shared|input|text|(?P<channel>channel\s+)?(?P<least>-?[0-9]{1,9})\.\.(?P<most>-?[0-9]{1,9})"
+    r"|(?P<words>[^\s|?=]+(\|[^\s|?=]+)+))"
     r"(?P<optional>\s*\?|\s*=\s*\S+)?"
+    r"(\s+where\s+(?P<where>[^\s=]+)=(?P<value>[^\s=]+))?"
 )
 
 
@@ -38,7 +47,8 @@ class Setting:
     """One setting: a whole number from `least` to `most`, one of `words`, or, without either, any word.
 
     `usual`: what it is when it is not given. `joined`: how other parts may be wired to the same pin, `shared`, `input`
-    or "" for not at all.
+    or "" for not at all. `where`: the name and the value of another setting, without which it is `otherwise`, or not
+    known. `is_channel`: it is an output of a chip, to which other parts may be wired as to a `shared` pin.
     """
 
     is_pin: bool
@@ -48,6 +58,21 @@ class Setting:
     words: tuple[str, ...] = ()
     joined: str = ""
     usual: str = ""
+    is_channel: bool = False
+    where: tuple[str, str] | None = None
+    otherwise: Setting | None = None
+
+
+@dataclass(frozen=True)
+class Wire:
+    """What a setting of a part is wired to, as it is `said`: a pin, or a channel of a chip. Two wires that lead to one
+    thing have the same `place`.
+    """
+
+    name: str
+    said: str
+    place: tuple[str, ...]
+    setting: Setting
 
 
 @dataclass(frozen=True)
@@ -57,6 +82,21 @@ class Declared:
     settings: Mapping[str, Setting] | None = None
     procedures: tuple[str, ...] | None = None
     waves: Mapping[str, str] = field(default_factory=dict)
+
+    def known(self, given: Mapping[str, str]) -> dict[str, Setting]:
+        """The settings beside those that are `given`; none for a driver that says nothing."""
+        found: dict[str, Setting] = {}
+        for name, first in (self.settings or {}).items():
+            setting: Setting | None = first
+            while setting is not None and setting.where is not None and not self._is(*setting.where, given):
+                setting = setting.otherwise
+            if setting is not None:
+                found[name] = setting
+        return found
+
+    def _is(self, name: str, value: str, given: Mapping[str, str]) -> bool:
+        usual = (self.settings or {}).get(name)
+        return given.get(name, usual.usual if usual is not None else "") == value
 
 
 def declared(tree: ast.Module, path: str) -> Declared:
@@ -120,10 +160,11 @@ def refuse_what_is_not_understood(
             )
     if says.settings is None:
         return
+    refuse_conditions(part, says, settings)
+    known = says.known(settings)
     for name, value in settings.items():
-        known = says.settings.get(name)
-        if known is not None:
-            _refuse_value(part, name, value, known)
+        if name in known:
+            _refuse_value(part, name, value, known[name])
         elif procedures is None or name not in ALWAYS:
             raise PackageError(
                 Sentence(
@@ -132,9 +173,10 @@ def refuse_what_is_not_understood(
                     name,
                     driver,
                 ),
-                Sentence("it knows {settings}", _listed(says.settings)) if says.settings else Sentence("it knows none"),
+                counts_only([says], name)
+                or (Sentence("it knows {settings}", _listed(known)) if known else Sentence("it knows none")),
             )
-    for name, setting in says.settings.items():
+    for name, setting in known.items():
         if setting.needed and name not in settings:
             raise PackageError(
                 Sentence(
@@ -144,17 +186,69 @@ def refuse_what_is_not_understood(
             )
 
 
-def pins_of(says: Declared, settings: Mapping[str, str]) -> list[tuple[str, str, Setting]]:
-    """The pins that a part is wired to: the name of the setting, the pin, and what the driver says of it."""
-    known = says.settings or {}
-    return [(name, value, known[name]) for name, value in settings.items() if name in known and known[name].is_pin]
+def refuse_conditions(part: str, says: Declared, settings: Mapping[str, str]) -> None:
+    """Raises a PackageError when a setting on which others depend is not what it can be: these would be told else."""
+    for name, setting in (says.settings or {}).items():
+        if setting.where is not None and setting.where[0] in settings and setting.where[0] != name:
+            condition = says.known(settings).get(setting.where[0])
+            if condition is not None:
+                _refuse_value(part, setting.where[0], settings[setting.where[0]], condition)
 
 
-def may_join(name: str, setting: Setting, other: str, other_setting: Setting) -> bool:
-    """Whether two parts may be wired to one pin, by the names and the declarations of their settings."""
-    if setting.joined != other_setting.joined or not setting.joined:
-        return False
-    return setting.joined == "input" or name == other
+def counts_only(said: Iterable[Declared], name: str) -> Sentence | None:
+    """The help for a setting that drivers know, but not beside the others that are given; None: they know it never."""
+    for says in said:
+        setting = (says.settings or {}).get(name)
+        if setting is not None and setting.where is not None:
+            return Sentence('it counts only with {setting}="{value}"', *setting.where)
+    return None
+
+
+def wires_of(known: Mapping[str, Setting], settings: Mapping[str, str]) -> list[Wire]:
+    """What a part is wired to, by what its driver says of its settings."""
+    found = []
+    for name, value in settings.items():
+        setting = known.get(name)
+        if setting is not None and setting.is_pin:
+            found.append(Wire(name, value, (value,), setting))
+        elif setting is not None and setting.is_channel and setting.where is not None:
+            address = f"{setting.where[0]}-address"
+            usual = known[address].usual if address in known else ""
+            numbers = (_plain(value), _plain(settings.get(address, usual)))
+            found.append(Wire(name, value, (settings.get("sda", ""), settings.get("scl", ""), *numbers), setting))
+    return found
+
+
+def _plain(number: str) -> str:
+    """A number written in the shortest way; another text stays what it is."""
+    return str(int(number)) if re.fullmatch(r"[+-]?[0-9]{1,12}", number) else number
+
+
+def refuse_wire(part: str, wire: Wire, other: str | None, help: Sentence) -> None:
+    """Raises a PackageError: a part is wired to what it, or the `other` one, is wired to already."""
+    if wire.setting.is_channel:
+        raise PackageError(
+            Sentence("`{part}` says the channel `{channel}` for two different things", part, wire.said)
+            if other is None
+            else Sentence(
+                "`{part}` and `{other}` both use the channel `{channel}` of one chip", other, part, wire.said
+            ),
+            Sentence("give one of them another channel"),
+        )
+    raise PackageError(
+        Sentence("`{part}` says the pin `{pin}` for two different things", part, wire.said)
+        if other is None
+        else Sentence("`{part}` and `{other}` are both wired to the pin `{pin}`", other, part, wire.said),
+        help,
+    )
+
+
+def may_join(one: Wire, other: Wire) -> bool:
+    """Whether two parts may be wired to one pin or channel, by the names and the declarations of their settings."""
+    if one.setting.joined == other.setting.joined == "input":
+        return True
+    shared = one.setting.joined == other.setting.joined == "shared" or one.setting.is_channel
+    return shared and one.name == other.name
 
 
 def _refuse_value(part: str, name: str, value: str, known: Setting) -> None:
@@ -188,14 +282,25 @@ def _refuse_value(part: str, name: str, value: str, known: Setting) -> None:
 def _settings(value: object, path: str, line: int) -> dict[str, Setting]:
     found = {}
     for name, text in value.items() if isinstance(value, dict) else [(None, None)]:
-        kind = _KIND.fullmatch(text) if isinstance(text, str) else None
-        if kind is None or not isinstance(name, str):
+        kinds = [_KIND.fullmatch(one.strip()) for one in text.split(";")] if isinstance(text, str) else []
+        setting = _setting(kinds)
+        if setting is None or not isinstance(name, str):
             raise PackageError(
                 Sentence("`{path}` line {line}: SETTINGS must say of each setting what it is", path, line),
                 Sentence('write it as in SETTINGS = {"pin": "pin", "time": "1..60000 = 1000", "active": "high|low?"}'),
             )
+        found[name] = setting
+    return found
+
+
+def _setting(kinds: Sequence[re.Match[str] | None]) -> Setting | None:
+    """What is written as several kinds, the first that holds counts; None: it is not written so."""
+    found: Setting | None = None
+    for number, kind in enumerate(reversed(kinds)):
+        if kind is None or (kind["where"] is None and (number or kind["channel"])):
+            return None
         least, most = kind["least"], kind["most"]
-        found[name] = Setting(
+        found = Setting(
             kind["kind"] in _PINS,
             kind["optional"] is None,
             int(least) if least is not None else None,
@@ -203,6 +308,9 @@ def _settings(value: object, path: str, line: int) -> dict[str, Setting]:
             tuple(kind["words"].split("|")) if kind["words"] else (),
             kind["kind"] if kind["kind"] in _PINS[1:] else "",
             (kind["optional"] or "").partition("=")[2].strip(),
+            kind["channel"] is not None,
+            (kind["where"], kind["value"]) if kind["where"] is not None else None,
+            found,
         )
     return found
 

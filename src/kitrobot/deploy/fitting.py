@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from kitrobot.deploy.declarations import Setting, may_join, pins_of, refuse_what_is_not_understood
+from kitrobot.deploy.declarations import Wire, may_join, refuse_what_is_not_understood, refuse_wire, wires_of
 from kitrobot.deploy.errors import PackageError
 from kitrobot.deploy.package import FAMILIES, Package
 from kitrobot.deploy.program_file import UNUSED, Device, ProgramFile
@@ -16,9 +16,10 @@ def refuse_misfits(file: ProgramFile, package: Package, family: str) -> None:
     """Holds the devices against the drivers for a kind of board.
 
     Raises:
-        PackageError: a driver does not understand its settings or its procedures, or two parts share a pin.
+        PackageError: a driver does not understand its settings or its procedures, or two parts share a pin or a
+            channel of a chip.
     """
-    wired: dict[str, tuple[Device, str, Setting]] = {}
+    wired: dict[tuple[str, ...], tuple[Device, Wire]] = {}
     for device in file.devices:
         if device.driver == UNUSED or device.kind == "t":
             continue
@@ -30,20 +31,18 @@ def refuse_misfits(file: ProgramFile, package: Package, family: str) -> None:
         if device.kind == "a":
             procedures = [call.split("/")[0] for call in device.words[1].split(",") if call != "-"]
         refuse_what_is_not_understood(part, device.driver, says, procedures, settings)
-        for name, pin, setting in pins_of(says, settings):
-            other, other_name, other_setting = wired.get(pin, (None, "", setting))
-            if other is device:
-                raise PackageError(
-                    Sentence("`{part}` says the pin `{pin}` for two different things", part, pin),
-                    Sentence("give one of them another pin in the robot’s XML"),
-                )
-            plain = other is not None and {other.driver, device.driver} == _PLAIN
-            if other is not None and not plain and not may_join(other_name, other_setting, name, setting):
-                raise PackageError(
-                    Sentence("`{part}` and `{other}` are both wired to the pin `{pin}`", other.part, part, pin),
+        for wire in wires_of(says.known(settings), settings):
+            other = wired.get(wire.place)
+            if other is not None and other[0] is device:
+                refuse_wire(part, wire, None, Sentence("give one of them another pin in the robot’s XML"))
+            if other is not None and {other[0].driver, device.driver} != _PLAIN and not may_join(other[1], wire):
+                refuse_wire(
+                    part,
+                    wire,
+                    other[0].part,
                     Sentence("give one of them another pin in the robot’s XML, or use only one of them in a program"),
                 )
-            wired[pin] = device, name, setting
+            wired[wire.place] = device, wire
 
 
 def refuse_what_fits_no_board(file: ProgramFile, package: Package) -> None:

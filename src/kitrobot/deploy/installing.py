@@ -74,6 +74,7 @@ def deploy(
     replace: bool = False,
     fresh: bool = False,
     needs: Needs | None = None,
+    named: Callable[[str], str] = str,
 ) -> Deployed:
     """Puts a program onto a board and starts it.
 
@@ -85,6 +86,7 @@ def deploy(
         replace: whether a `main.py` of somebody else may be overwritten.
         fresh: whether to remove what KitRobot put there first; for boards that have no room for two.
         needs: the firmware without which it is not sent.
+        named: a fault's text with the name of the part in the place of its number.
 
     Raises:
         LineError, SilentError: the board cannot be reached.
@@ -96,7 +98,7 @@ def deploy(
     progress("connect", 0, 0)
     line = Line(address)
     try:
-        job = _Job(line, meant, package, progress, replace, fresh, needs)
+        job = _Job(line, meant, package, progress, replace, fresh, needs, named)
         job.insist(job.install)
         hello = job.started()
     finally:
@@ -126,6 +128,7 @@ class _Job:
     replace: bool
     fresh: bool
     needs: Needs | None = None
+    named: Callable[[str], str] = str
     sent: dict[str, int] = field(default_factory=dict)
     """Sizes of the files that were sent."""
 
@@ -266,7 +269,9 @@ class _Job:
             raise SilentError(Sentence("the board starts something else"))
         fault = board.last_fault() if hello.free >= WORKING else None
         self._fault = fault.text.strip() if fault is not None else ""
-        self._said = "" if fault is None else Series(Sentence(": "), filter(None, (fault.meaning, fault.text.strip())))
+        self._said = (
+            "" if fault is None else Series(Sentence(": "), filter(None, (fault.meaning, self.named(self._fault))))
+        )
         return hello
 
     def _undo(self) -> None:

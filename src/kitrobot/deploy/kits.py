@@ -2,10 +2,19 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass, replace
 
-from kitrobot.deploy.declarations import Declared, Setting, may_join, refuse_what_is_not_understood
+from kitrobot.deploy.declarations import (
+    Declared,
+    Wire,
+    counts_only,
+    may_join,
+    refuse_conditions,
+    refuse_what_is_not_understood,
+    refuse_wire,
+    wires_of,
+)
 from kitrobot.deploy.errors import PackageError
 from kitrobot.deploy.package import Package, missing_driver
 from kitrobot.deploy.program_file import used
@@ -56,7 +65,8 @@ def fitted(robot: Robot, kit: Kit, package: Package) -> Robot:
             return part
         given = {name: value for name, value in part.settings.items() if name in INHERITED and name in says.settings}
         settings = {**given, **part.board.settings}
-        known = {name: value for name, value in settings.items() if name in says.settings or name == "limit"}
+        asked = says.known(settings)
+        known = {name: value for name, value in settings.items() if name in asked or name == "limit"}
         return replace(part, board=Board(part.board.driver, known))
 
     wired = on_kit(robot, kit)
@@ -105,17 +115,19 @@ def _problem(part: RobotObject, kit: Kit, package: Package) -> PackageError | No
 
 
 def kit_problems(kit: Kit, package: Package) -> list[tuple[KitPart, PackageError]]:
-    """What is wrong with a kit's file: drivers, settings, pins that the board does not have or that are used twice."""
+    """What is wrong with a kit's file: drivers, settings, pins that the board does not have, pins and channels of chips
+    that are used twice.
+    """
     found: list[tuple[KitPart, PackageError]] = []
-    wired: dict[str, tuple[KitPart, str, Setting]] = {}
+    wired: dict[tuple[str, ...], tuple[KitPart, Wire]] = {}
     waves: list[tuple[KitPart, Wave]] = []
     for part in kit.parts:
         if part.is_missing:
             continue
         try:
             said = _understood(part, kit, package)
-            for name, pin, setting in _pins(part, said):
-                _refuse_pin(part, name, pin, setting, kit, wired)
+            for wire in _wires(part, said):
+                _refuse_wire(part, wire, kit, wired)
             _refuse_waves(part, said, kit, waves)
         except PackageError as problem:
             found.append((part, problem))
@@ -134,52 +146,53 @@ def _understood(part: KitPart, kit: Kit, package: Package) -> Mapping[str, Decla
         if package.missing([driver], kit.family):
             raise missing_driver(driver, package, kit.family)
         said[driver] = package.declared(driver, kit.family)
-    known = {name for says in said.values() for name in says.settings or part.board.settings}
+        refuse_conditions(_name(part), said[driver], part.board.settings)
+    known = {
+        name
+        for says in said.values()
+        for name in (part.board.settings if says.settings is None else says.known(part.board.settings))
+    }
     for name in part.board.settings:
         if name not in known and not (name == "limit" and part.category is Category.ACTUATOR):
             raise PackageError(
                 Sentence("no driver of `{part}` knows the setting `{setting}`", _name(part), name),
-                Sentence("known are {settings}", Series(COMMA, (f"`{one}`" for one in sorted(known)))),
+                counts_only(said.values(), name)
+                or Sentence("known are {settings}", Series(COMMA, (f"`{one}`" for one in sorted(known)))),
             )
     procedures = () if part.category is Category.ACTUATOR else None
     for driver, says in said.items():
-        asked = says.settings or {}
+        asked = says.known(part.board.settings)
         given = {name: value for name, value in part.board.settings.items() if name in asked}
         given |= {name: setting.words[0] for name, setting in asked.items() if name in INHERITED and setting.words}
         refuse_what_is_not_understood(_name(part), driver, says, procedures, given)
     return said
 
 
-def _pins(part: KitPart, said: Mapping[str, Declared]) -> Iterator[tuple[str, str, Setting]]:
-    """Each pin of a part once: the setting's name, the pin, what the driver says of it."""
-    for name, value in part.board.settings.items():
-        asked = [says.settings[name] for says in said.values() if says.settings and name in says.settings]
-        if asked and asked[0].is_pin:
-            yield name, value, asked[0]
+def _wires(part: KitPart, said: Mapping[str, Declared]) -> list[Wire]:
+    """Each pin and channel of a part once."""
+    settings = part.board.settings
+    found: dict[str, Wire] = {}
+    for says in said.values():
+        for wire in wires_of(says.known(settings), settings):
+            found.setdefault(wire.name, wire)
+    return list(found.values())
 
 
-def _refuse_pin(
-    part: KitPart, name: str, pin: str, setting: Setting, kit: Kit, wired: dict[str, tuple[KitPart, str, Setting]]
-) -> None:
-    if kit.pins and pin not in kit.pins:
+def _refuse_wire(part: KitPart, wire: Wire, kit: Kit, wired: dict[tuple[str, ...], tuple[KitPart, Wire]]) -> None:
+    if kit.pins and wire.setting.is_pin and wire.said not in kit.pins:
         raise PackageError(
-            Sentence("`{part}` is wired to the pin `{pin}`, which this board does not have", _name(part), pin),
+            Sentence("`{part}` is wired to the pin `{pin}`, which this board does not have", _name(part), wire.said),
             Sentence("its pins are those in `pins`; mend one of the two"),
         )
-    other = wired.get(pin)
+    other = wired.get(wire.place)
     if other is not None:
+        help = Sentence("give one of them another pin")
         if other[0] is part:
-            raise PackageError(
-                Sentence("`{part}` says the pin `{pin}` for two different things", _name(part), pin),
-                Sentence("give one of them another pin"),
-            )
+            refuse_wire(_name(part), wire, None, help)
         either = {one.board.driver or one.devices[0] for one in (other[0], part)} <= _EITHER
-        if not either and not may_join(other[1], other[2], name, setting):
-            raise PackageError(
-                Sentence("`{part}` and `{other}` are both wired to the pin `{pin}`", _name(other[0]), _name(part), pin),
-                Sentence("give one of them another pin"),
-            )
-    wired[pin] = part, name, setting
+        if not either and not may_join(other[1], wire):
+            refuse_wire(_name(part), wire, _name(other[0]), help)
+    wired[wire.place] = part, wire
 
 
 def _refuse_waves(part: KitPart, said: Mapping[str, Declared], kit: Kit, waves: list[tuple[KitPart, Wave]]) -> None:
@@ -187,7 +200,7 @@ def _refuse_waves(part: KitPart, said: Mapping[str, Declared], kit: Kit, waves: 
     if kit.chip not in SLICES:
         return
     for says in said.values():
-        usual = {name: setting.usual for name, setting in (says.settings or {}).items()}
+        usual = {name: setting.usual for name, setting in says.known(part.board.settings).items()}
         for wave in waves_of(says.waves, part.board.settings, usual):
             for other, beside in waves:
                 why = clash(wave, beside, kit.chip)

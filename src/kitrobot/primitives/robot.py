@@ -25,7 +25,7 @@ LARGEST_VALUE = 2**29 - 1
 LONGEST_SETTING = 60
 """Characters of a driver's name, of the name of one of its settings and of its value, at most."""
 
-MOST_SETTINGS = 16
+MOST_SETTINGS = 24
 """Settings of one driver, at most."""
 
 Texts = Mapping[str, str]

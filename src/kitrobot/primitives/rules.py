@@ -66,7 +66,7 @@ BOARD = rule(
     "A real robot's driver cannot be told this",
     "`<board>` says which driver works an actuator or a sensor on a real robot, and its settings: pins and the like. "
     "They travel to small boards in one short line, so a name or a value has 1 to 60 characters, without spaces, line "
-    'breaks, `=` and `"`, and a driver has 16 settings at most.',
+    'breaks, `=` and `"`, and a driver has 24 settings at most.',
 )
 
 TOO_MANY_OWN = rule(

@@ -118,6 +118,7 @@ def send_programs(
                     replace=replace,
                     fresh=fresh,
                     needs=program.needs,
+                    named=program.names.fault_text,
                 ),
                 None,
             )

@@ -63,7 +63,8 @@ class SerialGateway:
         from kitrobot.workspace.kept_programs import keep_program
 
         file, needs = program.file.to_bytes(), program.needs
-        done = deploy(address, file, program.package, progress, replace=replace, fresh=fresh, needs=needs)
+        named = program.names.fault_text
+        done = deploy(address, file, program.package, progress, replace=replace, fresh=fresh, needs=needs, named=named)
         if not address.startswith(AT_PAGE):  # these are others each time
             keep_firmware(address, done)
         # Then `kitrobot watch` and `kitrobot log` know it too.

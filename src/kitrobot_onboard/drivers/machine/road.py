@@ -1,18 +1,23 @@
 # A robot on a road, which is a dark line: two sensors look at the ground to the left and to the right of it, and the
-# wheel on the side that sees it goes slower, at each tick. Two motors (see `shared.motors` for their pins).
+# wheel on the side that sees it goes slower, at each tick. Two motors (see `shared.bridges` for how they are wired).
 
 from kitrobot_onboard.drivers.machine.line import Line
 from kitrobot_onboard.drivers.machine.shared.motors import base_of
 
 SETTINGS = {
-    "left-forward": "shared",
-    "left-backward": "shared",
-    "left-power": "shared?",
-    "right-forward": "shared",
-    "right-backward": "shared",
-    "right-power": "shared?",
+    "motors": "pins|pca9685 = pins",
+    "motors-address": "64..119 = 64 where motors=pca9685",
+    "sda": "shared where motors=pca9685",
+    "scl": "shared where motors=pca9685",
+    "bus": "0..1 = 0 where motors=pca9685",
+    "left-forward": "channel 0..15 where motors=pca9685; shared",
+    "left-backward": "channel 0..15 where motors=pca9685; shared",
+    "left-power": "channel 0..15? where motors=pca9685; shared?",
+    "right-forward": "channel 0..15 where motors=pca9685; shared",
+    "right-backward": "channel 0..15 where motors=pca9685; shared",
+    "right-power": "channel 0..15? where motors=pca9685; shared?",
     "bridge": "inputs|direction = inputs",
-    "frequency": "10..100000 = 1000",
+    "frequency": "24..1526 = 1000 where motors=pca9685; 10..100000 = 1000",
     "least": "0..90 = 0",
     "left-flipped": "yes|no = no",
     "right-flipped": "yes|no = no",
@@ -25,12 +30,12 @@ SETTINGS = {
     "steer": "1..100 = 60",
 }
 WAVES = {
-    "left-forward": "frequency !left-power",
-    "left-backward": "frequency !left-power !bridge=direction",
-    "left-power": "frequency",
-    "right-forward": "frequency !right-power",
-    "right-backward": "frequency !right-power !bridge=direction",
-    "right-power": "frequency",
+    "left-forward": "frequency !left-power !motors=pca9685",
+    "left-backward": "frequency !left-power !bridge=direction !motors=pca9685",
+    "left-power": "frequency !motors=pca9685",
+    "right-forward": "frequency !right-power !motors=pca9685",
+    "right-backward": "frequency !right-power !bridge=direction !motors=pca9685",
+    "right-power": "frequency !motors=pca9685",
 }
 PROCEDURES = "Advance Reverse Stop"
 

@@ -1,20 +1,23 @@
-# A robot that turns on the spot with two motors (see `shared.motors` for their pins), counter-clockwise. How far it has
-# turned it knows from a gyroscope, from the encoders of its wheels, or else from the clock: `rate` is how fast it turns
-# at full speed, in degrees a second. `counts`: how often both encoders together change while it turns once around.
+# A robot that turns on the spot with two motors (see `shared.bridges` for how they are wired), counter-clockwise. How
+# far it has turned it knows from a gyroscope, from the encoders of its wheels, or else from the clock: `rate` is how
+# fast it turns at full speed, in degrees a second. `counts`: how often both encoders together change while it turns
+# once around. A gyroscope is on the same bus as a chip for the motors.
 
 import time
 
 from kitrobot_onboard.drivers.machine.shared.motors import base_of
 
 SETTINGS = {
-    "left-forward": "shared",
-    "left-backward": "shared",
-    "left-power": "shared?",
-    "right-forward": "shared",
-    "right-backward": "shared",
-    "right-power": "shared?",
+    "motors": "pins|pca9685 = pins",
+    "motors-address": "64..119 = 64 where motors=pca9685",
+    "left-forward": "channel 0..15 where motors=pca9685; shared",
+    "left-backward": "channel 0..15 where motors=pca9685; shared",
+    "left-power": "channel 0..15? where motors=pca9685; shared?",
+    "right-forward": "channel 0..15 where motors=pca9685; shared",
+    "right-backward": "channel 0..15 where motors=pca9685; shared",
+    "right-power": "channel 0..15? where motors=pca9685; shared?",
     "bridge": "inputs|direction = inputs",
-    "frequency": "10..100000 = 1000",
+    "frequency": "24..1526 = 1000 where motors=pca9685; 10..100000 = 1000",
     "least": "0..90 = 0",
     "left-flipped": "yes|no = no",
     "right-flipped": "yes|no = no",
@@ -25,18 +28,18 @@ SETTINGS = {
     "left-count": "input?",
     "right-count": "input?",
     "gyro": "lsm6dso|none = none",
-    "sda": "shared?",
-    "scl": "shared?",
+    "sda": "shared where motors=pca9685; shared?",
+    "scl": "shared where motors=pca9685; shared?",
     "bus": "0..1 = 0",
     "address": "8..119 = 107",
 }
 WAVES = {
-    "left-forward": "frequency !left-power",
-    "left-backward": "frequency !left-power !bridge=direction",
-    "left-power": "frequency",
-    "right-forward": "frequency !right-power",
-    "right-backward": "frequency !right-power !bridge=direction",
-    "right-power": "frequency",
+    "left-forward": "frequency !left-power !motors=pca9685",
+    "left-backward": "frequency !left-power !bridge=direction !motors=pca9685",
+    "left-power": "frequency !motors=pca9685",
+    "right-forward": "frequency !right-power !motors=pca9685",
+    "right-backward": "frequency !right-power !bridge=direction !motors=pca9685",
+    "right-power": "frequency !motors=pca9685",
 }
 PROCEDURES = "AbsoluteTurn Turn Stop"
 
