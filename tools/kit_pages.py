@@ -63,6 +63,9 @@ None of these kits has its motors behind an I²C chip at a board with `machine`;
 `motors="pca9685"` in the place of pins, as for the motor boards of Adafruit and Waveshare
 ([how](drivers.md#another-chip-for-motors)).
 
+A `sign` may be read from patches of colour (`patches`) in the place of bars beside the road (`marks`), by the colour
+sensor of a kit that has one.
+
 The rate of a turn by the clock (`rate`, degrees a second at full speed) is a guess until you measure it:
 [`kitrobot calibrate`](boards.md#measured) asks, and writes a file of your own. The kits of a micro:bit are for a V2,
 which was not tried, and for that of 2016, whose firmware was tried in QEMU: it has 16 kB of memory. What is

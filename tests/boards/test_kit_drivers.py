@@ -91,6 +91,39 @@ for bars in (3, 1):
     while time.ticks_diff(time.ticks_ms(), begun) <= 41: pass
     result.append((last, marks.read(), marks.read()))
 """,
+    "patches": """
+machine.registers[0x29] = {}
+NOTHING, RED, GREEN, BLUE, DARK = (300, 290, 280), (600, 100, 100), (100, 600, 100), (100, 100, 600), (9, 1, 1)
+def show(sensor, *colours):
+    seen = []
+    for colour in colours:
+        data = b"" if colour is DARK else bytes((0, 3))
+        for value in ((20,) if colour is DARK else ()) + colour:
+            data += bytes((value % 256, value // 256))
+        machine.registers[0x29][0xB4] = data
+        seen.append(sensor.read())
+    return seen
+sign = make("machine.patches", sda="8", scl="9", red="7", blue="12", min="3", max="100")
+result = [
+    show(sign, NOTHING, RED, NOTHING, RED, RED, NOTHING, NOTHING, GREEN, GREEN),
+    show(sign, BLUE, RED, BLUE, BLUE, DARK, DARK, RED, RED, RED),
+]
+once = make("machine.patches", sda="8", scl="9", green="0", steady="1", min="3", max="100")
+result.append(show(once, NOTHING, GREEN, RED))
+machine.registers.clear()
+for settings in ({}, {"red": "1"}):
+    try:
+        make("machine.patches", sda="8", scl="9", **settings)
+    except (OSError, ValueError) as error:
+        result.append(repr(error))
+machine.registers[0x29] = {}
+lost = make("machine.patches", sda="8", scl="9", red="1")
+machine.registers.clear()
+try:
+    lost.read()
+except OSError as error:
+    result.append(repr(error))
+""",
     "counter": """
 levels[12] = levels[13] = 1
 counter = make("machine.counter", more="12", less="13", first="2", min="0", max="4")
@@ -216,6 +249,20 @@ def test_a_time_of_flight_finder_is_asked_again_when_it_has_seen_something_and_s
 
 def test_bars_beside_a_road_are_counted_until_the_next_ones(found: dict[str, Any]) -> None:
     assert found["marks"] == [(0, 2, 2), (2, 0, 0)]
+
+
+def test_a_patch_of_colour_is_the_number_that_it_stands_for_until_the_next_one(found: dict[str, Any]) -> None:
+    first, second, once, *_ = found["patches"]
+    assert first == [3, 3, 3, 3, 7, 7, 7, 7, 7]  # a colour without a number changes nothing
+    assert second == [7, 7, 7, 12, 12, 12, 12, 7, 7]
+    assert once == [3, 0, 0]
+
+
+def test_patches_without_a_number_or_a_sensor_are_an_error(found: dict[str, Any]) -> None:
+    *_, useless, missing, lost = found["patches"]
+    assert "no colour has a number" in useless
+    assert "19" in missing
+    assert "19" in lost
 
 
 def test_what_passes_a_light_barrier_is_counted_up_and_down_within_the_range(found: dict[str, Any]) -> None:

@@ -1,4 +1,5 @@
-# A robot that drives straight on with two motors (see `shared.bridges` for how they are wired).
+# A robot that drives straight on with two motors (see `shared.bridges` for how they are wired). Where
+# encoders are named it keeps both wheels at one rate, from tick to tick.
 
 from kitrobot_onboard.drivers.machine.shared.motors import base_of
 
@@ -21,6 +22,10 @@ SETTINGS = {
     "right-flipped": "yes|no = no",
     "left-trim": "10..100 = 100",
     "right-trim": "10..100 = 100",
+    "counts": "20..100000?",
+    "left-count": "input?",
+    "right-count": "input?",
+    "straight": "0..20 = 3",
 }
 WAVES = {
     "left-forward": "frequency !left-power !motors=pca9685",
@@ -36,6 +41,12 @@ PROCEDURES = "Advance Reverse Stop"
 class Drive:
     def __init__(self, settings):
         self.base = base_of(settings)
+        self.speed = 0
+        self.straight = None
+        if "counts" in settings:
+            from kitrobot_onboard.drivers.machine.shared.encoders import Straight
+
+            self.straight = Straight(settings)
 
     def do(self, procedure, arguments):
         speed = 0
@@ -43,9 +54,25 @@ class Drive:
             speed = arguments[0]
         elif procedure == "Reverse":
             speed = -arguments[0]
-        self.base.want("drive", speed, speed)
+        if self.straight and speed * self.speed <= 0:  # told again on the way, it keeps its direction
+            self.straight.begin()
+        self.speed = speed
+        if self.straight and speed:
+            self.tend()
+        else:
+            self.base.want("drive", speed, speed)
+
+    def tend(self):
+        """Is called at each tick."""
+        if self.straight and self.speed:
+            if self.base.is_alone("drive"):
+                self.base.want("drive", *self.straight.speeds(self.speed))
+            else:  # it turns, so one wheel is ahead rightly
+                self.straight.begin()
+                self.base.want("drive", self.speed, self.speed)
 
     def stop(self):
+        self.speed = 0
         self.base.stop()
 
 

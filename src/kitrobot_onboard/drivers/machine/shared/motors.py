@@ -43,6 +43,10 @@ class Base:
         self.wanted[who] = left, right
         self.move()
 
+    def is_alone(self, who):
+        """Whether nobody else wants to move."""
+        return not any([any(self.wanted[other]) for other in self.wanted if other != who])
+
     def move(self):
         for side in (LEFT, RIGHT):
             percent = sum([wanted[side] for wanted in self.wanted.values()])
