@@ -56,6 +56,10 @@ export const LATER_TEAM_EN = {
   "roster.new-group": "group",
   "roster.new-work": "Boxes",
 
+  "completion.role": "What robots of one kind do in the team: a name, the kind of robot, and how many.",
+  "completion.group": "Roles, robots and other groups under one name, and what happens when one fails.",
+  "completion.work": "Units that the robots share out among themselves, and after how many seconds one is free again.",
+
   "projection.label": "What the team's program is for {robot}, read-only",
   "projection.kinds": "Kinds of robots",
   "projection.read-only": "read-only",

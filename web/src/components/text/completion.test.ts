@@ -65,6 +65,10 @@ describe("what may stand at a place", () => {
     ["# a [", "none"],
     ["# a [\n", "instruction"],
     ["]]))", "instruction"],
+    ["SeqOfPar carriers (", "instruction"],
+    ["ParOfSeq {carriers, loader-1} (", "instruction"],
+    ["Where carriers [a.b()](", "instruction"],
+    ["[any carriers (", "condition"],
   ])("%j: %s", (before, standing) => {
     expect(standingAt(before)).toBe(standing);
   });

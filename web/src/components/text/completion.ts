@@ -1,7 +1,8 @@
 /**
  * What can be typed at a place of an LLL text: objects, methods behind the dot, constructs as snippets.
  *
- * The place is told by the brackets that are open before it; everything else comes from the robot's XML and the constructors'.
+ * The place is told by the brackets and words before it (`standing`); everything else comes from the robot's XML and the
+ * constructors', and the names of a team from its mission and its declarations.
  */
 import {
   type Completion,
@@ -10,36 +11,17 @@ import {
   snippetCompletion,
 } from "@codemirror/autocomplete";
 
+import { moreWords } from "../../i18n/words";
 import { standsFor } from "../../model/parts";
 import { text as said } from "../../model/texts";
+import { TEAM_ROBOT } from "../../model/team-robot";
 import type { Catalogue, Constructor, Method, Robot, RobotObject } from "../../model/types";
-
-/** What may stand at a place; "none" inside a comment. */
-export type Standing = "instruction" | "condition" | "parameter" | "none";
-
-const TOKEN = /#[^\n]*|[\p{L}_][\p{L}\p{N}_]*|\/\/|[^\s]/gu;
-const WORD = /^[\p{L}_]/u;
+import { placeAtEnd, type Standing } from "./standing";
+import { type TeamNames, declarationOptions, nameOptions } from "./team-completion";
 
 /** What may stand at the end of that text. */
-export function standingAt(before: string): Standing {
-  const open: { closer: string; standing: Standing }[] = [];
-  let last = "";
-  for (const match of before.matchAll(TOKEN)) {
-    const token = match[0];
-    if (token.startsWith("#")) {
-      if (match.index + token.length === before.length) return "none";
-      continue;
-    }
-    const around = open.at(-1)?.standing ?? "instruction";
-    if (token === "[" || token === "<") open.push({ closer: token === "[" ? "]" : ">", standing: "condition" });
-    else if (token === "(") {
-      const call = WORD.test(last) && last !== "WAIT";
-      const standing = call || last === "WAIT" ? "parameter" : around;
-      open.push({ closer: ")", standing });
-    } else if (open.at(-1)?.closer === token) open.pop();
-    last = token;
-  }
-  return open.at(-1)?.standing ?? "instruction";
+export function standingAt(before: string, team = false): Standing {
+  return placeAtEnd(before, team).standing;
 }
 
 function fits(method: Method, standing: Standing): boolean {
@@ -111,9 +93,11 @@ function constructOptions(
         const name = said(one.label, one.name);
         const snippet = role === "instruction" ? constructSnippet(one) : constructSnippet(one).replace(/;$/, "");
         const words = constructWords(one);
+        // The forms of a team are words of the language, so that is what a person begins to type.
+        const first = byCode || (one.level ?? "agent") !== "agent";
         return snippetCompletion(snippet, {
-          label: byCode ? words : name,
-          detail: byCode ? name : words,
+          label: first ? words : name,
+          detail: first ? name : words,
           info: said(one.help, ""),
           type: "construct",
         });
@@ -121,14 +105,19 @@ function constructOptions(
   );
 }
 
-/** Everything that may stand at a place. `explicit`: the person asked for it by key. */
+const NO_NAMES: TeamNames = { roles: [], groups: [], agents: [], programs: [], robots: [] };
+
+/** Everything that may stand at a place. `explicit`: the person asked for it by key; `names`: those of the mission's team. */
 export function complete(
   before: string,
   robot: Robot | undefined,
   catalogue: Catalogue,
   explicit: boolean,
+  names: TeamNames = NO_NAMES,
 ): { from: number; options: Completion[]; byCode?: boolean } | null {
-  const standing = standingAt(before);
+  const team = robot?.name === TEAM_ROBOT;
+  const place = placeAtEnd(before, team);
+  const { standing } = place;
   if (standing === "none" || robot === undefined) return null;
   const method = /([\p{L}_][\p{L}\p{N}_]*)\.([\p{L}_][\p{L}\p{N}_]*)?$/u.exec(before);
   if (method !== null) {
@@ -137,25 +126,35 @@ export function complete(
     return { from: before.length - (method[2] ?? "").length, options: methodOptions(object, standing) };
   }
   const marks = /[*[</°!]+$/u.exec(before);
-  if (marks !== null && standingAt(before.slice(0, marks.index)) === "instruction") {
+  if (marks !== null && standingAt(before.slice(0, marks.index), team) === "instruction") {
     const options = constructOptions(catalogue, robot, "instruction", true).filter((one) =>
       one.label.startsWith(marks[0]),
     );
     return options.length === 0 ? null : { from: marks.index, options, byCode: true };
   }
+  if (standing !== "instruction" && standing !== "condition" && standing !== "parameter") {
+    if (!team || (place.from === before.length && !explicit)) return null;
+    const options = nameOptions(place, names);
+    return options.length === 0 ? null : { from: place.from, options };
+  }
   const word = /[\p{L}_][\p{L}\p{N}_]*$/u.exec(before);
   if (word === null && !explicit) return null;
   const constructs = standing === "parameter" ? [] : constructOptions(catalogue, robot, standing, false);
-  return { from: word?.index ?? before.length, options: [...objectOptions(robot, standing), ...constructs] };
+  const declarations = team && place.declares ? declarationOptions() : [];
+  const from = word?.index ?? before.length;
+  return { from, options: [...declarations, ...objectOptions(robot, standing), ...constructs] };
 }
 
-/** The source for CodeMirror; `parts` gives the parts as they are now. */
-export function completionSource(parts: () => { robot: Robot | undefined; catalogue: Catalogue }) {
-  return (context: CompletionContext): CompletionResult | null => {
-    const { robot, catalogue } = parts();
-    const found = complete(context.state.sliceDoc(0, context.pos), robot, catalogue, context.explicit);
+/** The source for CodeMirror; `parts` gives the parts and the names of the team as they are now. */
+export function completionSource(
+  parts: () => { robot: Robot | undefined; catalogue: Catalogue; names?: TeamNames | undefined },
+) {
+  return async (context: CompletionContext): Promise<CompletionResult | null> => {
+    const { robot, catalogue, names } = parts();
+    if (robot?.name === TEAM_ROBOT) await moreWords();
+    const found = complete(context.state.sliceDoc(0, context.pos), robot, catalogue, context.explicit, names);
     if (found === null) return null;
     if (found.byCode === true) return { from: found.from, options: found.options, filter: false };
-    return { from: found.from, options: found.options, validFor: /^[\p{L}_][\p{L}\p{N}_]*$/u };
+    return { from: found.from, options: found.options, validFor: /^(?:[\p{L}_][\p{L}\p{M}\p{N}_-]*|"[^"]*)$/u };
   };
 }

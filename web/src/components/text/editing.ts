@@ -21,10 +21,12 @@ import { stretchOf } from "../../session/places";
 import { isUnfinished } from "../../session/typing";
 import { completionSource } from "./completion";
 import { callHelp, constructHelp, numberHelp } from "./help";
+import type { TeamNames } from "./team-completion";
 
 export interface Surroundings {
   program: string;
-  parts: () => { robot: Robot | undefined; catalogue: Catalogue };
+  /** Parts, and what a team's text can name, as they are now. */
+  parts: () => { robot: Robot | undefined; catalogue: Catalogue; names?: TeamNames };
   /** The element of the innermost vertex at an offset. */
   elementAt: (offset: number) => string | null;
 }

@@ -2,6 +2,7 @@
 import { useCallback, useEffect, useMemo } from "react";
 
 import { api } from "../../api/client";
+import { teamNames } from "../../components/text/team-completion";
 import { TextEditor } from "../../components/text/TextEditor";
 import { Said } from "../../i18n/Said";
 import { sentence, t } from "../../i18n/words";
@@ -111,7 +112,8 @@ export function Lll({
       parts: () => {
         const { mission, catalogue } = useStudio.getState();
         const robot = mission.programs.find((one) => one.name === program)?.robot;
-        return { catalogue, robot: catalogue.robots.find((one) => one.name === robot) };
+        const names = teamNames(mission, catalogue.robots, program);
+        return { catalogue, robot: catalogue.robots.find((one) => one.name === robot), names };
       },
       elementAt: (offset: number) => {
         const vertex = vertexAt(spans, offset);
