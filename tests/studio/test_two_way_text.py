@@ -177,6 +177,24 @@ def a_program_is_written_with_completion_and_keys_alone(studio: Studio) -> None:
     studio.expect_code("Wheel.Advance(33);")
 
 
+def test_a_block_of_a_team_is_written_with_completion(open_studio: OpenStudio) -> None:
+    studio = open_studio("convoy/convoy.krt")
+    studio.expect_code("SeqOfPar convoy (")
+    page = editor(studio)
+    options = page.locator(".cm-tooltip-autocomplete li")
+    page.keyboard.insert_text("\nParOfSeq ")
+    page.keyboard.type("fol")
+    expect(options.first).to_contain_text("follower")
+    take_first(studio, "ParOfSeq follower")
+    page.keyboard.insert_text(" (")
+    page.keyboard.press("Control+Space")
+    expect(options.filter(has_text="SeqOfPar")).to_have_count(1)
+    page.keyboard.press("Escape")
+    page.keyboard.type("WAI")
+    expect(options.first).to_contain_text("Wait")
+    take_first(studio, "ParOfSeq follower (WAIT(")
+
+
 def hover_shows_the_help_of_the_xml_and_outlines_the_vertex(studio: Studio) -> None:
     replace_all(studio, "Wheel.Advance(33);")
     expect_vertices(studio, "Drive", 1)

@@ -16,8 +16,9 @@ import { standsFor } from "../../model/parts";
 import { text as said } from "../../model/texts";
 import { TEAM_ROBOT } from "../../model/team-robot";
 import type { Catalogue, Constructor, Method, Robot, RobotObject } from "../../model/types";
+import type { TeamNames } from "./named";
 import { placeAtEnd, type Standing } from "./standing";
-import { type TeamNames, declarationOptions, nameOptions } from "./team-completion";
+import { declarationOptions, nameOptions } from "./team-completion";
 
 /** What may stand at the end of that text. */
 export function standingAt(before: string, team = false): Standing {

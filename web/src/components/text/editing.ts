@@ -21,7 +21,7 @@ import { stretchOf } from "../../session/places";
 import { isUnfinished } from "../../session/typing";
 import { completionSource } from "./completion";
 import { callHelp, constructHelp, numberHelp } from "./help";
-import type { TeamNames } from "./team-completion";
+import type { TeamNames } from "./named";
 
 export interface Surroundings {
   program: string;

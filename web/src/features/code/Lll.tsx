@@ -2,7 +2,7 @@
 import { useCallback, useEffect, useMemo } from "react";
 
 import { api } from "../../api/client";
-import { teamNames } from "../../components/text/team-completion";
+import { teamNames } from "../../components/text/named";
 import { TextEditor } from "../../components/text/TextEditor";
 import { Said } from "../../i18n/Said";
 import { sentence, t } from "../../i18n/words";
