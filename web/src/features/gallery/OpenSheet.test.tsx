@@ -4,13 +4,16 @@ import { afterEach, expect, test, vi } from "vitest";
 import { journalApi } from "../../api/journal";
 import { api } from "../../api/client";
 import { traceApi } from "../../api/traces";
-import { install } from "../../session/features";
+import { features, install } from "../../session/features";
 import { mount } from "../../testing/hooks";
 import { OpenSheet } from "./OpenSheet";
 
+// Files of tests share the modules of their worker: what another one installed comes back.
+const before = features();
+
 afterEach(() => {
   vi.restoreAllMocks();
-  install([]);
+  install(before);
 });
 
 /** A list that comes when the test says so. */
