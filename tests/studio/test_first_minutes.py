@@ -105,3 +105,17 @@ def test_sixteen_taps_on_a_phone_are_enough(open_studio: OpenStudio) -> None:
     hands.tap("run-button")
     expect_square(studio)
     assert hands.made <= 16
+
+
+def test_the_robot_is_changed_above_its_parts_and_undo_gives_back_the_one_before(open_studio: OpenStudio) -> None:
+    studio = open_studio("blink/blink.krt")
+    studio.at("palette-robot").click()
+    expect(studio.at("menu-robot-mini-robot")).to_have_attribute("aria-checked", "true")
+    expect(studio.at("menu-robot-mini-robot").locator(".picture")).to_be_visible()
+    studio.at("menu-robot-line-follower").click()
+    expect(studio.at("palette-robot")).to_have_text("Line follower")
+    expect(studio.at("fold-Left wheel")).to_be_visible()
+    expect(studio.at("problems")).to_contain_text("2")
+    studio.at("undo").click()
+    expect(studio.at("palette-robot")).to_have_text("Mini-robot")
+    expect(studio.at("problems")).to_contain_text("0")

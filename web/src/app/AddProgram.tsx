@@ -1,8 +1,7 @@
 /** The "+" after the tabs: a new program, for one of the robots that there are. */
 import { t } from "../i18n/words";
+import { robotKinds } from "../model/robot-kinds";
 import { useStudio } from "../model/studio";
-import { TEAM_ROBOT } from "../model/team-robot";
-import { text } from "../model/texts";
 import { addProgramFor } from "../session/actions";
 import { complain } from "../session/document";
 import { Icon } from "../theme";
@@ -10,15 +9,8 @@ import { type MenuEntry, menuItem } from "../ui/menu-model";
 import { MenuButton } from "../ui/MenuButton";
 
 /** The robots as entries of a menu. */
-export function robotEntries(robots: readonly { name: string; label: Record<string, string> }[]): MenuEntry[] {
-  const kinds = robots.filter(({ name }) => name !== TEAM_ROBOT);
-  const labels = kinds.map(({ name, label }) => text(label, name));
-  return kinds.map(({ name }, at) => {
-    const label = labels[at] ?? name;
-    // A copy of a robot that kept its label is told from it by its name.
-    const alone = labels.indexOf(label) === labels.lastIndexOf(label);
-    return menuItem(`add-${name}`, alone ? label : `${label} (${name})`, null, () => addProgramFor(name));
-  });
+export function robotEntries(robots: Parameters<typeof robotKinds>[0]): MenuEntry[] {
+  return robotKinds(robots).map(({ name, label }) => menuItem(`add-${name}`, label, null, () => addProgramFor(name)));
 }
 
 /** A program of the whole team; where there is one, of a group. */

@@ -92,6 +92,7 @@ export const EDITOR_EN = {
   "add.find": "Type to find a part",
   "add.none": "No part is called that.",
 
+  "parts.change-robot": "Change the robot",
   "parts.find": "Find a part",
   "parts.constructors": "Constructors",
   "parts.robot": "Robot",

@@ -86,6 +86,7 @@ export function Menu({ id, label, entries, onClose, onAside }: MenuProps) {
             <span className="menu-mark">
               {entry.kind !== "item" && entry.checked === true ? <Icon name="check" size={14} /> : null}
             </span>
+            {entry.picture === undefined ? null : <span className="menu-picture">{entry.picture}</span>}
             <span className="menu-label">{entry.label}</span>
             {entry.keys === undefined ? null : (
               <kbd className="menu-keys" aria-hidden="true">

@@ -1,4 +1,5 @@
 /** What a menu is made of, without knowing how it is drawn. */
+import type { ReactNode } from "react";
 
 export interface MenuItem {
   kind: "item" | "radio" | "check";
@@ -9,6 +10,8 @@ export interface MenuItem {
   keys?: string;
   disabled?: boolean;
   checked?: boolean;
+  /** Before the label. */
+  picture?: ReactNode;
 }
 
 export type MenuEntry = MenuItem | { kind: "line"; id: string } | { kind: "heading"; id: string; label: string };

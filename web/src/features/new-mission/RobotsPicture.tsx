@@ -1,5 +1,5 @@
 /** The robots of a robotSet side by side, one of each kind. */
-import { Robot } from "./Robot";
+import { Robot } from "../../components/RobotPicture";
 
 /** How wide a robot's place is, and a row of two. */
 const [PLACE, ROW] = [80, 2];

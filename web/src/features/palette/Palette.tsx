@@ -21,6 +21,7 @@ import { Icon, Tile } from "../../theme";
 import { later } from "../../ui/later";
 import { ownHandlers, ownKey, restOnOwn } from "./custom-row";
 import { CustomBlockMore } from "./CustomBlockMore";
+import { RobotButton } from "./RobotButton";
 import { type Folded, type Row, rowsOf, unfoldedFor } from "./tree";
 import { variableHandlers } from "./variable-row";
 import { VariableMenu } from "./VariableMenu";
@@ -114,6 +115,7 @@ export function Palette() {
 
   return (
     <div className="palette">
+      <RobotButton />
       <label className="palette-find">
         <Icon name="search" />
         <input
@@ -152,8 +154,7 @@ export function Palette() {
         {rows.map((row) =>
           row.kind === "heading" ? (
             <div key={row.key} className="palette-heading" role="presentation">
-              <span>{row.label}</span>
-              <span>{row.aside}</span>
+              {row.label}
             </div>
           ) : (
             <RowView

@@ -10,7 +10,7 @@ import { text } from "../../model/texts";
 import type { RobotObject } from "../../model/types";
 
 export type Row =
-  | { kind: "heading"; key: string; label: string; aside: string }
+  | { kind: "heading"; key: string; label: string }
   | {
       kind: "fold";
       key: string;
@@ -47,12 +47,11 @@ export function rowsOf(parts: Parts, query: string, folded: Folded): Row[] {
   const shown = parts.all.filter((shape) => wanted === "" || matches(shape, wanted));
   const constructors = constructorRows(parts, shown, wanted !== "", folded);
   const objects = robotRows(parts, shown, wanted !== "", folded);
-  const heading = (key: string, label: Key, aside: string): Row => ({ kind: "heading", key, label: t(label), aside });
+  const heading = (key: string, label: Key): Row => ({ kind: "heading", key, label: t(label) });
   const ofTeam = parts.robot?.name === TEAM_ROBOT;
-  const name = parts.robot === null ? "" : text(parts.robot.label, parts.robot.name);
   return [
-    ...(constructors.length > 0 ? [heading("constructors", "parts.constructors", ""), ...constructors] : []),
-    ...(objects.length > 0 ? [heading("robot", ofTeam ? "team.tab" : "parts.robot", name), ...objects] : []),
+    ...(constructors.length > 0 ? [heading("constructors", "parts.constructors"), ...constructors] : []),
+    ...(objects.length > 0 ? [heading("robot", ofTeam ? "team.tab" : "parts.robot"), ...objects] : []),
   ];
 }
 

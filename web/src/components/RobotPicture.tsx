@@ -1,11 +1,13 @@
 /** A robot in a small picture, with the body and the face that it has in the arena; a board without wheels with its lights. */
+import "./robot-picture.css";
+
 import { useMemo } from "react";
 
-import { readColours } from "../../components/scene/colours";
-import { drawFigure } from "../../components/scene/figures";
-import { DRIVING, STONE, SUN } from "../../components/scene/lids";
-import { useStudio } from "../../model/studio";
-import { useTheme } from "../../theme";
+import { readColours } from "./scene/colours";
+import { drawFigure } from "./scene/figures";
+import { DRIVING, STONE, SUN } from "./scene/lids";
+import { useStudio } from "../model/studio";
+import { useTheme } from "../theme";
 
 /** Units of a figure's picture, from edge to edge, and pixels of one. */
 const [ACROSS, PIXELS] = [76, 4];
@@ -50,12 +52,12 @@ const LIT = "01010 11111 11111 01110 00100".split(" ");
 function Board() {
   return (
     <g>
-      <rect className="new-board" x="-27" y="-22" width="54" height="44" rx="5" />
+      <rect className="robot-board" x="-27" y="-22" width="54" height="44" rx="5" />
       {LIT.flatMap((row, y) =>
         [...row].map((light, x) => (
           <rect
             key={`${String(x)} ${String(y)}`}
-            className={light === "1" ? "new-light is-lit" : "new-light"}
+            className={light === "1" ? "robot-light is-lit" : "robot-light"}
             x={(x - 2) * 5 - 1.5}
             y={(y - 2) * 5 - 1.5}
             width="3"
@@ -65,6 +67,16 @@ function Board() {
         )),
       )}
     </g>
+  );
+}
+
+/** A robot alone, seen from above and looking up. */
+export function RobotPicture({ kind, index }: Pick<RobotProps, "kind" | "index">) {
+  const view = [-ACROSS / 2, -ACROSS / 2, ACROSS, ACROSS].join(" ");
+  return (
+    <svg className="picture picture-world" viewBox={view} aria-hidden="true">
+      <Robot kind={kind} index={index} x={0} y={0} heading={Math.PI / 2} length={LENGTH} />
+    </svg>
   );
 }
 
