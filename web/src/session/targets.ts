@@ -54,7 +54,13 @@ export function targetInLayout(
     if (action !== undefined) return target({ kind: "vertex", vertex: action.vertex });
   }
   if (!standsInChain(shape)) return target({ kind: "void" });
-  return arcTarget(drawing, point, reach, moving) ?? target({ kind: "void" });
+  return arcTarget(drawing, point, reach, moving) ?? firstTarget(drawing) ?? target({ kind: "void" });
+}
+
+/** In a program without parts the arc from Start to Stop, however far it is: what is dropped first runs. */
+function firstTarget({ structure }: Drawing): Target | null {
+  const isEmpty = structure.main.chain.length === 0 && structure.parked.length === 0;
+  return isEmpty && structure.start !== null ? target({ kind: "arc", source: structure.start.id, out: "next" }) : null;
 }
 
 /** On a selected vertex, a part that holds others goes around the selection. */

@@ -1,8 +1,11 @@
 import { describe, expect, it } from "vitest";
 
+import { emptyProgram } from "../../model/commands/changePrograms";
+import { insertPart } from "../../model/commands/insertPart";
 import { layoutStructure } from "../../model/layout";
 import { readStructure } from "../../model/structure";
-import { CARRIER, CARRIER_PARTS as PARTS } from "../../model/testing/missions";
+import { CARRIER, CARRIER_PARTS as PARTS, missionOf } from "../../model/testing/missions";
+import type { Program } from "../../model/types";
 import type { Drawing } from "../../session/drawing";
 import { insideOf, targetInLayout } from "../../session/targets";
 import { walk } from "./walk";
@@ -85,6 +88,28 @@ describe("the place for something dragged", () => {
   it("is the void far from every arc, and for a test that meets no slot", () => {
     expect(aim("Wheel.Stop", { x: 2000, y: 0 })).toBe("void");
     expect(aim("Run.IsTrue", at("v13"))).toBe("void");
+  });
+
+  it("is the arc from Start to Stop for the first part, wherever it is dropped", () => {
+    const far = { x: 2000, y: 900 };
+    const aimIn = (program: Program, element: string) => {
+      const read = readStructure(program, PARTS);
+      const shown = layoutStructure(read);
+      const all = new Map(shown.nodes.map((node) => [node.id, node]));
+      const there = { ...drawing, program, structure: read, layout: shown, nodes: all };
+      return targetInLayout(there, far, 60, PARTS.shape(element), new Set())?.place ?? null;
+    };
+    const empty = emptyProgram("p", "carrier");
+    const place = aimIn(empty, "Wheel.Stop");
+    expect(place).toEqual({ kind: "arc", source: "start", out: "next" });
+    const command = place === null ? null : insertPart(empty, PARTS, place, "Wheel.Stop");
+    const [joined = empty] = command?.execute(missionOf(empty)).programs ?? [];
+    expect(joined.arcs.map(({ source, target }) => [source, target])).toEqual([
+      ["start", "v1"],
+      ["v1", "stop"],
+    ]);
+    expect(aimIn(joined, "Wheel.Stop")).toEqual({ kind: "void" });
+    expect(aimIn(empty, "Run.IsTrue")).toEqual({ kind: "void" });
   });
 
   it("is the innermost parallel for a branch, and none outside", () => {
