@@ -1,6 +1,6 @@
 /** What the page has without any feature: its mission, its programs and its look. A feature as the others are. */
 import { useLanguage } from "../i18n/language";
-import { type Key, type Language, languageInUse, LANGUAGES, moreWords, t } from "../i18n/words";
+import { type Key, type Language, languageInUse, LANGUAGES, t } from "../i18n/words";
 import { type StudioState, useStudio } from "../model/studio";
 import { goToProgram, moveActiveProgram, removeProgramNamed } from "../session/actions";
 import { complain, show } from "../session/document";
@@ -122,7 +122,7 @@ function useMenu(): MenuEntries {
 
 const inSheets = <Name extends keyof typeof sheetsModule>(name: Name) =>
   later(
-    () => Promise.all([import("./Sheets"), moreWords()]).then(([chunk]) => chunk[name]),
+    () => import("./Sheets").then((chunk) => chunk[name]),
     (cause) => {
       show(null);
       complain(cause);

@@ -5,18 +5,10 @@ export const ACCESSIBILITY_EN = {
   "reach.selected": "Selected: {what}",
 
   "outline.title": "Outline",
-  "outline.of": "Outline of {name}",
-  "outline.close": "Close the outline",
 
-  "part-help.title": "Help for a part",
-  "part-help.how": "Select a part in the graph or in the list of parts, then press F1.",
-  "part-help.range": "A whole number from {min} to {max}, at first {first}",
-  "part-help.switch": "True or false",
-  "part-help.text": "A text",
   "part-help.condition": "A test goes here.",
   "part-help.value": "A value goes here.",
   "part-help.action": "An action of the robot goes here.",
-  "part-help.body": "Other parts go inside.",
 
   "help.part": "Help for the selected part",
 

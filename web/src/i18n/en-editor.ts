@@ -7,7 +7,6 @@ export const EDITOR_EN = {
   "graph.leave": "out",
   "graph.condition": "condition",
   "graph.action": "action",
-  "graph.now": "now {value}",
   "graph.notes": "C C♯ D D♯ E F F♯ G G♯ A A♯ B",
   "graph.live": "Live values on chips",
   "graph.drop-repeats": "Drop here what repeats",
@@ -17,9 +16,6 @@ export const EDITOR_EN = {
   "graph.parked": "Not connected",
   "graph.drop-here": "Drop a part here",
   "graph.or-press": "or press",
-  "graph.first-step": "Give the robot its first step",
-  "graph.first-help":
-    "It follows the arrows from Start to Stop. Drag a part from the left onto the dashed place, or begin with one of these:",
   "graph.zoom": "Zoom",
   "graph.zoom-in": "Zoom in",
   "graph.zoom-out": "Zoom out",
@@ -34,9 +30,6 @@ export const EDITOR_EN = {
 
   "graph.note": "Note: {text}",
   "graph.note-more": { one: "+{count} line", other: "+{count} lines" },
-  "graph.note-keys": "Enter keeps it · Shift+Enter new line · Esc drops it",
-  "context.note": "Write a note…",
-  "context.unnote": "Remove the note",
 
   "command.add": "Add {name}",
   "command.delete": "Delete {name}",
@@ -62,35 +55,17 @@ export const EDITOR_EN = {
   "paste.by-key": "The browser keeps the clipboard to itself. Press Ctrl+V instead.",
 
   "copy.by-key": "The browser keeps the clipboard to itself. Press Ctrl+C or Ctrl+X instead.",
-  "context.title": "What can be done here",
-  "context.edit": "Set its values",
-  "context.add-after": "Add a part after it…",
-  "context.add-here": "Add a part here…",
-  "context.wrap": "Wrap in…",
-  "context.unwrap": "Unwrap",
-  "wrap.title": "Wrap in which part?",
   "wrap.cannot": "Select parts that follow each other to put something around them.",
 
   "edit.find": "Find…",
-  "find.title": "Find in all programs",
-  "find.count": "{at} of {of}",
-  "find.none": "Nothing says “{query}”.",
-  "find.next": "Next",
-  "find.previous": "Previous",
 
   "graph.fold": "Collapse {name}",
   "graph.unfold": "Expand {name}",
-  "context.fold": "Collapse",
-  "context.unfold": "Expand",
   "graph.folded": { one: "{count} part", other: "{count} parts" },
 
   "graph.zoom-selection": "Zoom to the selection",
   "graph.minimap": "Small map of the program",
   "graph.follow": "Follow the running part",
-
-  "add.title": "Add a part",
-  "add.find": "Type to find a part",
-  "add.none": "No part is called that.",
 
   "parts.change-robot": "Change the robot",
   "parts.find": "Find a part",
@@ -115,8 +90,6 @@ export const EDITOR_EN = {
   "inspector.many": { one: "{count} part selected", other: "{count} parts selected" },
   "inspector.delete": "Delete",
   "inspector.duplicate": "Duplicate",
-  "inspector.note": "Note",
-  "inspector.note-hint": "Say why, for the next reader",
   "inspector.start": "The program begins here.",
   "inspector.stop": "The program ends here.",
 } as const;

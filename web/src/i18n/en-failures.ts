@@ -1,7 +1,6 @@
 /** Faults of robots: the menu of the arena, the schedule in the team, crowds. */
 export const FAILURES_EN = {
   "harm.follow": "Follow",
-  "harm.needs-run": "Press Run first",
   "arena.stalled": "stalled",
   "arena.muted": "without radio",
   "arena.chosen": "{name} chosen",

@@ -15,7 +15,6 @@ export const JOURNAL_EN = {
   "journal.left-help": "File → Open shows it under “Unsaved work”.",
   "journal.gone": "This work is open in another window, or was discarded.",
   "journal.closed-help": "It stays as it is until that one opens it.",
-  "journal.list": "Unsaved work",
   "journal.later": "Later",
   "journal.failed": "Your changes are not kept safe at the moment.",
   "file.only-here": "only in this page",

@@ -1,4 +1,4 @@
-/** English for the rooms of the team and the world, which are fetched later, and their words with them (`moreWords`). */
+/** English for what is fetched later: `ui/later.tsx` fetches these words with it (`moreWords`). */
 import { ARENA_EN } from "./en-later-arena";
 import { CHECK_EN } from "./en-later-check";
 import { CLASS_EN } from "./en-later-class";
@@ -9,6 +9,7 @@ import { KEYS_EN } from "./en-later-keys";
 import { KITS_EN } from "./en-later-kits";
 import { LATER_WORLD_EN } from "./en-later-world";
 import { GALLERY_EN } from "./en-later-gallery";
+import { PANELS_EN } from "./en-later-panels";
 import { SITE_EN } from "./en-later-site";
 
 export const LATER_EN = {
@@ -22,6 +23,7 @@ export const LATER_EN = {
   ...KEYS_EN,
   ...LATER_WORLD_EN,
   ...GALLERY_EN,
+  ...PANELS_EN,
   "difference.title": "Yours and the one on disk",
   "difference.none": "They are the same.",
   "difference.intro": "This is different in yours:",

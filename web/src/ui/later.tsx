@@ -1,11 +1,12 @@
 /**
- * A component that is fetched when it is first drawn, so that it is not part of the first load.
+ * A component that is fetched when it is first drawn, so that it is not part of the first load; with it come the words of
+ * `i18n/en-later*.ts`.
  *
  * Until then nothing is drawn. A failed fetch is reported, and tried again when the component is drawn next.
  */
 import { type ComponentType, createElement, type ReactNode, useEffect, useRef, useState } from "react";
 
-import { t } from "../i18n/words";
+import { moreWords, t } from "../i18n/words";
 import { holdKeys } from "./held-keys";
 
 type Fail = (cause: unknown) => void;
@@ -35,8 +36,8 @@ export function later<Props extends object>(
       let there = true;
       const release = typing ? holdKeys() : () => undefined;
       held.current = release;
-      load().then(
-        (loaded) => {
+      Promise.all([load(), moreWords()]).then(
+        ([loaded]) => {
           kept = loaded;
           if (there) setPart(() => loaded);
         },

@@ -10,7 +10,7 @@ import { useStage } from "../../session/stage";
 import { Seed } from "./Seed";
 import { useTheme } from "../../theme";
 import { decimal } from "../../i18n/numbers";
-import { moreWords, t } from "../../i18n/words";
+import { t } from "../../i18n/words";
 import "./arena.css";
 import { EmptyArena } from "./EmptyArena";
 import { toWorld } from "../../components/scene/camera";
@@ -24,14 +24,11 @@ import { later } from "../../ui/later";
 import { useScene, useSelected, useSummary } from "./use-scene";
 import { Tool } from "../../ui/Tool";
 
-const RobotMenu = later(
-  () => Promise.all([import("./RobotMenu"), moreWords()]).then(([chunk]) => chunk.RobotMenu),
-  complain,
-);
-const Crowd = later(() => Promise.all([import("./Crowd"), moreWords()]).then(([chunk]) => chunk.Crowd), complain);
+const RobotMenu = later(() => import("./RobotMenu").then((chunk) => chunk.RobotMenu), complain);
+const Crowd = later(() => import("./Crowd").then((chunk) => chunk.Crowd), complain);
 const Hands = later(() => import("./Hands").then((chunk) => chunk.Hands), complain);
 
-const Placing = later(() => Promise.all([import("./Placing"), moreWords()]).then(([chunk]) => chunk.Placing), complain);
+const Placing = later(() => import("./Placing").then((chunk) => chunk.Placing), complain);
 
 const CLICK_PX = 4;
 const NOWHERE = { scale: 1, x: 0, y: 0 };

@@ -5,7 +5,7 @@ import { t } from "../../i18n/words";
 import { wraps } from "../../model/commands/wrapParts";
 import { fits, type Shape, title } from "../../model/parts";
 import { text } from "../../model/texts";
-import { type Drawing, useDrawing } from "../../session/drawing";
+import type { Drawing } from "../../session/drawing";
 import { addPart, addPartAt, wrapSelection } from "../../session/edits";
 import { newVariable } from "../../session/variables";
 import { type Adding, useView } from "../../session/view";
@@ -14,13 +14,6 @@ import { anchorOf } from "./viewport";
 
 const WIDTH = 288;
 const MOST = 40;
-
-export function AddPopup() {
-  const adding = useView((state) => state.adding);
-  const drawing = useDrawing();
-  if (adding === null || drawing === null) return null;
-  return <Popup adding={adding} drawing={drawing} />;
-}
 
 /** How well a part answers what was typed: 0 is best, null is not at all. */
 export function rank(shape: Shape, query: string): number | null {
@@ -52,7 +45,7 @@ export function candidates({ parts, program }: Drawing, { slot, wrap }: Adding, 
     .map(({ shape }) => shape);
 }
 
-function Popup({ adding, drawing }: { adding: Adding; drawing: Drawing }) {
+export function AddPopup({ adding, drawing }: { adding: Adding; drawing: Drawing }) {
   const [query, setQuery] = useState("");
   const [at, setAt] = useState(0);
   const input = useRef<HTMLInputElement>(null);

@@ -1,6 +1,6 @@
 /** What sits on a vertex's edge: its mark, the threads that stand on it, and what is wrong with it. */
 import { StateShape } from "../../components/StateShape";
-import { moreWords, t } from "../../i18n/words";
+import { t } from "../../i18n/words";
 import type { LayoutNode } from "../../model/layout";
 import { otherNotes } from "../../model/notes";
 import { title } from "../../model/parts";
@@ -15,12 +15,9 @@ import { BreakpointSign } from "./BreakpointSign";
 import { NoteStrip } from "./Notes";
 import { useTroubled, useTroubles } from "./problem-badges";
 
-const Meeting = later(() => Promise.all([import("./Meeting"), moreWords()]).then(([chunk]) => chunk.Meeting), complain);
+const Meeting = later(() => import("./Meeting").then((chunk) => chunk.Meeting), complain);
 
-const GuiltyVertex = later(
-  () => Promise.all([import("./GuiltyVertex"), moreWords()]).then(([chunk]) => chunk.GuiltyVertex),
-  complain,
-);
+const GuiltyVertex = later(() => import("./GuiltyVertex").then((chunk) => chunk.GuiltyVertex), complain);
 
 /** Where members of the team wait for others, who is there and who is missing. */
 function MeetingAt({ vertex }: { vertex: string }) {

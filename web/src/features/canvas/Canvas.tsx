@@ -11,7 +11,7 @@ import "./vertex.css";
 import { Background, BackgroundVariant, ReactFlow, ReactFlowProvider, useReactFlow } from "@xyflow/react";
 import { useEffect, useMemo, useRef } from "react";
 
-import { moreWords, t } from "../../i18n/words";
+import { t } from "../../i18n/words";
 import { useStudio } from "../../model/studio";
 import { complain } from "../../session/document";
 import { setResolver, useDrag } from "../../session/drag";
@@ -20,7 +20,6 @@ import { insideOf, REACH, slotOnScreen, type Target, targetInLayout, wrapTarget 
 import { useView } from "../../session/view";
 import { later } from "../../ui/later";
 import { ActiveVertices } from "./active";
-import { AddPopup } from "./AddPopup";
 import { useClipboard } from "./clipboard";
 import { useContextMenu } from "./context";
 import { useEdgePan } from "./edgePan";
@@ -29,7 +28,6 @@ import { useCanvasKeys } from "./keys";
 import { Lines } from "./Lines";
 import { Marquee } from "./Marquee";
 import { type GraphNode, NODE_TYPES, PLAIN_TYPES } from "./Nodes";
-import { NoteEditor } from "./NoteEditor";
 import { usePlain } from "./Plain";
 import { Said } from "./Said";
 import { useViewport } from "./viewport";
@@ -38,12 +36,10 @@ import { ZoomControl } from "./ZoomControl";
 
 const ContextMenu = later(() => import("./ContextMenu").then((chunk) => chunk.ContextMenu), complain);
 const Pinch = later(() => import("./pinch").then((chunk) => chunk.Pinch), complain);
+const AddPopup = later(() => import("./AddPopup").then((chunk) => chunk.AddPopup), complain, true);
+const NoteEditor = later(() => import("./NoteEditor").then((chunk) => chunk.NoteEditor), complain, true);
 const Find = later(() => import("./Find").then((chunk) => chunk.Find), complain, true);
-const InPlace = later(
-  () => Promise.all([import("./InPlace"), moreWords()]).then(([chunk]) => chunk.InPlace),
-  complain,
-  true,
-);
+const InPlace = later(() => import("./InPlace").then((chunk) => chunk.InPlace), complain, true);
 const Minimap = later(() => import("./Minimap").then((chunk) => chunk.Minimap), complain);
 const EmptyTeaching = later(() => import("./EmptyTeaching").then((chunk) => chunk.EmptyTeaching), complain);
 
@@ -94,6 +90,7 @@ function Graph({ drawing }: { drawing: Drawing }) {
     return target === null || target.place.kind === "arc" || target.place.kind === "void" ? "arcs" : "others";
   });
   const plain = usePlain();
+  const adding = useView((state) => state.adding);
   const minimap = useView((state) => state.minimap);
   const menu = useView((state) => state.menu !== null);
   const noting = useView((state) => state.noting);
@@ -145,7 +142,7 @@ function Graph({ drawing }: { drawing: Drawing }) {
         {empty ? <EmptyTeaching drawing={drawing} /> : null}
       </ReactFlow>
       <ZoomControl />
-      <AddPopup key={drawing.program.name} />
+      {adding === null ? null : <AddPopup key={drawing.program.name} adding={adding} drawing={drawing} />}
       {noting === null ? null : <NoteEditor key={noting} id={noting} program={drawing.program.name} />}
       {editing === null ? null : <InPlace key={`${editing.vertex} ${editing.slot}`} drawing={drawing} {...editing} />}
       {minimap ? <Minimap layout={drawing.layout} /> : null}

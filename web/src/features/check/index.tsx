@@ -1,5 +1,5 @@
 /** Check: what can go wrong in the mission, whatever the order of events; a broken property is played as a run. */
-import { moreWords, t } from "../../i18n/words";
+import { t } from "../../i18n/words";
 import { useStudio } from "../../model/studio";
 import { useBelow } from "../../session/below";
 import { complain } from "../../session/document";
@@ -8,10 +8,7 @@ import { keyFor } from "../../session/key-table";
 import { later } from "../../ui/later";
 import { menuItem } from "../../ui/menu-model";
 
-const CheckPanel = later(
-  () => Promise.all([import("./CheckPanel"), moreWords()]).then(([chunk]) => chunk.CheckPanel),
-  complain,
-);
+const CheckPanel = later(() => import("./CheckPanel").then((chunk) => chunk.CheckPanel), complain);
 
 function CheckDock() {
   return useBelow((below) => below.open === "check") ? <CheckPanel /> : null;

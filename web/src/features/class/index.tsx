@@ -6,16 +6,13 @@
 import type { ReactNode } from "react";
 
 import { pageRole, token } from "../../api/token";
-import { moreWords } from "../../i18n/words";
 import { complain } from "../../session/document";
 import type { Feature } from "../../session/features";
 import { later } from "../../ui/later";
 
 /** `wanted`: where the page is for that. */
 function part(wanted: string, load: () => Promise<() => ReactNode>) {
-  return pageRole === wanted
-    ? later(() => Promise.all([load(), moreWords()]).then(([found]) => found), complain)
-    : null;
+  return pageRole === wanted ? later(load, complain) : null;
 }
 
 const Teacher = part("teacher", () => import("./teacher/Teacher").then((chunk) => chunk.Teacher));

@@ -8,7 +8,7 @@ import { useEffect, useState } from "react";
 
 import { listingExtensions } from "../../components/text/extensions";
 import { TextView } from "../../components/text/TextView";
-import { moreWords, t } from "../../i18n/words";
+import { t } from "../../i18n/words";
 import { useStudio } from "../../model/studio";
 import { TEAM_ROBOT } from "../../model/team-robot";
 import { type CodeSide, showCode, useCodeSide } from "../../session/code-side";
@@ -19,10 +19,7 @@ import { Tool } from "../../ui/Tool";
 import { Lll } from "./Lll";
 import "./code.css";
 
-const Projection = later(
-  () => Promise.all([import("./Projection"), moreWords()]).then(([chunk]) => chunk.default),
-  complain,
-);
+const Projection = later(() => import("./Projection").then((chunk) => chunk.default), complain);
 const COPIED_MS = 1500;
 
 function CopyButton({ text }: { text: string }) {

@@ -1,7 +1,7 @@
 /** What lies over the page for parts of one's own: the open sheet, and the menu of a part in the palette. */
 import { useState } from "react";
 
-import { moreWords, t } from "../../i18n/words";
+import { t } from "../../i18n/words";
 import { openDelete, openEdit, useOwn } from "../../session/custom-blocks";
 import { complain } from "../../session/document";
 import { FloatingMenu } from "../../ui/FloatingMenu";
@@ -9,10 +9,7 @@ import { later } from "../../ui/later";
 import { menuItem } from "../../ui/menu-model";
 import { shareParts } from "./share";
 
-const CustomBlockSheets = later(
-  () => Promise.all([import("./CustomBlockSheets"), moreWords()]).then(([chunk]) => chunk.CustomBlockSheets),
-  complain,
-);
+const CustomBlockSheets = later(() => import("./CustomBlockSheets").then((chunk) => chunk.CustomBlockSheets), complain);
 
 export function CustomBlocks() {
   const sheet = useOwn((own) => own.sheet);

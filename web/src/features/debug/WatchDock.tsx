@@ -1,14 +1,11 @@
 /** The watch's button in the bottom bar, and its place above; the watch itself is fetched when it is first opened. */
-import { moreWords, t } from "../../i18n/words";
+import { t } from "../../i18n/words";
 import { complain } from "../../session/document";
 import { useWatch } from "../../session/watching";
 import { DockButton } from "../../ui/DockButton";
 import { later } from "../../ui/later";
 
-const WatchPanel = later(
-  () => Promise.all([import("./Watch"), moreWords()]).then(([chunk]) => chunk.WatchPanel),
-  complain,
-);
+const WatchPanel = later(() => import("./Watch").then((chunk) => chunk.WatchPanel), complain);
 
 export function WatchButton() {
   const open = useWatch((state) => state.open);

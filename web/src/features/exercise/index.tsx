@@ -1,18 +1,11 @@
 /** Exercises: a mission to begin with, and its goals as a checklist beside the work. */
-import { moreWords } from "../../i18n/words";
 import { complain } from "../../session/document";
 import type { Feature } from "../../session/features";
 import { later } from "../../ui/later";
 import { useOpenExercise } from "../../session/open-exercise";
 
-const ExercisePanel = later(
-  () => Promise.all([import("./Panel"), moreWords()]).then(([chunk]) => chunk.ExercisePanel),
-  complain,
-);
-const ExerciseCards = later(
-  () => Promise.all([import("./Panel"), moreWords()]).then(([chunk]) => chunk.ExerciseCards),
-  complain,
-);
+const ExercisePanel = later(() => import("./Panel").then((chunk) => chunk.ExercisePanel), complain);
+const ExerciseCards = later(() => import("./Panel").then((chunk) => chunk.ExerciseCards), complain);
 
 function ExerciseDock() {
   return useOpenExercise(({ open }) => open !== null) ? <ExercisePanel /> : null;

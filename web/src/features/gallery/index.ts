@@ -1,15 +1,11 @@
 /** What can be opened: missions of the folder, examples, recordings, work that was left. */
-import { moreWords } from "../../i18n/words";
 import { complain, show } from "../../session/document";
 import type { Feature } from "../../session/features";
 import { later } from "../../ui/later";
 
-const Examples = later(
-  () => Promise.all([import("./OpenSheet"), moreWords()]).then(([chunk]) => chunk.Examples),
-  complain,
-);
+const Examples = later(() => import("./OpenSheet").then((chunk) => chunk.Examples), complain);
 const OpenSheet = later(
-  () => Promise.all([import("./OpenSheet"), moreWords()]).then(([chunk]) => chunk.OpenSheet),
+  () => import("./OpenSheet").then((chunk) => chunk.OpenSheet),
   (cause) => {
     show(null);
     complain(cause);

@@ -3,7 +3,7 @@ import "./inspector.css";
 
 import { useEffect } from "react";
 
-import { moreWords, t } from "../../i18n/words";
+import { t } from "../../i18n/words";
 import { useStudio } from "../../model/studio";
 import { findSpot } from "../../model/tree";
 import { complain } from "../../session/document";
@@ -12,7 +12,7 @@ import { Icon } from "../../theme";
 import { later } from "../../ui/later";
 import { Tools } from "./Tools";
 
-const Part = later(() => Promise.all([import("./Part"), moreWords()]).then(([chunk]) => chunk.Part), complain);
+const Part = later(() => import("./Part").then((chunk) => chunk.Part), complain);
 
 export function Inspector() {
   const drawing = useDrawing();

@@ -1,11 +1,10 @@
 /** A new mission begins with pictures: which robot, in which place, with which first program. */
-import { moreWords } from "../../i18n/words";
 import { complain, show } from "../../session/document";
 import type { Feature } from "../../session/features";
 import { later } from "../../ui/later";
 
 const NewMission = later(
-  () => Promise.all([import("./NewMission"), moreWords()]).then(([chunk]) => chunk.NewMission),
+  () => import("./NewMission").then((chunk) => chunk.NewMission),
   (cause) => {
     show(null);
     complain(cause);

@@ -1,5 +1,5 @@
 /** How many problems there are, and the list of them behind a button. */
-import { moreWords, t } from "../../i18n/words";
+import { t } from "../../i18n/words";
 import { useBehind } from "../../session/checked";
 import { complain } from "../../session/document";
 import { useProblemList, useProblems } from "../../session/problem-walk";
@@ -7,10 +7,7 @@ import { DockButton } from "../../ui/DockButton";
 import { later } from "../../ui/later";
 import "./problems.css";
 
-const Open = later(
-  () => Promise.all([import("./ProblemList"), moreWords()]).then(([chunk]) => chunk.ProblemList),
-  complain,
-);
+const Open = later(() => import("./ProblemList").then((chunk) => chunk.ProblemList), complain);
 
 export function ProblemList() {
   const open = useProblemList((list) => list.open);

@@ -1,7 +1,7 @@
 /** Real robots: their panel in the place of the arena, sending to them, and STOP. The panel is fetched when it is opened. */
 import type { ReactNode } from "react";
 
-import { moreWords, t } from "../../i18n/words";
+import { t } from "../../i18n/words";
 import { complain } from "../../session/document";
 import { type Feature, stopEverything } from "../../session/features";
 import { keyFor } from "../../session/key-table";
@@ -13,7 +13,7 @@ import { runOnRobots } from "./commands";
 import { showRobots, useRobotsPanel } from "./state";
 
 const Robots = later(
-  () => Promise.all([import("./Robots"), moreWords()]).then(([chunk]) => chunk.Robots),
+  () => import("./Robots").then((chunk) => chunk.Robots),
   (cause) => {
     showRobots(false);
     complain(cause);

@@ -1,15 +1,12 @@
 /** The map of failures: each robot fails at many moments, and any of these runs can be played. */
-import { moreWords, t } from "../../i18n/words";
+import { t } from "../../i18n/words";
 import { useBelow } from "../../session/below";
 import { complain } from "../../session/document";
 import type { Feature } from "../../session/features";
 import { later } from "../../ui/later";
 import { menuItem } from "../../ui/menu-model";
 
-const SweepPanel = later(
-  () => Promise.all([import("./SweepPanel"), moreWords()]).then(([chunk]) => chunk.SweepPanel),
-  complain,
-);
+const SweepPanel = later(() => import("./SweepPanel").then((chunk) => chunk.SweepPanel), complain);
 
 function SweepDock() {
   return useBelow((below) => below.open === "sweep") ? <SweepPanel /> : null;

@@ -1,12 +1,12 @@
 /** The button of the members in the bottom bar, while a team's program runs, and their list above, fetched when it opens. */
-import { moreWords, t } from "../../i18n/words";
+import { t } from "../../i18n/words";
 import { complain } from "../../session/document";
 import { showMembers, useMembers } from "../../session/members";
 import { useRun } from "../../session/run";
 import { DockButton } from "../../ui/DockButton";
 import { later } from "../../ui/later";
 
-const Members = later(() => Promise.all([import("./Members"), moreWords()]).then(([chunk]) => chunk.Members), complain);
+const Members = later(() => import("./Members").then((chunk) => chunk.Members), complain);
 
 export function MembersButton() {
   const there = useRun((run) => run.team !== null);

@@ -1,7 +1,7 @@
 /** Where the parts are: a switch between them and the team, in missions that have programs of one. */
 import { type KeyboardEvent, type ReactNode, useRef } from "react";
 
-import { moreWords, t } from "../../i18n/words";
+import { t } from "../../i18n/words";
 import { useStudio } from "../../model/studio";
 import { TEAM_ROBOT } from "../../model/team-robot";
 import { complain } from "../../session/document";
@@ -10,10 +10,7 @@ import { Icon } from "../../theme";
 import { later } from "../../ui/later";
 import "./side.css";
 
-const Roster = later(
-  () => Promise.all([import("./roster/Roster"), moreWords()]).then(([chunk]) => chunk.default),
-  complain,
-);
+const Roster = later(() => import("./roster/Roster").then((chunk) => chunk.default), complain);
 
 const SIDES: readonly Side[] = ["team", "parts"];
 

@@ -1,5 +1,4 @@
 /** Above the graph: the panel of the tutorial that is open, and the welcome. */
-import { moreWords } from "../../i18n/words";
 import { useEffect } from "react";
 
 import { complain } from "../../session/document";
@@ -8,10 +7,7 @@ import { keepTutorials } from "./opening";
 import { useTutorial } from "./state";
 import { Welcome } from "./Welcome";
 
-const TutorialPanel = later(
-  () => Promise.all([import("./Panel"), moreWords()]).then(([chunk]) => chunk.TutorialPanel),
-  complain,
-);
+const TutorialPanel = later(() => import("./Panel").then((chunk) => chunk.TutorialPanel), complain);
 
 export function Tutorials() {
   const open = useTutorial((state) => state.tutorial !== null);

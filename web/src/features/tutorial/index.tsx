@@ -1,7 +1,7 @@
 /** Tutorials: the list of them, and the one that is open. */
 import { useEffect } from "react";
 
-import { moreWords, t } from "../../i18n/words";
+import { t } from "../../i18n/words";
 import { text } from "../../model/texts";
 import { complain } from "../../session/document";
 import type { Feature } from "../../session/features";
@@ -13,14 +13,8 @@ import { begin, lookForTutorials } from "./opening";
 import { useTutorial } from "./state";
 import { Tutorials } from "./Tutorials";
 
-const Cards = later(
-  () => Promise.all([import("./Cards"), moreWords()]).then(([chunk]) => chunk.TutorialCards),
-  complain,
-);
-const Invitation = later(
-  () => Promise.all([import("./Cards"), moreWords()]).then(([chunk]) => chunk.Invitation),
-  complain,
-);
+const Cards = later(() => import("./Cards").then((chunk) => chunk.TutorialCards), complain);
+const Invitation = later(() => import("./Cards").then((chunk) => chunk.Invitation), complain);
 
 /** In the sheet for opening. */
 function AllCards() {
