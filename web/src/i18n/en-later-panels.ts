@@ -55,7 +55,6 @@ export const PANELS_EN = {
   "robots.now": "Back to now",
   "variable.of": "For every {robot}",
   "variable.change": "Change {name}",
-  "variable.name": "Name",
   "variable.type": "What it holds",
   "variable.integer": "a number",
   "variable.boolean": "yes or no",

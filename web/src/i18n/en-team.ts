@@ -45,4 +45,5 @@ export const TEAM_EN = {
   "parts.too-large": "{file} is larger than {most} MB.",
   "parts.too-large-help": "No file of robots or worlds is that large.",
   "parts.unreadable": "{file} could not be read.",
+  "variable.name": "Name",
 } as const;

@@ -2,6 +2,7 @@ import { act, createElement, useLayoutEffect } from "react";
 import { createRoot } from "react-dom/client";
 import { afterEach, beforeEach, describe, expect, it, vi } from "vitest";
 
+import { moreWords } from "../i18n/words";
 import { later } from "./later";
 
 let host: HTMLElement;
@@ -12,11 +13,14 @@ const Greeting = ({ name }: { name: string }) => createElement("p", null, `Hello
 async function show(element: React.ReactNode): Promise<void> {
   await act(async () => {
     root.render(element);
-    await Promise.resolve();
+    // What was fetched has come, and the words with it.
+    for (let turn = 0; turn < 5; turn++) await Promise.resolve();
   });
 }
 
-beforeEach(() => {
+// The words that come with every such part are there already.
+beforeEach(async () => {
+  await moreWords();
   (globalThis as { IS_REACT_ACT_ENVIRONMENT?: boolean }).IS_REACT_ACT_ENVIRONMENT = true;
   host = document.createElement("div");
   root = createRoot(host);

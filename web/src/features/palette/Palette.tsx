@@ -25,8 +25,8 @@ import { RobotButton } from "./RobotButton";
 import { type Folded, type Row, rowsOf, unfoldedFor } from "./tree";
 import { variableHandlers } from "./variable-row";
 import { VariableMenu } from "./VariableMenu";
+import { VariableName } from "./VariableName";
 
-const VariableName = later(() => import("./VariableName").then((chunk) => chunk.VariableName), complain, true);
 const VariableForm = later(() => import("./VariableForm").then((chunk) => chunk.VariableForm), complain);
 
 export function Palette() {
