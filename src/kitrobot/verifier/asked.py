@@ -17,10 +17,8 @@ from kitrobot.sim.devices.base import Discrete
 from kitrobot.text import Sentence
 from kitrobot.verifier.conditions import Asked, Member, PropertyError, Truth, ask
 from kitrobot.verifier.model import Model
-from kitrobot.verifier.properties import Property, Sensed, Watch
-
-LONG_ENOUGH = 2
-"""A run whose time is up shows that something is waited for in vain if it was for one part of so many of its time."""
+from kitrobot.verifier.properties import Property, Sensed
+from kitrobot.verifier.watches import Watch, was_long
 
 
 def team_of(run: Simulation) -> list[Member]:
@@ -190,10 +188,7 @@ class _Watch:
         return False
 
     def at_end(self) -> bool:
-        if self._waits_since < 0:
-            return False
-        waited = self._run.tick - self._waits_since
-        return self._run.outcome != "time" or LONG_ENOUGH * waited >= self._run.tick
+        return self._waits_since >= 0 and was_long(self._run, self._waits_since)
 
     def _holds(self, asked: Asked) -> bool:
         return asked.holds(self._truth)

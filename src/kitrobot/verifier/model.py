@@ -215,7 +215,7 @@ class Model(Components):
             k = int(self.run.state.actuators.actuator_index[first + at])
             if act.busy >= 0 and (inside.down == FAILED or (how == ANEW and self.watch.halts(k))):
                 busy[act.busy] = 0
-        return inside._replace(local=part.table.first, busy=tuple(busy))
+        return inside._replace(local=part.table.first, busy=tuple(busy), loose=0)
 
 
 _MOST_AFTER = 2_000_000

@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from kitrobot.diagnostics import Diagnostic, Place
 from kitrobot.files import Places
 from kitrobot.mission import PROPERTY, Mission
-from kitrobot.mission.asked import READY, SERVED
+from kitrobot.mission.asked import is_ready
 from kitrobot.primitives import Catalogue
 from kitrobot.text import Sentence
 
@@ -32,7 +32,7 @@ def property_problems(mission: Mission, catalogue: Catalogue, places: Places | N
         return
     seen: set[str] = set()
     for one in mission.properties:
-        if one.name in READY or one.name.startswith(SERVED):
+        if is_ready(one.name):
             message = Sentence("`{name}` is the name of a property that is checked unasked", one.name)
             yield PROPERTY(message, place(one.name, "name"), help=Sentence("choose another name"))
         elif one.name in seen:
