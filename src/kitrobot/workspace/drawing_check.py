@@ -11,7 +11,7 @@ from __future__ import annotations
 
 import os
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from contextlib import suppress
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, NamedTuple
@@ -61,7 +61,8 @@ NEVER_REACHED = rule(
     "never-reached",
     Severity.HINT,
     "Parts that no run comes to",
-    "All orders of events were gone through as long as no robot fails, and these parts ran in none of them.",
+    "All orders of events were gone through as long as no robot fails, with the boxes that there are and with none, and"
+    " these parts ran in none of them.",
 )
 
 
@@ -218,17 +219,29 @@ def look(
             waits = len({debug.vertex(pc) for pc in trap.standing}) == 1
             one = _Trapped(origin.program or agent.program, origin.vertex, agent.name, waits, shown.seed, shown.tick)
             found.setdefault((one.program, one.vertex), one)
-    return _Found(tuple(found.values()), _never_run(run, parts) if _says_all(run.mission, parts) else ())
+    idle = _never_run(run, [parts]) if _says_all(run.mission, parts) else ()
+    if idle and run.world.storehouses:
+        # A program may be made for any stock: what runs where there are no boxes is no mistake.
+        empty = runs(seed)
+        for house in range(len(run.world.storehouses)):
+            empty.state.docks.stock[house] = 0
+        others = take_apart(empty)
+        watch_programs(others)
+        made = explore(
+            Model(empty, others, 0, Timing.LOCKSTEP), Budget(MOST_STATES, explore_s, stop=stop), False, plain
+        )
+        idle = _never_run(run, [parts, others]) if made.complete else ()
+    return _Found(tuple(found.values()), idle)
 
 
-def _never_run(run: Simulation, parts: Parts) -> tuple[tuple[str, tuple[str, ...]], ...]:
+def _never_run(run: Simulation, looked_at: Sequence[Parts]) -> tuple[tuple[str, tuple[str, ...]], ...]:
     """By the program the vertices that ran in no robot; a program of a team is another one in each kind of robot."""
     from kitrobot.verifier.traps import never_ran
 
     programs = {agent.image_name: agent.program for agent in run.members}
     there: dict[str, set[str]] = {}
     ran: dict[str, set[str]] = {}
-    for name, never in never_ran(parts).items():
+    for name, never in (row for parts in looked_at for row in never_ran(parts).items()):
         program = programs[name]
         for pc, vertex in enumerate(run.debug[name].vertices_of(program)):
             if vertex is not None:
