@@ -19,7 +19,7 @@ from kitrobot.sim.devices.base import Command
 from kitrobot.sim.dispatch import start
 from kitrobot.sim.meetings import agree, find_members
 from kitrobot.sim.radio_tables import no_radio
-from kitrobot.sim.state import State, numbers
+from kitrobot.sim.state import State, Team, numbers
 from kitrobot.sim.work import share_out
 
 Agreed = tuple[int, ...]
@@ -79,6 +79,11 @@ class Agreement:
     def left(self, work: int) -> int:
         """The place in a state of how many units of a work are not done; -1 where there is no such work."""
         return self._place(4) + work if work < self._sizes[4] else -1
+
+    def tables(self, agreed: Agreed) -> Team:
+        """The tables of the team as they are in a state, up to the next that is asked."""
+        self._write(agreed)
+        return self._team
 
     def waits(self, robot: int) -> int:
         """The place in a state of the point at which a robot waits; less than 0 there for none."""

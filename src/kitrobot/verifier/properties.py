@@ -46,10 +46,13 @@ class Stands:
 
 @dataclass(frozen=True)
 class Sensed:
-    """What is true of a state by what some agents would read and keep there, as their keys (`looking.sensed`)."""
+    """What is true of a state by what some agents would read and keep there, as their keys (`looking.sensed`); where it
+    asks for what is shared, the number of that comes behind them.
+    """
 
     agents: tuple[int, ...]
     test: Callable[[tuple[int, ...]], bool]
+    asks_shared: bool = False
 
 
 Fact = OfShared | OfAgent | Stands

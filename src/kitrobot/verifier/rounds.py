@@ -82,7 +82,10 @@ def _mark_sensed(made: Explored, condition: Sensed) -> tuple[Any, list[int]]:
         for i, keys in zip(condition.agents, columns, strict=True):
             engine.observe(model.t, made.graph, first, end, two, i, keys)
         count = 0
-        rows = zip(*(keys.tolist() for keys in columns), strict=True)
+        asked = [keys.tolist() for keys in columns]
+        if condition.asks_shared:
+            asked.append(_shared_numbers(made, first, first + _CHUNK))
+        rows = zip(*asked, strict=False)
         for number, row in zip(range(first, end), rows, strict=False):
             holds = known.get(row)
             if holds is None:
@@ -92,6 +95,13 @@ def _mark_sensed(made: Explored, condition: Sensed) -> tuple[Any, list[int]]:
                 count += 1
         counts.append(count)
     return marks, counts
+
+
+def _shared_numbers(made: Explored, first: int, end: int) -> list[int]:
+    """Of some states the number of what is shared."""
+    layout, graph = made.model.layout, made.graph
+    keys = (graph.y if layout.word[0] else graph.x)[first:end]
+    return [int(key) >> layout.shift[0] & layout.mask[0] for key in keys]
 
 
 def _truth(made: Explored, fact: Fact) -> tuple[int, list[int]]:
