@@ -198,8 +198,8 @@ def _named(joint: Joint, team: Sequence[Member], declared: Team | None) -> _Name
         elif declared is not None and (name in roles or name in groups):
             sets[name] = None
             own.update(dict.fromkeys(_declared(name, team, declared)))
-            if name in groups:
-                others.update({at: None for role in roles for at in _declared(role, team, declared)})
+            # A role is a group too where somebody is moved into it.
+            others.update({at: None for role in roles for at in _declared(role, team, declared)})
         else:
             known = dict.fromkeys(
                 [*(one.name for one in team), *(one.program for one in team), *roles, *sorted(groups)]
