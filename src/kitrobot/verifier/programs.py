@@ -124,17 +124,20 @@ class ProgramTable:
         key = local, sensed, shared
         known = self._known.get(key)
         if known is None:
-            known = self._known[key] = tuple(dict.fromkeys(self._try(local, sensed, shared, choices)))
+            tried = (reaction for reaction, _ in self.tries(local, sensed, shared, choices))
+            known = self._known[key] = tuple(dict.fromkeys(tried))
         return known
 
-    def _try(
+    def tries(
         self,
         local: int,
         sensed: tuple[int | None, ...],
         shared: tuple[int, ...],
         choices: Mapping[int, Sequence[int]],
-    ) -> Iterator[Reaction]:
-        """Tries only those values that the tick reads: one that it does not read makes no difference."""
+    ) -> Iterator[tuple[Reaction, dict[int, int]]]:
+        """The same, one after another, each with the values that were chosen, by input: only those that the tick reads,
+        since any other makes no difference.
+        """
         waiting: list[dict[int, int]] = [{}]
         tried = 0
         while waiting:
@@ -142,7 +145,7 @@ class ProgramTable:
             reaction, read = self.run_tick(local, sensed, shared, chosen)
             open_ones = [at for at, value in enumerate(sensed) if value is None and at not in chosen and at + 1 in read]
             if not open_ones:
-                yield reaction
+                yield reaction, chosen
                 continue
             at = open_ones[0]
             tried += len(choices[at])

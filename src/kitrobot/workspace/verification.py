@@ -25,6 +25,7 @@ from kitrobot.verifier import (
     asked_properties,
     befell,
     confirm,
+    free_readings,
     judge,
     ready_properties,
     take_apart,
@@ -317,4 +318,7 @@ class _Search:
             if confirmed is None and stop():
                 return finding
             self._known[key] = confirmed
-        return replace(finding, confirmed=self._known[key], searched=True)
+        confirmed = self._known[key]
+        needs = free_readings(model, verdict.way) if confirmed is None else None
+        story = finding.story if needs is None else (*finding.story, (len(verdict.way.steps), needs))
+        return replace(finding, confirmed=confirmed, searched=True, story=story)
