@@ -7,6 +7,8 @@ from pathlib import Path
 
 import pytest
 
+from kitrobot.cli.verify import progress_words
+
 ROOT = Path(__file__).parents[2]
 SMALL = ROOT / "examples" / "passing-loop" / "passing-loop.krt"
 
@@ -100,3 +102,9 @@ def test_who_shares_nothing_has_no_radio_to_lose_and_a_check_of_that_says_so(kit
     assert said.status == 0, said
     assert "lockstep, 1 failure (mute)" in said.out
     assert "taken for granted: nobody loses its radio" in said.out
+
+
+def test_progress_says_how_many_states_a_second_and_how_much_memory() -> None:
+    words = progress_words("free, 1 failure", 1_200_000, 63, 2.0, 345_600_000)
+    assert words == "free, 1 failure: 1,200,000 states, 600,000 a second, 63 deep, 346 MB"
+    assert progress_words("lockstep", 12, 3, 0.0, 0) == "lockstep: 12 states, 3 deep"

@@ -92,8 +92,8 @@ def test_as_many_goals_and_seeds_as_are_allowed_are_read_and_one_more_is_not() -
         ),
         (
             exercise('<holds property="luck"><label>H</label></holds>'),
-            "luck | xml-bad-value | expected contact, empty-storehouse, empty-swing, deadlock, delivered, served or end"
-            " in property, found “luck”",
+            "luck | xml-bad-value | expected contact, empty-storehouse, empty-swing, stock, deadlock, delivered,"
+            " served, meets, stopped or end in property, found “luck”",
         ),
         (
             exercise('<draws corners="2"><label>D</label></draws>'),

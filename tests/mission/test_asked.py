@@ -12,6 +12,7 @@ from kitrobot.mission import AskedProperty, Form, Mission, read_mission, write_m
 from kitrobot.server.shapes import MissionShape, mission_from_shape, mission_shape
 from kitrobot.versions import differences, merge_missions
 from kitrobot.workspace import open_mission
+from tests.verifier.building import EXAMPLES
 
 HEAD = """<kitrobot version="1"><program name="p" robot="mini-robot"><vertex id="start" element="Start"/>
 <vertex id="stop" element="Stop"/><arc from="start" to="stop"/></program>
@@ -108,3 +109,21 @@ def test_one_about_nothing_is_told_with_its_place_and_the_mission_runs(
     assert problem.place is not None
     row = path.read_text(encoding="utf-8").splitlines()[problem.place.line - 1]
     assert row[problem.place.column - 1 :].startswith(at)
+
+
+def test_one_may_speak_of_roles_groups_and_works_of_the_team(tmp_path: Path) -> None:
+    example = EXAMPLES / "shared-search" / "shared-search.krt"
+    text = example.read_text(encoding="utf-8")
+    world = example.with_suffix("").with_suffix(".world.xml")
+    (tmp_path / world.name).write_text(world.read_text(encoding="utf-8"), encoding="utf-8")
+    path = tmp_path / "m.krt"
+
+    def said(condition: str) -> list[str]:
+        line = f'  <property name="n" never="{condition}"/>\n</kitrobot>'
+        path.write_text(text.replace("</kitrobot>", line), encoding="utf-8")
+        return [one.message for one in open_mission(path).check().problems if one.code == "mission-property"]
+
+    mission = open_mission(example).mission
+    [role, *_], [group, *_], [work, *_] = mission.team.roles, mission.team.groups, mission.team.works
+    assert said(f"any {role.name} (Count.EqualTo(3)) &amp; all {group.name} ({work.name}.IsEmpty())") == []
+    assert said(f"any {role.name} (Nothing.IsEmpty())") != []

@@ -5,10 +5,11 @@ from __future__ import annotations
 import pytest
 
 from kitrobot.exercise.reading import PROPERTIES
-from kitrobot.mission.asked import READY, SERVED
+from kitrobot.mission.asked import READY, READY_OF_AGENTS, is_ready
 from kitrobot.sim import Simulation
 from kitrobot.verifier import AbstractionError, Budget, Model, Timing, judge, ready_properties, take_apart
 from tests.sim.building import avatar, empty_world, run_of, transport
+from tests.verifier.building import EXAMPLES, prepared
 
 KEY = '<sensor name="Key" device="button" type="boolean"><operation name="IsPressed" test="equal" to="1"/></sensor>'
 LEVEL = """<sensor name="Level" device="range" min="0" max="65535"><operation name="Value" value="yes"/></sensor>
@@ -48,8 +49,12 @@ def test_a_sensor_of_65536_values_that_is_copied_into_a_variable_is_refused_with
 def test_the_names_of_ready_properties_are_the_same_everywhere() -> None:
     """The mission's file keeps them for no others, exercises ask for them; both lie below the verifier."""
     run = transport(stock=1, carriers=2)
-    names = [one.name for one in ready_properties(Model(run, take_apart(run)))]
-    served = [name for name in names if name.startswith(SERVED)]
-    assert served == [f"{SERVED}carrier-1", f"{SERVED}carrier-2"]
-    assert set(names) - set(served) == set(READY)
-    assert set(PROPERTIES) == {*READY, SERVED.removesuffix("-")}
+    names = {one.name for one in ready_properties(Model(run, take_apart(run)))}
+    served = {"served-carrier-1", "served-carrier-2"}
+    assert {name for name in names if name not in READY} == served
+    team = prepared(EXAMPLES / "exchange" / "exchange.krt").again()
+    more = {one.name for one in ready_properties(Model(team, take_apart(team)))}
+    assert {name.partition("-")[0] for name in more if name not in READY} == {"meets"}
+    assert all(is_ready(name) for name in names | more)
+    assert not is_ready("meetsome")
+    assert set(PROPERTIES) == {*READY, *READY_OF_AGENTS}

@@ -38,8 +38,10 @@ def agrees(run: Simulation, timing: Timing, failures: int = 0, kinds: Sequence[F
     )
     assert ours.complete
     assert (ours.states, ours.depth, ours.complete) == (theirs.states, theirs.depth, theirs.complete)
-    for one, other in zip(ours.verdicts, theirs.verdicts, strict=True):
-        assert (one.property.name, one.answer.value) == (other.property.name, other.answer.value)
+    verdicts = {one.property.name: one for one in ours.verdicts}
+    for other in theirs.verdicts:
+        one = verdicts[other.property.name]
+        assert one.answer.value == other.answer.value
         if one.way is not None and other.way is not None and one.property.waits is None:
             assert len(one.way.steps) == len(other.way.steps)
 

@@ -11,7 +11,7 @@ from kitrobot.workspace.verification import VerificationOptions, verify
 from tests.sim.building import transport
 from tests.verifier.building import EXAMPLES, answers, judged, mutant, prepared
 
-SAFE = ("contact", "empty-storehouse", "empty-swing", "deadlock")
+SAFE = ("contact", "empty-storehouse", "empty-swing", "stock", "deadlock", "stopped")
 COUNTS = '<vertex id="v11" element="Loaded.Add"><set name="value">1</set></vertex>'
 UNCOUNTED = (COUNTS, COUNTS.replace("1</set>", "0</set>"))
 LIVE = ("delivered", "served-carrier-1", "served-carrier-2", "end")

@@ -149,7 +149,7 @@ def test_a_team_whose_members_meet_comes_to_its_end(timing: Timing) -> None:
     run = team("2*( SeqOfPar scout ( Arm.Do(1); Arm.Do(2); ); ); ParOfSeq scout ( Boxes.Take(); Boxes.Done(); );").run
     made = judged(run, timing)
     assert made.complete
-    assert answers(made) == {"deadlock": "holds"}
+    assert set(answers(made).values()) <= {"holds", "vacuous"}
 
 
 @pytest.mark.parametrize("timing", list(Timing))
@@ -158,14 +158,14 @@ def test_who_keeps_a_unit_for_ever_keeps_the_others_waiting(timing: Timing) -> N
     run = team("ParOfSeq scout ( Boxes.Take(); <Boxes.IsEmpty()>( Boxes.Done(); ); );").run
     made = judged(run, timing)
     assert made.complete
-    assert answers(made) == {"deadlock": "broken"}
+    assert answers(made)["deadlock"] == "broken"
 
 
 @pytest.mark.parametrize("name", ["exchange", "convoy"])
 def test_the_shipped_teams_come_to_their_end(name: str) -> None:
     made = judged(prepared(EXAMPLES / name / f"{name}.krt").again(), Timing.LOCKSTEP)
     assert made.complete
-    assert answers(made) == {"deadlock": "holds"}
+    assert set(answers(made).values()) <= {"holds", "vacuous"}
 
 
 WAITING = """role giver: ant; role helper: ant; role waiter: ant;
@@ -187,15 +187,16 @@ def test_who_waits_for_what_nobody_does_any_more_waits_for_ever(rule: str, answe
     agents["spare-0"] = "ant", ""
     maker: Any = SimpleNamespace(agents=agents, programs={})
     team = RunningTeam(maker, parsed.program, 1)
-    assert answers(judged(team.run, timing)) == {"deadlock": "holds"}
+    assert set(answers(judged(team.run, timing)).values()) <= {"holds", "vacuous"}
     model = Model(team.run, take_apart(team.run), 1, timing, (FailureKind.FAIL,))
     made = judge(model, ready_properties(model), Budget(50_000))
     assert made.complete
-    assert answers(made) == {"deadlock": answer}
-    way = made.verdicts[0].way
+    deadlock = next(verdict for verdict in made.verdicts if verdict.property.name == "deadlock")
+    assert deadlock.answer.value == answer
+    way = deadlock.way
     if way is not None:
         assert any("the team misses giver-0" in str(words) for _, words in told(model, way))
-        assert confirm(made.verdicts[0].property, way, model, lambda seed: team.anew(), lambda: False) is not None
+        assert confirm(deadlock.property, way, model, lambda seed: team.anew(), lambda: False) is not None
 
 
 @pytest.mark.parametrize("rule", ["drop", "substitute", "abort"])
@@ -206,7 +207,7 @@ def test_members_that_meet_go_on_or_give_up_after_any_one_failure(timing: Timing
     maker: Any = SimpleNamespace(agents=agents, programs={})
     made = judged(RunningTeam(maker, parsed.program, 1).run, timing, failures=1)
     assert made.complete
-    assert answers(made) == {"deadlock": "holds"}
+    assert set(answers(made).values()) <= {"holds", "vacuous"}
 
 
 def test_a_shipped_team_on_a_road_is_followed() -> None:

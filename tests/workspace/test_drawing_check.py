@@ -2,15 +2,26 @@
 
 from __future__ import annotations
 
+import random
+from collections.abc import Callable
 from pathlib import Path
 
 import pytest
 
+from kitrobot.sim import Simulation
+from kitrobot.verifier import Budget, Model, take_apart
+from kitrobot.verifier.engines import PLAIN
+from kitrobot.verifier.exploring import explore
+from kitrobot.verifier.traps import never_ran, watch_programs
 from kitrobot.workspace import RunOptions, child_processes, open_mission
 from kitrobot.workspace.drawing_check import RUN_S, look, look_through
 from kitrobot.workspace.running import PreparedRun
 from kitrobot.workspace.verification import runs_of
+from tests.effort import cases
+from tests.sim.team_building import RunningTeam, random_team_program
+from tests.team_programs.hosting import TooLarge
 from tests.verifier.building import EXAMPLES, mutant
+from tests.verifier.test_brute_force import random_run
 
 
 def opened(path: Path) -> PreparedRun:
@@ -49,6 +60,32 @@ LOOP = RING.format(
     <arc from="p2" to="first" at="return"/>""",
     last="first",
 )
+
+MEETING = """<kitrobot version="1">
+  <program name="meet" level="social">
+    <vertex id="start" element="Start"/>
+    <vertex id="v1" element="ParOfSeq"><set name="members">leader</set></vertex>
+    <vertex id="v2" element="When"/>
+    <vertex id="v3" element="{test}"/>
+    <vertex id="v4" element="Light.LightOn"/>
+    <vertex id="v5" element="SeqOfPar"><set name="members">both</set></vertex>
+    <vertex id="v6" element="Light.LightOff"/>
+    <vertex id="stop" element="Stop"/>
+    <arc from="start" to="v1"/><arc from="v1" out="body" to="v2"/><arc from="v3" to="v2" at="condition"/>
+    <arc from="v2" out="body" to="v4"/><arc from="v4" to="v2" at="return"/><arc from="v2" to="v1" at="return"/>
+    <arc from="v1" to="v5"/><arc from="v5" out="body" to="v6"/><arc from="v6" to="v5" at="return"/>
+    <arc from="v5" to="stop"/>
+  </program>
+  <team>
+    <agent name="robot-1" program="meet" robot="mini-robot"/>
+    <agent name="robot-2" program="meet" robot="kit-robot"/>
+    <role name="leader" robot="mini-robot"/>
+    <role name="follower" robot="kit-robot"/>
+    <group name="both" members="leader follower"/>
+  </team>
+  <world href="convoy.world.xml"/>
+</kitrobot>
+"""
 
 
 def of(text: str, folder: Path) -> PreparedRun:
@@ -91,12 +128,75 @@ def test_carriers_that_block_each_other_before_the_goal_are_told_and_nothing_whe
     assert look_through(prepared, lambda: True) == []
 
 
-def test_of_a_mission_that_the_model_cannot_hold_nothing_is_said(tmp_path: Path) -> None:
-    team = opened(EXAMPLES / "convoy" / "convoy.krt")
-    assert look_through(team, lambda: False) == []
-
-
-@pytest.mark.parametrize("name", ["square", "rooms", "passing-loop", "wall-follower"])
+@pytest.mark.parametrize(
+    "name",
+    ["square", "rooms", "passing-loop", "wall-follower", "merge", "door", "follow-the-leader", "convoy", "exchange"],
+)
 def test_nothing_is_said_of_missions_that_are_right_and_of_loops_that_are_meant_to_go_on(name: str) -> None:
-    prepared = opened(EXAMPLES / name / f"{name.rpartition('/')[2]}.krt")
+    prepared = opened(EXAMPLES / name / f"{name}.krt")
     assert look(runs_of(prepared.parts()), 1, None) == ((), ())
+
+
+def test_parts_for_another_stock_are_none_that_never_run(tmp_path: Path) -> None:
+    """A's manager ends the work where there is no box."""
+    assert look(runs_of(mutant(tmp_path, carriers=2, stock=1).parts()), 1, None) == ((), ())
+
+
+def meeting(folder: Path, test: str) -> PreparedRun:
+    world = (EXAMPLES / "convoy" / "convoy.world.xml").read_text(encoding="utf-8")
+    (folder / "convoy.world.xml").write_text(world, encoding="utf-8")
+    return of(MEETING.format(test=test), folder)
+
+
+def test_who_waits_in_vain_in_a_team_is_told_and_so_is_who_waits_for_it_at_a_meeting(tmp_path: Path) -> None:
+    found = look_through(meeting(tmp_path, "Flag.IsTrue"), lambda: False, None)
+    traps = {(one.problem.code, one.problem.vertices) for one in found if one.shown is not None}
+    assert traps == {("waits-for-ever", ("v2",)), ("waits-for-ever", ("v1",))}
+    [idle] = [one.problem for one in found if one.shown is None]
+    assert (idle.code, idle.program) == ("never-reached", "meet")
+    assert set(idle.vertices) >= {"v4", "v6"}
+
+
+def test_what_one_kind_of_robot_does_in_a_team_is_no_part_that_never_runs(tmp_path: Path) -> None:
+    assert look(runs_of(meeting(tmp_path, "Flag.IsFalse").parts()), 1, None) == ((), ())
+
+
+@pytest.mark.parametrize("seed", cases([2, 4, 7], [0, 1, 3, 5, 6, *range(8, 200)]))
+def test_of_random_teams_nothing_that_runs_is_told_to_be_never_reached(seed: int) -> None:
+    maker, program = random_team_program(seed)
+    try:
+        team = RunningTeam(maker, program, seed)
+    except TooLarge:
+        return
+    none_that_never_run_does(team.run, team.anew())
+
+
+@pytest.mark.parametrize("seed", cases([*range(12)], [*range(12, 300)]))
+def test_of_random_programs_nothing_that_runs_is_told_to_be_never_reached(seed: int) -> None:
+    run, _ = random_run(random.Random(seed))
+    other, _ = random_run(random.Random(seed))
+    presses = random.Random(seed)
+
+    def press() -> None:
+        for agent in other.members:
+            other.force(agent.name, "Button", presses.randint(0, 1))
+
+    none_that_never_run_does(run, other, press)
+
+
+def none_that_never_run_does(explored: Simulation, run: Simulation, before_step: Callable[[], object] = int) -> None:
+    """Goes through a mission, and holds a run of it, of a minute at most, against what is said to run in none."""
+    parts = take_apart(explored)
+    watch_programs(parts)
+    if not explore(Model(explored, parts), Budget(2_000), False, PLAIN).complete:
+        return
+    never = never_ran(parts)
+    ran: set[tuple[str, int]] = set()
+    run.watch_programs()
+    while run.outcome is None and run.tick < 3000:
+        before_step()
+        run.advance(1)
+        for agent in run.members:
+            ran |= {(agent.image_name, pc) for pc, seen in enumerate(agent.machine.seen) if seen}
+    assert ran
+    assert not {(name, pc) for name, pc in ran if pc in never[name]}

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 import sys
+import time
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from pathlib import Path
@@ -14,6 +15,7 @@ import typer
 from kitrobot.cli.output import give, json_text, show, tell
 
 if TYPE_CHECKING:
+    from kitrobot.verifier import Timing
     from kitrobot.workspace.verification import Finding, Progress, Verification
 
 _FIRST, _LAST = 6, 24
@@ -102,12 +104,29 @@ def _progress() -> Iterator[Progress | None]:
     from rich.progress import Progress as Bar
     from rich.progress import SpinnerColumn, TextColumn, TimeElapsedColumn
 
+    from kitrobot.workspace.background_check import memory_taken
+
+    begun: dict[str, float] = {}
+
     columns = (SpinnerColumn(), TextColumn("{task.description}"), TimeElapsedColumn())
     with Bar(*columns, console=Console(stderr=True), transient=True) as bar:
         task = bar.add_task("", total=None)
-        yield lambda timing, failures, states, depth: bar.update(
-            task, description=f"{_head(timing.value, failures)}: {states:,} states, {depth} deep"
-        )
+
+        def update(timing: Timing, failures: int, states: int, depth: int) -> None:
+            head, now = _head(timing.value, failures), time.monotonic()
+            since = now - begun.setdefault(head, now)
+            bar.update(task, description=progress_words(head, states, depth, since, memory_taken()))
+
+        yield update
+
+
+def progress_words(head: str, states: int, depth: int, seconds: float, memory: int) -> str:
+    """How far a check is: states, how many a second, how deep, and the memory of its process, where it is known."""
+    words = f"{head}: {states:,} states"
+    if seconds > 0:
+        words += f", {states / seconds:,.0f} a second"
+    words += f", {depth} deep"
+    return f"{words}, {memory / 1e6:,.0f} MB" if memory else words
 
 
 def _head(timing: str, failures: int, kinds: str = "") -> str:

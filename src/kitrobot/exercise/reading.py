@@ -41,7 +41,10 @@ LONGEST_S = 600.0
 MOST_STATES = 1_000_000
 USUAL_SECONDS = "120"
 TIMINGS = ("lockstep", "prompt", "free")
-PROPERTIES = ("contact", "empty-storehouse", "empty-swing", "deadlock", "delivered", "served", "end")
+PROPERTIES = (
+    *("contact", "empty-storehouse", "empty-swing", "stock", "deadlock", "delivered", "served", "meets", "stopped"),
+    "end",
+)
 _LARGEST_SEED = 2**31 - 1
 _FAR = 100_000.0
 

@@ -34,10 +34,17 @@ _ATTRIBUTES: dict[Form, tuple[str, ...]] = {
     Form.EVENTUALLY: ("eventually",),
     Form.STAYS: ("stays", "until"),
 }
-READY = ("contact", "empty-storehouse", "empty-swing", "deadlock", "delivered", "end")
+READY = ("contact", "empty-storehouse", "empty-swing", "stock", "deadlock", "delivered", "stopped", "end")
 """Names of properties that are checked unasked (`verifier.properties`), and so are no names of others."""
-SERVED = "served-"
-"""How the other names of such properties begin."""
+READY_OF_AGENTS = ("served", "meets")
+"""The same of those that are asked of each agent: the agent's name follows, behind a hyphen."""
+
+
+def is_ready(name: str) -> bool:
+    """Whether a name is that of a property that is checked unasked."""
+    return name in READY or name.startswith(tuple(f"{one}-" for one in READY_OF_AGENTS))
+
+
 LONGEST_NAME = 100
 
 

@@ -15,7 +15,7 @@ from kitrobot.verifier.parts import Parts, take_apart
 from kitrobot.verifier.programs import AbstractionError
 from kitrobot.verifier.properties import Property, ready_properties
 from kitrobot.verifier.replay import Confirmed, Harm, befell, confirm
-from kitrobot.verifier.telling import told
+from kitrobot.verifier.telling import free_readings, told
 from kitrobot.verifier.timing import Timing
 
 __all__ = [
@@ -40,6 +40,7 @@ __all__ = [
     "asked_properties",
     "befell",
     "confirm",
+    "free_readings",
     "judge",
     "ready_properties",
     "take_apart",

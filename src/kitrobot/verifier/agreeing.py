@@ -19,7 +19,7 @@ from kitrobot.sim.devices.base import Command
 from kitrobot.sim.dispatch import start
 from kitrobot.sim.meetings import agree, find_members
 from kitrobot.sim.radio_tables import no_radio
-from kitrobot.sim.state import State, numbers
+from kitrobot.sim.state import State, Team, numbers
 from kitrobot.sim.work import share_out
 
 Agreed = tuple[int, ...]
@@ -79,6 +79,28 @@ class Agreement:
     def left(self, work: int) -> int:
         """The place in a state of how many units of a work are not done; -1 where there is no such work."""
         return self._place(4) + work if work < self._sizes[4] else -1
+
+    def tables(self, agreed: Agreed) -> Team:
+        """The tables of the team as they are in a state, up to the next that is asked."""
+        self._write(agreed)
+        return self._team
+
+    def waits(self, robot: int) -> int:
+        """The place in a state of the point at which a robot waits; less than 0 there for none."""
+        return robot
+
+    @property
+    def has_meetings(self) -> bool:
+        """Whether there is a point of the team's program at which robots wait for others."""
+        return any(kind > tc.BRANCH for kind in self._team.points[tc.P_KIND])
+
+    def units(self, robot: int) -> list[int]:
+        """The places in a state of whether a robot has a unit (`HAS_UNIT`) of each work whose units stay with it."""
+        first = self._place(5 + len(self._team.groups))
+        leases, robots = self._team.works[tc.W_LEASE], len(self._team.robots[tc.T_AT])
+        return [
+            first + work * robots + robot for work, lease in enumerate(leases[: len(self._team.holds)]) if not lease
+        ]
 
     def done(self, actuator: int) -> int:
         """The place in a state of whether an actuator has done what it was told."""

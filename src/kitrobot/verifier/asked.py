@@ -10,17 +10,18 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
-from kitrobot.mission import AskedProperty, Form
+from kitrobot.mission import AskedProperty, Form, Team
 from kitrobot.sim import Simulation
 from kitrobot.sim.breakpoints import Condition as Test
 from kitrobot.sim.devices.base import Discrete
+from kitrobot.sim.meetings import in_group
+from kitrobot.sim.state import Team as TeamTables
+from kitrobot.sim.team_columns import T_ROLE
 from kitrobot.text import Sentence
-from kitrobot.verifier.conditions import Asked, Member, PropertyError, Truth, ask
+from kitrobot.verifier.conditions import Asked, Member, Members, PropertyError, Truth, ask
 from kitrobot.verifier.model import Model
-from kitrobot.verifier.properties import Property, Sensed, Watch
-
-LONG_ENOUGH = 2
-"""A run whose time is up shows that something is waited for in vain if it was for one part of so many of its time."""
+from kitrobot.verifier.properties import Property, Sensed
+from kitrobot.verifier.watches import Watch, was_long
 
 
 def team_of(run: Simulation) -> list[Member]:
@@ -28,11 +29,26 @@ def team_of(run: Simulation) -> list[Member]:
     return [Member(agent.name, agent.program, agent.robot) for agent in run.members]
 
 
+def declared_of(run: Simulation) -> Team | None:
+    """The team of a run whose robots run a program of one."""
+    return run.mission.team if run.team_plan is not None else None
+
+
+def _in_set(run: Simulation, team: TeamTables, name: str) -> tuple[int, ...]:
+    """Who is in a role or a group, by the numbers of the agents."""
+    playing, groups = team.robots[T_ROLE], run.team_plan.groups if run.team_plan is not None else []
+    if name in groups:
+        group = list(groups).index(name)
+        return tuple(i for i, role in enumerate(playing) if role >= 0 and in_group(i, group, team))
+    number = next((at for at, role in enumerate(run.mission.team.roles) if role.name == name), -1)
+    return tuple(i for i, role in enumerate(playing) if role >= 0 and role == number)
+
+
 def variables_asked(run: Simulation, properties: Iterable[AskedProperty]) -> set[str]:
     """The names of variables that properties speak of; see `take_apart`."""
     team = team_of(run)
     found: set[str] = set()
-    for _, asked, _ in _understood(properties, team):
+    for _, asked, _ in _understood(properties, team, declared_of(run)):
         for one in asked:
             found.update(*one.names.values())
     return found
@@ -42,7 +58,7 @@ def asked_properties(model: Model, properties: Sequence[AskedProperty]) -> tuple
     """The properties that a mission asks for, and why some of them are left out."""
     found: list[Property] = []
     left_out: list[Sentence] = []
-    for one, asked, error in _understood(properties, team_of(model.run)):
+    for one, asked, error in _understood(properties, team_of(model.run), declared_of(model.run)):
         try:
             if error is not None:
                 raise error
@@ -53,11 +69,11 @@ def asked_properties(model: Model, properties: Sequence[AskedProperty]) -> tuple
 
 
 def _understood(
-    properties: Iterable[AskedProperty], team: Sequence[Member]
+    properties: Iterable[AskedProperty], team: Sequence[Member], declared: Team | None
 ) -> Iterator[tuple[AskedProperty, list[Asked], PropertyError | None]]:
     for one in properties:
         try:
-            yield one, [ask(text, team) for _, text in one.conditions], None
+            yield one, [ask(text, team, declared) for _, text in one.conditions], None
         except PropertyError as error:
             yield one, [], error
 
@@ -74,6 +90,7 @@ class _InModel:
             for agent in agents
         }
         self._known: dict[tuple[int, str, int], bool] = {}
+        self._sets: dict[tuple[str, int], tuple[int, ...]] = {}
         for test, agents in asked.tests.items():
             for agent in agents:
                 self._expect_known(agent, asked.names[test])
@@ -87,10 +104,26 @@ class _InModel:
                     Sentence("ask for what a robot reads of roads, docks and storehouses, or for a variable"),
                 )
 
-    def when(self, wanted: Callable[[Truth], bool]) -> Sensed:
+    def when(self, wanted: Callable[[Truth, Members], bool]) -> Sensed:
         """The states of which something is true that is asked of tests of agents."""
         agents = tuple(sorted({agent for agents in self._asked.tests.values() for agent in agents}))
-        return Sensed(agents, lambda keys: wanted(self._truths(dict(zip(agents, keys, strict=True)))))
+
+        def holds(keys: tuple[int, ...]) -> bool:
+            return wanted(
+                self._truths(dict(zip(agents, keys, strict=False))), lambda name: self._in_set(name, keys[-1])
+            )
+
+        return Sensed(agents, holds, bool(self._asked.sets))
+
+    def _in_set(self, name: str, shared: int) -> tuple[int, ...]:
+        """Who is in a role or a group where this is shared."""
+        known = self._sets.get((name, shared))
+        if known is None:
+            model = self._model
+            assert model.agreement is not None, "only a team has roles and groups"
+            tables = model.agreement.tables(model.agreed(model.shareds()[shared]))
+            known = self._sets[name, shared] = _in_set(model.run, tables, name)
+        return known
 
     @property
     def holds(self) -> Sensed:
@@ -98,9 +131,11 @@ class _InModel:
         return self.when(self._asked.holds)
 
     def _truths(self, keys: Mapping[int, int]) -> Truth:
-        return lambda agent, test: self._truth(agent, test, keys[agent])
+        return lambda agent, test: self._truth(agent, test, keys.get(agent, 0))
 
     def _truth(self, agent: int, test: str, key: int) -> bool:
+        if (agent, test) not in self._tests:
+            return False  # It is in a group whose other members have what it lacks.
         known = self._known.get((agent, test, key))
         if known is None:
             mind = _Mind(self._model.cells(agent, key))
@@ -146,12 +181,19 @@ def _property(model: Model, one: AskedProperty, asked: Sequence[Asked]) -> Prope
 
 
 def _not(one: Sensed) -> Sensed:
-    return Sensed(one.agents, lambda keys: not one.test(keys))
+    return Sensed(one.agents, lambda keys: not one.test(keys), one.asks_shared)
 
 
 def _both(one: Sensed, other: Sensed) -> Sensed:
     size = len(one.agents)
-    return Sensed((*one.agents, *other.agents), lambda keys: one.test(keys[:size]) and other.test(keys[size:]))
+    asks = one.asks_shared or other.asks_shared
+
+    def holds(keys: tuple[int, ...]) -> bool:
+        return one.test((*keys[:size], *keys[-1:])) and other.test(keys[size:])
+
+    if not asks:
+        return Sensed((*one.agents, *other.agents), lambda keys: one.test(keys[:size]) and other.test(keys[size:]))
+    return Sensed((*one.agents, *other.agents), holds, True)
 
 
 class _Watch:
@@ -190,15 +232,14 @@ class _Watch:
         return False
 
     def at_end(self) -> bool:
-        if self._waits_since < 0:
-            return False
-        waited = self._run.tick - self._waits_since
-        return self._run.outcome != "time" or LONG_ENOUGH * waited >= self._run.tick
+        return self._waits_since >= 0 and was_long(self._run, self._waits_since)
 
     def _holds(self, asked: Asked) -> bool:
-        return asked.holds(self._truth)
+        return asked.holds(self._truth, lambda name: _in_set(self._run, self._run.state.team, name))
 
     def _truth(self, agent: int, test: str) -> bool:
+        if (agent, test) not in self._tests:
+            return False
         machine = self._run.members[agent].machine
         cells = tuple(int(cell) for cell in machine.cells[: machine.layout.cells])
         key = agent, test, cells

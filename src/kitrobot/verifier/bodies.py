@@ -33,6 +33,8 @@ class Inside(NamedTuple):
         own: its copies of the shared variables, once it hears nobody; empty as long as it does.
         is_muted: whether it hears nobody.
         is_over: whether its team ended its program, since nobody needs it any more.
+        loose: the bits of its actuators that go on although the parallel of a marked action that started them is over
+            (see `stops`).
     """
 
     local: int
@@ -42,6 +44,7 @@ class Inside(NamedTuple):
     own: tuple[int, ...] = ()
     is_muted: bool = False
     is_over: bool = False
+    loose: int = 0
 
 
 NEW_ZONE = 1 << 4

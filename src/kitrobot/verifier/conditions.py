@@ -1,18 +1,20 @@
 """Conditions that speak of several agents: LLL in which each test says whose it is, `any carrier-1 (Sign.EqualTo(3))`.
 
-`any`, `all` and `most` are those of team programs; a name is an agent's, or a program's for all agents that run it.
+`any`, `all` and `most` are those of team programs; a name is an agent's, or a program's for all agents that run it, or
+that of a role or a group, for all that play it or are in it at that moment.
 What stands in the brackets is decided by the interpreter on what that agent reads and keeps
 (`sim.breakpoints.Condition`); what is left here is *and*, *or*, *not* and counting.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Collection, Iterator, Sequence
 from dataclasses import dataclass
 from typing import NamedTuple
 
 from kitrobot.diagnostics import KitRobotError
 from kitrobot.lll import And, Call, Condition, Conditional, Hole, Joint, Not, Or, nodes, parse_team
+from kitrobot.mission import Team
 from kitrobot.primitives import Robot
 from kitrobot.sim.breakpoints import Condition as Test
 from kitrobot.sim.breakpoints import ConditionError
@@ -33,6 +35,23 @@ class Member(NamedTuple):
 
 Truth = Callable[[int, str], bool]
 """Whether a test, as text, holds for the agent of that number."""
+Members = Callable[[str], Collection[int]]
+"""The numbers of the agents that are in a role or a group."""
+
+
+class _Named(NamedTuple):
+    """Whom a test asks: agents by number, and roles and groups by name; `own` and `others` are who may be in those:
+    as they are declared, and besides, for a robot may be moved from one group to another.
+    """
+
+    agents: tuple[int, ...]
+    sets: tuple[str, ...]
+    own: tuple[int, ...]
+    others: tuple[int, ...]
+
+
+def _nobody(name: str) -> Collection[int]:
+    return ()
 
 
 @dataclass(frozen=True)
@@ -43,33 +62,39 @@ class Asked:
         text: the condition.
         tests: of each test that it asks, as text, the numbers of the agents that are asked.
         names: of each test, the parts of the robot that it speaks of.
+        sets: the roles and groups that it names.
     """
 
     text: str
     tests: dict[str, tuple[int, ...]]
     names: dict[str, frozenset[str]]
     _condition: Condition
-    _agents: dict[int, tuple[int, ...]]
+    _asked: dict[int, _Named]
 
-    def holds(self, truth: Truth) -> bool:
+    @property
+    def sets(self) -> frozenset[str]:
+        return frozenset(name for named in self._asked.values() for name in named.sets)
+
+    def holds(self, truth: Truth, members: Members = _nobody) -> bool:
         """Whether it holds."""
-        return self._holds(self._condition, truth)
+        return self._holds(self._condition, truth, members)
 
-    def is_concerned(self, truth: Truth) -> bool:
+    def is_concerned(self, truth: Truth, members: Members = _nobody) -> bool:
         """Whether it is in question: of several that are joined by `&`, one holds; one alone always is."""
         parts = list(_conjuncts(self._condition))
-        return len(parts) == 1 or any(self._holds(part, truth) for part in parts)
+        return len(parts) == 1 or any(self._holds(part, truth, members) for part in parts)
 
-    def _holds(self, one: Condition, truth: Truth) -> bool:
+    def _holds(self, one: Condition, truth: Truth, members: Members) -> bool:
         match one:
             case And():
-                return self._holds(one.left, truth) and self._holds(one.right, truth)
+                return self._holds(one.left, truth, members) and self._holds(one.right, truth, members)
             case Or():
-                return self._holds(one.left, truth) or self._holds(one.right, truth)
+                return self._holds(one.left, truth, members) or self._holds(one.right, truth, members)
             case Not():
-                return not self._holds(one.condition, truth)
+                return not self._holds(one.condition, truth, members)
             case Joint():
-                agents, test = self._agents[one.start], _test_of(self.text, one)
+                named, test = self._asked[one.start], _test_of(self.text, one)
+                agents = dict.fromkeys([*named.agents, *(agent for name in named.sets for agent in members(name))])
                 if one.quantifier == "all":
                     return all(truth(agent, test) for agent in agents)
                 if one.quantifier == "any":
@@ -78,8 +103,13 @@ class Asked:
         raise AssertionError("other conditions were refused")
 
 
-def ask(text: str, team: Sequence[Member]) -> Asked:
+def ask(text: str, team: Sequence[Member], declared: Team | None = None) -> Asked:
     """Understands a condition.
+
+    Args:
+        text: the condition.
+        team: the agents.
+        declared: the mission's team, where its robots run a program of one: its roles and groups have names too.
 
     Raises:
         PropertyError: it is no condition, a test does not say whose it is, or a name is not there.
@@ -95,15 +125,16 @@ def ask(text: str, team: Sequence[Member]) -> Asked:
     condition = items[0].condition
     asked = Asked(text, {}, {}, condition, {})
     for joint in _joints(condition):
-        agents = _named(joint, team)
-        test = _test_of(text, joint)
-        for robot in {team[agent].robot.name: team[agent].robot for agent in agents}.values():
+        named, test = _named(joint, team, declared), _test_of(text, joint)
+        for robot in {team[agent].robot.name: team[agent].robot for agent in (*named.agents, *named.own)}.values():
             try:
                 Test(test, robot)
             except ConditionError as error:
                 raise PropertyError(error.message, error.help) from None
-        asked._agents[joint.start] = agents
-        asked.tests[test] = tuple(dict.fromkeys((*asked.tests.get(test, ()), *agents)))
+        others = [agent for agent in named.others if _understands(team[agent].robot, test)]
+        asked._asked[joint.start] = named
+        agents = (*asked.tests.get(test, ()), *named.agents, *named.own, *others)
+        asked.tests[test] = tuple(dict.fromkeys(agents))
         asked.names[test] = frozenset(node.object for node in nodes(joint.condition) if isinstance(node, Call))
     return asked
 
@@ -142,16 +173,55 @@ def _joints(one: Condition) -> Iterator[Joint]:
             raise PropertyError(Sentence("a condition has no holes"), _USUAL)
 
 
-def _named(joint: Joint, team: Sequence[Member]) -> tuple[int, ...]:
-    """The numbers of the agents that a test asks."""
+def _understands(robot: Robot, test: str) -> bool:
+    try:
+        Test(test, robot)
+    except ConditionError:
+        return False
+    return True
+
+
+def _named(joint: Joint, team: Sequence[Member], declared: Team | None) -> _Named:
+    """Whom a test asks."""
     assert not isinstance(joint.members, Hole), "a program has no holes"
     found: dict[int, None] = {}
+    own: dict[int, None] = {}
+    others: dict[int, None] = {}
+    sets: dict[str, None] = {}
+    roles = {role.name: role.robot for role in declared.roles} if declared is not None else {}
+    groups = {group.name for group in declared.groups} if declared is not None else set()
     for name in joint.members.names:
         agents = [at for at, one in enumerate(team) if one.name == name]
         agents = agents or [at for at, one in enumerate(team) if one.program == name]
-        if not agents:
-            known = dict.fromkeys([*(one.name for one in team), *(one.program for one in team)])
+        if agents:
+            found.update(dict.fromkeys(agents))
+        elif declared is not None and (name in roles or name in groups):
+            sets[name] = None
+            own.update(dict.fromkeys(_declared(name, team, declared)))
+            # A role is a group too where somebody is moved into it.
+            others.update({at: None for role in roles for at in _declared(role, team, declared)})
+        else:
+            known = dict.fromkeys(
+                [*(one.name for one in team), *(one.program for one in team), *roles, *sorted(groups)]
+            )
             help: Help = did_you_mean(name, known) or Sentence("it has: {names}", listed(known))
             raise PropertyError(Sentence("`{name}` is no agent of this team, and no program of one", name), help)
-        found.update(dict.fromkeys(agents))
-    return tuple(found)
+    return _Named(tuple(found), tuple(sets), tuple(own), tuple(others))
+
+
+def _declared(name: str, team: Sequence[Member], declared: Team) -> set[int]:
+    """Who may play a role, or be in a group as it is declared."""
+    found: set[int] = set()
+    waiting, seen = [name], set()
+    while waiting:
+        one = waiting.pop()
+        if one in seen:
+            continue
+        seen.add(one)
+        found |= {at for at, member in enumerate(team) if member.name == one}
+        kinds = {role.robot for role in declared.roles if role.name == one}
+        found |= {at for at, member in enumerate(team) if member.robot.name in kinds}
+        for group in declared.groups:
+            if group.name == one:
+                waiting += group.members.names
+    return found

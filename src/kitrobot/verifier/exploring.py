@@ -34,6 +34,7 @@ class Budget:
         memory: at most about so many bytes; None for no limit.
         stop: asked now and then whether to break off.
         progress: told now and then how many states there are and how deep.
+        clock: what tells the time, in seconds.
     """
 
     states: int = 1_000_000
@@ -41,6 +42,12 @@ class Budget:
     memory: int | None = None
     stop: Callable[[], bool] = lambda: False
     progress: Callable[[int, int], None] = lambda states, depth: None
+    clock: Callable[[], float] = time.monotonic
+
+    def breaks_off(self, began: float) -> Callable[[], bool]:
+        """Asked whether it is stopped, or time is up for what began then."""
+        ends = None if self.seconds is None else began + self.seconds
+        return lambda: self.stop() or (ends is not None and self.clock() >= ends)
 
 
 @dataclass
@@ -55,7 +62,7 @@ class Explored:
         complete: whether there is no state beyond.
         seconds: how long it took.
         breaks_off: asked whether time is up or it is stopped.
-        is_stopped: asked whether it is stopped.
+        is_cut: whether marking states for a property was broken off.
     """
 
     model: Model
@@ -64,7 +71,11 @@ class Explored:
     complete: bool = False
     seconds: float = 0.0
     breaks_off: Callable[[], bool] = field(default=lambda: False)
-    is_stopped: Callable[[], bool] = field(default=lambda: False)
+    is_cut: bool = False
+
+    def mark_anew(self) -> None:
+        """From here on states are marked for another property."""
+        self.is_cut = False
 
     def __len__(self) -> int:
         """How many states were reached."""
@@ -196,19 +207,14 @@ def explore(model: Model, budget: Budget, keeps_steps: bool, engine: Engine | No
         keeps_steps: whether steps are kept, as judging what happens in the end needs them.
         engine: what goes through the states; None for the plain one until the compiled one is worth it and there.
     """
-    began = time.monotonic()
-    ends = None if budget.seconds is None else began + budget.seconds
-
-    def breaks_off() -> bool:
-        return budget.stop() or (ends is not None and time.monotonic() >= ends)
-
-    made = Explored(model, _fresh(), engines.PLAIN, breaks_off=breaks_off, is_stopped=budget.stop)
+    began = budget.clock()
+    made = Explored(model, _fresh(), engines.PLAIN, breaks_off=budget.breaks_off(began))
     with suppress(TooManyError):
         _begin(made, min(budget.states, MOST_STATES), keeps_steps)
         if engine is not None:
             _use(made, engine)
         _explore(made, budget, engine is None)
-    made.seconds = time.monotonic() - began
+    made.seconds = budget.clock() - began
     budget.progress(len(made), made.depth)
     return made
 
@@ -250,16 +256,16 @@ def _begin(made: Explored, most: int, keeps_steps: bool) -> None:
 
 
 def _explore(made: Explored, budget: Budget, may_change: bool) -> None:
-    batch, begun = 256, time.monotonic()
+    batch, begun = 256, budget.clock()
     told = begun
     while made.expanded < len(made):
         if made.breaks_off() or (budget.memory is not None and made.memory > budget.memory):
             return
         if may_change and made.engine is engines.PLAIN:
-            better = engines.worth(len(made), time.monotonic() - begun)
+            better = engines.worth(len(made), budget.clock() - begun)
             if better is not None:
                 _use(made, better)
-        began = time.monotonic()
+        began = budget.clock()
         t = made.model.t
         code = made.engine.advance(t, made.graph, int(t.regs[v.AT]) + batch)
         if code == v.CUT:
@@ -267,8 +273,8 @@ def _explore(made: Explored, budget: Budget, may_change: bool) -> None:
         if code != v.GOES_ON:
             made.fill(code)
             continue
-        now = time.monotonic()
-        batch = max(16, min(4 * batch, int(batch * _PAUSE_S / max(now - began, 1e-3))))
+        now = budget.clock()
+        batch = max(1, min(4 * batch, int(batch * _PAUSE_S / max(now - began, 1e-3))))
         if now - told > _PAUSE_S:
             told = now
             budget.progress(len(made), made.depth)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from enum import Enum
 from typing import NamedTuple
 
@@ -82,12 +82,22 @@ class Judged:
     memory: int = 0
 
 
+_SHARE = 0.75
+"""Of the time, for exploring where steps are kept; the rest is for what happens in the end."""
+
+
 def judge(model: Model, properties: Sequence[Property], budget: Budget, engine: Engine | None = None) -> Judged:
     """Explores a model, of which nothing was explored yet, and judges properties by it."""
     keeps_steps = any(one.waits is not None or one.breaks is not None for one in properties)
-    made = explore(model, budget, keeps_steps, engine)
+    began = budget.clock()
+    share = None if budget.seconds is None else budget.seconds * (_SHARE if keeps_steps else 1.0)
+    made = explore(model, replace(budget, seconds=share), keeps_steps, engine)
+    made.breaks_off = budget.breaks_off(began)
     first = made.came_first()
-    verdicts = [_verdict(made, one, first) for one in properties]
+    # What one state or event breaks is found at once; what is waited for takes the time that is left.
+    quick_first = sorted(range(len(properties)), key=lambda n: properties[n].waits is not None)
+    judged = {n: _verdict(made, properties[n], first) for n in quick_first}
+    verdicts = [judged[n] for n in range(len(properties))]
     return Judged(
         model.timing,
         model.failures,
@@ -101,6 +111,7 @@ def judge(model: Model, properties: Sequence[Property], budget: Budget, engine: 
 
 
 def _verdict(made: Explored, one: Property, first: dict[int, int]) -> Verdict:
+    made.mark_anew()
     kinds = [what for what in one.broken_by if what in first]
     if kinds:
         kind = min(kinds, key=lambda what: (first[what], what))
@@ -112,8 +123,8 @@ def _verdict(made: Explored, one: Property, first: dict[int, int]) -> Verdict:
         way, is_sure = _endless(made, one)
     if way is not None:
         return Verdict(one, Answer.BROKEN, way)
-    in_question = _is_in_question(made, one, first)
-    if not made.complete or not is_sure or made.is_stopped():
+    in_question = made.complete and _is_in_question(made, one, first)
+    if not made.complete or not is_sure or made.is_cut:
         return Verdict(one, Answer.NOT_FINISHED)
     return Verdict(one, Answer.HOLDS if in_question else Answer.VACUOUS)
 

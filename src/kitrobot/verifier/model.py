@@ -19,6 +19,7 @@ from kitrobot.verifier.bodies import ANEW, FAILED, LOST, RUNS, Inside
 from kitrobot.verifier.components import Components, Shared, State
 from kitrobot.verifier.events import TooManyError
 from kitrobot.verifier.growing import find_confs_again, put
+from kitrobot.verifier.looking import decode, sensed
 from kitrobot.verifier.missing import ENDS
 from kitrobot.verifier.stepping import due_in
 from kitrobot.verifier.timing import Timing
@@ -109,9 +110,7 @@ class Model(Components):
             over = self.inside_number(i, inside._replace(is_over=True))
             self._put_reactions(key, [(over, 0, v.NO_WRITE)])
             return
-        outside = reactions.around(part, self._signs_of(i), key, seen[len(part.shared) :])
-        shared = inside.own or seen[: len(part.shared)]
-        sensed = tuple(reactions.read(inside, sense, there) for sense, there in zip(part.senses, outside, strict=True))
+        sensed, shared = self._sensed(i, key)
         choices = {at: sense.choices for at, sense in enumerate(part.senses)}
         found: dict[tuple[int, int, int], None] = {}
         for reaction in part.table.react(inside.local, sensed, shared, choices):
@@ -123,6 +122,19 @@ class Model(Components):
                 change = change[0], (*change[1], Told(ENDS, part.agent.index, 0, 0))
             found[number, 2 * (want + 2) + ticks, self._write_number(change)] = None
         self._put_reactions(key, found)
+
+    def sensed(self, i: int, state: State) -> tuple[tuple[int | None, ...], tuple[int, ...]]:
+        """What agent i reads in a state, None of an input that may read anything; and its shared variables."""
+        decode(self.t, *self.layout.key(state))
+        return self._sensed(i, sensed(self.t, i))
+
+    def _sensed(self, i: int, key: int) -> tuple[tuple[int | None, ...], tuple[int, ...]]:
+        """The same, by what it senses (`looking.sensed`)."""
+        part, inside = self.parts[i], self._insides[i][key & v.MOST_INSIDES - 1]
+        seen = self._seen_tuples[i][key >> v.S_SHARED & v.MOST_SEEN - 1]
+        outside = reactions.around(part, self._signs_of(i), key, seen[len(part.shared) :])
+        read = tuple(reactions.read(inside, sense, there) for sense, there in zip(part.senses, outside, strict=True))
+        return read, inside.own or seen[: len(part.shared)]
 
     def _put_reactions(self, key: int, found: Collection[tuple[int, int, int]]) -> None:
         """Puts what a tick can bring behind the outcomes."""
@@ -215,7 +227,7 @@ class Model(Components):
             k = int(self.run.state.actuators.actuator_index[first + at])
             if act.busy >= 0 and (inside.down == FAILED or (how == ANEW and self.watch.halts(k))):
                 busy[act.busy] = 0
-        return inside._replace(local=part.table.first, busy=tuple(busy))
+        return inside._replace(local=part.table.first, busy=tuple(busy), loose=0)
 
 
 _MOST_AFTER = 2_000_000

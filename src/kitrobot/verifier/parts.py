@@ -20,7 +20,7 @@ from kitrobot.sim.devices.base import Discrete
 from kitrobot.sim.docks import DOCK_AT, DOCK_REACH
 from kitrobot.sim.event_text import sensor_names
 from kitrobot.sim.state import State
-from kitrobot.text import Sentence
+from kitrobot.text import COMMA, Sentence, Series
 from kitrobot.verifier.agreeing import Agreement
 from kitrobot.verifier.programs import ProgramTable, greatest_argument, value_classes
 from kitrobot.verifier.roads import Gaps, Track, Zones, zones_of
@@ -153,6 +153,8 @@ class _Builder:
         self.state: State = run.state
         self.kept = kept
         self.limits: dict[str, None] = {}
+        self.free: dict[str, list[str]] = {}
+        """By the name of a sensor that is taken to read anything the agents that have it, and can tell."""
         self.rows = sensor_names(run.state, run.members)
         self.tables: dict[str, ProgramTable] = {}
         self.numbers: dict[str, int] = {}
@@ -194,6 +196,10 @@ class _Builder:
             part.is_asked = any(one.shared and one.name in self.kept for one in agent.robot.variables)
             parts.append(part)
         self._neighbours(parts, zones)
+        for sensor, names in self.free.items():
+            self._limit(
+                Sentence("{sensor} of {agent} is taken to read anything at any time", sensor, Series(COMMA, names))
+            )
         return Parts(parts, list(self.limits), self.agreement)
 
     def _limit_team(self) -> None:
@@ -331,12 +337,12 @@ class _Builder:
         if discrete in (Discrete.SECTION, Discrete.GAP) and zones is None:
             is_plain = False
         if not is_plain or discrete is Discrete.ANY:
-            if discrete is not Discrete.ANY:
-                self._limit(
-                    Sentence("{sensor} of {agent} is taken to read anything at any time", part.name, agent.name)
-                )
             cell = agent.machine.layout.sensors[part.name]
-            return Sense(Discrete.ANY, choices=value_classes(agent.machine.image, cell, least, most))
+            choices = value_classes(agent.machine.image, cell, least, most)
+            # What a person does may come at any time indeed.
+            if discrete is not Discrete.ANY or (len(choices) > 1 and not sensors()[part.model].by_hand):
+                self.free.setdefault(part.name, []).append(agent.name)
+            return Sense(Discrete.ANY, choices=choices)
         if discrete is Discrete.TEAM:
             return Sense(discrete, agreed=self._agreed(agent, part, floats[c.S_P][k]), least=least, most=most)
         if discrete is Discrete.SECTION:

@@ -19,6 +19,7 @@ from kitrobot.image import Image, Machine
 from kitrobot.image.instructions import ACT, BY_NUMBER, CLAMP, END, EQ, FORK, LT, Role
 from kitrobot.primitives import Robot
 from kitrobot.text import Sentence
+from kitrobot.verifier.stops import stops_in
 
 MOST_OUTCOMES = 4096
 """Reactions to the values that one robot may sense in one state, at most."""
@@ -38,6 +39,8 @@ class Reaction:
         seconds: of each command its second argument; 0 where there is none.
         shared: the values of the robot's shared variables after the tick, in the order of its XML.
         ended: whether the program has ended.
+        stops: the bits of actuators that were told to stop, and of those that go on although a marked action's parallel
+            is over (`stops.stops_in`).
     """
 
     local: int
@@ -45,6 +48,7 @@ class Reaction:
     shared: tuple[int, ...]
     ended: bool
     seconds: tuple[int, ...] = ()
+    stops: tuple[int, int] = (0, 0)
 
 
 class ProgramTable:
@@ -120,17 +124,20 @@ class ProgramTable:
         key = local, sensed, shared
         known = self._known.get(key)
         if known is None:
-            known = self._known[key] = tuple(dict.fromkeys(self._try(local, sensed, shared, choices)))
+            tried = (reaction for reaction, _ in self.tries(local, sensed, shared, choices))
+            known = self._known[key] = tuple(dict.fromkeys(tried))
         return known
 
-    def _try(
+    def tries(
         self,
         local: int,
         sensed: tuple[int | None, ...],
         shared: tuple[int, ...],
         choices: Mapping[int, Sequence[int]],
-    ) -> Iterator[Reaction]:
-        """Tries only those values that the tick reads: one that it does not read makes no difference."""
+    ) -> Iterator[tuple[Reaction, dict[int, int]]]:
+        """The same, one after another, each with the values that were chosen, by input: only those that the tick reads,
+        since any other makes no difference.
+        """
         waiting: list[dict[int, int]] = [{}]
         tried = 0
         while waiting:
@@ -138,7 +145,7 @@ class ProgramTable:
             reaction, read = self.run_tick(local, sensed, shared, chosen)
             open_ones = [at for at, value in enumerate(sensed) if value is None and at not in chosen and at + 1 in read]
             if not open_ones:
-                yield reaction
+                yield reaction, chosen
                 continue
             at = open_ones[0]
             tried += len(choices[at])
@@ -160,7 +167,9 @@ class ProgramTable:
             cells[1 + at] = chosen.get(at, 0) if value is None else value
         for cell, value in zip(self.shared, shared, strict=True):
             cells[cell] = value
+        armed = self._snapshots[local][2]
         told = self._told(machine)
+        stops = stops_in(armed, machine)
         commands = tuple(
             (machine.layout.commands[machine.out[at + 2]][0], machine.out[at + 2], self._argument(at, 0)) for at in told
         )
@@ -168,7 +177,7 @@ class ProgramTable:
         self.ticks += 1
         read = {cell for pc, ran in enumerate(machine.seen) if ran for cell in self._reads[pc]}
         after = tuple(int(cells[cell]) for cell in self.shared)
-        return Reaction(self.current(), commands, after, machine.ended, seconds), read
+        return Reaction(self.current(), commands, after, machine.ended, seconds, stops), read
 
     def _argument(self, at: int, number: int) -> int:
         machine = self.machine

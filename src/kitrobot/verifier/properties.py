@@ -8,25 +8,17 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
-from typing import Protocol
 
+from kitrobot.mission import BreakdownRule
 from kitrobot.sim import Simulation
 from kitrobot.sim import columns as c
+from kitrobot.sim.team_columns import HAS_UNIT
 from kitrobot.text import Sentence
-from kitrobot.verifier.bodies import Inside
+from kitrobot.verifier.bodies import FAILED, RUNS, Inside
 from kitrobot.verifier.events import SWINGS, What
 from kitrobot.verifier.model import Model, Shared
 from kitrobot.verifier.motion import Move
-
-
-class Watch(Protocol):
-    """Looks at a run of the simulator, whether it breaks a property."""
-
-    def after_step(self) -> bool:
-        """Whether the step that was just made broke it."""
-
-    def at_end(self) -> bool:
-        """Whether the run, which is over, broke it."""
+from kitrobot.verifier.watches import Watch, loses_something, runs_on, waits_at_point
 
 
 @dataclass(frozen=True)
@@ -54,10 +46,13 @@ class Stands:
 
 @dataclass(frozen=True)
 class Sensed:
-    """What is true of a state by what some agents would read and keep there, as their keys (`looking.sensed`)."""
+    """What is true of a state by what some agents would read and keep there, as their keys (`looking.sensed`); where it
+    asks for what is shared, the number of that comes behind them.
+    """
 
     agents: tuple[int, ...]
     test: Callable[[tuple[int, ...]], bool]
+    asks_shared: bool = False
 
 
 Fact = OfShared | OfAgent | Stands
@@ -137,6 +132,7 @@ def ready_properties(model: Model) -> list[Property]:
                 about=frozenset(SWINGS),
             )
         )
+    found += _stock(model)
     found.append(
         Property(
             "deadlock",
@@ -157,6 +153,8 @@ def ready_properties(model: Model) -> list[Property]:
             )
         )
     found += [_served(model, i) for i in _carriers(model)]
+    found += _meetings(model)
+    found += _stopped(model)
     if model.goals and all(part.table.may_end or part.is_spare for part in model.parts):
         found.append(
             Property(
@@ -188,6 +186,89 @@ def _served(model: Model, i: int) -> Property:
         concerned=stands,
         ends_as=("stuck", "time"),
     )
+
+
+def _stock(model: Model) -> list[Property]:
+    """That every box is in a storehouse or on a robot that can go on, and every unit of work has somebody to do it.
+
+    An arm moves a box from one to the other in one moment. Where robots that fail are towed, their boxes go back.
+    """
+    carriers, agreement = _carriers(model), model.agreement
+    clauses: list[tuple[Fact, ...]] = []
+    if model.run.mission.breakdown.rule is not BreakdownRule.TOW:
+        clauses += [(OfAgent(i, lambda inside: inside.load > 0 and inside.down == FAILED),) for i in carriers]
+    units = (
+        [] if agreement is None else [(i, at) for i in range(model.count) for at in agreement.units(_robot(model, i))]
+    )
+    clauses += [(_has_ended(model, i), _has_unit(model, at)) for i, at in units]
+    if not clauses:
+        return []
+    in_question: list[tuple[Fact, ...]] = [(OfAgent(i, lambda inside: inside.load > 0),) for i in carriers]
+    in_question += [(_has_unit(model, at),) for _, at in units]
+    return [
+        Property(
+            "stock",
+            Sentence("no box and no unit of work is lost or appears twice"),
+            never=tuple(clauses),
+            concerned=tuple(in_question),
+            watch=loses_something,
+        )
+    ]
+
+
+def _meetings(model: Model) -> list[Property]:
+    """That each member of a team that waits for others at a point of its program gets on."""
+    agreement = model.agreement
+    if agreement is None or not agreement.has_meetings:
+        return []
+    members = [
+        i for i, part in enumerate(model.parts) if part.is_member and not (part.is_spare and model.watch is None)
+    ]
+    return [_meets(model, i) for i in members]
+
+
+def _meets(model: Model, i: int) -> Property:
+    assert model.agreement is not None
+    name, at = model.parts[i].agent.name, model.agreement.waits(_robot(model, i))
+    runs = OfAgent(i, lambda inside: inside.down == RUNS and not model.has_ended(i, inside))
+    waits = (runs, OfShared(lambda shared: model.agreed(shared)[at] >= 0), *_needed(model, i))
+    return Property(
+        f"meets-{name}",
+        Sentence("{agent} does not wait for its team for ever", name),
+        waits=(waits,),
+        concerned=(waits,),
+        watch=lambda run: waits_at_point(run, name),
+    )
+
+
+def _stopped(model: Model) -> list[Property]:
+    """That whatever marked actions started stands when their program has ended (see `stops`)."""
+    agents = [i for i, part in enumerate(model.parts) if part.table.machine.image.stops and part.table.may_end]
+    if not agents:
+        return []
+    return [
+        Property(
+            "stopped",
+            Sentence("what a marked action started stands when its program has ended"),
+            never=tuple((_has_ended(model, i), OfAgent(i, lambda inside: inside.loose > 0)) for i in agents),
+            concerned=tuple((_has_ended(model, i),) for i in agents),
+            watch=runs_on,
+        )
+    ]
+
+
+def _robot(model: Model, i: int) -> int:
+    """The number of agent i in the run."""
+    return model.parts[i].agent.index
+
+
+def _has_ended(model: Model, i: int) -> OfAgent:
+    """That the program of agent i has ended, and the agent has not failed."""
+    return OfAgent(i, lambda inside: inside.down != FAILED and model.has_ended(i, inside))
+
+
+def _has_unit(model: Model, at: int) -> OfShared:
+    return OfShared(lambda shared: model.agreed(shared)[at] == HAS_UNIT)
 
 
 def _goals_missed(model: Model) -> Condition:

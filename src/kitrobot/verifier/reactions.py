@@ -76,7 +76,9 @@ def after_reaction(part: Part, inside: Inside, reaction: Reaction) -> tuple[int,
         elif act.busy >= 0 and command in act.later:
             busy[act.busy] = 1 + act.ways[command]
     own = reaction.shared if inside.is_muted else ()
-    return want, inside._replace(local=reaction.local, busy=tuple(busy), own=own)
+    stopped, left = reaction.stops
+    loose = inside.loose & ~stopped | left
+    return want, inside._replace(local=reaction.local, busy=tuple(busy), own=own, loose=loose)
 
 
 def around(part: Part, signs: Sequence[tuple[int, ...]], key: int, shared: tuple[int, ...]) -> Iterator[int]:

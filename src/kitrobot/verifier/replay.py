@@ -55,17 +55,17 @@ def confirm(
         way: how the model breaks it.
         model: the model.
         fresh: gives the run of a seed before its first step; it needs a time limit.
-        stop: asked between two runs whether to give up.
+        stop: asked now and then whether to give up.
     """
     wanted = befell(way, model)
     if not wanted:
         tries: Iterator[tuple[int, tuple[Harm, ...]]] = ((seed, ()) for seed in range(1, SEEDS + 1))
     else:
-        tries = _moments(wanted, fresh(1))
+        tries = _moments(wanted, fresh(1), stop)
     for number, (seed, harms) in enumerate(tries):
         if number >= MOST_RUNS or stop():
             return None
-        tick = _broken_at(one, fresh(seed), harms)
+        tick = _broken_at(one, fresh(seed), harms, stop)
         if tick >= 0:
             return Confirmed(seed, harms, tick)
     return None
@@ -81,9 +81,13 @@ def befell(way: Way, model: Model) -> tuple[tuple[str, str], ...]:
     )
 
 
-def _moments(befell: Sequence[tuple[str, str]], run: Simulation) -> Iterator[tuple[int, tuple[Harm, ...]]]:
+def _moments(
+    befell: Sequence[tuple[str, str]], run: Simulation, stop: Callable[[], bool]
+) -> Iterator[tuple[int, tuple[Harm, ...]]]:
     """What befell agents, at moments in order, spread over the run in which nothing does."""
     while run.outcome is None:
+        if stop():
+            return
         run.advance(1000)
     moments = dict.fromkeys(max(1, run.tick * number // MOMENTS) for number in range(MOMENTS))
     # Before the first step at last: what befalls then is seldom what people mean.
@@ -92,12 +96,17 @@ def _moments(befell: Sequence[tuple[str, str]], run: Simulation) -> Iterator[tup
         yield 1, tuple(Harm(tick, agent, kind) for tick, (agent, kind) in zip(chosen, befell, strict=True))
 
 
-def _broken_at(one: Property, run: Simulation, harms: Sequence[Harm]) -> int:
-    """The step in which a run broke the property; -1 if it did not."""
+def _broken_at(one: Property, run: Simulation, harms: Sequence[Harm], stop: Callable[[], bool]) -> int:
+    """The step in which a run broke the property; -1 if it did not, or was given up."""
     left = list(harms)
     watch = one.watch(run) if one.watch is not None else None
     chunk = _CHUNK if watch is None else 1
+    asked = 0
     while run.outcome is None or left:
+        if run.tick >= asked:
+            asked = run.tick + _CHUNK
+            if stop():
+                return -1
         if left and run.tick >= left[0].tick:
             harm = left.pop(0)
             run.harm(harm.agent, harm.kind)

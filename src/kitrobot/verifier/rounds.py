@@ -6,12 +6,13 @@ from typing import Any
 
 from kitrobot.verifier import columns as v
 from kitrobot.verifier import fairness as f
+from kitrobot.verifier.engines import PLAIN
 from kitrobot.verifier.events import TooManyError
 from kitrobot.verifier.exploring import Explored
 from kitrobot.verifier.properties import Condition, Fact, OfAgent, OfShared, Property, Sensed, Stands
 
-_STEPS = 500_000
-"""Steps of a search until it is asked whether to break off; a quarter of a second, or some seconds of CPython."""
+_STEPS, _PLAIN_STEPS = 500_000, 20_000
+"""Steps of a search, compiled or not, until it is asked whether to break off: a quarter of a second."""
 _CHUNK = 20_000
 
 
@@ -70,19 +71,23 @@ def _mark(made: Explored, condition: Condition) -> tuple[Any, list[int]]:
 
 
 def _mark_sensed(made: Explored, condition: Sensed) -> tuple[Any, list[int]]:
-    """The same of what agents sense; where it is stopped, the states that were not looked at are left unmarked."""
+    """The same of what agents sense; where time is up, the states that were not looked at are left unmarked."""
     engine, two, model = made.engine, made.model.layout.words == 2, made.model
     marks, counts = engine.bytes(max(1, len(made))), []
     columns = [engine.words(_CHUNK) for _ in condition.agents]
     known: dict[tuple[int, ...], bool] = {}
     for first in range(0, len(made), _CHUNK):
-        if made.is_stopped():
+        if made.breaks_off():
+            made.is_cut = True
             break
         end = min(first + _CHUNK, len(made))
         for i, keys in zip(condition.agents, columns, strict=True):
             engine.observe(model.t, made.graph, first, end, two, i, keys)
         count = 0
-        rows = zip(*(keys.tolist() for keys in columns), strict=True)
+        asked = [keys.tolist() for keys in columns]
+        if condition.asks_shared:
+            asked.append(_shared_numbers(made, first, first + _CHUNK))
+        rows = zip(*asked, strict=False)
         for number, row in zip(range(first, end), rows, strict=False):
             holds = known.get(row)
             if holds is None:
@@ -92,6 +97,13 @@ def _mark_sensed(made: Explored, condition: Sensed) -> tuple[Any, list[int]]:
                 count += 1
         counts.append(count)
     return marks, counts
+
+
+def _shared_numbers(made: Explored, first: int, end: int) -> list[int]:
+    """Of some states the number of what is shared."""
+    layout, graph = made.model.layout, made.graph
+    keys = (graph.y if layout.word[0] else graph.x)[first:end]
+    return [int(key) >> layout.shift[0] & layout.mask[0] for key in keys]
 
 
 def _truth(made: Explored, fact: Fact) -> tuple[int, list[int]]:
@@ -118,10 +130,11 @@ def fair_round(made: Explored, one: Property) -> tuple[list[int], list[int], boo
     through.
     """
     assert one.waits is not None
-    if not len(made):
+    if not len(made) or made.breaks_off():
         return [], [], False
     marks, counts = _mark(made, one.waits)
     engine, graph = made.engine, made.graph
+    steps = _PLAIN_STEPS if engine is PLAIN else _STEPS
     found, before = engine.zeros(len(made) + 1), engine.zeros(len(made) + 1)
     count = 0
     since = marks if one.since is None else _mark(made, one.since)[0]
@@ -136,7 +149,7 @@ def fair_round(made: Explored, one: Property) -> tuple[list[int], list[int], boo
     search = _search(made, found, count)
     code = f.BUSY
     while True:
-        code = engine.search(made.model.t, made.graph, search, _STEPS)
+        code = engine.search(made.model.t, made.graph, search, steps)
         if code == f.FAIR:
             break
         if code == f.MISSING:

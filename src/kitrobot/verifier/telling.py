@@ -1,10 +1,12 @@
-"""A run of the model in words: who does what, where."""
+"""A run of the model in words: who does what, where, and what sensors read that may read anything."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator
 
-from kitrobot.text import Sentence
+from kitrobot.sim.devices.base import Discrete
+from kitrobot.text import COMMA, Sentence, Series
+from kitrobot.verifier.bodies import RUNS
 from kitrobot.verifier.events import Event, What
 from kitrobot.verifier.judging import Way
 from kitrobot.verifier.model import Model, State
@@ -13,12 +15,63 @@ from kitrobot.verifier.motion import Move
 
 def told(model: Model, way: Way) -> Iterator[tuple[int, Sentence]]:
     """What happens in a run, one sentence for each event of the world, with the number of its step."""
+    said: dict[tuple[int, str], int] = {}
     for number, (step, state) in enumerate(zip(way.steps, way.states[1:], strict=True)):
         for event in step.events:
             if event.what is not What.TICK:
                 yield number, say(model, event, state)
+        for i, sensor, value in readings(model, way.states[number], state):
+            if said.get((i, sensor)) != value:
+                said[i, sensor] = value
+                yield number, Sentence("{agent} reads {sensor} = {value}", model.parts[i].agent.name, sensor, value)
         for sentence in _of_team(model, way.states[number], state):
             yield number, sentence
+    if way.repeats_from >= len(way.steps) > 0:
+        last = way.states[-1]
+        for i, part in enumerate(model.parts):
+            inside = model.inside(i, last[1 + i])
+            if inside.down == RUNS and not model.has_ended(i, inside):
+                yield len(way.steps), Sentence("{agent} waits", part.agent.name)
+
+
+def free_readings(model: Model, way: Way) -> Sentence | None:
+    """What a run takes for granted of sensors that may read anything; None where it needs none of them."""
+    found = {
+        f"{model.parts[i].agent.name}: {sensor}": None
+        for before, after in zip(way.states, way.states[1:], strict=False)
+        for i, sensor, _ in readings(model, before, after)
+    }
+    if not found:
+        return None
+    return Sentence("this run needs readings that may never come so: {sensors}", Series(COMMA, found))
+
+
+def readings(model: Model, before: State, after: State) -> Iterator[tuple[int, str, int]]:
+    """Of a step that brought programs further what they read from sensors that may read anything: the number of the
+    agent, the sensor, the value. Nothing of an agent whose tick cannot be told from its states.
+    """
+    for i, part in enumerate(model.parts):
+        was, now = model.inside(i, before[1 + i]), model.inside(i, after[1 + i])
+        if was.local == now.local or all(sense.discrete is not Discrete.ANY for sense in part.senses):
+            continue
+        for at, value in _chosen(model, i, before, after).items():
+            yield i, part.agent.robot.sensors[at].name, value
+
+
+def _chosen(model: Model, i: int, before: State, after: State) -> dict[int, int]:
+    """Values of inputs with which a tick of agent i leads from one state to the other, as the world is in either."""
+    part, local = model.parts[i], model.inside(i, after[1 + i]).local
+    choices = {at: sense.choices for at, sense in enumerate(part.senses)}
+    for world in (before, after):
+        sensed, shared = model.sensed(i, (*world[: 1 + i], before[1 + i], *world[2 + i :]))
+        rests = tuple(
+            1 if sense.discrete is Discrete.BUSY else one for sense, one in zip(part.senses, sensed, strict=True)
+        )
+        for values in dict.fromkeys((sensed, rests)):
+            for reaction, chosen in part.table.tries(model.inside(i, before[1 + i]).local, values, shared, choices):
+                if reaction.local == local:
+                    return chosen
+    return {}
 
 
 def _of_team(model: Model, before: State, after: State) -> Iterator[Sentence]:

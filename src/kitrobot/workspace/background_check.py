@@ -209,7 +209,7 @@ def _whole_check(parts: tuple[Any, ...], seed: int, options: VerificationOptions
             began = now
         if now >= last + _EACH_S:
             last = now
-            tell(Explored(timing, failures, states, depth, now - began, _memory()))
+            tell(Explored(timing, failures, states, depth, now - began, memory_taken()))
 
     try:
         made = verify_runs(runs_of(parts), seed, options, progress, lambda column: tell(_plain(column)))
@@ -258,7 +258,7 @@ def _answered(finding: Finding) -> Answered:
     )
 
 
-def _memory() -> int:
+def memory_taken() -> int:
     """The most bytes that this process has taken; 0 where the system does not tell."""
     try:
         import resource

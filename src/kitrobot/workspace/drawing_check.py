@@ -11,7 +11,7 @@ from __future__ import annotations
 
 import os
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from contextlib import suppress
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, NamedTuple
@@ -29,18 +29,19 @@ from kitrobot.workspace.verification import VerificationError, runs_of
 if TYPE_CHECKING:
     from multiprocessing.connection import Connection
 
-EXPLORE_S = 1.0
-"""Seconds for going through the states; a mission that needs longer is left to Check."""
-MOST_STATES = 40_000
-SHOW_S = 2.0
+EXPLORE_S = 10.0
+"""Seconds for going through the states, most of which need less than one; a mission that needs longer is left to
+Check."""
+MOST_STATES = 600_000
+SHOW_S = 6.0
 """Seconds for finding runs of the simulator that show what was found."""
 RUN_S = 120.0
 """Simulated seconds of such a run."""
-PATIENCE_S = 15.0
+PATIENCE_S = 30.0
 """Seconds after which the process is ended, whatever it does."""
 _LOOK_S = 0.05
-_SHARE_HERE = 0.3
-"""Of these seconds, where there are no processes."""
+_SHARE_HERE = 0.03
+"""Of these seconds, where there are no processes: whoever draws may have to wait for it."""
 
 WAITS = rule(
     "waits-for-ever",
@@ -60,7 +61,8 @@ NEVER_REACHED = rule(
     "never-reached",
     Severity.HINT,
     "Parts that no run comes to",
-    "All orders of events were gone through as long as no robot fails, and these parts ran in none of them.",
+    "All orders of events were gone through as long as no robot fails, with the boxes that there are and with none, and"
+    " these parts ran in none of them.",
 )
 
 
@@ -99,8 +101,6 @@ def look_through(
     Raises:
         VerificationError: the process died.
     """
-    if prepared.simulation.team_plan is not None:
-        return []  # No discrete form: a process would only find that out.
     found = _look_apart(prepared, stop, explore_s) if has_processes() else _look_here(prepared, stop, explore_s)
     known = {(one.program, vertex) for one in prepared.opened.before_setup for vertex in one.vertices}
     return [
@@ -110,7 +110,7 @@ def look_through(
 
 
 def _look_here(prepared: PreparedRun, stop: Callable[[], bool], explore_s: float | None) -> _Found:
-    """Where there are no processes: shorter, because whoever draws may have to wait for it."""
+    """Where there are no processes: shorter."""
     short = None if explore_s is None else explore_s * _SHARE_HERE
     try:
         return look(runs_of(prepared.parts()), prepared.options.seed, short, stop)
@@ -191,14 +191,17 @@ def look(
     Raises:
         AbstractionError: the mission cannot be checked.
     """
+    from kitrobot.verifier.compiling import engine
     from kitrobot.verifier.engines import PLAIN
     from kitrobot.verifier.exploring import explore
-    from kitrobot.verifier.traps import never_ran, show, traps, watch_programs
+    from kitrobot.verifier.traps import show, traps, watch_programs
 
     run = runs(seed)
     parts = take_apart(run)
     watch_programs(parts)
-    made = explore(Model(run, parts, 0, Timing.LOCKSTEP), Budget(MOST_STATES, explore_s, stop=stop), True, PLAIN)
+    # Compiling takes longer than drawing goes on: only what is kept is loaded.
+    plain = None if engine.is_kept() else PLAIN
+    made = explore(Model(run, parts, 0, Timing.LOCKSTEP), Budget(MOST_STATES, explore_s, stop=stop), True, plain)
     if not made.complete:
         return _Found()
     until = time.monotonic() + (SHOW_S if has_processes() else SHOW_S * _SHARE_HERE)
@@ -216,21 +219,43 @@ def look(
             waits = len({debug.vertex(pc) for pc in trap.standing}) == 1
             one = _Trapped(origin.program or agent.program, origin.vertex, agent.name, waits, shown.seed, shown.tick)
             found.setdefault((one.program, one.vertex), one)
-    idle = []
-    if _says_all(run.mission, parts):
-        for name, never in never_ran(parts).items():
-            vertices = run.debug[name].vertices_of(name)
-            ran = {vertex for pc, vertex in enumerate(vertices) if pc not in never}
-            left = {vertex for vertex in vertices if vertex is not None} - ran
-            if left:
-                idle.append((name, tuple(sorted(left))))
-    return _Found(tuple(found.values()), tuple(idle))
+    idle = _never_run(run, [parts]) if _says_all(run.mission, parts) else ()
+    if idle and run.world.storehouses:
+        # A program may be made for any stock: what runs where there are no boxes is no mistake.
+        empty = runs(seed)
+        for house in range(len(run.world.storehouses)):
+            empty.state.docks.stock[house] = 0
+        others = take_apart(empty)
+        watch_programs(others)
+        made = explore(
+            Model(empty, others, 0, Timing.LOCKSTEP), Budget(MOST_STATES, explore_s, stop=stop), False, plain
+        )
+        idle = _never_run(run, [parts, others]) if made.complete else ()
+    return _Found(tuple(found.values()), idle)
+
+
+def _never_run(run: Simulation, looked_at: Sequence[Parts]) -> tuple[tuple[str, tuple[str, ...]], ...]:
+    """By the program the vertices that ran in no robot; a program of a team is another one in each kind of robot."""
+    from kitrobot.verifier.traps import never_ran
+
+    programs = {agent.image_name: agent.program for agent in run.members}
+    there: dict[str, set[str]] = {}
+    ran: dict[str, set[str]] = {}
+    for name, never in (row for parts in looked_at for row in never_ran(parts).items()):
+        program = programs[name]
+        for pc, vertex in enumerate(run.debug[name].vertices_of(program)):
+            if vertex is not None:
+                there.setdefault(program, set()).add(vertex)
+                if pc not in never:
+                    ran.setdefault(program, set()).add(vertex)
+    left = {program: vertices - ran.get(program, set()) for program, vertices in there.items()}
+    return tuple((program, tuple(sorted(vertices))) for program, vertices in left.items() if vertices)
 
 
 def _says_all(mission: Mission, parts: Parts) -> bool:
-    """Whether all that a run can do is in the model: failures on schedule, towing, a radio and contacts between roads
-    are not.
+    """Whether all that a run can do is in the model: failures on schedule, towing, a radio, leases of work and contacts
+    between roads are not.
     """
     roads = {part.road for part in parts.parts}
     is_plain = not mission.failures and mission.radio is None and mission.breakdown.rule is BreakdownRule.STAY
-    return is_plain and len(roads - {-1}) <= 1
+    return is_plain and len(roads - {-1}) <= 1 and not any(work.lease for work in mission.team.works)

@@ -7,8 +7,8 @@ from collections.abc import Iterator
 from kitrobot.diagnostics import Diagnostic, Place
 from kitrobot.files import Places
 from kitrobot.mission import PROPERTY, Mission
-from kitrobot.mission.asked import READY, SERVED
-from kitrobot.primitives import Catalogue
+from kitrobot.mission.asked import is_ready
+from kitrobot.primitives import Catalogue, Robot, has_team, with_team
 from kitrobot.text import Sentence
 
 
@@ -23,8 +23,15 @@ def property_problems(mission: Mission, catalogue: Catalogue, places: Places | N
         return places.asked(name, attribute) if places is not None else None
 
     kinds = {program.name: program.target for program in mission.programs}
+    declared = mission.team if any(agent.robot for agent in mission.team.agents) else None
+
+    def whole(robot: Robot) -> Robot:
+        """The robot with what a member of the team has besides."""
+        works = mission.team.works
+        return robot if declared is None or has_team(robot, works) else with_team(robot, works)
+
     team = [
-        Member(agent.name, agent.program, robot)
+        Member(agent.name, agent.program, whole(robot) if agent.robot else robot)
         for agent in mission.team.agents
         if (robot := catalogue.robots.get(agent.robot or kinds.get(agent.program, ""))) is not None
     ]
@@ -32,7 +39,7 @@ def property_problems(mission: Mission, catalogue: Catalogue, places: Places | N
         return
     seen: set[str] = set()
     for one in mission.properties:
-        if one.name in READY or one.name.startswith(SERVED):
+        if is_ready(one.name):
             message = Sentence("`{name}` is the name of a property that is checked unasked", one.name)
             yield PROPERTY(message, place(one.name, "name"), help=Sentence("choose another name"))
         elif one.name in seen:
@@ -41,7 +48,7 @@ def property_problems(mission: Mission, catalogue: Catalogue, places: Places | N
         seen.add(one.name)
         for attribute, text in one.conditions:
             try:
-                ask(text, team)
+                ask(text, team, declared)
             except PropertyError as error:
                 message = Sentence("the property {name}: {reason}", one.name, error.message)
                 yield PROPERTY(message, place(one.name, attribute), help=error.help)

@@ -25,6 +25,7 @@ from kitrobot.verifier import (
     asked_properties,
     befell,
     confirm,
+    free_readings,
     judge,
     ready_properties,
     take_apart,
@@ -68,6 +69,7 @@ class VerificationOptions:
         stop: asked now and then whether to break off.
         memory: at most about so many bytes under each assumption; None for no limit.
         draws: whether runs that break a property are wanted as scenes.
+        clock: what tells the time, in seconds.
     """
 
     properties: tuple[str, ...] = ()
@@ -80,6 +82,7 @@ class VerificationOptions:
     stop: Callable[[], bool] = _never
     memory: int | None = 2_000_000_000
     draws: bool = False
+    clock: Callable[[], float] = time.monotonic
 
 
 @dataclass(frozen=True)
@@ -220,7 +223,7 @@ def verify_runs(
     asked = run.mission.properties
     parts = take_apart(run, variables_asked(run, asked))
     limits = list(parts.limits)
-    ends = None if options.seconds is None else time.monotonic() + options.seconds
+    ends = None if options.seconds is None else options.clock() + options.seconds
     columns: list[Column] = []
     search = _Search(runs, options, ends)
     for failures, timing in _assumptions(options):
@@ -228,17 +231,19 @@ def verify_runs(
         own, left_out = asked_properties(model, asked)
         limits += [words for words in left_out if words not in limits]
         properties = _chosen([*ready_properties(model), *own], options.properties)
-        if columns and (options.stop() or (ends is not None and time.monotonic() > ends)):
+        if columns and (options.stop() or (ends is not None and options.clock() > ends)):
             break
         if failures and FailureKind.MUTE in options.kinds:
             limits += [words for words in [_said_of_radios(parts)] if words not in limits]
-        left = None if ends is None else max(0.0, ends - time.monotonic())
+        left = None if ends is None else max(0.0, ends - options.clock())
 
         def tell(states: int, depth: int, timing: Timing = timing, failures: int = failures) -> None:
             if progress is not None:
                 progress(timing, failures, states, depth)
 
-        judged = judge(model, properties, Budget(options.states, left, options.memory, options.stop, tell))
+        judged = judge(
+            model, properties, Budget(options.states, left, options.memory, options.stop, tell, options.clock)
+        )
         column = Column(judged, tuple(_told(verdict, model, options) for verdict in judged.verdicts))
         if column_done is not None:
             column_done(column)
@@ -298,7 +303,7 @@ class _Search:
 
     def of(self, findings: Sequence[Finding], model: Model) -> Iterator[Finding]:
         """The findings of a column, looked for."""
-        now = time.monotonic()
+        now = self._options.clock()
         until = None if self._ends is None else now + max(0.0, self._ends - now) / 4
         for finding in findings:
             yield self._looked_for(finding, model, until)
@@ -311,10 +316,13 @@ class _Search:
         if key not in self._known:
 
             def stop() -> bool:
-                return self._options.stop() or (until is not None and time.monotonic() > until)
+                return self._options.stop() or (until is not None and self._options.clock() > until)
 
             confirmed = confirm(verdict.property, verdict.way, model, self._runs, stop)
             if confirmed is None and stop():
                 return finding
             self._known[key] = confirmed
-        return replace(finding, confirmed=self._known[key], searched=True)
+        confirmed = self._known[key]
+        needs = free_readings(model, verdict.way) if confirmed is None else None
+        story = finding.story if needs is None else (*finding.story, (len(verdict.way.steps), needs))
+        return replace(finding, confirmed=confirmed, searched=True, story=story)

@@ -54,3 +54,31 @@ test("what was begun is replaced, and odd text is no mistake", () => {
   for (const odd of ["(((", ")))", "any", "any nobody (", '"', "}{", "any {a, b} (C"]) texts(odd);
   expect(suggest("any carrier (", MISSION, null)).toEqual([]);
 });
+
+test("roles, groups and works of a team", () => {
+  const team = {
+    ...MISSION,
+    programs: [{ name: "relay", robot: "", vertices: [], arcs: [] }],
+    agents: [{ name: "one", program: "relay", start: "", robot: "carrier" }],
+    roles: [{ name: "runner", robot: "carrier", least: 1, most: 1 }],
+    groups: [
+      { name: "whole", members: ["inner"], failure: "drop" },
+      { name: "inner", members: ["runner", "whole"], failure: "drop" },
+    ],
+    works: [{ name: "Boxes", units: 3 }],
+  } as unknown as Mission;
+  const work = {
+    name: "Work",
+    category: "variable",
+    methods: [
+      { name: "IsEmpty", kind: "test", parameters: [] },
+      { name: "Take", kind: "procedure", parameters: [] },
+    ],
+  };
+  const catalogue = { ...CATALOGUE, work } as unknown as Catalogue;
+  const said = (before: string) => suggest(before, team, catalogue).map(({ text }) => text);
+  expect(said("any ")).toEqual(["one (", "relay (", "runner (", "whole (", "inner ("]);
+  for (const name of ["one", "runner", "whole", "inner"])
+    expect(said(`any ${name} (`)).toEqual(["Cargo.IsPressed()", "Sign.EqualTo(1)", "Boxes.IsEmpty()"]);
+  expect(said("any nobody (")).toEqual([]);
+});

@@ -19,26 +19,35 @@ function written(name: string): string {
   return /^[\p{L}_][\p{L}\p{M}\p{N}_]*(-[\p{L}\p{M}\p{N}_]+)*$/u.test(name) ? name : `"${name.replaceAll('"', '""')}"`;
 }
 
-/** Agents, and the programs that they run. */
-function names({ agents }: Mission): string[] {
-  return [...new Set([...agents.map(({ name }) => name), ...agents.map(({ program }) => program)])].map(written);
+/** Agents, the programs that they run, and the roles and groups of the team. */
+function names({ agents, roles, groups }: Mission): string[] {
+  const own = [...agents.map(({ name }) => name), ...agents.map(({ program }) => program)];
+  return [...new Set([...own, ...[...(roles ?? []), ...(groups ?? [])].map(({ name }) => name)])].map(written);
 }
 
-/** The tests of the robots that a name stands for, as they are written. */
+/** The kinds of robots that a name stands for: of a group, those of its members. */
+function kindsOf(mission: Mission, name: string, seen: readonly string[] = []): (string | undefined)[] {
+  if (seen.includes(name)) return [];
+  const agents = mission.agents
+    .filter((agent) => agent.name === name || agent.program === name)
+    .map(({ robot, program }) => robot || mission.programs.find((one) => one.name === program)?.robot);
+  const roles = (mission.roles ?? []).filter((role) => role.name === name).map(({ robot }) => robot);
+  const members = (mission.groups ?? []).filter((group) => group.name === name).flatMap((group) => group.members);
+  return [...agents, ...roles, ...members.flatMap((member) => kindsOf(mission, member, [...seen, name]))];
+}
+
+/** The tests of the robots that a name stands for, and of the team's works, as they are written. */
 function tests(mission: Mission, catalogue: Catalogue, name: string): string[] {
-  const plain = name.replace(/^"|"$/g, "").replaceAll('""', '"');
-  const agents = mission.agents.filter((agent) => agent.name === plain || agent.program === plain);
-  const kinds = new Set(
-    agents.map(({ robot, program }) => robot || mission.programs.find((one) => one.name === program)?.robot),
-  );
+  const kinds = new Set(kindsOf(mission, name.replace(/^"|"$/g, "").replaceAll('""', '"')));
+  const { work } = catalogue;
+  const works = work == null ? [] : (mission.works ?? []).map((one) => ({ ...work, name: one.name }));
   const parts = catalogue.robots.filter((robot) => kinds.has(robot.name)).flatMap(({ objects }) => objects);
-  const found = parts
-    .filter(({ category }) => category === "sensor" || category === "variable")
-    .flatMap(({ name: part, methods }) =>
-      methods
-        .filter(({ kind }) => kind === "test")
-        .map((method) => `${part}.${method.name}(${method.parameters.map(() => "1").join(", ")})`),
-    );
+  const readable = parts.filter(({ category }) => category === "sensor" || category === "variable");
+  const found = [...readable, ...(kinds.size > 0 ? works : [])].flatMap(({ name: part, methods }) =>
+    methods
+      .filter(({ kind }) => kind === "test")
+      .map((method) => `${part}.${method.name}(${method.parameters.map(() => "1").join(", ")})`),
+  );
   return [...new Set(found)];
 }
 

@@ -1,0 +1,111 @@
+"""Looks at runs of the simulator, step by step, for what its events do not tell of ready properties."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Protocol
+
+from kitrobot.mission import BreakdownRule
+from kitrobot.sim import Simulation
+from kitrobot.sim import columns as c
+from kitrobot.sim import team_columns as tc
+from kitrobot.verifier.missing import gave_up
+from kitrobot.verifier.stops import stops_in
+
+LONG_ENOUGH = 2
+"""A run whose time is up shows that something is waited for in vain if it was for one part of so many of its time."""
+
+
+class Watch(Protocol):
+    """Looks at a run of the simulator, whether it breaks a property."""
+
+    def after_step(self) -> bool:
+        """Whether the step that was just made broke it."""
+
+    def at_end(self) -> bool:
+        """Whether the run, which is over, broke it."""
+
+
+class _Never:
+    """Looks whether something ever is true."""
+
+    def __init__(self, test: Callable[[], bool]) -> None:
+        self._test = test
+
+    def after_step(self) -> bool:
+        return self._test()
+
+    def at_end(self) -> bool:
+        return False
+
+
+class _Waits:
+    """Looks whether something is true up to the end, and was for long enough."""
+
+    def __init__(self, run: Simulation, test: Callable[[], bool]) -> None:
+        self._run = run
+        self._test = test
+        self._since = -1
+
+    def after_step(self) -> bool:
+        if not self._test():
+            self._since = -1
+        elif self._since < 0:
+            self._since = self._run.tick
+        return False
+
+    def at_end(self) -> bool:
+        return self._since >= 0 and was_long(self._run, self._since)
+
+
+def was_long(run: Simulation, since: int) -> bool:
+    """Whether a run that is over shows that what was waited for since a step would never have come."""
+    return run.outcome != "time" or LONG_ENOUGH * (run.tick - since) >= run.tick
+
+
+def loses_something(run: Simulation) -> Watch:
+    """Looks for a box on a robot that has failed for good, one that was lost, or a unit of work that nobody does."""
+    stays = run.mission.breakdown.rule is not BreakdownRule.TOW
+
+    def is_lost() -> bool:
+        state = run.state
+        ints, team = state.robots.ints, state.team
+        rows = list(zip(ints[c.DOWN], ints[c.LOAD], ints[c.ORIGIN], ints[c.ENDED], strict=True))
+        if any((stays and down == c.FAILED and load) or origin < 0 for down, load, origin, _ in rows):
+            return True
+        return any(
+            one == tc.HAS_UNIT and not lease and ended and down != c.FAILED
+            for holds, lease in zip(team.holds, team.works[tc.W_LEASE], strict=False)
+            for one, (down, _, _, ended) in zip(holds, rows, strict=False)
+        )
+
+    return _Never(is_lost)
+
+
+def waits_at_point(run: Simulation, name: str) -> Watch:
+    """Looks whether an agent waits for its team up to the end."""
+    robot = [agent.name for agent in run.members].index(name)
+
+    def waits() -> bool:
+        ints, team = run.state.robots.ints, run.state.team
+        is_waiting = team.robots[tc.T_AT][robot] >= 0 and team.robots[tc.T_ROLE][robot] >= 0
+        return bool(is_waiting and ints[c.DOWN][robot] == c.WELL and not gave_up(team))
+
+    return _Waits(run, waits)
+
+
+def runs_on(run: Simulation) -> Watch:
+    """Looks whether a program has ended, and something that a marked action of it started goes on."""
+    before = [list(agent.machine.pars) for agent in run.members]
+    loose = [0] * len(run.members)
+
+    def goes_on() -> bool:
+        found = False
+        for i, agent in enumerate(run.members):
+            stopped, left = stops_in(before[i], agent.machine)
+            loose[i] = loose[i] & ~stopped | left
+            before[i] = list(agent.machine.pars)
+            found = found or (loose[i] > 0 and agent.ended and run.state.robots.ints[c.DOWN][i] != c.FAILED)
+        return found
+
+    return _Never(goes_on)

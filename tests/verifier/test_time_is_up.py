@@ -1,0 +1,102 @@
+"""A check whose time is up: what was found is kept, the rest is *not finished*, and it ends.
+
+No clock decides here: time goes on by a little each time somebody asks for it.
+"""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from kitrobot.sim import Simulation
+from kitrobot.verifier import Budget, Confirmed, Model, Timing, Way, confirm, judge, ready_properties, take_apart
+from kitrobot.verifier.engines import PLAIN
+from kitrobot.workspace.verification import VerificationOptions, verify
+from tests.sim.building import transport
+from tests.verifier.building import answers, mutant
+
+STEP_S, ENOUGH_S = 0.4, 400.0
+
+
+class Clock:
+    """Time that goes on by `STEP_S` when it is asked for."""
+
+    def __init__(self) -> None:
+        self.now = 0.0
+
+    def __call__(self) -> float:
+        self.now += STEP_S
+        return self.now
+
+
+def a_carrier_that_does_not_stop(folder: Path) -> Simulation:
+    old = '<vertex id="v15" element="Wheel.Stop"/>'
+    return mutant(folder, (old, '<vertex id="v15" element="Lamp.LightOn"/>'), carriers=2, stock=12).again()
+
+
+@pytest.mark.parametrize("timing", Timing)
+def test_what_was_found_is_kept_and_the_rest_is_not_finished(tmp_path: Path, timing: Timing) -> None:
+    run = a_carrier_that_does_not_stop(tmp_path)
+    model, clock = Model(run, take_apart(run), 0, timing), Clock()
+    properties = ready_properties(model)
+    made = judge(model, properties, Budget(10_000_000, ENOUGH_S, clock=clock), PLAIN)
+    assert not made.complete
+    said = answers(made)
+    assert list(said) == [one.name for one in properties]
+    assert said.pop("contact") == "broken"
+    assert {"not finished"} <= set(said.values()) <= {"not finished", "broken"}
+    # Each property asks once more, at most, when time is up.
+    assert clock.now < ENOUGH_S + STEP_S * (2 + 2 * len(properties))
+
+
+def test_what_is_waited_for_has_a_share_of_the_time_and_is_not_searched_for_without_it() -> None:
+    run = transport(stock=1, carriers=1)
+    model, clock = Model(run, take_apart(run), 0, Timing.LOCKSTEP), Clock()
+    explored: list[float] = []
+    whole = Budget(clock=clock, progress=lambda states, depth: explored.append(clock.now))
+    assert set(answers(judge(model, ready_properties(model), whole, PLAIN)).values()) == {"holds"}
+    took = explored[-1]
+    for seconds in (took * 0.5, took * 4):
+        model, clock = Model(run, take_apart(run), 0, Timing.LOCKSTEP), Clock()
+        made = judge(model, ready_properties(model), Budget(seconds=seconds, clock=clock), PLAIN)
+        assert made.complete == (seconds > took)
+        if not made.complete:
+            assert set(answers(made).values()) == {"not finished"}
+    assert set(answers(made).values()) == {"holds"}
+
+
+def test_a_run_of_the_simulator_is_given_up_in_its_midst(tmp_path: Path) -> None:
+    runs: list[Simulation] = []
+
+    def fresh(seed: int) -> Simulation:
+        runs.append(transport(seed, stock=12, carriers=3))
+        return runs[-1]
+
+    run = transport(stock=12, carriers=3)
+    model = Model(run, take_apart(run))
+    [contact] = [one for one in ready_properties(model) if one.name == "contact"]
+    asked = 0
+
+    def stop() -> bool:
+        nonlocal asked
+        asked += 1
+        return asked > 3
+
+    nothing: Confirmed | None = confirm(contact, Way((model.begin(),), ()), model, fresh, stop)
+    assert nothing is None
+    assert len(runs) == 1
+    assert 0 < runs[0].tick < 500
+    assert runs[0].outcome is None
+
+
+def test_a_whole_check_ends_soon_after_its_time(tmp_path: Path) -> None:
+    old = '<vertex id="v15" element="Wheel.Stop"/>'
+    prepared = mutant(tmp_path, (old, '<vertex id="v15" element="Lamp.LightOn"/>'), carriers=2, stock=12)
+    clock, timings = Clock(), (Timing.PROMPT, Timing.FREE)
+    made = verify(prepared, VerificationOptions((), timings, seconds=ENOUGH_S, states=10_000_000, clock=clock))
+    found = {one.verdict.property.name: one.verdict.answer.value for one in made.columns[0].findings}
+    assert found["contact"] == "broken"
+    assert not any(column.judged.complete for column in made.columns)
+    assert {answer.value for answer in made.answers} == {"broken", "not finished"}
+    assert clock.now < ENOUGH_S + STEP_S * 60
