@@ -1,9 +1,10 @@
 """`python -m benchmarks.fleets WHAT COUNT SECONDS`: one run of a fleet as `kitrobot team` runs it, from inside.
 
-WHAT is `cost` (what COUNT agents take in memory and on the network while they drive, for so many seconds) or `hang` (an
-agent of a team of COUNT is stopped with SIGSTOP: how long until its substitute's first command). It prints the figures
-as JSON. Bytes are counted in a network of its own, where nobody else's are; where that may not be made (it takes root
-on Linux), they are left out.
+WHAT is `cost` (what COUNT agents take in memory and on the network while they drive, for so many seconds), `hang` (an
+agent of a team of COUNT is stopped with SIGSTOP: how long until its substitute's first command), or `stop` (the
+emergency stop is pressed after so many seconds: how long until each agent has said that it stands still; in
+`stop-boards` two of them are boards at the end of a line). It prints the figures as JSON. Bytes are counted in a
+network of its own, where nobody else's are; where that may not be made (it takes root on Linux), they are left out.
 """
 
 from __future__ import annotations
@@ -18,12 +19,22 @@ import struct
 import sys
 import tempfile
 import time
+from collections.abc import Iterator
+from contextlib import ExitStack, contextmanager
 from pathlib import Path
 
 from kitrobot.fleet import Agents, FleetTold, Network, identity_of
 from kitrobot.sim import Simulation
 from kitrobot.sim.agent_views import commanded
-from kitrobot.workspace import FleetPlan, RunOptions, free_endpoint, open_mission, run_fleet
+from kitrobot.workspace import (
+    FleetPlan,
+    OpenMission,
+    RunOptions,
+    agent_program,
+    free_endpoint,
+    open_mission,
+    run_fleet,
+)
 
 CONVOY = Path(__file__).parents[1] / "examples/convoy"
 LEASE_MS, LARGE_LEASE_MS = 500, 5000
@@ -61,9 +72,24 @@ def mission(count: int, folder: Path) -> Path:
     for least in range(4, count, -1):
         text = text.replace(agent.format(n=least), "")
     (folder / "wide.world.xml").write_text(world, encoding="utf-8")
+    for driver in ("turn", "drive", "lamp"):
+        # A board on this computer has drivers of its own; that there are some is looked for here.
+        (folder / f"{driver}.driver.py").write_text("def make(settings):\n    raise OSError\n", encoding="utf-8")
     file = folder / "wide.krt"
     file.write_text(text, encoding="utf-8")
     return file
+
+
+@contextmanager
+def boards_of(opened: OpenMission) -> Iterator[dict[str, str]]:
+    """Boards with the programs of two agents, each on CPython in a process of its own; the addresses of their lines."""
+    from tests.boards.host import board_with
+
+    with ExitStack() as stack:
+        yield {
+            name: stack.enter_context(board_with(agent_program(opened, name).file.to_bytes())).address
+            for name in ("robot-2", "robot-3")
+        }
 
 
 class Measured:
@@ -87,10 +113,18 @@ class Measured:
             names = [agent.name for agent in simulation.members]
             network = Network(identity_of(simulation), (free_endpoint(),))
             lease = LEASE_MS if self.count <= 10 else LARGE_LEASE_MS
-            plan = FleetPlan(file, names, network, lease_ms=lease, pace=1.0)
-            with self.agents:
+            with ExitStack() as stack:
+                boards = stack.enter_context(boards_of(opened)) if self.what == "stop-boards" else {}
+                plan = FleetPlan(file, names, network, boards=boards, lease_ms=lease, pace=1.0)
+                stack.enter_context(self.agents)
                 told = FleetTold(lambda name, said: None, lambda: self.over, self.look)
-                run_fleet(simulation, plan, self.agents, told)
+                ended = run_fleet(simulation, plan, self.agents, told)
+            if self.what.startswith("stop"):
+                self.figures = {
+                    "stopped_ms": [ms for name, ms in ended.stopped_ms.items() if name not in boards],
+                    "boards_ms": [ms for name, ms in ended.stopped_ms.items() if name in boards],
+                    "silent": len(names) - len(ended.stopped_ms),
+                }
         if not counted:
             self.figures.pop("bytes_s", None)
         return self.figures
@@ -99,7 +133,11 @@ class Measured:
         now = time.monotonic()
         self.began = self.began or now
         self.over = self.over or now - self.began > LATEST_S
-        (self.cost if self.what == "cost" else self.hang)(run, now)
+        {"cost": self.cost, "hang": self.hang}.get(self.what, self.stop)(run, now)
+
+    def stop(self, run: Simulation, now: float) -> None:
+        """Pressed while all drive."""
+        self.over = self.over or now - self.began >= self.seconds
 
     def cost(self, run: Simulation, now: float) -> None:
         """When all have found one another."""

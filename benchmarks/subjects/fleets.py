@@ -1,4 +1,5 @@
-"""What a team of processes takes: memory and bytes of each agent, time from a hang to a substitute's command.
+"""What a team of processes takes: memory and bytes of each agent, times from a hang to a substitute's command, and from
+the emergency stop until each stands still.
 
 Each run is that of `kitrobot team` with its usual lease of 500 ms (5 s for more than ten agents), at real time, in a
 process of its own (`benchmarks.fleets`). There is no peer. The bytes are those of a loopback that has nobody else on
@@ -28,10 +29,11 @@ class Size:
     members: tuple[int, ...]
     seconds: float
     hangs: int
+    stops: int
 
 
-FULL = Size(members=(3, 10, 50), seconds=10, hangs=5)
-TINY = Size(members=(3,), seconds=0.2, hangs=0)
+FULL = Size(members=(3, 10, 50), seconds=10, hangs=5, stops=10)
+TINY = Size(members=(3,), seconds=0.2, hangs=0, stops=0)
 
 
 def run(size: Size, *, peers: bool) -> list[Row]:
@@ -50,6 +52,14 @@ def run(size: Size, *, peers: bool) -> list[Row]:
         times = [found[name] for found in hangs if name in found]
         if times:
             rows.append(Row(f"from a hang until {what}", "ms", _rate(times), lower_is_better=True))
+    for what, members in (("stop", 4), ("stop", 10), ("stop-boards", 4)):
+        stops = [measured(what, members, 2) for _ in range(size.stops)]
+        for name, who in (("stopped_ms", "a simulated one"), ("boards_ms", "a board on its line")):
+            times = [time for found in stops for time in found[name]]
+            if times:
+                silent = sum(found["silent"] for found in stops)
+                of = f"{who} of {members} agents" + (f" ({silent} did not say so)" if silent else "")
+                rows.append(Row(f"from STOP until {of} stands still", "ms", _rate(times), lower_is_better=True))
     return rows
 
 

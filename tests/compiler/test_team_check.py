@@ -108,11 +108,18 @@ DECLARATIONS = [
     ("role a: carrier 5;", ["team-role-unplayed"]),
     ("role a: store-manager 2;", ["team-role-unplayed"]),
     ("role a: carrier; group a = a;", ["team-same-name", "team-group-circle"]),
-    ("work a = 1; group a = loader;", ["team-same-name"]),
+    ("work a = 1; group a = loader on failure abort;", ["team-same-name"]),
     ("group a = {b, loader}; group b = a;", ["team-group-circle", "team-group-circle"]),
     ("group a = {b, loader};", ["team-unknown-member"]),
     ("role r: carrier 0..3; group a = r;", ["team-group-empty"]),
     ("work w = 1; group a = {w};", ["team-unknown-member"]),
+    ("role r: carrier 1..1; group a = r;", ["team-group-empty"]),
+    ("role r: carrier 1..1; group a = r on failure substitute;", []),
+    ("role r: carrier 1..1; group a = r on failure abort;", []),
+    ("role r: carrier 1..2; group a = r;", []),
+    ("role r: carrier 1..1; role s: carrier 3; group a = r on failure substitute;", ["team-group-empty"]),
+    ("role r: carrier 1..1; group a = r; group b = {a, loader} on failure abort;", []),
+    ("role r: carrier 1..1; group a = {r, loader};", []),
 ]
 
 
@@ -125,7 +132,7 @@ def test_what_is_wrong_with_a_declaration_is_said(text: str, codes: list[str]) -
 
 def test_groups_may_hold_each_other_thousands_deep() -> None:
     rows = [f"group g{n} = g{n + 1};" for n in range(3000)]
-    crew = crew_of("\n".join([*rows, "group g3000 = loader;"]))
+    crew = crew_of("\n".join([*rows, "group g3000 = loader on failure abort;"]))
     assert check_declarations(crew, ROBOTS, lambda _: None) == []
 
 

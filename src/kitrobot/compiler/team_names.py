@@ -6,13 +6,14 @@ a role shows only while a team runs. Where a name is that of a role or a group a
 
 from __future__ import annotations
 
+from collections import defaultdict
 from collections.abc import Callable, Iterable, Mapping
 from functools import cached_property
 from typing import NamedTuple, TypeAlias
 
 from kitrobot.compiler import team_rules as rules
 from kitrobot.diagnostics import Diagnostic, Place
-from kitrobot.lll import AnyDeclaration, RoleDeclaration
+from kitrobot.lll import AnyDeclaration, GroupDeclaration, RoleDeclaration
 from kitrobot.primitives import Crew, Robot
 from kitrobot.text import Help, Sentence, Suggestions, listed
 
@@ -115,7 +116,12 @@ def check_declarations(crew: Crew, robots: Mapping[str, Robot], place_of: PlaceO
     for role in crew.roles:
         if (told := _unplayed(role, crew, robots, names.suggestions)) is not None:
             found.append(rules.UNPLAYED(told[0], place_of(role), help=told[1]))
+    failures: defaultdict[Atom, set[str]] = defaultdict(set)
     for group in crew.groups:
+        for atom in names.atoms((group.name,)):
+            failures[atom].add(group.failure)
+    for group in crew.groups:
+        known = all(names.unknown(name) is None for name in group.members.names)
         for name in group.members.names:
             if (told := names.unknown(name)) is not None:
                 found.append(rules.UNKNOWN_MEMBER(told[0], place_of(group), help=told[1]))
@@ -123,11 +129,31 @@ def check_declarations(crew: Crew, robots: Mapping[str, Robot], place_of: PlaceO
             message = Sentence("the group `{group}` holds itself", group.name)
             help = Sentence("take it out of its members, or of theirs")
             found.append(rules.GROUP_CIRCLE(message, place_of(group), help=help))
-        elif all(names.unknown(name) is None for name in group.members.names) and not names.fewest(group.name):
+        elif known and not names.fewest(group.name):
             message = Sentence("the group `{group}` may have no member", group.name)
             help = Sentence("let a role of it want at least one robot, or name an agent")
             found.append(rules.GROUP_EMPTY(message, place_of(group), help=help))
+        elif known and (told := _emptied(group, names, failures)) is not None:
+            found.append(rules.GROUP_EMPTY(told[0], place_of(group), help=told[1]))
     return found
+
+
+def _emptied(group: GroupDeclaration, names: Names, failures: Mapping[Atom, set[str]]) -> tuple[Sentence, Help] | None:
+    """What one failure does to a group of a single robot, and a way out; None where it is not left empty by it.
+
+    `failures`: what the groups that hold a role or an agent say of its failure.
+    """
+    players = dict(zip((role.name for role in names.crew.roles), names.crew.players, strict=True))
+    atoms = names.atoms((group.name,))
+    if sum(players[one.name] if one.is_role else 1 for one in atoms) != 1:
+        return None
+    one = next(one for one in atoms if not one.is_role or players[one.name])
+    if "abort" in failures[one] or ("substitute" in failures[one] and names.crew.spare(one.kind) > 0):
+        return None
+    message = Sentence("the group `{group}` has one robot, and none when that one fails", group.name)
+    if "substitute" in failures[one]:
+        return message, Sentence("add a spare robot of its kind, or write `on failure abort`")
+    return message, Sentence("write `on failure substitute`, with a spare robot of its kind, or `on failure abort`")
 
 
 def _unplayed(

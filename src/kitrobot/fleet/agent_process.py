@@ -106,6 +106,9 @@ class AgentProcess:
             came = self.channel.receive(TURN_MS / 1000)
             last = max((n for n, envelope in enumerate(came) if envelope.kind == kinds.MEMBER), default=-1)
             for number, envelope in enumerate(came):
+                for stop in self.channel.stops():
+                    self._take(milliseconds(), stop, False)
+                    self._post()
                 self._take(milliseconds(), envelope, number < last)
                 self._post()
             if self.host is not None:
@@ -186,6 +189,7 @@ class AgentProcess:
                 )
             if done.order.what == "stop" and host.stopped and not self.board.stands:
                 self.board.stands = True
+                self.channel.send(TEAM_PROCESS, kinds.STOP)
                 self.say(Sentence("stopped"))
 
     def _reply(self, replies: Sequence[Reply]) -> None:

@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from contextlib import suppress
 from dataclasses import dataclass
-from queue import SimpleQueue
+from queue import Empty, SimpleQueue
 from threading import Thread
 
 from kitrobot.deploy import Board, LineError, SilentError, connect
@@ -85,7 +86,11 @@ class BoardLine:
         self._board.silent_s = max(LEAST_SILENT_S, lease_ms / 1000)
 
     def order(self, order: Order) -> None:
-        """Has it do something, behind what it was told before."""
+        """Has it do something, behind what it was told before; a stop goes ahead of all that was not begun."""
+        if order.what == "stop":
+            with suppress(Empty):
+                while True:
+                    self._orders.get_nowait()
         self._orders.put(order)
 
     def done(self) -> list[Done]:
@@ -97,7 +102,7 @@ class BoardLine:
 
     def close(self) -> None:
         """Stops the board, as far as it can be reached, and lets go of the line."""
-        self._orders.put(Order("stop"))
+        self.order(Order("stop"))
         self._orders.put(None)
         self._thread.join(END_S)
         self._board.close()

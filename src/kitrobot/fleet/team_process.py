@@ -168,6 +168,7 @@ class TeamProcess:
             now = milliseconds()
             waited = min(TURN_MS, max(0.0, world.due_at(now) - now)) / 1000
             for envelope in self.channel.receive(waited):
+                self._press_stop(milliseconds())
                 self._take(milliseconds(), envelope)
                 if envelope.kind == kinds.REPLY:
                     begun.add(envelope.sender)

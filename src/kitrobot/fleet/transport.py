@@ -18,7 +18,7 @@ from threading import Condition
 from typing import Any
 
 from kitrobot.fleet.charter import FleetError
-from kitrobot.fleet.envelopes import EVERYBODY, TEAM_PROCESS, Envelope, EnvelopeError, opened, sealed
+from kitrobot.fleet.envelopes import EVERYBODY, STOP, TEAM_PROCESS, Envelope, EnvelopeError, opened, sealed
 from kitrobot.text import Sentence
 
 MOST_OF_ONE = 1024
@@ -66,6 +66,8 @@ class Channel:
         self._key = key
         self._serial = 0
         self._waiting: deque[Envelope] = deque()
+        self._stops: dict[int, Envelope] = {}
+        """The latest emergency stop, or answer to it, of each sender: never dropped, and ahead of all that waits."""
         self._of: Counter[int] = Counter()
         self._forged: set[Sentence] = set()
         self._dropped = 0
@@ -90,6 +92,10 @@ class Channel:
                     self._arrived.notify()
             return
         with self._arrived:
+            if envelope.kind == STOP:
+                self._stops[envelope.sender] = envelope
+                self._arrived.notify()
+                return
             if self._of[envelope.sender] >= MOST_OF_ONE or len(self._waiting) >= MOST_WAITING:
                 self._dropped += 1
                 return
@@ -103,9 +109,9 @@ class Channel:
             self._arrived.notify()
 
     def receive(self, seconds: float, most: int = 256) -> list[Envelope]:
-        """What came, as soon as anything did, or nothing after so many seconds."""
+        """What came, as soon as anything did, or nothing after so many seconds; emergency stops first."""
         with self._arrived:
-            if not self._waiting and seconds > 0:
+            if not self._waiting and not self._stops and seconds > 0:
                 self._arrived.wait(seconds)
             taken = [self._waiting.popleft() for _ in range(min(most, len(self._waiting)))]
             for envelope in taken:
@@ -116,7 +122,13 @@ class Channel:
             self._refuse(why)
         if dropped:
             self._refuse(Sentence("messages that come faster than they can be read are dropped"))
-        return [envelope for envelope in taken if self._is_mine(envelope)]
+        return [*self.stops(), *(envelope for envelope in taken if self._is_mine(envelope))]
+
+    def stops(self) -> list[Envelope]:
+        """Emergency stops that have come, for who is busy with what came before; `receive` gives them too."""
+        with self._arrived:
+            stops, self._stops = self._stops, {}
+        return [envelope for envelope in stops.values() if self._is_mine(envelope)]
 
     def _is_mine(self, envelope: Envelope) -> bool:
         """Whether it is for this process and of this run; else that is told."""

@@ -7,6 +7,7 @@ looked up once more in the robot that does it.
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 
@@ -40,6 +41,26 @@ class Crew:
         """The kinds of robot in the team, each once."""
         found = [program.target for program in self.programs] + [role.robot for role in self.roles]
         return [kind for kind in dict.fromkeys(found) if kind]
+
+    @property
+    def players(self) -> list[int]:
+        """For each role, how many robots play it when a run begins.
+
+        Each role in its order takes up to its largest number, but leaves what later roles of its kind need at least.
+        """
+        free = Counter(kind for _, kind in self.agents)
+        found = []
+        for at, role in enumerate(self.roles):
+            there = free[role.robot]
+            later = sum(one.least for one in self.roles[at + 1 :] if one.robot == role.robot)
+            found.append(min(there, role.most, max(role.least, there - later)))
+            free[role.robot] -= found[-1]
+        return found
+
+    def spare(self, kind: str) -> int:
+        """How many robots of a kind play no role when a run begins."""
+        play = zip(self.roles, self.players, strict=True)
+        return sum(own == kind for _, own in self.agents) - sum(n for role, n in play if role.robot == kind)
 
 
 def declaring(crew: Crew, program: TeamProgram) -> Crew:
