@@ -18,6 +18,17 @@ export function later<Props extends object>(
   typing = false,
 ): (props: Props) => ReactNode {
   let kept: ComponentType<Props> | null = null;
+  let coming: Promise<void> | null = null;
+  const fetchOnce = () =>
+    (coming ??= Promise.all([load(), moreWords()]).then(
+      ([loaded]) => {
+        kept = loaded;
+      },
+      (cause: unknown) => {
+        coming = null;
+        throw cause;
+      },
+    ));
   return function Later(props: Props) {
     const [part, setPart] = useState(() => kept);
     const held = useRef<((give: boolean) => void) | null>(null);
@@ -36,10 +47,9 @@ export function later<Props extends object>(
       let there = true;
       const release = typing ? holdKeys() : () => undefined;
       held.current = release;
-      Promise.all([load(), moreWords()]).then(
-        ([loaded]) => {
-          kept = loaded;
-          if (there) setPart(() => loaded);
+      fetchOnce().then(
+        () => {
+          if (there) setPart(() => kept);
         },
         () => {
           release(false);
