@@ -189,7 +189,7 @@ def test_the_run_so_far_is_saved_with_what_was_done_to_it(page, connect, mission
         watcher.send(type="replay", recording=found["recording"], speed=0)
         said = watcher.until("tick")
         assert [event["text"] for event in said["events"] if event["kind"] == "outside"] == [
-            "Dock was set to 4 by hand"
+            "Dock set by hand: 4"
         ]
         end = watcher.until("state", status="end")
         assert "still on" in end["sentence"]

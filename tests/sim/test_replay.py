@@ -79,9 +79,9 @@ def test_what_somebody_did_stands_in_the_recording_as_an_event(tmp_path: Path) -
         names = [agent.name for agent in reader.header.agents]
         values = [reader.seek(tick).values(reader.header) for tick in (0, 49, 50, 60)]
     assert [(tick, event.tick, names[event.agent], event.text) for tick, event in by_hand] == [
-        (0, 0, "carrier-1", "Dock was set to 2 by hand"),
-        (50, 50, "loader", "Presence was held at 0 by hand"),
-        (60, 60, "loader", "Presence was let go"),
+        (0, 0, "carrier-1", "Dock set by hand: 2"),
+        (50, 50, "loader", "Carrier held by hand: not there"),
+        (60, 60, "loader", "Carrier no longer held"),
         (60, 60, "carrier-3", "fails (by hand)"),
     ]
     assert values[0]["carrier-1"]["variable Dock"] == 2

@@ -13,6 +13,7 @@ import kitrobot
 from kitrobot.diagnostics import KitRobotError
 from kitrobot.sim import Simulation
 from kitrobot.sim.timeline import Intervention, Timeline
+from kitrobot.translation.rendering import translated
 from tests.sim.building import catalogue, empty_world, run_of
 
 EXAMPLES = Path(__file__).resolve().parents[2] / "examples"
@@ -117,13 +118,13 @@ def test_what_happened_is_remembered_until_another_future_begins() -> None:
     assert timeline.events[:-1] == [event for event in all_of_it if event.tick < 1000]
     said = timeline.events[-1]
     assert (said.tick, said.kind, said.agent, said.cause) == (1000, "outside", "loader", "person")
-    assert said.text == "Presence was held at 0 by hand"
+    assert said.text == "Carrier held by hand: not there"
     timeline.set_variable("carrier-2", "Dock", 3)
     timeline.force("loader", "Presence", None)
     assert [event.text for event in timeline.events[-3:]] == [
         said.text,
-        "Dock was set to 3 by hand",
-        "Presence was let go",
+        "Dock set by hand: 3",
+        "Carrier no longer held",
     ]
     timeline.advance(10)
     timeline.go_to(999)
@@ -202,3 +203,9 @@ def test_what_cannot_be_done_changes_nothing(agent: str, name: str) -> None:
     with pytest.raises(KitRobotError):
         timeline.set_variable(agent, name, 1)
     assert (timeline.latest, timeline.interventions) == (100, [])
+
+
+def test_what_somebody_did_names_a_sensor_as_the_page_does_in_the_readers_language() -> None:
+    timeline = Timeline(fresh())
+    timeline.force("loader", "Presence", 1)
+    assert translated(timeline.events[-1].text, "fr") == "Porteur maintenu à la main : là"

@@ -159,7 +159,7 @@ def test_chips_show_what_sensors_say_while_a_run_exists_and_can_be_switched(open
     studio.page.keyboard.press("Enter")
     expect(live).to_have_text("now 12 cm")
     expect(live).to_have_attribute("data-on", "true")
-    expect(studio.at("event-list").locator("tr", has_text="Captor was held at 12 by hand")).to_have_count(1)
+    expect(studio.at("event-list").locator("tr", has_text="held by hand: 12 cm")).to_have_count(1)
     expect(studio.at("release-Captor")).to_be_visible()
     assert box.bounding_box() == place, "what happened, and the button that lets go, have room already"
     studio.at("menu-View").click()

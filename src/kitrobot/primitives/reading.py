@@ -1,6 +1,6 @@
-"""The value of a part in words, as a terminal shows it: "12 cm", "true", the English name of a choice.
+"""The value of a part in words, as terminals and events show it: "12 cm", "true", the name of a choice.
 
-The page has its own, in the reader's language (`web/src/model/meaning.ts`); what both show is what the XML says.
+The page has its own (`web/src/model/meaning.ts`); what both show is what the XML says.
 """
 
 from __future__ import annotations
@@ -9,16 +9,17 @@ from decimal import Decimal
 
 from kitrobot.primitives.meaning import WAIT_UNIT, Meaning
 from kitrobot.primitives.robot import RobotObject, ValueType
+from kitrobot.text import Label
 
 _PLACES = Decimal("0.0001")
 
 
 def reading(part: RobotObject, value: int, wait_unit_ms: int = 100) -> str:
-    """What a sensor or a variable measures. `wait_unit_ms`: of its robot."""
+    """What a sensor or a variable measures; a choice is a `Label`. `wait_unit_ms`: of its robot."""
     meaning = part.meaning if part.meaning is not None else Meaning()
     for choice in meaning.choices:
         if choice.value == value and choice.label.get(""):
-            return choice.label[""]
+            return Label(str(value), choice.label)
     if part.type is ValueType.BOOLEAN:
         return "true" if value else "false"
     scale = Decimal(wait_unit_ms) / 1000 if meaning.scale == WAIT_UNIT else Decimal(meaning.scale)

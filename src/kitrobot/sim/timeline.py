@@ -17,10 +17,12 @@ from dataclasses import dataclass
 from typing import Literal
 
 from kitrobot.mission import FailureKind
+from kitrobot.primitives.reading import reading
+from kitrobot.sim.agents import Agent
 from kitrobot.sim.event_text import Event
 from kitrobot.sim.pens import pens_of
 from kitrobot.sim.simulation import Simulation
-from kitrobot.text import Recorded
+from kitrobot.text import Label, Recorded
 from kitrobot.trace import Drawing, Mark
 
 ROOM_BYTES = 64 * 1024 * 1024
@@ -192,18 +194,20 @@ class Timeline:
 
     def _told(self, intervention: Intervention) -> list[Event]:
         """An intervention as an event; what befalls an agent is told by the run itself."""
-        who, name, value = intervention.agent, intervention.name, intervention.value
-        index = next((one.index for one in self.simulation.members if one.name == who), -1)
+        who, value = intervention.agent, intervention.value
+        member = next((one for one in self.simulation.members if one.name == who), None)
+        name, said = _in_words(member, intervention.name, value or 0)
         if intervention.kind == "set":
-            text = Recorded("{name} was set to {value} by hand", name, value)
+            text = Recorded("{name} set by hand: {value}", name, said)
         elif intervention.kind == "force":
             text = (
-                Recorded("{name} was let go", name)
+                Recorded("{name} no longer held", name)
                 if value is None
-                else Recorded("{name} was held at {value} by hand", name, value)
+                else Recorded("{name} held by hand: {value}", name, said)
             )
         else:
             return []
+        index = -1 if member is None else member.index
         return [Event(intervention.tick, OUTSIDE, who, text, index, "person")]
 
     def _forget_what_was_to_come(self) -> None:
@@ -264,3 +268,14 @@ class Timeline:
     def _drop(self, at: int) -> None:
         self._bytes -= len(self._states[at])
         del self._ticks[at], self._states[at]
+
+
+def _in_words(member: Agent | None, name: str, value: int) -> tuple[str, str]:
+    """A sensor or variable as the page calls it, and its value with its unit."""
+    robot = None if member is None else member.robot
+    part = (
+        None if robot is None else next((one for one in (*robot.sensors, *robot.variables) if one.name == name), None)
+    )
+    if robot is None or part is None:
+        return name, str(value)
+    return Label(name, part.label), reading(part, value, robot.wait_unit_ms)

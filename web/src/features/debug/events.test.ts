@@ -25,6 +25,6 @@ describe("what happened", () => {
     expect(withoutCause(event(1, "fault 1: a driver failed (Display)", "robot"))).toContain("(Display)");
     expect(withoutCause(event(1, "tombe en panne (à la main)", "person"))).toBe("tombe en panne");
     expect(withoutCause(event(1, "Dock = 3 (odd)", "program"))).toBe("Dock = 3 (odd)");
-    expect(withoutCause(event(1, "Dock was set to 3 by hand", "person"))).toBe("Dock was set to 3 by hand");
+    expect(withoutCause(event(1, "Dock set by hand: 3", "person"))).toBe("Dock set by hand: 3");
   });
 });
