@@ -41,7 +41,7 @@ export function toggleBreakpoints(): boolean {
       ? removeBreakpoint(mission, program, vertex)
       : has(vertex)
         ? null
-        : setBreakpoint(mission, { program, vertex });
+        : setBreakpoint(drawing.parts, mission, { program, vertex });
     if (command !== null) execute(command);
   }
   return true;

@@ -4,7 +4,7 @@ import { renameDeclared } from "../model/commands/changeDeclared";
 import { setBreakdown, setBreakpoint, setFailures, setRadio } from "../model/commands/changeTrial";
 import { historyOf } from "../model/history";
 import { useStudio } from "../model/studio";
-import { CARRIER, missionOf } from "../model/testing/missions";
+import { CARRIER, CARRIER_PARTS, missionOf } from "../model/testing/missions";
 import { closeTeam, keepTeamView, openTeam, showSide, useTeam } from "./team-view";
 
 const vertex = CARRIER.vertices[1]?.id ?? "";
@@ -22,7 +22,7 @@ afterEach(() => stop());
 
 function breakpointSetAndTakenBack(between = () => {}): void {
   const { mission, execute } = useStudio.getState();
-  const command = setBreakpoint(mission, { program: CARRIER.name, vertex });
+  const command = setBreakpoint(CARRIER_PARTS, mission, { program: CARRIER.name, vertex });
   if (command === null) throw new Error("no such vertex");
   execute(command);
   between();

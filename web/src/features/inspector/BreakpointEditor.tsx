@@ -26,7 +26,8 @@ function Editor({ drawing, vertex }: { drawing: Drawing; vertex: string }) {
   const breakpoint = useStudio(({ mission }) => breakpointAt(mission, program, vertex));
   const put = (made: Breakpoint | null) => {
     const { mission, execute } = useStudio.getState();
-    const command = made === null ? removeBreakpoint(mission, program, vertex) : setBreakpoint(mission, made);
+    const command =
+      made === null ? removeBreakpoint(mission, program, vertex) : setBreakpoint(drawing.parts, mission, made);
     if (command !== null) execute(command);
   };
   return (

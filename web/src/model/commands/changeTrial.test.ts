@@ -1,6 +1,6 @@
 import { describe, expect, it } from "vitest";
 
-import { CARRIER, missionOf } from "../testing/missions";
+import { CARRIER, CARRIER_PARTS, missionOf } from "../testing/missions";
 import { renameProgram } from "./changePrograms";
 import { breakpointAt, removeBreakpoint, setBreakpoint, setFailures } from "./changeTrial";
 
@@ -9,10 +9,10 @@ const vertex = CARRIER.vertices[1]?.id ?? "";
 
 describe("breakpoints", () => {
   it("are set, changed and taken away", () => {
-    const set = setBreakpoint(mission, { program: CARRIER.name, vertex });
+    const set = setBreakpoint(CARRIER_PARTS, mission, { program: CARRIER.name, vertex });
     const one = set?.execute(mission) ?? mission;
     expect(breakpointAt(one, CARRIER.name, vertex)).toEqual({ program: CARRIER.name, vertex });
-    const change = setBreakpoint(one, { program: CARRIER.name, vertex, hits: 3, when: "Run.IsTrue()" });
+    const change = setBreakpoint(CARRIER_PARTS, one, { program: CARRIER.name, vertex, hits: 3, when: "Run.IsTrue()" });
     const two = change?.execute(one) ?? one;
     expect(two.breakpoints).toEqual([{ program: CARRIER.name, vertex, hits: 3, when: "Run.IsTrue()" }]);
     const three = removeBreakpoint(two, CARRIER.name, vertex)?.execute(two);
@@ -20,21 +20,26 @@ describe("breakpoints", () => {
     expect(Object.keys(three ?? {})).not.toContain("breakpoints");
   });
 
+  it("are named by the plain label of their vertex", () => {
+    const set = setBreakpoint(CARRIER_PARTS, mission, { program: CARRIER.name, vertex: "v6" });
+    expect(set?.label).toBe("Breakpoint at Lamp LightOn");
+  });
+
   it("stand at vertices only", () => {
-    expect(setBreakpoint(mission, { program: CARRIER.name, vertex: "nobody" })).toBeNull();
-    expect(setBreakpoint(mission, { program: "nothing", vertex })).toBeNull();
+    expect(setBreakpoint(CARRIER_PARTS, mission, { program: CARRIER.name, vertex: "nobody" })).toBeNull();
+    expect(setBreakpoint(CARRIER_PARTS, mission, { program: "nothing", vertex })).toBeNull();
     expect(removeBreakpoint(mission, CARRIER.name, vertex)).toBeNull();
   });
 
   it("follow their program to its new name", () => {
-    const one = setBreakpoint(mission, { program: CARRIER.name, vertex })?.execute(mission) ?? mission;
+    const one = setBreakpoint(CARRIER_PARTS, mission, { program: CARRIER.name, vertex })?.execute(mission) ?? mission;
     const two = renameProgram(one, CARRIER.name, "other")?.execute(one) ?? one;
     expect(two.breakpoints).toEqual([{ program: "other", vertex }]);
   });
 
   it("of vertices that are gone go with the next change", () => {
     const stale = { ...mission, breakpoints: [{ program: CARRIER.name, vertex: "gone" }] };
-    const after = setBreakpoint(stale, { program: CARRIER.name, vertex })?.execute(stale);
+    const after = setBreakpoint(CARRIER_PARTS, stale, { program: CARRIER.name, vertex })?.execute(stale);
     expect(after?.breakpoints).toEqual([{ program: CARRIER.name, vertex }]);
   });
 });

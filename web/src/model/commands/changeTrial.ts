@@ -1,6 +1,7 @@
 /** What a mission says about trying it out: breakpoints, failures on schedule, the radio, robots that break down. */
 import { t } from "../../i18n/words";
 import { becomes, type Command } from "../command";
+import { type Parts, title } from "../parts";
 import type { Breakdown, Breakpoint, Mission, Program, Radio, ScheduledFailure } from "../types";
 
 // An empty list is left out; everything else stays the same objects, by which it is seen what changed.
@@ -28,7 +29,7 @@ function sound(mission: Mission): Breakpoint[] {
 }
 
 /** Sets the breakpoint of a vertex, or changes it; null when there is no such vertex. */
-export function setBreakpoint(mission: Mission, made: Breakpoint): Command | null {
+export function setBreakpoint(parts: Parts, mission: Mission, made: Breakpoint): Command | null {
   const there = mission.programs
     .find((one) => one.name === made.program)
     ?.vertices.find(({ id }) => id === made.vertex);
@@ -36,7 +37,7 @@ export function setBreakpoint(mission: Mission, made: Breakpoint): Command | nul
   const old = breakpointAt(mission, made.program, made.vertex);
   const others = sound(mission);
   const list = old === undefined ? [...others, made] : others.map((one) => (one === old ? made : one));
-  return becomes(t("command.breakpoint", { name: there.element }), withBreakpoints(mission, list));
+  return becomes(t("command.breakpoint", { name: title(parts.shape(there.element)) }), withBreakpoints(mission, list));
 }
 
 /** Without the breakpoint of a vertex; null when it has none. */
