@@ -5,7 +5,7 @@ import { type RefObject, useEffect, useState } from "react";
 import { useStudio } from "../../model/studio";
 import type { Drawing } from "../../session/drawing";
 import { currentDrawing, nodeOf } from "../../session/drawing";
-import { standsStill, useView } from "../../session/view";
+import { restFollowing, standsStill, useView } from "../../session/view";
 import { homeOf, LEAST_READABLE, type Size, wholeOf } from "./home";
 import { spotOfArc } from "./Lines";
 
@@ -66,6 +66,7 @@ export function useViewport(
         zoomIn: () => void flow.zoomIn(animated),
         zoomOut: () => void flow.zoomOut(animated),
         home: () => {
+          restFollowing();
           const now = currentDrawing();
           if (now !== null) void flow.setViewport(homeOf(size(), now), animated);
         },
@@ -82,6 +83,7 @@ export function useViewport(
           return () => void flow.setViewport(before);
         },
         zoomToSelection: () => {
+          restFollowing();
           const now = currentDrawing();
           const box = now === null ? null : boundsOf(now, useStudio.getState().selection);
           if (box === null) {
