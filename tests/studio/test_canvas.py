@@ -234,6 +234,13 @@ def test_a_box_selects_and_a_finger_that_rests_opens_the_menu(open_studio: OpenS
     a_finger_that_rests_opens_the_menu(studio)
 
 
+def beside_the_graph(studio: Studio) -> tuple[float, float]:
+    """A point near the lower left corner of the canvas."""
+    canvas = studio.at("canvas").bounding_box()
+    assert canvas is not None
+    return canvas["x"] + 20, canvas["y"] + canvas["height"] - 20
+
+
 def keys_zoom_to_the_selection_show_the_map_and_follow_the_run(studio: Studio) -> None:
     deep = vertex(studio, "Road ahead free")
     deep.click()
@@ -244,10 +251,15 @@ def keys_zoom_to_the_selection_show_the_map_and_follow_the_run(studio: Studio) -
     expect(studio.at("minimap")).to_be_visible()
     studio.page.keyboard.press("m")
     expect(studio.at("minimap")).to_have_count(0)
-    studio.page.keyboard.press("Shift+F")
-    expect(studio.at("follow-button")).to_have_attribute("aria-pressed", "true")
+    follow = studio.at("follow-button")
     studio.at("run-button").click()
+    expect(follow).to_have_attribute("aria-pressed", "true")
     expect(studio.page.locator(".vertex.is-active").first).to_be_in_viewport()
+    studio.page.mouse.move(*beside_the_graph(studio))
+    studio.page.mouse.wheel(0, 60)
+    expect(follow).to_have_attribute("aria-pressed", "false")
+    follow.click()
+    expect(follow).to_have_attribute("aria-pressed", "true")
     studio.at("stop-button").click()
 
 

@@ -249,6 +249,12 @@ def test_nothing_is_cut_off_and_stop_is_always_there(
 def a_mission_runs_on_a_phone(studio: Studio) -> None:
     studio.at("run-button").tap()
     expect(studio.page.locator(".vertex.is-active").first).to_be_attached()
+    strip = studio.at("event-strip")
+    expect(strip).to_be_in_viewport(ratio=1)
+    studio.at("pause-button").tap()
+    expect(studio.at("status")).to_have_attribute("data-status", "paused")
+    strip.tap(position={"x": 4, "y": 23})
+    expect(strip).to_have_attribute("aria-valuenow", "0")
     studio.at("team-stop").tap()
     expect(studio.at("status")).to_contain_text("Stopped")
 
@@ -258,6 +264,7 @@ def test_fingers_add_a_part_open_the_menu_zoom_and_run_a_mission_on_a_phone(
 ) -> None:
     studio = open_with_fingers(PHONE)
     two_fingers_zoom_and_move_even_on_vertices(studio)
+    expect(studio.at("event-strip")).to_be_hidden()
     a_mission_runs_on_a_phone(studio)
     studio.page.reload()
     expect(studio.page.locator(".vertex").first).to_be_visible()

@@ -1,13 +1,18 @@
 /**
  * The sheet of shortcuts: every row of the table of keys, and for what has no key of its own the way through the menus.
- * Nothing is listed here by hand.
+ * Nothing is listed here by hand. A field leaves what holds all words that are typed, in a key, its meaning or a menu.
  */
+import { useEffect, useRef, useState } from "react";
+
 import { type Key, t } from "../i18n/words";
 import { closeOverlay } from "../session/document";
 import { ARENA_KEYS, GRAPH_KEYS, type KeyRow, PAGE_KEYS, WEB_KEYS, WORLD_KEYS } from "../session/key-table";
+import { Icon } from "../theme";
+import { holding } from "../ui/matching";
 import { isItem, type MenuPart } from "../ui/menu-model";
 import { Sheet } from "../ui/Sheet";
 import { useMenus } from "./menus";
+import "./shortcuts.css";
 
 const TABLES: readonly [Key, Record<string, KeyRow>][] = [
   ["help.general", PAGE_KEYS],
@@ -33,44 +38,95 @@ export function menuPaths(menus: readonly MenuPart[]): { id: string; menu: strin
   );
 }
 
+interface Listed {
+  id: string;
+  keys: readonly string[];
+  says: string;
+}
+
+/** What is listed under a heading; `how` says it of all of them. */
+interface Section {
+  heading: Key;
+  how?: Key;
+  rows: Listed[];
+}
+
+/** The sections that hold a row with all words of `query`, with those rows only. */
+export function foundIn(sections: readonly Section[], query: string): Section[] {
+  const holds = holding(query);
+  return sections
+    .map((section) => ({ ...section, rows: section.rows.filter(({ keys, says }) => holds([...keys, says].join(" "))) }))
+    .filter(({ rows }) => rows.length > 0);
+}
+
 export function ShortcutsSheet() {
   const menus = useMenus();
+  const field = useRef<HTMLInputElement>(null);
+  const [query, setQuery] = useState("");
+  // After the sheet has kept what to give the focus back to.
+  useEffect(() => field.current?.focus(), []);
+  const sections: Section[] = [
+    ...TABLES.map(([heading, rows]) => ({
+      heading,
+      rows: linesOf(rows).map(({ says, chords }) => ({ id: says, keys: chords, says: t(says) })),
+    })),
+    {
+      heading: "help.keys-paths",
+      how: "help.keys-paths-how",
+      rows: menuPaths(menus).map(({ id, menu, label }) => ({ id, keys: [menu], says: label })),
+    },
+  ];
+  const found = foundIn(sections, query);
   return (
     <Sheet title={t("help.shortcuts")} testId="shortcuts-dialog" wide onClose={closeOverlay}>
+      <label className="keys-find">
+        <Icon name="search" size={16} />
+        <span className="only-spoken">{t("help.keys-search")}</span>
+        <input
+          ref={field}
+          className="field"
+          type="search"
+          placeholder={t("help.keys-search")}
+          data-testid="keys-find"
+          maxLength={100}
+          spellCheck={false}
+          autoComplete="off"
+          value={query}
+          onChange={(event) => setQuery(event.target.value)}
+          onKeyDown={(event) => {
+            if (event.key !== "Escape" || query === "") return;
+            // The first Escape empties the field, the next one closes the sheet.
+            event.stopPropagation();
+            event.preventDefault();
+            setQuery("");
+          }}
+        />
+      </label>
+      <div role="status">
+        {found.length === 0 ? <p className="keys-none">{t("help.keys-none", { query: query.trim() })}</p> : null}
+      </div>
       <div className="keys-columns">
-        {TABLES.map(([heading, rows]) => (
+        {found.map(({ heading, how, rows }) => (
           <section key={heading}>
             <h3>{t(heading)}</h3>
-            <dl className="keys">
-              {linesOf(rows).map(({ says, chords }) => (
-                <div key={says}>
+            {how === undefined ? null : <p className="keys-how">{t(how)}</p>}
+            <dl className={how === undefined ? "keys" : "keys keys-paths"}>
+              {rows.map(({ id, keys, says }) => (
+                <div key={id}>
                   <dt>
-                    {chords.map((chord) => (
-                      <kbd key={chord} dir="ltr">
-                        {chord}
+                    {keys.map((key) => (
+                      // What is pressed reads from left to right in every script, the name of a menu as it is written.
+                      <kbd key={key} {...(how === undefined ? { dir: "ltr" } : {})}>
+                        {key}
                       </kbd>
                     ))}
                   </dt>
-                  <dd>{t(says)}</dd>
+                  <dd>{says}</dd>
                 </div>
               ))}
             </dl>
           </section>
         ))}
-        <section>
-          <h3>{t("help.keys-paths")}</h3>
-          <p className="keys-how">{t("help.keys-paths-how")}</p>
-          <dl className="keys keys-paths">
-            {menuPaths(menus).map(({ id, menu, label }) => (
-              <div key={id}>
-                <dt>
-                  <kbd>{menu}</kbd>
-                </dt>
-                <dd>{label}</dd>
-              </div>
-            ))}
-          </dl>
-        </section>
       </div>
     </Sheet>
   );

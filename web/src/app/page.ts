@@ -120,13 +120,14 @@ function useMenu(): MenuEntries {
   };
 }
 
-const inSheets = <Name extends keyof typeof sheetsModule>(name: Name) =>
+const inSheets = <Name extends keyof typeof sheetsModule>(name: Name, typing = false) =>
   later(
     () => import("./Sheets").then((chunk) => chunk[name]),
     (cause) => {
       show(null);
       complain(cause);
     },
+    typing,
   );
 
 export const page: Feature = {
@@ -151,8 +152,8 @@ export const page: Feature = {
   },
   useMenu,
   sheets: {
-    "save-as": inSheets("SaveAsSheet"),
-    shortcuts: inSheets("ShortcutsSheet"),
+    "save-as": inSheets("SaveAsSheet", true),
+    shortcuts: inSheets("ShortcutsSheet", true),
     about: inSheets("AboutSheet"),
     difference: inSheets("DifferenceSheet"),
   },

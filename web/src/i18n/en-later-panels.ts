@@ -73,6 +73,8 @@ export const PANELS_EN = {
   "watching.on": "You are watching a run that another window steers; STOP here only ends the watching.",
   "watching.another": "What runs there is not what is open here: its parts may not glow where they stand.",
   "help.general": "Everywhere",
+  "help.keys-search": "Find a key or an action",
+  "help.keys-none": "No key and no action has “{query}” in it. Try a shorter word, or empty the field to see all.",
   "open.loading": "Looking…",
   "open.cancel": "Cancel",
   "save.title": "Save as",

@@ -44,6 +44,8 @@ interface ViewState {
   noting: string | null;
   /** Whether the canvas moves along with the run. */
   following: boolean;
+  /** Whether somebody has moved the canvas by hand since the run began: until the next one it does not move along. */
+  resting: boolean;
   minimap: boolean;
   /** Whether chips show what their sensors say while a run exists; remembered in this browser. */
   live: boolean;
@@ -72,7 +74,8 @@ export const useView = create<ViewState>((set) => ({
   said: "",
   noting: null,
   editing: null,
-  following: false,
+  following: true,
+  resting: false,
   minimap: false,
   live: remembered(),
   finding: false,
@@ -92,8 +95,18 @@ export function openFind(): void {
   document.querySelector<HTMLInputElement>(".find input")?.select();
 }
 
+/** Whether the canvas moves along with the run now. */
+export function follows({ following, resting }: Pick<ViewState, "following" | "resting">): boolean {
+  return following && !resting;
+}
+
 export function toggleFollowing(): void {
-  useView.setState({ following: !useView.getState().following });
+  useView.setState({ following: !follows(useView.getState()), resting: false });
+}
+
+/** The canvas was moved by hand: it stays where it was put. */
+export function restFollowing(): void {
+  useView.setState({ resting: true });
 }
 
 export function toggleMinimap(): void {

@@ -17,7 +17,7 @@ import { complain } from "../../session/document";
 import { setResolver, useDrag } from "../../session/drag";
 import { currentDrawing, type Drawing, nodeOf, useDrawing } from "../../session/drawing";
 import { insideOf, REACH, slotOnScreen, type Target, targetInLayout, wrapTarget } from "../../session/targets";
-import { useView } from "../../session/view";
+import { restFollowing, useView } from "../../session/view";
 import { later } from "../../ui/later";
 import { ActiveVertices } from "./active";
 import { useClipboard } from "./clipboard";
@@ -115,6 +115,9 @@ function Graph({ drawing }: { drawing: Drawing }) {
         nodeTypes={plain ? PLAIN_TYPES : NODE_TYPES}
         defaultViewport={first}
         onInit={onReady}
+        onMove={(byHand) => {
+          if (byHand !== null) restFollowing();
+        }}
         minZoom={leastZoom(drawing.layout.bounds)}
         maxZoom={MOST_ZOOM}
         onlyRenderVisibleElements

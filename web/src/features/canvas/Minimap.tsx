@@ -6,6 +6,7 @@ import type { PointerEvent } from "react";
 
 import { t } from "../../i18n/words";
 import type { Drawing } from "../../session/drawing";
+import { restFollowing } from "../../session/view";
 
 const EDGE = 40;
 
@@ -22,6 +23,7 @@ export function Minimap({ layout }: { layout: Drawing["layout"] }) {
     const matrix = event.currentTarget.getScreenCTM();
     if (matrix === null) return;
     const point = new DOMPoint(event.clientX, event.clientY).matrixTransform(matrix.inverse());
+    restFollowing();
     void flow.setCenter(point.x, point.y, { zoom });
   };
 

@@ -3,14 +3,14 @@ import { useStore } from "@xyflow/react";
 
 import { t } from "../../i18n/words";
 import { keyFor } from "../../session/key-table";
-import { toggleFollowing, toggleMinimap, useView } from "../../session/view";
+import { follows, toggleFollowing, toggleMinimap, useView } from "../../session/view";
 import { Icon } from "../../theme";
 
 export function ZoomControl() {
   const zoom = useStore(({ transform }) => Math.round(transform[2] * 100));
   const viewport = useView((state) => state.viewport);
   const minimap = useView((state) => state.minimap);
-  const following = useView((state) => state.following);
+  const following = useView(follows);
   return (
     <div className="zoom" role="group" aria-label={t("graph.zoom")}>
       <button type="button" aria-label={t("graph.zoom-out")} title={t("graph.zoom-out")} onClick={viewport?.zoomOut}>

@@ -4,8 +4,9 @@ import { create } from "zustand";
 
 import { useStudio } from "../../model/studio";
 import { onlyCalls } from "../../model/team-names";
+import { useDrag } from "../../session/drag";
 import { standingIn, useActiveVertices, useRun } from "../../session/run";
-import { useView } from "../../session/view";
+import { follows, useView } from "../../session/view";
 
 /** Threads by their numbers; of a team its members, as `@PLACE`. */
 type Slots = ReadonlyMap<string, readonly (number | string)[]>;
@@ -39,12 +40,23 @@ export function ActiveVertices({ program }: { program: string }): null {
   return null;
 }
 
+// What was put by hand during one run does not hold for the next.
+useRun.subscribe(({ status }, before) => {
+  if (status === "running" && before.status === "connecting") useView.setState({ resting: false });
+});
+
+/** Whether somebody writes or chooses something at a vertex, or drags: the canvas does not move away under that. */
+const busy = () => {
+  const { adding, editing, noting, menu } = useView.getState();
+  return [adding, editing, noting, menu, useDrag.getState().payload].some((one) => one !== null);
+};
+
 /** Keeps the vertex of the first thread in view, while that is wanted. */
 function useFollowing(): void {
-  const following = useView((state) => state.following);
+  const following = useView(follows);
   const slots = useActive((state) => state.slots);
   useEffect(() => {
-    if (!following) return;
+    if (!following || busy()) return;
     const least = (slots: readonly (number | string)[]) =>
       Math.min(...slots.map((one) => Number(String(one).replace("@", ""))));
     const [first] = [...slots].sort(([, a], [, b]) => least(a) - least(b));

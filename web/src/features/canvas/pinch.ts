@@ -6,6 +6,7 @@ import { useReactFlow } from "@xyflow/react";
 import { type RefObject, useEffect } from "react";
 
 import { cancelDrag } from "../../session/drag";
+import { restFollowing } from "../../session/view";
 import { LEAST_ZOOM, MOST_ZOOM } from "./zoom-range";
 
 interface Spread {
@@ -58,6 +59,7 @@ export function Pinch({ root }: { root: RefObject<HTMLDivElement | null> }): nul
       if (before === null || now === null) return;
       event.preventDefault();
       event.stopPropagation();
+      restFollowing();
       void flow.setViewport(pinched(flow.getViewport(), inside(before), inside(now)));
       before = now;
     };

@@ -1,11 +1,12 @@
-/** Where the canvas looks: Start on top at zoom 1, remembered for each program, moved only as far as needed. */
+/** Where the canvas looks: at first as `home.ts` says, remembered for each program, moved only as far as needed. */
 import { useReactFlow, useStoreApi, type Viewport as Camera } from "@xyflow/react";
 import { type RefObject, useEffect, useState } from "react";
 
 import { useStudio } from "../../model/studio";
 import type { Drawing } from "../../session/drawing";
 import { currentDrawing, nodeOf } from "../../session/drawing";
-import { standsStill, useView } from "../../session/view";
+import { restFollowing, standsStill, useView } from "../../session/view";
+import { homeOf, LEAST_READABLE, type Size, wholeOf } from "./home";
 import { spotOfArc } from "./Lines";
 
 const remembered = new Map<string, Camera>();
@@ -13,12 +14,9 @@ const MARGIN = 48;
 const MOVE_MS = 140;
 /** A small selection does not fill the canvas. */
 const CLOSEST = 1.25;
-const START_AT = 40;
-const EMPTY_START_AT = 116;
-const LOW = 900;
 
-/** How wide the canvas was when it was last opened: the first guess for the next time. */
-let lastWidth = 904;
+/** How large the canvas was when it was last opened: the first guess for the next time. */
+let last: Size = { width: 904, height: 840 };
 let opened = "";
 
 /** Clears the remembered viewports when another mission is opened. */
@@ -28,24 +26,19 @@ useStudio.subscribe((state, before) => {
   opened = state.file.path;
 });
 
-/** On a low window the cards of an empty program need the room above it. */
-function isLow(): boolean {
-  return (document.getElementById("canvas-panel")?.clientHeight ?? LOW) < LOW;
+function sizeOf(element: HTMLElement | null): Size {
+  return { width: element?.clientWidth ?? 0, height: element?.clientHeight ?? 0 };
 }
 
-function homeOf(width: number, drawing: Drawing): Camera {
-  const { layout, nodes } = drawing;
-  const y = nodes.has("place") && !isLow() ? EMPTY_START_AT : START_AT;
-  // Start is in the middle, except where the left edge of a program that would fit was cut off by that.
-  const left = width / 2 + layout.bounds.x;
-  const parkedToo = layout.bounds.x + layout.bounds.w;
-  const shift = left < 16 && width >= layout.bounds.w + 32 ? 16 - left : 0;
-  return { x: Math.round(Math.min(width / 2 + shift, Math.max(width / 2, width - 16 - parkedToo))), y, zoom: 1 };
+/** How large the canvas will be: its panel is on the page before it. */
+function roomNow(): Size {
+  const room = sizeOf(document.getElementById("canvas-panel"));
+  return room.width > 0 ? room : last;
 }
 
-/** How wide the canvas will be: its panel is on the page before it. */
-function roomNow(): number {
-  return document.getElementById("canvas-panel")?.clientWidth || lastWidth;
+/** How small a program may open: readable, and with fingers everything that is pressed keeps its 44 px. */
+function leastAtFirst(): number {
+  return matchMedia("(pointer: coarse)").matches ? 1 : LEAST_READABLE;
 }
 
 /** The first camera, the callback for the ready viewport, and the viewport as `useView` has it. */
@@ -56,7 +49,7 @@ export function useViewport(
   const flow = useReactFlow();
   const store = useStoreApi();
   const { name } = drawing.program;
-  const [first] = useState<Camera>(() => remembered.get(name) ?? homeOf(roomNow(), drawing));
+  const [first] = useState<Camera>(() => remembered.get(name) ?? wholeOf(roomNow(), drawing, leastAtFirst()));
 
   useEffect(
     () => () => {
@@ -66,15 +59,16 @@ export function useViewport(
   );
 
   useEffect(() => {
-    const size = () => ({ width: root.current?.clientWidth ?? 0, height: root.current?.clientHeight ?? 0 });
+    const size = () => sizeOf(root.current);
     const animated = { duration: matchMedia("(prefers-reduced-motion: reduce)").matches ? 0 : MOVE_MS };
     useView.setState({
       viewport: {
         zoomIn: () => void flow.zoomIn(animated),
         zoomOut: () => void flow.zoomOut(animated),
         home: () => {
+          restFollowing();
           const now = currentDrawing();
-          if (now !== null) void flow.setViewport(homeOf(size().width, now), animated);
+          if (now !== null) void flow.setViewport(homeOf(size(), now), animated);
         },
         fit: () => {
           const now = currentDrawing();
@@ -85,15 +79,11 @@ export function useViewport(
         whole: () => {
           const before = flow.getViewport();
           const now = currentDrawing();
-          if (now !== null) {
-            const { x, y, w, h } = now.layout.bounds;
-            const { width, height } = size();
-            const zoom = Math.min(1, Math.max(0.5, Math.min((width - 32) / w, (height - 48) / h)));
-            void flow.setViewport({ x: width / 2 - (x + w / 2) * zoom, y: 24 - y * zoom, zoom });
-          }
+          if (now !== null) void flow.setViewport(wholeOf(size(), now, 0.5));
           return () => void flow.setViewport(before);
         },
         zoomToSelection: () => {
+          restFollowing();
           const now = currentDrawing();
           const box = now === null ? null : boundsOf(now, useStudio.getState().selection);
           if (box === null) {
@@ -138,9 +128,9 @@ export function useViewport(
     () =>
       // A vertex that was selected elsewhere, or made beyond the edge, comes into view.
       useStudio.subscribe((state, before) => {
-        const last = state.selection.at(-1);
-        if (last === undefined || state.selection === before.selection || standsStill()) return;
-        queueMicrotask(() => useView.getState().viewport?.reveal(last));
+        const latest = state.selection.at(-1);
+        if (latest === undefined || state.selection === before.selection || standsStill()) return;
+        queueMicrotask(() => useView.getState().viewport?.reveal(latest));
       }),
     [],
   );
@@ -161,9 +151,11 @@ export function useViewport(
     };
   }, [flow, root]);
   const onReady = () => {
-    const width = root.current?.clientWidth ?? 0;
-    if (!remembered.has(name) && width > 0 && width !== lastWidth) void flow.setViewport(homeOf(width, drawing));
-    lastWidth = width;
+    const now = sizeOf(root.current);
+    const guessed = now.width === last.width && now.height === last.height;
+    if (!remembered.has(name) && now.width > 0 && !guessed)
+      void flow.setViewport(wholeOf(now, drawing, leastAtFirst()));
+    last = now;
   };
   return { first, onReady };
 }

@@ -1,6 +1,7 @@
 /** Which examples fit what is looked for, and under which level each stands. */
 import type { MissionEntry } from "../../api/generated";
 import type { Texts } from "../../model/types";
+import { holding } from "../../ui/matching";
 
 export interface Wish {
   /** Words, each of which has to stand somewhere in what is said of an example. */
@@ -16,17 +17,12 @@ export const ALL: Wish = { words: "", level: 0, topic: "", robot: "" };
 
 type Say = (texts: Texts, fallback: string) => string;
 
-/** Without accents and capitals: who types “carre” means “carré”. */
-export function plain(words: string): string {
-  return words.normalize("NFD").replace(/\p{M}/gu, "").toLowerCase();
-}
-
 /** All that is said of an example in the reader's language. */
 function said(entry: MissionEntry, say: Say, robot: (name: string) => string): string {
   const { example, label, help, name, title } = entry;
   const topics = example?.topics.map((topic) => say(topic.label, topic.name)) ?? [];
   const robots = example?.robots.map(robot) ?? [];
-  return plain([name, say(label, title), say(help, ""), ...topics, ...robots].join(" "));
+  return [name, say(label, title), say(help, ""), ...topics, ...robots].join(" ");
 }
 
 /** The examples that fit, in their order. */
@@ -36,15 +32,14 @@ export function fitting(
   say: Say,
   robot: (name: string) => string,
 ): MissionEntry[] {
-  const words = plain(wish.words).split(/\s+/).filter(Boolean);
+  const holds = holding(wish.words);
   return examples.filter((entry) => {
     const { example } = entry;
     if (example === null) return false;
     if (wish.level > 0 && example.level !== wish.level) return false;
     if (wish.topic !== "" && !example.topics.some(({ name }) => name === wish.topic)) return false;
     if (wish.robot !== "" && !example.robots.includes(wish.robot)) return false;
-    const text = words.length === 0 ? "" : said(entry, say, robot);
-    return words.every((word) => text.includes(word));
+    return holds(said(entry, say, robot));
   });
 }
 

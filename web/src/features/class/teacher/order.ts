@@ -1,6 +1,7 @@
 /** Which cards are shown, in which order, and what a card says of its pupil: pure functions. */
 import type { Pupil } from "../../../api/generated";
 import { t } from "../../../i18n/words";
+import { holding } from "../../../ui/matching";
 
 export type Filter = "all" | "help" | "work" | "done" | "away";
 export type Order = "help" | "name" | "goals";
@@ -39,16 +40,9 @@ export function counts(pupils: readonly Pupil[], goals: number): Record<Filter, 
   return found;
 }
 
-/** As people look for names: any case, any marks. */
-function plain(text: string): string {
-  return text.normalize("NFKD").replace(/\p{M}/gu, "").toLowerCase();
-}
-
 export function shown(pupils: readonly Pupil[], filter: Filter, find: string, goals: number): Pupil[] {
-  const wanted = plain(find.trim());
-  return pupils.filter(
-    (pupil) => (filter === "all" || filterOf(pupil, goals) === filter) && plain(pupil.name).includes(wanted),
-  );
+  const wanted = holding(find);
+  return pupils.filter((pupil) => (filter === "all" || filterOf(pupil, goals) === filter) && wanted(pupil.name));
 }
 
 const URGENT: Record<Pupil["state"], number> = { stuck: 0, asks: 1, running: 3, editing: 2, done: 4, away: 5 };
