@@ -92,4 +92,8 @@ export const EDITOR_EN = {
   "inspector.duplicate": "Duplicate",
   "inspector.start": "The program begins here.",
   "inspector.stop": "The program ends here.",
+  "wrap.title": "Wrap in which part?",
+  "add.title": "Add a part",
+  "add.find": "Type to find a part",
+  "add.none": "No part is called that.",
 } as const;

@@ -3,7 +3,7 @@
  *
  * A breakpoint stands at an instruction; that of a marked action is the action's. Left to others: reaching it (the server).
  */
-import { breakpointAt, removeBreakpoint, setBreakpoint } from "../model/commands/changeTrial";
+import { breakpointAt, removeBreakpoint, setBreakpoint } from "../model/commands/changeBreakpoints";
 import type { LayoutNode } from "../model/layout";
 import { isMark } from "../model/parts";
 import { useStudio } from "../model/studio";

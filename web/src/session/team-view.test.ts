@@ -1,7 +1,8 @@
 import { afterEach, beforeEach, expect, it } from "vitest";
 
 import { renameDeclared } from "../model/commands/changeDeclared";
-import { setBreakdown, setBreakpoint, setFailures, setRadio } from "../model/commands/changeTrial";
+import { setBreakpoint } from "../model/commands/changeBreakpoints";
+import { setBreakdown, setFailures, setRadio } from "../model/commands/changeTrial";
 import { historyOf } from "../model/history";
 import { useStudio } from "../model/studio";
 import { CARRIER, CARRIER_PARTS, missionOf } from "../model/testing/missions";

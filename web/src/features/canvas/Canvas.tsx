@@ -20,6 +20,7 @@ import { insideOf, REACH, slotOnScreen, type Target, targetInLayout, wrapTarget 
 import { restFollowing, useView } from "../../session/view";
 import { later } from "../../ui/later";
 import { ActiveVertices } from "./active";
+import { AddPopup } from "./AddPopup";
 import { useClipboard } from "./clipboard";
 import { useContextMenu } from "./context";
 import { useEdgePan } from "./edgePan";
@@ -36,7 +37,6 @@ import { ZoomControl } from "./ZoomControl";
 
 const ContextMenu = later(() => import("./ContextMenu").then((chunk) => chunk.ContextMenu), complain);
 const Pinch = later(() => import("./pinch").then((chunk) => chunk.Pinch), complain);
-const AddPopup = later(() => import("./AddPopup").then((chunk) => chunk.AddPopup), complain, true);
 const NoteEditor = later(() => import("./NoteEditor").then((chunk) => chunk.NoteEditor), complain, true);
 const Find = later(() => import("./Find").then((chunk) => chunk.Find), complain, true);
 const InPlace = later(() => import("./InPlace").then((chunk) => chunk.InPlace), complain, true);

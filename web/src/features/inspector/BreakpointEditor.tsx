@@ -4,7 +4,7 @@ import "./breakpoint-editor.css";
 import { useState } from "react";
 
 import { t } from "../../i18n/words";
-import { breakpointAt, removeBreakpoint, setBreakpoint } from "../../model/commands/changeTrial";
+import { breakpointAt, removeBreakpoint, setBreakpoint } from "../../model/commands/changeBreakpoints";
 import { useStudio } from "../../model/studio";
 import type { Breakpoint } from "../../model/types";
 import { instructionOf } from "../../session/breakpoints";

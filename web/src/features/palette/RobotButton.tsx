@@ -1,6 +1,5 @@
 /** The robot that the program is for, above its parts: a button with the robots that there are. */
 import { t } from "../../i18n/words";
-import { changeRobot } from "../../model/commands/changeRobot";
 import { robotKinds } from "../../model/robot-kinds";
 import { programInView, useStudio } from "../../model/studio";
 import { TEAM_ROBOT } from "../../model/team-robot";
@@ -13,9 +12,11 @@ import type { MenuEntry } from "../../ui/menu-model";
 const RobotPicture = later(() => import("../../components/RobotPicture").then((chunk) => chunk.RobotPicture), complain);
 
 function takeRobot(robot: string): void {
-  const { mission, catalogue, activeProgram, execute } = useStudio.getState();
-  const command = changeRobot(mission, catalogue, activeProgram, robot);
-  if (command !== null) execute(command);
+  import("../../model/commands/changeRobot").then(({ changeRobot }) => {
+    const { mission, catalogue, activeProgram, execute } = useStudio.getState();
+    const command = changeRobot(mission, catalogue, activeProgram, robot);
+    if (command !== null) execute(command);
+  }, complain);
 }
 
 /** Nothing in a program of a team, whose parts are those of several robots. */

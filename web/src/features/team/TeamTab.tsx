@@ -1,11 +1,12 @@
 /** The tab behind those of the programs, and the panel that it opens, fetched when it is opened. */
 import { lazy, Suspense } from "react";
 
+import { moreWords } from "../../i18n/words";
 import { useStudio } from "../../model/studio";
 import type { FeatureTab } from "../../session/features";
 import { openTeam, teamPlace, useTeam } from "../../session/team-view";
 
-const Team = lazy(() => import("./Team").then((chunk) => chunk));
+const Team = lazy(() => Promise.all([import("./Team"), moreWords()]).then(([chunk]) => chunk));
 
 export const teamTab: FeatureTab = {
   name: "team",

@@ -1,13 +1,14 @@
 /** The tab behind the team's, and the panel that it opens, fetched then. */
 import { lazy, Suspense } from "react";
 
+import { moreWords } from "../../i18n/words";
 import { useStudio } from "../../model/studio";
 import { thingNamed } from "../../model/world/thing";
 import type { FeatureTab } from "../../session/features";
 import { useTeam } from "../../session/team-view";
 import { openWorld } from "../../session/world-view";
 
-const World = lazy(() => import("./World").then((chunk) => chunk));
+const World = lazy(() => Promise.all([import("./World"), moreWords()]).then(([chunk]) => chunk));
 
 export const worldTab: FeatureTab = {
   name: "world",

@@ -3,7 +3,7 @@ import { t } from "../../i18n/words";
 import { becomes, type Command } from "../command";
 import { withNamed } from "../team-names";
 import type { Catalogue, Mission, Program } from "../types";
-import { breakpointsRenamed } from "./changeTrial";
+import { breakpointsRenamed } from "./changeBreakpoints";
 
 /** The paper's smallest graph: Start, then Stop. */
 export function emptyProgram(name: string, robot: string, level: Program["level"] = "agent"): Program {

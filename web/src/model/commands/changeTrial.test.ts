@@ -2,7 +2,8 @@ import { describe, expect, it } from "vitest";
 
 import { CARRIER, CARRIER_PARTS, missionOf } from "../testing/missions";
 import { renameProgram } from "./changePrograms";
-import { breakpointAt, removeBreakpoint, setBreakpoint, setFailures } from "./changeTrial";
+import { breakpointAt, removeBreakpoint, setBreakpoint } from "./changeBreakpoints";
+import { setFailures } from "./changeTrial";
 
 const mission = missionOf(CARRIER);
 const vertex = CARRIER.vertices[1]?.id ?? "";
