@@ -15,18 +15,22 @@ import { hearOfParts } from "./world-files";
 
 export const useDisk = create<News>(() => ({ path: "", revision: "", others: 0, parts: "", runs: [] }));
 
-/** A revision that is not worth a word: the person was asked, or it is what our own save has just replaced. */
+/** The revision about which the person was asked, or that the disk had when another mission was opened. */
 let settled = "";
-/** What our own save has replaced: news of it are from before. */
-let overtaken: string | null = null;
+/** What our own saves have replaced: news of these may still be on their way, until those of the newest save have come. */
+const replaced = new Set<string>();
 
 /** Whether what is on disk is said to be something else than what was opened or saved here. */
-export function isOther({ path, revision }: News, file: { path: string; revision: string }): boolean {
-  return path === file.path && revision !== file.revision && revision !== overtaken;
+export function isOther(
+  { path, revision }: Pick<News, "path" | "revision">,
+  file: { path: string; revision: string },
+): boolean {
+  return path === file.path && revision !== file.revision && !replaced.has(revision);
 }
 
 export function hearOfDisk(news: News): void {
   useDisk.setState(news);
+  if (news.revision === useStudio.getState().file.revision) replaced.clear();
   hearOfParts(news);
   offer();
 }
@@ -35,8 +39,9 @@ function offer(): void {
   const { path, revision } = useDisk.getState();
   const { file, dirty } = useStudio.getState();
   const { saving, ready, banner } = useDocument.getState();
-  if (!ready || saving || dirty || path === "" || path !== file.path) return;
-  if (revision === "" || revision === file.revision || revision === settled || banner?.kind === "question") return;
+  if (!ready || saving || dirty || path === "") return;
+  if (revision === "" || revision === settled || banner?.kind === "question") return;
+  if (!isOther({ path, revision }, file)) return;
   const ask = () => {
     question(t("disk.changed", { name: fileName() }), [
       ["disk.load", loadFromDisk],
@@ -57,8 +62,11 @@ export function watchDisk(): () => void {
   const offStudio = useStudio.subscribe((state, before) => {
     // The disk's last word is from before our own save; the next one will be true again.
     if (state.file !== before.file) {
-      settled = useDisk.getState().revision;
-      overtaken = state.file.revision === before.file.revision ? null : settled;
+      const { revision } = useDisk.getState();
+      const isAnother = state.file.path !== before.file.path;
+      settled = isAnother ? revision : "";
+      if (isAnother || state.file.revision === revision) replaced.clear();
+      else for (const one of [revision, before.file.revision]) replaced.add(one);
     } else if (state.dirty !== before.dirty) offer();
   });
   const offDocument = useDocument.subscribe((state, before) => {

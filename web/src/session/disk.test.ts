@@ -1,0 +1,49 @@
+import { afterEach, beforeEach, expect, it } from "vitest";
+
+import { useStudio } from "../model/studio";
+import { CARRIER, missionOf } from "../model/testing/missions";
+import { hearOfDisk, useDisk, watchDisk } from "./disk";
+import { useDocument } from "./document";
+
+const PATH = "blink.krt";
+let stop = () => {};
+
+const hear = (revision: string) => hearOfDisk({ ...useDisk.getState(), path: PATH, revision });
+const saved = (revision: string) =>
+  useStudio.getState().markSaved(PATH, revision, undefined, useStudio.getState().mission);
+const isAsked = () => useDocument.getState().banner !== null;
+
+beforeEach(() => {
+  const mission = missionOf(CARRIER);
+  useStudio.setState({ mission, dirty: false, file: { ...useStudio.getState().file, path: PATH, revision: "opened" } });
+  useDocument.setState({ ready: true, saving: false, banner: null });
+  stop = watchDisk();
+  hear("opened");
+});
+
+afterEach(() => {
+  stop();
+  useDocument.setState({ ready: false, banner: null });
+});
+
+it("does not ask about our own saves, also where news of the first come after the second", () => {
+  saved("first");
+  saved("second");
+  for (const revision of ["opened", "first", "second"]) {
+    hear(revision);
+    expect(isAsked(), revision).toBe(false);
+  }
+});
+
+it("asks when somebody brings back what was there before our own save", () => {
+  saved("first");
+  hear("first");
+  hear("opened");
+  expect(isAsked()).toBe(true);
+});
+
+it("asks about what somebody else has written", () => {
+  saved("first");
+  hear("theirs");
+  expect(isAsked()).toBe(true);
+});
