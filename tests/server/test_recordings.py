@@ -188,9 +188,7 @@ def test_the_run_so_far_is_saved_with_what_was_done_to_it(page, connect, mission
         found = opened(page, answer.content)
         watcher.send(type="replay", recording=found["recording"], speed=0)
         said = watcher.until("tick")
-        assert [event["text"] for event in said["events"] if event["kind"] == "outside"] == [
-            "Dock set by hand: 4"
-        ]
+        assert [event["text"] for event in said["events"] if event["kind"] == "outside"] == ["Dock set by hand: 4"]
         end = watcher.until("state", status="end")
         assert "still on" in end["sentence"]
         again = page.get("/api/run/trace", params={"run": f"run-{int(run.split('-')[1]) + 1}"})
