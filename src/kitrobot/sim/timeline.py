@@ -17,8 +17,8 @@ from dataclasses import dataclass
 from typing import Literal
 
 from kitrobot.mission import FailureKind
+from kitrobot.primitives import Robot
 from kitrobot.primitives.reading import reading
-from kitrobot.sim.agents import Agent
 from kitrobot.sim.event_text import Event
 from kitrobot.sim.pens import pens_of
 from kitrobot.sim.simulation import Simulation
@@ -194,21 +194,18 @@ class Timeline:
 
     def _told(self, intervention: Intervention) -> list[Event]:
         """An intervention as an event; what befalls an agent is told by the run itself."""
+        if intervention.kind == "harm":
+            return []
         who, value = intervention.agent, intervention.value
-        member = next((one for one in self.simulation.members if one.name == who), None)
-        name, said = _in_words(member, intervention.name, value or 0)
+        member = next(one for one in self.simulation.members if one.name == who)
+        name, said = _in_words(member.robot, intervention.name, value or 0)
         if intervention.kind == "set":
             text = Recorded("{name} set by hand: {value}", name, said)
-        elif intervention.kind == "force":
-            text = (
-                Recorded("{name} no longer held", name)
-                if value is None
-                else Recorded("{name} held by hand: {value}", name, said)
-            )
+        elif value is None:
+            text = Recorded("{name} no longer held", name)
         else:
-            return []
-        index = -1 if member is None else member.index
-        return [Event(intervention.tick, OUTSIDE, who, text, index, "person")]
+            text = Recorded("{name} held by hand: {value}", name, said)
+        return [Event(intervention.tick, OUTSIDE, who, text, member.index, "person")]
 
     def _forget_what_was_to_come(self) -> None:
         tick = self.tick
@@ -270,12 +267,9 @@ class Timeline:
         del self._ticks[at], self._states[at]
 
 
-def _in_words(member: Agent | None, name: str, value: int) -> tuple[str, str]:
+def _in_words(robot: Robot, name: str, value: int) -> tuple[str, str]:
     """A sensor or variable as the page calls it, and its value with its unit."""
-    robot = None if member is None else member.robot
-    part = (
-        None if robot is None else next((one for one in (*robot.sensors, *robot.variables) if one.name == name), None)
-    )
-    if robot is None or part is None:
+    part = next((one for one in (*robot.sensors, *robot.variables) if one.name == name), None)
+    if part is None:
         return name, str(value)
     return Label(name, part.label), reading(part, value, robot.wait_unit_ms)

@@ -1,12 +1,11 @@
 /** The tab behind those of the programs, and the panel that it opens, fetched when it is opened. */
-import { lazy, Suspense } from "react";
-
-import { moreWords } from "../../i18n/words";
 import { useStudio } from "../../model/studio";
+import { complain } from "../../session/document";
 import type { FeatureTab } from "../../session/features";
 import { openTeam, teamPlace, useTeam } from "../../session/team-view";
+import { later } from "../../ui/later";
 
-const Team = lazy(() => Promise.all([import("./Team"), moreWords()]).then(([chunk]) => chunk));
+const Team = later(() => import("./Team").then((chunk) => chunk.default), complain);
 
 export const teamTab: FeatureTab = {
   name: "team",
@@ -27,11 +26,5 @@ export const teamTab: FeatureTab = {
 
 /** The team over the canvas, which stays as it is underneath. */
 function TeamPanel() {
-  const open = useTeam((team) => team.open);
-  if (!open) return null;
-  return (
-    <Suspense fallback={null}>
-      <Team />
-    </Suspense>
-  );
+  return useTeam((team) => team.open) ? <Team /> : null;
 }

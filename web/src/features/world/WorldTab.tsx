@@ -1,14 +1,13 @@
 /** The tab behind the team's, and the panel that it opens, fetched then. */
-import { lazy, Suspense } from "react";
-
-import { moreWords } from "../../i18n/words";
 import { useStudio } from "../../model/studio";
 import { thingNamed } from "../../model/world/thing";
+import { complain } from "../../session/document";
 import type { FeatureTab } from "../../session/features";
 import { useTeam } from "../../session/team-view";
 import { openWorld } from "../../session/world-view";
+import { later } from "../../ui/later";
 
-const World = lazy(() => Promise.all([import("./World"), moreWords()]).then(([chunk]) => chunk));
+const World = later(() => import("./World").then((chunk) => chunk.default), complain);
 
 export const worldTab: FeatureTab = {
   name: "world",
@@ -30,11 +29,5 @@ export const worldTab: FeatureTab = {
 
 /** The world over the canvas, which stays as it is underneath. */
 function WorldPanel() {
-  const open = useTeam((team) => team.world);
-  if (!open) return null;
-  return (
-    <Suspense fallback={null}>
-      <World />
-    </Suspense>
-  );
+  return useTeam((team) => team.world) ? <World /> : null;
 }
