@@ -115,6 +115,24 @@ def test_what_was_told_before_an_order_does_not_say_how_it_goes_after_it(wired: 
     assert twin.asked == "h"
 
 
+def test_what_a_robot_says_after_its_answer_is_newer_than_that_though_both_are_read_at_once(
+    wired: tuple[Any, Board], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    twin, board = wired
+    write = twin.write
+
+    def answered_and_told(data: bytes) -> None:
+        write(data)
+        twin.comes += told(9, goes(RUNNING, 1))
+
+    monkeypatch.setattr(twin, "write", answered_and_told)
+    found = board.look()
+    assert (found.tick, found.late, found.free) == (9, 1, 5000)
+    monkeypatch.setattr(twin, "write", write)
+    assert board.news(0) == News(9, {}, {}, frozenset(), RUNNING, 1)
+    assert board.look().tick == 9, "else the robot seems to have begun anew"
+
+
 def test_news_of_the_run_before_tell_values_and_no_tick(wired: tuple[Any, Board]) -> None:
     twin, board = wired
     twin.comes += told(900, CELL)

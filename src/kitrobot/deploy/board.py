@@ -94,6 +94,7 @@ class Board:
         self._held = False
         self._spoke = 0.0
         self._told = -math.inf
+        self._since: News | None = None
         self._fresh_s = _FRESH_S
         self._signs = 0
         self._took = 0.0
@@ -135,6 +136,8 @@ class Board:
             raise not_understood()
         package, _, program = payload[15:].decode("ascii", errors="replace").partition(" ")
         self.hello = Hello(protocol, state, fault, free, tick, late, generation, package, program or "-")
+        if self._since is not None:
+            self._reported(self._since)  # read together with the answer, and said after it
         return self.hello
 
     def look(self) -> Hello:
@@ -349,13 +352,19 @@ class Board:
                 continue  # our own, from a line that gives back what is said
             elif found[1] == self._number:
                 answer = found[0], found[2]
+                self._since = None
             elif found[1] == 0 and found[0] == "F":
                 self._waiting.append(read_fault(found[2]))
                 self._told = -math.inf  # the state that it reported before holds no more
             elif found[1] == 0 and found[0] == "T":
                 news = read_news(found[2])
                 self._waiting.append(news)
-                if news.state is not None and news.late is not None:
-                    self.hello = replace(self.hello, state=news.state, tick=news.tick, late=news.late)
+                if news.state is not None:
+                    self._since = news
+                    self._reported(news)
                     self._told = self.line.now()
         return answer
+
+    def _reported(self, news: News) -> None:
+        if news.state is not None and news.late is not None:
+            self.hello = replace(self.hello, state=news.state, tick=news.tick, late=news.late)
