@@ -18,7 +18,7 @@ def _open_studio(opening: Opening) -> None:
 def _open_class(wish: ClassWish) -> None:
     from kitrobot.server import ClassOpening, serve_class
 
-    serve_class(ClassOpening(wish.folder, wish.host, wish.port, wish.tls, wish.browser, wish.new_code))
+    serve_class(ClassOpening(wish.folder, wish.host, wish.port, wish.tls, wish.browser, wish.new_code, wish.site))
 
 
 def run() -> None:

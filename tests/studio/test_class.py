@@ -24,10 +24,11 @@ SQUARE = "example:exercises/03-square.exercise.xml"
 class Class:
     """The process of a class on a folder, started again at the same port after a kill."""
 
-    def __init__(self, browser: Browser, folder: Path, state: Path) -> None:
+    def __init__(self, browser: Browser, folder: Path, state: Path, *options: str) -> None:
         self._browser = browser
         self.folder = folder
         self._state = state
+        self._options = options
         self._port = "0"
         self.faults: list[str] = []
         self.pages: list[Page] = []
@@ -35,6 +36,7 @@ class Class:
 
     def start(self) -> None:
         command = [sys.executable, "-m", "kitrobot", "class", str(self.folder), "--no-browser", "--port", self._port]
+        command += self._options
         environment = {**os.environ, "KITROBOT_STATE": str(self._state)}
         self.process = subprocess.Popen(
             command, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True, env=environment

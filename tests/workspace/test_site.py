@@ -8,8 +8,9 @@ from pathlib import Path
 
 import pytest
 
-from kitrobot.server.security import _CONTENT_POLICY
-from kitrobot.workspace.site import PAGE, POLICY, PYODIDE, SiteError, make_site
+from kitrobot import __version__
+from kitrobot.server.security import CONTENT_POLICY
+from kitrobot.workspace.site import PAGE, POLICY, PYODIDE, SiteError, expect_site, make_site
 from tests.sites import made_site
 from tools.site_parts import PARTS, ROOT
 
@@ -60,7 +61,7 @@ def test_without_the_wheel_it_says_how_to_get_it(tmp_path: Path) -> None:
 
 
 def test_the_page_of_a_site_is_as_strict_as_that_of_the_server() -> None:
-    assert f"{POLICY}; frame-ancestors 'none'" == _CONTENT_POLICY
+    assert f"{POLICY}; frame-ancestors 'none'" == CONTENT_POLICY
 
 
 @pytest.mark.site
@@ -84,3 +85,44 @@ def test_the_same_sources_make_the_same_bytes_and_nothing_of_the_machine_is_in_t
     told = json.loads(files["site.json"])
     assert {name: len(files[name]) for name in told["files"]} == told["files"]
     assert sum(told["files"].values()) < MOST_OF_PYTHON
+
+
+def site_in(folder: Path, **told: object) -> Path:
+    """A folder that says of itself that it is a site, with one file."""
+    folder.mkdir()
+    (folder / "python.packed").write_bytes(b"12345")
+    said = {"kitrobot": __version__, "files": {"python.packed": 5}} | told
+    (folder / "site.json").write_text(json.dumps(said))
+    return folder
+
+
+def test_a_site_of_this_kitrobot_is_one(tmp_path: Path) -> None:
+    expect_site(site_in(tmp_path / "site"))
+
+
+@pytest.mark.parametrize(
+    ("told", "message"),
+    [
+        ({"kitrobot": "0.0.1"}, "is from KitRobot 0.0.1, and this is"),
+        ({"files": {"python.packed": 6}}, "are missing or cut off"),
+        ({"files": {"python.packed": 5, "pyodide/pyodide.mjs": 5}}, "are missing or cut off"),
+        ({"files": ["python.packed"]}, "there is no site of KitRobot"),
+    ],
+    ids=["another version", "cut off", "a file is missing", "another form"],
+)
+def test_a_folder_that_cannot_serve_as_a_site_says_why(tmp_path: Path, told: dict[str, object], message: str) -> None:
+    folder = site_in(tmp_path / "site", **told)
+    with pytest.raises(SiteError) as found:
+        expect_site(folder)
+    assert message in found.value.message
+    assert "kitrobot site" in found.value.help
+
+
+@pytest.mark.parametrize(
+    "data", [None, b"", b"{", b"[]", b"3", b"{}", b"\xff", b"[" * 100_000], ids=lambda data: str(data)[:8]
+)
+def test_what_is_no_site_says_so(tmp_path: Path, data: bytes | None) -> None:
+    if data is not None:
+        (tmp_path / "site.json").write_bytes(data)
+    with pytest.raises(SiteError, match="there is no site of KitRobot"):
+        expect_site(tmp_path)

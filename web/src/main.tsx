@@ -3,7 +3,7 @@ import { StrictMode } from "react";
 import { createRoot } from "react-dom/client";
 
 import { inPage } from "./api/line";
-import { token } from "./api/token";
+import { isJoining, token } from "./api/token";
 import { App } from "./app/App";
 import { installLanguage, useLanguage } from "./i18n/language";
 import { installTheme } from "./theme";
@@ -23,7 +23,7 @@ token();
 installTheme();
 const spoken = installLanguage();
 // A static site has Python in a worker of the page, and says so.
-const site = inPage() ? import("./site/open").then(({ openSite }) => openSite(spoken)) : null;
+const site = inPage() && !isJoining() ? import("./site/open").then(({ openSite }) => openSite(spoken)) : null;
 void Promise.all([spoken, site]).then(() => {
   createRoot(root).render(
     <StrictMode>

@@ -6,13 +6,13 @@ from kitrobot.classroom.entrance import Entrance, NotLetInError, TakenNameError
 from kitrobot.classroom.names import WrongNameError
 from kitrobot.classroom.pupil import Goal, Pupil, Report, State, met, state_of
 from kitrobot.classroom.record import ClassRecord, PupilRecord, read_record, write_record
-from kitrobot.classroom.room import HANDED_OUT, MOST_PUPILS, ClassError, ClassRoom
+from kitrobot.classroom.room import MOST_PUPILS, SITE, ClassError, ClassRoom
 from kitrobot.classroom.told import Handed, HandIn, Told, Turn
 from kitrobot.classroom.work import QuotaError, Work
 
 __all__ = [
-    "HANDED_OUT",
     "MOST_PUPILS",
+    "SITE",
     "Allowance",
     "ClassError",
     "ClassRecord",

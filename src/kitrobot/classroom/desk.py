@@ -7,8 +7,8 @@ from typing import Final
 from kitrobot.classroom.entrance import TakenNameError
 from kitrobot.classroom.names import clean_name, new_code, work_name
 from kitrobot.classroom.pupil import Pupil
-from kitrobot.classroom.room import HANDED_OUT, ClassError, ClassRoom
-from kitrobot.files import write_atomic
+from kitrobot.classroom.room import ClassError, ClassRoom
+from kitrobot.files import HANDED_OUT, write_atomic
 from kitrobot.text import Sentence
 
 LONGEST_NOTE: Final = 500

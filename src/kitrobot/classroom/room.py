@@ -24,13 +24,14 @@ from kitrobot.classroom.record import ClassRecord, PupilRecord, read_record, wri
 from kitrobot.classroom.told import Handed, HandIn, Told
 from kitrobot.classroom.work import Work, keep_work, read_work, works
 from kitrobot.diagnostics import KitRobotError
-from kitrobot.files import FileError, FileLock, read_bytes, revision_of
+from kitrobot.files import HANDED_OUT, FileError, FileLock, read_bytes, revision_of
 from kitrobot.text import Sentence
 
 MOST_PUPILS: Final = 100
-HANDED_OUT: Final = "Handed out"
 LOCK: Final = ".class.lock"
-_RESERVED: Final = (HANDED_OUT, "grades", "class", "log")
+SITE: Final = "Site"
+"""The folder with a static site, from which pupils' pages get their own Python."""
+_RESERVED: Final = (HANDED_OUT, SITE, "grades", "class", "log")
 
 
 class ClassError(KitRobotError):

@@ -14,7 +14,9 @@ from kitrobot.text import Sentence
 
 @dataclass(frozen=True)
 class ClassWish:
-    """How a class is to be opened; `tls` is a certificate and its key, None for plain HTTP."""
+    """How a class is to be opened; `tls` is a certificate and its key, None for plain HTTP; `site` the
+    folder of a static site, None for that in the folder of the class.
+    """
 
     folder: Path
     host: str
@@ -22,6 +24,7 @@ class ClassWish:
     tls: tuple[Path, Path] | None
     browser: bool
     new_code: bool
+    site: Path | None
 
 
 class Classroom(Protocol):
@@ -47,6 +50,14 @@ def open_class(
         typer.Option(metavar="CERT KEY", help="Encrypt, with this certificate and its key (PEM).", show_default=False),
     ] = None,
     browser: Annotated[bool, typer.Option(help="Open the teacher's page in the browser.")] = True,
+    site: Annotated[
+        Path | None,
+        typer.Option(
+            metavar="DIR",
+            help="A folder that `kitrobot site` wrote: programs run in the pupils' own browsers then.",
+            show_default="Site in the folder of the class",
+        ),
+    ] = None,
     new_code: Annotated[bool, typer.Option("--new-code", help="Another code than the one it had.")] = False,
 ) -> None:
     """Open a class: pupils join with a code, the teacher sees what each one does. Ctrl-C ends it.
@@ -61,4 +72,4 @@ def open_class(
         raise StudioError(
             Sentence("this command line was started without a studio"), Sentence("start it with `python -m kitrobot`")
         )
-    classroom(ClassWish(folder, host, port, tls, browser, new_code))
+    classroom(ClassWish(folder, host, port, tls, browser, new_code, site))

@@ -34,6 +34,7 @@ if TYPE_CHECKING:
     from kitrobot.files.folder import (
         EXAMPLE,
         EXERCISE_ENDING,
+        HANDED_OUT,
         NAME_NO_TEXT,
         RECORDING,
         RENAME,
@@ -80,9 +81,11 @@ else:
             "folder": (
                 "NAME_NO_TEXT",
                 "EXAMPLE",
+                "HANDED_OUT",
                 "RECORDING",
                 "RENAME",
                 "EXERCISE_ENDING",
+                "HANDED_OUT",
                 "TUTORIAL_ENDING",
                 "ConflictError",
                 "MissionEntry",
@@ -103,6 +106,7 @@ else:
 __all__ = [
     "EXAMPLE",
     "EXERCISE_ENDING",
+    "HANDED_OUT",
     "LARGEST_FILE_BYTES",
     "LOCK_NAME",
     "NAME_NO_TEXT",

@@ -32,6 +32,8 @@ ENDING = ".krt"
 EXERCISE_ENDING = ".exercise.xml"
 TUTORIAL_ENDING = ".tutorial.xml"
 EXAMPLE = "example:"
+HANDED_OUT = "Handed out"
+"""The folder of what a class hands out, in its own folder and in that of a pupil's studio."""
 RECORDING = "recording:"
 """How the name of a mission that a recording brought along begins; the recording's name follows."""
 DEEPEST = 5
@@ -84,8 +86,8 @@ class MissionFolder:
         self.examples = (examples or examples_folder() or Path(os.devnull)).resolve()
         self.recordings = Path(os.devnull).resolve()
         """Where missions of opened recordings are unpacked, in a folder each."""
-        self.handed_out = ""
-        """A folder below `root` whose missions are read-only: what a class handed out; "" for none."""
+        self.in_class = False
+        """Whether missions in the folder HANDED_OUT are read-only, as those of a pupil are."""
         self._saving = threading.Lock()
 
     def missions(self) -> list[MissionEntry]:
@@ -232,7 +234,7 @@ class MissionFolder:
                 Sentence("a recording cannot be changed"), Sentence("save the mission under a name of your own")
             )
         path = self.path_of(name)
-        if self.handed_out and (self.root / self.handed_out).resolve() in path.resolve().parents:
+        if self.in_class and (self.root / HANDED_OUT).resolve() in path.resolve().parents:
             raise ReadOnlyError(
                 Sentence("what was handed out cannot be changed"), Sentence("save the mission under a name of your own")
             )

@@ -23,6 +23,7 @@ from kitrobot.server.drawing_checks import drawing_check_routes
 from kitrobot.server.exercises import exercise_routes
 from kitrobot.server.firmware_routes import firmware_routes
 from kitrobot.server.fragments import routes as fragment_routes
+from kitrobot.server.handed_out import handed_out_routes
 from kitrobot.server.handshake import Handshake, StrangerError, handshake_routes
 from kitrobot.server.image_routes import image_routes
 from kitrobot.server.journal_routes import journal_routes
@@ -74,6 +75,7 @@ ROUTERS = (
     image_routes,
     tutorial_routes,
     exercise_routes,
+    handed_out_routes,
     beginning_routes,
     trace_routes,
 )

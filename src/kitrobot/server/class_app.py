@@ -1,8 +1,4 @@
-"""The application of a class: its requests and sockets, the pages, and the door around all of them.
-
-Three pages are served from the built one, which is told by a word in its head who it is for: `/` for pupils, `/teacher`
-for the teacher, `/studio` for the teacher's own studio on the folder of the class.
-"""
+"""The application of a class: its requests and sockets, the pages, and the door around all of them."""
 
 from __future__ import annotations
 
@@ -10,31 +6,27 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Final
 
-from fastapi import FastAPI, Request, Response
-from fastapi.responses import HTMLResponse
+from fastapi import FastAPI
 from starlette.types import ASGIApp
 
 from kitrobot.classroom import ClassRoom, Entrance, NotLetInError, QuotaError, TakenNameError
 from kitrobot.diagnostics import KitRobotError
-from kitrobot.server import pages
 from kitrobot.server.app import STATIC, create_app, install_failures
 from kitrobot.server.class_door import ClassDoor, new_key
 from kitrobot.server.class_grading import Grading
 from kitrobot.server.class_overview import Overview, Reach
+from kitrobot.server.class_pages import serve_pages
 from kitrobot.server.class_pictures import Pictures
 from kitrobot.server.class_routes import class_routes
 from kitrobot.server.class_sockets import class_socket_routes
 from kitrobot.server.class_studios import PupilStudios
 from kitrobot.server.class_teacher_routes import teacher_routes
 from kitrobot.server.deadlines import Deadlines
-from kitrobot.server.page_files import PageFiles
 from kitrobot.server.security import Guard, refuse
 from kitrobot.server.sentences import InReadersLanguage
-from kitrobot.text import Sentence
 
 LARGEST_BODY_BYTES: Final = 2 * 1024 * 1024
 """Of what a pupil hands in, as JSON; the file is smaller."""
-ROLES: Final = {"/": "pupil", "/teacher": "teacher", "/studio": ""}
 
 
 @dataclass(frozen=True)
@@ -51,7 +43,9 @@ class ClassApp:
         self.studio.state.studio.boards.team.end()
 
 
-def create_class_app(room: ClassRoom, key: str, reach: Reach, static: Path = STATIC) -> ClassApp:
+def create_class_app(
+    room: ClassRoom, key: str, reach: Reach, static: Path = STATIC, site: Path | None = None
+) -> ClassApp:
     """The application of a class.
 
     Args:
@@ -59,6 +53,8 @@ def create_class_app(room: ClassRoom, key: str, reach: Reach, static: Path = STA
         key: what the teacher's requests bring along.
         reach: where pupils come in.
         static: the built page.
+        site: a static site of the same KitRobot, where pupils' pages have their own Python; None: their studios are in
+            this process.
     """
     token = new_key()
     studio = create_app(room.folder, None, key, static=static)
@@ -71,11 +67,11 @@ def create_class_app(room: ClassRoom, key: str, reach: Reach, static: Path = STA
     app.state.studio = studio.state.studio
     app.state.grading = grading
     app.state.overview = Overview(room, entrance, studio.state.studio, grading, reach)
-    _serve_pages(app, static)
+    serve_pages(app, static, site)
     app.add_middleware(Deadlines, refuse=refuse)
     app.add_middleware(Guard, token=token, largest_body_bytes=LARGEST_BODY_BYTES)
     app.add_middleware(InReadersLanguage)
-    app.state.studios = PupilStudios(room)
+    app.state.studios = PupilStudios(room) if site is None else None
     door = ClassDoor(room, app, token, studio, key, app.state.studios, room.clock)
     return ClassApp(InReadersLanguage(door), grading, studio)
 
@@ -98,22 +94,3 @@ def _status(error: KitRobotError) -> int | None:
     if isinstance(error, TakenNameError):
         return 409
     return 413 if isinstance(error, QuotaError) else None
-
-
-def _serve_pages(app: FastAPI, static: Path) -> None:
-    index = static / "index.html"
-
-    def page(request: Request) -> Response:
-        if not index.is_file():
-            message = Sentence("The studio's page has not been built")
-            help = Sentence("run `python tools/page.py build` and load this page again")
-            return HTMLResponse(pages.sentence(message, help), status_code=503)
-        text = index.read_text(encoding="utf-8")
-        role = ROLES[request.url.path]
-        if role:
-            text = text.replace("<head>", f'<head><meta name="kitrobot-class" content="{role}">', 1)
-        return HTMLResponse(text, headers={"cache-control": "no-store"})
-
-    for path in ROLES:
-        app.get(path, include_in_schema=False)(page)
-    app.mount("/", PageFiles(static))

@@ -43,7 +43,7 @@ _ASK = Sentence("ask your teacher")
 
 class ClassDoor:
     """The shell. `behind` is the class, which takes `token`; `studio` the teacher's studio, which takes `key`, as the
-    teacher's page does.
+    teacher's page does; `studios` those of pupils, None where they are in the pupils' pages.
     """
 
     def __init__(
@@ -53,7 +53,7 @@ class ClassDoor:
         token: str,
         studio: ASGIApp,
         key: str,
-        studios: PupilStudios,
+        studios: PupilStudios | None,
         clock: Callable[[], float] = time.monotonic,
     ) -> None:
         self._room = room
@@ -89,14 +89,16 @@ class ClassDoor:
             await self._behind(_led(scope, self._token, {"class_pupil": pupil}, keep_client=True), receive, send)
         elif pupil is None:
             await _no(scope, receive, send, 403, _NOT_IN, _JOIN)
+        elif self._studios is None:
+            await _no(scope, receive, send, 403, Sentence("the studio of a pupil is in the pupil's page"), _LOAD)
         else:
-            await self._to_studio(pupil, scope, receive, send)
+            await self._to_studio(self._studios, pupil, scope, receive, send)
 
-    async def _to_studio(self, pupil: Pupil, scope: Scope, receive: Receive, send: Send) -> None:
-        studio = self._studios.of(pupil.folder)
-        if self._studios.refuses(scope["path"]):
+    async def _to_studio(self, studios: PupilStudios, pupil: Pupil, scope: Scope, receive: Receive, send: Send) -> None:
+        studio = studios.of(pupil.folder)
+        if studios.refuses(scope["path"]):
             await _no(scope, receive, send, 403, Sentence("a class does not do this"), _NOT_HERE)
-        elif scope["type"] == "http" and self._studios.is_full(studio, scope["method"], scope["path"]):
+        elif scope["type"] == "http" and studios.is_full(studio, scope["method"], scope["path"]):
             await _no(scope, receive, send, 413, Sentence("your folder in the class is full"), _ASK)
         else:
             # Without an address: ports and processes of this machine are for those who sit at it.
@@ -126,6 +128,7 @@ class ClassDoor:
 
 
 _NOT_IN, _JOIN = Sentence("you are not in this class"), Sentence("join it with the code")
+_LOAD = Sentence("load this page again")
 _NOT_HERE = Sentence("use a KitRobot of your own for it")
 
 

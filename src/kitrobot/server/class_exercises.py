@@ -7,26 +7,14 @@ goes on writing. Pupils' studios get a copy under the same name, which they read
 
 from __future__ import annotations
 
-from contextlib import suppress
 from pathlib import Path, PurePosixPath
-from typing import Final
 
-from kitrobot.classroom import HANDED_OUT, ClassError, ClassRoom
+from kitrobot.classroom import ClassError, ClassRoom
 from kitrobot.classroom.names import as_file_name
-from kitrobot.files import (
-    EXAMPLE,
-    EXERCISE_ENDING,
-    TUTORIAL_ENDING,
-    FileError,
-    read_bytes,
-    write_atomic,
-)
+from kitrobot.files import EXAMPLE, EXERCISE_ENDING, HANDED_OUT, TUTORIAL_ENDING
+from kitrobot.server.handed_out import read_files, write_files
 from kitrobot.server.studio import Studio
 from kitrobot.text import Sentence
-
-MOST_FILES: Final = 50
-MOST_BYTES: Final = 4 * 1024 * 1024
-"""Of all files of one exercise: each pupil's studio gets them."""
 
 
 def hand_out_exercise(room: ClassRoom, studio: Studio, name: str) -> str:
@@ -36,7 +24,8 @@ def hand_out_exercise(room: ClassRoom, studio: Studio, name: str) -> str:
     Raises:
         MissionNameError: it is no name of an exercise.
         LessonGoneError: it cannot be used.
-        ClassError: it is a pupil's, or there is too much beside it.
+        ClassError: it is a pupil's.
+        HandedOutError: there is too much beside it.
         FileError: it cannot be read or written.
     """
     exercise, start = studio.exercises.usable(name)
@@ -53,39 +42,31 @@ def hand_out_exercise(room: ClassRoom, studio: Studio, name: str) -> str:
         if not beside.name.endswith((EXERCISE_ENDING, TUTORIAL_ENDING)):
             files.setdefault(beside.name, beside)
     folder = PurePosixPath(HANDED_OUT) / as_file_name(str(pure)[: -len(EXERCISE_ENDING)].replace("/", " - "))
-    _write(room.folder / folder, _contents(files))
+    write_files(room.folder / folder, read_files(files))
     return str(folder / pure.name)
 
 
-def copy_exercise(room: ClassRoom, studio: Path) -> None:
-    """Puts what is needed of the exercise of the class into a pupil's studio."""
+def files_of_exercise(room: ClassRoom) -> tuple[PurePosixPath, dict[str, bytes]]:
+    """The files of the exercise of the class, and the folder that they are in; none where it comes with KitRobot.
+
+    Raises:
+        HandedOutError: there is too much.
+        FileError: one cannot be read.
+    """
     folder = PurePosixPath(room.record.exercise).parent
-    if folder.parent == PurePosixPath(HANDED_OUT) and folder.name != ".." and (room.folder / folder).is_dir():
-        found = {path.name: path for path in (room.folder / folder).iterdir() if path.is_file()}
-        _write(studio / folder, _contents(found))
+    if folder.parent != PurePosixPath(HANDED_OUT) or folder.name == ".." or not (room.folder / folder).is_dir():
+        return folder, {}
+    found = {path.name: path for path in sorted((room.folder / folder).iterdir()) if path.is_file()}
+    return folder, read_files(found)
 
 
-def _contents(files: dict[str, Path]) -> dict[str, bytes]:
-    found = {name: read_bytes(path) for name, path in files.items()}
-    if len(found) > MOST_FILES or sum(map(len, found.values())) > MOST_BYTES:
-        raise ClassError(
-            Sentence(
-                "there are more than {files} files or {most} MB beside this exercise", MOST_FILES, MOST_BYTES >> 20
-            ),
-            Sentence("put it into a folder of its own"),
-        )
-    return found
+def copy_exercise(room: ClassRoom, studio: Path) -> None:
+    """Puts what is needed of the exercise of the class into a pupil's studio.
 
-
-def _write(folder: Path, files: dict[str, bytes]) -> None:
-    try:
-        folder.mkdir(parents=True, exist_ok=True)
-    except OSError as error:
-        raise FileError(
-            Sentence("`{path}` cannot be made: {reason}", folder.name, error.strerror or str(error)), "", path=folder
-        ) from None
-    for name, data in files.items():
-        with suppress(FileError):
-            if read_bytes(folder / name) == data:
-                continue
-        write_atomic(folder / name, data)
+    Raises:
+        HandedOutError: there is too much.
+        FileError: something cannot be read or written.
+    """
+    folder, files = files_of_exercise(room)
+    if files:
+        write_files(studio / folder, files)

@@ -12,7 +12,9 @@ from starlette.requests import HTTPConnection
 
 from kitrobot.classroom import ClassRoom, Entrance, NotLetInError, Pupil, TakenNameError
 from kitrobot.mission import write_mission
+from kitrobot.server.class_exercises import files_of_exercise
 from kitrobot.server.class_pictures import Pictures
+from kitrobot.server.handed_out import pack
 from kitrobot.server.routing import api_router
 from kitrobot.server.shapes.classroom import (
     ClassAnsweredShape,
@@ -123,6 +125,15 @@ def work_file(room: ThisRoom, pupil: ThisPupil, name: Name) -> Response:
     """One of them as it is on the disk; its revision is the ETag."""
     data, revision = room.read_work(pupil, name)
     return Response(data, media_type="application/octet-stream", headers={"etag": f'"{revision}"'})
+
+
+@class_routes.get("/exercise", response_class=Response)
+def exercise(room: ThisRoom, pupil: ThisPupil) -> Response:
+    """The files of the exercise of the class as a ZIP file, for a page that has a studio of its own; nothing (204)
+    where the exercise comes with KitRobot.
+    """
+    _, files = files_of_exercise(room)
+    return Response(pack(files), media_type="application/zip") if files else Response(status_code=204)
 
 
 @class_routes.get("/handed", response_class=Response)

@@ -12,7 +12,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Final
 
-from kitrobot.classroom import ClassRoom, Desk
+from kitrobot.classroom import SITE, ClassRoom, Desk
 from kitrobot.server.class_certificate import usable_certificate
 from kitrobot.server.presence import Presence
 from kitrobot.server.start import ServerError, has_screen, listen
@@ -27,7 +27,9 @@ USUAL_FOLDER: Final = "Class"
 
 @dataclass(frozen=True)
 class ClassOpening:
-    """How a class is to be opened: `tls` is a certificate and its key; `new_code` instead of the one it had."""
+    """How a class is to be opened: `tls` is a certificate and its key; `new_code` instead of the one it had; `site` the
+    folder of a static site, None for that in the folder of the class, if there is one.
+    """
 
     folder: Path
     host: str = "127.0.0.1"
@@ -35,6 +37,7 @@ class ClassOpening:
     tls: tuple[Path, Path] | None = None
     browser: bool = True
     new_code: bool = False
+    site: Path | None = None
 
 
 def serve_class(opening: ClassOpening) -> None:
@@ -44,20 +47,39 @@ def serve_class(opening: ClassOpening) -> None:
         ServerError: it cannot listen there, or the certificate cannot be used.
         ClassError: the class of the folder runs already.
         FileError: the folder, the certificate or its key cannot be used.
+        SiteError: the site cannot be used.
     """
     address = _address(opening.host)
     if opening.tls is not None:
         usable_certificate(*opening.tls)
+    site = _site(opening)
     room = ClassRoom(opening.folder)
     try:
         if opening.new_code or not room.record.code:
             Desk(room).set_code(True)
-        _serve(room, address, opening, opening.tls)
+        _serve(room, address, opening, site)
     finally:
         room.close()
 
 
-def _serve(room: ClassRoom, address: str, opening: ClassOpening, tls: tuple[Path, Path] | None) -> None:
+def _site(opening: ClassOpening) -> Path | None:
+    """The site that pupils' pages have their Python from.
+
+    Raises:
+        SiteError: it cannot be used.
+    """
+    from kitrobot.workspace.site import expect_site
+
+    site = opening.site
+    if site is None and (opening.folder / SITE).is_dir():
+        site = opening.folder / SITE
+    if site is not None:
+        expect_site(site)
+    return site
+
+
+def _serve(room: ClassRoom, address: str, opening: ClassOpening, site: Path | None) -> None:
+    tls = opening.tls
     first = listen(address, opening.port)
     number = first.getsockname()[1]
     listening = [first]
@@ -76,12 +98,12 @@ def _serve(room: ClassRoom, address: str, opening: ClassOpening, tls: tuple[Path
     home = f"{scheme}://{'127.0.0.1' if tls is None else _name(shown)}:{number}/"
     key = new_key()
     reach = Reach(pupils, tuple(qr_rows(pupils)), _who(address, tls is not None))
-    made = create_class_app(room, key, reach)
+    made = create_class_app(room, key, reach, site=site)
     teacher = f"{home}teacher?token={key}"
 
     def ready() -> None:
         print(teacher, flush=True)
-        for line in _welcome(room, reach):
+        for line in _welcome(room, reach, site):
             print(line, file=sys.stderr, flush=True)
         if opening.browser and has_screen():
             threading.Thread(target=_show, args=(room.folder, teacher), daemon=True).start()
@@ -94,8 +116,15 @@ def _serve(room: ClassRoom, address: str, opening: ClassOpening, tls: tuple[Path
             one.close()
 
 
-def _welcome(room: ClassRoom, reach: Reach) -> list[str]:
+def _welcome(room: ClassRoom, reach: Reach, site: Path | None) -> list[str]:
     code = room.record.code
+    runs = Sentence("Programs of pupils run in their own browsers.")
+    if site is None:
+        runs = Sentence(
+            "Programs of pupils run on this machine. For more than a few pupils write a site into {folder}"
+            " (`kitrobot site`): then they run in the pupils' own browsers.",
+            room.folder / SITE,
+        )
     return [
         said(Sentence("The page for the teacher is at the address above; keep it to yourself.")),
         "",
@@ -104,6 +133,7 @@ def _welcome(room: ClassRoom, reach: Reach) -> list[str]:
         said(Sentence("and type the code {code}", f"{code[:3]} {code[3:]}")),
         "",
         said(reach.sentence),
+        said(runs),
         said(Sentence("The work of the class is in the folder {folder}. Ctrl-C ends the class.", room.folder)),
     ]
 

@@ -1,4 +1,4 @@
-"""A studio for each pupil, in the teacher's process, until pupils' pages have a Python of their own.
+"""A studio for each pupil, in the teacher's process: for a class without a static site (`class_pages`).
 
 Each is an ordinary studio on a hidden folder of its own, so nothing of one pupil is in another's. It simulates: ports,
 teams of processes, recordings that are brought along, sweeps and checks of every order are not for pupils here, for
@@ -15,7 +15,7 @@ from typing import Final
 
 from fastapi import FastAPI
 
-from kitrobot.classroom import HANDED_OUT, ClassRoom
+from kitrobot.classroom import ClassRoom
 from kitrobot.diagnostics import KitRobotError
 from kitrobot.server.app import create_app
 from kitrobot.server.class_exercises import copy_exercise
@@ -42,7 +42,7 @@ class PupilStudio:
         self.app: FastAPI = create_app(folder, None, self.token)
         # Only examples are in it, which are the same for all, and take seconds to read.
         self.app.state.studio.gallery = gallery
-        self.app.state.studio.folder.handed_out = HANDED_OUT
+        self.app.state.studio.folder.in_class = True
         self._room = room
         self._measured: float | None = None
         self._full = False

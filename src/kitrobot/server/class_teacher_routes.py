@@ -99,8 +99,8 @@ def exercise(
         name = hand_out_exercise(room, studio, name)
     desk.set_exercise(name)
     studios = request.app.state.studios
-    assert isinstance(studios, PupilStudios)
-    studios.take_exercise()
+    if isinstance(studios, PupilStudios):
+        studios.take_exercise()
     return True
 
 

@@ -146,12 +146,16 @@ class Socket:
             self._heard(text if text is not None else message["bytes"])
 
 
-def begin(folder: Path) -> InPage:
-    """A studio on a folder, which is made, in a process that has neither threads nor other processes."""
+def begin(folder: Path, in_class: bool = False) -> InPage:
+    """A studio on a folder, which is made, in a process that has neither threads nor other processes.
+
+    In a class it begins without a mission: the class says which one.
+    """
     do_without_threads()
     folder.mkdir(parents=True, exist_ok=True)
     token = secrets.token_urlsafe(24)
-    app = create_app(folder, first_example(), token)
+    app = create_app(folder, None if in_class else first_example(), token)
+    app.state.studio.folder.in_class = in_class
     app.state.studio.in_page = app.state.studio.boards.in_page = True
     with suppress(OSError):
         app.state.studio.folder.sweep()

@@ -49,14 +49,14 @@ class SocketInWorker:
         self._socket.close()
 
 
-async def begin_here(folder: str) -> InWorker:
-    """The studio on a folder of this worker's file system."""
+async def begin_here(folder: str, in_class: bool) -> InWorker:
+    """The studio on a folder of this worker's file system; `in_class` as for `begin`."""
     # A browser goes on from a memory that it kept: what was drawn at random before is the same each time.
     random.seed()
     # Where the browser can put a call to sleep (JSPI).
     sleep_with(run_sync if can_run_sync() else None)
     _without_ports()
-    return InWorker(begin(Path(folder)))
+    return InWorker(begin(Path(folder), in_class))
 
 
 def _without_ports() -> None:

@@ -46,13 +46,13 @@ TOKEN_HEADER = "x-kitrobot-token"
 _log = logging.getLogger("kitrobot.server")
 
 # Styles may stand in the page: the editor and the canvas make theirs while they run. Scripts may not.
-_CONTENT_POLICY = (
+CONTENT_POLICY = (
     "default-src 'self'; script-src 'self'; style-src 'self' 'unsafe-inline'; img-src 'self' data: blob:; "
     "font-src 'self'; connect-src 'self'; object-src 'none'; base-uri 'none'; form-action 'none'; "
     "frame-ancestors 'none'"
 )
 _HEADERS = {
-    "content-security-policy": _CONTENT_POLICY,
+    "content-security-policy": CONTENT_POLICY,
     "cross-origin-opener-policy": "same-origin",
     "cross-origin-resource-policy": "same-origin",
     "permissions-policy": "camera=(), geolocation=(), microphone=()",

@@ -20,6 +20,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Final
 
+from kitrobot import __version__
 from kitrobot.diagnostics import KitRobotError
 from kitrobot.text import Sentence
 from kitrobot.workspace.site_packages import archive_of_packages
@@ -83,6 +84,7 @@ def make_site(folder: Path, parts: Iterable[Path], page: Path = PAGE) -> Site:
             files[path.relative_to(page).as_posix()] = path.read_bytes()
     files["index.html"] = _index(index.read_text(encoding="utf-8"))
     told = {
+        "kitrobot": __version__,
         "version": version,
         "pyodide": "pyodide/",
         "packages": "python",
@@ -96,6 +98,34 @@ def make_site(folder: Path, parts: Iterable[Path], page: Path = PAGE) -> Site:
         path.parent.mkdir(parents=True, exist_ok=True)
         path.write_bytes(data)
     return Site(len(files), sum(map(len, files.values())), sum(python.values()))
+
+
+def expect_site(folder: Path) -> None:
+    """Expects a folder that this KitRobot wrote a site into.
+
+    Raises:
+        SiteError: there is no site, or that of another KitRobot.
+    """
+    shown = str(folder)
+    help = Sentence("write one with `kitrobot site {folder}`", shown)
+    try:
+        told = json.loads((folder / "site.json").read_bytes())
+        version = str(told["kitrobot"])
+        sizes = {str(name): size for name, size in told["files"].items()}
+    except (OSError, ValueError, TypeError, KeyError, AttributeError, RecursionError):
+        raise SiteError(Sentence("there is no site of KitRobot in the folder `{folder}`", shown), help) from None
+    if version != __version__:
+        raise SiteError(
+            Sentence(
+                "the site in `{folder}` is from KitRobot {version}, and this is {ours}",
+                shown,
+                version[:40],
+                __version__,
+            ),
+            Sentence("write a new one with `kitrobot site`, into another folder"),
+        )
+    if any(not (folder / name).is_file() or (folder / name).stat().st_size != size for name, size in sizes.items()):
+        raise SiteError(Sentence("files of the site in `{folder}` are missing or cut off", shown), help)
 
 
 def _expect_empty(folder: Path) -> None:

@@ -22,6 +22,7 @@ PUPILS = [
     ("PUT", "/api/class/work"),
     ("GET", "/api/class/work"),
     ("GET", "/api/class/work/file?name=a.krt"),
+    ("GET", "/api/class/exercise"),
     ("GET", "/api/class/handed"),
 ]
 

@@ -63,6 +63,8 @@ export const classApi = {
   works: () => ask<server.ClassWork[]>("/work"),
   work: (name: string) => bytes(`/work/file?name=${encodeURIComponent(name)}`),
   handed: () => bytes("/handed"),
+  /** The files of the exercise as a ZIP file; empty where it comes with KitRobot. */
+  exercise: async () => (await bytes("/exercise")).bytes,
 
   picture: async (folder: string): Promise<server.ClassPicture | null> => {
     const found = await answer(`/teacher/picture?folder=${encodeURIComponent(folder)}`);

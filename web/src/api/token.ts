@@ -34,6 +34,12 @@ function take(): string {
   return given;
 }
 
+/** Whether this is the page of a class for somebody who has not joined yet. */
+export const isJoining = (): boolean => pageRole !== "" && token() === "";
+
+/** What tells this pupil from others at this computer; "" outside of a class. */
+export const pupilName = (): string => (pageRole === "pupil" ? token().slice(0, 12) : "");
+
 /** The secret of a studio that started anew at this address. */
 export function takeToken(given: string): void {
   held = given;

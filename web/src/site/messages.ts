@@ -1,8 +1,11 @@
 /** What the page and the worker with Python in it tell each other. */
 
-/** From the page: `begin` comes first, and once; the rest waits until Python is there. */
+/**
+ * From the page: `begin` comes first, and once; the rest waits until Python is there. `pupil`: whose files they are, "" outside
+ * of a class.
+ */
 export type ToWorker =
-  | { kind: "begin"; base: string }
+  | { kind: "begin"; base: string; pupil: string }
   | {
       kind: "fetch";
       id: number;

@@ -8,6 +8,7 @@ import { createElement } from "react";
 import { createRoot } from "react-dom/client";
 
 import { talkThrough } from "../api/line";
+import { pageRole, pupilName } from "../api/token";
 import { moreWords } from "../i18n/words";
 import { features, install } from "../session/features";
 import { flush, useLink } from "../session/journal";
@@ -33,7 +34,8 @@ export function openSite(spoken: Promise<unknown>): Promise<void> {
     void worker.then((there) => there.postMessage(message, transfer ?? []));
   }, path);
   talkThrough(line);
-  install([...features(), links]);
+  // A link brings a mission; in a class the teacher says which one is open.
+  if (pageRole === "") install([...features(), links]);
   alone(`kitrobot ${path}`, {
     begin: () => {
       set({ phase: "fetching" });
@@ -47,7 +49,7 @@ export function openSite(spoken: Promise<unknown>): Promise<void> {
   });
   const begin = () => {
     draw();
-    openLinked();
+    if (pageRole === "") openLinked();
   };
   // Without these words the page still says most.
   return spoken.then(moreWords).then(begin, begin);
@@ -65,7 +67,7 @@ function begun(line: WorkerLine, base: string): Worker {
     if (!line.hear(data)) follow(base, data);
   });
   worker.addEventListener("error", (event) => broke(base, event.message || ""));
-  const first: ToWorker = { kind: "begin", base };
+  const first: ToWorker = { kind: "begin", base, pupil: pupilName() };
   worker.postMessage(first);
   return worker;
 }

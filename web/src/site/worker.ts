@@ -7,6 +7,7 @@
  * Left to others: fetching (`fetching`), starting Python (`python`, `memory`), the storage (`kept`).
  */
 import { Fetching, partsOf, UnfetchedError } from "./fetching";
+import { homeOf } from "../api/home";
 import { Kept } from "./kept";
 import { forgetMemory, KeptMemory, type Memory } from "./memory";
 import type { FromWorker, ToWorker } from "./messages";
@@ -39,7 +40,7 @@ const scope = self as unknown as {
 };
 const tell = (message: FromWorker, transfer: Transferable[] = []) => scope.postMessage(message, transfer);
 
-async function load(base: string): Promise<Studio> {
+async function load(base: string, pupil: string): Promise<Studio> {
   const parts = await partsOf(base);
   const fetching = new Fetching(base, parts.files, (fetched, total) => tell({ kind: "progress", fetched, total }));
   fetching.answerFetch();
@@ -47,15 +48,17 @@ async function load(base: string): Promise<Studio> {
   // Whoever waits for Pyodide first hears of it too.
   packages.catch(() => undefined);
   void packages.then(() => tell({ kind: "starting" })).catch(() => undefined);
-  const home = `/home/${encodeURIComponent(new URL(base).pathname)}`;
+  const home = homeOf(base, pupil);
   const env = { HOME: home, KITROBOT_STATE: `${home}/state`, KITROBOT_COMPILE: "no", PYTHONDONTWRITEBYTECODE: "1" };
   const enter = async (memory: Memory | null) => {
     try {
       const started = await startPython(base, parts, packages, env, MODULES, memory);
       keep = new Kept(started.pyodide, home, tell, () => forgetMemory(base));
       await keep.read();
-      const { begin_here } = started.pyodide.pyimport(MODULES) as { begin_here: (folder: string) => Promise<Studio> };
-      return { studio: await begin_here(`${home}/missions`), memory: started.memory };
+      const { begin_here } = started.pyodide.pyimport(MODULES) as {
+        begin_here: (folder: string, inClass: boolean) => Promise<Studio>;
+      };
+      return { studio: await begin_here(`${home}/missions`, pupil !== ""), memory: started.memory };
     } catch (cause) {
       throw fetching.missing ?? cause;
     }
@@ -116,8 +119,8 @@ async function open({ id, address }: ToWorker & { kind: "open" }): Promise<void>
   }
 }
 
-async function begin(base: string): Promise<void> {
-  studio = load(base);
+async function begin(base: string, pupil: string): Promise<void> {
+  studio = load(base, pupil);
   // Each who asks is told by itself.
   studio.catch(() => undefined);
   try {
@@ -135,7 +138,7 @@ let opening: Promise<void> = Promise.resolve();
 scope.addEventListener("message", ({ data }) => {
   switch (data.kind) {
     case "begin":
-      void begin(data.base);
+      void begin(data.base, data.pupil);
       break;
     case "fetch":
       void answer(data);

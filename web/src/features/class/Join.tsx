@@ -7,6 +7,8 @@ import { takeToken } from "../../api/token";
 import { Said } from "../../i18n/Said";
 import { t } from "../../i18n/words";
 import { Icon } from "../../theme";
+import { fetchAhead } from "./ahead";
+import { forgetLeft } from "./left";
 import "./class.css";
 
 const ASK_MS = 2000;
@@ -43,6 +45,8 @@ export function Join() {
     const help = cause instanceof ApiError ? cause.help : "";
     setFailure({ message: cause instanceof Error ? cause.message : String(cause), help });
   };
+  useEffect(forgetLeft, []);
+  useEffect(fetchAhead, []);
   useEffect(() => {
     const look = () => {
       classApi.about().then(

@@ -8,7 +8,7 @@ import { Icon } from "../../theme";
 import type { MenuEntry } from "../../ui/menu-model";
 import { menuItem } from "../../ui/menu-model";
 import { MenuButton } from "../../ui/MenuButton";
-import { done, keepClass, leaveClass, letEdit, type Offer, putHand, useClassroom } from "./keeping";
+import { done, goAway, keepClass, letEdit, type Offer, putHand, useClassroom } from "./keeping";
 import "./class.css";
 
 const WORDS: Record<Offer["kind"], (words: string) => string> = {
@@ -147,7 +147,7 @@ export function PupilKept() {
   const { name, class_name: of, word, hand, looked } = news;
   const entries: MenuEntry[] = [
     { kind: "heading", id: "class-word", label: t("class.you-word", { word: `${word.slice(0, 3)} ${word.slice(3)}` }) },
-    menuItem("class-leave", t("class.leave"), null, leaveClass),
+    menuItem("class-leave", t("class.leave"), null, goAway),
   ];
   const up = t(hand ? "class.hand-up" : "class.hand");
   return (

@@ -5,7 +5,7 @@
  */
 import type { ReactNode } from "react";
 
-import { pageRole, token } from "../../api/token";
+import { isJoining, pageRole } from "../../api/token";
 import { complain } from "../../session/document";
 import type { Feature } from "../../session/features";
 import { later } from "../../ui/later";
@@ -22,6 +22,6 @@ const Join = part("pupil", () => import("./Join").then((chunk) => chunk.Join));
 
 export const classroom: Feature = {
   name: "class",
-  Instead: Teacher ?? (pageRole !== "" && token() === "" ? Join : null),
+  Instead: Teacher ?? (isJoining() ? Join : null),
   ...(Bar !== null && Kept !== null ? { slots: { banner: Bar, bottom: Kept } } : {}),
 };

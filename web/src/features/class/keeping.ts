@@ -10,7 +10,8 @@ import { type ClassSocket, classApi, openClassSocket } from "../../api/class";
 import { api, ApiError } from "../../api/client";
 import { exerciseApi } from "../../api/exercises";
 import type { HandMessage, PupilNewsMessage, ReportMessage, ShowArenaMessage, TurnMessage } from "../../api/generated";
-import { takeToken, token } from "../../api/token";
+import { inPage } from "../../api/line";
+import { pupilName, takeToken } from "../../api/token";
 import { useStudio } from "../../model/studio";
 import { t } from "../../i18n/words";
 import { text } from "../../model/texts";
@@ -21,6 +22,7 @@ import { beginMission, openPath } from "../../session/open-requests";
 import { useRun } from "../../session/run";
 import { tellArena } from "./arena";
 import { type Memory, type Place, placeFor, readMemory } from "./kept";
+import { leaveFiles } from "./left";
 
 const QUIET_MS = 1200;
 const LONGEST_MS = 5000;
@@ -70,7 +72,7 @@ const counts = { edits: 0, runs: 0 };
 
 function storageName(): string {
   // Of another pupil at this computer nothing is used.
-  return `${KEY}.${token().slice(0, 12)}`;
+  return `${KEY}.${pupilName()}`;
 }
 
 function recall(): void {
@@ -169,6 +171,7 @@ async function openWork(name: string): Promise<void> {
 }
 
 async function exerciseOffer(name: string): Promise<Offer | null> {
+  if (inPage()) await fetchExercise(name);
   const found = (await exerciseApi.all()).find((one) => one.name === name);
   if (found === undefined || found.goals.length === 0) return null;
   const open = () => {
@@ -176,6 +179,12 @@ async function exerciseOffer(name: string): Promise<Offer | null> {
     if (useStudio.getState().file.path !== found.start) openPath(found.start);
   };
   return { kind: "exercise", words: text(found.label, name), open };
+}
+
+/** Gives the files of the exercise, where they are the teacher's own, to the studio in this page. */
+async function fetchExercise(name: string): Promise<void> {
+  const files = await classApi.exercise();
+  if (files.byteLength > 0) await exerciseApi.keep(name, files);
 }
 
 /** The first page of this pupil in this browser: goes on where the pupil was, else begins what the class does. */
@@ -298,8 +307,14 @@ async function expectIn(): Promise<void> {
   }
 }
 
+/** The pupil goes. What the class does not have yet stays in this browser. */
+export function goAway(): void {
+  if (waiting === null && memory.waiting === null) leaveFiles();
+  leaveClass();
+}
+
 /** Out of the class, in this browser; the work is with the class. */
-export function leaveClass(): void {
+function leaveClass(): void {
   takeToken("");
   window.location.reload();
 }

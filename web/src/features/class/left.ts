@@ -1,0 +1,30 @@
+/**
+ * What a pupil who left leaves behind in this browser: the files of the studio that was in the page. They are deleted by the
+ * next page, for this one has them open; the work is with the class by then.
+ */
+import { inPage } from "../../api/line";
+import { pupilName } from "../../api/token";
+import { homeOf } from "../../api/home";
+
+const KEY = "kitrobot.class.left";
+
+/** This pupil's files are of no more use here. */
+export function leaveFiles(): void {
+  if (!inPage()) return;
+  try {
+    localStorage.setItem(KEY, homeOf(document.baseURI, pupilName()));
+  } catch {
+    // Then they stay; no other pupil's page opens them.
+  }
+}
+
+/** Deletes what was left. */
+export function forgetLeft(): void {
+  try {
+    const left = localStorage.getItem(KEY);
+    if (left === null) return;
+    indexedDB.deleteDatabase(left).onsuccess = () => localStorage.removeItem(KEY);
+  } catch {
+    // No storage, nothing left.
+  }
+}
