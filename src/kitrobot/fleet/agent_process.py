@@ -24,7 +24,7 @@ from kitrobot.text import Sentence
 HELLO_EVERY_MS = 200
 ASK_EVERY_MS = 100
 TURN_MS = 20
-"""How often the host is told the time when nothing comes."""
+"""How often the host is told the time, which looks at every member."""
 PATIENCE_S = 30.0
 """How long an agent goes on without a word from its world."""
 NO_BODY_S = 20.0
@@ -88,7 +88,7 @@ class AgentProcess:
         self.ended: Ended | None = None
         self.looking = True
         self.heard_at = milliseconds()
-        self.asked_at = 0
+        self.asked_at = self.timed_at = 0
         self.life, self.lease = 0, 0
 
     def run(self) -> Ended:
@@ -113,7 +113,9 @@ class AgentProcess:
                 self._post()
             if self.host is not None:
                 self._hear_board(milliseconds(), self.host)
-                self.host.time(milliseconds())
+                if (now := milliseconds()) - self.timed_at >= TURN_MS:
+                    self.timed_at = now
+                    self.host.time(now)
                 self._post()
             self._tell()
         return self.ended

@@ -115,9 +115,7 @@ class AgentHost:
     def time(self, now: int) -> None:
         """To be called at least every `Charter.beat`."""
         self._step(now, Time())
-        for unit in self.replica.held_units():
-            self._units.setdefault(unit, now)
-        self._units = {unit: at for unit, at in self._units.items() if unit in set(self.replica.held_units())}
+        self._units = {unit: self._units.get(unit, now) for unit in self.replica.held_units()}
         self._freeing &= set(self._units)
         if self.is_first():
             self._free_units(now)

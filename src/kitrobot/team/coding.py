@@ -9,6 +9,7 @@ from __future__ import annotations
 import json
 import types
 from collections.abc import Callable
+from itertools import chain, starmap
 from typing import Any, get_args, get_origin, get_type_hints
 
 from kitrobot.team import commands, messages, tables
@@ -77,10 +78,23 @@ def _number(value: object) -> int:
 
 def _numbers(value: object) -> list[int]:
     """A list of numbers alone, which most of what is read is."""
-    for one in (found := _list(value)):
-        if type(one) is not int or not -LARGEST <= one <= LARGEST:
-            raise ValueError
+    found = _list(value)
+    if not set(map(type, found)) <= {int} or (found and not -LARGEST <= min(found) <= max(found) <= LARGEST):
+        raise ValueError
     return found
+
+
+def _rows_of_numbers(kind: type, count: int) -> _Reader:
+    """A list of rows, each of so many numbers: checked all at once, because heartbeats hold one for each member."""
+
+    def read(value: object) -> Any:
+        rows = _list(value)
+        if not set(map(type, rows)) <= {list} or not set(map(len, rows)) <= {count}:
+            raise ValueError
+        _numbers(list(chain.from_iterable(rows)))
+        return tuple(starmap(kind, rows))
+
+    return read
 
 
 def _truth(value: object) -> bool:
@@ -131,11 +145,19 @@ def _reader(kind: Any) -> _Reader:
         return _truth
     if get_origin(kind) is tuple:
         item = get_args(kind)[0]
-        return (lambda value: tuple(_numbers(value))) if item is int else _row(_reader(item))
+        if item is int:
+            return lambda value: tuple(_numbers(value))
+        hints = _hints(item) if isinstance(item, type) else []
+        return _rows_of_numbers(item, len(hints)) if set(hints) == {int} else _row(_reader(item))
     if isinstance(kind, types.UnionType):
         return _one_of([_reader(one) for one in get_args(kind)])
-    hints = list(get_type_hints(kind, {**vars(commands), **vars(tables), **vars(messages)}).values())
+    hints = _hints(kind)
     return _of_numbers(kind, len(hints)) if set(hints) == {int} else _fields(kind, [_reader(hint) for hint in hints])
+
+
+def _hints(kind: Any) -> list[Any]:
+    """The types of the fields of a message, or of a part of one."""
+    return list(get_type_hints(kind, {**vars(commands), **vars(tables), **vars(messages)}).values())
 
 
 _READERS = {name: _reader(kind) for name, kind in _NAMES.items()}

@@ -231,10 +231,12 @@ def _fewest(log: Log) -> tuple[int, ...]:
 
 def _batch(log: Log) -> Batch:
     """Commands that can take effect next, of each seat in its order; whose come first changes from slot to slot."""
+    if not log.pending and not any(log.asked):
+        return ()
     seats = log.tables.view.seats
     batch: list[Command] = []
-    for place in range(len(seats)):
-        seat = seats[(place + log.slot) % len(seats)]
+    first = log.slot % len(seats)
+    for seat in (*seats[first:], *seats[:first]):
         own = log.pending if seat == log.decision.seat else log.asked[seat.member]
         if not own:
             continue

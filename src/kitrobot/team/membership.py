@@ -13,6 +13,7 @@ that gets a role waits `Charter.hold` from when it learned of it. Clocks may dif
 from __future__ import annotations
 
 from dataclasses import replace
+from operator import itemgetter
 from typing import NamedTuple
 
 from kitrobot.team.charter import Charter
@@ -39,6 +40,9 @@ class Peer(NamedTuple):
     heard: int = NEVER
     echoed: int = NEVER
     granted: int = NEVER
+
+
+_GRANTED = itemgetter(Peer._fields.index("granted"))
 
 
 class Membership(NamedTuple):
@@ -77,7 +81,10 @@ def hear(state: Membership, view: View, seat: Seat, message: Heartbeat, now: int
         peer = Peer(sender.life)
     if message.stamp >= peer.stamp:
         peer = peer._replace(view=message.view, stamp=message.stamp, heard=now)
-    mine = max((e.stamp for e in message.echoes if (e.member, e.life) == seat and e.stamp <= now), default=NEVER)
+    me, mine = seat.member, NEVER
+    for member, life, stamp in message.echoes:
+        if member == me and life == seat.life and mine < stamp <= now:
+            mine = stamp
     supports = message.firm and message.view == view.number and sender in view.seats
     peer = peer._replace(echoed=max(peer.echoed, mine), granted=max(peer.granted, mine) if supports else peer.granted)
     return state._replace(peers=(*state.peers[: sender.member], peer, *state.peers[sender.member + 1 :]))
@@ -92,7 +99,9 @@ def lent_until(state: Membership, charter: Charter, view: View, seat: Seat, now:
     """Until when a quorum of the view, as it was heard until now, lends the right to act."""
     if seat not in view.seats or not firm:
         return state.right
-    stamps = [now if other == seat else state.peers[other.member].granted for other in view.seats]
+    granted: list[int] = [*map(_GRANTED, state.peers)]
+    granted[seat.member] = now
+    stamps = [granted[member] for member, _ in view.seats]
     latest = sorted(range(len(stamps)), key=stamps.__getitem__, reverse=True)
     return max(state.right, stamps[first_quorum(latest)[-1]] + charter.lease)
 
@@ -101,7 +110,12 @@ def hears_quorum(state: Membership, charter: Charter, view: View, seat: Seat, no
     """Whether a quorum of the view, this seat in it, was heard within a lease."""
     if seat not in view.seats:
         return False
-    ranks = [r for r, other in enumerate(view.seats) if other == seat or _fresh(state, charter, other, now)]
+    peers, since = state.peers, now - charter.lease
+    ranks = [
+        rank
+        for rank, (member, life) in enumerate(view.seats)
+        if member == seat.member or (peers[member].life == life and peers[member].echoed > since)
+    ]
     return is_quorum(ranks, len(view.seats))
 
 
