@@ -83,6 +83,8 @@ def test_the_same_sources_make_the_same_bytes_and_nothing_of_the_machine_is_in_t
     listed = set(json.loads(re.search(r"FILES = (\[.*\]);", worker)[1]))  # type: ignore[index]
     assert listed == files.keys() - {"service-worker.js"}
     told = json.loads(files["site.json"])
+    assert len(told["page"]) > 50
+    assert set(told["page"]) < files.keys()
     assert {name: len(files[name]) for name in told["files"]} == told["files"]
     assert sum(told["files"].values()) < MOST_OF_PYTHON
 

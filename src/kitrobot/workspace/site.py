@@ -90,6 +90,7 @@ def make_site(folder: Path, parts: Iterable[Path], page: Path = PAGE) -> Site:
         "packages": "python",
         "place": f"/lib/python{PYTHON}/site-packages",
         "files": python,
+        "page": sorted(name for name in files if name.startswith("assets/")),
     }
     files["site.json"] = json.dumps(told, indent=1, sort_keys=True).encode()
     files["service-worker.js"] = _service_worker(files)

@@ -90,7 +90,7 @@ function follow(base: string, message: FromWorker): void {
       set({ phase: "ready" });
       // Whether the browser promises to keep it or not, the page works.
       navigator.storage?.persist?.().catch(() => undefined);
-      void keepFiles();
+      void keepFiles(base);
       break;
     case "broken":
       if (message.unfetched) set({ phase: "unfetched", reason: message.reason });
@@ -106,8 +106,11 @@ function follow(base: string, message: FromWorker): void {
 }
 
 /** Has the service worker keep the files of the site, and says when there are newer ones. */
-async function keepFiles(): Promise<void> {
-  if (!("serviceWorker" in navigator)) return;
+async function keepFiles(base: string): Promise<void> {
+  if (!("serviceWorker" in navigator)) {
+    await fetchPage(base).catch(() => undefined);
+    return;
+  }
   try {
     const registered = await navigator.serviceWorker.register("service-worker.js");
     const look = (found: ServiceWorker | null) => {
@@ -123,6 +126,16 @@ async function keepFiles(): Promise<void> {
   } catch {
     // Without it the page works as long as there is a network.
   }
+}
+
+/**
+ * Fetches the parts of the page that were not needed yet, so that the browser has them while the server is away: pages that
+ * came over `http://` from another machine have no service worker.
+ */
+async function fetchPage(base: string): Promise<void> {
+  const said = await fetch(new URL("site.json", base));
+  const { page } = (await said.json()) as { page: string[] };
+  for (const name of page) await (await fetch(new URL(name, base), { priority: "low" })).arrayBuffer();
 }
 
 function offerNew(found: ServiceWorker): void {
