@@ -151,6 +151,19 @@ def test_what_a_marked_action_started_and_another_branch_took_over_is_to_stand_i
     assert (shown is not None) == (answer == "broken")
 
 
+@pytest.mark.parametrize("first", ["", "WAIT(3); "])
+def test_what_a_marked_action_of_one_tick_started_and_another_branch_took_over_is_confirmed(first: str) -> None:
+    robot = avatar(KEY, WHEEL.format(settings=""))
+
+    def fresh(seed: int) -> Simulation:
+        text = first + "//( °Wheel.Advance(50)°;, Wheel.Reverse(20); );"
+        return run_of({"a": (robot, text)}, empty_world(a=(400.0, 400.0, 0.0)), seed=seed)
+
+    verdict, shown = checked(fresh, "stopped")
+    assert verdict.answer.value == "broken"
+    assert shown is not None
+
+
 def test_a_program_without_an_end_or_without_marked_actions_is_not_asked_whether_they_stop() -> None:
     robot = avatar(KEY, WHEEL.format(settings=""))
     world = empty_world(a=(400.0, 400.0, 0.0))

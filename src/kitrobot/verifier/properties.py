@@ -77,7 +77,8 @@ class Property:
         never: what breaks it in any state.
         breaks: what must hold before, and after, a step that breaks it.
         since: from which states on waiting counts; of liveness only. None: from any, but see `from_start`.
-        watch: begins to look at a run of the simulator, where its events do not tell whether it breaks the property.
+        watch: begins to look at a run of the simulator, which is before its first step, where its events do not tell
+            whether it breaks the property.
         seen_as: the events of the simulator (see `sim.columns`) that break it.
         ends_as: the outcomes of a run of the simulator that break it.
         spares_teams: whether the end of a team that gave up, and says why, does not break it.

@@ -93,7 +93,12 @@ def waits_at_point(run: Simulation, name: str) -> Watch:
 
 
 def runs_on(run: Simulation) -> Watch:
-    """Looks whether a program has ended, and something that a marked action of it started goes on."""
+    """Looks whether a program has ended, and something that a marked action of it started goes on.
+
+    The run is before its first step.
+    """
+    # A marked action may begin and end in one tick: nothing is armed before it or after it, but its instruction ran.
+    run.watch_programs()
     before = [list(agent.machine.pars) for agent in run.members]
     loose = [0] * len(run.members)
 
