@@ -63,9 +63,9 @@ def _samples() -> dict[str, tuple[Any, ...]]:
         "repack": (g, 1, 1, words, words, True, True),
         "mark": (t, g, 1, 1, True, words, words, marks),
         "observe": (t, g, 1, 1, True, 1, words),
-        "crossing": (g, 1, marks, marks),
+        "crossing": (g, 1, 1, marks, marks),
         "search": (t, g, s, 1),
-        "reach": (g, marks, 1, numbers, 1, numbers),
+        "reach": (g, marks, marks, numbers, numbers, numbers, words, 1, 1),
         "sample": (g, numbers, marks, numbers),
         "way": (g, 1, 1, marks, numbers, numbers),
     }
