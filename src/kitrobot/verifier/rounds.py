@@ -123,13 +123,13 @@ def _truth(made: Explored, fact: Fact) -> tuple[int, list[int]]:
         return 1 + fact.agent, [int(fact.test(one)) for one in model.insides(fact.agent)]
     assert isinstance(fact, Stands)
     fixed, road = model.t.fixed, model.roads.of[fact.agent]
-    width = int(fixed[v.CONF_WIDTH])
-    docks = [dock for dock in fact.docks if model.roads.of_dock[dock] == road]
-    truth = []
-    for number in range(int(model.t.regs[v.CONFS])):
-        row = number * width + v.C_STAND
-        truth.append(int(any(int(model.t.confs[row + dock]) >> fact.agent & 1 for dock in docks)))
-    return int(fixed[v.ROAD_FIELD]) + road, truth
+    width, end = int(fixed[v.CONF_WIDTH]), int(fixed[v.CONF_WIDTH]) * int(model.t.regs[v.CONFS])
+    stand = [0] * int(model.t.regs[v.CONFS])
+    for dock in fact.docks:
+        if model.roads.of_dock[dock] == road:
+            column = model.t.confs[v.C_STAND + dock : end : width]
+            stand = [was | int(one) for was, one in zip(stand, column, strict=True)]
+    return int(fixed[v.ROAD_FIELD]) + road, [one >> fact.agent & 1 for one in stand]
 
 
 def fair_round(made: Explored, one: Property) -> tuple[list[int], list[int], bool]:
