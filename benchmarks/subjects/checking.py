@@ -121,7 +121,7 @@ def _spin(carriers: int, what: str) -> Peer | None:
         shutil.copy(_ROOT / "benchmarks" / "peers" / "ring.pml", folder)
         make = ["spin", "-a", *claim, f"-DCARRIERS={carriers}", "-DBOXES=3", "ring.pml"]
         subprocess.run(make, cwd=folder, check=True, capture_output=True, timeout=60)
-        options = ["-DSAFETY"] if what == "safety" else ["-DNFAIR=3"]
+        options = ["-DSAFETY"] if what == "safety" else ["-DNFAIR=6"]
         build = ["gcc", "-O2", *options, "-DNOREDUCE", "-DMEMLIM=2000", "-o", "pan", "pan.c"]
         subprocess.run(build, cwd=folder, check=True, capture_output=True, timeout=300)
         before = _children_s()
