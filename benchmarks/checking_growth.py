@@ -49,11 +49,13 @@ def picture(rows: list[dict[str, Any]]) -> str:
     for place in places:
         plot.mark(place, f"{place:g}")
     for name, its in lines.items():
-        colour = _THEIRS if name.endswith("SPIN") else _OURS
+        is_theirs = name.endswith("SPIN")
+        colour = _THEIRS if is_theirs else _OURS
         plot.line(its, colour, "" if name.startswith("safety") else "5 4")
-        if name.startswith("safety"):
-            place, value = its[0]
-            plot.text(plot.x(place) + 8, plot.y(value) - 8, name.split(", ")[1], colour)
+        # Ours of both kinds lie close together: one name is enough for them.
+        if is_theirs or name.startswith("safety"):
+            place, value = its[-1]
+            plot.text(plot.x(place), plot.y(value) + (20 if is_theirs else -12), name.split(", ")[1], colour, "end")
     return plot.svg()
 
 
