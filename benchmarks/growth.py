@@ -12,14 +12,13 @@ from pathlib import Path
 
 from benchmarks.__main__ import machine
 from benchmarks.measuring import in_turns
+from benchmarks.plots import BOTTOM, HEIGHT, LEFT, RIGHT, TOP, WIDTH, Plot
 from benchmarks.subjects.simulating import go, hurried
 from benchmarks.swarm import swarm
 
 ROBOTS = (10, 30, 100, 300, 1000, 3000, 10_000, 30_000, 100_000)
 WORK = 600_000
 ROUNDS = 5
-WIDTH, HEIGHT = 640, 400
-LEFT, RIGHT, TOP, BOTTOM = 70, 36, 48, 60
 
 
 def measure() -> list[float]:
@@ -34,56 +33,29 @@ def measure() -> list[float]:
 
 
 def picture(times: list[float]) -> str:
-    """The plot, as SVG that is readable on light and dark paper."""
-    low, high = math.floor(math.log10(min(times))), math.ceil(math.log10(max(times)))
-
-    def x(robots: float) -> float:
-        return LEFT + (math.log10(robots) - 1) / 4 * (WIDTH - LEFT - RIGHT)
-
-    def y(ms: float) -> float:
-        return HEIGHT - BOTTOM - (math.log10(ms) - low) / (high - low) * (HEIGHT - TOP - BOTTOM)
-
+    """The plot, as SVG."""
     told = ", ".join(f"{robots}: {ms:.3g}" for robots, ms in zip(ROBOTS, times, strict=True))
-    parts = [
-        f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {WIDTH} {HEIGHT}" font-family="sans-serif" '
-        'font-size="13">',
-        f"<title>Milliseconds a step by number of robots: {told}</title>",
-        f'<rect width="{WIDTH}" height="{HEIGHT}" fill="#ffffff"/>',
-        f'<text x="{LEFT}" y="22" font-size="15" font-weight="600" fill="#222222">A step of the simulator</text>',
-        f'<text x="{LEFT}" y="39" fill="#555555">with Numba, on one core; 20 ms of simulated time</text>',
-    ]
-    for power in range(low, high + 1):
-        at = y(10**power)
-        parts.append(f'<path d="M{LEFT} {at:.1f}H{WIDTH - RIGHT}" stroke="#dddddd"/>')
-        parts.append(
-            f'<text x="{LEFT - 8}" y="{at + 4:.1f}" text-anchor="end" fill="#555555">{10.0**power:g} ms</text>'
-        )
+    plot = Plot(
+        f"Milliseconds a step by number of robots: {told}",
+        "A step of the simulator",
+        "with Numba, on one core; 20 ms of simulated time",
+        times,
+        " ms",
+        (1, 5),
+        "robots",
+    )
     for power in range(1, 6):
-        at = x(10**power)
-        parts.append(f'<path d="M{at:.1f} {TOP}V{HEIGHT - BOTTOM}" stroke="#dddddd"/>')
-        shown = f"{10**power:,}".replace(",", " ")
-        parts.append(
-            f'<text x="{at:.1f}" y="{HEIGHT - BOTTOM + 20}" text-anchor="middle" fill="#555555">{shown}</text>'
-        )
-    parts.append(
-        f'<text x="{(LEFT + WIDTH - RIGHT) / 2}" y="{HEIGHT - 14}" text-anchor="middle" fill="#555555">robots</text>'
-    )
+        plot.mark(power, f"{10**power:,}".replace(",", "\u2009"))
     ends = [(robots, times[0] / ROBOTS[0] * robots) for robots in (ROBOTS[0], ROBOTS[-1])]
-    straight = " ".join(f"{x(robots):.1f},{y(ms):.1f}" for robots, ms in ends)
-    parts.append(f'<polyline points="{straight}" fill="none" stroke="#999999" stroke-dasharray="5 4"/>')
-    points = [(x(robots), y(ms)) for robots, ms in zip(ROBOTS, times, strict=True)]
-    line = " ".join(f"{px:.1f},{py:.1f}" for px, py in points)
-    parts.append(f'<polyline points="{line}" fill="none" stroke="#1d6fb8" stroke-width="2.5"/>')
-    parts += [f'<circle cx="{px:.1f}" cy="{py:.1f}" r="4" fill="#1d6fb8"/>' for px, py in points]
-    real = y(20)
+    plot.line([(math.log10(robots), ms) for robots, ms in ends], "#999999", "5 4", dots=False)
+    plot.line([(math.log10(robots), ms) for robots, ms in zip(ROBOTS, times, strict=True)], "#1d6fb8")
+    real = plot.y(20)
     if TOP < real < HEIGHT - BOTTOM:
-        parts.append(f'<path d="M{LEFT} {real:.1f}H{WIDTH - RIGHT}" stroke="#c0392b" stroke-dasharray="2 3"/>')
-        parts.append(f'<text x="{LEFT + 8}" y="{real - 6:.1f}" fill="#c0392b">20 ms: real time</text>')
-    parts.append(
-        f'<text x="{x(ROBOTS[-1]) - 8:.1f}" y="{y(ends[1][1]) + 150:.1f}" text-anchor="end" fill="#777777">'
-        "dashed: growing just with the robots</text>"
-    )
-    return "\n".join([*parts, "</svg>"]) + "\n"
+        plot.parts.append(f'<path d="M{LEFT} {real:.1f}H{WIDTH - RIGHT}" stroke="#c0392b" stroke-dasharray="2 3"/>')
+        plot.text(LEFT + 8, real - 6, "20 ms: real time", "#c0392b")
+    x, y = plot.x(math.log10(ROBOTS[-1])) - 8, plot.y(ends[1][1]) + 150
+    plot.text(x, y, "dashed: growing just with the robots", "#777777", "end")
+    return plot.svg()
 
 
 def main() -> int:

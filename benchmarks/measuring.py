@@ -32,7 +32,7 @@ class Rate:
 class Row:
     """One line of the table. `peer` is empty where nothing comparable exists, `theirs` None where it did not run.
 
-    `lower_is_better`: the numbers are milliseconds, not rates.
+    `lower_is_better`: the numbers are what it costs, milliseconds or bytes, not rates.
     """
 
     what: str

@@ -15,6 +15,10 @@ bit told[CARRIERS], rolls[CARRIERS], near[CARRIERS], load[CARRIERS], fresh[CARRI
 byte stock_a = BOXES, stock_b = 0, said_a = 0;
 bit going = 1, loads = 0, unloads = 0;
 
+#ifdef LIVE
+ltl delivered { <> (stock_b == BOXES) }
+#endif
+
 inline step_into(me) {
   d_step {
     zone[me] = (zone[me] + 1) % ZONES;

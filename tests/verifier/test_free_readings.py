@@ -5,6 +5,7 @@ from __future__ import annotations
 import pytest
 
 from kitrobot.sim import Simulation
+from kitrobot.translation.rendering import translated
 from kitrobot.verifier import Timing, take_apart
 from kitrobot.workspace.verification import Verification, VerificationOptions, verify_runs
 from tests.sim.building import avatar, empty_world, run_of
@@ -17,8 +18,8 @@ FLAG = '<variable name="Flag" type="boolean" initial="false" shared="yes"/>'
 WAITS = "[Ground.EqualTo(7)]( WAIT(2); <Flag.IsTrue()>(); );"
 
 
-def checked(text: str, timing: Timing = Timing.LOCKSTEP) -> Verification:
-    robot = avatar(GROUND, FLAG)
+def checked(text: str, timing: Timing = Timing.LOCKSTEP, ground: str = GROUND) -> Verification:
+    robot = avatar(ground, FLAG)
 
     def fresh(seed: int) -> Simulation:
         world = empty_world(a=(200.0, 200.0, 0.0), b=(600.0, 600.0, 0.0))
@@ -56,3 +57,26 @@ def test_what_a_person_presses_may_come_at_any_time_and_is_no_limit() -> None:
     world = empty_world(a=(200.0, 200.0, 0.0))
     assert take_apart(run_of({"a": (robot, "<Hand.IsPressed()>();")}, world)).limits == []
     assert take_apart(run_of({"a": (avatar(GROUND), "WAIT(2);")}, world)).limits == []
+
+
+SEEN = """<sensor name="Ground" device="colour" min="0" max="9" unit="%">
+  <label>Light below</label><label xml:lang="fr">Lumière dessous</label>
+  <choice value="7"><label>red</label><label xml:lang="fr">rouge</label></choice>
+  <operation name="EqualTo" test="equal"><parameter name="value" min="0" max="9"/></operation>
+</sensor>"""
+
+
+@pytest.mark.parametrize(
+    ("wanted", "english", "french"),
+    [(7, "a reads Light below = red", "a lit Lumière dessous = rouge"), (3, "a reads Light below = 3 %", "= 3 %")],
+)
+def test_a_reading_is_told_as_the_palette_names_it_with_its_unit_or_choice(
+    wanted: int, english: str, french: str
+) -> None:
+    made = checked(f"[Ground.EqualTo({wanted})]( WAIT(2); <Flag.IsTrue()>(); );", ground=SEEN)
+    [finding] = made.columns[0].findings
+    *_, reads, _, needs = (text for _, text in finding.story)
+    assert str(reads) == english
+    assert translated(reads, "fr").endswith(french)
+    assert str(needs).endswith(": a: Light below")
+    assert str(made.limits[0]).startswith("Light below of a")

@@ -6,8 +6,18 @@ from pathlib import Path
 
 import pytest
 
-from kitrobot.verifier import Timing
-from kitrobot.workspace.verification import VerificationOptions, verify
+from kitrobot.mission import AskedProperty, Form
+from kitrobot.verifier import (
+    Budget,
+    Model,
+    Timing,
+    asked_properties,
+    confirm,
+    judge,
+    take_apart,
+    variables_asked,
+)
+from kitrobot.workspace.verification import VerificationOptions, runs_of, verify
 from tests.sim.building import transport
 from tests.verifier.building import EXAMPLES, answers, judged, mutant, prepared
 
@@ -81,6 +91,63 @@ def test_a_mission_made_wrong_is_found_out(tmp_path: Path, old: str, new: str, b
     assert verdict.way is not None
     assert len(verdict.way.states) == len(verdict.way.steps) + 1
     assert all(step.state == state for step, state in zip(verdict.way.steps, verdict.way.states[1:], strict=True))
+
+
+FALL = (
+    '<arc from="v11" to="v3" at="return"/>\n    <arc from="v3" to="v1" at="return"/>\n    <arc from="v1" to="stop"/>\n'
+    '  </program>\n  <program name="unloader"',
+    """<vertex id="v12" element="When"/>
+    <vertex id="v13" element="Presence.IsReleased"/>
+    <arc from="v11" to="v12"/>
+    <arc from="v13" to="v12" at="condition"/>
+    <arc from="v12" out="body" to="v12" at="return"/>
+    <arc from="v12" to="v3" at="return"/>
+    <arc from="v3" to="v1" at="return"/>
+    <arc from="v1" to="stop"/>
+  </program>
+  <program name="unloader\"""",
+)
+"""A loader that waits, after each box, until nobody stands before it any more."""
+
+
+@pytest.mark.parametrize("timing", list(Timing))
+def test_a_loader_that_waits_for_presence_to_fall_misses_it_only_where_it_may_lag(
+    tmp_path: Path, timing: Timing
+) -> None:
+    made = judged(mutant(tmp_path, FALL, carriers=1, stock=2).again(), timing)
+    assert made.complete
+    broken = {name for name, answer in answers(made).items() if answer == "broken"}
+    assert broken == ({"deadlock", "delivered", "served-carrier-1", "end"} if timing is Timing.FREE else set())
+
+
+NARROW = "Sign.EqualTo(5) | Sign.EqualTo(0)"
+ALONE = AskedProperty("alone", Form.NEVER, f"any carrier-1 ({NARROW}) & any carrier-2 ({NARROW})")
+"""That never both carriers of `merge` are on the way that their roads share; contact on different roads is not in the
+model."""
+
+
+@pytest.mark.parametrize("minded", [True, False], ids=["with a gate", "with the collision sensor alone"])
+def test_the_narrow_way_of_merge_needs_its_gate(tmp_path: Path, minded: bool) -> None:
+    text = (EXAMPLES / "merge" / "merge.krt").read_text(encoding="utf-8")
+    for turn in (1, 2):
+        old = f'<vertex id="v12" element="Turn.EqualTo"><set name="value">{turn}</set></vertex>'
+        assert text.count(old) == 1
+        text = text if minded else text.replace(old, '<vertex id="v12" element="Run.IsTrue"/>')
+    path = tmp_path / "merge.krt"
+    path.write_text(text, encoding="utf-8")
+    fresh = runs_of(prepared(path).parts())
+    run = fresh(1)
+    model = Model(run, take_apart(run, variables_asked(run, [ALONE])))
+    [alone], left_out = asked_properties(model, [ALONE])
+    assert left_out == []
+    made = judge(model, [alone], Budget(200_000))
+    [verdict] = made.verdicts
+    assert verdict.answer.value == ("holds" if minded else "broken")
+    if minded:
+        assert made.complete
+    else:
+        assert verdict.way is not None
+        assert confirm(alone, verdict.way, model, fresh, lambda: False) is not None
 
 
 def test_a_loader_that_does_not_count_is_confirmed_in_the_simulator(tmp_path: Path) -> None:

@@ -14,8 +14,10 @@ import pytest
 from kitrobot.lll import parse_team
 from kitrobot.mission import BreakdownRule, FailureKind
 from kitrobot.sim import Simulation
+from kitrobot.sim import columns as c
 from kitrobot.verifier import Budget, Confirmed, Model, Timing, Verdict, confirm, judge, ready_properties, take_apart
 from kitrobot.verifier.exploring import explore
+from kitrobot.workspace.verification import VerificationOptions, verify_runs
 from tests.sim.building import WHEEL, avatar, empty_world, run_of, transport
 from tests.sim.team_building import RunningTeam
 from tests.verifier.building import mutant
@@ -62,18 +64,36 @@ def test_no_box_is_lost_as_long_as_nobody_fails_and_their_number_is_the_same_in_
     assert boxes == {2}
 
 
-def test_a_box_on_a_robot_that_fails_is_lost_unless_it_is_towed() -> None:
+def test_a_box_on_a_robot_that_fails_is_held_by_it_and_not_delivered() -> None:
     def fresh(seed: int) -> Simulation:
         return transport(seed, stock=1, carriers=1)
 
-    verdict, shown = checked(fresh, "stock", failures=1)
-    assert verdict.answer.value == "broken"
+    verdict, _ = checked(fresh, "stock", failures=1)
+    assert verdict.answer.value == "holds"
+    missed, shown = checked(fresh, "delivered", failures=1)
+    assert missed.answer.value == "broken"
     assert shown is not None
-    assert [(harm.agent, harm.kind) for harm in shown.harms] == [("carrier-1", "fail")]
+    run, watch = fresh(1), verdict.property.watch
+    assert watch is not None
+    looks = watch(run)
+    while not run.state.robots.ints[c.LOAD][0]:
+        run.advance(1)
+    run.harm("carrier-1", "fail")
+    for _ in range(100):
+        run.advance(1)
+        assert not looks.after_step()
     towed = fresh(1)
     towed.mission.breakdown = type(towed.mission.breakdown)(BreakdownRule.TOW)
     model = Model(towed, take_apart(towed), 1)
     assert "stock" not in [one.name for one in ready_properties(model)]
+    assert "stock" in [one.name for one in ready_properties(Model(towed, take_apart(towed)))]
+
+
+@pytest.mark.parametrize(("failures", "holder"), [(0, ""), (1, "a box or a unit of work that a robot holds")])
+def test_with_failures_it_is_said_that_who_fails_holds_what_it_held(failures: int, holder: str) -> None:
+    options = VerificationOptions(("stock",), (Timing.LOCKSTEP,), failures, (FailureKind.FAIL,), 200, None)
+    made = verify_runs(lambda seed: transport(seed, stock=1, carriers=1), 1, options)
+    assert [str(limit)[: len(holder)] for limit in made.limits] == ([holder] if holder else [])
 
 
 @pytest.mark.parametrize(("done", "answer"), [("Boxes.Done();", "holds"), ("", "broken")])
@@ -81,6 +101,12 @@ def test_a_unit_of_work_that_is_taken_and_never_done_is_lost(done: str, answer: 
     verdict, shown = checked(team(f"ParOfSeq both ( Boxes.Take(); Arm.Do(1); {done} );"), "stock")
     assert verdict.answer.value == answer
     assert (shown is not None) == (answer == "broken")
+
+
+@pytest.mark.parametrize(("done", "answer"), [("Boxes.Done();", "holds"), ("", "broken")])
+def test_a_unit_on_a_robot_that_fails_is_not_lost_and_what_its_program_loses_is(done: str, answer: str) -> None:
+    verdict, _ = checked(team(f"ParOfSeq both ( Boxes.Take(); Arm.Do(1); {done} );"), "stock", failures=1)
+    assert verdict.answer.value == answer
 
 
 WAITS = """Where {scout} [Count.LessThan(1)]( Arm.Do(1); %s ) ! ( );
@@ -123,6 +149,19 @@ def test_what_a_marked_action_started_and_another_branch_took_over_is_to_stand_i
     verdict, shown = checked(fresh, "stopped")
     assert verdict.answer.value == answer
     assert (shown is not None) == (answer == "broken")
+
+
+@pytest.mark.parametrize("first", ["", "WAIT(3); "])
+def test_what_a_marked_action_of_one_tick_started_and_another_branch_took_over_is_confirmed(first: str) -> None:
+    robot = avatar(KEY, WHEEL.format(settings=""))
+
+    def fresh(seed: int) -> Simulation:
+        text = first + "//( °Wheel.Advance(50)°;, Wheel.Reverse(20); );"
+        return run_of({"a": (robot, text)}, empty_world(a=(400.0, 400.0, 0.0)), seed=seed)
+
+    verdict, shown = checked(fresh, "stopped")
+    assert verdict.answer.value == "broken"
+    assert shown is not None
 
 
 def test_a_program_without_an_end_or_without_marked_actions_is_not_asked_whether_they_stop() -> None:

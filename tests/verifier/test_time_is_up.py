@@ -6,12 +6,28 @@ No clock decides here: time goes on by a little each time somebody asks for it.
 from __future__ import annotations
 
 from pathlib import Path
+from typing import Any
 
 import pytest
 
 from kitrobot.sim import Simulation
-from kitrobot.verifier import Budget, Confirmed, Model, Timing, Way, confirm, judge, ready_properties, take_apart
+from kitrobot.text import Sentence
+from kitrobot.verifier import (
+    Budget,
+    Confirmed,
+    Model,
+    Property,
+    Timing,
+    Way,
+    confirm,
+    judge,
+    ready_properties,
+    rounds,
+    take_apart,
+)
 from kitrobot.verifier.engines import PLAIN
+from kitrobot.verifier.exploring import explore
+from kitrobot.verifier.properties import OfAgent
 from kitrobot.workspace.verification import VerificationOptions, verify
 from tests.sim.building import transport
 from tests.verifier.building import answers, mutant
@@ -64,6 +80,40 @@ def test_what_is_waited_for_has_a_share_of_the_time_and_is_not_searched_for_with
         if not made.complete:
             assert set(answers(made).values()) == {"not finished"}
     assert set(answers(made).values()) == {"holds"}
+
+
+@pytest.mark.parametrize("which", ["reach", "crossing"])
+def test_what_goes_through_all_states_is_broken_off_in_its_midst(monkeypatch: pytest.MonkeyPatch, which: str) -> None:
+    """Without a clock: it is asked whether to break off after each piece, and says so after the third one."""
+    monkeypatch.setattr(rounds, "_STEPS", 50)
+    monkeypatch.setattr(rounds, "_CHUNK", 50)
+    run, calls, most = transport(stock=1, carriers=1), 0, 10_000
+
+    def counting(*arguments: Any) -> int:
+        nonlocal calls
+        calls += 1
+        return int(getattr(PLAIN, which)(*arguments))
+
+    model = Model(run, take_apart(run), 0, Timing.FREE)
+    engine = PLAIN._replace(reach=counting) if which == "reach" else PLAIN._replace(crossing=counting)
+    made = explore(model, Budget(), True, engine)
+    made.breaks_off = lambda: calls >= most
+    ends = OfAgent(0, lambda inside: not model.has_ended(0, inside))
+    nobody = OfAgent(0, lambda inside: False)
+    one = Property("one", Sentence("one"), waits=((ends,),), breaks=(((ends,),), ((nobody,),)))
+
+    def looked_through() -> bool:
+        if which == "reach":
+            return rounds.fair_round(made, one)[2]
+        assert one.breaks is not None
+        assert rounds.first_crossing(made, *one.breaks) == (-1, -1)
+        return not made.is_cut
+
+    assert looked_through()
+    assert calls > 10
+    calls, most = 0, 3
+    assert not looked_through()
+    assert calls == 3
 
 
 def test_a_run_of_the_simulator_is_given_up_in_its_midst(tmp_path: Path) -> None:

@@ -21,7 +21,7 @@ from kitrobot.primitives.own_xml import (
     write_constructors,
     write_variable,
 )
-from kitrobot.primitives.reading import reading
+from kitrobot.primitives.reading import in_words, reading
 from kitrobot.primitives.robot import (
     LARGEST_VALUE,
     LONGEST_SETTING,
@@ -90,6 +90,7 @@ __all__ = [
     "fill_with",
     "has_team",
     "holes",
+    "in_words",
     "lacks",
     "load_catalogue",
     "number_variable",

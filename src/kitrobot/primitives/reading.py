@@ -8,7 +8,7 @@ from __future__ import annotations
 from decimal import Decimal
 
 from kitrobot.primitives.meaning import WAIT_UNIT, Meaning
-from kitrobot.primitives.robot import RobotObject, ValueType
+from kitrobot.primitives.robot import Robot, RobotObject, ValueType
 from kitrobot.text import Label
 
 _PLACES = Decimal("0.0001")
@@ -27,6 +27,16 @@ def reading(part: RobotObject, value: int, wait_unit_ms: int = 100) -> str:
     if meaning.field == "time" and "." not in number:
         number += ".0"
     return _with_unit(number, part.unit)
+
+
+def in_words(robot: Robot, name: str, value: int) -> tuple[str, str]:
+    """A sensor or variable of a robot as the page calls it, and its value with its unit; unchanged where it has none of
+    that name.
+    """
+    part = next((one for one in (*robot.sensors, *robot.variables) if one.name == name), None)
+    if part is None:
+        return name, str(value)
+    return Label(name, part.label), reading(part, value, robot.wait_unit_ms)
 
 
 def _with_unit(number: str, unit: str) -> str:

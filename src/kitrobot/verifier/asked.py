@@ -186,14 +186,12 @@ def _not(one: Sensed) -> Sensed:
 
 def _both(one: Sensed, other: Sensed) -> Sensed:
     size = len(one.agents)
-    asks = one.asks_shared or other.asks_shared
 
     def holds(keys: tuple[int, ...]) -> bool:
+        # The last key is what is shared, where that is asked for; else nobody looks at it.
         return one.test((*keys[:size], *keys[-1:])) and other.test(keys[size:])
 
-    if not asks:
-        return Sensed((*one.agents, *other.agents), lambda keys: one.test(keys[:size]) and other.test(keys[size:]))
-    return Sensed((*one.agents, *other.agents), holds, True)
+    return Sensed((*one.agents, *other.agents), holds, one.asks_shared or other.asks_shared)
 
 
 class _Watch:

@@ -10,7 +10,6 @@ from kitrobot.sim.jit_cache import CALLED, Compilation, folder_of, functions_cal
 from kitrobot.sim.table_pointer import TablePointer
 from kitrobot.verifier import engines
 from kitrobot.verifier.fairness import Search
-from kitrobot.verifier.tables import Graph, Tables
 
 _INLINED = frozenset({"changed", "decode", "emit", "find", "key_hash", "sensed", "touch"})
 """Short functions that each state goes through many times. With longer ones inlined too, exploring is no faster and
@@ -40,21 +39,21 @@ def _build(folder: Path) -> engines.Engine:
         options: Any = {**CALLED, "forceinline": True} if function.__name__ in _INLINED else CALLED
         extending.register_jitable(**options)(function)
     made = dict(zip(engines.FUNCTIONS, njit(folder, engines.FUNCTIONS.values()), strict=True))
-    for name, arguments in _samples().items():
+    for name, arguments in samples().items():
         made[name].compile(tuple(typeof(one) for one in arguments))
     return engines.arrays(made)
 
 
-def _samples() -> dict[str, tuple[Any, ...]]:
-    """Arguments like those that each function is given."""
+def samples() -> dict[str, tuple[Any, ...]]:
+    """Arguments of the very types that each function is given: for others Numba would compile again, in a check."""
     import numpy as np
 
     words, numbers, marks = np.zeros(1, np.int64), np.zeros(1, np.int32), np.zeros(1, np.uint8)
     kinds: dict[str, Any] = {"x": words, "y": words, "taken": np.zeros(1, np.uint16)}
-    tables: list[Any] = [words] * len(Tables._fields)
+    tables: list[Any] = [words] * len(engines.ArrayTables._fields)
     rows: list[Any] = [words if name in ("numbers", "masks") else numbers for name in Search._fields]
-    t = TablePointer(Tables(*tables))
-    g = TablePointer(Graph(*(kinds.get(name, numbers) for name in Graph._fields)))
+    t = engines.ArrayTables(*tables).pointer
+    g = engines.ArrayGraph(*(kinds.get(name, numbers) for name in engines.ArrayGraph._fields)).pointer
     s = TablePointer(Search(*rows))
     return {
         "advance": (t, g, 1),
@@ -63,9 +62,9 @@ def _samples() -> dict[str, tuple[Any, ...]]:
         "repack": (g, 1, 1, words, words, True, True),
         "mark": (t, g, 1, 1, True, words, words, marks),
         "observe": (t, g, 1, 1, True, 1, words),
-        "crossing": (g, 1, marks, marks),
+        "crossing": (g, 1, 1, marks, marks),
         "search": (t, g, s, 1),
-        "reach": (g, marks, 1, numbers, 1, numbers),
+        "reach": (g, marks, marks, numbers, numbers, numbers, words, 1, 1),
         "sample": (g, numbers, marks, numbers),
         "way": (g, 1, 1, marks, numbers, numbers),
     }

@@ -85,6 +85,7 @@ class Components:
         self._watched_each = v.W_FREED + watched - 1 if watched else 0
         self._seen: list[dict[tuple[int, ...], int]] = [{} for _ in self.parts]
         self._seen_tuples: list[list[tuple[int, ...]]] = [[] for _ in self.parts]
+        self._read: dict[tuple[int, int, tuple[int, ...]], tuple[int | None, ...]] = {}
         self._changes = self._reactions = self._outcomes = 0
         self.failures = failures
         loads, at = state.robots.ints[c.LOAD], [float(one) for one in state.robots.floats[c.AT]]

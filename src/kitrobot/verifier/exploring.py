@@ -208,7 +208,7 @@ def explore(model: Model, budget: Budget, keeps_steps: bool, engine: Engine | No
         engine: what goes through the states; None for the plain one until the compiled one is worth it and there.
     """
     began = budget.clock()
-    made = Explored(model, _fresh(), engines.PLAIN, breaks_off=budget.breaks_off(began))
+    made = Explored(model, fresh_graph(), engines.PLAIN, breaks_off=budget.breaks_off(began))
     with suppress(TooManyError):
         _begin(made, min(budget.states, MOST_STATES), keeps_steps)
         if engine is not None:
@@ -219,7 +219,9 @@ def explore(model: Model, budget: Budget, keeps_steps: bool, engine: Engine | No
     return made
 
 
-def _fresh() -> Graph:
+def fresh_graph() -> Graph:
+    """A graph without states."""
+
     def numbers(size: int) -> array[int]:
         return array("i", bytes(4 * size))
 

@@ -42,6 +42,8 @@ SEARCH_NUMBERS = 10
 """How many roots there are, which is next, states found so far, the heights of `stack` and `work`, states left for the
 next round, the last colour; where in `stack` the part begins that was found; states with all their steps; whether keys
 have two words."""
+LOOKED, TO_LOOK, GONE_ON, REACHED = range(4)
+"""What `reach` counts."""
 BUSY, DONE, FAIR, MISSING = range(4)
 """What `search` says: it is to be gone on with, the round is over, a part was found, a table lacks something."""
 
@@ -264,24 +266,39 @@ def next_round(s: Search) -> Search:
     return s._replace(roots=s.rest, rest=s.roots)
 
 
-def reach(g: Graph, marks: Row, expanded: int, found: Row, count: int, before: Row) -> int:
-    """Writes behind the first `count` states, which are marked 2, those that can be reached from them through marked
-    states; those are marked 2 too. How many there are then; `before` says from where each was reached.
+def reach(
+    g: Graph, marks: Row, since: Row, colour: Row, found: Row, before: Row, numbers: Row, expanded: int, steps: int
+) -> int:
+    """Goes on for about so many states to give colour 1 to all marked states that can be reached through marked ones
+    from those that are in `since` too, and to write them into `found`; 1 when there are no more.
+
+    `before` says from where each was reached, -1 of those in `since`. `numbers`: how many states are looked through for
+    those in `since`, and how many of them are; how many of those found are gone on from, and how many there are.
     """
-    at = 0
-    while at < count:
+    while steps > 0 and numbers[LOOKED] < numbers[TO_LOOK]:
+        steps -= 1
+        state = numbers[LOOKED]
+        numbers[LOOKED] += 1
+        if marks[state] and since[state]:
+            colour[state], before[state] = 1, -1
+            found[numbers[REACHED]] = state
+            numbers[REACHED] += 1
+    count = numbers[REACHED]
+    at = numbers[GONE_ON]
+    while steps > 0 and at < count:
+        steps -= 1
         state = found[at]
         at += 1
         if state >= expanded:
             continue
         for e in range(g.first_edge[state], g.first_edge[state + 1]):
             target = g.targets[e]
-            if marks[target] == 1:
-                marks[target] = 2
-                before[target] = state
+            if marks[target] and colour[target] == 0:
+                colour[target], before[target] = 1, state
                 found[count] = target
                 count += 1
-    return count
+    numbers[GONE_ON], numbers[REACHED] = at, count
+    return 1 if at == count and numbers[LOOKED] == numbers[TO_LOOK] else 0
 
 
 def sample(g: Graph, part: Row, marks: Row, steps: Row) -> None:

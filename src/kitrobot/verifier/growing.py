@@ -55,8 +55,8 @@ def find_confs_again(t: Tables) -> None:
     if isinstance(t.confs, list):
         find_again(t)
         return
-    import numpy as np
-
-    # What is beyond 64 bits is dropped, as it is where this is compiled.
-    with np.errstate(over="ignore"):
-        find_again(t)
+    # Lists: to look at one number of an array from here takes several times as long.
+    names = ("regs", "fixed", "confs", "conf_slots")
+    lists = t._replace(**{name: getattr(t, name).tolist() for name in names})
+    find_again(lists)
+    t.conf_slots[:] = lists.conf_slots

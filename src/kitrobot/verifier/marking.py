@@ -36,9 +36,11 @@ def observe(t: Tables, g: Graph, first: int, end: int, two: bool, i: int, keys: 
     return end - first
 
 
-def crossing(g: Graph, expanded: int, before: Row, after: Row) -> int:
-    """The first state marked `before` out of which a step leads into one marked `after`; -1 for none."""
-    for state in range(expanded):
+def crossing(g: Graph, first: int, end: int, before: Row, after: Row) -> int:
+    """Of the states from `first` to before `end`, which have all their steps, the first one marked `before` out of
+    which a step leads into one marked `after`; -1 for none.
+    """
+    for state in range(first, end):
         if before[state]:
             for e in range(g.first_edge[state], g.first_edge[state + 1]):
                 if after[g.targets[e]]:

@@ -132,8 +132,14 @@ class Model(Components):
         """The same, by what it senses (`looking.sensed`)."""
         part, inside = self.parts[i], self._insides[i][key & v.MOST_INSIDES - 1]
         seen = self._seen_tuples[i][key >> v.S_SHARED & v.MOST_SEEN - 1]
-        outside = reactions.around(part, self._signs_of(i), key, seen[len(part.shared) :])
-        read = tuple(reactions.read(inside, sense, there) for sense, there in zip(part.senses, outside, strict=True))
+        about = key >> v.S_SHARED, inside.load, inside.busy
+        read = self._read.get(about)
+        if read is None:
+            outside = reactions.around(part, self._signs_of(i), key, seen[len(part.shared) :])
+            read = tuple(
+                reactions.read(inside, sense, there) for sense, there in zip(part.senses, outside, strict=True)
+            )
+            self._read[about] = read
         return read, inside.own or seen[: len(part.shared)]
 
     def _put_reactions(self, key: int, found: Collection[tuple[int, int, int]]) -> None:

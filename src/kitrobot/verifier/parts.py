@@ -20,7 +20,7 @@ from kitrobot.sim.devices.base import Discrete
 from kitrobot.sim.docks import DOCK_AT, DOCK_REACH
 from kitrobot.sim.event_text import sensor_names
 from kitrobot.sim.state import State
-from kitrobot.text import COMMA, Sentence, Series
+from kitrobot.text import COMMA, Label, Sentence, Series
 from kitrobot.verifier.agreeing import Agreement
 from kitrobot.verifier.programs import ProgramTable, greatest_argument, value_classes
 from kitrobot.verifier.roads import Gaps, Track, Zones, zones_of
@@ -153,8 +153,8 @@ class _Builder:
         self.state: State = run.state
         self.kept = kept
         self.limits: dict[str, None] = {}
-        self.free: dict[str, list[str]] = {}
-        """By the name of a sensor that is taken to read anything the agents that have it, and can tell."""
+        self.free: dict[Label, list[str]] = {}
+        """By the name on the page of a sensor that is taken to read anything the agents that have it, and can tell."""
         self.rows = sensor_names(run.state, run.members)
         self.tables: dict[str, ProgramTable] = {}
         self.numbers: dict[str, int] = {}
@@ -341,7 +341,7 @@ class _Builder:
             choices = value_classes(agent.machine.image, cell, least, most)
             # What a person does may come at any time indeed.
             if discrete is not Discrete.ANY or (len(choices) > 1 and not sensors()[part.model].by_hand):
-                self.free.setdefault(part.name, []).append(agent.name)
+                self.free.setdefault(Label(part.name, part.label), []).append(agent.name)
             return Sense(Discrete.ANY, choices=choices)
         if discrete is Discrete.TEAM:
             return Sense(discrete, agreed=self._agreed(agent, part, floats[c.S_P][k]), least=least, most=most)

@@ -13,6 +13,7 @@ from __future__ import annotations
 from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import lru_cache
+from itertools import compress
 
 from kitrobot.diagnostics import KitRobotError
 from kitrobot.image import Image, Machine
@@ -67,12 +68,22 @@ class ProgramTable:
         """Sensors, then one flag for each actuator that takes longer."""
         self.shared = [layout.variables[one.name] for one in robot.variables if one.shared]
         self._reads = _cells_read(image)
-        apart = {*range(1, 1 + layout.inputs), *self.shared}
-        self._own = [cell for cell in range(image.first_constant) if cell not in apart]
+        self._apart = {*range(1, 1 + layout.inputs), *self.shared}
         self._kept = {layout.variables[name] for name in kept if name in layout.variables}
         self._live = live_cells(image)
+        self._dead: dict[tuple[int, ...], list[int]] = {}
+        slots = 2 * len(image.slots)
+        at_slots = 4 + 2 * slots
+        at_parallels = at_slots + 5 * len(image.parallels)
+        stops = at_parallels + 3 * len(image.stops)
+        self._at_threads = image.first_constant
+        """Where in a local state what is told of threads begins; before it are the cells."""
+        self._at_pars = self._at_threads + slots
+        self._at_stops = self._at_pars + len(image.parallels)
+        self._threads, self._active = slice(0, slots), slice(at_slots, at_parallels, 5)
+        self._armed = slice(at_parallels, stops, 3)
         self._numbers: dict[tuple[int, ...], int] = {}
-        self._snapshots: list[tuple[list[int], list[int], list[int]]] = []
+        self._locals: list[tuple[int, ...]] = []
         self._known: dict[tuple[int, tuple[int | None, ...], tuple[int, ...]], tuple[Reaction, ...]] = {}
         self.first_shared = tuple(int(self.machine.cells[cell]) for cell in self.shared)
         self.first = self.current()
@@ -88,19 +99,19 @@ class ProgramTable:
 
     def __len__(self) -> int:
         """How many local states have come up."""
-        return len(self._snapshots)
+        return len(self._locals)
 
     def value(self, local: int, cell: int) -> int:
         """What a cell of the robot's own holds in a local state; it must be one of `kept`."""
-        return self._snapshots[local][0][cell]
+        return self._locals[local][cell]
 
     def has_ended(self, local: int) -> bool:
         """Whether the program has ended in a local state."""
-        return self._snapshots[local][1][0] < 0
+        return self._locals[local][self._at_threads] < 0
 
     def places(self, local: int) -> list[tuple[int, int]]:
         """(slot, instruction) where each live thread stands."""
-        self.machine.restore(self._snapshots[local])
+        self._restore(local)
         return self.machine.active()
 
     def react(
@@ -161,13 +172,13 @@ class ProgramTable:
     ) -> tuple[Reaction, set[int]]:
         """One tick of the machine, with these values where several are possible; also the cells that it read."""
         machine = self.machine
-        machine.restore(self._snapshots[local])
+        self._restore(local)
         cells = machine.cells
         for at, value in enumerate(sensed):
             cells[1 + at] = chosen.get(at, 0) if value is None else value
         for cell, value in zip(self.shared, shared, strict=True):
             cells[cell] = value
-        armed = self._snapshots[local][2]
+        armed = machine.pars[:] if machine.image.stops else ()
         told = self._told(machine)
         stops = stops_in(armed, machine)
         commands = tuple(
@@ -175,7 +186,7 @@ class ProgramTable:
         )
         seconds = tuple(self._argument(at, 1) for at in told)
         self.ticks += 1
-        read = {cell for pc, ran in enumerate(machine.seen) if ran for cell in self._reads[pc]}
+        read = set[int]().union(*compress(self._reads, machine.seen))
         after = tuple(int(cells[cell]) for cell in self.shared)
         return Reaction(self.current(), commands, after, machine.ended, seconds, stops), read
 
@@ -193,30 +204,32 @@ class ProgramTable:
 
     def current(self) -> int:
         """The number of the local state that the machine is in."""
-        machine = self.machine
-        cells, threads, pars = machine.snapshot()
-        slots = len(machine.image.slots)
-        live = self._kept.union(*(self._live[threads[2 * s]] for s in range(slots) if threads[2 * s] >= 0))
-        for cell in self._own:
-            if cell not in live:
-                cells[cell] = 0
-        for cell in range(1, 1 + self.inputs):
+        cells, threads, pars = self.machine.cells[: self._at_threads], self.machine.threads, self.machine.pars
+        for cell in self._dead_at(tuple(threads[self._threads][::2])):
             cells[cell] = 0
-        for cell in self.shared:
-            cells[cell] = 0
-        at_slots, at_parallels = 4 + 4 * slots, 4 + 4 * slots + 5 * len(machine.image.parallels)
-        stops = at_parallels + 3 * len(machine.image.stops)
-        key = (
-            *(cells[cell] for cell in self._own),
-            *threads[: 2 * slots],
-            *pars[at_slots:at_parallels:5],
-            *pars[at_parallels:stops:3],
-        )
-        number = self._numbers.get(key)
+        local = (*cells, *threads[self._threads], *pars[self._active], *pars[self._armed])
+        number = self._numbers.get(local)
         if number is None:
-            number = self._numbers[key] = len(self._snapshots)
-            self._snapshots.append((cells, threads, pars))
+            number = self._numbers[local] = len(self._locals)
+            self._locals.append(local)
         return number
+
+    def _restore(self, local: int) -> None:
+        """Puts the machine into a local state; its constants and the records of the image are as ever."""
+        machine, numbers = self.machine, self._locals[local]
+        machine.cells[: self._at_threads] = numbers[: self._at_threads]
+        machine.threads[self._threads] = numbers[self._at_threads : self._at_pars]
+        machine.pars[self._active] = numbers[self._at_pars : self._at_stops]
+        machine.pars[self._armed] = numbers[self._at_stops :]
+
+    def _dead_at(self, places: tuple[int, ...]) -> list[int]:
+        """The cells that are left out of a local state where the threads stand there (-1: not running)."""
+        found = self._dead.get(places)
+        if found is None:
+            live = self._kept.union(*(self._live[pc] for pc in places if pc >= 0)) - self._apart
+            count = self.machine.image.first_constant
+            found = self._dead[places] = [cell for cell in range(count) if cell not in live]
+        return found
 
 
 def _operands(image: Image) -> Iterator[tuple[int, int, int, int]]:

@@ -77,7 +77,8 @@ class Property:
         never: what breaks it in any state.
         breaks: what must hold before, and after, a step that breaks it.
         since: from which states on waiting counts; of liveness only. None: from any, but see `from_start`.
-        watch: begins to look at a run of the simulator, where its events do not tell whether it breaks the property.
+        watch: begins to look at a run of the simulator, which is before its first step, where its events do not tell
+            whether it breaks the property.
         seen_as: the events of the simulator (see `sim.columns`) that break it.
         ends_as: the outcomes of a run of the simulator that break it.
         spares_teams: whether the end of a team that gave up, and says why, does not break it.
@@ -189,19 +190,18 @@ def _served(model: Model, i: int) -> Property:
 
 
 def _stock(model: Model) -> list[Property]:
-    """That every box is in a storehouse or on a robot that can go on, and every unit of work has somebody to do it.
+    """That no box and no unit of work is lost by a program: a robot that failed holds what it held.
 
-    An arm moves a box from one to the other in one moment. Where robots that fail are towed, their boxes go back.
+    An arm moves a box from a storehouse to a carrier in one moment, or back, so no program can lose one. Where robots
+    that fail are towed, which is not in the model, their boxes go back, if there is room.
     """
     carriers, agreement = _carriers(model), model.agreement
-    clauses: list[tuple[Fact, ...]] = []
-    if model.run.mission.breakdown.rule is not BreakdownRule.TOW:
-        clauses += [(OfAgent(i, lambda inside: inside.load > 0 and inside.down == FAILED),) for i in carriers]
+    if model.failures and model.run.mission.breakdown.rule is BreakdownRule.TOW:
+        carriers = []
     units = (
         [] if agreement is None else [(i, at) for i in range(model.count) for at in agreement.units(_robot(model, i))]
     )
-    clauses += [(_has_ended(model, i), _has_unit(model, at)) for i, at in units]
-    if not clauses:
+    if not carriers and not units:
         return []
     in_question: list[tuple[Fact, ...]] = [(OfAgent(i, lambda inside: inside.load > 0),) for i in carriers]
     in_question += [(_has_unit(model, at),) for _, at in units]
@@ -209,7 +209,7 @@ def _stock(model: Model) -> list[Property]:
         Property(
             "stock",
             Sentence("no box and no unit of work is lost or appears twice"),
-            never=tuple(clauses),
+            never=tuple((_has_ended(model, i), _has_unit(model, at)) for i, at in units) or None,
             concerned=tuple(in_question),
             watch=loses_something,
         )

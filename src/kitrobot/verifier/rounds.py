@@ -24,16 +24,24 @@ def holds_somewhere(made: Explored, condition: Condition) -> bool:
 def first_where(made: Explored, condition: Condition) -> int:
     """The first state in which a condition holds; -1 for none."""
     marks, counts = _mark(made, condition)
-    return next((number for number in range(len(made)) if marks[number]), -1) if sum(counts) else -1
+    first = next((_CHUNK * n for n, count in enumerate(counts) if count), len(made))
+    return next((number for number in range(first, len(made)) if marks[number]), -1)
 
 
 def first_crossing(made: Explored, before: Condition, after: Condition) -> tuple[int, int]:
     """The first state in which a condition holds and out of which a step leads into one in which another does, and
-    which of its steps that is; -1, -1 for none.
+    which of its steps that is; -1, -1 for none. Where time is up, not all states are looked at.
     """
     was, _ = _mark(made, before)
     now, _ = _mark(made, after)
-    state = int(made.engine.crossing(made.graph, made.expanded, was, now))
+    state = -1
+    for at in range(0, made.expanded, _CHUNK):
+        if at and made.breaks_off():
+            made.is_cut = True
+            break
+        state = int(made.engine.crossing(made.graph, at, min(at + _CHUNK, made.expanded), was, now))
+        if state >= 0:
+            break
     if state < 0:
         return -1, -1
     first, end = int(made.graph.first_edge[state]), int(made.graph.first_edge[state + 1])
@@ -115,13 +123,13 @@ def _truth(made: Explored, fact: Fact) -> tuple[int, list[int]]:
         return 1 + fact.agent, [int(fact.test(one)) for one in model.insides(fact.agent)]
     assert isinstance(fact, Stands)
     fixed, road = model.t.fixed, model.roads.of[fact.agent]
-    width = int(fixed[v.CONF_WIDTH])
-    docks = [dock for dock in fact.docks if model.roads.of_dock[dock] == road]
-    truth = []
-    for number in range(int(model.t.regs[v.CONFS])):
-        row = number * width + v.C_STAND
-        truth.append(int(any(int(model.t.confs[row + dock]) >> fact.agent & 1 for dock in docks)))
-    return int(fixed[v.ROAD_FIELD]) + road, truth
+    width, end = int(fixed[v.CONF_WIDTH]), int(fixed[v.CONF_WIDTH]) * int(model.t.regs[v.CONFS])
+    stand = [0] * int(model.t.regs[v.CONFS])
+    for dock in fact.docks:
+        if model.roads.of_dock[dock] == road:
+            column = model.t.confs[v.C_STAND + dock : end : width]
+            stand = [was | int(one) for was, one in zip(stand, column, strict=True)]
+    return int(fixed[v.ROAD_FIELD]) + road, [one >> fact.agent & 1 for one in stand]
 
 
 def fair_round(made: Explored, one: Property) -> tuple[list[int], list[int], bool]:
@@ -133,20 +141,18 @@ def fair_round(made: Explored, one: Property) -> tuple[list[int], list[int], boo
     if not len(made) or made.breaks_off():
         return [], [], False
     marks, counts = _mark(made, one.waits)
-    engine, graph = made.engine, made.graph
+    engine = made.engine
     steps = _PLAIN_STEPS if engine is PLAIN else _STEPS
-    found, before = engine.zeros(len(made) + 1), engine.zeros(len(made) + 1)
-    count = 0
+    size = len(made) + 1
+    colour, found, before = engine.zeros(size), engine.zeros(size), engine.zeros(size)
+    reached = engine.row([0, (1 if one.from_start else len(made)) if sum(counts) else 0, 0, 0])
     since = marks if one.since is None else _mark(made, one.since)[0]
-    if sum(counts):
-        for number in range(1 if one.from_start else len(made)):
-            if marks[number] and since[number]:
-                found[count], marks[number], before[number] = number, 2, -1
-                count += 1
-    count = int(engine.reach(graph, marks, made.expanded, found, count, before))
-    if count == 0:
+    while not engine.reach(made.graph, marks, since, colour, found, before, reached, made.expanded, steps):
+        if made.breaks_off():
+            return [], [], False
+    if not reached[f.REACHED]:
         return [], [], True
-    search = _search(made, found, count)
+    search = _search(made, colour, found, int(reached[f.REACHED]))
     code = f.BUSY
     while True:
         code = engine.search(made.model.t, made.graph, search, steps)
@@ -172,11 +178,8 @@ def fair_round(made: Explored, one: Property) -> tuple[list[int], list[int], boo
     return lead[::-1], around, True
 
 
-def _search(made: Explored, found: Any, count: int) -> f.Search:
+def _search(made: Explored, colour: Any, found: Any, count: int) -> f.Search:
     engine, size = made.engine, len(made) + 1
-    colour = engine.zeros(size)
-    for n in range(count):
-        colour[found[n]] = 1
     numbers = [0] * f.SEARCH_NUMBERS
     numbers[f.ROOTS], numbers[f.COLOUR], numbers[f.EXPANDED] = count, 1, made.expanded
     numbers[f.TWO] = int(made.model.layout.words == 2)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from kitrobot.primitives import in_words
 from kitrobot.sim.devices.base import Discrete
 from kitrobot.text import COMMA, Sentence, Series
 from kitrobot.verifier.bodies import RUNS
@@ -23,7 +24,9 @@ def told(model: Model, way: Way) -> Iterator[tuple[int, Sentence]]:
         for i, sensor, value in readings(model, way.states[number], state):
             if said.get((i, sensor)) != value:
                 said[i, sensor] = value
-                yield number, Sentence("{agent} reads {sensor} = {value}", model.parts[i].agent.name, sensor, value)
+                agent = model.parts[i].agent
+                words = in_words(agent.robot, sensor, value)
+                yield number, Sentence("{agent} reads {sensor} = {value}", agent.name, *words)
         for sentence in _of_team(model, way.states[number], state):
             yield number, sentence
     if way.repeats_from >= len(way.steps) > 0:
@@ -37,9 +40,10 @@ def told(model: Model, way: Way) -> Iterator[tuple[int, Sentence]]:
 def free_readings(model: Model, way: Way) -> Sentence | None:
     """What a run takes for granted of sensors that may read anything; None where it needs none of them."""
     found = {
-        f"{model.parts[i].agent.name}: {sensor}": None
+        Sentence("{agent}: {sensor}", agent.name, in_words(agent.robot, sensor, value)[0]): None
         for before, after in zip(way.states, way.states[1:], strict=False)
-        for i, sensor, _ in readings(model, before, after)
+        for i, sensor, value in readings(model, before, after)
+        for agent in [model.parts[i].agent]
     }
     if not found:
         return None

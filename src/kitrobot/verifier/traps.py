@@ -140,7 +140,9 @@ def traps(made: Explored, stop: Callable[[], bool]) -> list[Trap]:
         state = made.state(number)
         leaves = (reached - 1) & ~places.held(state)
         out.append(leaves | (reached if model.goals and model.goals_hold(model.shareds()[state[0]]) else 0))
-    graph = made.graph
+    # Lists: to look at one number of an array from here takes several times as long.
+    begins = list(map(int, made.graph.first_edge[: len(made) + 1]))
+    targets = list(map(int, made.graph.targets[: begins[-1]]))
     changed = True
     while changed:
         changed = False
@@ -148,8 +150,8 @@ def traps(made: Explored, stop: Callable[[], bool]) -> list[Trap]:
             return []
         for number in range(len(made) - 1, -1, -1):
             now = out[number]
-            for e in range(graph.first_edge[number], graph.first_edge[number + 1]):
-                now |= out[graph.targets[e]]
+            for target in targets[begins[number] : begins[number + 1]]:
+                now |= out[target]
             if now != out[number]:
                 out[number] = now
                 changed = True

@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Protocol
 
-from kitrobot.mission import BreakdownRule
 from kitrobot.sim import Simulation
 from kitrobot.sim import columns as c
 from kitrobot.sim import team_columns as tc
@@ -64,19 +63,18 @@ def was_long(run: Simulation, since: int) -> bool:
 
 
 def loses_something(run: Simulation) -> Watch:
-    """Looks for a box on a robot that has failed for good, one that was lost, or a unit of work that nobody does."""
-    stays = run.mission.breakdown.rule is not BreakdownRule.TOW
+    """Looks for a box that there was no room for, or a unit of work whose robot ended its program without doing it."""
 
     def is_lost() -> bool:
         state = run.state
         ints, team = state.robots.ints, state.team
-        rows = list(zip(ints[c.DOWN], ints[c.LOAD], ints[c.ORIGIN], ints[c.ENDED], strict=True))
-        if any((stays and down == c.FAILED and load) or origin < 0 for down, load, origin, _ in rows):
+        rows = list(zip(ints[c.DOWN], ints[c.ENDED], strict=True))
+        if any(origin < 0 for origin in ints[c.ORIGIN]):
             return True
         return any(
             one == tc.HAS_UNIT and not lease and ended and down != c.FAILED
             for holds, lease in zip(team.holds, team.works[tc.W_LEASE], strict=False)
-            for one, (down, _, _, ended) in zip(holds, rows, strict=False)
+            for one, (down, ended) in zip(holds, rows, strict=False)
         )
 
     return _Never(is_lost)
@@ -95,7 +93,12 @@ def waits_at_point(run: Simulation, name: str) -> Watch:
 
 
 def runs_on(run: Simulation) -> Watch:
-    """Looks whether a program has ended, and something that a marked action of it started goes on."""
+    """Looks whether a program has ended, and something that a marked action of it started goes on.
+
+    The run is before its first step.
+    """
+    # A marked action may begin and end in one tick: nothing is armed before it or after it, but its instruction ran.
+    run.watch_programs()
     before = [list(agent.machine.pars) for agent in run.members]
     loose = [0] * len(run.members)
 

@@ -233,8 +233,7 @@ def verify_runs(
         properties = _chosen([*ready_properties(model), *own], options.properties)
         if columns and (options.stop() or (ends is not None and options.clock() > ends)):
             break
-        if failures and FailureKind.MUTE in options.kinds:
-            limits += [words for words in [_said_of_radios(parts)] if words not in limits]
+        limits += [words for words in _said_of_failures(parts, options, failures, properties) if words not in limits]
         left = None if ends is None else max(0.0, ends - options.clock())
 
         def tell(states: int, depth: int, timing: Timing = timing, failures: int = failures) -> None:
@@ -253,6 +252,16 @@ def verify_runs(
                 column_done(column)
         columns.append(column)
     return Verification(run.tick_ms, tuple(limits), tuple(columns), options.kinds)
+
+
+def _said_of_failures(
+    parts: Parts, options: VerificationOptions, failures: int, properties: Sequence[Property]
+) -> Iterator[Sentence]:
+    """What is taken for granted of robots that fail."""
+    if failures and FailureKind.FAIL in options.kinds and any(one.name == "stock" for one in properties):
+        yield Sentence("a box or a unit of work that a robot holds when it fails is taken to be held by it, not lost")
+    if failures and FailureKind.MUTE in options.kinds:
+        yield _said_of_radios(parts)
 
 
 def _said_of_radios(parts: Parts) -> Sentence:
