@@ -22,6 +22,9 @@ from playwright.sync_api import Browser, BrowserContext, Page, expect
 from tests.patience import STATE_MS
 from tests.sites import made_site
 from tests.studio.conftest import HEIGHT, IS_OPEN, WIDTH, Studio
+from tests.studio.test_exercises import JAM
+from tests.studio.test_files_out import keep
+from tests.studio.test_recordings import drop, expect_tick, value
 
 pytestmark = [pytest.mark.browser, pytest.mark.site]
 
@@ -135,8 +138,42 @@ def opened(page: Page, address: str) -> Studio:
     return Studio(page, Path(), [])
 
 
+def a_run_is_stepped_back_in_saved_and_opened_again(studio: Studio, folder: Path) -> None:
+    end = value(studio, "aria-valuenow")
+    studio.at("step-back-button").click()
+    expect_tick(studio, end - 1)
+    studio.page.get_by_role("menuitem", name="Run", exact=True).click()
+    with studio.page.expect_download() as saved:
+        studio.page.get_by_role("menuitem", name="Save this run").click()
+    path = folder / "kept.krtrace"
+    saved.value.save_as(path)
+    drop(studio, path.name, path.read_bytes())
+    expect(studio.at("recording-bar")).to_contain_text("kept.krt, seed 1")
+    studio.at("event-strip").focus()
+    studio.page.keyboard.press("End")
+    expect_tick(studio, end)
+
+
+def a_mission_goes_out_as_a_picture_and_comes_back(studio: Studio, folder: Path) -> None:
+    path = keep(studio, "export-png", folder)
+    studio.new_mission()
+    expect(studio.at("first-place")).to_be_visible()
+    studio.page.keyboard.press("Control+o")
+    studio.at("open-file").set_input_files(path)
+    expect(studio.at("tab-store-manager-A")).to_be_visible()
+
+
+def an_exercise_is_judged(studio: Studio) -> None:
+    studio.page.keyboard.press("Control+o")
+    studio.at(JAM).click()
+    studio.at("exercise-judge").click()
+    expect(studio.at("exercise-basis")).to_have_text("Judged in 2 runs.")
+    expect(studio.at("exercise-goal-2")).to_have_attribute("data-state", "missed")
+    studio.at("exercise-leave").click()
+
+
 def test_a_site_runs_keeps_what_is_saved_and_works_without_its_server(
-    server: FileServer, context: BrowserContext
+    server: FileServer, context: BrowserContext, tmp_path: Path
 ) -> None:
     asked: list[str] = []
     faults: list[str] = []
@@ -153,6 +190,11 @@ def test_a_site_runs_keeps_what_is_saved_and_works_without_its_server(
     studio.at("run-button").click()
     studio.wait_until_done()
     expect(studio.at("arena-summary")).to_contain_text("12 of 12 delivered")
+    a_run_is_stepped_back_in_saved_and_opened_again(studio, tmp_path)
+    a_mission_goes_out_as_a_picture_and_comes_back(studio, tmp_path)
+    an_exercise_is_judged(studio)
+    page.goto("about:blank")
+    studio = opened(page, server.address)
 
     # An edit is saved under a name of its own, and is there after a reload.
     studio.drop("Wait", "arc-start.next")
