@@ -97,7 +97,7 @@ def _serve(room: ClassRoom, address: str, opening: ClassOpening, site: Path | No
     pupils = f"{scheme}://{_name(shown)}:{number}/"
     home = f"{scheme}://{'127.0.0.1' if tls is None else _name(shown)}:{number}/"
     key = new_key()
-    reach = Reach(pupils, tuple(qr_rows(pupils)), _who(address, tls is not None))
+    reach = Reach(pupils, tuple(qr_rows(pupils)), reach_sentence(address, tls is not None))
     made = create_class_app(room, key, reach, site=site)
     teacher = f"{home}teacher?token={key}"
 
@@ -154,7 +154,7 @@ def qr_text(text: str) -> str:
     return out.getvalue()
 
 
-def _who(address: str, secure: bool) -> Sentence:
+def reach_sentence(address: str, secure: bool) -> Sentence:
     """Who can reach the class."""
     if _is_loopback(address):
         return Sentence(
