@@ -11,7 +11,7 @@ import pytest
 
 from kitrobot.deploy import Line, RawRepl, Receiver, SilentError, connect, deploy
 from kitrobot.workspace import open_mission
-from tests.boards.modern import ModernBoard
+from tests.boards.modern import ModernBoard, onboard_files
 from tests.verifier.building import EXAMPLES
 from tools.microbit_kits import programs, small_kits
 
@@ -28,10 +28,9 @@ class Sys:
 os.uname = lambda: ("microbit", "microbit", "2.1.2", "micro:bit v2.1.2", "micro:bit with CHIP")
 sys.modules["sys"] = Sys
 """
-MICROBIT = b"""
+SERIAL = b"""
 import sys, time
 from select import POLLIN, poll
-from machine import log
 real = sys.real
 line = poll()
 line.register(real.stdin, POLLIN)
@@ -52,27 +51,18 @@ class Uart:
     def write(self, data):
         return real.stdout.buffer.write(data)
 
-class Bus:
-    def write(self, address, data):
-        log.append((address, bytes(data)))
-
-class Display:
-    def show(self, *words, **more):
-        pass
-
-    clear = show
-
 uart = Uart()
-i2c = Bus()
-display = Display()
 """
-MACHINE = b"log = []\n"
+"""What is added to a module `microbit` that only remembers: its serial line and its clock."""
 
 
 def board(chip: str) -> ModernBoard:
+    known = onboard_files()
+    files = {name: known[name] for name in ("machine.py", "neopixel.py")}
     boot = BOOT.replace(b"CHIP", chip.encode())
     utime = b"from time import *\n"
-    return ModernBoard({"boot.py": boot, "microbit.py": MICROBIT, "machine.py": MACHINE, "utime.py": utime})
+    microbit = known["microbit.py"] + SERIAL
+    return ModernBoard({**files, "boot.py": boot, "microbit.py": microbit, "utime.py": utime})
 
 
 def test_it_gets_the_whole_loop_in_its_memory_and_drives() -> None:
