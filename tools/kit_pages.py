@@ -57,6 +57,14 @@ a fault. A turn by an angle is done by the STM32, at its own speed. Where its ey
 parts*. There are two kinds of its colour sensor: for a robot whose board has the revision 1.6 write `revision="1.6"`
 into a copy of the file. A servo cannot be left without force: after STOP it goes to where it was told last.
 
+Nor does one say it for the eyes of a Pololu 3pi+ (512 µs) and of a Kitronik :MOVE Motor (512 of 1023). The bumper of a
+3pi+ is told by light too: nothing may press it while a program starts. Its Hyper Edition has motors that turn the other
+way: write `left-flipped="yes"` and `right-flipped="yes"` into a copy of the file.
+
+The encoders of an XRP keep it straight: while it turns once around on the spot, one channel of both together gives 1511
+edges, from the figures that its sources give. Those of a 3pi+ are not used: its maker says what they count, and not how
+far apart its wheels are. The STM32 of an Alvik keeps its wheels at their rates by its own encoders.
+
 None of these kits has its motors behind an I²C chip at a board with `machine`; a file of your own may, with
 `motors="pca9685"` in the place of pins, as for the motor boards of Adafruit and Waveshare
 ([how](drivers.md#another-chip-for-motors)).

@@ -90,7 +90,7 @@ def found() -> dict[str, Any]:
 
 def test_every_driver_of_a_kit_is_tried() -> None:
     folder = Path(kitrobot_onboard.__file__).parent / "drivers" / "microbit"
-    text = "".join(path.read_text(encoding="utf-8") for path in Path(__file__).parent.glob("test_microbit_*.py"))
+    text = "".join(path.read_text(encoding="utf-8") for path in Path(__file__).parent.glob("test_*.py"))
     for name in {path.stem for path in folder.glob("*.py")} - SHOWN:
         assert f'make("microbit.{name}"' in text, name
 

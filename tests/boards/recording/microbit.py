@@ -3,7 +3,7 @@
 
 import time
 
-from machine import levels, log, registers
+from machine import levels, log, registers, volts
 
 
 class Pin:
@@ -18,6 +18,9 @@ class Pin:
 
     def read_digital(self):
         return levels.get(self.name, 0)
+
+    def read_analog(self):
+        return volts.get(self.name, 0)
 
     def write_analog(self, value):
         log.append((self.name, "analog", value))

@@ -1,6 +1,6 @@
 # Something that a pin switches on and off: a relay, a transistor.
 
-from kitrobot_onboard.drivers.microbit.pins import pin
+import microbit
 
 SETTINGS = {"pin": "pin", "active": "high|low = high"}
 PROCEDURES = "SwitchOn SwitchOff"
@@ -8,7 +8,7 @@ PROCEDURES = "SwitchOn SwitchOff"
 
 class Switch:
     def __init__(self, settings):
-        self.pin = pin(settings["pin"])
+        self.pin = getattr(microbit, "pin" + settings["pin"])
         self.on = 0 if settings.get("active") == "low" else 1
         self.stop()
 
