@@ -9,7 +9,7 @@ import pytest
 
 from kitrobot.deploy import connect
 from tests.boards.kit_steps import results_of
-from tests.boards.test_microbit_v2 import board
+from tests.boards.test_microbit_v2 import board, goes_on
 from tests.boards.test_modern_robot import deploy_by_command, pins_told
 from tests.boards.test_motor_chips import fault_of
 
@@ -209,8 +209,7 @@ def test_on_a_v2_motors_servos_switch_and_lamp_are_off_after(end: str, tmp_path:
         with connect(v2.address, 20) as robot:
             robot.start(held=end.startswith("the one"))
             if end == "STOP":
-                first = robot.greet().tick
-                assert any(robot.greet().tick > first + 5 for _ in range(200)), "it goes on"
+                goes_on(robot)
                 robot.stop()
             else:
                 robot._held = False  # nobody speaks to it any more
