@@ -19,7 +19,7 @@ export function KitChoice({ address, disabled, has, page }: KitProps) {
   const kits = useKitsAt(useStudio((studio) => studio.file.path));
   const state = useBoards();
   const chosen = kitFor(state, address);
-  const kit = kits.find(({ name }) => name === chosen);
+  const kit = kits?.find(({ name }) => name === chosen);
   const own = t(knowsKit(state, address) ? "boards.kit-own" : "kits.unsaid");
   const name = chosen === "" ? own : text(kit?.label ?? {}, chosen);
   return (

@@ -94,7 +94,7 @@ function Question({ address }: { address: string }) {
   };
   const cards = inOrder([
     own,
-    ...kits.map(({ name, label, help, picture }) => ({
+    ...(kits ?? []).map(({ name, label, help, picture }) => ({
       kit: name,
       label: text(label, name),
       help: text(help),
@@ -104,7 +104,7 @@ function Question({ address }: { address: string }) {
   ]);
   const buttons = () => [...(list.current?.querySelectorAll<HTMLElement>("button") ?? [])];
   // Their order tells which run: nothing is drawn before that is known, so that no card moves away from under a pointer.
-  const there = fits !== null && kits.length > 0;
+  const there = fits !== null && kits !== null;
   useEffect(() => {
     if (!there) return;
     const all = [...(list.current?.querySelectorAll<HTMLElement>("button") ?? [])];

@@ -11,10 +11,10 @@ import type { KitEntry } from "../../api/generated";
 import { partsApi } from "../../api/parts";
 import { knowsKit, useBoards, without } from "./boards";
 
-const useKits = create<{ path: string | null; kits: readonly KitEntry[] }>(() => ({ path: null, kits: [] }));
+const useKits = create<{ path: string | null; kits: readonly KitEntry[] | null }>(() => ({ path: null, kits: null }));
 
-/** Asks for the kits beside a mission, once for each. */
-export function useKitsAt(path: string): readonly KitEntry[] {
+/** Asks for the kits beside a mission, once for each; null before they are known, none where they cannot be had. */
+export function useKitsAt(path: string): readonly KitEntry[] | null {
   const { kits } = useKits();
   useEffect(() => {
     if (useKits.getState().path === path) return;
@@ -24,7 +24,7 @@ export function useKitsAt(path: string): readonly KitEntry[] {
         if (useKits.getState().path === path) useKits.setState({ kits: found });
       },
       // The robot is then taken as its own file says; the next time that the panel opens it is asked again.
-      () => useKits.setState({ path: null }),
+      () => useKits.setState({ path: null, kits: [] }),
     );
   }, [path]);
   return kits;
