@@ -1,6 +1,6 @@
 import { expect, test } from "vitest";
 
-import { nextCard } from "./card-walk";
+import { nextCard } from "./grid";
 
 // Two rows of three, and one card below.
 const PLACES = [0, 1, 2, 3, 4, 5, 6].map((at) => ({ left: (at % 3) * 200, top: Math.floor(at / 3) * 220 }));

@@ -15,7 +15,7 @@ import { languageInUse, t } from "../../i18n/words";
 import { useStudio } from "../../model/studio";
 import { text } from "../../model/texts";
 import { Icon } from "../../theme";
-import { nextCard } from "../../ui/card-walk";
+import { nextCard } from "../../ui/grid";
 import { Sheet } from "../../ui/Sheet";
 import { useFetched } from "../../ui/use-fetched";
 import { kitFor, knowsKit, programFor, useBoards } from "./boards";
