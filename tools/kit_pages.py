@@ -14,10 +14,8 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
-from kitrobot.deploy import Package
-from kitrobot.primitives import Kit, KitPart, Tried
-from kitrobot.workspace import kits_at_hand, mission_on_kit, open_mission
-from kitrobot.xml import escape_text
+from kitrobot.primitives import Kit, Tried
+from kitrobot.workspace import kits_at_hand, mission_on_kit, open_mission, wiring_picture
 
 REPOSITORY = Path(__file__).resolve().parents[1]
 PAGE = REPOSITORY / "docs" / "kits.md"
@@ -59,6 +57,14 @@ a fault. A turn by an angle is done by the STM32, at its own speed. Where its ey
 parts*. There are two kinds of its colour sensor: for a robot whose board has the revision 1.6 write `revision="1.6"`
 into a copy of the file. A servo cannot be left without force: after STOP it goes to where it was told last.
 
+Nor does one say it for the eyes of a Pololu 3pi+ (512 µs) and of a Kitronik :MOVE Motor (512 of 1023). The bumper of a
+3pi+ is told by light too: nothing may press it while a program starts. Its Hyper Edition has motors that turn the other
+way: write `left-flipped="yes"` and `right-flipped="yes"` into a copy of the file.
+
+The encoders of an XRP keep it straight: while it turns once around on the spot, one channel of both together gives 1511
+edges, from the figures that its sources give. Those of a 3pi+ are not used: its maker says what they count, and not how
+far apart its wheels are. The STM32 of an Alvik keeps its wheels at their rates by its own encoders.
+
 None of these kits has its motors behind an I²C chip at a board with `machine`; a file of your own may, with
 `motors="pca9685"` in the place of pins, as for the motor boards of Adafruit and Waveshare
 ([how](drivers.md#another-chip-for-motors)).
@@ -94,7 +100,7 @@ def pages() -> dict[Path, str]:
     """What there has to be, by its file."""
     found = kits_at_hand()
     kits = [found[name] for name in ORDER]
-    written = {PICTURES / f"wiring-{kit.name}.svg": picture(kit) for kit in kits if kit.supplies}
+    written = {PICTURES / f"wiring-{kit.name}.svg": wiring_picture(kit) for kit in kits if kit.supplies}
     written[PAGE] = "\n".join([_HEAD, *_table(kits), *(line for kit in kits for line in _kit(kit))])
     return written
 
@@ -224,55 +230,6 @@ def _ticks(kit: Kit) -> Iterator[str]:
         memory = " → ".join(map(str, row.free))
         yield f"| {title_of(mission)} | {row.late} of {row.ticks} | {times} | {memory} | {row.flash} |"
     yield ""
-
-
-ROW, WIDTH, BOARD, PART = 26, 640, 150, 210
-_COLOURS = ("#b3261e", "#1565c0", "#2e7d32", "#6a1b9a", "#8d5a00", "#00695c")
-
-
-def picture(kit: Kit) -> str:
-    """The wiring as a picture: parts on the left, the board on the right, a line for each wire."""
-    package = Package()
-    groups = [(part, wires) for part in kit.parts if not part.is_missing and (wires := _wires(part, kit, package))]
-    drawn: list[str] = []
-    y = 56
-    for number, (part, wires) in enumerate(groups):
-        colour = _COLOURS[number % len(_COLOURS)]
-        height = ROW * (len(wires) + 1)
-        title = " ".join(part.names or part.devices)
-        drawn.append(f'<rect x="16" y="{y}" width="{PART}" height="{height}" rx="8" class="part" stroke="{colour}"/>')
-        drawn.append(f'<text x="28" y="{y + 19}" class="title">{escape_text(title)}</text>')
-        for at, (name, pin) in enumerate(wires, 1):
-            middle = y + ROW * at + 13
-            drawn.append(f'<text x="28" y="{middle + 5}">{escape_text(name)}</text>')
-            drawn.append(f'<path d="M{PART + 16} {middle}H{WIDTH - BOARD - 16}" stroke="{colour}" class="wire"/>')
-            drawn.append(f'<text x="{WIDTH - BOARD}" y="{middle + 5}" class="pin">{escape_text(_pin(pin))}</text>')
-        y += height + 12
-    board = f'<rect x="{WIDTH - BOARD - 16}" y="16" width="{BOARD}" height="{y - 28}" rx="8" class="board"/>'
-    label = f'<text x="{WIDTH - BOARD}" y="40" class="title pin">Raspberry Pi Pico</text>'
-    style = (
-        "text{font:14px sans-serif;fill:#1c1b1f}.title{font-weight:bold}.part{fill:#fff;stroke-width:2}"
-        ".board{fill:#0b5d3b}.pin{fill:#fff}.wire{fill:none;stroke-width:3}.ground{fill:#f6f6f6}"
-    )
-    head = f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {WIDTH} {y + 4}" role="img">'
-    words = f"<title>How the parts of the kit {kit.name} are wired</title><style>{style}</style>"
-    ground = f'<rect width="{WIDTH}" height="{y + 4}" class="ground"/>'
-    return "\n".join([head, words, ground, board, label, *drawn, "</svg>"]) + "\n"
-
-
-def _pin(pin: str) -> str:
-    return f"GP{pin}" if pin.isdigit() else pin
-
-
-def _wires(part: KitPart, kit: Kit, package: Package) -> list[tuple[str, str]]:
-    """The settings of a part that are pins."""
-    settings = part.board.settings
-    asked = {
-        name: setting
-        for device in part.devices
-        for name, setting in package.declared(part.board.driver or device, kit.family).known(settings).items()
-    }
-    return [(name, value) for name, value in settings.items() if name in asked and asked[name].is_pin]
 
 
 def stale(made: Mapping[Path, str]) -> list[Path]:

@@ -37,6 +37,7 @@ from kitrobot_onboard.state import *
 
 machine.PINS = 48  # as an RP2350 has
 machine.volts[26], machine.volts[27] = 9929, 11915  # a TMP36 at 0 degrees, a SEN0232 where it is quiet
+machine.widths[16] = machine.widths[17] = 300  # the flaps of a bumper that nothing presses
 machine.registers[0x29] = {}  # a colour sensor that sees nothing
 machine.registers[107] = {0x0F: b"\\x6c"}  # a gyroscope LSM6DSO that lies still
 SEEN_NOTHING = open("alvik.bin", "rb").read()  # by the STM32 of an Alvik

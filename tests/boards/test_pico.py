@@ -133,10 +133,10 @@ def board() -> Iterator[Pico]:
         yield one
 
 
-def program(folder: Path, text: str) -> BoardProgram:
+def program(folder: Path, text: str, kit: str | None = None) -> BoardProgram:
     path = folder / "drive.lll"
     path.write_text(text, encoding="utf-8")
-    return load_board_program(path, robot="kit-robot")
+    return load_board_program(path, robot="kit-robot", kit=kit)
 
 
 def until_duties(board: Pico, pins: Sequence[int], duties: Sequence[float]) -> None:
@@ -170,6 +170,25 @@ def test_a_robot_is_deployed_to_a_pico_driven_watched_and_stopped(board: Pico, t
     board.cut_power()
     with connect(board.address, 20) as link:
         assert link.hello.state_name == "running", "it starts by itself"
+
+
+@pytest.mark.pico
+@pytest.mark.timeout(3000)
+def test_a_body_made_for_its_chip_turns_its_wheels_and_stands_after_stop_and_a_lost_hold(
+    board: Pico, tmp_path: Path
+) -> None:
+    made = program(tmp_path, "LeftWheel.Forward(50); RightWheel.Backward(20); WAIT(600);", "pololu-3pi")
+    # Of each wheel the pin with the power and the one that is high for backward.
+    pins = (15, 11, 14, 10)
+    deploy(board.address, made.file.to_bytes(), made.package)
+    with connect(board.address, 20) as link:
+        link.start(held=True)
+        until_duties(board, pins, (0.5, 0, 0.2, 1))
+        link.stop()
+        until_duties(board, pins, (0, 0, 0, 0))
+        link.start(held=True)
+        until_duties(board, pins, (0.5, 0, 0.2, 1))
+    until_duties(board, pins, (0, 0, 0, 0))
 
 
 @pytest.mark.pico

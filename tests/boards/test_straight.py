@@ -103,6 +103,30 @@ result.append(turn.done())
 edges(0, 1)
 result.append(turn.done())
 """,
+    "two wheels": """
+left, right = (make("machine.wheel", side=side, **dict(DRV8833, **ENCODERS)) for side in ("left", "right"))
+result = []
+def edges(left_edges, right_edges):
+    for side, count in ((0, left_edges), (1, right_edges)):
+        for _ in range(count):
+            machine.watchers[10 + side](None)
+    left.tend()
+    right.tend()
+    result.append(duties())
+left.do("Forward", [50])
+edges(30, 0)
+right.do("Forward", [50])
+edges(0, 0)
+edges(4, 0)
+left.do("Forward", [50])
+edges(0, 0)
+right.do("Backward", [50])
+edges(3, 3)
+left.do("Backward", [50])
+edges(0, 4)
+left.stop()
+edges(9, 0)
+""",
     "without": """
 drive = make("machine.drive", **DRV8833)
 drive.do("Advance", [50])
@@ -154,3 +178,16 @@ def test_a_turn_on_the_way_is_not_undone_and_both_count_the_same_edges(found: di
 
 def test_without_encoders_nothing_is_told_between_commands(found: dict[str, Any]) -> None:
     assert found["without"] == ([], [])
+
+
+def test_two_wheels_that_are_told_the_same_are_kept_at_one_rate_and_else_are_not(found: dict[str, Any]) -> None:
+    alone, both, ahead, again, apart, back, stopped = found["two wheels"]
+    assert alone == [50, 0, 0, 0]
+    assert both == [50, 0, 50, 0], "what one did before the other was told counts for nothing"
+    assert ahead[0] < 50
+    assert ahead[2] == 50
+    assert again == ahead, "told the same again, they stay as they are"
+    assert apart == [50, 0, 0, 50]
+    assert back[1] == 50
+    assert back[3] < 50
+    assert stopped == [0, 0, 0, 0]

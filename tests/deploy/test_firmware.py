@@ -103,12 +103,33 @@ def test_a_drive_that_says_nothing_useful_takes_any_firmware_and_one_that_breaks
         flash(firmware_of(whole(), "a.uf2"), Drive(tmp_path / "gone", "", ""))
 
 
-@pytest.mark.parametrize(("has", "least"), [("1.20", "1.20"), ("1.29", "1.20"), ("2.0", "1.20.1"), ("1.9", "")])
+@pytest.mark.parametrize(
+    ("has", "least"),
+    [
+        ("1.20.0", "1.20"),
+        ("1.29.0", "1.20"),
+        ("1.20.1", "1.20.1"),
+        ("1.24.10", "1.24.9"),
+        ("2.0.0", "1.20.1"),
+        ("1.25.0", "1.25.0-preview"),
+        ("1.25.1-preview", "1.25"),
+        ("1.9.2", ""),
+    ],
+)
 def test_a_board_with_the_least_version_or_a_later_one_is_taken(has: str, least: str) -> None:
     Needs("k", least).refuse_older(has)
 
 
-@pytest.mark.parametrize(("has", "least"), [("1.19", "1.20"), ("1.9", "1.20"), ("1.20", "2.0")])
+@pytest.mark.parametrize(
+    ("has", "least"),
+    [
+        ("1.19.1", "1.20"),
+        ("1.9.2", "1.20"),
+        ("1.24.0", "1.24.1"),
+        ("1.25.0-preview", "1.25"),
+        ("1.20.0", "2.0"),
+    ],
+)
 def test_a_board_with_an_older_version_is_refused_with_the_way_to_a_newer_one(has: str, least: str) -> None:
     with pytest.raises(BoardError) as refused:
         Needs("k", least, "https://example.org/firmware").refuse_older(has)

@@ -231,10 +231,8 @@ def test_a_program_that_uses_what_a_kit_lacks_is_refused_with_every_part_and_the
 
 
 def test_a_kit_of_another_family_refuses_drivers_that_it_does_not_have() -> None:
-    text = (
-        '<board name="k" version="1" family="microbit"><actuator device="lamp" driver="neopixel-lamp" pin="8"/></board>'
-    )
+    text = '<board name="k" version="1" family="microbit"><actuator device="lamp" driver="rgb" pin="8"/></board>'
     kit, _ = read_kit(text.encode(), "k.board.xml")
     assert kit is not None
     ((_, problem),) = kit_problems(kit, Package())
-    assert "no driver `neopixel-lamp` for this kind of board" in problem.message
+    assert "no driver `rgb` for this kind of board" in problem.message

@@ -82,6 +82,27 @@ class TestFiles:
         assert {"pico", "xrp", "tank"} <= {kit["name"] for kit in kits}
         assert [kit["label"] for kit in kits if kit["name"] == "tank"] == [{"fr": "Char"}]
 
+    def test_a_kit_has_a_picture_and_it_is_said_whether_a_program_runs_on_it_or_what_it_lacks(self, page):
+        add(page, KIT, "tank.board.xml")
+        kits = page.get("/api/kits", params={"path": "blink.krt"}).json()
+        assert all(kit["picture"].startswith("<svg") for kit in kits)
+        mission = opened(page, "blink.krt")["mission"]
+        program = mission["programs"][0]["name"]
+        asked = {"path": "blink.krt", "mission": mission, "program": program}
+        fits = {fit["kit"]: fit for fit in page.post("/api/kits/fit", json=asked).json()}
+        assert set(fits) == {"", *(kit["name"] for kit in kits)}
+        assert fits["pico"] == {"kit": "pico", "missing": [], "problem": ""}
+        assert fits["tank"]["problem"] == ""
+        wheels = mission["programs"][0]["vertices"]
+        next(vertex for vertex in wheels if vertex["element"] == "Light.LightOn")["element"] = "Wheel.Advance"
+        changed = {fit["kit"]: fit for fit in page.post("/api/kits/fit", json=asked).json()}
+        assert [part["part"] for part in changed["tank"]["missing"]] == ["Wheel"]
+        assert "lacks what the program uses" in changed["tank"]["problem"]
+        assert "driver" in fits[""]["problem"]
+        missing = page.post("/api/kits/fit", json={**asked, "program": "none"})
+        assert missing.status_code == 422
+        assert "none" in missing.json()["message"]
+
     def test_what_is_different_in_a_kit_from_the_one_that_is_there_is_said(self, page):
         def differences(data, file="tank.xml"):
             asked = {"path": "blink.krt", "file": file}

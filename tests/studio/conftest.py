@@ -233,6 +233,10 @@ class Studio:
         while undo.is_enabled():
             undo.click()
 
+    def built_of(self, kit: str) -> None:
+        """Answers the question what a robot is built of; "" as its own file says."""
+        self.page.locator(f'[data-testid="kit-card"][data-kit="{kit}"]').click()
+
     def full_speed(self) -> None:
         """As fast as it goes: the last notch of the speed slider."""
         self.at("speed").press("End")

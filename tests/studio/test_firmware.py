@@ -26,12 +26,14 @@ def test_a_file_is_copied_to_a_board_and_the_kit_says_what_it_needs(
     studio.page.keyboard.press("Alt+r")
     studio.at("robots-address").fill("socket://127.0.0.1:1")
     studio.page.keyboard.press("Enter")
-    studio.at("robot-kit").select_option("xrp")
+    studio.at("robot-kit").click()
+    studio.built_of("xrp")
     expect(studio.at("robot-need")).to_contain_text("Needs MicroPython 1.25 or later.")
     expect(studio.at("robot-need").get_by_role("link")).to_have_attribute(
         "href", "https://micropython.org/download/SPARKFUN_XRP_CONTROLLER/"
     )
-    studio.at("robot-kit").select_option("maqueen")
+    studio.at("robot-kit").click()
+    studio.built_of("maqueen")
     expect(studio.at("robot-need")).to_have_count(0)
     studio.at("firmware-open").click()
     expect(studio.at("firmware-none")).to_be_visible()

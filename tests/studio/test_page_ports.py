@@ -50,6 +50,7 @@ def test_a_board_at_the_page_is_sent_to_watched_stopped_and_stops_when_its_cable
         expect(robot.get_by_test_id("robot-at-page")).to_have_text("through this page")
 
         robot.get_by_test_id("robot-run").click()
+        studio.built_of("")
         expect(robot.get_by_test_id("robot-state")).to_have_attribute("data-state", "running", timeout=DEPLOY_MS)
         expect(studio.page.locator(".vertex.is-active").first).to_be_visible()
 

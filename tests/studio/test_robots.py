@@ -305,6 +305,7 @@ def test_a_program_is_sent_to_a_current_micropython_runs_there_and_is_stopped(
         expect(robot).to_have_count(1)
         # Nobody talks with it yet; with the only robot that there is, the key begins to.
         studio.page.keyboard.press("Control+F5")
+        studio.built_of("")
         runs_and_stops(studio, robot)
         board.process.kill()
         expect_robot(robot, phase="lost")
@@ -332,6 +333,7 @@ def test_a_program_runs_on_a_micro_bit_of_2016_and_its_parts_glow(
         studio.page.keyboard.press("Alt+r")
         robot = studio.at("robot")
         robot.get_by_test_id("robot-run").click()
+        studio.built_of("")
         expect_robot(robot, state="running")
         expect(studio.page.locator(ACTIVE).first).to_be_visible()
         robot.get_by_test_id("robot-stop").click()

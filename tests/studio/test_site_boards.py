@@ -62,6 +62,7 @@ def test_boards_are_sent_to_watched_stopped_and_tried_by_python_in_the_page(
 
         # While a board does not answer, other things are asked and answered; the sending can be broken off.
         robot.get_by_test_id("robot-run").click()
+        studio.built_of("")
         expect(robot.get_by_role("progressbar")).to_be_visible()
         board.pause()
         page.keyboard.press("Control+o")
@@ -101,7 +102,8 @@ def test_boards_are_sent_to_watched_stopped_and_tried_by_python_in_the_page(
         expect(studio.at("robot")).to_have_count(2)
         second = page.get_by_role("listitem", name="Raspberry Pi Pico")
         first = page.get_by_role("listitem", name="micro:bit")
-        second.get_by_test_id("robot-kit").select_option("pico")
+        second.get_by_test_id("robot-kit").click()
+        studio.built_of("pico")
         second.get_by_test_id("robot-run").click()
         expect_robot(second, state="running")
         second.get_by_test_id("robot-watch").click()

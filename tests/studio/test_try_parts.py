@@ -1,4 +1,4 @@
-"""What a robot is built of is asked once and remembered, and its parts are tried by hand."""
+"""What a robot is built of is asked once, with pictures, and remembered, and its parts are tried by hand."""
 
 from __future__ import annotations
 
@@ -27,10 +27,22 @@ def test_a_robot_is_built_of_a_kit_and_its_parts_are_tried_by_hand(
         page.keyboard.press("Alt+r")
         robot = studio.at("robot")
         kit = robot.get_by_test_id("robot-kit")
-        expect(kit).to_have_value("")
-        expect(kit.locator("option")).to_have_count(1 + len(kits_at_hand()))
-        kit.select_option("pico")
+        expect(robot).to_contain_text("Not said yet")
         robot.get_by_test_id("robot-try").click()
+        cards = studio.at("kit-card")
+        expect(cards).to_have_count(1 + len(kits_at_hand()))
+        expect(cards.first).to_be_focused()
+        expect(cards.and_(page.locator("[data-kit=pico]"))).to_contain_text("Runs")
+        expect(cards.and_(page.locator("[data-kit=microbit]"))).to_contain_text("Lacks: Motor and Wheels")
+        find_nothing(studio, "what it is built of")
+        page.keyboard.press("Escape")
+        expect(robot.get_by_test_id("robot-state")).to_have_count(0)
+        robot.get_by_test_id("robot-try").click()
+        expect(cards.first).to_be_focused()
+        for key in ("ArrowDown", "ArrowRight", "ArrowRight"):
+            page.keyboard.press(key)
+        expect(cards.and_(page.locator("[data-kit=pico]"))).to_be_focused()
+        page.keyboard.press("Enter")
         bench = robot.get_by_test_id("bench")
         expect(bench).to_contain_text("Lift the wheels off the ground first.")
         expect(robot.get_by_test_id("robot-micropython")).to_have_text(re.compile(r"MicroPython \d+\.\d+"))
@@ -61,7 +73,7 @@ def test_a_robot_is_built_of_a_kit_and_its_parts_are_tried_by_hand(
         page.reload()
         expect(studio.at("code").locator(".cm-line").first).not_to_be_empty()
         page.keyboard.press("Alt+r")
-        expect(kit).to_have_value("pico")
+        expect(kit).to_have_attribute("data-kit", "pico")
         robot.get_by_test_id("robot-run").click()
         expect(robot.get_by_test_id("robot-state")).to_have_attribute("data-state", "running")
         expect(robot).to_contain_text("square")

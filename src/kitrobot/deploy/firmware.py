@@ -22,7 +22,9 @@ DOWNLOADS = {
 
 @dataclass(frozen=True)
 class Needs:
-    """What a kit needs: its name, the least version (as `1.20`, "" for any), and where it is to be had."""
+    """What a kit needs: its name, the least version (as `1.20` or `1.25.0-preview`, "" for any), and where it
+    is to be had.
+    """
 
     kit: str
     least: str
@@ -30,7 +32,7 @@ class Needs:
 
     def refuse_older(self, version: str) -> None:
         """Raises a BoardError when a board's version is older than that."""
-        if not self.least or not version or _numbers(version) >= _numbers(self.least)[:2]:
+        if not self.least or not version or _order(version) >= _order(self.least):
             return
         raise BoardError(
             Sentence(
@@ -46,5 +48,8 @@ class Needs:
         )
 
 
-def _numbers(version: str) -> tuple[int, ...]:
-    return tuple(int(number) for number in version.split("."))
+def _order(version: str) -> tuple[int, ...]:
+    """What is larger for a later version: all its numbers, then whether it is a release and no preview of that."""
+    numbers, _, level = version.partition("-")
+    found = [int(number) for number in numbers.split(".")]
+    return (*found, *(0 for _ in range(3 - len(found))), 0 if level else 1)

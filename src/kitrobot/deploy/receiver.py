@@ -29,7 +29,7 @@ _LONGEST_S = 120.0
 _BYE_S = 1.0
 _ANSWERS = {"x": "DE", "d": "KE", "q": "K"}
 _PROMPTS = (b">>> ", b"raw REPL")
-_VERSION = re.compile(r"\((\d{1,4}), (\d{1,4})\)")
+_VERSION = re.compile(r"\((\d{1,4}), (\d{1,4}), (\d{1,4})(?:, '([a-z]{0,12})')?\)")
 _DIGITS = 12
 _KEPT = 8192
 """Bytes of an answer that is not whole yet, at most: more is noise."""
@@ -67,7 +67,7 @@ class Receiver:
         """Whether it is the micro:bit of 2016, which alone runs the loop from its flash."""
 
         self.micropython = ""
-        """The version of its MicroPython, as `1.29`."""
+        """The version of its MicroPython, as `1.29.0` or `1.30.0-preview`."""
 
         self.free = 0
         """Bytes of memory that were free on the board when nothing ran."""
@@ -208,7 +208,7 @@ class Receiver:
         self.value(f"e({name!r})")
 
     def _define(self) -> None:
-        version = self.repl.run("import sys,gc;print(sys.implementation[1][:2])").strip()
+        version = self.repl.run("import sys,gc;print(sys.implementation[1])").strip()
         self.repl.run("gc.collect()")
         free = self.repl.run("print(gc.mem_free())").strip()
         self.family = self.repl.run("print(sys.platform)").strip()
@@ -217,7 +217,9 @@ class Receiver:
         if numbers is None or not free.isdecimal() or len(free) > _DIGITS:
             raise GarbledError(version)
         # Where it went wrong once the line is bad, and small steps are the better ones.
-        self.micropython = f"{int(numbers[1])}.{int(numbers[2])}"
+        self.micropython = ".".join(str(int(one)) for one in numbers.groups()[:3]) + (
+            f"-{numbers[4]}" if numbers[4] else ""
+        )
         self.modern = (int(numbers[1]), int(numbers[2])) >= (1, 20) and not self.disturbed
         self.free = int(free)
         for text in texts(self.is_2016):

@@ -49,7 +49,7 @@ FAMILIES_OF_CHIPS = {
 _CHIPS_OF_BOARDS = (("RPI-RP2", "RP2040"), ("RP2350", "RP2350"))
 """How the board's name begins → its chip."""
 
-_VERSION = re.compile(rb"MicroPython v([0-9]{1,2}\.[0-9]{1,3}(?:\.[0-9]{1,3})?)")
+_VERSION = re.compile(rb"MicroPython v([0-9]{1,2}\.[0-9]{1,3}(?:\.[0-9]{1,3})?(?:-preview)?)")
 
 
 class FlashError(DeployError):

@@ -51,8 +51,8 @@ _SETTING = Kind(
     words=Sentence("a setting and its value, such as guide=road,"),
 )
 _VERSION = Kind(
-    pattern=r"[0-9]{1,3}(\.[0-9]{1,3}){1,2}",
-    fits=re.compile(r"[0-9]{1,3}(\.[0-9]{1,3}){1,2}").fullmatch,
+    pattern=r"[0-9]{1,3}(\.[0-9]{1,3}){1,2}(-preview)?",
+    fits=re.compile(r"[0-9]{1,3}(\.[0-9]{1,3}){1,2}(-preview)?").fullmatch,
     words=Sentence("a version such as 1.20"),
 )
 _PAGE = Kind(

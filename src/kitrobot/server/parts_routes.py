@@ -8,11 +8,14 @@ from fastapi import Depends, Query, Request
 
 from kitrobot.primitives import ValueType
 from kitrobot.server.routing import ThisStudio, api_router
-from kitrobot.server.shapes import ConflictShape, TextShape, problem_shapes, world_shape
+from kitrobot.server.shapes import ConflictShape, TextShape, mission_from_shape, problem_shapes, world_shape
 from kitrobot.server.shapes.own import OwnVariableShape, own_variable
 from kitrobot.server.shapes.own_world import OwnWorldShape, own_world, own_world_shape
 from kitrobot.server.shapes.parts import (
     KitEntryShape,
+    KitFitAskShape,
+    KitFitShape,
+    LackingShape,
     PartsDifferenceShape,
     PartsFileShape,
     PartsShape,
@@ -27,9 +30,11 @@ from kitrobot.workspace import (
     FoundWorld,
     WantedVariable,
     add_parts,
+    body_picture,
     kits_at_hand,
     make_variable,
     part_differences,
+    program_on_kits,
     read_world_file,
     worlds_at_hand,
 )
@@ -102,8 +107,25 @@ def kits(studio: ThisStudio, path: Name) -> list[KitEntryShape]:
             help=dict(kit.help),
             micropython=kit.micropython,
             firmware=kit.firmware,
+            picture=body_picture(kit),
         )
         for name, kit in sorted(found.items())
+    ]
+
+
+@parts_routes.post("/kits/fit")
+def kits_fit(studio: ThisStudio, wanted: KitFitAskShape) -> list[KitFitShape]:
+    """Whether a program of a mission runs as its robot's own file says, and on each of the kits."""
+    opened = studio.open(mission_from_shape(wanted.mission), wanted.path)
+    folder = studio.folder.folders_of(wanted.path)[0]
+    fits = program_on_kits(opened, wanted.program, kits_at_hand(folder).values(), folder)
+    return [
+        KitFitShape(
+            kit=fit.kit,
+            missing=[LackingShape(part=part.name, label=dict(part.label)) for part in fit.missing],
+            problem=fit.problem.message if fit.problem is not None else "",
+        )
+        for fit in fits
     ]
 
 

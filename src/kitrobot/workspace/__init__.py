@@ -23,7 +23,8 @@ if TYPE_CHECKING:
     from kitrobot.workspace.fleets import FleetPlan, files_for_agents, free_endpoint, run_fleet
     from kitrobot.workspace.inputs import Change, Inputs, read_inputs
     from kitrobot.workspace.kit_files import find_kit, kit_named, kits_at_hand
-    from kitrobot.workspace.kits import ProgramOnKit, mission_on_kit
+    from kitrobot.workspace.kit_pictures import body_picture, wiring_picture
+    from kitrobot.workspace.kits import KitFit, ProgramOnKit, mission_on_kit, program_on_kits
     from kitrobot.workspace.opening import (
         NoProgramError,
         OpenMission,
@@ -60,7 +61,8 @@ else:
             "inputs": ("Change", "Inputs", "read_inputs"),
             "compile_cache": ("KeptPrograms",),
             "kit_files": ("find_kit", "kit_named", "kits_at_hand"),
-            "kits": ("ProgramOnKit", "mission_on_kit"),
+            "kit_pictures": ("body_picture", "wiring_picture"),
+            "kits": ("KitFit", "ProgramOnKit", "mission_on_kit", "program_on_kits"),
             "opening": (
                 "NoProgramError",
                 "OpenMission",
@@ -106,6 +108,7 @@ __all__ = [
     "FoundWorld",
     "Inputs",
     "KeptPrograms",
+    "KitFit",
     "NoBeginningError",
     "NoProgramError",
     "OpenMission",
@@ -132,6 +135,7 @@ __all__ = [
     "agent_program",
     "board_program",
     "boards_of",
+    "body_picture",
     "check_boards",
     "check_file",
     "convert",
@@ -154,6 +158,7 @@ __all__ = [
     "open_trace",
     "part_differences",
     "parts_of",
+    "program_on_kits",
     "read_inputs",
     "read_mission_data",
     "read_world_file",
@@ -165,6 +170,7 @@ __all__ = [
     "summary_of",
     "unpack",
     "watched",
+    "wiring_picture",
     "with_mission",
     "worlds_at_hand",
 ]

@@ -2,14 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 from pathlib import Path
 
 from kitrobot.compiler import Compiled, compile_program, robot_of
 from kitrobot.deploy import Package, PartOnKit, look_at_parts
 from kitrobot.diagnostics import KitRobotError
-from kitrobot.primitives import Kit, Robot, with_team
+from kitrobot.graph import Program
+from kitrobot.primitives import Kit, Robot, RobotObject, with_team
 from kitrobot.user_folders import config_folder
 from kitrobot.workspace.opening import OpenMission
 from kitrobot.workspace.robot_programs import board_program
@@ -40,20 +41,49 @@ def mission_on_kit(opened: OpenMission, kit: Kit, folder: Path | None = None) ->
                 problem = _why_not(agent_program, opened, agent, beside, kit)
                 found.append(_looked_at(program.name, robot, compiled, kit, package, problem))
         else:
-            name = program.name
-            compiled = opened.compiled.get(name) or compile_program(program, opened.catalogue)
-            problem = _why_not(board_program, opened, name, beside, kit)
-            robot = robot_of(program, opened.catalogue)
-            found.append(_looked_at(name, robot, compiled, kit, package, problem))
+            found.append(_on_kit(opened, program, kit, beside, package))
     return found
 
 
+@dataclass(frozen=True)
+class KitFit:
+    """Whether a program runs on a kit: the used parts that the kit lacks, and why it cannot be sent, or None."""
+
+    kit: str
+    missing: tuple[RobotObject, ...]
+    problem: KitRobotError | None
+
+
+def program_on_kits(opened: OpenMission, program: str, kits: Iterable[Kit], folder: Path | None = None) -> list[KitFit]:
+    """Whether one program of a mission runs as its robot's own file says (the kit ""), and on each of the kits.
+
+    Raises:
+        KitRobotError: the mission has no such program.
+    """
+    meant = opened.program(program)
+    beside = folder or (opened.path.parent if opened.path is not None else None)
+    package = Package((config_folder(), *([beside] if beside is not None else [])))
+    found = [KitFit("", (), _why_not(board_program, opened, meant.name, beside, None))]
+    for kit in kits:
+        on = _on_kit(opened, meant, kit, beside, package)
+        found.append(
+            KitFit(kit.name, tuple(one.part for one in on.parts if one.is_used and one.is_missing), on.problem)
+        )
+    return found
+
+
+def _on_kit(opened: OpenMission, program: Program, kit: Kit, folder: Path | None, package: Package) -> ProgramOnKit:
+    compiled = opened.compiled.get(program.name) or compile_program(program, opened.catalogue)
+    problem = _why_not(board_program, opened, program.name, folder, kit)
+    return _looked_at(program.name, robot_of(program, opened.catalogue), compiled, kit, package, problem)
+
+
 def _why_not(
-    make: Callable[[OpenMission, str, Path | None, Kit], object],
+    make: Callable[[OpenMission, str, Path | None, Kit | None], object],
     opened: OpenMission,
     name: str,
     folder: Path | None,
-    kit: Kit,
+    kit: Kit | None,
 ) -> KitRobotError | None:
     try:
         make(opened, name, folder, kit)

@@ -3,7 +3,7 @@
 
 import time
 
-from machine import levels, log
+from machine import levels, log, registers, volts
 
 
 class Pin:
@@ -19,14 +19,34 @@ class Pin:
     def read_digital(self):
         return levels.get(self.name, 0)
 
+    def read_analog(self):
+        return volts.get(self.name, 0)
+
+    def write_analog(self, value):
+        log.append((self.name, "analog", value))
+
+    def set_analog_period(self, ms):
+        log.append((self.name, "period", ms))
+
+    def set_pull(self, pull):
+        log.append((self.name, "pull", pull))
+
 
 for number in range(21):
     globals()["pin" + str(number)] = Pin(number)
 
 
 class Bus:
-    def write(self, address, data):
+    """Takes what is written to any address; what is there to be read is in `registers`."""
+
+    def write(self, address, data, repeat=False):
         log.append((address, "i2c", bytes(data)))
+        self.register = data[0]
+
+    def read(self, address, count):
+        if address not in registers:
+            raise OSError(19)
+        return (registers[address].get(self.register, b"") + bytes(count))[:count]
 
 
 class Display:

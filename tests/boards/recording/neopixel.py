@@ -11,5 +11,11 @@ class NeoPixel:
     def fill(self, colour):
         self.colours = [colour] * len(self.colours)
 
+    def __setitem__(self, at, colour):
+        self.colours[at] = colour
+
+    def show(self):  # as a micro:bit calls it
+        self.write()
+
     def write(self):
         log.append((self.name, "pixels", list(self.colours)))

@@ -925,7 +925,7 @@ export interface Judged {
 
 /**
  * What a robot can be built of; `micropython` is the least version that it needs, "" for any, and `firmware` the page
- * where its file says that it is to be had.
+ * where its file says that it is to be had. `picture` is an SVG of it, drawn from its file.
  */
 export interface KitEntry {
   name: string;
@@ -933,6 +933,30 @@ export interface KitEntry {
   help: Record<string, string>;
   micropython: string;
   firmware: string;
+  picture: string;
+}
+
+/**
+ * Whether a program runs on a kit, "" as its robot's own file says: the used parts that the kit lacks, and why the
+ * program cannot be sent, "" when it can.
+ */
+export interface KitFit {
+  kit: string;
+  missing: Lacking[];
+  problem: string;
+}
+
+/** Asks on which kits a program of a mission runs; `path` is the file it was opened from, "" for a new one. */
+export interface KitFitAsk {
+  path: string;
+  mission: Mission;
+  program: string;
+}
+
+/** A part of a robot that a kit lacks; its label is by language. */
+export interface Lacking {
+  part: string;
+  label: Record<string, string>;
 }
 
 /** Unsaved work that was left behind; `problem` is why it cannot be opened, "" where it can. */

@@ -1,8 +1,9 @@
 /** Routes of parts: the files beside a mission, and new or changed variables. */
-import type { OwnVariable, OwnWorld, WorldEntry } from "../model/types";
+import type { Mission, OwnVariable, OwnWorld, WorldEntry } from "../model/types";
 import { ask } from "./client";
 import type {
   KitEntry,
+  KitFit,
   Parts,
   PartsDifference,
   PartsFile,
@@ -28,6 +29,9 @@ export const partsApi = {
   worldText: async (world: OwnWorld) => (await ask<Text>("world/text", { method: "POST", json: world })).text,
   worlds: (path: string) => ask<WorldEntry[]>(`worlds?${at(path)}`),
   kits: (path: string) => ask<KitEntry[]>(`kits?${at(path)}`),
+  /** Whether a program runs as its robot's own file says (the kit ""), and on each kit. */
+  fits: (path: string, mission: Mission, program: string) =>
+    ask<KitFit[]>("kits/fit", { method: "POST", json: { path, mission, program } }),
   /** `over`: the revision of the file that may be replaced; else a file with something else in it is a refusal, 409. */
   add: (path: string, file: string, bytes: ArrayBuffer, over = "") =>
     ask<PartsFile>(`parts?${at(path)}&file=${encodeURIComponent(file)}&over=${over}`, { method: "POST", bytes }),

@@ -7,8 +7,9 @@ from typing import Annotated, Literal
 from pydantic import BaseModel, Field
 
 from kitrobot.primitives import MOST_OWN
-from kitrobot.server.sentences import FileName
+from kitrobot.server.sentences import FileName, Spoken
 from kitrobot.server.shapes.catalogue import CatalogueShape
+from kitrobot.server.shapes.mission import MissionShape
 from kitrobot.server.shapes.own import OwnVariableShape
 from kitrobot.server.shapes.own_world import OwnWorldShape
 from kitrobot.server.shapes.problem import ProblemShape
@@ -55,7 +56,7 @@ class WorldEntryShape(BaseModel):
 
 class KitEntryShape(BaseModel):
     """What a robot can be built of; `micropython` is the least version that it needs, "" for any, and `firmware` the
-    page where its file says that it is to be had.
+    page where its file says that it is to be had. `picture` is an SVG of it, drawn from its file.
     """
 
     name: str
@@ -63,6 +64,32 @@ class KitEntryShape(BaseModel):
     help: dict[str, str]
     micropython: str
     firmware: str
+    picture: str
+
+
+class KitFitAskShape(BaseModel):
+    """Asks on which kits a program of a mission runs; `path` is the file it was opened from, "" for a new one."""
+
+    path: str
+    mission: MissionShape
+    program: str
+
+
+class LackingShape(BaseModel):
+    """A part of a robot that a kit lacks; its label is by language."""
+
+    part: str
+    label: dict[str, str]
+
+
+class KitFitShape(BaseModel):
+    """Whether a program runs on a kit, "" as its robot's own file says: the used parts that the kit lacks,
+    and why the program cannot be sent, "" when it can.
+    """
+
+    kit: str
+    missing: list[LackingShape]
+    problem: Spoken
 
 
 class PartsDifferenceShape(BaseModel):

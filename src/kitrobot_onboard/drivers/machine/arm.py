@@ -2,6 +2,7 @@
 
 import time
 
+from kitrobot_onboard.drivers.any.shared.servos import Arm
 from kitrobot_onboard.drivers.machine.pins import SERVO_HZ, Wave
 
 SETTINGS = {
@@ -15,33 +16,5 @@ WAVES = {"pin": "50"}
 PROCEDURES = "Load Unload"
 
 
-class Arm:
-    def __init__(self, settings):
-        self.wave = Wave(settings["pin"], SERVO_HZ)
-        self.rest = int(settings.get("rest", "0"))
-        self.reach = {"Load": int(settings.get("load", "90")), "Unload": int(settings.get("unload", "90"))}
-        self.half = int(settings.get("time", "2000")) // 2
-        self.begun = None
-        self.returns = False
-
-    def do(self, procedure, arguments):
-        self.wave.angle(self.reach[procedure])
-        self.begun = time.ticks_ms()
-        self.returns = False
-
-    def done(self):
-        if self.begun is not None:
-            gone = time.ticks_diff(time.ticks_ms(), self.begun)
-            if not self.returns and gone >= self.half:
-                self.wave.angle(self.rest)
-                self.returns = True
-            if gone >= 2 * self.half:
-                self.begun = None
-        return self.begun is None
-
-    def stop(self):
-        self.wave.give(0)  # without pulses a servo has no force
-        self.begun = None
-
-
-make = Arm
+def make(settings):
+    return Arm(settings, Wave(settings["pin"], SERVO_HZ), time)

@@ -2,7 +2,8 @@
 # and `blue` say the number that each of them stands for. One that is seen in `steady` readings one after the other
 # counts, so that the edge of a patch does not; until the next one, and on a colour without a number, the number stays.
 
-from kitrobot_onboard.drivers.machine.tcs34725 import Colour
+from kitrobot_onboard.drivers.any.shared.colours import Patches
+from kitrobot_onboard.drivers.machine.tcs34725 import make as sensor
 
 SETTINGS = {
     "sda": "shared",
@@ -17,26 +18,5 @@ SETTINGS = {
 }
 
 
-class Patches:
-    def __init__(self, settings):
-        names = ("red", "green", "blue")  # as the sensor numbers them, from 1 on
-        self.numbers = {at + 1: int(settings[name]) for at, name in enumerate(names) if name in settings}
-        if not self.numbers:
-            raise ValueError("no colour has a number")
-        self.sensor = Colour(settings)
-        self.steady = int(settings.get("steady", "2"))
-        self.number = int(settings.get("min", "0"))
-        self.colour = 0
-        self.times = 0
-
-    def read(self):
-        colour = self.sensor.read()
-        self.times = self.times + 1 if colour == self.colour else 1
-        self.colour = colour
-        if self.times >= self.steady:
-            self.times = self.steady
-            self.number = self.numbers.get(colour, self.number)
-        return self.number
-
-
-make = Patches
+def make(settings):
+    return Patches(settings, sensor)

@@ -1,5 +1,6 @@
 # A robot on a road, which is a dark line: two sensors look at the ground to the left and to the right of it, and the
 # wheel on the side that sees it goes slower, at each tick. Two motors (see `shared.bridges` for how they are wired).
+# `eyes`: what they are, as of the drivers `line` and `qtr-line`.
 
 from kitrobot_onboard.drivers.machine.line import Line
 from kitrobot_onboard.drivers.machine.shared.motors import base_of
@@ -25,7 +26,9 @@ SETTINGS = {
     "right-trim": "10..100 = 100",
     "left-eye": "input",
     "right-eye": "input",
-    "threshold": "1..65535?",
+    "eyes": "line|qtr = line",
+    "emitter": "shared where eyes=qtr",
+    "threshold": "50..1000 = 512 where eyes=qtr; 1..65535?",
     "dark": "low|high = high",
     "steer": "1..100 = 60",
 }
@@ -44,10 +47,12 @@ class Road:
     def __init__(self, settings):
         self.base = base_of(settings)
         self.steer = int(settings.get("steer", "60"))
-        dark = settings.get("dark", "high")
-        threshold = settings.get("threshold", "0")
-        eyes = ("left-eye", "right-eye")
-        self.eyes = [Line({"pin": settings[name], "dark": dark, "threshold": threshold}) for name in eyes]
+        make_eye = Line
+        if settings.get("eyes", "line") == "qtr":
+            from kitrobot_onboard.drivers.machine.qtr_line import Line as make_eye
+        names = ("emitter", "threshold", "dark")
+        told = {name: settings[name] for name in names if name in settings}
+        self.eyes = [make_eye(dict(told, pin=settings[name])) for name in ("left-eye", "right-eye")]
         self.speed = 0
 
     def do(self, procedure, arguments):

@@ -1,4 +1,5 @@
-# One wheel of a robot with two motors (see `shared.bridges` for how they are wired).
+# One wheel of a robot with two motors (see `shared.bridges` for how they are wired). Where encoders are named, and both
+# wheels are told the same speed, they are kept at one rate, as `drive` does.
 
 from kitrobot_onboard.drivers.machine.shared.motors import base_of
 
@@ -21,6 +22,10 @@ SETTINGS = {
     "right-flipped": "yes|no = no",
     "left-trim": "10..100 = 100",
     "right-trim": "10..100 = 100",
+    "counts": "20..100000?",
+    "left-count": "input?",
+    "right-count": "input?",
+    "straight": "0..20 = 3",
     "side": "left|right",
 }
 WAVES = {
@@ -37,7 +42,12 @@ PROCEDURES = "Forward Backward Stop"
 class Wheel:
     def __init__(self, settings):
         self.base = base_of(settings)
-        self.side = settings["side"]
+        self.side = 0 if settings["side"] == "left" else 1
+        self.straight = None
+        if "counts" in settings:
+            from kitrobot_onboard.drivers.machine.shared.encoders import straight_of
+
+            self.straight = straight_of(settings)
 
     def do(self, procedure, arguments):
         speed = 0
@@ -45,10 +55,24 @@ class Wheel:
             speed = arguments[0]
         elif procedure == "Backward":
             speed = -arguments[0]
-        if self.side == "left":
-            self.base.want("left", speed, 0)
-        else:
-            self.base.want("right", 0, speed)
+        if self.straight and speed != self.base.wheels[self.side]:
+            self.straight.begin()  # one wheel was ahead rightly
+        self.base.wheels[self.side] = speed
+        self.move()
+
+    def tend(self):
+        """Is called at each tick."""
+        if self.straight:
+            self.move()
+
+    def move(self):
+        left, right = self.base.wheels
+        if self.straight and left == right and left:
+            if self.base.is_alone("wheels"):
+                left, right = self.straight.speeds(left)
+            else:
+                self.straight.begin()
+        self.base.want("wheels", left, right)
 
     def stop(self):
         self.base.stop()

@@ -8,7 +8,7 @@ import { text } from "../../model/texts";
 import { Icon } from "../../theme";
 import { Card } from "./Card";
 import { ALL, byLevel, fitting, robotsOf, topicsOf, type Wish } from "./filter";
-import { nextCard } from "./grid";
+import { nextCard } from "../../ui/grid";
 import { playsAlways, usePlays } from "./plays";
 
 const LEVELS = [1, 2, 3] as const;

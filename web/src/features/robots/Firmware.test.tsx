@@ -5,7 +5,7 @@ import { expect, test } from "vitest";
 
 import { FirmwareNeed } from "./Firmware";
 
-const KIT = { name: "xrp", label: {}, help: {}, micropython: "1.25", firmware: "https://example.org/xrp" };
+const KIT = { name: "xrp", label: {}, help: {}, micropython: "1.25", firmware: "https://example.org/xrp", picture: "" };
 
 function drawn(has: string, kit = KIT, page = ""): string {
   return renderToStaticMarkup(createElement(FirmwareNeed, { kit, has, page }));

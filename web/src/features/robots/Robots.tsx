@@ -18,6 +18,7 @@ import { isMine, MOST_ADDRESS, placesOf, useBoards } from "./boards";
 import { EmptyRobots } from "./EmptyRobots";
 import { FindBoard } from "./FindBoard";
 import { FirmwarePart } from "./Firmware";
+import { KitSheet } from "./KitSheet";
 import { reach } from "./serial";
 import { connect, send } from "./socket";
 import { TeamPart } from "./Team";
@@ -169,6 +170,7 @@ export function Robots() {
         <Together />
         <Tool small icon="x" label={t("boards.close")} testId="robots-close" onClick={() => showRobots(false)} />
       </header>
+      <KitSheet />
       <div className="robots-body">
         <Barred />
         {inPage() ? null : <TeamPart />}

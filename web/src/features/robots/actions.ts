@@ -4,6 +4,7 @@ import { useRun } from "../../session/run";
 import { reveal } from "../../session/actions";
 import { useWatch } from "../../session/watching";
 import { type Given, isMine, kitFor, networkAddress, placesOf, programFor, useBoards, without } from "./boards";
+import { withKit } from "./kits";
 import { send } from "./socket";
 import { agentAt, keepShown } from "./shown";
 import type { Board } from "./wire";
@@ -36,14 +37,25 @@ export function disconnectBoard(address: string): void {
   send({ type: "forget", address });
 }
 
-/** `way`: what else may be done for it, when the robot refused before. */
+/**
+ * `way`: what else may be done for it, when the robot refused before. It is asked first what the robot is built of, where
+ * nobody has said it.
+ */
 export function sendTo(address: string, then: "held" | "free" | "ready", way: Board["way"] = ""): void {
+  withKit(address, () => sendNow(address, then, way));
+}
+
+function sendNow(address: string, then: "held" | "free" | "ready", way: Board["way"]): void {
   if (then === "held") takeCanvas();
   send({ type: "send", address, then, replace: way === "replace", fresh: way === "fresh", ...give(address) });
 }
 
 /** Puts the program on the robot that tries its parts one by one. */
 export function beginBench(address: string, way: Board["way"] = ""): void {
+  withKit(address, () => benchNow(address, way));
+}
+
+function benchNow(address: string, way: Board["way"]): void {
   keepShown();
   const { path, program, kit, mission } = given(address);
   useBoards.setState((state) => ({
@@ -127,11 +139,6 @@ export function identify(address: string): void {
 
 export function chooseProgram(address: string, program: string): void {
   useBoards.setState((state) => ({ chosen: { ...without(state.chosen, address), [address]: program } }));
-}
-
-/** What the robot there is built of; the next robot is taken for one of the same kit. */
-export function chooseKit(address: string, kit: string): void {
-  useBoards.setState((state) => ({ kits: { ...without(without(state.kits, address), ""), [address]: kit, "": kit } }));
 }
 
 /** Adds an address on the network and greets the robot there; false when it is no address. */

@@ -211,6 +211,11 @@ export function programFor(
   return wanted.find((one) => one !== undefined && programs.includes(one)) ?? programs[0] ?? "";
 }
 
+/** Whether it was said what the robot there is built of, or the one before it. */
+export function knowsKit({ kits }: Pick<BoardsState, "kits">, address: string): boolean {
+  return kits[address] !== undefined || kits[""] !== undefined;
+}
+
 /** The kit that a robot is built of: what was chosen for it, else what was chosen last for another; "" for none. */
 export function kitFor({ kits }: Pick<BoardsState, "kits">, address: string): string {
   return kits[address] ?? kits[""] ?? "";

@@ -68,3 +68,14 @@ class Straight:
         slower = abs(speed) * min(edges * 360 * self.straight // self.counts, MOST) // 100
         slow = speed + slower if speed < 0 else speed - slower
         return (slow, speed) if ahead > 0 else (speed, slow)
+
+
+straights = {}
+
+
+def straight_of(settings):
+    """The one that both wheels share."""
+    key = settings[NAMES[0]]
+    if key not in straights:
+        straights[key] = Straight(settings)
+    return straights[key]

@@ -37,6 +37,7 @@ class Base:
         self.turns = turns
         self.motors = [Motor(settings, side, turns) for side in SIDES]
         self.wanted = {}
+        self.wheels = [0, 0]  # what each wheel was told by itself
         self.move()
 
     def want(self, who, left, right):
@@ -54,6 +55,7 @@ class Base:
 
     def stop(self):
         self.wanted.clear()
+        self.wheels = [0, 0]
         for motor in self.motors:
             motor.now = None  # told again, whatever was told before
         self.turns.stop()

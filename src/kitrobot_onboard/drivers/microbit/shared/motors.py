@@ -1,12 +1,14 @@
-# The two motors of a micro:bit's kit, behind a chip on its I2C bus. `drive`, `turn` and `wheel` each say what they
-# want, and the wheels turn by the sum; `tend` tells the chip what has changed. On the micro:bit of 2016 nothing here
-# may call a function that calls another one: its stack would end (docs/reference/boards.md). What is not of the kit
-# that a program is sent to, and what it does not call, is left out of what is sent (kitrobot.deploy.trimming).
+# The two motors of a micro:bit's kit, behind a chip on its I2C bus, or (`kit="pins"`) at a motor board that is wired to
+# pins: with `forward` and `backward` (DRV8833, L9110), or with `power` too (TB6612, L298N). `drive`, `turn` and `wheel`
+# each say what they want, and the wheels turn by the sum; `tend` tells the chip what has changed. On the micro:bit of
+# 2016 nothing here may call a function that calls another one: its stack would end (docs/reference/boards.md). What is
+# not of the kit that a program is sent to, and what it does not call, is left out of what is sent
+# (kitrobot.deploy.trimming).
 
 from microbit import i2c, running_time
 
 wanted = [0, 0, 0, 0]  # percent: forward, counter-clockwise, the left and the right wheel by themselves
-told = [None, None]
+told = [None, None]  # the percent of each wheel; then, at pins, those of each
 
 
 def write(kit, side, percent):
@@ -21,6 +23,14 @@ def write(kit, side, percent):
         ahead = (percent > 0) == (side == 1)
         i2c.write(98, bytes((at + (not ahead), 0)))
         i2c.write(98, bytes((at + ahead, part * 255 // 100)))
+    if kit == "pins":
+        pins = told[2 + side]
+        back = percent < 0
+        pins[not back].write_digital(0)  # never both inputs at once
+        if len(pins) > 2:
+            pins[back].write_digital(1 if part else 0)
+            back = 2
+        pins[back].write_analog(part * 1023 // 100)
 
 
 class Motors:
@@ -32,6 +42,13 @@ class Motors:
         if kit == "move":
             for pair in (b"\0\0", b"\1\4", b"\x08\xaa"):
                 i2c.write(98, pair)
+        if kit == "pins":
+            if len(told) == 2:
+                import microbit
+
+                for side in ("left", "right"):
+                    names = [settings.get(side + end) for end in ("-forward", "-backward", "-power")]
+                    told.append([getattr(microbit, "pin" + name) for name in names if name])
 
     def do(self, procedure, arguments):
         self.goal = None
