@@ -111,9 +111,7 @@ export const LATER_EN = {
   "debug.name": "Name",
   "debug.value": "Value",
   "debug.plot": "Over time",
-  "debug.plot-of": "{name} over time",
-  "debug.yes": "yes",
-  "debug.no": "no",
+  "debug.plot-of": "{name} over time: at least {least}, at most {most}, now {now}",
   "debug.release": "Let go",
   "debug.release-help": "You put this value in the place of what the sensor measures. Let go, and it measures again.",
 
