@@ -10,6 +10,7 @@ import { KITS_EN } from "./en-later-kits";
 import { LATER_WORLD_EN } from "./en-later-world";
 import { GALLERY_EN } from "./en-later-gallery";
 import { PANELS_EN } from "./en-later-panels";
+import { SEARCH_EN } from "./en-later-search";
 import { SITE_EN } from "./en-later-site";
 
 export const LATER_EN = {
@@ -21,6 +22,7 @@ export const LATER_EN = {
   ...KITS_EN,
   ...FIELDS_EN,
   ...KEYS_EN,
+  ...SEARCH_EN,
   ...LATER_WORLD_EN,
   ...GALLERY_EN,
   ...PANELS_EN,

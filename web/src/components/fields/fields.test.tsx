@@ -89,7 +89,7 @@ describe("pictures of five by five lights", () => {
   const lights = (value: number) =>
     (page = mount(
       <Choices
-        {...control({ min: 0, max: 1, meaning: { choices } as unknown as Field["meaning"] }, value)}
+        {...control({ min: 0, max: 1, meaning: { choices } }, value)}
         testid="lights"
         focused={false}
       />,
