@@ -34,6 +34,7 @@ test("a robot that is greeted has the lines and the buttons that it had before, 
     mounted.end();
     return { ...found, waits: acts?.disabled };
   };
+  useBoards.setState({ you: "me" });
   const before = rows(null);
   const greeted = rows({
     address: place.address,
