@@ -40,6 +40,7 @@ test("a robot that is greeted has the lines and the buttons that it had before, 
     address: place.address,
     phase: "connecting",
     state: "none",
+    holder: "me",
     message: "",
     fault: null,
   } as Board);
