@@ -33,7 +33,13 @@ export function recordingBrush(camera: Camera, room: Room): Recording {
   let path: [string, ...number[]][] = [];
   const keep = (what: Asked["what"], rule: unknown) => {
     const colour = String(style[what === "fill" ? "fillStyle" : "strokeStyle"]);
-    asked.push({ what, colour, width: Number(style["lineWidth"]), rule: typeof rule === "string" ? rule : "", path: [...path] });
+    asked.push({
+      what,
+      colour,
+      width: Number(style["lineWidth"]),
+      rule: typeof rule === "string" ? rule : "",
+      path: [...path],
+    });
   };
   const pen = new Proxy(style, {
     get: (target, name: string) => {

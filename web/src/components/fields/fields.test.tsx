@@ -88,11 +88,7 @@ describe("pictures of five by five lights", () => {
   ];
   const lights = (value: number) =>
     (page = mount(
-      <Choices
-        {...control({ min: 0, max: 1, meaning: { choices } }, value)}
-        testid="lights"
-        focused={false}
-      />,
+      <Choices {...control({ min: 0, max: 1, meaning: { choices } }, value)} testid="lights" focused={false} />,
     ));
   /** Column and row of each light of a picture that is on. */
   const on = (path: Element | null | undefined) =>
