@@ -11,5 +11,4 @@ export const EXPORT_EN = {
   "out.export-pdf-all": "Export all graphs as PDF",
   "out.print": "Print…",
   "out.print-failed": "The sheet could not be made: load the page again.",
-
 } as const satisfies Record<string, Sentence>;
