@@ -112,9 +112,9 @@ def test_what_people_did_and_what_went_wrong_are_events_with_cause_vertex_and_li
         line = one.names.line(at)
         assert events == [
             (50, "outside", "its program was started from here", PERSON),
-            (100, "outside", "the sensor ButtonA is held at 1", PERSON),
-            (150, "outside", "the variable Count was set to 9", PERSON),
-            (200, "outside", "the sensor ButtonA measures again", PERSON),
+            (100, "outside", "ButtonA held by hand: true", PERSON),
+            (150, "outside", "Count set by hand: 9", PERSON),
+            (200, "outside", "ButtonA no longer held", PERSON),
             (250, "message", "hello", PROGRAM),
             (
                 300,

@@ -58,7 +58,7 @@ def test_robots_are_a_source_that_can_be_forced_and_set_but_not_made_to_fail(mad
     assert [event.agent for event in source.events(10)] == [1, 1]
     with reading_in("fr"):
         told = [said(event.text) for event in source.events(10)]
-    assert told == ["le capteur ButtonA est maintenu à 1", "la variable Count a été mise à 7"]
+    assert told == ["ButtonA maintenu à la main : true", "Count réglé à la main : 7"]
     for refused in (
         lambda: source.fail("a", "fail"),
         lambda: source.force("c", "ButtonA", 1),
@@ -105,7 +105,7 @@ def test_the_page_is_told_of_them_as_of_every_run(made: Run) -> None:
     assert told["agents"]["b"]["active"] == [[0, "v5"]]
     assert told["agents"]["b"]["values"]["Count"] == 6
     assert (told["agents"]["b"]["inputs"], told["agents"]["b"]["forced"]) == ({"ButtonA": 1}, ["ButtonA"])
-    assert [event["text"] for event in told["events"]] == ["the sensor ButtonA is held at 1"]
+    assert [event["text"] for event in told["events"]] == ["ButtonA held by hand: true"]
     assert told["agents"]["a"]["state"] == "running"
     again = encoder.news(made.run.record(), made.run.latest, *made.run.new_events(10))
     assert (again["agents"], again["events"]) == ({}, [])

@@ -2,15 +2,18 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from typing import Any
 
 import pytest
 
 from kitrobot.deploy import Fault, LineError, News, Text
+from kitrobot.primitives import load_catalogue
 from kitrobot.robots import Change, Happening, Known, NoNameError, NotConnectedError, RobotSession, WatchedRobot
 from kitrobot.robots.names import BoardNames
 from kitrobot.robots.session import LOOK_S
 from kitrobot.robots.state import Doing
+from kitrobot.translation import reading_in, said
 from tests.robots.twin import Clock, Twin
 
 NAMES = BoardNames("walk", "rover", 20, {"Eye": 1}, {"Count": 2}, ("Motor",), (0,), (("v1", 1, "Motor.Go();"),))
@@ -102,7 +105,24 @@ def test_a_robot_that_began_anew_is_watched_again_and_nothing_told_before_holds(
     assert (state.doing, state.tick, state.cells, state.threads, state.forced) == ("running", 0, {}, {}, {})
     assert visit.twin.asked.count(("watch", 70)) == 2
     visit.looks("running", 4)
-    assert visit.texts == ["the sensor Eye is held at 3", "it began anew by itself"]
+    assert visit.texts == ["Eye held by hand: 3", "it began anew by itself"]
+
+
+def test_what_is_done_by_hand_is_told_in_the_words_of_the_palette_with_the_unit() -> None:
+    robot = load_catalogue().robots["mini-robot"]
+    known = Known(replace(NAMES, sensors={"Captor": 1}, variables={"Level": 2}, made_of=robot))
+    visit = Visit(known=known)
+    visit.session.force("Captor", 12)
+    visit.session.set_variable("Level", 50)
+    visit.session.force("Captor", None)
+    assert visit.texts == [
+        "Distance sensor held by hand: 12 cm",
+        "Level set by hand: 50",
+        "Distance sensor no longer held",
+    ]
+    [first, *_] = [event.text for change in visit.changes for event in change.events]
+    with reading_in("fr"):
+        assert said(first) == "Capteur de distance maintenu à la main : 12 cm"
 
 
 def test_one_that_is_held_is_stopped_when_it_began_anew() -> None:

@@ -55,8 +55,8 @@ def test_a_run_is_recorded_with_what_was_done_to_it_and_saved_on_the_way_and_aft
                 run.report(lambda said, at=vertex: said["active"] == [[0, at]])
         done = [
             ("outside", "its program was started from here", "person"),
-            ("outside", "the sensor ButtonA is held at 1", "person"),
-            ("outside", "the variable Count was set to 500", "person"),
+            ("outside", "ButtonA held by hand: true", "person"),
+            ("outside", "Count set by hand: 500", "person"),
         ]
         with saved(robot.address) as reader:
             assert not reader.cut

@@ -15,6 +15,7 @@ from playwright.sync_api import Browser, Page, expect
 
 from tests.patience import STATE_MS
 from tests.studio.conftest import HEIGHT, WIDTH
+from tests.studio.test_reach import find_nothing
 
 pytestmark = pytest.mark.browser
 
@@ -118,12 +119,14 @@ def test_a_pupil_joins_works_and_is_seen_by_the_teacher(school: Class) -> None:
     assert box["x"] >= 0
     assert box["x"] + box["width"] <= 390
     teacher.set_viewport_size({"width": WIDTH, "height": HEIGHT})
+    find_nothing(teacher, "a class without pupils", every_theme=True)
     # A wrong code is said, in the pupil's language.
     pupil = school.page(school.address, "fr")
     pupil.get_by_test_id("join-code").fill("AAAAAA")
     pupil.get_by_test_id("join-name").fill("Zoé")
     pupil.get_by_test_id("join-go").click()
     expect(pupil.get_by_test_id("join-failure")).to_contain_text("Ce n'est pas le code de cette classe.")
+    find_nothing(pupil, "coming in", every_theme=True)
     pupil.get_by_test_id("join-code").fill(school.code)
     pupil.get_by_test_id("join-go").click()
     expect(pupil.get_by_test_id("class-hand")).to_be_visible()
@@ -131,6 +134,7 @@ def test_a_pupil_joins_works_and_is_seen_by_the_teacher(school: Class) -> None:
     expect(card).to_have_attribute("data-state", "editing")
     # The exercise opens where nothing is unsaved, and what is made of it comes in without a word.
     teacher.get_by_test_id("change-exercise").click()
+    find_nothing(teacher, "the exercises of a class")
     teacher.locator(f"[data-path='{SQUARE}']").click()
     expect(pupil.get_by_test_id("exercise")).to_be_visible()
     add_part(pupil, "stop")
@@ -150,6 +154,8 @@ def test_a_pupil_joins_works_and_is_seen_by_the_teacher(school: Class) -> None:
     teacher.get_by_test_id("write").fill("Look at the turn")
     teacher.get_by_test_id("write").press("Enter")
     expect(pupil.get_by_test_id("class-note")).to_contain_text("Look at the turn")
+    find_nothing(teacher, "a class, looking at one", every_theme=True)
+    find_nothing(pupil, "a pupil with a word of the teacher's", every_theme=True)
     teacher.get_by_test_id("look").get_by_role("button", name="I was there").click()
     expect(pupil.get_by_test_id("class-hand")).to_have_attribute("aria-pressed", "false")
     # The arena of the pupil's page is seen, with the robot where it is.
@@ -159,6 +165,7 @@ def test_a_pupil_joins_works_and_is_seen_by_the_teacher(school: Class) -> None:
     teacher.get_by_test_id("filter-all").click()
     teacher.get_by_test_id("look-freeze").click()
     expect(pupil.get_by_test_id("class-frozen")).to_be_visible()
+    find_nothing(pupil, "a frozen pupil")
     expect(card).to_have_attribute("data-frozen", "true")
     expect(teacher.get_by_test_id("look-freeze")).to_have_text("Let go on")
     teacher.get_by_test_id("look-freeze").click()
@@ -221,6 +228,7 @@ def test_a_kill_in_the_middle_loses_nothing_and_a_pupil_comes_back_from_another_
     other.get_by_test_id("join-name").fill("ada")
     other.get_by_test_id("join-go").click()
     expect(other.get_by_test_id("join-taken")).to_be_visible()
+    find_nothing(other, "a name that is taken")
     other.get_by_test_id("join-word").fill(word)
     other.get_by_test_id("join-go").click()
     expect(other.get_by_test_id("class-hand")).to_be_visible()

@@ -6,7 +6,7 @@ from collections.abc import Callable
 from pathlib import Path
 
 import pytest
-from playwright.sync_api import expect
+from playwright.sync_api import Page, expect
 
 from tests.effort import THOROUGH
 from tests.studio.conftest import LOOKS, Studio
@@ -60,13 +60,13 @@ def choose(studio: Studio, *entries: str) -> None:
             expect(studio.at("run-button")).to_have_text(RUN[entry])
 
 
-def find_nothing(studio: Studio, screen: str, every_theme: bool = THOROUGH) -> None:
+def find_nothing(studio: Studio | Page, screen: str, every_theme: bool = THOROUGH) -> None:
     """Runs axe over the page as it stands: first over all of it, then over what is new.
 
     Each look is in the next one of the three themes, beginning with the chosen one; in the thorough profile, and where
     it is asked for, in all of them.
     """
-    page = studio.page
+    page = studio if isinstance(studio, Page) else studio.page
     if page.evaluate("typeof axe") == "undefined":
         page.evaluate(AXE.read_text(encoding="utf-8") + ";0")
     found = page.evaluate(FIND, every_theme)

@@ -64,7 +64,7 @@ def test_a_run_is_saved_and_opens_on_the_timeline_with_what_was_done_to_it(
     # Marks that crowd on the timeline stand apart in the list.
     happened = studio.at("event-list").locator("tbody tr")
     expect(happened).to_have_count(3)
-    expect(happened.nth(1)).to_contain_text("the sensor ButtonA is held at 1")
+    expect(happened.nth(1)).to_contain_text("held by hand")
     expect(happened.nth(0)).to_have_attribute("data-cause", "link")
     expect(strip).to_have_attribute("aria-disabled", "false")
     strip.focus()

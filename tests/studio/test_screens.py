@@ -119,6 +119,84 @@ def test_axe_finds_nothing_on_small_screens(
             find_nothing(studio, room)
 
 
+def a_breakpoint_and_the_watch(studio: Studio) -> None:
+    keys = studio.page.keyboard
+    light = studio.page.locator(".vertex", has_text="Lamp On")
+    light.click()
+    keys.press("b")
+    expect(studio.at("breakpoint-when")).to_be_visible()
+    find_nothing(studio, "a breakpoint")
+    studio.at("watch-button").click()
+    expect(studio.at("watch")).to_be_visible()
+    find_nothing(studio, "a watch without a run")
+    studio.at("run-button").click()
+    expect(studio.at("status")).to_contain_text("visit 1")
+    captor = studio.at("watch-Captor")
+    captor.get_by_role("textbox").fill("7")
+    keys.press("Enter")
+    expect(captor).to_have_attribute("data-forced", "true")
+    find_nothing(studio, "the watch of a run", every_theme=True)
+    studio.at("watch-button").click()
+    light.click()
+    keys.press("b")
+
+
+def the_stage_and_the_result(studio: Studio) -> None:
+    keys = studio.page.keyboard
+    studio.at("canvas").focus()
+    keys.press("f")
+    expect(studio.at("stage-watched")).to_be_visible()
+    find_nothing(studio, "the stage", every_theme=True)
+    studio.full_speed()
+    keys.press("F5")
+    studio.wait_until_done()
+    expect(studio.at("ending")).to_be_visible()
+    find_nothing(studio, "the result of a run", every_theme=True)
+    studio.at("arena-large").click()
+
+
+def a_merge(studio: Studio) -> None:
+    mission = studio.folder / "blink.krt"
+    written = mission.read_text()
+    assert '<set name="duration">30</set>' in written
+    studio.page.locator(".vertex", has_text="3.0 s").locator(".box").dblclick()
+    studio.page.keyboard.type("2")
+    studio.page.keyboard.press("Enter")
+    studio.expect_code("WAIT(20)")
+    mission.write_text(written.replace('"duration">30<', '"duration">44<'))
+    studio.page.keyboard.press("Control+s")
+    studio.at("banner").get_by_role("button", name="Show the difference").click()
+    expect(studio.at("differences")).to_be_visible()
+    find_nothing(studio, "the difference from the file")
+    studio.at("merge").click()
+    expect(studio.at("conflicts")).to_be_visible()
+    find_nothing(studio, "a merge", every_theme=True)
+    studio.page.keyboard.press("Escape")
+    # The browser itself reports each save that was refused.
+    studio.faults[:] = [fault for fault in studio.faults if "409" not in fault]
+
+
+def the_printed_sheet(studio: Studio) -> None:
+    studio.page.evaluate("window.dispatchEvent(new Event('beforeprint'))")
+    studio.page.emulate_media(media="print")
+    expect(studio.at("print-sheet")).to_be_visible()
+    find_nothing(studio, "the printed sheet", every_theme=True)
+
+
+def test_axe_finds_nothing_on_a_breakpoint_the_watch_the_stage_a_merge_and_the_printed_sheet(
+    open_studio: OpenStudio,
+) -> None:
+    studio = open_studio("blink/blink.krt")
+    studio.page.keyboard.press("f")
+    expect(studio.at("stage-watched")).to_contain_text("Press Run")
+    find_nothing(studio, "the stage without a run")
+    studio.page.keyboard.press("f")
+    a_breakpoint_and_the_watch(studio)
+    the_stage_and_the_result(studio)
+    a_merge(studio)
+    the_printed_sheet(studio)
+
+
 def test_what_happens_is_said(open_studio: OpenStudio) -> None:
     studio = open_studio(TRANSPORT)
     keys = studio.page.keyboard

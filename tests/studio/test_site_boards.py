@@ -121,7 +121,7 @@ def test_boards_are_sent_to_watched_stopped_and_tried_by_python_in_the_page(
         saving.value.save_as(recording)
         with open_trace(recording).reader as reader:
             told = [event.text for _, event in reader.events]
-        assert [text for text in told if "the sensor Button is held at 0" in text]
+        assert [text for text in told if "held by hand" in text]
         second.get_by_test_id("robot-try").click()
         steps = second.get_by_test_id("bench").get_by_test_id("bench-step")
         forward = steps.filter(has_text="Wheel.Advance(40)").first

@@ -134,6 +134,35 @@ def test_the_inspector_has_the_same_field_with_what_fits_and_the_name_of_lll(ope
     studio.at("code").locator(".lll-number", has_text="25").first.hover()
     expect(studio.page.locator(".code-help")).to_contain_text("25 means 90°")
     expect(studio.page.locator(".code-help")).to_contain_text("angle of “Turn by”")
+    the_inspector_is_as_tall_as_its_content_and_begins_at_its_top(studio)
+
+
+HEIGHTS = """() => ['inspector', 'code', 'arena'].map(name => document.querySelector('.side-' + name))
+    .map(one => [one.clientHeight, one.scrollHeight])"""
+
+
+def the_inspector_is_as_tall_as_its_content_and_begins_at_its_top(studio: Studio) -> None:
+    keys, inspector = studio.page.keyboard, studio.page.locator(".side-inspector")
+    tall = [height for height, _ in studio.page.evaluate(HEIGHTS)]
+    studio.at("canvas").focus()
+    keys.press("Escape")
+    expect(inspector).to_contain_text("Nothing selected")
+    (short, content), code, arena = studio.page.evaluate(HEIGHTS)
+    assert short == content < tall[0] - 50
+    assert [code[0] - tall[1], arena[0] - tall[2]] == [tall[0] - short, 0], "what it leaves is for the code"
+    # Without the room for all of it, it scrolls.
+    studio.page.set_viewport_size({"width": 1366, "height": 600})
+    vertex(studio, "Turn by").click()
+    expect(studio.at("inspector").get_by_role("slider", name="angle")).to_be_attached()
+    (height, content), code, arena = studio.page.evaluate(HEIGHTS)
+    assert height < content
+    assert code[0] >= 120
+    assert arena[0] >= 0.42 * (600 - 120) - 1
+    inspector.evaluate("(one) => one.scrollTo(0, 99)")
+    assert inspector.evaluate("(one) => one.scrollTop") > 0
+    vertex(studio, "Wait").click()
+    expect(studio.at("inspector").locator("h2")).to_have_text("Wait")
+    assert inspector.evaluate("(one) => one.scrollTop") == 0
 
 
 def test_chips_show_what_sensors_say_while_a_run_exists_and_can_be_switched(open_studio: OpenStudio) -> None:

@@ -21,7 +21,7 @@ from kitrobot.primitives.own_xml import (
     write_constructors,
     write_variable,
 )
-from kitrobot.primitives.reading import in_words, reading
+from kitrobot.primitives.reading import held_by_hand, in_words, reading, set_by_hand
 from kitrobot.primitives.robot import (
     LARGEST_VALUE,
     LONGEST_SETTING,
@@ -89,6 +89,7 @@ __all__ = [
     "declaring",
     "fill_with",
     "has_team",
+    "held_by_hand",
     "holes",
     "in_words",
     "lacks",
@@ -101,6 +102,7 @@ __all__ = [
     "read_robot",
     "read_template",
     "reading",
+    "set_by_hand",
     "shape",
     "team_robot",
     "unfill",

@@ -1,5 +1,6 @@
-"""The value of a part in words, as terminals and events show it: "12 cm", "true", the name of a choice.
+"""The value of a part in words ("12 cm", "true", the name of a choice), and what somebody does to one by hand.
 
+As terminals and the events of runs and of real robots say them.
 The page has its own (`web/src/model/meaning.ts`); what both show is what the XML says.
 """
 
@@ -9,7 +10,7 @@ from decimal import Decimal
 
 from kitrobot.primitives.meaning import WAIT_UNIT, Meaning
 from kitrobot.primitives.robot import Robot, RobotObject, ValueType
-from kitrobot.text import Label
+from kitrobot.text import Label, Recorded
 
 _PLACES = Decimal("0.0001")
 
@@ -29,12 +30,25 @@ def reading(part: RobotObject, value: int, wait_unit_ms: int = 100) -> str:
     return _with_unit(number, part.unit)
 
 
-def in_words(robot: Robot, name: str, value: int) -> tuple[str, str]:
-    """A sensor or variable of a robot as the page calls it, and its value with its unit; unchanged where it has none of
-    that name.
+def held_by_hand(robot: Robot | None, sensor: str, value: int | None) -> Recorded:
+    """Somebody holds a sensor at a value; None: lets it measure again. `robot`: None where only the name is known."""
+    if value is None:
+        return Recorded("{name} no longer held", in_words(robot, sensor, 0)[0])
+    return Recorded("{name} held by hand: {value}", *in_words(robot, sensor, value))
+
+
+def set_by_hand(robot: Robot | None, variable: str, value: int) -> Recorded:
+    """Somebody sets a variable. `robot`: None where only the name is known."""
+    return Recorded("{name} set by hand: {value}", *in_words(robot, variable, value))
+
+
+def in_words(robot: Robot | None, name: str, value: int) -> tuple[str, str]:
+    """A sensor or variable as the page calls it, and its value with its unit; unchanged where the robot has none of that
+    name, or is not known.
     """
-    part = next((one for one in (*robot.sensors, *robot.variables) if one.name == name), None)
-    if part is None:
+    parts = (*robot.sensors, *robot.variables) if robot is not None else ()
+    part = next((one for one in parts if one.name == name), None)
+    if part is None or robot is None:
         return name, str(value)
     return Label(name, part.label), reading(part, value, robot.wait_unit_ms)
 

@@ -39,6 +39,8 @@ class BoardNames:
     """How many arguments each command has."""
 
     places: tuple[tuple[str | None, int, str], ...]
+    made_of: Robot | None = None
+    """The robot that has these parts, for their labels and units; None where only the names were kept."""
 
     def named(self, cells: Mapping[int, int]) -> tuple[dict[str, int], dict[str, int]]:
         """Values of variables and of sensors, by their names; cells that are neither are left out."""
@@ -112,6 +114,7 @@ def names_of(program: str, robot: Robot, compiled: Compiled) -> BoardNames:
         tuple(part.name for part in robot.actuators),
         tuple(len(robot.calls[actuator, name][1].parameters) for _, actuator, name in layout.commands),
         tuple(places),
+        robot,
     )
 
 

@@ -15,6 +15,7 @@ from dataclasses import dataclass, replace
 
 from kitrobot.deploy import Fault, Hello, News, Text
 from kitrobot.diagnostics import KitRobotError
+from kitrobot.primitives import held_by_hand, set_by_hand
 from kitrobot.robots.carried import Carried
 from kitrobot.robots.faults import fault_event
 from kitrobot.robots.link import Link
@@ -144,14 +145,12 @@ class RobotSession:
             NoNameError: there is no such sensor.
             NotConnectedError: there is no link, or its program is not known.
         """
-        self.link.force(self._names().input(sensor), value)
+        names = self._names()
+        self.link.force(names.input(sensor), value)
         forced = {name: held for name, held in self.state.forced.items() if name != sensor}
-        if value is None:
-            event = RobotEvent("outside", Recorded("the sensor {sensor} measures again", sensor), PERSON)
-        else:
+        if value is not None:
             forced[sensor] = value
-            event = held_event(sensor, value)
-        self._change(Happening.FORCED, replace(self.state, forced=forced), event)
+        self._change(Happening.FORCED, replace(self.state, forced=forced), held_event(names, sensor, value))
 
     def set_variable(self, variable: str, value: int) -> None:
         """Sets a variable.
@@ -160,10 +159,11 @@ class RobotSession:
             NoNameError: there is no such variable.
             NotConnectedError: there is no link, or its program is not known.
         """
-        cell = self._names().variable(variable)
+        names = self._names()
+        cell = names.variable(variable)
         self.link.set(cell, value)
         state = replace(self.state, cells={**self.state.cells, cell: value})
-        event = RobotEvent("outside", Recorded("the variable {variable} was set to {value}", variable, value), PERSON)
+        event = RobotEvent("outside", set_by_hand(names.made_of, variable, value), PERSON)
         self._change(Happening.SET, state, event)
 
     def _names(self) -> BoardNames:
@@ -248,6 +248,6 @@ class RobotSession:
             subscriber(change)
 
 
-def held_event(sensor: str, value: int) -> RobotEvent:
-    """A sensor is held at a value from here."""
-    return RobotEvent("outside", Recorded("the sensor {sensor} is held at {value}", sensor, value), PERSON)
+def held_event(names: BoardNames, sensor: str, value: int | None) -> RobotEvent:
+    """A sensor is held at a value from here; None: it measures again."""
+    return RobotEvent("outside", held_by_hand(names.made_of, sensor, value), PERSON)

@@ -75,7 +75,8 @@ class LastRun:
         happening, state = change.happening, change.state
         if happening is Happening.STARTED:
             self._begin()
-            held = (held_event(sensor, value) for sensor, value in state.forced.items())
+            known = self._session.known
+            held = () if known is None else (held_event(known.names, *one) for one in state.forced.items())
             change = replace(change, events=(*change.events, *held))
         elif happening is Happening.GREETED and not (self._on and state.installed == self._installed):
             self._end()

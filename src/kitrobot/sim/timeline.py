@@ -17,11 +17,10 @@ from dataclasses import dataclass
 from typing import Literal
 
 from kitrobot.mission import FailureKind
-from kitrobot.primitives import in_words
+from kitrobot.primitives.reading import held_by_hand, set_by_hand
 from kitrobot.sim.event_text import Event
 from kitrobot.sim.pens import pens_of
 from kitrobot.sim.simulation import Simulation
-from kitrobot.text import Recorded
 from kitrobot.trace import Drawing, Mark
 
 ROOM_BYTES = 64 * 1024 * 1024
@@ -197,13 +196,10 @@ class Timeline:
             return []
         who, value = intervention.agent, intervention.value
         member = next(one for one in self.simulation.members if one.name == who)
-        name, said = in_words(member.robot, intervention.name, value or 0)
         if intervention.kind == "set":
-            text = Recorded("{name} set by hand: {value}", name, said)
-        elif value is None:
-            text = Recorded("{name} no longer held", name)
+            text = set_by_hand(member.robot, intervention.name, value or 0)
         else:
-            text = Recorded("{name} held by hand: {value}", name, said)
+            text = held_by_hand(member.robot, intervention.name, value)
         return [Event(intervention.tick, OUTSIDE, who, text, member.index, "person")]
 
     def _forget_what_was_to_come(self) -> None:

@@ -9,7 +9,7 @@ from __future__ import annotations
 import json
 from collections.abc import Iterable
 from contextlib import suppress
-from dataclasses import asdict
+from dataclasses import asdict, replace
 from typing import Any
 
 from kitrobot.files import FileError, write_atomic
@@ -42,7 +42,7 @@ def keep_program(program: BoardProgram, called: Iterable[str]) -> None:
 def keep_names(names: BoardNames, called: Iterable[str]) -> None:
     """Keeps the names of a program for later, where that can be; `called`: what robots call it."""
     folder = state_folder() / "boards"
-    text = json.dumps(asdict(names), ensure_ascii=False)
+    text = json.dumps(asdict(replace(names, made_of=None)), ensure_ascii=False)
     with suppress(OSError, FileError):
         folder.mkdir(parents=True, exist_ok=True)
         for one in called:

@@ -93,16 +93,28 @@ function carriesFile(event: DragEvent): boolean {
   return event.dataTransfer.types.includes("Files");
 }
 
+/** What the inspector has beside the code where nobody gave it a height, and the two lines between the panels, in px. */
+const ROOM = 200;
+const LINES = 2;
+
 function Side() {
   const { sizes, folded } = useLayout();
-  // The last open panel of the column takes what the others leave.
+  // Inspector and code share what they have together, so that another part leaves the arena as it is; where one of them is
+  // folded away the last open panel takes what the others leave.
   const last = !folded.arena ? "arena" : !folded.code ? "code" : "inspector";
-  const height = (panel: "inspector" | "code"): CSSProperties =>
-    panel === last ? { flex: "1 1 0" } : { flex: `0 1 ${String(sizes[panel])}px` };
+  const both = !folded.inspector && !folded.code;
+  const flex = (panel: "inspector" | "code" | "arena"): CSSProperties => {
+    if (both && panel === "arena") {
+      return { flex: `0 0 calc(100% - ${String((sizes.inspector || ROOM) + sizes.code + LINES)}px)` };
+    }
+    if (panel === last || (both && panel === "code")) return { flex: "1 0 0" };
+    const size = panel === "arena" ? 0 : sizes[panel];
+    return { flex: `0 1 ${size === 0 ? "auto" : `${String(size)}px`}` };
+  };
   return (
     <div className="side" style={{ width: sizes.side }}>
       {folded.inspector ? null : (
-        <section className="side-part side-inspector" style={height("inspector")} aria-label={t("view.inspector")}>
+        <section className="side-part side-inspector" style={flex("inspector")} aria-label={t("view.inspector")}>
           <PanelSlot place="inspector" />
         </section>
       )}
@@ -110,13 +122,13 @@ function Side() {
         <Separator edge="inspector" label={t("view.inspector")} along="y" />
       )}
       {folded.code ? null : (
-        <section className="side-part side-code" style={height("code")} aria-label={t("view.code")}>
+        <section className="side-part side-code" style={flex("code")} aria-label={t("view.code")}>
           <PanelSlot place="code" />
         </section>
       )}
       {folded.code || last === "code" ? null : <Separator edge="code" label={t("view.code")} along="y" />}
       {folded.arena ? null : (
-        <section className="side-part side-arena" aria-label={t("view.arena")}>
+        <section className="side-part side-arena" style={flex("arena")} aria-label={t("view.arena")}>
           <PanelSlot place="arena" />
         </section>
       )}

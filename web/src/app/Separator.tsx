@@ -15,15 +15,18 @@ interface SeparatorProps {
 
 export function Separator({ edge, label, along, sense: given = 1 }: SeparatorProps) {
   const sense = along === "x" && mirrored() ? -given : given;
-  const size = useLayout((layout) => layout.sizes[edge]);
+  const kept = useLayout((layout) => layout.sizes[edge]);
   const resize = useLayout((layout) => layout.resize);
   const grip = useRef<{ at: number; size: number } | null>(null);
 
+  // The inspector has no size of its own until it is given one: then that of its content counts.
+  const sizeOf = (line: HTMLElement) =>
+    kept || Math.round(line.previousElementSibling?.getBoundingClientRect().height ?? 0);
   const place = (event: PointerEvent) => (along === "x" ? event.clientX : event.clientY);
   const onPointerDown = (event: PointerEvent<HTMLDivElement>) => {
     if (event.button !== 0) return;
     event.currentTarget.setPointerCapture(event.pointerId);
-    grip.current = { at: place(event), size };
+    grip.current = { at: place(event), size: sizeOf(event.currentTarget) };
   };
   const onPointerMove = (event: PointerEvent) => {
     if (grip.current !== null) resize(edge, grip.current.size + sense * (place(event) - grip.current.at));
@@ -31,7 +34,8 @@ export function Separator({ edge, label, along, sense: given = 1 }: SeparatorPro
   const letGo = () => {
     grip.current = null;
   };
-  const onKeyDown = (event: KeyboardEvent) => {
+  const onKeyDown = (event: KeyboardEvent<HTMLElement>) => {
+    const size = sizeOf(event.currentTarget);
     const [less, more] = along === "x" ? ["ArrowLeft", "ArrowRight"] : ["ArrowUp", "ArrowDown"];
     const step = event.shiftKey ? 64 : 16;
     if (event.key === less) resize(edge, size - sense * step);
@@ -48,7 +52,7 @@ export function Separator({ edge, label, along, sense: given = 1 }: SeparatorPro
       tabIndex={0}
       aria-label={label}
       aria-orientation={along === "x" ? "vertical" : "horizontal"}
-      aria-valuenow={size}
+      aria-valuenow={Math.max(kept, LEAST[edge])}
       aria-valuemin={LEAST[edge]}
       aria-valuemax={MOST[edge]}
       onPointerDown={onPointerDown}

@@ -46,6 +46,28 @@ describe("the sheet of keys", () => {
     expect(lines()).toHaveLength(all);
   });
 
+  it.each([
+    ["breakpoint", "debug.toggle"],
+    ["full screen", "arena.large"],
+    ["zoom", "graph.fit"],
+    ["joystick", "elsewhere.gamepad"],
+    ["trace", "elsewhere.timeline"],
+    ["merge", "elsewhere.merge"],
+    ["diff", "elsewhere.merge"],
+  ] as const)("finds by a word of the field what has a plain label: %s", (word, says) => {
+    type(word);
+    expect(lines()).toContainEqual(expect.stringContaining(t(says)));
+    expect(lines().length).toBeLessThan(8);
+  });
+
+  it("shows other words only where they are why a line was found", () => {
+    expect(page.place.querySelector(".keys-also")).toBeNull();
+    type("breakpoint");
+    expect(page.place.querySelector(".keys-also")?.textContent).toBe(t("search.breakpoint"));
+    type("pause here");
+    expect(page.place.querySelector(".keys-also")).toBeNull();
+  });
+
   it("says that nothing was found, and the first Escape empties the field", () => {
     type("xyzzy");
     expect(lines()).toEqual([]);
@@ -57,6 +79,9 @@ describe("the sheet of keys", () => {
 
   it.each([
     ["fr", "retablir", "help.keys-redo"],
+    ["fr", "point d'arrêt", "debug.toggle"],
+    ["fr", "breakpoint", "debug.toggle"],
+    ["ur", "breakpoint", "debug.toggle"],
     ["ur", "روکو", "help.keys-pause"],
   ] as const)("searches in the language of the page: %s", async (language, word, says) => {
     page.end();

@@ -1,6 +1,6 @@
 /**
  * The sheet of shortcuts: every row of the table of keys, and for what has no key of its own the way through the menus.
- * Nothing is listed here by hand. A field leaves what holds all words that are typed, in a key, its meaning or a menu.
+ * A field leaves what holds all words that are typed, in a key, its meaning, a menu, or the words of the field for it.
  */
 import { useEffect, useRef, useState } from "react";
 
@@ -12,6 +12,7 @@ import { holding } from "../ui/matching";
 import { isItem, type MenuPart } from "../ui/menu-model";
 import { Sheet } from "../ui/Sheet";
 import { useMenus } from "./menus";
+import { ELSEWHERE, SEARCH_WORDS } from "./search-words";
 import "./shortcuts.css";
 
 const TABLES: readonly [Key, Record<string, KeyRow>][] = [
@@ -42,6 +43,8 @@ interface Listed {
   id: string;
   keys: readonly string[];
   says: string;
+  /** Other words for it, which are shown where they are why it was found. */
+  also?: string;
 }
 
 /** What is listed under a heading; `how` says it of all of them. */
@@ -51,11 +54,20 @@ interface Section {
   rows: Listed[];
 }
 
+function alsoFor(id: string): string {
+  const key = SEARCH_WORDS[id];
+  return key === undefined ? "" : t(key);
+}
+
 /** The sections that hold a row with all words of `query`, with those rows only. */
 export function foundIn(sections: readonly Section[], query: string): Section[] {
   const holds = holding(query);
+  const found = ({ id, keys, says, also = "" }: Listed): Listed[] => {
+    if (holds([...keys, says].join(" "))) return [{ id, keys, says }];
+    return holds([...keys, says, also].join(" ")) ? [{ id, keys, says, also }] : [];
+  };
   return sections
-    .map((section) => ({ ...section, rows: section.rows.filter(({ keys, says }) => holds([...keys, says].join(" "))) }))
+    .map((section) => ({ ...section, rows: section.rows.flatMap(found) }))
     .filter(({ rows }) => rows.length > 0);
 }
 
@@ -68,12 +80,17 @@ export function ShortcutsSheet() {
   const sections: Section[] = [
     ...TABLES.map(([heading, rows]) => ({
       heading,
-      rows: linesOf(rows).map(({ says, chords }) => ({ id: says, keys: chords, says: t(says) })),
+      rows: linesOf(rows).map(({ says, chords }) => ({ id: says, keys: chords, says: t(says), also: alsoFor(says) })),
     })),
     {
       heading: "help.keys-paths",
       how: "help.keys-paths-how",
-      rows: menuPaths(menus).map(({ id, menu, label }) => ({ id, keys: [menu], says: label })),
+      rows: menuPaths(menus).map(({ id, menu, label }) => ({ id, keys: [menu], says: label, also: alsoFor(id) })),
+    },
+    {
+      heading: "help.keys-elsewhere",
+      how: "help.keys-elsewhere-how",
+      rows: ELSEWHERE.map(({ name, says, also }) => ({ id: says, keys: [t(name)], says: t(says), also: t(also) })),
     },
   ];
   const found = foundIn(sections, query);
@@ -111,7 +128,7 @@ export function ShortcutsSheet() {
             <h3>{t(heading)}</h3>
             {how === undefined ? null : <p className="keys-how">{t(how)}</p>}
             <dl className={how === undefined ? "keys" : "keys keys-paths"}>
-              {rows.map(({ id, keys, says }) => (
+              {rows.map(({ id, keys, says, also }) => (
                 <div key={id}>
                   <dt>
                     {keys.map((key) => (
@@ -121,7 +138,10 @@ export function ShortcutsSheet() {
                       </kbd>
                     ))}
                   </dt>
-                  <dd>{says}</dd>
+                  <dd>
+                    {says}
+                    {also === undefined ? null : <small className="keys-also">{also}</small>}
+                  </dd>
                 </div>
               ))}
             </dl>

@@ -3,7 +3,9 @@ import { expect, it } from "vitest";
 import { MENUS } from "../session/menu-table";
 import { renderHook } from "../testing/hooks";
 import { isItem } from "../ui/menu-model";
+import { ARENA_KEYS, GRAPH_KEYS, type KeyRow, PAGE_KEYS } from "../session/key-table";
 import { useMenus } from "./menus";
+import { SEARCH_WORDS } from "./search-words";
 import "./features";
 
 const hook = renderHook(useMenus);
@@ -23,4 +25,12 @@ it("name each entry once, and have a line between two sections only", () => {
     expect([kinds[0], kinds.at(-1)]).not.toContain("line");
     expect(kinds.some((kind, at) => kind === "line" && kinds[at + 1] === "line")).toBe(false);
   }
+});
+
+it("and keys are all that has words to be searched by, so that none is lost when one is renamed", () => {
+  const keys = [PAGE_KEYS, GRAPH_KEYS, ARENA_KEYS].flatMap((rows: Record<string, KeyRow>) =>
+    Object.values(rows).map(({ says }) => says),
+  );
+  const listed = new Set<string>([...keys, ...menus.flatMap(({ entries }) => entries.map(({ id }) => id))]);
+  expect(Object.keys(SEARCH_WORDS).filter((id) => !listed.has(id))).toEqual([]);
 });

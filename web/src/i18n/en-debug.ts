@@ -6,12 +6,5 @@ export const DEBUG_EN = {
   "debug.says-when": "when {when}",
   "debug.says-hits": "from visit {hits} on",
   "debug.paused-at": "Paused: {agent} is here, visit {visit}",
-  "debug.cause-program": "its program",
-  "debug.cause-world": "what stood there",
-  "debug.cause-person": "by hand",
-  "debug.cause-mission": "on schedule",
-  "debug.cause-chance": "by chance",
-  "debug.cause-robot": "the robot",
-  "debug.cause-link": "the link",
   "debug.watch": "Watch",
 } as const;

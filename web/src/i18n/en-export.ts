@@ -11,14 +11,4 @@ export const EXPORT_EN = {
   "out.export-pdf-all": "Export all graphs as PDF",
   "out.print": "Print…",
   "out.print-failed": "The sheet could not be made: load the page again.",
-
-  "sheet.team": "The team",
-  "sheet.agent": "Agent",
-  "sheet.program": "Program",
-  "sheet.robot": "Robot",
-  "sheet.start": "Starts at",
-  "sheet.world": "World: {name}",
-  "sheet.part": "{name} · graph, part {number} of {total}",
-  "sheet.graph": "Graph of {name}",
-  "sheet.no-code": "This program has no text yet: its errors come first.",
 } as const satisfies Record<string, Sentence>;

@@ -4,8 +4,6 @@ export const FAILURES_EN = {
   "arena.stalled": "stalled",
   "arena.muted": "without radio",
   "arena.chosen": "{name} chosen",
-  "arena.now": "{name}: {states}",
-  "arena.well": "well again",
   "arena.crowd": { one: "{count} robot", other: "{count} robots" },
   "tabs.state-stalled": "stalled",
   "strip.failure": "failure",

@@ -10,6 +10,7 @@ import { KITS_EN } from "./en-later-kits";
 import { LATER_WORLD_EN } from "./en-later-world";
 import { GALLERY_EN } from "./en-later-gallery";
 import { PANELS_EN } from "./en-later-panels";
+import { SEARCH_EN } from "./en-later-search";
 import { SITE_EN } from "./en-later-site";
 
 export const LATER_EN = {
@@ -21,6 +22,7 @@ export const LATER_EN = {
   ...KITS_EN,
   ...FIELDS_EN,
   ...KEYS_EN,
+  ...SEARCH_EN,
   ...LATER_WORLD_EN,
   ...GALLERY_EN,
   ...PANELS_EN,
@@ -110,10 +112,26 @@ export const LATER_EN = {
   "debug.agent": "Which robot",
   "debug.name": "Name",
   "debug.value": "Value",
+  "debug.cause-program": "its program",
+  "debug.cause-world": "what stood there",
+  "debug.cause-person": "by hand",
+  "debug.cause-mission": "on schedule",
+  "debug.cause-chance": "by chance",
+  "debug.cause-robot": "the robot",
+  "debug.cause-link": "the link",
+  "sheet.team": "The team",
+  "sheet.agent": "Agent",
+  "sheet.program": "Program",
+  "sheet.robot": "Robot",
+  "sheet.start": "Starts at",
+  "sheet.world": "World: {name}",
+  "sheet.part": "{name} · graph, part {number} of {total}",
+  "sheet.graph": "Graph of {name}",
+  "sheet.no-code": "This program has no text yet: its errors come first.",
+  "arena.now": "{name}: {states}",
+  "arena.well": "well again",
   "debug.plot": "Over time",
-  "debug.plot-of": "{name} over time",
-  "debug.yes": "yes",
-  "debug.no": "no",
+  "debug.plot-of": "{name} over time: at least {least}, at most {most}, now {now}",
   "debug.release": "Let go",
   "debug.release-help": "You put this value in the place of what the sensor measures. Let go, and it measures again.",
 

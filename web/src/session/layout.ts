@@ -1,7 +1,8 @@
 /**
  * How the page is divided: sizes of the panels in px, which of them are folded away; remembered in this browser.
  *
- * The right column holds inspector, code and arena one above the other; the arena takes what the other two leave.
+ * The right column holds inspector, code and arena one above the other; the arena takes what the other two leave. The
+ * inspector is as tall as its content until somebody gives it a height.
  */
 import { create } from "zustand";
 
@@ -11,11 +12,12 @@ export type Edge = "palette" | "side" | "inspector" | "code";
 export interface Sizes {
   palette: number;
   side: number;
+  /** 0: as tall as its content. */
   inspector: number;
   code: number;
 }
 
-export const USUAL: Sizes = { palette: 216, side: 480, inspector: 200, code: 304 };
+export const USUAL: Sizes = { palette: 216, side: 480, inspector: 0, code: 304 };
 export const LEAST: Sizes = { palette: 168, side: 300, inspector: 96, code: 96 };
 export const MOST: Sizes = { palette: 400, side: 900, inspector: 520, code: 800 };
 
@@ -26,11 +28,11 @@ interface LayoutState {
   toggle: (panel: Panel) => void;
 }
 
-const KEY = "kitrobot.layout";
+const KEY = "kitrobot.columns";
 const OPEN: Record<Panel, boolean> = { palette: false, inspector: false, code: false, arena: false };
 
 function within(edge: Edge, size: number): number {
-  return Math.round(Math.min(Math.max(size, LEAST[edge]), MOST[edge]));
+  return size === USUAL[edge] ? size : Math.round(Math.min(Math.max(size, LEAST[edge]), MOST[edge]));
 }
 
 function parsed(text: string | null): unknown {

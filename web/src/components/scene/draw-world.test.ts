@@ -1,9 +1,9 @@
 import { describe, expect, it } from "vitest";
 
 import type { World } from "../../model/types";
+import { recordingBrush } from "../../testing/recording-pen";
 import { fit } from "./camera";
-import type { Colours } from "./colours";
-import { type Brush, drawWorld } from "./draw-world";
+import { drawWorld } from "./draw-world";
 import type { Scene } from "./scene";
 
 const WORLD: World = {
@@ -52,22 +52,9 @@ const ROOM = { width: 500, height: 500 };
 
 /** What a pen is asked to fill and stroke, in order: the style that it has then, and the way of filling. */
 function drawn(world: World): string[] {
-  const asked: string[] = [];
-  const style: Record<string, unknown> = {};
-  const pen = new Proxy(style, {
-    get(target, name: string) {
-      if (name in target) return target[name];
-      if (name === "fill") return (rule?: string) => asked.push(`fill ${String(target["fillStyle"])} ${rule ?? ""}`);
-      if (name === "stroke") return () => asked.push(`stroke ${String(target["strokeStyle"])}`);
-      return () => undefined;
-    },
-  }) as unknown as CanvasRenderingContext2D;
-  // Every colour is its own name.
-  const colours = new Proxy({}, { get: (_, name) => String(name) }) as Colours;
-  const brush: Brush = { pen, camera: fit(world, ROOM, 0), room: ROOM, unit: 1, colours };
-  const scene = { world, actors: [], stock: {} } as unknown as Scene;
-  drawWorld(brush, scene);
-  return asked;
+  const { brush, asked } = recordingBrush(fit(world, ROOM, 0), ROOM);
+  drawWorld(brush, { world, actors: [], stock: {} } as unknown as Scene);
+  return asked.map(({ what, colour, rule }) => `${what} ${colour} ${rule}`.trim());
 }
 
 describe("the floor of a world", () => {

@@ -14,14 +14,13 @@ import type { Field } from "../../model/parts";
 import { useStudio } from "../../model/studio";
 import { text } from "../../model/texts";
 import type { RobotObject } from "../../model/types";
+import { valueWords } from "../../model/words";
 import { can, type RunAgent, useRun, watchedAgent } from "../../session/run";
 import { useWatch } from "../../session/watching";
 import { Icon } from "../../theme";
 import { Tool } from "../../ui/Tool";
 import { EventList } from "./EventList";
-import { samplesNow, seriesOf, stepsPath } from "./samples";
-
-const PLOT = { width: 160, height: 28 };
+import { Plot } from "./Plot";
 
 export function WatchPanel() {
   const program = useStudio((state) => state.activeProgram);
@@ -120,10 +119,6 @@ function Row({ object, agent, sensor }: { object: RobotObject; agent: RunAgent; 
     else setVariable(agent.name, name, wanted);
   };
   const label = text(object.label, name);
-  const choice = (at: number) => {
-    const found = object.meaning?.choices?.find((one) => one.value === at);
-    return found === undefined ? undefined : text(found.label);
-  };
   return (
     <tr data-testid={`watch-${name}`} data-forced={forced}>
       <th scope="row">{label}</th>
@@ -135,15 +130,15 @@ function Row({ object, agent, sensor }: { object: RobotObject; agent: RunAgent; 
             value={value}
             onChange={(event) => put(Number(event.target.value))}
           >
-            <option value={1}>{choice(1) ?? t("debug.yes")}</option>
-            <option value={0}>{choice(0) ?? t("debug.no")}</option>
+            <option value={1}>{valueWords(object, 1)}</option>
+            <option value={0}>{valueWords(object, 0)}</option>
           </select>
         ) : (
           <NumberCell key={agent.name} label={label} value={value} object={object} live={live} put={put} />
         )}
       </td>
       <td>
-        <Plot agent={agent.name} object={object} label={label} />
+        <Plot agent={agent.name} object={object} label={label} value={value} />
       </td>
       <td className="watch-force">
         {/* Where nothing is held the button keeps its room, so that holding a sensor moves nothing. */}
@@ -152,11 +147,11 @@ function Row({ object, agent, sensor }: { object: RobotObject; agent: RunAgent; 
             type="button"
             className={forced ? undefined : "is-room"}
             data-testid={forced ? `release-${name}` : undefined}
+            aria-label={`${t("debug.release")}: ${label}`}
             title={t("debug.release-help")}
             onClick={() => useRun.getState().force(agent.name, name, null)}
           >
-            <Icon name="hand" size={14} />
-            {t("debug.release")}
+            <Icon name="hand" size={16} />
           </button>
         ) : null}
       </td>
@@ -218,30 +213,4 @@ function NumberCell({
 function fieldOf({ name, label, help, min, max, unit = "", meaning = null }: RobotObject): Field {
   const measure = measureOf({ unit, meaning }, null);
   return { name, label, help, kind: "integer", min, max, default: "0", ...measure };
-}
-
-function Plot({ agent, object, label }: { agent: string; object: RobotObject; label: string }) {
-  const tick = useRun((run) => run.tick);
-  const latest = useRun((run) => run.latest);
-  const path = useMemo(() => {
-    const series = seriesOf(samplesNow(), agent, object.name);
-    const from = series[0]?.[0] ?? 0;
-    const span = { from, to: Math.max(latest, tick, from + 1), least: object.min, most: object.max };
-    const now = ((tick - from) / (span.to - from)) * PLOT.width;
-    return { d: stepsPath(series, PLOT, span), now };
-  }, [agent, object, tick, latest]);
-  return (
-    <svg
-      className="watch-plot"
-      width={PLOT.width}
-      height={PLOT.height + 4}
-      role="img"
-      aria-label={t("debug.plot-of", { name: label })}
-    >
-      <g transform="translate(0 2)">
-        <path className="watch-now" d={`M${path.now.toFixed(1)} 0V${String(PLOT.height)}`} />
-        <path className="watch-line" d={path.d} />
-      </g>
-    </svg>
-  );
 }

@@ -13,6 +13,11 @@ export interface Sample {
   values: ReadonlyMap<string, Readonly<Record<string, number>>>;
 }
 
+interface Bounds {
+  least: number;
+  most: number;
+}
+
 let samples: Sample[] = [];
 
 export function samplesNow(): readonly Sample[] {
@@ -27,19 +32,33 @@ export function seriesOf(taken: readonly Sample[], agent: string, name: string):
   });
 }
 
+/** The least and the most that a series and the present value reach. */
+export function boundsOf(series: readonly [tick: number, value: number][], now: number): Bounds {
+  let [least, most] = [now, now];
+  for (const [, value] of series) {
+    least = Math.min(least, value);
+    most = Math.max(most, value);
+  }
+  return { least, most };
+}
+
+/** How far below the top of a box a value lies; where all are the same, in the middle. */
+export function levelOf(value: number, { height }: { height: number }, { least, most }: Bounds): number {
+  return least === most ? height / 2 : ((most - value) / (most - least)) * height;
+}
+
 /** A value as steps: `d` of a path in a box of that size, over the ticks `from`…`to`. */
 export function stepsPath(
   series: readonly [tick: number, value: number][],
   box: { width: number; height: number },
-  span: { from: number; to: number; least: number; most: number },
+  span: Bounds & { from: number; to: number },
 ): string {
-  const x = (tick: number) => ((tick - span.from) / Math.max(1, span.to - span.from)) * box.width;
-  const y = (value: number) =>
-    box.height - ((value - span.least) / Math.max(1e-9, span.most - span.least)) * box.height;
+  const x = (tick: number) => (((tick - span.from) / Math.max(1, span.to - span.from)) * box.width).toFixed(1);
+  const y = (value: number) => levelOf(value, box, span).toFixed(1);
   const [first, ...rest] = series;
   if (first === undefined) return "";
-  const start = `M${x(first[0]).toFixed(1)} ${y(first[1]).toFixed(1)}`;
-  return `${start}${rest.map(([tick, value]) => `H${x(tick).toFixed(1)}V${y(value).toFixed(1)}`).join("")}H${x(span.to).toFixed(1)}`;
+  const steps = rest.map(([tick, value]) => `H${x(tick)}V${y(value)}`).join("");
+  return `M${x(first[0])} ${y(first[1])}${steps}H${x(span.to)}`;
 }
 
 /** Takes samples as the run goes; the returned function ends that. */

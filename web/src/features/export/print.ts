@@ -4,7 +4,7 @@
  * The sheet is made when the browser is about to print, and gone afterwards; until its part of the page is fetched, which
  * begins with the first key or click, there is nothing to print but what is seen.
  */
-import { t } from "../../i18n/words";
+import { moreWords, t } from "../../i18n/words";
 import { complain } from "../../session/document";
 import type * as sheetModule from "./sheet/sheet";
 
@@ -13,8 +13,8 @@ type Sheet = typeof sheetModule;
 let fetched: Promise<Sheet> | null = null;
 
 function fetchSheet(): Promise<Sheet> {
-  fetched ??= import("./sheet/sheet").then(
-    (sheet) => {
+  fetched ??= Promise.all([import("./sheet/sheet"), moreWords()]).then(
+    ([sheet]) => {
       sheet.keepSheet();
       return sheet;
     },

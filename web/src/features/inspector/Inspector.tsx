@@ -21,7 +21,7 @@ export function Inspector() {
   useEffect(() => {
     // What scrolls is around it: another part begins at its top.
     document.querySelector(".side-inspector")?.scrollTo({ top: 0 });
-  }, [id]);
+  }, [id, drawing?.program.name]);
   if (drawing === null || id === undefined) return <Nothing />;
   if (selection.length > 1) return <Many count={selection.length} />;
   const { start, stop } = drawing.structure;

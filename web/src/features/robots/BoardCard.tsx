@@ -74,7 +74,15 @@ function stateWords(board: Board | null): string {
 }
 
 /** State, program on it, memory. */
-function Stands({ board }: { board: Board }) {
+function Stands({ board }: { board: Board | null }) {
+  if (board === null) {
+    // Its line is there before anything is known, so that what comes moves nothing.
+    return (
+      <p className="robot-stands">
+        <span>{stateWords(board)}</span>
+      </p>
+    );
+  }
   const open = board.phase === "open";
   const named = board.program !== "" || board.installed === "" || board.installed === "-";
   return (
@@ -171,15 +179,16 @@ function Program({ address, disabled }: { address: string; disabled: boolean }) 
   );
 }
 
-function Acts({ place: { address, board } }: { place: Place }) {
+function Acts({ place: { address, board }, title }: { place: Place; title: string }) {
   // What is drawn changes whether the robot has it.
   useStudio(({ mission }) => mission);
   const current = isCurrent(address);
   const running = board?.phase === "open" && board.state === "running";
   const open = board?.phase === "open";
-  if (board?.phase === "sending" || board?.phase === "connecting") return null;
+  if (board?.phase === "sending") return null;
+  // While it is greeted they keep their place, and wait.
   return (
-    <div className="robot-acts">
+    <fieldset className="robot-acts" disabled={board?.phase === "connecting"} aria-labelledby={title}>
       {board?.phase === "lost" ? (
         <Act
           ink
@@ -201,7 +210,7 @@ function Acts({ place: { address, board } }: { place: Place }) {
           onPress={() => runOn(address)}
         />
       )}
-      {board === null || board.phase === "closed" ? (
+      {board === null || board.phase === "closed" || board.phase === "connecting" ? (
         <Act icon="radio" label={t("boards.connect")} testId="robot-connect" onPress={() => connectBoard(address)} />
       ) : null}
       {!running ? (
@@ -234,7 +243,7 @@ function Acts({ place: { address, board } }: { place: Place }) {
       {running && board.program !== "" ? (
         <Act icon="eye" label={t("debug.watch")} testId="robot-watch" onPress={() => watchBoard(address)} />
       ) : null}
-    </div>
+    </fieldset>
   );
 }
 
@@ -311,7 +320,7 @@ export function BoardCard({ place }: { place: Place }) {
           />
         ) : null}
       </div>
-      {board === null ? null : <Stands board={board} />}
+      <Stands board={board} />
       {board?.phase === "sending" ? (
         <Sending progress={board.progress} testId="robot-progress">
           <Act icon="x" label={t("boards.cancel")} testId="robot-cancel" onPress={() => cancelSending(address)} />
@@ -328,7 +337,7 @@ export function BoardCard({ place }: { place: Place }) {
             has={board?.micropython ?? ""}
             page={place.firmware}
           />
-          {board !== null && trying ? <TryParts board={board} /> : <Acts place={place} />}
+          {board !== null && trying ? <TryParts board={board} /> : <Acts place={place} title={title} />}
           <Recorded board={board} />
         </>
       ) : (

@@ -3,7 +3,9 @@ import { expect, test, vi } from "vitest";
 
 import { mount } from "../../testing/hooks";
 import { useBoards } from "./boards";
+import { BoardCard } from "./BoardCard";
 import { Robots } from "./Robots";
+import type { Board } from "./wire";
 
 vi.mock("./socket", () => ({ connect: () => undefined, send: () => undefined }));
 vi.mock("./Team", () => ({ TeamPart: () => null }));
@@ -18,4 +20,31 @@ test("what stands under the list of robots appears with it, and is not moved by 
   expect(place.querySelector('[data-testid="robots-empty"]')).not.toBeNull();
   expect(network()).not.toBeNull();
   end();
+});
+
+test("a robot that is greeted has the lines and the buttons that it had before, which wait", () => {
+  const place = { address: "/dev/ttyACM0", name: "micro:bit", description: "", firmware: "" };
+  const rows = (board: Board | null) => {
+    const mounted = mount(createElement(BoardCard, { place: { ...place, board } }));
+    const acts = mounted.place.querySelector<HTMLFieldSetElement>("fieldset.robot-acts");
+    const found = {
+      lines: mounted.place.querySelectorAll(".robot-stands").length,
+      buttons: [...(acts?.querySelectorAll("button") ?? [])].map((one) => one.dataset["testid"]),
+    };
+    mounted.end();
+    return { ...found, waits: acts?.disabled };
+  };
+  useBoards.setState({ you: "me" });
+  const before = rows(null);
+  const greeted = rows({
+    address: place.address,
+    phase: "connecting",
+    state: "none",
+    holder: "me",
+    message: "",
+    fault: null,
+  } as Board);
+  expect(before).toMatchObject({ lines: 1, waits: false });
+  expect(before.buttons.length).toBeGreaterThan(2);
+  expect(greeted).toEqual({ ...before, waits: true });
 });

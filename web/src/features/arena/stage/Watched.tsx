@@ -55,12 +55,10 @@ export function Watched() {
     <section className="stage-watched" aria-label={t("arena.watched")} data-testid="stage-watched">
       <Portrait actor={actor} />
       <div>
-        <h3>
+        <h2>
           {actor.name} <small>{text(robot?.label ?? {}, robot?.name ?? "")}</small>
-        </h3>
-        <dl>
-          <Readings robot={robot} agent={agent} />
-        </dl>
+        </h2>
+        <Readings robot={robot} agent={agent} />
       </div>
     </section>
   );
@@ -71,7 +69,7 @@ function Readings({ robot, agent }: { robot: Robot | undefined; agent: RunAgent 
   const sensors = (robot?.objects ?? []).filter(({ name, category }) => category === "sensor" && name in agent.inputs);
   const shown = indicatorsOf(robot, agent.shown);
   return (
-    <>
+    <dl>
       {sensors.slice(0, 6).map(({ name, icon, label }) => (
         <div key={name}>
           <dt>
@@ -87,7 +85,7 @@ function Readings({ robot, agent }: { robot: Robot | undefined; agent: RunAgent 
           <dd>{String(value)}</dd>
         </div>
       ))}
-    </>
+    </dl>
   );
 }
 

@@ -35,7 +35,6 @@ const Card = memo(function Card({ seen, goals, now, chosen, tab }: CardProps) {
   const picture = useDesk(({ pictures }) => pictures.get(pupil.folder)?.program ?? null);
   const { icon, words, calls } = stateWords(seen, goals, now);
   const asked = pupil.state === "asks" ? minutes(seen, now) : null;
-  const done = t("teacher.goals", { done: met(pupil), count: goals });
   return (
     <button
       type="button"
@@ -48,18 +47,19 @@ const Card = memo(function Card({ seen, goals, now, chosen, tab }: CardProps) {
       aria-pressed={chosen}
       tabIndex={tab ? 0 : -1}
       data-frozen={pupil.frozen}
-      aria-label={[
-        pupil.name,
-        words,
-        ...(pupil.frozen ? [t("teacher.is-frozen")] : []),
-        ...(goals > 0 ? [done] : []),
-      ].join(", ")}
       onClick={() => look(chosen ? "" : pupil.folder)}
     >
-      <span className="class-picture">{picture === null ? null : <GraphPicture program={picture} />}</span>
+      <span className="class-picture" aria-hidden="true">
+        {picture === null ? null : <GraphPicture program={picture} />}
+      </span>
       <span className="class-name">
         <strong dir="auto">{pupil.name}</strong>
-        {pupil.frozen ? <Icon name="snowflake" size={14} /> : null}
+        {pupil.frozen ? (
+          <>
+            <Icon name="snowflake" size={14} />
+            <span className="only-spoken">{`, ${t("teacher.is-frozen")} `}</span>
+          </>
+        ) : null}
         {asked === null || asked === 0 ? null : <small>{t("teacher.minutes", { count: asked })}</small>}
       </span>
       <span className="class-state">
@@ -71,7 +71,10 @@ const Card = memo(function Card({ seen, goals, now, chosen, tab }: CardProps) {
         {goals === 0 ? (
           <small dir="auto">{pupil.file}</small>
         ) : (
-          <small dir="ltr">{`${String(met(pupil))}/${String(goals)}`}</small>
+          <>
+            <small dir="ltr" aria-hidden="true">{`${String(met(pupil))}/${String(goals)}`}</small>
+            <span className="only-spoken">{t("teacher.goals", { done: met(pupil), count: goals })}</span>
+          </>
         )}
       </span>
     </button>

@@ -18,7 +18,7 @@ function put(): void {
   take();
   if (!useDocument.getState().ready) return;
   const state = useStudio.getState();
-  const place = document.createElement("div");
+  const place = document.createElement("main");
   place.className = "print-sheet paper";
   place.dataset["testid"] = "print-sheet";
   document.body.append(place);
