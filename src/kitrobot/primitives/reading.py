@@ -43,8 +43,8 @@ def set_by_hand(robot: Robot | None, variable: str, value: int) -> Recorded:
 
 
 def in_words(robot: Robot | None, name: str, value: int) -> tuple[str, str]:
-    """A sensor or variable as the page calls it, and its value with its unit; unchanged where the robot has none of that
-    name, or is not known.
+    """A sensor or variable as the page calls it, and its value with its unit; unchanged where the robot has
+    none of that name, or is not known.
     """
     parts = (*robot.sensors, *robot.variables) if robot is not None else ()
     part = next((one for one in parts if one.name == name), None)
