@@ -1,4 +1,4 @@
-import { describe, expect, it } from "vitest";
+import { beforeAll, describe, expect, it } from "vitest";
 
 import { fit, fitBox, toScreen, toWorld, zoomAt } from "../../components/scene/camera";
 import { isCrowd } from "../../components/scene/crowd-size";
@@ -7,9 +7,12 @@ import { robotUnit } from "../../components/scene/draw-world";
 import { contentOf, nearestOn, placeAlong, roadLength, signAt } from "../../components/scene/geometry";
 import { hasOtherPlaces, lookAt, roleAt, sceneBefore, sceneOfReal, totalOf } from "../../components/scene/scene";
 import { placeTag } from "../../components/scene/tag-place";
+import { moreWords } from "../../i18n/words";
 import type { Mission, World } from "../../model/types";
 import { newStates } from "./stage/states-said";
 import { summary } from "./summary";
+
+beforeAll(moreWords);
 
 const WORLD: World = {
   name: "square",
