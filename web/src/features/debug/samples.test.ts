@@ -1,4 +1,4 @@
-import { beforeEach, describe, expect, it } from "vitest";
+import { describe, expect, it } from "vitest";
 
 import { useRun } from "../../session/run";
 import { samplesNow, seriesOf, stepsPath, takeSamples } from "./samples";
@@ -12,13 +12,11 @@ function at(tick: number, count: number, latest = tick) {
   useRun.setState({ tick, latest, agents: [agent({ Count: count })] });
 }
 
-beforeEach(() => {
-  useRun.getState().reset();
-});
-
 describe("samples of a run", () => {
   it("follow the run, and forget a future that is no more", () => {
     const end = takeSamples();
+    // Tells those that take samples that another run begins.
+    useRun.getState().reset();
     at(1, 5);
     at(2, 6);
     at(3, 7);
