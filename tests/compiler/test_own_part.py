@@ -61,6 +61,7 @@ def some_selection(rng: random.Random, program: Program, catalogue: Catalogue | 
     return chain[first : rng.randint(first, min(len(chain), first + 6)) + 1]
 
 
+@example(random.Random(9044))  # a test with a number that its sensor never reads
 @example(random.Random(919))  # a test inside a parameter of something that is left open
 @given(st.randoms(use_true_random=True))
 def test_a_program_means_the_same_with_a_part_in_the_selection_s_place(rng: random.Random) -> None:

@@ -321,8 +321,7 @@ class _Checker:
 
     def param(self, node: Node, part: RobotObject, method: Method, parameter: Parameter) -> None:
         if isinstance(node, Number):
-            limited = method.kind is Kind.PROCEDURE and method.action in ("", "set")
-            if limited and not parameter.minimum <= node.value <= parameter.maximum:
+            if method.is_limited and not parameter.minimum <= node.value <= parameter.maximum:
                 self.report(
                     rules.OUT_OF_RANGE,
                     Sentence(

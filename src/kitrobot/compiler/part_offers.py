@@ -11,6 +11,7 @@ from dataclasses import dataclass, field
 
 from kitrobot.compiler.graph_to_lll import SlotName
 from kitrobot.compiler.selection import Selection, chain_behind
+from kitrobot.compiler.typed_numbers import typed_number
 from kitrobot.compiler.wiring import Wiring
 from kitrobot.graph import NEXT, Vertex
 from kitrobot.lll import MAX_NUMBER, is_name
@@ -105,13 +106,20 @@ class _Offers:
             return
         owner, _, method = vertex.element.partition(".")
         meaning = self.wiring.robot.calls.get((owner, method))
-        for parameter in meaning[1].parameters if meaning is not None else ():
+        if meaning is None:
+            return
+        method = meaning[1]
+        for parameter in method.parameters:
             is_boolean = parameter.type is ValueType.BOOLEAN
             filled = (vertex.id, parameter.name) in self.wiring.fills
             if filled and is_boolean:
                 continue  # a test there has no kind of slot
             typed = vertex.settings.get(parameter.name, str(max(0, parameter.default)))
             low, high = max(0, parameter.minimum), max(0, min(parameter.maximum, MAX_NUMBER))
+            given = None if method.is_limited or filled else typed_number(typed, 0, MAX_NUMBER)
+            if given is not None:
+                # A test may compare with what its sensor never reads.
+                low, high = min(low, given), max(high, given)
             slot = Slot(
                 parameter.name,
                 SlotKind.NUMBER if is_boolean else SlotKind.VALUE,

@@ -96,6 +96,13 @@ class Method:
     alone: bool = False
     place: Place | None = field(default=None, compare=False, repr=False)
 
+    @property
+    def is_limited(self) -> bool:
+        """Whether its parameters must be in their ranges: a device and a variable hold nothing else. A test may compare
+        with any number.
+        """
+        return self.kind is Kind.PROCEDURE and self.action in ("", "set")
+
 
 @dataclass(frozen=True)
 class Board:

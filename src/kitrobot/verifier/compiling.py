@@ -64,7 +64,7 @@ def samples() -> dict[str, tuple[Any, ...]]:
         "observe": (t, g, 1, 1, True, 1, words),
         "crossing": (g, 1, 1, marks, marks),
         "search": (t, g, s, 1),
-        "reach": (g, marks, marks, numbers, numbers, numbers, words, 1, 1),
+        "reach": (g, marks, marks, numbers, numbers, numbers, words, 1),
         "sample": (g, numbers, marks, numbers),
         "way": (g, 1, 1, marks, numbers, numbers),
     }

@@ -42,7 +42,7 @@ SEARCH_NUMBERS = 10
 """How many roots there are, which is next, states found so far, the heights of `stack` and `work`, states left for the
 next round, the last colour; where in `stack` the part begins that was found; states with all their steps; whether keys
 have two words."""
-LOOKED, TO_LOOK, GONE_ON, REACHED = range(4)
+LOOKED, TO_LOOK, GONE_ON, REACHED, COMPLETE = range(5)
 """What `reach` counts."""
 BUSY, DONE, FAIR, MISSING = range(4)
 """What `search` says: it is to be gone on with, the round is over, a part was found, a table lacks something."""
@@ -266,14 +266,13 @@ def next_round(s: Search) -> Search:
     return s._replace(roots=s.rest, rest=s.roots)
 
 
-def reach(
-    g: Graph, marks: Row, since: Row, colour: Row, found: Row, before: Row, numbers: Row, expanded: int, steps: int
-) -> int:
+def reach(g: Graph, marks: Row, since: Row, colour: Row, found: Row, before: Row, numbers: Row, steps: int) -> int:
     """Goes on for about so many states to give colour 1 to all marked states that can be reached through marked ones
     from those that are in `since` too, and to write them into `found`; 1 when there are no more.
 
     `before` says from where each was reached, -1 of those in `since`. `numbers`: how many states are looked through for
-    those in `since`, and how many of them are; how many of those found are gone on from, and how many there are.
+    those in `since`, and how many of them are; how many of those found are gone on from, and how many there are; how
+    many states have all their steps.
     """
     while steps > 0 and numbers[LOOKED] < numbers[TO_LOOK]:
         steps -= 1
@@ -289,7 +288,7 @@ def reach(
         steps -= 1
         state = found[at]
         at += 1
-        if state >= expanded:
+        if state >= numbers[COMPLETE]:
             continue
         for e in range(g.first_edge[state], g.first_edge[state + 1]):
             target = g.targets[e]

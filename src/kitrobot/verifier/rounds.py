@@ -145,9 +145,9 @@ def fair_round(made: Explored, one: Property) -> tuple[list[int], list[int], boo
     steps = _PLAIN_STEPS if engine is PLAIN else _STEPS
     size = len(made) + 1
     colour, found, before = engine.zeros(size), engine.zeros(size), engine.zeros(size)
-    reached = engine.row([0, (1 if one.from_start else len(made)) if sum(counts) else 0, 0, 0])
+    reached = engine.row([0, (1 if one.from_start else len(made)) if sum(counts) else 0, 0, 0, made.expanded])
     since = marks if one.since is None else _mark(made, one.since)[0]
-    while not engine.reach(made.graph, marks, since, colour, found, before, reached, made.expanded, steps):
+    while not engine.reach(made.graph, marks, since, colour, found, before, reached, steps):
         if made.breaks_off():
             return [], [], False
     if not reached[f.REACHED]:
