@@ -104,8 +104,8 @@ class _Offers:
             for slot in constructor.slots:
                 yield self.slot(vertex, slot, inside)
             return
-        owner, _, method = vertex.element.partition(".")
-        meaning = self.wiring.robot.calls.get((owner, method))
+        owner, _, name = vertex.element.partition(".")
+        meaning = self.wiring.robot.calls.get((owner, name))
         if meaning is None:
             return
         method = meaning[1]
