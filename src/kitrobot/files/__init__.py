@@ -85,7 +85,6 @@ else:
                 "RECORDING",
                 "RENAME",
                 "EXERCISE_ENDING",
-                "HANDED_OUT",
                 "TUTORIAL_ENDING",
                 "ConflictError",
                 "MissionEntry",

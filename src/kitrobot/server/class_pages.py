@@ -36,8 +36,8 @@ def serve_pages(app: FastAPI, static: Path, site: Path | None) -> None:
 
     def page(request: Request) -> Response:
         role = ROLES[request.url.path]
-        ours = site is not None and role == PUPIL
-        index = (site if ours and site is not None else static) / "index.html"
+        source = site if site is not None and role == PUPIL else static
+        index = source / "index.html"
         if not index.is_file():
             message = Sentence("The studio's page has not been built")
             help = Sentence("run `python tools/page.py build` and load this page again")
@@ -45,7 +45,7 @@ def serve_pages(app: FastAPI, static: Path, site: Path | None) -> None:
         text = index.read_text(encoding="utf-8")
         if role:
             text = text.replace("<head>", f'<head><meta name="kitrobot-class" content="{role}">', 1)
-        headers = {"cache-control": "no-store"} | ({"content-security-policy": POLICY} if ours else {})
+        headers = {"cache-control": "no-store"} | ({"content-security-policy": POLICY} if source is site else {})
         return HTMLResponse(text, headers=headers)
 
     for path in ROLES:
