@@ -119,7 +119,8 @@ def make_folder(folder: Path) -> None:
         folder.mkdir(parents=True, exist_ok=True)
     except OSError as error:
         raise FileError(
-            Sentence("the folder `{folder}` could not be made: {reason}", folder, error.strerror or str(error))
+            Sentence("the folder `{folder}` could not be made: {reason}", folder, error.strerror or str(error)),
+            path=folder,
         ) from None
 
 

@@ -15,7 +15,7 @@ from typing import Annotated, Final
 from fastapi import Query, Request
 
 from kitrobot.diagnostics import KitRobotError
-from kitrobot.files import EXERCISE_ENDING, HANDED_OUT, FileError, ReadOnlyError, read_bytes, write_atomic
+from kitrobot.files import EXERCISE_ENDING, HANDED_OUT, FileError, ReadOnlyError, make_folder, read_bytes, write_atomic
 from kitrobot.server.routing import ThisStudio, api_router
 from kitrobot.text import Sentence
 
@@ -54,12 +54,7 @@ def write_files(folder: Path, files: dict[str, bytes]) -> None:
     Raises:
         FileError: one cannot be written.
     """
-    try:
-        folder.mkdir(parents=True, exist_ok=True)
-    except OSError as error:
-        raise FileError(
-            Sentence("`{path}` cannot be made: {reason}", folder.name, error.strerror or str(error)), "", path=folder
-        ) from None
+    make_folder(folder)
     for name, data in files.items():
         with suppress(FileError):
             if read_bytes(folder / name) == data:
