@@ -15,6 +15,8 @@ export interface Command {
   selects?: string[];
   /** Commands with the same key that follow each other closely (a slider, a word) are taken back as one. */
   joins?: string;
+  /** When the person did it, in ms since 1970, where an answer of the server came between; without it, now. */
+  at_ms?: number;
 }
 
 /** The command that leads to `after`. */

@@ -148,7 +148,7 @@ export const useStudio = create<StudioState>((set, get) => {
       });
     },
 
-    execute: ({ label, execute, joins, selects }) => {
+    execute: ({ label, execute, joins, selects, at_ms = Date.now() }) => {
       const { mission, selection, activeProgram: program, history } = get();
       const after = execute(mission);
       if (after === mission) return;
@@ -156,7 +156,6 @@ export const useStudio = create<StudioState>((set, get) => {
       const last = past.at(-1);
       // The state that was saved can be reached by redo only, and there is none after this.
       const saved = history.saved > past.length ? -1 : history.saved;
-      const at_ms = Date.now();
       const same = joins !== undefined && joins === last?.joins && future.length === 0 && saved !== past.length;
       const join = same && at_ms - (last.at_ms ?? 0) < JOIN_MS;
       const details = { at_ms, selects, joins, ...(join ? {} : { selection }) };

@@ -32,7 +32,7 @@ const FAR_ENOUGH = 5;
 const HOLD_MS = 180;
 
 let resolver: Resolver = () => null;
-let ended_ms = 0;
+let ended = false;
 let cancelCurrent: () => void = () => undefined;
 
 /** Once it drags, a finger does not scroll. Browsers want to know of this before the finger goes down. */
@@ -43,6 +43,10 @@ window.addEventListener(
   },
   { passive: false },
 );
+
+// The click of the release follows at once; whatever else is pressed next means what it says.
+for (const name of ["pointerdown", "keydown"]) window.addEventListener(name, () => (ended = false), true);
+window.addEventListener("click", () => setTimeout(() => (ended = false)), true);
 
 /** The canvas says where things go. */
 export function setResolver(resolve: Resolver): void {
@@ -58,7 +62,7 @@ export function retarget(): void {
 
 /** Whether a drag has just ended, so that the click that follows it means nothing. */
 export function justDragged(): boolean {
-  return performance.now() - ended_ms < 80;
+  return ended;
 }
 
 /** Ends a drag that is on, or about to be, without a change. */
@@ -112,7 +116,7 @@ export function beginDrag(event: ReactPointerEvent, payload: Payload): void {
     window.removeEventListener("pointercancel", cancel);
     window.removeEventListener("keydown", key, true);
     window.removeEventListener("keyup", key, true);
-    if (active) ended_ms = performance.now();
+    if (active) ended = true;
     useDrag.setState({ payload: null, target: null, copy: false });
   };
 

@@ -77,6 +77,21 @@ describe("typing", () => {
     expect(draft()?.text).toBe("two");
   });
 
+  it("is one burst however late the server answers, and another one after a pause", async () => {
+    await type("one", right(withNote(CARRIER, "1")));
+    asked.mockImplementationOnce(
+      () => new Promise((resolve) => setTimeout(() => resolve(right(withNote(CARRIER, "2"))), 60_000)),
+    );
+    typeText(NAME, "two", BEFORE);
+    await vi.advanceTimersByTimeAsync(60_000);
+    await type("three", right(withNote(CARRIER, "3")));
+    expect(now()?.vertices[0]?.notes).toEqual([{ text: "3", at: "" }]);
+    useStudio.getState().undo();
+    expect(now()?.vertices[0]?.notes).toEqual([{ text: "2", at: "" }]);
+    useStudio.getState().undo();
+    expect(now()).toBe(CARRIER);
+  });
+
   it("changes nothing when only the layout differs, and keeps the text as typed", async () => {
     await type("  one", right(withNote(CARRIER, "")));
     useStudio.getState().undo();

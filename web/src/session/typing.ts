@@ -3,8 +3,9 @@
  *
  * A draft is a program's text while it is not (or not laid out as) what the server prints. Each change asks the server for
  * the graph of it and the report of the mission with it, one question at a time and newest-wins; a text without mistakes
- * becomes one command, and commands of one burst join. A text with mistakes leaves the graph alone. A draft goes with the program object it was typed over: when that is
- * replaced by another edit the draft ends, and when undo brings a program back whose text was typed, so does its text.
+ * becomes one command, and commands of one burst join, told by when the letters were typed, not by when the server answered.
+ * A text with mistakes leaves the graph alone. A draft goes with the program object it was typed over: when that is replaced
+ * by another edit the draft ends, and when undo brings a program back whose text was typed, so does its text.
  */
 import { create } from "zustand";
 
@@ -17,6 +18,8 @@ import { changeChecked } from "./checked";
 
 export interface Draft {
   text: string;
+  /** When it was typed, in ms since 1970. */
+  at_ms: number;
   /** The program of the document that goes with this draft; its graph shows the last text without mistakes. */
   program: Program;
   /** Whether the program is what the text says; while it is asked for, what the text before it was. */
@@ -37,7 +40,7 @@ export const useTyping = create<Typing>(() => ({ drafts: {} }));
 
 export type Ask = (mission: Mission, path: string, program: string, text: string) => Promise<Followed>;
 
-const typed = new WeakMap<Program, { text: string; spans: SpanEntry[] }>();
+const typed = new WeakMap<Program, { text: string; spans: SpanEntry[]; at_ms: number }>();
 /** Programs whose text the server has not seen yet. */
 const wanted = new Set<string>();
 let asking = false;
@@ -60,9 +63,10 @@ export function typeText(name: string, text: string, before: { text: string; spa
   const program = programNow(name);
   if (program === undefined) return;
   const draft = useTyping.getState().drafts[name];
-  if (draft === undefined) typed.set(program, before);
+  const at_ms = Date.now();
+  if (draft === undefined) typed.set(program, { ...before, at_ms });
   const old = draft ?? { right: true, problems: [] };
-  put(name, { ...old, text, program, waiting: true, spans: [], failure: "" });
+  put(name, { ...old, text, at_ms, program, waiting: true, spans: [], failure: "" });
   wanted.add(name);
   // Before the letter is on the screen: the server works while the page draws it.
   void next();
@@ -101,13 +105,14 @@ function take(name: string, asked: Draft, followed: Followed, mission: Mission):
     put(name, { ...answered, right: false });
     return;
   }
-  typed.set(program, { text: asked.text, spans: followed.spans });
+  const { text, at_ms } = asked;
+  typed.set(program, { text, spans: followed.spans, at_ms });
   put(name, { ...answered, program, right: true });
   if (program === asked.program) return;
   const { mission: before, execute } = useStudio.getState();
   const { label, execute: replaced } = replaceProgram(t("code.edit-text"), asked.program, program);
   const all = (one: Mission) => ({ ...replaced(one), ...followed.declared });
-  const command = { label, execute: all, joins: `text ${name}` };
+  const command = { label, execute: all, joins: `text ${name}`, at_ms };
   if (before !== mission || followed.report === null) execute(command);
   else changeChecked(followed.report, () => execute(command));
 }

@@ -123,15 +123,20 @@ export function toggleLive(): void {
   }
 }
 
-let still_until_ms = 0;
+let still = false;
 
-/** What is selected by pointing at it is in view already: the canvas does not move for it. */
-export function holdStill(): void {
-  still_until_ms = performance.now() + 60;
+/** Does what a pointer selects by: it is in view already, so the canvas does not move for it. */
+export function holdingStill(act: () => void): void {
+  still = true;
+  try {
+    act();
+  } finally {
+    still = false;
+  }
 }
 
 export function standsStill(): boolean {
-  return performance.now() < still_until_ms;
+  return still;
 }
 
 useStudio.subscribe((state, before) => {

@@ -5,7 +5,7 @@ import { t } from "../../i18n/words";
 import type { LayoutFrame, LayoutNode } from "../../model/layout";
 import { title } from "../../model/parts";
 import { currentDrawing } from "../../session/drawing";
-import { holdStill } from "../../session/view";
+import { holdingStill } from "../../session/view";
 import { Icon } from "../../theme";
 import { toggleFold } from "./folded";
 
@@ -35,8 +35,9 @@ export function FoldControls({ frames }: { frames: LayoutFrame[] }) {
             style={{ transform: `translate(${String(x + right)}px, ${String(y + down)}px)` }}
             onClick={(event) => {
               event.stopPropagation();
-              holdStill();
-              toggleFold(id);
+              holdingStill(() => {
+                toggleFold(id);
+              });
             }}
           >
             <Icon name="chevron-down" size={14} />
@@ -63,8 +64,9 @@ export function FoldedWords({ node }: { node: LayoutNode }) {
       }}
       onClick={(event) => {
         event.stopPropagation();
-        holdStill();
-        toggleFold(node.vertex);
+        holdingStill(() => {
+          toggleFold(node.vertex);
+        });
       }}
     >
       <Icon name="chevron-right" size={14} />

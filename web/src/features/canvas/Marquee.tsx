@@ -5,7 +5,7 @@ import { type RefObject, useEffect, useState } from "react";
 import type { Point } from "../../model/layout";
 import { useStudio } from "../../model/studio";
 import { currentDrawing, type Drawing } from "../../session/drawing";
-import { holdStill, useView } from "../../session/view";
+import { holdingStill, useView } from "../../session/view";
 
 interface Rect {
   x: number;
@@ -48,8 +48,9 @@ export function Marquee({ root }: { root: RefObject<HTMLDivElement | null> }) {
         drawing,
         between(flow.screenToFlowPosition(from, exact), flow.screenToFlowPosition(to, exact)),
       );
-      holdStill();
-      useStudio.getState().select([...new Set([...before, ...inside])]);
+      holdingStill(() => {
+        useStudio.getState().select([...new Set([...before, ...inside])]);
+      });
     };
     const forget = () => {
       window.removeEventListener("pointermove", move);

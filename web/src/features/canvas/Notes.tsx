@@ -9,7 +9,7 @@ import { noteText } from "../../model/notes";
 import { programInView, useStudio } from "../../model/studio";
 import type { Program } from "../../model/types";
 import { currentDrawing, nodeOf } from "../../session/drawing";
-import { holdStill, useView } from "../../session/view";
+import { holdingStill, useView } from "../../session/view";
 import { Icon } from "../../theme";
 
 /** The vertex whose note is meant: the mark around an action where that one has the note, else what is shown. */
@@ -74,8 +74,9 @@ export function NoteStrip({ node: { note, noteWidth, w, vertex } }: { node: Layo
       }}
       onClick={(event) => {
         event.stopPropagation();
-        holdStill();
-        useStudio.getState().select([vertex]);
+        holdingStill(() => {
+          useStudio.getState().select([vertex]);
+        });
         openNote(vertex);
       }}
     >

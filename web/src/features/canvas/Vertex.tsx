@@ -9,7 +9,7 @@ import { complain } from "../../session/document";
 import { beginDrag, justDragged, useDrag } from "../../session/drag";
 import { useRun } from "../../session/run";
 import { spoken } from "../../session/spoken";
-import { holdStill, openField, useView } from "../../session/view";
+import { holdingStill, openField, useView } from "../../session/view";
 import { Icon, Tile } from "../../theme";
 import { later } from "../../ui/later";
 import { useThreadsAt } from "./active";
@@ -19,9 +19,11 @@ import { FoldedWords } from "./Folding";
 /** Selects on a click; Shift or Ctrl adds to the selection or takes away from it. */
 export function selectVertex(id: string, event: { shiftKey: boolean; ctrlKey: boolean; metaKey: boolean }): void {
   const { selection, select } = useStudio.getState();
-  holdStill();
-  if (!event.shiftKey && !event.ctrlKey && !event.metaKey) select([id]);
-  else select(selection.includes(id) ? selection.filter((one) => one !== id) : [...selection, id]);
+  const adds = event.shiftKey || event.ctrlKey || event.metaKey;
+  const others = selection.filter((one) => one !== id);
+  holdingStill(() => {
+    select(!adds ? [id] : selection.includes(id) ? others : [...selection, id]);
+  });
   useView.getState().viewport?.focus();
 }
 

@@ -10,7 +10,7 @@ import type { Point } from "../../model/layout";
 import { useStudio } from "../../model/studio";
 import { cancelDrag } from "../../session/drag";
 import { currentDrawing } from "../../session/drawing";
-import { holdStill, useView } from "../../session/view";
+import { holdingStill, useView } from "../../session/view";
 import { anchorOf } from "./viewport";
 
 const REST_MS = 550;
@@ -33,9 +33,12 @@ function openAt(element: Element, at: Point): void {
   const { selection, select } = useStudio.getState();
   const vertex = vertexAt(element);
   const arc = element.closest<HTMLElement>("[data-arc]")?.dataset["arc"] ?? null;
-  holdStill();
   if (vertex !== null) {
-    if (!selection.includes(vertex)) select([vertex]);
+    if (!selection.includes(vertex)) {
+      holdingStill(() => {
+        select([vertex]);
+      });
+    }
   } else {
     select([]);
     useView.getState().selectArc(arc);
