@@ -22,7 +22,11 @@ export default defineConfig({
     assetsInlineLimit: 0,
     chunkSizeWarningLimit: 1500,
     // What the first load needs is one chunk, also where a later one shares parts of it: it compresses better than eight.
-    rolldownOptions: { output: { codeSplitting: { groups: [{ name: "page", tags: ["$initial"] }] } } },
+    rolldownOptions: {
+      output: { codeSplitting: { groups: [{ name: "page", tags: ["$initial"] }] } },
+      // Components of libraries that nothing shows are left out: only their `memo` made them look used.
+      treeshake: { manualPureFunctions: ["memo", "forwardRef", "createContext"] },
+    },
     // The licences of everything that the page carries travel with it.
     license: { fileName: "licenses.md" },
   },
