@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import subprocess
 import sys
 import tarfile
@@ -16,6 +17,16 @@ from tools import page
 
 ROOT = Path(__file__).parents[2]
 PAGE = "kitrobot/server/static"
+SERVED = """
+from pathlib import Path
+import kitrobot
+from fastapi.testclient import TestClient
+from kitrobot.server import create_app
+with TestClient(create_app(Path.cwd(), None, "t"), base_url="http://127.0.0.1:8000") as client:
+    answer = client.get("/?token=t")
+    assert '<div id="root">' in answer.text, answer.text
+    print(answer.status_code, Path(kitrobot.__file__).parent)
+"""
 
 
 def hatchling(folder: Path, target: str, into: Path) -> Path:
@@ -39,9 +50,14 @@ def unpacked_sdist(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 
 @pytest.fixture(scope="module")
-def wheel_names(unpacked_sdist: Path, tmp_path_factory: pytest.TempPathFactory) -> list[str]:
-    with zipfile.ZipFile(hatchling(unpacked_sdist, "wheel", tmp_path_factory.mktemp("wheel"))) as wheel:
-        return wheel.namelist()
+def wheel(unpacked_sdist: Path, tmp_path_factory: pytest.TempPathFactory) -> Path:
+    return hatchling(unpacked_sdist, "wheel", tmp_path_factory.mktemp("wheel"))
+
+
+@pytest.fixture(scope="module")
+def wheel_names(wheel: Path) -> list[str]:
+    with zipfile.ZipFile(wheel) as archive:
+        return archive.namelist()
 
 
 def test_the_page_of_an_sdist_is_current_without_node(unpacked_sdist: Path) -> None:
@@ -91,3 +107,29 @@ def test_the_wheel_carries_every_example_and_tutorial(wheel_names: list[str]) ->
 def test_the_wheel_carries_nothing_else(wheel_names: list[str]) -> None:
     tops = {name.split("/")[0] for name in wheel_names}
     assert {top for top in tops if not top.endswith(".dist-info")} <= {"kitrobot", "kitrobot_onboard"}
+
+
+def test_what_pip_installs_from_the_wheel_runs_an_example_and_serves_the_page(wheel: Path, tmp_path: Path) -> None:
+    target = tmp_path / "installed"
+    pip = [sys.executable, "-m", "pip", "--disable-pip-version-check", "--quiet", "--no-input"]
+    subprocess.run([*pip, "install", "--no-index", "--no-deps", "--target", str(target), str(wheel)], check=True)
+    (script,) = [path for path in (target / "bin").iterdir() if path.stem == "kitrobot"]
+    # The packages it needs come from here; it itself does not.
+    environment = {**os.environ, "PYTHONPATH": str(target), "KITROBOT_STATE": str(tmp_path / "state")}
+
+    def told(*command: str) -> str:
+        done = subprocess.run(
+            [sys.executable, *command],
+            cwd=tmp_path,
+            env=environment,
+            capture_output=True,
+            text=True,
+            check=False,
+            timeout=PATIENCE_S,
+        )
+        assert done.returncode == 0, done.stdout + done.stderr
+        return done.stdout
+
+    mission = target / "kitrobot" / "examples" / "transport" / "transport.krt"
+    assert told(str(script), "run", str(mission)).startswith("Done after 59.3 s: B holds all 12 boxes.")
+    assert told("-c", SERVED).split() == ["200", str(target / "kitrobot")]
