@@ -26,15 +26,20 @@ LET_FRAMES_GO = """() => {
 }"""
 
 
-@pytest.fixture
-def greedy(tmp_path: Path, monkeypatch: pytest.MonkeyPatch, open_studio) -> str:
-    """A loader that reaches for boxes that are not there, as an example of its own."""
+def greedy_text() -> str:
+    """A mission whose loader reaches for boxes that are not there."""
     text = (EXAMPLES / "passing-loop" / "passing-loop.krt").read_text(encoding="utf-8")
     loops = '<vertex id="v1" element="Repetition"><set name="count">3</set>'
     assert loops in text
+    return text.replace(loops, loops.replace(">3<", ">9<"))
+
+
+@pytest.fixture
+def greedy(tmp_path: Path, monkeypatch: pytest.MonkeyPatch, open_studio) -> str:
+    """That mission as an example of its own."""
     path = tmp_path / "made" / "greedy" / "greedy.krt"
     path.parent.mkdir(parents=True)
-    path.write_text(text.replace(loops, loops.replace(">3<", ">9<")), encoding="utf-8")
+    path.write_text(greedy_text(), encoding="utf-8")
     monkeypatch.setitem(open_studio.__globals__, "EXAMPLES", tmp_path / "made")
     return "greedy/greedy.krt"
 

@@ -22,9 +22,11 @@ from playwright.sync_api import Browser, BrowserContext, Page, expect
 from tests.patience import STATE_MS
 from tests.sites import made_site
 from tests.studio.conftest import HEIGHT, IS_OPEN, WIDTH, Studio
+from tests.studio.test_check import greedy_text
 from tests.studio.test_exercises import JAM
 from tests.studio.test_files_out import keep
 from tests.studio.test_recordings import drop, expect_tick, value
+from tests.studio.test_tutorials import at_step, begin, first_steps_until_run
 
 pytestmark = [pytest.mark.browser, pytest.mark.site]
 
@@ -172,6 +174,29 @@ def an_exercise_is_judged(studio: Studio) -> None:
     studio.at("exercise-leave").click()
 
 
+def a_check_tells_what_breaks_and_plays_it(studio: Studio) -> None:
+    studio.page.evaluate("hash => location.hash = hash", link(greedy_text(), "greedy"))
+    expect(studio.page).to_have_title(re.compile("greedy"))
+    studio.page.keyboard.press("Alt+c")
+    studio.at("check-begin").click()
+    broken = studio.at("answer-empty-storehouse-lockstep-0")
+    expect(broken).to_have_attribute("data-shape", "broken")
+    studio.at("check-stop").click()
+    expect(studio.at("check-begin")).to_be_visible()
+    broken.click()
+    expect(studio.at("check-seen")).to_have_attribute("data-confirmed", "true")
+    studio.at("check-play").click()
+    expect(studio.at("status")).to_have_attribute("data-status", "paused")
+    expect(studio.at("status")).to_contain_text("01:05.6")
+
+
+def a_tutorial_follows_what_is_drawn(studio: Studio) -> None:
+    begin(studio, "first-steps")
+    first_steps_until_run(studio)
+    studio.at("run-button").click()
+    at_step(studio, 6)
+
+
 def test_a_site_runs_keeps_what_is_saved_and_works_without_its_server(
     server: FileServer, context: BrowserContext, tmp_path: Path
 ) -> None:
@@ -193,6 +218,8 @@ def test_a_site_runs_keeps_what_is_saved_and_works_without_its_server(
     a_run_is_stepped_back_in_saved_and_opened_again(studio, tmp_path)
     a_mission_goes_out_as_a_picture_and_comes_back(studio, tmp_path)
     an_exercise_is_judged(studio)
+    a_check_tells_what_breaks_and_plays_it(studio)
+    a_tutorial_follows_what_is_drawn(studio)
     page.goto("about:blank")
     studio = opened(page, server.address)
 
