@@ -242,6 +242,7 @@ def test_nothing_is_cut_off_and_stop_is_always_there(
             expect(studio.at(shown)).to_be_in_viewport()
             expect(studio.at("canvas")).to_be_in_viewport()
             assert page.evaluate(WIDER) is False, room
+        expect(studio.at("arena-large")).to_be_in_viewport(ratio=1)
         studio.at("room-arena").tap()
         expect(studio.at("arena-canvas")).not_to_be_visible()
 
@@ -255,6 +256,9 @@ def a_mission_runs_on_a_phone(studio: Studio) -> None:
     expect(studio.at("status")).to_have_attribute("data-status", "paused")
     strip.tap(position={"x": 4, "y": 23})
     expect(strip).to_have_attribute("aria-valuenow", "0")
+    # Also while something is asked.
+    studio.page.keyboard.press("Control+o")
+    expect(studio.at("open-dialog")).to_be_visible()
     studio.at("team-stop").tap()
     expect(studio.at("status")).to_contain_text("Stopped")
 

@@ -81,7 +81,7 @@ function Heading({ scene, painter, stage }: HeadingProps) {
           />
         )}
         {tools.map(([icon, label, act]) => (
-          <Tool key={icon} small icon={icon} label={label} onClick={act} />
+          <Tool key={icon} small icon={icon} label={label} data-zoom={icon.startsWith("zoom")} onClick={act} />
         ))}
         <Tool
           small
