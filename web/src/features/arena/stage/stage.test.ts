@@ -47,6 +47,11 @@ describe("trails", () => {
     expect(trails.apart).toEqual([2, 0]);
     trails.record(frame(205, [910, 400], [50, 0]));
     expect(trails.apart).toEqual([1, 0]);
+    // Back to a moment that nobody saw: no line leads there from the last place before it.
+    trails.record(frame(150, [500, 300], [50, 0]));
+    expect(trails.apart).toEqual([1, 0]);
+    trails.record(frame(155, [520, 300], [50, 0]));
+    expect(trails.apart).toEqual([1, 0]);
   });
 
   it("stay bounded however long a run is", () => {

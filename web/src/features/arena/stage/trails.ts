@@ -90,12 +90,14 @@ export class Trails {
     });
   }
 
-  /** Forgets what is later than a tick. */
+  /** Forgets what is later than a tick: what comes next follows on the last place that is left. */
   private forget(tick: number): void {
+    this.tick = -Infinity;
     for (const { xs, ys, ticks, seen } of this.trails) {
       let left = ticks.length;
       while (left > 0 && (ticks[left - 1] ?? 0) > tick) left--;
       for (const list of [xs, ys, ticks, seen]) list.length = left;
+      this.tick = Math.max(this.tick, ticks.at(-1) ?? -Infinity);
     }
     this.stale = true;
   }
