@@ -6,6 +6,7 @@ What is written into its flash stays as long as the emulator runs, over resets, 
 from __future__ import annotations
 
 import contextlib
+import shutil
 import socket
 import subprocess
 from collections.abc import Iterator, Sequence
@@ -119,7 +120,10 @@ def _end_of(firmware: Path) -> int:
 
 
 def _command(found: qemu.Emulator, listener: int, extra: Sequence[str]) -> list[str]:
+    # Whatever ends the tests ends the board too: it would take a whole core until the machine is restarted.
+    setpriv = shutil.which("setpriv")
     return [
+        *([setpriv, "--pdeathsig", "KILL"] if setpriv else []),
         found.program,
         *("-M", "microbit", "-display", "none", "-monitor", "stdio"),
         *("-chardev", f"socket,id=s,fd={listener},server=on,wait=off,nodelay=on", "-serial", "chardev:s"),
