@@ -145,7 +145,8 @@ def _there(
     if kit is None:
         return parts, []
     package = Package((config_folder(), *([folder] if folder is not None else [])))
-    there, left_out = [], []
+    there: list[RobotObject] = []
+    left_out: list[tuple[RobotObject, str]] = []
     for part, looked in zip(parts, look_at_parts(robot, kit, package, None), strict=True):
         if looked.is_missing:
             why = looked.found.help if looked.found is not None else {}

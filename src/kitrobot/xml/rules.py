@@ -65,15 +65,15 @@ UNKNOWN_LANGUAGE = rule(
     "xml-unknown-language",
     Severity.WARNING,
     "A text is in a language that is not spoken here",
-    "The page and the command line show texts in English (`en`, or no `xml:lang`), French (`fr`) and Urdu (`ur`). A text "
-    "in another language is kept, and nobody is shown it.",
+    "Texts are shown in English (`en`, or no `xml:lang`), French (`fr`) and Urdu (`ur`). One in another language is "
+    "kept, and nobody is shown it.",
 )
 LONG_TEXT = rule(
     "xml-long-text",
     Severity.ERROR,
     "A text is too long",
-    "A label stands beside others on a card or in a list, and a help below it: what is longer than the limit has no room "
-    "there.",
+    "A label stands beside others on a card or in a list, and a help below it: what is longer than the limit has no "
+    "room there.",
 )
 STRAY_TEXT = rule(
     "xml-stray-text",
