@@ -116,8 +116,6 @@ def _refuse_fault(board: Board) -> None:
 def _problem_of(error: Exception) -> str:
     if isinstance(error, NoMemoryError):
         return "memory"
-    if "recursion" in str(error):
-        return "stack"
     return "flash" if isinstance(error, FullError) else str(error).partition("\n")[0]
 
 
