@@ -1,4 +1,5 @@
-"""Write docs/kits.md and the wiring pictures beside it: what kits there are, and which program runs on which.
+"""Write docs/kits.md and the wiring pictures beside it: what kits there are, and which program runs on which; and what
+kits say of themselves in French and Urdu, docs/kits.fr.md and docs/kits.ur.md.
 
 python -m tools.kit_pages            write them
 python -m tools.kit_pages --check    only say which are not current; status 1 if there is one
@@ -16,6 +17,7 @@ from pathlib import Path
 
 from kitrobot.primitives import Kit, Tried
 from kitrobot.workspace import kits_at_hand, mission_on_kit, open_mission, wiring_picture
+from tools.kit_texts import WORDS, page_in
 
 REPOSITORY = Path(__file__).resolve().parents[1]
 PAGE = REPOSITORY / "docs" / "kits.md"
@@ -49,6 +51,7 @@ How such a file is written stands in [robots' XML](xml.md#kits). This page is ma
 
 Of each kit it is said how it is known to work. No kit was at hand when this was written; pins and addresses are from
 the documents that are named; what is not in a document stands in no file, but for figures that are called a guess.
+What the kits say of themselves is also there [in French](kits.fr.md) and [in Urdu](kits.ur.md).
 
 The motors and sensors of an Arduino Alvik are at a second chip, an STM32, with the firmware that it comes with. It is
 started anew when a program starts, and must answer within six seconds; a robot that is switched off or falls silent is
@@ -102,6 +105,8 @@ def pages() -> dict[Path, str]:
     kits = [found[name] for name in ORDER]
     written = {PICTURES / f"wiring-{kit.name}.svg": wiring_picture(kit) for kit in kits if kit.supplies}
     written[PAGE] = "\n".join([_HEAD, *_table(kits), *(line for kit in kits for line in _kit(kit))])
+    for language in WORDS:
+        written[PAGE.with_suffix(f".{language}.md")] = page_in(language, kits)
     return written
 
 
@@ -209,7 +214,8 @@ def _kit(kit: Kit) -> Iterator[str]:
             yield f"| {which} | – | missing: {part.help.get('', '')} |"
         else:
             settings = " ".join(f"{name}={value}" for name, value in part.board.settings.items())
-            yield f"| {which} | {part.board.driver or 'as the device'} | {settings} |"
+            told = f"{settings}: {part.help['']}".removeprefix(": ") if part.help else settings
+            yield f"| {which} | {part.board.driver or 'as the device'} | {told} |"
     yield ""
 
 

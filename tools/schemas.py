@@ -46,7 +46,7 @@ _HEAD = '<?xml version="1.0" encoding="UTF-8"?>'
 _SCHEMA = '<xs:schema xmlns:xs="http://www.w3.org/2001/XMLSchema">'
 _LANGUAGE = '<xs:import namespace="http://www.w3.org/XML/1998/namespace" schemaLocation="xml.xsd"/>'
 _MANY = "unbounded"
-_TypeKey = tuple[int, int, bool, bool, int]
+_TypeKey = tuple[int, int, bool, bool, int, int]
 
 
 def schemas() -> dict[str, str]:
@@ -80,6 +80,7 @@ class _Schema:
         self.uses: Counter[_TypeKey] = Counter()
         self.elements: dict[_TypeKey, tuple[str, Tag]] = {}
         self.kinds: dict[str, Kind] = {}
+        self.lengths: set[int] = set()
         for name, tag in roots.items():
             self.collect(name, tag)
 
@@ -89,6 +90,8 @@ class _Schema:
         if self.uses[key] > 1:
             return
         self.elements[key] = (tag.type_name or name, tag)
+        if tag.longest:
+            self.lengths.add(tag.longest)
         for attribute in tag.attributes.values():
             for kind in (attribute.kind, *attribute.kind.either):
                 if kind.name:
@@ -106,6 +109,9 @@ class _Schema:
                 body += _inside(f"<xs:complexType{attributes(('name', name))}>", self.content(tag), "</xs:complexType>")
         for kind in self.kinds.values():
             body += _simple(kind, kind.name)
+        for longest in sorted(self.lengths):
+            limit = ['<xs:restriction base="xs:token">', f'  <xs:maxLength value="{longest}"/>', "</xs:restriction>"]
+            body += _inside(f'<xs:simpleType name="text-{longest}">', limit, "</xs:simpleType>")
         return "\n".join([*lines, *_deeper(body), "</xs:schema>"]) + "\n"
 
     def is_named(self, key: _TypeKey, tag: Tag) -> bool:
@@ -132,7 +138,8 @@ class _Schema:
         if tag.free_attributes:
             given.append('<xs:anyAttribute namespace="##local" processContents="skip"/>')
         if tag.text:
-            extension = _inside('<xs:extension base="xs:string">', given, "</xs:extension>")
+            base = f"text-{tag.longest}" if tag.longest else "xs:string"
+            extension = _inside(f"<xs:extension{attributes(('base', base))}>", given, "</xs:extension>")
             return _inside("<xs:simpleContent>", extension, "</xs:simpleContent>")
         children = [line for name, inner in tag.children.items() for line in self.element(name, inner)]
         if not children:
@@ -143,7 +150,7 @@ class _Schema:
 
 def _key(tag: Tag) -> _TypeKey:
     """Equal for tags that hold the very same, whatever becomes of it."""
-    return id(tag.attributes), id(tag.children), tag.text, tag.free_attributes, tag.least
+    return id(tag.attributes), id(tag.children), tag.text, tag.free_attributes, tag.least, tag.longest
 
 
 def _is_plain(tag: Tag) -> bool:

@@ -17,13 +17,29 @@ def test_each_part_of_each_program_is_told_and_the_status_is_that_of_what_is_mis
     assert (said.status, said.err) == (0, "")
     assert "Door    used      servo pin=22" in said.out
     assert "it can be sent" in said.out
-    said = kitrobot("check", DOOR, SQUARE, "--board", "cutebot", "--json")
+    said = kitrobot("check", DOOR, SQUARE, "--board", "maqueen", "--json")
     assert said.status == 1
     door, square = said.json
     assert (door["ok"], square["ok"]) == (False, True)
     assert "`Switch`" in door["error"]["message"]
     assert [part["part"] for part in door["parts"] if part["used"] and part["missing"]] == ["Switch"]
     assert square["error"] is None
+
+
+def test_why_a_part_is_missing_is_told_in_the_language_that_is_asked_for(kitrobot):
+    wall = EXAMPLES / "wall" / "wall.krt"
+    told = {"en": "It has no range finder.", "fr": "Il n’a pas de télémètre.", "ur": "اس میں فاصلہ پیما نہیں ہے۔"}
+    for language, why in told.items():
+        said = kitrobot("check", wall, "--board", "pololu-3pi", "--language", language)
+        assert (said.status, f"missing: {why}" in said.out, f"help: {why}" in said.err) == (1, True, True)
+        (row,) = kitrobot("check", wall, "--board", "pololu-3pi", "--language", language, "--json").json
+        assert row["error"]["help"] == why
+        assert why in [part["why"] for part in row["parts"]]
+    assert "il manque au kit" in kitrobot("check", wall, "--board", "pololu-3pi", "--language", "fr").err
+    assert "It has no range finder." in kitrobot("check", wall, "--board", "pololu-3pi").out
+    for wrong in (["--board", "pico", "--language", "tlh"], ["--language", "fr"]):
+        said = kitrobot("check", wall, *wrong)
+        assert (said.status, "--language" in said.err) == (2, True)
 
 
 def test_a_whole_teams_program_is_told_for_each_kind_of_its_robots(kitrobot):

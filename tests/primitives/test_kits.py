@@ -7,8 +7,11 @@ from dataclasses import replace
 from pathlib import Path
 
 import pytest
+import xmlschema
 
 from kitrobot.primitives import SHIPPED, Category, Kit, Tried, lacks, load_catalogue, on_kit, read_kit, write_kit
+from kitrobot.primitives.kit_xml import LONGEST_LABEL, LONGEST_TEXT
+from tools import schemas
 
 GOOD = """<board name="mine" version="1" family="machine" micropython="1.20" pins="0..4 7 LED 9">
   <label>Mine</label>
@@ -64,7 +67,13 @@ def test_a_shipped_kit_is_sound_names_its_sources_and_is_said_in_three_languages
     assert found == []
     assert kit is not None
     assert kit.sources
-    assert set(kit.label) == {"", "fr", "ur"}
+    told = [kit.label, kit.help, *kit.supplies, *kit.steps, *(part.help for part in kit.parts if part.help)]
+    assert [texts for texts in told if texts.keys() != {"", "fr", "ur"} or not all(texts.values())] == []
+    assert [part.devices for part in kit.parts if part.is_missing and not part.help] == []
+    untold = [
+        texts for texts in (kit.help, *(part.help for part in kit.parts if part.help)) if len({*texts.values()}) < 3
+    ]
+    assert untold == [], "the same words in two languages"
 
 
 def test_what_is_written_is_read_again() -> None:
@@ -114,6 +123,51 @@ def test_a_mistake_is_told_and_the_kit_is_left_out(change: tuple[str, str], says
         return
     assert kit is None
     assert any(says in message for message in found), found
+
+
+@pytest.mark.parametrize(
+    ("name", "before", "longest"),
+    [
+        ("label", "<label>Mine", LONGEST_LABEL),
+        ("help", "<help>What I built.", LONGEST_TEXT),
+        ("help", "<help>The green one.", LONGEST_TEXT),
+        ("supply", "<supply>glue", LONGEST_TEXT),
+        ("step", "<step>Glue the motors &amp; wait.", LONGEST_TEXT),
+    ],
+)
+def test_a_text_is_as_long_as_there_is_room_and_one_longer_is_told_with_its_place(
+    name: str, before: str, longest: int
+) -> None:
+    assert GOOD.count(before) == 1
+    schema = xmlschema.XMLSchema(schemas.FOLDER / "board.xsd")
+    fits, too_long = (GOOD.replace(before, f"<{name}>\n  {'x' * length}  ") for length in (longest, longest + 1))
+    assert read(fits)[1] == []
+    assert schema.is_valid(fits)
+    kit, found = read_kit(too_long.encode(), "mine.board.xml")
+    assert kit is None
+    line = GOOD[: GOOD.index(before)].count("\n") + 1
+    assert [(one.code, one.place and one.place.line) for one in found] == [("xml-long-text", line)]
+    assert f"at most {longest} characters in <{name}>, found {longest + 1}" in found[0].message
+    assert not schema.is_valid(too_long)
+
+
+def test_a_language_that_is_not_spoken_is_told_with_its_place_and_the_text_is_kept() -> None:
+    kit, found = read_kit(GOOD.replace('<label xml:lang="fr">', '<label xml:lang="tlh">').encode(), "mine.board.xml")
+    assert kit is not None
+    assert kit.label == {"": "Mine", "tlh": "Le mien"}
+    assert [(one.code, one.is_error, one.place and (one.place.line, one.place.column)) for one in found] == [
+        ("xml-unknown-language", False, (3, 20))
+    ]
+    assert "expected en, fr or ur in xml:lang, found" in found[0].message
+    assert read_kit(write_kit(kit).encode(), "mine.board.xml")[0] == kit
+
+
+@pytest.mark.parametrize("name", ["label", "help"])
+def test_a_text_twice_in_a_language_is_told_with_its_place(name: str) -> None:
+    again = f'  <{name} xml:lang="ur">ایک</{name}>\n'
+    kit, found = read_kit(GOOD.replace("  <tried", f"{again}{again}  <tried").encode(), "mine.board.xml")
+    assert kit is None
+    assert [(one.code, one.place and one.place.line) for one in found] == [("xml-duplicate", 6)]
 
 
 def test_a_file_that_is_cut_anywhere_is_no_kit_and_never_breaks_the_reader() -> None:

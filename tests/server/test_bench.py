@@ -5,10 +5,11 @@ from __future__ import annotations
 import shutil
 from pathlib import Path
 
-from kitrobot.server.robot_bench import Tried
+from kitrobot.server.robot_bench import Tried, steps_message
 from kitrobot.translation import reading_in, said
 from kitrobot.workspace.bench import bench_of
 from kitrobot.workspace.bench_run import BenchRun
+from kitrobot.workspace.kit_files import find_kit
 from kitrobot.workspace.robots import find_robot
 from tests.boards.modern import ModernBoard
 from tests.boards.test_bench import UNPLUGGED
@@ -131,3 +132,16 @@ def test_what_cannot_be_tried_is_refused_and_a_robot_whose_parts_nobody_tries_ta
             assert page.until("refused")["address"] == ""
         page.send("try", address, step=0)
         assert "Nobody talks with this robot" in page.until("refused")["message"]
+
+
+def test_a_part_that_a_kit_lacks_and_the_steps_of_the_others_are_told_in_the_language_of_the_page() -> None:
+    bench = bench_of(find_robot("mini-robot"), find_kit("pololu-3pi"))
+    told = {"en": "It has no range finder.", "fr": "Il n’a pas de télémètre.", "ur": "اس میں فاصلہ پیما نہیں ہے۔"}
+    none = {"en": "The kit `pololu-3pi` has none.", "fr": "Le kit `pololu-3pi` n'en a pas.", "ur": "کٹ"}
+    for language, why in told.items():
+        with reading_in(language):
+            message = steps_message("COM3", bench).model_dump(mode="json")
+        left_out = {part["part"]: part["why"] for part in message["left_out"]}
+        assert left_out["Captor"] == why
+        assert left_out["Door"].startswith(none[language])
+        assert all(step["seen"]["" if language == "en" else language] for step in message["steps"])

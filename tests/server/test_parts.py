@@ -103,6 +103,21 @@ class TestFiles:
         assert missing.status_code == 422
         assert "none" in missing.json()["message"]
 
+    def test_the_question_has_each_kit_in_three_languages_and_what_it_lacks_in_the_one_asked_for(self, page):
+        kits = page.get("/api/kits", params={"path": "blink.krt"}).json()
+        assert {
+            kit["name"]
+            for kit in kits
+            if {"", "fr", "ur"} - kit["label"].keys() | {"", "fr", "ur"} - kit["help"].keys()
+        } == set()
+        mission = opened(page, "blink.krt")["mission"]
+        vertices = mission["programs"][0]["vertices"]
+        next(vertex for vertex in vertices if vertex["element"] == "Light.LightOn")["element"] = "Door.Open"
+        asked = {"path": "blink.krt", "mission": mission, "program": mission["programs"][0]["name"]}
+        for language, words in {"fr": "Il manque au kit `pololu-3pi`", "ur": "کٹ `pololu-3pi` میں وہ نہیں"}.items():
+            answer = page.post("/api/kits/fit", json=asked, headers={"Accept-Language": language}).json()
+            assert next(fit for fit in answer if fit["kit"] == "pololu-3pi")["problem"].startswith(words)
+
     def test_what_is_different_in_a_kit_from_the_one_that_is_there_is_said(self, page):
         def differences(data, file="tank.xml"):
             asked = {"path": "blink.krt", "file": file}

@@ -12,6 +12,7 @@ from kitrobot.diagnostics import ProblemsError
 from kitrobot.graph import Arc, Vertex
 from kitrobot.lll import RoleDeclaration, WorkDeclaration
 from kitrobot.primitives import Level
+from kitrobot.translation import reading_in, said
 from kitrobot.versions import CompareError, compare_files, differences, merge_missions
 from tests.versions.test_merging import base, edited, insert
 
@@ -123,3 +124,22 @@ def test_two_kits_are_told_apart_by_parts_settings_and_what_was_measured(tmp_pat
     other.write_text("<board/>")
     with pytest.raises(ProblemsError):
         compare_files(one, other)
+
+
+def test_texts_of_two_kits_are_told_apart_language_by_language(tmp_path):
+    one, other = tmp_path / "one.board.xml", tmp_path / "other.board.xml"
+    kit = (
+        '<board name="k" version="1"><label>Tank</label>{}<missing device="range"><help>No.</help>{}</missing></board>'
+    )
+    one.write_text(kit.format("", ""))
+    other.write_text(kit.format('<label xml:lang="fr">Char</label>', '<help xml:lang="ur">نہیں۔</help>'))
+    found = compare_files(one, other)
+    assert [(one.kind, one.words) for one in found] == [
+        ("board", "the kit: its label in French changed"),
+        ("part", "the kit: sensor range: its help in Urdu changed"),
+    ]
+    with reading_in("fr"):
+        assert [said(one.words) for one in found] == [
+            "le kit : titre en français a changé",
+            "le kit : sensor range : aide en ourdou a changé",
+        ]

@@ -142,3 +142,34 @@ def test_a_kit_and_a_mission_are_not_merged(tmp_path) -> None:
     (tmp_path / "b").write_text('<kitrobot version="1"/>')
     with pytest.raises(CompareError, match="three kits"):
         merge_files(tmp_path / "a", tmp_path / "a", tmp_path / "b", tmp_path / "a")
+
+
+LINES = "<step>Glue it.</step>{}<step>Wait.</step>{}"
+
+
+def with_steps(text: str) -> Kit:
+    return kit(BASE.replace("</board>", f"{text}</board>"))
+
+
+def test_two_translators_of_the_steps_and_who_adds_one_do_not_stand_in_each_others_way() -> None:
+    base = with_steps(LINES.format("", ""))
+    ours = with_steps(LINES.format('<step xml:lang="fr">Collez.</step>', ""))
+    theirs = with_steps(LINES.format('<step xml:lang="ur">چپکائیں۔</step>', "<step>Drive.</step>"))
+    merged, conflicts = merge_kits(base, ours, theirs)
+    assert conflicts == ()
+    assert merged.steps == ({"": "Glue it.", "fr": "Collez.", "ur": "چپکائیں۔"}, {"": "Wait."}, {"": "Drive."})
+
+
+def test_one_step_that_both_translate_differently_is_a_conflict_and_ours_stays() -> None:
+    base = with_steps(LINES.format("", ""))
+    ours = with_steps(LINES.format('<step xml:lang="fr">Collez.</step>', ""))
+    theirs = with_steps(LINES.format('<step xml:lang="fr">Fixez.</step>', ""))
+    merged, conflicts = merge_kits(base, ours, theirs)
+    assert merged == ours
+    assert [(one.ours, one.theirs) for one in conflicts] == [("Collez.", "Fixez.")]
+
+
+def test_steps_that_are_the_same_in_english_are_merged_as_a_whole() -> None:
+    base = with_steps("<step>Wait.</step><step>Wait.</step>")
+    theirs = with_steps("<step>Wait.</step>")
+    assert merge_kits(base, base, theirs)[0].steps == ({"": "Wait."},)

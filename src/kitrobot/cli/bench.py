@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
+from kitrobot.cli.language import Language, in_words
 from kitrobot.cli.output import clean, complain, error_object, give, json_text, tell
 from kitrobot.diagnostics import KitRobotError
 
@@ -54,6 +55,7 @@ def try_parts(
     ] = False,
     seconds: Annotated[float, typer.Option(min=0.1, max=30.0, metavar="S", help="How long, with --all.")] = 1.0,
     replace: Replace = False,
+    language: Language = "en",
     as_json: Annotated[bool, typer.Option("--json", help="As --all, as a list of JSON objects.")] = False,
 ) -> None:
     """Try each part of a robot by hand, with what is to be seen and what to look for when nothing happens.
@@ -63,6 +65,7 @@ def try_parts(
     --json the exit status is 1 when a part failed.
     """
     from kitrobot.robots import chosen_boards
+    from kitrobot.translation import reading_in
     from kitrobot.workspace.bench import bench_of
     from kitrobot.workspace.bench_run import BenchRun
     from kitrobot.workspace.calibration import bench_robot
@@ -79,15 +82,16 @@ def try_parts(
     bench = bench_of(find_robot(robot, folder) if robot is not None else bench_robot(), kit, folder)
     (address,) = chosen_boards([port] if port else [])
     tell("lift the wheels off the ground")
-    with BenchRun(address, bench, send_progress(), replace=replace) as run:
-        if by_keys:
-            _by_keys(run, bench)
-            return
-        rows = [_tried(run, step, seconds) for step in bench.steps]
-    if as_json:
-        give(json_text(rows, 2) + "\n")
-    else:
-        _table(rows, bench)
+    with reading_in(language):
+        with BenchRun(address, bench, send_progress(), replace=replace) as run:
+            if by_keys:
+                _by_keys(run, bench)
+                return
+            rows = [_tried(run, step, seconds) for step in bench.steps]
+        if as_json:
+            give(json_text(rows, 2) + "\n")
+        else:
+            _table(rows, bench)
     if not all(row["ok"] for row in rows):
         raise typer.Exit(1)
 
@@ -108,6 +112,7 @@ def send_progress() -> Any:
 def _tried(run: BenchRun, step: BenchStep, seconds: float) -> dict[str, Any]:
     """One step, done for so long, and what came of it."""
     from kitrobot.primitives import reading
+    from kitrobot.translation import said
     from kitrobot.workspace.bench_loading import PartError
 
     values: list[int] = []
@@ -124,11 +129,11 @@ def _tried(run: BenchRun, step: BenchStep, seconds: float) -> dict[str, Any]:
         "part": step.part.name,
         "category": step.part.category.value,
         "call": step.call,
-        "seen": step.seen.get("", ""),
-        "help": step.trouble.get("", ""),
+        "seen": in_words(step.seen),
+        "help": in_words(step.trouble),
         "ok": error is None,
         "values": values,
-        "words": [reading(step.part, value, run.bench.robot.wait_unit_ms) for value in values],
+        "words": [said(reading(step.part, value, run.bench.robot.wait_unit_ms)) for value in values],
         "late": run.late,
         "slow": slow,
         "error": error_object(error) if error is not None else None,
@@ -136,12 +141,14 @@ def _tried(run: BenchRun, step: BenchStep, seconds: float) -> dict[str, Any]:
 
 
 def _table(rows: list[dict[str, Any]], bench: Bench) -> None:
+    from kitrobot.translation import said
+
     words = [(_named(row["part"], row["call"]), row) for row in rows]
     width = max(len(name) for name, _ in words)
     for name, row in words:
         give(f"{name.ljust(width)}  {_result(row)}\n")
     for part, why in bench.left_out:
-        give(f"{clean(part.name).ljust(width)}  not here: {clean(why)}\n")
+        give(f"{clean(part.name).ljust(width)}  not here: {clean(said(why))}\n")
 
 
 def _named(part: str, call: str) -> str:
@@ -166,11 +173,12 @@ def _by_keys(run: BenchRun, bench: Bench) -> None:
     """Steps by keys until the person leaves."""
     from kitrobot.cli.keys import ESCAPE, pressed_keys
     from kitrobot.primitives import reading
+    from kitrobot.translation import said
     from kitrobot.workspace.bench_loading import PartError
 
     tell(_HELP)
     for part, why in bench.left_out:
-        tell(f"not here: {part.name}: {why}")
+        tell(f"not here: {part.name}: {said(why)}")
     at, going = 0, False
     with pressed_keys() as key:
         _show(bench, at)
@@ -180,7 +188,9 @@ def _by_keys(run: BenchRun, bench: Bench) -> None:
                 run.poll(0.1 if going else 0.05)
                 if going and run.is_on:
                     value = run.value
-                    words = "" if value is None else reading(bench.steps[at].part, value, bench.robot.wait_unit_ms)
+                    words = (
+                        "" if value is None else said(reading(bench.steps[at].part, value, bench.robot.wait_unit_ms))
+                    )
                     slow = "  (takes longer than a tick)" if run.is_slow else ""
                     _line(f"  on   {clean(words)}{slow}")
                 if pressed in ("q", ESCAPE):
@@ -208,9 +218,9 @@ def _by_keys(run: BenchRun, bench: Bench) -> None:
 def _show(bench: Bench, at: int) -> None:
     step = bench.steps[at]
     name = _named(step.part.name, step.call)
-    _line(f"{at + 1} of {len(bench.steps)}  {name}\n  {clean(step.seen.get('', ''))}\n")
+    _line(f"{at + 1} of {len(bench.steps)}  {name}\n  {clean(in_words(step.seen))}\n")
     if step.trouble:
-        give(f"  if not: {clean(step.trouble.get('', ''))}\n")
+        give(f"  if not: {clean(in_words(step.trouble))}\n")
 
 
 def _line(text: str) -> None:

@@ -8,6 +8,7 @@ from typing import Annotated
 import typer
 
 from kitrobot.cli.check_kit import check_on_kit
+from kitrobot.cli.language import Language
 from kitrobot.cli.output import give, json_text, tell
 from kitrobot.diagnostics import Severity
 
@@ -29,6 +30,7 @@ def check_files(
             show_default=False,
         ),
     ] = None,
+    language: Language = "en",
     as_json: Annotated[bool, typer.Option("--json", help="Give a list of JSON objects.")] = False,
 ) -> None:
     """Show every problem of the files, each with its place and a way out.
@@ -38,11 +40,15 @@ def check_files(
     there is an error, and 0 if there are only warnings and hints. With --board it is 1 when a program cannot be sent.
     """
     from kitrobot.diagnostics import to_json, with_help, written_out
+    from kitrobot.translation import reading_in
     from kitrobot.workspace import check_file, find_robot
 
     if board is not None:
-        check_on_kit(files, board, as_json=as_json)
+        with reading_in(language):
+            check_on_kit(files, board, as_json=as_json)
         return
+    if language != "en":
+        raise typer.BadParameter("say --board too: it is the language of what a kit says", param_hint="'--language'")
     meant = find_robot(robot) if robot is not None else None
     reports = [check_file(path, meant) for path in files]
     problems = [problem for report in reports for problem in with_help(report.diagnostics)]

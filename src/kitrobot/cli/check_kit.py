@@ -8,8 +8,8 @@ from typing import TYPE_CHECKING, Any
 
 import typer
 
+from kitrobot.cli.language import in_words
 from kitrobot.cli.output import clean, error_object, give, json_text, tell
-from kitrobot.text import Sentence
 
 if TYPE_CHECKING:
     from kitrobot.deploy import PartOnKit
@@ -38,6 +38,8 @@ def check_on_kit(files: Sequence[Path], board: str, *, as_json: bool) -> None:
 
 
 def _write(program: ProgramOnKit, kit: Kit) -> None:
+    from kitrobot.translation import said
+
     tell_of = f"{clean(program.program)} (robot {clean(program.robot)}) on {clean(kit.name)}:"
     table = [_row(one) for one in program.parts]
     widths = [max((len(row[column]) for row in table), default=0) for column in range(2)]
@@ -47,9 +49,9 @@ def _write(program: ProgramOnKit, kit: Kit) -> None:
     if program.problem is None:
         give("  it can be sent\n")
     else:
-        tell(Sentence("{program}: {message}", program.program, program.problem.message))
+        tell(f"{program.program}: {said(program.problem.message)}")
         if program.problem.help:
-            tell(Sentence("  help: {help}", program.problem.help))
+            tell(f"  help: {said(program.problem.help)}")
 
 
 def _row(one: PartOnKit) -> tuple[str, str, str]:
@@ -57,17 +59,21 @@ def _row(one: PartOnKit) -> tuple[str, str, str]:
 
 
 def _words(one: PartOnKit) -> str:
+    from kitrobot.translation import said
+
     if one.found is None or one.found.is_missing:
-        why = one.found.help.get("", "") if one.found is not None else ""
+        why = in_words(one.found.help) if one.found is not None else ""
         if one.is_missing:
             return "missing" + (f": {clean(why)}" if why else "")
     if one.problem is not None:
-        return f"does not work: {clean(one.problem.message)}"
+        return f"does not work: {clean(said(one.problem.message))}"
     told = " ".join(f"{name}={value}" for name, value in one.part.board.settings.items())
     return clean(f"{one.part.board.driver} {told}".rstrip())
 
 
 def _object(program: ProgramOnKit) -> dict[str, Any]:
+    from kitrobot.translation import said
+
     return {
         "program": program.program,
         "robot": program.robot,
@@ -79,8 +85,8 @@ def _object(program: ProgramOnKit) -> dict[str, Any]:
                 "category": one.part.category.value,
                 "used": one.is_used,
                 "missing": one.is_missing,
-                "why": one.found.help.get("", "") if one.found is not None and one.is_missing else "",
-                "problem": one.problem.message if one.problem is not None else "",
+                "why": in_words(one.found.help) if one.found is not None and one.is_missing else "",
+                "problem": said(one.problem.message) if one.problem is not None else "",
                 "driver": "" if one.is_missing else one.part.board.driver,
                 "settings": {} if one.is_missing else dict(one.part.board.settings),
             }

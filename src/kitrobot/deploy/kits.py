@@ -21,7 +21,7 @@ from kitrobot.deploy.program_file import used
 from kitrobot.deploy.waves import SLICES, Wave, clash, waves_of
 from kitrobot.image import Image, Layout
 from kitrobot.primitives import Board, Category, Kit, KitPart, Robot, RobotObject, lacks, on_kit
-from kitrobot.text import COMMA, Sentence, Series, Word
+from kitrobot.text import COMMA, Label, Sentence, Series
 
 INHERITED = ("side", "reach")
 """Settings of a robot's part that its driver is told where the kit does not say them: what they mean is the same for
@@ -83,7 +83,7 @@ def refuse_what_is_missing(robot: Robot, kit: Kit, image: Image) -> None:
     other = Sentence("take another kit; `kitrobot check MISSION --board NAME` says what it has")
     raise PackageError(
         Sentence("the kit `{kit}` lacks what the program uses: {parts}", kit.name, names),
-        Word(why[""]) if "" in why else other,
+        Label("", why) if why.get("") else other,
     )
 
 

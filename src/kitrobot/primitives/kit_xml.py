@@ -28,6 +28,8 @@ from kitrobot.xml import (
     one,
     optional,
     text_element,
+    told_text,
+    told_twice,
     version,
 )
 from kitrobot.xml import rules as xml_rules
@@ -40,6 +42,10 @@ KIT_SUFFIX = ".board.xml"
 
 MOST_PINS = 200
 """Pins of a board, at most."""
+
+LONGEST_LABEL = 100
+LONGEST_TEXT = 1000
+"""Characters of a kit's name for people, and of what else it says in one text, at most."""
 
 _RANGE = re.compile(r"([0-9]{1,3})\.\.([0-9]{1,3})")
 _PIN = re.compile(r"[0-9]{1,3}|[A-Za-z][A-Za-z0-9_]{0,39}")
@@ -126,8 +132,7 @@ def _measured(element: Element) -> Measured:
 
 
 def _line(element: Element) -> _Line:
-    language = element.optional(LANGUAGE).lower()
-    return _Line(element.name, "" if language == "en" else language, element.words)
+    return _Line(element.name, *told_text(element))
 
 
 def _lines(element: Element, kind: str) -> tuple[Texts, ...]:
@@ -139,8 +144,7 @@ def _lines(element: Element, kind: str) -> tuple[Texts, ...]:
         if line.language == "" or not found:
             found.append({line.language: line.text})
         elif line.language in found[-1]:
-            message = Sentence("there is a <{element}> in this language already", kind)
-            around.report(xml_rules.DUPLICATE, message)
+            told_twice(around)
         else:
             found[-1][line.language] = line.text
     return tuple(found)
@@ -209,7 +213,8 @@ def _kit(element: Element) -> Kit:
     )
 
 
-_HELP = {"help": TEXTS["help"]}
+_HELP = {"help": replace(TEXTS["help"], longest=LONGEST_TEXT)}
+_LABEL = {"label": replace(TEXTS["label"], longest=LONGEST_LABEL)}
 _WHICH = {
     "device": needed(_WORDS, about="Names of devices of robots, with spaces between them."),
     "when": optional(_SETTING, about="A setting of the robot's part, as guide=road; without it, whatever they are."),
@@ -236,7 +241,8 @@ KIT = {
             "pins": optional(about="The pins that there are: numbers, ranges and names, such as 0..22 26 LED."),
         },
         {
-            **TEXTS,
+            **_HELP,
+            **_LABEL,
             "actuator": _WIRED,
             "sensor": replace(_WIRED),
             "missing": Tag(
@@ -258,8 +264,12 @@ KIT = {
                 about="How parts of these devices were measured on the floor (kitrobot calibrate). Attributes beside"
                 " device are settings of the simulator's devices, such as speed, rate and noise.",
             ),
-            "supply": Tag(_line, _TEXT_LINE, text=True, about="What is needed to build it, one thing each."),
-            "step": Tag(_line, _TEXT_LINE, text=True, about="What is done to build it, in its order."),
+            "supply": Tag(
+                _line, _TEXT_LINE, text=True, longest=LONGEST_TEXT, about="What is needed to build it, one thing each."
+            ),
+            "step": Tag(
+                _line, _TEXT_LINE, text=True, longest=LONGEST_TEXT, about="What is done to build it, in its order."
+            ),
         },
         open=lambda element: element.version(VERSION),
         about="A kit: how the parts of robots are wired on a board, and what is missing.",

@@ -11,7 +11,7 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import fields, replace
 from typing import Any
 
-from kitrobot.primitives import Board, Kit, KitPart, Measured, read_kit, write_kit
+from kitrobot.primitives import Board, Kit, KitPart, Measured, Texts, read_kit, write_kit
 from kitrobot.text import Sentence, Word
 from kitrobot.versions.conflicts import Conflict, Decisions
 from kitrobot.versions.kits import named_part
@@ -20,6 +20,7 @@ from kitrobot.versions.lists import merged_by_name, merged_order
 Choose = Callable[[str, Any, Any, Any], Any]
 
 _TEXTS = ("label", "help")
+_LINES = ("supplies", "steps")
 _PARTED = ("parts", "measured", "sources", "place")
 """Fields of a kit that are merged piece by piece, as its texts are, or not at all."""
 
@@ -47,6 +48,8 @@ def _merged(base: Kit, ours: Kit, theirs: Kit, choose: Choose) -> Kit:
         one, two, three = (getattr(side, field.name) for side in (base, ours, theirs))
         if field.name in _TEXTS:
             values[field.name] = _settings(what, one, two, three, choose)
+        elif field.name in _LINES:
+            values[field.name] = _lines(what, one, two, three, choose)
         elif field.name not in _PARTED:
             values[field.name] = choose(what, one, two, three)
     values["parts"] = tuple(_parts(base.parts, ours.parts, theirs.parts, choose))
@@ -82,6 +85,26 @@ def _part(name: str, one: KitPart, two: KitPart, three: KitPart, choose: Choose)
     settings = _settings(name, old.settings, mine.settings, other.settings, choose)
     help = _settings(Sentence("the {setting} of {vertex}", Word("help"), name), one.help, two.help, three.help, choose)
     return replace(two, board=Board(driver, settings), help=help)
+
+
+def _lines(
+    what: str, base: Sequence[Texts], ours: Sequence[Texts], theirs: Sequence[Texts], choose: Choose
+) -> tuple[Texts, ...]:
+    """What is needed or done, one by one and language by language; each is known by its English text."""
+    old, mine, other = ({line.get("", ""): line for line in side} for side in (base, ours, theirs))
+    if any(len(known) < len(side) for known, side in ((old, base), (mine, ours), (other, theirs))):
+        whole: tuple[Texts, ...] = choose(what, base, ours, theirs)
+        return whole
+    found: list[Texts] = []
+    for name in merged_order(old, mine, other):
+        one, two, three = old.get(name), mine.get(name), other.get(name)
+        if two is None or three is None:
+            line = choose(what, one, two, three)
+        else:
+            line = _settings(what, one or {}, two, three, choose)
+        if line is not None:
+            found.append(line)
+    return tuple(found)
 
 
 def _measured(

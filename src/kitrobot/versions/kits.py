@@ -8,10 +8,14 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from dataclasses import fields
 
-from kitrobot.primitives import Kit, KitPart
+from kitrobot.primitives import Kit, KitPart, Texts
 from kitrobot.text import Sentence, Word
 
-_PARTS = ("parts", "measured", "place")
+LANGUAGES = {"": "English", "fr": "French", "ur": "Urdu"}
+"""Languages of texts, in words."""
+
+_TEXTS = ("label", "help")
+_PARTS = (*_TEXTS, "parts", "measured", "place")
 """Fields of a kit that are compared by themselves, or not at all."""
 
 
@@ -27,6 +31,9 @@ def kit_differences(before: Kit, after: Kit) -> Iterator[tuple[str, str]]:
                 )
             else:
                 yield "board", Sentence("the kit: its {what} changed", Word(field.name))
+    for what in _TEXTS:
+        for language in _other_texts(getattr(before, what), getattr(after, what)):
+            yield "board", Sentence("the kit: its {what} in {language} changed", Word(what), language)
     parts, others = _by_name(before), _by_name(after)
     for name, part in parts.items():
         if name not in others:
@@ -40,6 +47,8 @@ def kit_differences(before: Kit, after: Kit) -> Iterator[tuple[str, str]]:
             drivers = (part.board.driver or "–", other_part.board.driver or "–")
             yield "part", Sentence("the kit: {part} has another driver: {before} → {after}", name, *drivers)
         yield from _settings("setting", name, part.board.settings, other_part.board.settings)
+        for language in _other_texts(part.help, other_part.help):
+            yield "part", Sentence("the kit: {part}: its {what} in {language} changed", name, Word("help"), language)
     for name in sorted(others.keys() - parts.keys()):
         yield "part", Sentence("the kit: {part} added", name)
     measured, measured_now = _measured(before), _measured(after)
@@ -58,6 +67,13 @@ def _by_name(kit: Kit) -> dict[str, KitPart]:
 
 def _measured(kit: Kit) -> dict[str, Mapping[str, str]]:
     return {device: one.settings for one in kit.measured for device in one.devices}
+
+
+def _other_texts(before: Texts, after: Texts) -> Iterator[Word]:
+    """The languages in which two texts are not the same."""
+    for language in dict.fromkeys([*before, *after]):
+        if before.get(language) != after.get(language):
+            yield Word(LANGUAGES.get(language, language))
 
 
 def _settings(kind: str, name: str, before: Mapping[str, str], after: Mapping[str, str]) -> Iterator[tuple[str, str]]:

@@ -19,7 +19,7 @@ from kitrobot.diagnostics import KitRobotError, Source
 from kitrobot.primitives import Category, Kit, Method, Robot, RobotObject, Texts, number_variable
 from kitrobot.primitives import Kind as MethodKind
 from kitrobot.robots import BoardProgram
-from kitrobot.text import Sentence
+from kitrobot.text import Label, Sentence
 from kitrobot.user_folders import config_folder
 from kitrobot.workspace.bench_notes import BenchNote, notes_for
 from kitrobot.workspace.robot_programs import ready_program
@@ -145,11 +145,12 @@ def _there(
     if kit is None:
         return parts, []
     package = Package((config_folder(), *([folder] if folder is not None else [])))
-    there, left_out = [], []
+    there: list[RobotObject] = []
+    left_out: list[tuple[RobotObject, str]] = []
     for part, looked in zip(parts, look_at_parts(robot, kit, package, None), strict=True):
         if looked.is_missing:
-            why = looked.found.help.get("", "") if looked.found is not None else ""
-            left_out.append((part, why or Sentence("the kit `{kit}` has none", kit.name)))
+            why = looked.found.help if looked.found is not None else {}
+            left_out.append((part, Label("", why) or Sentence("the kit `{kit}` has none", kit.name)))
         elif isinstance(looked.problem, PackageError):
             left_out.append((part, looked.problem.message))
         else:

@@ -103,7 +103,7 @@ def body_picture(kit: Kit) -> str:
     others = len(devices & _OTHERS)
     for at in range(others):
         drawn.append(f'<rect class="other" x="{80 - 6 * others + 12 * at}" y="106" width="9" height="8" rx="2"/>')
-    seen = "0 0 160 130" if rolls else "40 33.5 80 65"
+    seen = "0 0 160 130" if rolls else "24 16 112 100"
     head = f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="{seen}"><style>{_STYLE}</style>'
     return head + "".join(drawn) + "</svg>"
 

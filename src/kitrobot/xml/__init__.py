@@ -18,7 +18,8 @@ from kitrobot.xml.decoding import MAX_BYTES
 from kitrobot.xml.element import LONGEST_NAME, Element, Tag
 from kitrobot.xml.lessons import lesson_tag, require_label
 from kitrobot.xml.parsing import DoctypeError, ExpatError, new_parser
-from kitrobot.xml.reading import LANGUAGE, MAX_DEPTH, TEXT, TEXTS, Reader
+from kitrobot.xml.reading import MAX_DEPTH, Reader
+from kitrobot.xml.texts import LANGUAGE, TEXT, TEXTS, told_text, told_twice
 from kitrobot.xml.writing import attributes, escape_text, escape_value, text_element
 
 __all__ = [
@@ -50,6 +51,8 @@ __all__ = [
     "optional",
     "require_label",
     "text_element",
+    "told_text",
+    "told_twice",
     "version",
     "whole",
 ]

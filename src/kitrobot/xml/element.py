@@ -39,6 +39,8 @@ class Tag:
     unknown element word for word; without it they are left out. An element with `kept_whole` that has an error is given
     to the `keep` of the element around it in the same way.
 
+    A text is at most `longest` characters long, spaces in a row counted as one; 0: as long as the file.
+
     For the schema only: at least how many elements are inside, paths of elements inside whose names differ, a
     sentence about the element, and the name of its type where several elements share it.
     """
@@ -53,6 +55,7 @@ class Tag:
     kept_whole: bool = False
     least: int = 0
     unique: tuple[str, ...] = ()
+    longest: int = 0
     about: str = ""
     type_name: str = ""
 

@@ -13,7 +13,7 @@ from kitrobot.diagnostics import Rule
 from kitrobot.text import Sentence
 from kitrobot.xml.attributes import ICON, Attribute, Kind, needed, optional, version
 from kitrobot.xml.element import LONGEST_NAME, Element, Tag
-from kitrobot.xml.reading import TEXTS
+from kitrobot.xml.texts import TEXTS
 
 _START: Final = re.compile(r"""[^\\/:*?"<>|\x00-\x1f]+\.krt""", re.IGNORECASE)
 _MISSION_NAME: Final = Kind(

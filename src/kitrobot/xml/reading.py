@@ -16,13 +16,11 @@ from __future__ import annotations
 
 import re
 from collections.abc import Hashable, Mapping
-from dataclasses import replace
 from typing import NoReturn
 
 from kitrobot.diagnostics import Diagnostic, Place, Source
 from kitrobot.text import BytePositions, Sentence, Suggestions, collection_paused, one_of, shown
 from kitrobot.xml import rules
-from kitrobot.xml.attributes import optional
 from kitrobot.xml.decoding import decode
 from kitrobot.xml.element import Element, Tag
 from kitrobot.xml.mistakes import explain
@@ -268,30 +266,3 @@ class _Events:
             before = content[: len(content) - len(content.lstrip())]
             start = self.parser.CurrentByteIndex + len(before.encode())
             element.add(rules.STRAY_TEXT(message, self.reader.place(start, len(content.strip()))))
-
-
-def _keep_text(element: Element) -> None:
-    assert element.parent is not None
-    language = element.optional(LANGUAGE).lower()
-    texts = element.parent.texts.setdefault(element.name, {})
-    key = "" if language == "en" else language
-    if key in texts:
-        element.report(rules.DUPLICATE, Sentence("there is a <{element}> in this language already", element.name))
-    texts.setdefault(key, element.words)
-
-
-LANGUAGE = "xml:lang"
-TEXT = Tag(
-    close=_keep_text,
-    attributes={LANGUAGE: optional()},
-    text=True,
-    about="A text for people. Without xml:lang it is English; give it once for each language.",
-    type_name="text",
-)
-"""A text for people, once for each language: ends up in `texts` of the element around it."""
-
-TEXTS: Mapping[str, Tag] = {
-    "help": replace(TEXT, about="One or two sentences that a twelve-year-old understands."),
-    "label": replace(TEXT, about="The word shown instead of the name."),
-}
-"""What everything that people see may have."""

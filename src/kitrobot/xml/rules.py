@@ -61,6 +61,20 @@ UNKNOWN_ATTRIBUTE = rule(
     "An attribute is not known here",
     "The attribute is left out; everything else is used.",
 )
+UNKNOWN_LANGUAGE = rule(
+    "xml-unknown-language",
+    Severity.WARNING,
+    "A text is in a language that is not spoken here",
+    "Texts are shown in English (`en`, or no `xml:lang`), French (`fr`) and Urdu (`ur`). One in another language is "
+    "kept, and nobody is shown it.",
+)
+LONG_TEXT = rule(
+    "xml-long-text",
+    Severity.ERROR,
+    "A text is too long",
+    "A label stands beside others on a card or in a list, and a help below it: what is longer than the limit has no "
+    "room there.",
+)
 STRAY_TEXT = rule(
     "xml-stray-text",
     Severity.WARNING,

@@ -19,7 +19,7 @@ export const KITS_EN = {
   "boards.try-end": "Stop {part}",
   "boards.try-trouble": "Nothing happens?",
   "boards.try-slow": "This part takes longer than a tick: programs that use it run slower than they say.",
-  "boards.try-left-out": "Not on this robot: {part}",
+  "boards.try-left-out": "Not on this robot: {part}.",
   "boards.try-done": "Done",
   "boards.firmware": "MicroPython for this board, from its maker",
   "firmware.needs": "Needs MicroPython {least} or later.",

@@ -1,0 +1,40 @@
+"""The language in which a command gives what files of kits and robots say, and what is wrong with them.
+
+What a command says of itself is English: `used`, `missing`, its keys.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Annotated
+
+import typer
+
+if TYPE_CHECKING:
+    from kitrobot.primitives import Texts
+
+
+def _known(language: str) -> str:
+    from kitrobot.translation import LANGUAGES
+
+    if language not in LANGUAGES:
+        raise typer.BadParameter(f"expected {', '.join(LANGUAGES[:-1])} or {LANGUAGES[-1]}, found {language[:40]!r}")
+    return language
+
+
+Language = Annotated[
+    str,
+    typer.Option(
+        "--language",
+        metavar="en|fr|ur",
+        callback=_known,
+        help="The language of what kits and parts say, and of what is wrong with them.",
+    ),
+]
+
+
+def in_words(texts: Texts) -> str:
+    """The text in the language that is read (`kitrobot.translation`), else the English one, else ""."""
+    from kitrobot.text import Label
+    from kitrobot.translation import said
+
+    return said(Label("", texts))
