@@ -7,6 +7,8 @@ import random
 import pytest
 
 from kitrobot.compiler import check_declarations, check_program
+from kitrobot.compiler.team_moves import report_emptied
+from kitrobot.compiler.team_names import Names
 from kitrobot.compiler.team_sets import TeamSets
 from kitrobot.diagnostics import Diagnostic
 from kitrobot.lll import Move, Seq, parse_team
@@ -174,3 +176,15 @@ def test_what_the_moves_of_a_random_team_leave_empty_is_told(seed: int) -> None:
     found = check_program(program.program.seq, target_of_all, crew, program.source)
     assert not any(item.is_error for item in found)
     assert emptied <= {item.message.split("`")[1] for item in found if "can lose" in item.message}
+
+
+@pytest.mark.parametrize(("groups", "moves", "told"), [(99, 300, 99), (99, 301, 0), (3000, 1, 0)])
+def test_of_more_groups_and_moves_than_can_be_held_against_each_other_nothing_is_told(
+    groups: int, moves: int, told: int
+) -> None:
+    rows = [f"group g{n} = g{n + 1};" for n in range(groups - 1)]
+    crew = crew_of("\n".join(["role r: carrier;", *rows, f"group g{groups - 1} = r; group other = loader-1;"]))
+    program = parse_team("MOVE 1 g0 -> other;" * moves).program.seq
+    found: list[str] = []
+    report_emptied(program, Names(crew), lambda rule, message, node, help="": found.append(message))
+    assert len(found) == told

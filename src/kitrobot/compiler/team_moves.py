@@ -8,6 +8,8 @@ names it and at the end; so too for what it holds itself, without the groups in 
 robots there. Where robots are left but may fail, those are counted that the mission has: one of them alone, if nobody
 takes its place.
 
+Of a team with more groups and moves than `MOST_PAIRS` allows nothing is told: all are held against each other.
+
 Left to others: groups that one failure empties without a MOVE (team_names).
 """
 
@@ -38,6 +40,8 @@ from kitrobot.lll import (
 )
 from kitrobot.text import Help, Sentence
 
+MOST_PAIRS = 40_000
+"""Pairs of a group with a group or a MOVE that are looked at, at most."""
 _MANY = 1_000_000
 
 
@@ -70,15 +74,16 @@ def report_emptied(program: Seq, names: Names, report: Report) -> None:
         report: is given what is found.
     """
     moves = [node for node in nodes(program) if isinstance(node, Move)]
-    if moves:
-        _Look(program, names, moves).tell(report)
+    sets = TeamSets(names.crew, program)
+    if moves and len(sets.groups) * (len(sets.groups) + len(moves)) <= MOST_PAIRS:
+        _Look(program, names, moves, sets).tell(report)
 
 
 class _Look:
-    def __init__(self, program: Seq, names: Names, moves: list[Move]) -> None:
+    def __init__(self, program: Seq, names: Names, moves: list[Move], sets: TeamSets) -> None:
         self.names = names
         self.moves = moves
-        self.sets = TeamSets(names.crew, program)
+        self.sets = sets
         self.groups = self.sets.groups
         self.within = {name: self.inner(name) for name in self.groups}
         self.own = {
@@ -86,6 +91,9 @@ class _Look:
                 atom for one in inside if one == name or one not in self.groups for atom in self.names.atom(one)
             )
             for name, inside in self.groups.items()
+        }
+        self.all = {
+            name: frozenset[Atom]().union(*(self.own[one] for one in inside)) for name, inside in self.within.items()
         }
         self.taken: dict[tuple[str, str], dict[_Part, int]] = {}
         self.changed = frozenset(part for move in moves for part in self.effect(move))
@@ -170,7 +178,7 @@ class _Look:
 
         found = [count(self.staying(group))]
         for name in self.within[group]:
-            found.append(count(self.all_of(name)) - self.losses.get(_Part(name, True), 0))
+            found.append(count(self.all[name]) - self.losses.get(_Part(name, True), 0))
             found.append(count(self.own[name]) - self.losses.get(_Part(name, False), 0))
         return max(found)
 
@@ -179,9 +187,6 @@ class _Look:
         kept = [name for name in self.within[group] if self.losses.get(_Part(name, False), 0) <= 0]
         return frozenset[Atom]().union(*(self.own[name] for name in kept))
 
-    def all_of(self, group: str) -> Atoms:
-        return frozenset[Atom]().union(*(self.own[name] for name in self.within[group]))
-
     def failures(self, atom: Atom, group: str) -> set[str]:
         """What the groups say of the failure of a robot in a group, those that it is in whatever moves."""
         said = {name: one.failure for name, one in self.names.groups.items() if name in self.groups}
@@ -189,7 +194,7 @@ class _Look:
             failure
             for name, failure in said.items()
             if group in self.within[name]
-            or (atom in self.all_of(name) and atom in self.all_of(group) and not self.takes_from(name))
+            or (atom in self.all[name] and atom in self.all[group] and not self.takes_from(name))
         }
 
     def takes_from(self, group: str) -> Move | None:
