@@ -36,6 +36,7 @@ function comes(events: RunEvent[], again = false, team: TeamNow | null = TEAM): 
     events,
     again,
     team,
+    drawing: null,
   };
   page.act(() => useRun.setState((state) => applyMessage(state, message)));
 }

@@ -54,6 +54,7 @@ it("a lane says who plays there as soon as another robot takes a role over while
     events,
     again: false,
     team,
+    drawing: null,
   });
   const take = (message: RunMessage) => useRun.setState((state) => applyMessage(state, message));
   const spare = member("c-2", "");
