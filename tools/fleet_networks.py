@@ -3,7 +3,8 @@
 Needs Linux and root, `ip` and /dev/net/tun. Every agent, the process of the team and a router have a namespace of which
 the network card is a TAP of this process; it hands frames on as a switch does, loses and delays them, and can fall in
 two. Each scenario runs a mission to its end while something befalls it, and prints what came of it: all units of work
-done, each counted once, or the sentence that says why not. Everything that was made is taken away at the end.
+done, each counted once, or the sentence that says why not. In one of them an agent has a board, MicroPython for
+WebAssembly at the end of a line in its namespace. Everything that was made is taken away at the end.
 """
 
 from __future__ import annotations
@@ -28,6 +29,9 @@ import threading
 import time
 from collections.abc import Callable
 from pathlib import Path
+
+from tests.boards.bench import STORES
+from tests.boards.modern import ModernBoard
 
 AGENTS = 8
 UNITS = 24
@@ -173,10 +177,14 @@ class Lab:
     def address(self, place: str) -> str:
         return f"10.77.0.{10 + self.places.index(place)}"
 
+    def within(self, place: str) -> tuple[str, ...]:
+        """The words before those of a command that is to run in a namespace."""
+        return ("ip", "netns", "exec", f"{PREFIX}-{place}")
+
     def start(self, place: str, *words: str, quiet: bool = False) -> subprocess.Popen[str]:
         """A Python process in a namespace."""
         process = subprocess.Popen(
-            ["ip", "netns", "exec", f"{PREFIX}-{place}", sys.executable, *words],
+            [*self.within(place), sys.executable, *words],
             stdout=subprocess.PIPE,
             stderr=subprocess.DEVNULL if quiet else subprocess.PIPE,
             text=True,
@@ -186,16 +194,23 @@ class Lab:
 
 
 class Fleet:
-    """A run: its processes, and what they said."""
+    """A run: its processes, and what they said. `board`: the body of the first agent where that is not simulated."""
 
-    def __init__(self, lab: Lab, folder: Path, lease: int, router: bool) -> None:
+    def __init__(self, lab: Lab, folder: Path, lease: int, router: bool, board: ModernBoard | None = None) -> None:
         self.lab = lab
+        self.board = board
         self.lines: list[str] = []
         self.key = folder / "key"
         self.key.write_text(secrets.token_hex(32))
         self.file = str(folder / "eight.krt")
         (folder / "eight.krt").write_text(mission())
         (folder / "eight.world.xml").write_text(world())
+        if board is not None:
+            (folder / "lamp.driver.py").write_text(STORES.format(mark=0))
+            words = ("-m", "kitrobot", "deploy", self.file, "--team", "--board", f"robot-1={board.address}")
+            sending = lab.start("0", *words)
+            out, err = sending.communicate(timeout=120)
+            assert sending.returncode == 0, out + err
         self.router = router
         self.broker = self.start_router() if router else None
         names = [word for n in range(1, AGENTS + 1) for word in ("--elsewhere", f"robot-{n}")]
@@ -226,6 +241,8 @@ class Fleet:
         way = ("--router", self.endpoint(BROKER)) if self.router else ("--connect", self.endpoint(TEAM))
         own = () if self.router else ("--listen", self.endpoint(place, 7400))
         words = ("-m", "kitrobot", "agent", self.file, "--as", f"robot-{n + 1}", *way, *own, *self.common())
+        if n == 0 and self.board is not None:
+            words += ("--board", self.board.address)
         return self.lab.start(place, *words, quiet=True)
 
     def read(self) -> None:
@@ -310,6 +327,13 @@ def dead_router(fleet: Fleet, lab: Lab) -> None:
     fleet.broker = fleet.start_router()
 
 
+def cable(fleet: Fleet, lab: Lab) -> None:
+    """the first agent is a board, whose cable is pulled after 6 s"""
+    assert fleet.board is not None
+    time.sleep(6)
+    fleet.board.process.kill()
+
+
 SCENARIOS: dict[str, tuple[Scenario, int, bool]] = {
     "nothing": (nothing, 500, False),
     "kill": (kill, 500, False),
@@ -320,14 +344,18 @@ SCENARIOS: dict[str, tuple[Scenario, int, bool]] = {
     "partition": (partition, 500, False),
     "view": (halves, 500, False),
     "router": (dead_router, 500, True),
+    "board": (cable, 2000, False),
 }
 
 
 def try_out(name: str, show: bool) -> bool:
     """Runs a scenario in a lab of its own."""
     scenario, lease, router = SCENARIOS[name]
-    with tempfile.TemporaryDirectory() as folder, Lab() as lab:
-        fleet = Fleet(lab, Path(folder), lease, router)
+    with contextlib.ExitStack() as stack:
+        folder = stack.enter_context(tempfile.TemporaryDirectory())
+        lab = stack.enter_context(Lab())
+        board = stack.enter_context(ModernBoard(within=lab.within("0"))) if scenario is cable else None
+        fleet = Fleet(lab, Path(folder), lease, router, board)
         if not fleet.until("all agents are there", 90):
             print(f"{name}: did not begin\n" + "\n".join(fleet.lines))
             return False

@@ -65,11 +65,12 @@ class ModernBoard(NodeBoard):
     Args:
         files: what its flash holds at power-on.
         port: of its serial line on loopback; 0 for any that is free.
+        within: as of `NodeBoard`.
     """
 
-    def __init__(self, files: dict[str, bytes] | None = None, port: int = 0) -> None:
+    def __init__(self, files: dict[str, bytes] | None = None, port: int = 0, within: tuple[str, ...] = ()) -> None:
         held = {name: base64.b64encode(data).decode() for name, data in (files or {}).items()}
-        super().__init__(HERE / "board.mjs", micropython(), {"port": port, "files": held})
+        super().__init__(HERE / "board.mjs", micropython(), {"port": port, "files": held}, within)
 
     def deaf(self, on: bool) -> None:
         """Its host takes nothing any more of what it says, as one that keeps a USB port open and does not read."""

@@ -22,10 +22,11 @@ class NodeBoard:
         script: what Node runs, with `module` and the file of `given` as its arguments.
         module: the module of the emulator.
         given: what the script is to know.
+        within: the words of a command that Node is started by, as `ip netns exec NAME`.
     """
 
-    def __init__(self, script: Path, module: Path, given: dict[str, Any]) -> None:
-        self.script, self.module, self.given = script, module, given
+    def __init__(self, script: Path, module: Path, given: dict[str, Any], within: tuple[str, ...] = ()) -> None:
+        self.script, self.module, self.given, self.within = script, module, given, within
         self.address = ""
 
     def __enter__(self) -> Self:
@@ -34,7 +35,7 @@ class NodeBoard:
         given = Path(self._folder.name, "given.json")
         given.write_text(json.dumps(self.given), encoding="utf-8")
         self.process = subprocess.Popen(
-            [node, str(self.script), str(self.module), str(given)],
+            [*self.within, node, str(self.script), str(self.module), str(given)],
             env=environment,
             stdin=subprocess.PIPE,
             stdout=subprocess.PIPE,

@@ -1,4 +1,7 @@
-"""One mission, all hosts: a shipped one with roles and work is the same in the simulator and as real processes."""
+"""One mission, all hosts: a shipped one with roles and work is the same in the simulator and as real processes.
+
+One of the robots has a board.
+"""
 
 from __future__ import annotations
 
@@ -10,6 +13,8 @@ from typing import Any
 import pytest
 
 from kitrobot.trace import TraceReader
+from tests.boards.bench import STORES, ZERO
+from tests.boards.modern import ModernBoard
 from tests.fleet.test_processes import started
 
 SEARCH = Path("examples/shared-search/shared-search.krt")
@@ -52,16 +57,26 @@ def at_the_end(trace: Path) -> dict[str, float]:
     }
 
 
-def test_the_simulator_and_processes_come_to_one_outcome_and_the_same_shared_variables(
+def test_the_simulator_and_processes_with_a_board_come_to_one_outcome_and_the_same_shared_variables(
     mission: Path, tmp_path: Path, kitrobot: Any
 ) -> None:
+    """One robot's body is simulated; the other is a WebAssembly build of MicroPython at the end of its line."""
+    for drivers, source in ((("turn", "drive", "lamp"), STORES.format(mark=0)), (("range",), ZERO)):
+        for driver in drivers:
+            (tmp_path / f"{driver}.driver.py").write_text(source, encoding="utf-8")
     one, other = tmp_path / "simulator.krtrace", tmp_path / "fleet.krtrace"
     simulated = kitrobot("run", mission, "--trace", one, "--json")
-    with started("team", str(mission), "--pace", "0", "--lease", "2000", "--trace", str(other), "--json") as team:
-        status, out, said = team.end()
+    with ModernBoard() as board:
+        on_board = ("--board", f"robot-2={board.address}")
+        sent = kitrobot("deploy", mission, "--team", *on_board)
+        assert sent.status == 0, sent.err
+        words = ("team", str(mission), *on_board, "--pace", "0", "--lease", "2000", "--trace", str(other), "--json")
+        with started(*words) as team:
+            status, out, said = team.end()
     fleet = json.loads(out)
     assert (simulated.status, status) == (0, 0), said
     assert json.loads(simulated.out)["outcome"] == fleet["outcome"] == "done"
     assert fleet["units"] == {"Rooms": UNITS}
+    assert "robot-2: Begun = 42" in said
     assert at_the_end(other) == at_the_end(one)
     assert {at_the_end(other)[f"{name} variable Begun"] for name in ("robot-1", "robot-2")} == {42}

@@ -3,7 +3,8 @@
 The walk goes down the program with the set of those who are there: everybody at first, in a block its members. All that
 is said about a program is said of its text; circles of programs are looked for among all programs of a mission.
 
-Left to others: names of objects and methods (checker), declarations (team_names), what a program becomes.
+Left to others: names of objects and methods (checker), declarations (team_names), groups that robots move out of
+(team_moves), what a program becomes.
 """
 
 from __future__ import annotations
@@ -14,6 +15,7 @@ from typing import Any
 from kitrobot.compiler import team_rules as rules
 from kitrobot.compiler.checker import check
 from kitrobot.compiler.target import Target
+from kitrobot.compiler.team_moves import report_emptied
 from kitrobot.compiler.team_names import Atom, Atoms, Names
 from kitrobot.diagnostics import Diagnostic, Rule, Source, in_reading_order
 from kitrobot.lll import (
@@ -43,8 +45,6 @@ from kitrobot.lll import (
 )
 from kitrobot.primitives import Crew
 from kitrobot.text import Help, Sentence, Word, listed
-
-_MANY = 1_000_000
 
 
 def check_program(program: Seq, target: Target, crew: Crew, source: Source, name: str = "") -> list[Diagnostic]:
@@ -97,14 +97,14 @@ class _Look:
         self.blocks: dict[int, bool] = {}
         self.found: list[Diagnostic] = []
 
-    def report(self, rule: Rule, message: Sentence, node: Node, help: Help, vertex: str | None = None) -> None:
+    def report(self, rule: Rule, message: Sentence, node: Node, help: Help = "", vertex: str | None = None) -> None:
         vertices = (vertex,) if (vertex := vertex or node.vertex) else ()
         place = self.source.place(node.start, node.end)
         self.found.append(rule(message, place, help=help, program=self.program, vertices=vertices))
 
     def whole(self, program: Seq) -> list[Diagnostic]:
         self.seq(program, None)
-        self.moves(program)
+        report_emptied(program, self.names, self.report)
         return self.found
 
     # -- who is there
@@ -273,16 +273,6 @@ class _Look:
             message = Sentence("`{name}` is an agent, and members move between groups", name)
             self.report(rules.UNKNOWN_MEMBER, message, node, Sentence("name a group or a role"))
 
-    def moves(self, program: Seq) -> None:
-        """Groups out of which as many members can move as they have."""
-        last = {str(node.source): node for node in nodes(program) if isinstance(node, Move)}
-        for name, count in _moved(program).items():
-            fewest = self.names.fewest(name)
-            if count >= fewest and name in last and (name in self.names.groups or name in self.names.roles):
-                message = Sentence("`{group}` can lose all its members: it may have no more than {few}", name, fewest)
-                help = Sentence("move fewer, move some back, or want more in it")
-                self.report(rules.GROUP_EMPTY, message, last[name], help)
-
 
 def _names(atoms: Sequence[Atom]) -> str:
     return listed([f"`{one.name}`" for one in atoms])
@@ -293,31 +283,3 @@ def _is_among(one: Atom, there: Atoms) -> bool:
     if one in there:
         return True
     return not one.is_role and any(other.is_role and one.kind in ("", other.kind) for other in there)
-
-
-def _moved(seq: Seq) -> dict[str, int]:
-    """How many more members may leave each group than come into it, at most `_MANY`."""
-    found: dict[str, int] = {}
-    for node in seq.items:
-        for name, count in _moved_by(node).items():
-            found[name] = min(found.get(name, 0) + count, _MANY)
-    return found
-
-
-def _moved_by(node: Instr) -> dict[str, int]:
-    if isinstance(node, Move):
-        count = node.count if isinstance(node.count, int) else 0
-        source, target = str(node.source), str(node.target)
-        return {} if source == target else {source: count, target: -count}
-    rows = [_moved(body) for body in bodies(node)]
-    names = dict.fromkeys(name for row in rows for name in row)
-    if isinstance(node, Parallel):
-        return {name: sum(row.get(name, 0) for row in rows) for name in names}
-    most = {name: max(row.get(name, 0) for row in rows) for name in names}
-    if isinstance(node, Repeat) and isinstance(node.count, int):
-        return {name: min(count * node.count, _MANY) for name, count in most.items()}
-    if isinstance(node, While):
-        return {name: _MANY if count > 0 else 0 for name, count in most.items()}
-    if isinstance(node, Conditional) and node.orelse is None:
-        return {name: max(count, 0) for name, count in most.items()}
-    return most

@@ -48,7 +48,9 @@ GROUP_EMPTY = rule(
     "team-group-empty",
     Severity.WARNING,
     "A group can be left without members",
-    "A block whose members are all gone is passed over.",
+    "A block whose members have all moved away is passed over. Where the last of them failed, the run ends at that "
+    "block and has failed. A `MOVE` takes robots out of a group and out of every group in it, and so out of the groups "
+    "around it too, if it does not bring them into one of these.",
 )
 GROUP_CIRCLE = rule(
     "team-group-circle",

@@ -1,8 +1,17 @@
-/** Whether the list of members is open: in the place of the watch and of the list of problems, and the other way round. */
+/**
+ * Whether the list of members is open: in the place of the watch and of the list of problems, and the other way round;
+ * and what changes who is in a team.
+ */
 import { create } from "zustand";
 
+import type { RunEvent } from "../api/wire";
 import { useProblemList } from "./problem-walk";
 import { useWatch } from "./watching";
+
+/** What changes who is in a team, or is why. */
+export function changesOf(events: readonly RunEvent[]): RunEvent[] {
+  return events.filter(({ kind }) => kind === "member" || kind === "failure" || kind === "revival");
+}
 
 export const useMembers = create<{ open: boolean }>(() => ({ open: false }));
 

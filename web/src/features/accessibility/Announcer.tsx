@@ -1,9 +1,14 @@
-/** Says each change of the document (done, undone, done again) and what is selected. The toolbar says the run's state. */
+/**
+ * Says each change of the document (done, undone, done again), what is selected, and while a team runs, who fails, takes
+ * over and changes groups. The toolbar says the run's state.
+ */
 import { useEffect, useState } from "react";
 
 import { t } from "../../i18n/words";
 import type { StudioState } from "../../model/studio";
 import { useStudio } from "../../model/studio";
+import { changesOf } from "../../session/members";
+import { type RunState, useRun } from "../../session/run";
 import { useView } from "../../session/view";
 import { arcWords, selectionWords } from "./selection";
 
@@ -13,6 +18,21 @@ export function changeWords({ change, redoLabel, undoLabel }: StudioState): stri
   if (change.kind === "undo") return t("reach.undone", { what: redoLabel });
   if (change.kind === "redo") return t("reach.redone", { what: undoLabel });
   return "";
+}
+
+/** Of what comes at once, so many changes are said: the last. */
+const SAID = 3;
+
+/** What has changed in the team of a run since it stood as before; "" where another moment was gone to. */
+export function teamWords(
+  { events, team }: Pick<RunState, "events" | "team">,
+  { events: before }: Pick<RunState, "events">,
+): string {
+  const last = before.at(-1);
+  const known = last === undefined ? 0 : events.lastIndexOf(last) + 1;
+  if (team === null || events === before || (last !== undefined && known === 0)) return "";
+  const words = changesOf(events.slice(known)).map(({ agent, text }) => `${agent} ${text.replaceAll("`", "")}`);
+  return words.slice(-SAID).join("; ");
 }
 
 export function Announcer() {
@@ -28,7 +48,11 @@ export function Announcer() {
     const offArcs = useView.subscribe(({ arc }, before) => {
       if (arc !== before.arc) say(arcWords(arc));
     });
+    const offRun = useRun.subscribe((run, before) => {
+      if (run.events !== before.events) say(teamWords(run, before));
+    });
     return () => {
+      offRun();
       offChanges();
       offArcs();
     };

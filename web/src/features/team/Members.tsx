@@ -4,25 +4,17 @@
  */
 import { useMemo } from "react";
 
-import type { RunEvent } from "../../api/wire";
 import { StateShape } from "../../components/StateShape";
 import { clock } from "../../i18n/numbers";
 import { Said } from "../../i18n/Said";
 import { t } from "../../i18n/words";
-import { showMembers } from "../../session/members";
+import { changesOf, showMembers } from "../../session/members";
 import { meetingSaid } from "../../session/meetings";
 import { can, useRun } from "../../session/run";
 import { Tool } from "../../ui/Tool";
 import "./members.css";
 
 const SHOWN = 100;
-
-/** What changes who is in a team, or is why. */
-export function changesOf(events: readonly RunEvent[], tick: number): RunEvent[] {
-  return events.filter(
-    (event) => event.tick <= tick && (event.kind === "member" || event.kind === "failure" || event.kind === "revival"),
-  );
-}
 
 function Moment({ tick }: { tick: number }) {
   const tickMs = useRun((run) => run.tickMs);
@@ -46,7 +38,7 @@ export function Members() {
   const agents = useRun((run) => run.agents);
   const events = useRun((run) => run.events);
   const tick = useRun((run) => run.tick);
-  const changes = useMemo(() => changesOf(events, tick), [events, tick]);
+  const changes = useMemo(() => changesOf(events).filter((event) => event.tick <= tick), [events, tick]);
   if (team === null) return null;
   const waits = team.meetings.filter((one) => one.missing.length > 0);
   return (
