@@ -25,7 +25,7 @@ from tests.counting import MOST, growth
 from tests.effort import THOROUGH
 from tests.growth.shapes import SHAPES, content
 
-N = 110 if THOROUGH else 50
+N = 110 if THOROUGH else 70
 
 
 def grows(work: Callable[[int], Callable[[], object]]) -> float:
