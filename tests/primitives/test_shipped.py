@@ -2,6 +2,7 @@
 
 import re
 from dataclasses import replace
+from functools import cache
 from pathlib import Path
 
 import pytest
@@ -34,9 +35,14 @@ def shipped_files() -> list[Path]:
     return sorted([*places, *(REPOSITORY / "examples").glob("**/*.xml")])
 
 
+@cache
+def _schema(kind: str) -> xmlschema.XMLSchema:
+    return xmlschema.XMLSchema(SCHEMAS / f"{kind}.xsd")
+
+
 def schema_of(path: Path) -> xmlschema.XMLSchema:
     [kind] = [kind for ending, kind in KINDS.items() if path.name.endswith(ending)]
-    return xmlschema.XMLSchema(SCHEMAS / f"{kind}.xsd")
+    return _schema(kind)
 
 
 @pytest.fixture(scope="module")
