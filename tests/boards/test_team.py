@@ -1,5 +1,5 @@
-"""A team of a micro:bit of 2016 in QEMU and two boards with a current MicroPython: they share a variable, meet, and one
-takes the place of another that is lost.
+"""A team of two micro:bits of 2016 in QEMU and a board with a current MicroPython: they share a variable, meet, and one
+takes the place of another whose line is cut.
 """
 
 from __future__ import annotations
@@ -12,7 +12,7 @@ import pytest
 
 from tests.boards.bench import STORES
 from tests.boards.modern import ModernBoard
-from tests.boards.qemu import Emulated
+from tests.boards.qemu import Emulated, running
 from tests.boards.watching import called
 from tests.fleet.test_processes import started
 
@@ -58,9 +58,9 @@ CREW = """<kitrobot version="1">
     <arc from="v7" to="stop"/>
   </program>
   <team>
-    <agent name="modern-1" program="crew" robot="crewbot"/>
-    <agent name="bit" program="crew" robot="crewbot"/>
-    <agent name="modern-2" program="crew" robot="crewbot"/>
+    <agent name="bit-1" program="crew" robot="crewbot"/>
+    <agent name="bit-2" program="crew" robot="crewbot"/>
+    <agent name="modern" program="crew" robot="crewbot"/>
     <role name="chief" robot="crewbot"/>
     <role name="hand" robot="crewbot"/>
     <group name="crew" members="chief hand" failure="substitute"/>
@@ -71,9 +71,9 @@ CREW = """<kitrobot version="1">
 """Who is chief counts; nobody comes to the end who has not heard of it."""
 WORLD = """<world version="1" name="crew" width="2000" height="1000">
   <help>A room.</help>
-  <start name="modern-1" x="300" y="500" heading="0"/>
-  <start name="bit" x="800" y="500" heading="0"/>
-  <start name="modern-2" x="1300" y="500" heading="0"/>
+  <start name="bit-1" x="300" y="500" heading="0"/>
+  <start name="bit-2" x="800" y="500" heading="0"/>
+  <start name="modern" x="1300" y="500" heading="0"/>
 </world>
 """
 
@@ -88,16 +88,16 @@ def write_crew(folder: Path) -> Path:
 
 
 @pytest.fixture
-def other() -> Iterator[ModernBoard]:
-    with ModernBoard() as made:
-        yield made
+def bits() -> Iterator[tuple[Emulated, Emulated]]:
+    with running() as one, running() as other:
+        yield one, other
 
 
 def test_a_team_of_boards_shares_meets_and_goes_on_without_one(
-    microbit: Emulated, board: ModernBoard, other: ModernBoard, tmp_path: Path
+    bits: tuple[Emulated, Emulated], board: ModernBoard, tmp_path: Path
 ) -> None:
     mission = write_crew(tmp_path)
-    ports = {"modern-1": board.address, "bit": microbit.address, "modern-2": other.address}
+    ports = {"bit-1": bits[0].address, "bit-2": bits[1].address, "modern": board.address}
     words = [word for name, port in ports.items() for word in ("--board", f"{name}={port}")]
     sending = called("deploy", str(mission), "--team", *words, "--json")
     assert sending.returncode == 0, sending.stderr
@@ -105,16 +105,16 @@ def test_a_team_of_boards_shares_meets_and_goes_on_without_one(
     assert [one["agent"] for one in sent] == list(ports)
     assert all(one["free"] > 2200 for one in sent)
     with started("team", str(mission), *words, "--lease", "6000", "--json") as team:
-        team.until("modern-1: Told = ")
-        board.process.kill()
-        team.until("modern-1: its board is lost")
+        team.until("bit-1: Told = ")
+        bits[0].process.kill()
+        team.until("bit-1: its board is lost")
         status, out, said = team.end()
     assert (status, json.loads(out)["outcome"]) == (0, "done"), said
-    assert "modern-2: takes over for modern-1" in said
-    assert "modern-2: its program has ended" in said
-    assert "bit: its program has ended" in said
+    assert "modern: takes over for bit-1" in said
+    assert "modern: its program has ended" in said
+    assert "bit-2: its program has ended" in said
     again = called("deploy", str(mission), "--team", *words[:2], *words[4:])
     said = " ".join(again.stderr.split())
     assert again.returncode == 1
-    assert "no robot of the team is started; mend what is said above of modern-1" in said
+    assert "no robot of the team is started; mend what is said above of bit-1" in said
     assert "the new program is already on the boards of these, where it waits: modern" in said
