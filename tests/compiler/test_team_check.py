@@ -131,8 +131,8 @@ def test_what_is_wrong_with_a_declaration_is_said(text: str, codes: list[str]) -
 
 
 def test_groups_may_hold_each_other_thousands_deep() -> None:
-    rows = [f"group g{n} = g{n + 1};" for n in range(1500)]
-    crew = crew_of("\n".join([*rows, "group g1500 = loader on failure abort;"]))
+    rows = [f"group g{n} = g{n + 1};" for n in range(3000)]
+    crew = crew_of("\n".join([*rows, "group g3000 = loader on failure abort;"]))
     assert check_declarations(crew, ROBOTS, lambda _: None) == []
 
 

@@ -64,6 +64,9 @@ class Names:
             waiting, seen, atoms = [name], {name}, set[Atom]()
             while waiting:
                 one = waiting.pop()
+                if (known := self.known.get(one)) is not None:
+                    atoms |= known
+                    continue
                 inside = self.groups[one].members.names if one in self.groups and one not in self.roles else ()
                 atoms |= self.atom(one) if not inside else frozenset()
                 waiting += [member for member in inside if member not in seen]
