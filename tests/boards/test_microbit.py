@@ -205,6 +205,7 @@ def test_three_hundred_instructions_fit_and_give_the_same_commands_in_every_tick
         " Music.Tone(440, 200); WAIT(2); Music.Stop();",
         "Pin1.Write(1); WAIT(1); Pin1.Analog(500); WAIT(1); Pin2.Servo(90); WAIT(1); Pin1.Write(0);"
         " [Pin1.IsHigh()](Display.Pixel(1, 2, 9); )!(Display.Clear(); );",
+        "Music.Play(1); WAIT(2);",
         "[Random.LessThan(50)](Display.Number(Dice.Value()); )!(Display.Scroll(12); );",
         "[ButtonA.IsPressed()](Music.Play(1); )!(Music.Stop(); );"
         " [Shake.IsShaken()](Display.Number(Dice.Value()); )!(Display.Clear(); );",
