@@ -112,7 +112,8 @@ def test_the_wheel_carries_nothing_else(wheel_names: list[str]) -> None:
 def test_what_pip_installs_from_the_wheel_runs_an_example_and_serves_the_page(wheel: Path, tmp_path: Path) -> None:
     target = tmp_path / "installed"
     pip = [sys.executable, "-m", "pip", "--disable-pip-version-check", "--quiet", "--no-input"]
-    subprocess.run([*pip, "install", "--no-index", "--no-deps", "--target", str(target), str(wheel)], check=True)
+    install = [*pip, "install", "--no-index", "--no-deps", "--target", str(target), str(wheel)]
+    subprocess.run(install, check=True, timeout=PATIENCE_S)
     (script,) = [path for path in (target / "bin").iterdir() if path.stem == "kitrobot"]
     # The packages it needs come from here; it itself does not.
     environment = {**os.environ, "PYTHONPATH": str(target), "KITROBOT_STATE": str(tmp_path / "state")}

@@ -11,7 +11,7 @@ from dataclasses import fields
 from kitrobot.primitives import Kit, KitPart, Texts
 from kitrobot.text import Sentence, Word
 
-LANGUAGES = {"": "English", "fr": "French", "ur": "Urdu"}
+_LANGUAGES = {"": "English", "fr": "French", "ur": "Urdu"}
 """Languages of texts, in words."""
 
 _TEXTS = ("label", "help")
@@ -73,7 +73,7 @@ def _other_texts(before: Texts, after: Texts) -> Iterator[Word]:
     """The languages in which two texts are not the same."""
     for language in dict.fromkeys([*before, *after]):
         if before.get(language) != after.get(language):
-            yield Word(LANGUAGES.get(language, language))
+            yield Word(_LANGUAGES.get(language, language))
 
 
 def _settings(kind: str, name: str, before: Mapping[str, str], after: Mapping[str, str]) -> Iterator[tuple[str, str]]:
