@@ -17,7 +17,7 @@ import { complain } from "../../session/document";
 import { setResolver, useDrag } from "../../session/drag";
 import { currentDrawing, type Drawing, nodeOf, useDrawing } from "../../session/drawing";
 import { insideOf, REACH, slotOnScreen, type Target, targetInLayout, wrapTarget } from "../../session/targets";
-import { restFollowing, useView } from "../../session/view";
+import { useView } from "../../session/view";
 import { later } from "../../ui/later";
 import { ActiveVertices } from "./active";
 import { AddPopup } from "./AddPopup";
@@ -31,7 +31,7 @@ import { Marquee } from "./Marquee";
 import { type GraphNode, NODE_TYPES, PLAIN_TYPES } from "./Nodes";
 import { usePlain } from "./Plain";
 import { Said } from "./Said";
-import { useViewport } from "./viewport";
+import { moved, useViewport } from "./viewport";
 import { leastZoom, MOST_ZOOM } from "./zoom-range";
 import { ZoomControl } from "./ZoomControl";
 
@@ -115,9 +115,7 @@ function Graph({ drawing }: { drawing: Drawing }) {
         nodeTypes={plain ? PLAIN_TYPES : NODE_TYPES}
         defaultViewport={first}
         onInit={onReady}
-        onMove={(byHand) => {
-          if (byHand !== null) restFollowing();
-        }}
+        onMove={moved}
         minZoom={leastZoom(drawing.layout.bounds)}
         maxZoom={MOST_ZOOM}
         onlyRenderVisibleElements

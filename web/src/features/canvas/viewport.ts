@@ -41,6 +41,18 @@ function leastAtFirst(): number {
   return matchMedia("(pointer: coarse)").matches ? 1 : LEAST_READABLE;
 }
 
+let lastByHand: MouseEvent | TouchEvent | null = null;
+
+/**
+ * The canvas was moved, by that event if by hand; a move by hand rests following. Until d3-zoom ends a turn of the wheel,
+ * 150 ms later, it gives the wheel's event with moves of the program too: an event counts once.
+ */
+export function moved(event: MouseEvent | TouchEvent | null): void {
+  if (event === null || event === lastByHand) return;
+  lastByHand = event;
+  restFollowing();
+}
+
 /** The first camera, the callback for the ready viewport, and the viewport as `useView` has it. */
 export function useViewport(
   root: RefObject<HTMLDivElement | null>,
