@@ -14,7 +14,7 @@ SOURCES := $(wildcard src tests tools benchmarks hatch_build.py)
 .NOTPARALLEL:
 .DELETE_ON_ERROR:
 .DEFAULT_GOAL := help
-.PHONY: help install page run test check format bench pictures site lock clean
+.PHONY: help install page run test thorough check format bench pictures site lock clean
 
 help: ## list the tasks
 	@awk -F ':.*## ' '/^[a-z]+:.*## / { printf "make %-8s %s\n", $$1, $$2 }' $(MAKEFILE_LIST)
@@ -40,6 +40,10 @@ test: install page ## run every test: the page's, Python's and those in a browse
 	site="$$($(PY) -m tools.site_parts > /dev/null || echo ' and not site')"; \
 	left="$$browser$$firefox$$boards$$site"; \
 	$(BIN)/pytest -n auto --dist worksteal --durations=50 --durations-min=2 -m "$${left# and }"
+
+thorough: export KITROBOT_THOROUGH := 1
+thorough: export HYPOTHESIS_PROFILE := thorough
+thorough: test ## all that `make test` tries on few cases, on all of them (docs/thorough-tests.md); takes hours
 
 check: install ## format, lint, types, the stairs; changes nothing
 	$(BIN)/ruff format --check $(SOURCES)

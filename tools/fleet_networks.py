@@ -29,6 +29,7 @@ import threading
 import time
 from collections.abc import Callable
 from pathlib import Path
+from typing import NamedTuple
 
 from tests.boards.bench import STORES
 from tests.boards.modern import ModernBoard
@@ -334,27 +335,36 @@ def cable(fleet: Fleet, lab: Lab) -> None:
     fleet.board.process.kill()
 
 
-SCENARIOS: dict[str, tuple[Scenario, int, bool]] = {
-    "nothing": (nothing, 500, False),
-    "kill": (kill, 500, False),
-    "restart": (restart, 500, False),
-    "pause": (pause, 500, False),
-    "loss": (lossy, 2000, False),
-    "delay": (slow, 1500, False),
-    "partition": (partition, 500, False),
-    "view": (halves, 500, False),
-    "router": (dead_router, 500, True),
-    "board": (cable, 2000, False),
+class Setting(NamedTuple):
+    """What happens in a run, the lease of work in ms, and what there is besides the agents."""
+
+    scenario: Scenario
+    lease: int = 500
+    router: bool = False
+    board: bool = False
+
+
+SCENARIOS = {
+    "nothing": Setting(nothing),
+    "kill": Setting(kill),
+    "restart": Setting(restart),
+    "pause": Setting(pause),
+    "loss": Setting(lossy, 2000),
+    "delay": Setting(slow, 1500),
+    "partition": Setting(partition),
+    "view": Setting(halves),
+    "router": Setting(dead_router, router=True),
+    "board": Setting(cable, 2000, board=True),
 }
 
 
 def try_out(name: str, show: bool) -> bool:
     """Runs a scenario in a lab of its own."""
-    scenario, lease, router = SCENARIOS[name]
+    scenario, lease, router, with_board = SCENARIOS[name]
     with contextlib.ExitStack() as stack:
         folder = stack.enter_context(tempfile.TemporaryDirectory())
         lab = stack.enter_context(Lab())
-        board = stack.enter_context(ModernBoard(within=lab.within("0"))) if scenario is cable else None
+        board = stack.enter_context(ModernBoard(within=lab.within("0"))) if with_board else None
         fleet = Fleet(lab, Path(folder), lease, router, board)
         if not fleet.until("all agents are there", 90):
             print(f"{name}: did not begin\n" + "\n".join(fleet.lines))

@@ -7,7 +7,7 @@ a role shows only while a team runs. Where a name is that of a role or a group a
 from __future__ import annotations
 
 from collections import defaultdict
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from functools import cached_property
 from typing import NamedTuple, TypeAlias
 
@@ -92,17 +92,37 @@ class Names:
         known = Sentence("there is {known}", listed(self.members)) if self.members else declare
         return Sentence("the team has no role, no group and no agent `{name}`", name), near or known
 
-    def circle(self, group: str) -> bool:
-        """Whether a group holds itself."""
-        waiting, seen = [*self.groups[group].members.names], set[str]()
-        while waiting:
-            name = waiting.pop()
-            if name == group:
-                return True
-            if name in self.groups and name not in seen:
-                seen.add(name)
-                waiting += self.groups[name].members.names
-        return False
+    @cached_property
+    def in_circles(self) -> frozenset[str]:
+        """The groups that hold themselves, in time linear in the members of all groups (Kosaraju's algorithm)."""
+        inside = {
+            name: [one for one in group.members.names if one in self.groups] for name, group in self.groups.items()
+        }
+        holders: defaultdict[str, list[str]] = defaultdict(list)
+        for name, members in inside.items():
+            for one in members:
+                holders[one].append(name)
+        ended = [name for part in _parts(inside, inside) for name in part]
+        parts = [part for part in _parts(reversed(ended), holders) if len(part) > 1 or part[0] in inside[part[0]]]
+        return frozenset(name for part in parts for name in part)
+
+
+def _parts(begins: Iterable[str], following: Mapping[str, Iterable[str]]) -> Iterator[list[str]]:
+    """What is reached from each beginning and not from an earlier one, in the order in which a search leaves it."""
+    seen = set[str]()
+    for begin in begins:
+        part, ways = list[str](), [(begin, iter((begin,)))]
+        while ways:
+            name, way = ways[-1]
+            new = next((one for one in way if one not in seen), None)
+            if new is not None:
+                seen.add(new)
+                ways.append((new, iter(following.get(new, ()))))
+            else:
+                ways.pop()
+                part += [name] if ways else []
+        if part:
+            yield part
 
 
 def check_declarations(crew: Crew, robots: Mapping[str, Robot], place_of: PlaceOf) -> list[Diagnostic]:
@@ -128,7 +148,7 @@ def check_declarations(crew: Crew, robots: Mapping[str, Robot], place_of: PlaceO
         for name in group.members.names:
             if (told := names.unknown(name)) is not None:
                 found.append(rules.UNKNOWN_MEMBER(told[0], place_of(group), help=told[1]))
-        if names.circle(group.name):
+        if group.name in names.in_circles:
             message = Sentence("the group `{group}` holds itself", group.name)
             help = Sentence("take it out of its members, or of theirs")
             found.append(rules.GROUP_CIRCLE(message, place_of(group), help=help))

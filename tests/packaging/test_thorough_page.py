@@ -1,0 +1,35 @@
+"""Each test that `make test` leaves out says where its fact is held, and the page that lists them is current."""
+
+from __future__ import annotations
+
+import pytest
+
+from tools import thorough_tests
+from tools.thorough_tests import Left, left_out
+
+MARKED = """
+import pytest
+pytestmark = pytest.mark.thorough("test_a.py, on one mission")
+
+@pytest.mark.thorough("test_b.py")
+@pytest.mark.parametrize("x", [1, pytest.param(2, marks=pytest.mark.thorough("the first case"))])
+def test_c(x): ...
+"""
+
+
+def test_the_page_is_current() -> None:
+    assert thorough_tests.main(["--check"]) == 0
+
+
+def test_marks_are_found_at_files_tests_and_cases() -> None:
+    assert left_out(MARKED, "tests/a/test_c.py") == [
+        Left("tests/a/test_c.py", "all of it", "test_a.py, on one mission"),
+        Left("tests/a/test_c.py", "test_c", "test_b.py"),
+        Left("tests/a/test_c.py", "test_c", "the first case"),
+    ]
+
+
+@pytest.mark.parametrize("mark", ["pytest.mark.thorough", "pytest.mark.thorough()", "pytest.mark.thorough(' ')"])
+def test_a_mark_that_says_nothing_is_told_with_its_place(mark: str) -> None:
+    with pytest.raises(ValueError, match=r"test_c\.py, line 2: `thorough`"):
+        left_out(f"import pytest\n@{mark}\ndef test_c(): ...", "tests/a/test_c.py")
