@@ -21,9 +21,9 @@ FLEET = "benchmark"
 
 def kitrobot(me: int, count: int, rounds: int, where: str) -> list[float]:
     from kitrobot.fleet import TEAM_PROCESS, Channel, Network, key_of
-    from kitrobot.fleet.envelopes import BEGIN, EVERYBODY, HELLO, MEMBER
+    from kitrobot.fleet.bundles import bundled, unbundled
+    from kitrobot.fleet.envelopes import BEGIN, HELLO, MEMBER, Envelope
     from kitrobot.team import (
-        EVERYONE,
         Charter,
         Note,
         Noted,
@@ -31,7 +31,6 @@ def kitrobot(me: int, count: int, rounds: int, where: str) -> list[float]:
         Seat,
         Time,
         decode,
-        encode,
         first_state,
         step,
     )
@@ -52,11 +51,14 @@ def kitrobot(me: int, count: int, rounds: int, where: str) -> list[float]:
         nonlocal state
         stepped = step(charter, state, now(), event)
         state = stepped.state
-        for to, message in stepped.messages:
-            channel.send(EVERYBODY if to == EVERYONE else to, MEMBER, encode(message, 1))
+        for to, body in bundled(stepped.messages, 1):
+            channel.send(to, MEMBER, body)
         for change in stepped.changes:
             if isinstance(change, Noted):
                 arrived[change.numbers[0]] += 1
+
+    def messages(came: list[Envelope]) -> list[bytes]:
+        return [one for envelope in came if envelope.kind == MEMBER for one in unbundled(envelope.body, me)]
 
     taken: list[float] = []
     told_at = 0
@@ -64,18 +66,17 @@ def kitrobot(me: int, count: int, rounds: int, where: str) -> list[float]:
         begun = time.perf_counter()
         take(Note((number,)))
         while arrived[number] < count:
-            came = [envelope for envelope in channel.receive(0.02) if envelope.kind == MEMBER]
-            for place, envelope in enumerate(came, 1):
-                take(Received(decode(envelope.body, 1), place < len(came)))
+            came = messages(channel.receive(0.02))
+            for place, data in enumerate(came, 1):
+                take(Received(decode(data, 1), place < len(came)))
             if now() - told_at > 50:
                 told_at = now()
                 take(Time())
         taken.append(1000 * (time.perf_counter() - begun))
     end = time.monotonic() + 1.0
     while time.monotonic() < end:
-        for envelope in channel.receive(0.05):
-            if envelope.kind == MEMBER:
-                take(Received(decode(envelope.body, 1)))
+        for data in messages(channel.receive(0.05)):
+            take(Received(decode(data, 1)))
         take(Time())
     channel.close()
     return taken

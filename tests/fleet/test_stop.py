@@ -21,11 +21,12 @@ from kitrobot.fleet.agent_process import AgentBoard, AgentProcess
 from kitrobot.fleet.board_body import Order
 from kitrobot.fleet.board_line import BoardLine
 from kitrobot.fleet.bodies import Frame, write_frame
+from kitrobot.fleet.bundles import bundled
 from kitrobot.fleet.envelopes import EVERYBODY, Envelope, sealed
 from kitrobot.fleet.identity import identity_of
 from kitrobot.fleet.transport import MOST_OF_ONE, Channel
 from kitrobot.sim.team_columns import T_AT
-from kitrobot.team import Seat, encode
+from kitrobot.team import EVERYONE, Seat, Sending
 from kitrobot.team.messages import Heartbeat
 from kitrobot_onboard.state import STATE
 from tests.fleet.bench_boards import bench_boards
@@ -69,7 +70,8 @@ def opened() -> Iterator[Callable[[int], Heard]]:
 
 
 def heartbeat(member: int, stamp: int) -> bytes:
-    return encode(Heartbeat(Seat(member, 0), stamp, 0, 0, True, 0, ()), RUN)
+    [(_, body)] = bundled([Sending(EVERYONE, Heartbeat(Seat(member, 0), stamp, 0, 0, True, 0, ()))], RUN)
+    return body
 
 
 INPUTS = anew().members[0].machine.layout.inputs

@@ -12,13 +12,14 @@ from dataclasses import dataclass
 from kitrobot.fleet import envelopes as kinds
 from kitrobot.fleet.board_line import BoardLine
 from kitrobot.fleet.bodies import FrameError, Reply, read_frame, read_whole, write_reply, write_whole
+from kitrobot.fleet.bundles import bundled, unbundled
 from kitrobot.fleet.charter import LEAST_LEASE_MS, MOST_LEASE_MS, FleetError, charter_of
-from kitrobot.fleet.envelopes import EVERYBODY, TEAM_PROCESS, Envelope
+from kitrobot.fleet.envelopes import EVERYBODY, TEAM_PROCESS, Envelope, EnvelopeError
 from kitrobot.fleet.host import AgentHost
 from kitrobot.fleet.identity import identity_of
 from kitrobot.fleet.transport import Channel, milliseconds
 from kitrobot.sim import Simulation
-from kitrobot.team import EVERYONE, MessageError, decode, encode
+from kitrobot.team import MessageError, decode
 from kitrobot.text import Sentence
 
 HELLO_EVERY_MS = 200
@@ -216,16 +217,17 @@ class AgentProcess:
         """What another agent says."""
         try:
             if envelope.kind == kinds.MEMBER:
-                message = decode(envelope.body, self.channel.run)
-                if message.sender.member == envelope.sender:
-                    host.receive(now, message, more)
+                messages = [decode(one, self.channel.run) for one in unbundled(envelope.body, self.channel.me)]
+                for left, message in enumerate(messages, 1 - len(messages)):
+                    if message.sender.member == envelope.sender:
+                        host.receive(now, message, more or left < 0)
             elif envelope.kind == kinds.ASK:
                 whole = host.whole()
                 if whole is not None:
                     self.channel.send(envelope.sender, kinds.WHOLE, write_whole(whole))
             elif envelope.kind == kinds.WHOLE:
                 host.adopt(now, read_whole(envelope.body))
-        except (MessageError, FrameError) as error:
+        except (MessageError, EnvelopeError, FrameError) as error:
             self.say(Sentence("refused: {why}", error.args[0]))
 
     def _post(self) -> None:
@@ -234,9 +236,8 @@ class AgentProcess:
         if host is None:
             return
         sendings, host.sendings = host.sendings, []
-        for to, message in sendings:
-            data = encode(message, self.channel.run)
-            self.channel.send(EVERYBODY if to == EVERYONE else to, kinds.MEMBER, data)
+        for to, body in bundled(sendings, self.channel.run):
+            self.channel.send(to, kinds.MEMBER, body)
         replies, host.replies = host.replies, []
         self._reply(replies)
         if host.board is not None and self.board is not None:

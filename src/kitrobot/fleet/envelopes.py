@@ -1,4 +1,4 @@
-"""What travels between the processes of a fleet: one envelope for each message, sealed with the key of the team.
+"""What travels between the processes of a fleet: envelopes, each sealed with the key of the team.
 
 An envelope is `KF`, a version, a kind, the run, sender, addressee and a serial number, then the message, then 16 bytes
 of keyed BLAKE2b over all of it. Whoever has not the key can neither make nor change one; one of another run is told
@@ -14,15 +14,15 @@ from hashlib import blake2b
 
 from kitrobot.text import Sentence
 
-VERSION = 1
+VERSION = 2
 SEAL = 16
 MOST_BYTES = 1 << 20
 LEAST_KEY, MOST_KEY = 16, 64
 """Bytes of a key."""
 
 MEMBER, ASK, WHOLE, HELLO, WELCOME, BEGIN, FRAME, REPLY, STOP, BYE = range(10)
-"""A message of the protocol; who asks for a replica; a replica; an agent that comes, its answer; the start of the run;
-readings of a body, what came of a tick; the emergency stop; the end."""
+"""Messages of the protocol (`bundles`); who asks for a replica; a replica; an agent that comes, its answer; the start
+of the run; readings of a body, what came of a tick; the emergency stop; the end."""
 
 TEAM_PROCESS, EVERYBODY = 0xFFFF, 0xFFFE
 """Instead of the number of an agent."""
