@@ -114,6 +114,8 @@ def test_numbers_that_count_nothing_are_left_out() -> None:
     assert now is not None
     assert {(member["role"], member["stands_for"]) for member in now["members"]} == {("", "")}
     assert now["meetings"] == []
+    assert one.plan is not None
+    assert now["groups"] == list(one.plan.groups)
     bare = replace(one, columns=tuple(column for column in one.columns if column.owner != TEAM))
     assert TeamTold(bare).now([0] * len(bare.columns)) is None
     assert TeamTold(replace(one, plan=None)).now(row) is None

@@ -55,7 +55,7 @@ class TeamTold:
             for number in places
             if plan.points[number].waits
         ]
-        return TeamNowShape(members=members, meetings=meetings).model_dump(mode="json")
+        return TeamNowShape(members=members, groups=list(plan.groups), meetings=meetings).model_dump(mode="json")
 
     def news(self, row: Sequence[int]) -> dict[str, Any] | None:
         """The same where it is not what was told the last time; None where it is."""

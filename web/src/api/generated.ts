@@ -2161,9 +2161,13 @@ export interface TeamMessage {
   stopped_ms: number | null;
 }
 
-/** A team as it stands: its members, and where some of them wait. */
+/**
+ * A team as it stands: its members, the names of its groups, also of those left empty, and where some wait. A role that
+ * robots move from or to is a group of its name.
+ */
 export interface TeamNow {
   members: Member[];
+  groups: string[];
   meetings: Meeting[];
 }
 

@@ -112,9 +112,13 @@ class MeetingShape(BaseModel):
 
 
 class TeamNowShape(BaseModel):
-    """A team as it stands: its members, and where some of them wait."""
+    """A team as it stands: its members, the names of its groups, also of those left empty, and where some wait.
+
+    A role that robots move from or to is a group of its name.
+    """
 
     members: list[MemberShape]
+    groups: list[str]
     meetings: list[MeetingShape]
 
 

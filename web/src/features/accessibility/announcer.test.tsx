@@ -7,7 +7,7 @@ import { mount, type Mounted } from "../../testing/hooks";
 import { Announcer } from "./Announcer";
 
 const BEFORE = useRun.getState();
-const TEAM: TeamNow = { members: [], meetings: [] };
+const TEAM: TeamNow = { members: [], groups: [], meetings: [] };
 let page: Mounted;
 beforeEach(() => {
   page = mount(<Announcer />);

@@ -10,7 +10,7 @@ import "./lanes.css";
  */
 export function playing(names: readonly string[], team: TeamNow | null): string {
   const members = team?.members ?? [];
-  const groups = new Set(members.flatMap((one) => one.groups));
+  const groups = new Set(team?.groups);
   return members
     .filter(
       ({ name, role, groups: own, stands_for }) =>

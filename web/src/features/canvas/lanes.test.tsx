@@ -14,7 +14,7 @@ function member(name: string, role: string, groups: string[] = [], stands_for = 
 }
 
 function teamOf(...members: Member[]): TeamNow {
-  return { members, meetings: [] };
+  return { members, groups: [...new Set(members.flatMap((one) => one.groups))], meetings: [] };
 }
 
 it("a lane says which robots play in it, and for whom one took over", () => {
@@ -39,6 +39,8 @@ it("what is meant for an agent is played by the one that stands for it, and by n
 it("a role that robots moved out of is a group: its robots are those that are still in it", () => {
   const team = teamOf(member("c-1", "carrier", ["carrier"]), member("c-2", "carrier", ["movers"]));
   expect(playing(["carrier"], team)).toBe("c-1");
+  const left = teamOf(member("c-1", "carrier", ["movers"]), member("c-2", "carrier", ["movers"]));
+  expect(playing(["carrier"], { ...left, groups: ["carrier", "movers"] })).toBe("");
 });
 
 it("a lane says who plays there as soon as another robot takes a role over while it runs", () => {

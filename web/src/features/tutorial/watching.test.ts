@@ -13,7 +13,7 @@ function meeting(here: number): Meeting {
 }
 
 const NOTHING = {
-  team: { members: [member("a"), member("b"), member("c", { role: "", stands_for: "" })], meetings: [] },
+  team: { members: [member("a"), member("b"), member("c", { role: "", stands_for: "" })], groups: [], meetings: [] },
   events: [],
 };
 const GONE = member("a", { role: "", stands_for: "", missed: true });
@@ -35,9 +35,9 @@ describe("a run in the words of tutorials", () => {
 
   it("tells one that was replaced from one that was dropped", () => {
     const members = [GONE, member("b")];
-    const replaced = { ...NOTHING, team: { members: [...members, member("c", { stands_for: "a" })], meetings: [] } };
+    const replaced = { ...NOTHING, team: { members: [...members, member("c", { stands_for: "a" })], groups: [], meetings: [] } };
     expect(eventsOfTeam(replaced, NOTHING)).toEqual(["robot-replaced"]);
-    const dropped = { ...NOTHING, team: { members, meetings: [] } };
+    const dropped = { ...NOTHING, team: { members, groups: [], meetings: [] } };
     expect(eventsOfTeam(dropped, NOTHING)).toEqual(["robot-dropped"]);
     expect(eventsOfTeam(dropped, dropped)).toEqual([]);
   });
