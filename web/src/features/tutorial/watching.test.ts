@@ -35,7 +35,10 @@ describe("a run in the words of tutorials", () => {
 
   it("tells one that was replaced from one that was dropped", () => {
     const members = [GONE, member("b")];
-    const replaced = { ...NOTHING, team: { members: [...members, member("c", { stands_for: "a" })], groups: [], meetings: [] } };
+    const replaced = {
+      ...NOTHING,
+      team: { members: [...members, member("c", { stands_for: "a" })], groups: [], meetings: [] },
+    };
     expect(eventsOfTeam(replaced, NOTHING)).toEqual(["robot-replaced"]);
     const dropped = { ...NOTHING, team: { members, groups: [], meetings: [] } };
     expect(eventsOfTeam(dropped, NOTHING)).toEqual(["robot-dropped"]);
