@@ -16,7 +16,6 @@ from pathlib import Path
 
 import kitrobot
 from benchmarks.measuring import Rate, Row, in_turns
-from benchmarks.peers import agents_in_space, trees
 from benchmarks.swarm import SPACING_MM, instructions_a_tick, swarm
 from benchmarks.table import table
 from kitrobot.mission import Radio
@@ -86,7 +85,11 @@ def _beside(robots: int, size: Size, peers: bool) -> list[Row]:
         ours = hurried(swarm(robots))
         steps["Numba"] = max(1, size.work // robots)
         work["Numba"] = lambda: go(ours, steps["Numba"])
+    names: dict[str, str] = {}
     if peers:
+        from benchmarks.peers import agents_in_space, trees
+
+        names = {"mesa": agents_in_space.NAME, "trees": trees.NAME}
         mesa = agents_in_space.Rovers(robots, SPACING_MM)
         forest = trees.forest(robots)
         steps["mesa"] = steps["trees"] = plain_steps
@@ -99,10 +102,8 @@ def _beside(robots: int, size: Size, peers: bool) -> list[Row]:
         if name not in rates:
             continue
         what = f"{name}, {robots} robots of {instructions_a_tick()} instructions"
-        if peers:
-            rows.append(Row(what, "steps/s", rates[name], agents_in_space.NAME, rates["mesa"]))
-            rows.append(Row(what, "steps/s", rates[name], trees.NAME, rates["trees"]))
-        else:
+        rows += [Row(what, "steps/s", rates[name], told, rates[peer]) for peer, told in names.items()]
+        if not peers:
             rows.append(Row(what, "steps/s", rates[name]))
     return rows
 
