@@ -91,6 +91,9 @@ def test_twenty_five_keys_are_enough(open_studio: OpenStudio) -> None:
     assert hands.made <= 25
 
 
+@pytest.mark.thorough(
+    "with mouse and keys in this file; fingers add a part and run a mission on a phone in test_touch.py"
+)
 def test_sixteen_taps_on_a_phone_are_enough(open_studio: OpenStudio) -> None:
     studio = new_sheet(open_studio, viewport={"width": 390, "height": 800}, has_touch=True, is_mobile=True)
     hands = Hands(studio)

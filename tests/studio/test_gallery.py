@@ -115,6 +115,9 @@ def test_search_filters_and_arrows_lead_to_an_example_that_runs_to_its_end(open_
     studio.wait_until_done()
 
 
+@pytest.mark.thorough(
+    "tests/workspace/test_previews.py holds what is drawn; test_screens.py, who wants less motion gets none"
+)
 def test_pictures_move_while_they_are_seen_until_somebody_wants_them_still(open_studio: OpenStudio) -> None:
     studio = open_studio("blink/blink.krt", reduced_motion="no-preference")
     dialog = open_gallery(studio)
@@ -151,10 +154,10 @@ def test_the_gallery_has_no_barrier_and_fits_a_phone(open_studio: OpenStudio, lo
     studio = open_studio("blink/blink.krt")
     choose(studio, *look)
     dialog = open_gallery(studio)
-    find_nothing(studio, "the gallery")
+    find_nothing(studio, "the gallery", within="[data-testid='open-dialog']")
     studio.at("gallery-find").fill("zzz")
     expect(dialog.locator(".card")).to_have_count(0)
-    find_nothing(studio, "no example")
+    find_nothing(studio, "no example", within="[data-testid='open-dialog']")
     studio.at("gallery-find").fill("")
     studio.page.set_viewport_size({"width": 390, "height": 844})
     expect(dialog.locator(".card").first).to_be_visible()

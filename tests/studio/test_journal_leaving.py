@@ -105,6 +105,7 @@ NO_MISSIONS = [
 ]
 
 
+@pytest.mark.thorough("web/src/session/document.test.ts, a damaged file leaves the open mission alone")
 def test_a_file_that_gives_no_mission_is_refused_and_the_open_one_stays(studio: Studio) -> None:
     page = studio.page
     expect_wait(page, 2)
@@ -116,6 +117,7 @@ def test_a_file_that_gives_no_mission_is_refused_and_the_open_one_stays(studio: 
     forgive_refusals(studio)
 
 
+@pytest.mark.thorough("web/src/session/journal.test.ts, it says when it cannot be written and mends it later")
 def test_without_its_server_a_page_claims_nothing_of_its_file(
     start: Start, mission: Path, context: BrowserContext
 ) -> None:

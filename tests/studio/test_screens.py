@@ -8,6 +8,7 @@ from collections.abc import Callable
 import pytest
 from playwright.sync_api import expect
 
+from tests.effort import cases
 from tests.studio.conftest import LOOKS, Studio
 from tests.studio.test_reach import AXE, choose, find_nothing
 
@@ -15,6 +16,8 @@ pytestmark = pytest.mark.browser
 
 OpenStudio = Callable[..., Studio]
 TRANSPORT = "transport/transport.krt"
+CANVAS, CODE = "[data-testid='canvas']", "[data-testid='code']"
+WATCH, ARENA = "[data-testid='watch']", ".side-arena"
 
 
 @pytest.fixture(autouse=True)
@@ -36,6 +39,7 @@ def select(studio: Studio, testid: str) -> None:
     raise AssertionError(f"{testid} was not selected")
 
 
+@pytest.mark.thorough("test_reach.py, axe on the studio before and in a run, on its menus and sheets")
 @pytest.mark.parametrize("look", LOOKS, ids=str)
 def test_axe_finds_nothing_on_the_tools_of_the_canvas(open_studio: OpenStudio, look: tuple[str, ...]) -> None:
     studio = open_studio(TRANSPORT)
@@ -45,36 +49,36 @@ def test_axe_finds_nothing_on_the_tools_of_the_canvas(open_studio: OpenStudio, l
     find_nothing(studio, "a part selected")
     keys.press("Shift+F10")
     expect(studio.at("context-menu")).to_be_visible()
-    find_nothing(studio, "context menu")
+    find_nothing(studio, "context menu", within="[data-testid='context-menu']")
     keys.press("Escape")
     keys.press("n")
     expect(studio.at("note-field")).to_be_focused()
-    find_nothing(studio, "a note being written")
+    find_nothing(studio, "a note being written", within=CANVAS)
     keys.press("Escape")
     keys.press("/")
     expect(studio.at("add-find")).to_be_focused()
-    find_nothing(studio, "type to add")
+    find_nothing(studio, "type to add", within=CANVAS)
     keys.type("break")
     keys.press("Enter")
     expect(studio.page.locator(".leap")).to_have_count(1)
     expect(studio.page.locator(".vertex.is-selected", has=studio.page.locator(".vertex-name"))).to_be_in_viewport()
-    find_nothing(studio, "a Break")
+    find_nothing(studio, "a Break", within=CANVAS)
     keys.press("Control+f")
     expect(studio.at("find-input")).to_be_focused()
-    find_nothing(studio, "find")
+    find_nothing(studio, "find", within=".find")
     keys.type("while")
     expect(studio.at("find-hit-1")).to_be_visible()
-    find_nothing(studio, "find with hits")
+    find_nothing(studio, "find with hits", within=".find")
     keys.press("Escape")
     keys.press("m")
     keys.press("a")
-    find_nothing(studio, "small map, a selected arc")
+    find_nothing(studio, "small map, a selected arc", within=CANVAS)
     studio.at("add-program").click()
-    find_nothing(studio, "menu of robots")
+    find_nothing(studio, "menu of robots", within=".menu")
     keys.press("Escape")
     keys.press("F2")
     expect(studio.at("tab-name-field")).to_be_focused()
-    find_nothing(studio, "a tab being renamed")
+    find_nothing(studio, "a tab being renamed", within=".tabs")
 
 
 @pytest.mark.parametrize("look", LOOKS, ids=str)
@@ -92,21 +96,21 @@ def test_axe_finds_nothing_on_problems_and_on_text_with_a_mistake(
     expect(studio.page.locator(".trouble").first).to_be_visible()
     keys.press("F8")
     expect(studio.page.locator("#problem-list")).to_be_visible()
-    find_nothing(studio, "problems")
+    find_nothing(studio, "problems", within="#problem-list")
     studio.edit_code()
     keys.press("Control+End")
     keys.type("\nWheel.")
     expect(studio.page.locator(".cm-tooltip-autocomplete")).to_be_visible()
-    find_nothing(studio, "completion")
+    find_nothing(studio, "completion", within=CODE)
     keys.press("Escape")
     keys.type("?!")
-    find_nothing(studio, "a mistake in the text")
+    find_nothing(studio, "a mistake in the text", within=CODE)
     studio.at("code-tab-listing").click()
-    find_nothing(studio, "three-address code")
+    find_nothing(studio, "three-address code", within=".side-code")
 
 
 @pytest.mark.parametrize("look", LOOKS, ids=str)
-@pytest.mark.parametrize("size", [(1024, 768), (390, 844)], ids=str)
+@pytest.mark.parametrize("size", cases([(390, 844)], [(1024, 768)]), ids=str)
 def test_axe_finds_nothing_on_small_screens(
     open_studio: OpenStudio, look: tuple[str, ...], size: tuple[int, int]
 ) -> None:
@@ -125,17 +129,17 @@ def a_breakpoint_and_the_watch(studio: Studio) -> None:
     light.click()
     keys.press("b")
     expect(studio.at("breakpoint-when")).to_be_visible()
-    find_nothing(studio, "a breakpoint")
+    find_nothing(studio, "a breakpoint", within=".side-inspector")
     studio.at("watch-button").click()
     expect(studio.at("watch")).to_be_visible()
-    find_nothing(studio, "a watch without a run")
+    find_nothing(studio, "a watch without a run", within=WATCH)
     studio.at("run-button").click()
     expect(studio.at("status")).to_contain_text("visit 1")
     captor = studio.at("watch-Captor")
     captor.get_by_role("textbox").fill("7")
     keys.press("Enter")
     expect(captor).to_have_attribute("data-forced", "true")
-    find_nothing(studio, "the watch of a run", every_theme=True)
+    find_nothing(studio, "the watch of a run", within=WATCH)
     studio.at("watch-button").click()
     light.click()
     keys.press("b")
@@ -146,12 +150,12 @@ def the_stage_and_the_result(studio: Studio) -> None:
     studio.at("canvas").focus()
     keys.press("f")
     expect(studio.at("stage-watched")).to_be_visible()
-    find_nothing(studio, "the stage", every_theme=True)
+    find_nothing(studio, "the stage", within=ARENA)
     studio.full_speed()
     keys.press("F5")
     studio.wait_until_done()
     expect(studio.at("ending")).to_be_visible()
-    find_nothing(studio, "the result of a run", every_theme=True)
+    find_nothing(studio, "the result of a run", within="[data-testid='ending']")
     studio.at("arena-large").click()
 
 
@@ -167,10 +171,10 @@ def a_merge(studio: Studio) -> None:
     studio.page.keyboard.press("Control+s")
     studio.at("banner").get_by_role("button", name="Show the difference").click()
     expect(studio.at("differences")).to_be_visible()
-    find_nothing(studio, "the difference from the file")
+    find_nothing(studio, "the difference from the file", within="[data-testid='differences']")
     studio.at("merge").click()
     expect(studio.at("conflicts")).to_be_visible()
-    find_nothing(studio, "a merge", every_theme=True)
+    find_nothing(studio, "a merge", within="[data-testid='conflicts']")
     studio.page.keyboard.press("Escape")
     # The browser itself reports each save that was refused.
     studio.faults[:] = [fault for fault in studio.faults if "409" not in fault]
@@ -180,7 +184,7 @@ def the_printed_sheet(studio: Studio) -> None:
     studio.page.evaluate("window.dispatchEvent(new Event('beforeprint'))")
     studio.page.emulate_media(media="print")
     expect(studio.at("print-sheet")).to_be_visible()
-    find_nothing(studio, "the printed sheet", every_theme=True)
+    find_nothing(studio, "the printed sheet", within="[data-testid='print-sheet']")
 
 
 def test_axe_finds_nothing_on_a_breakpoint_the_watch_the_stage_a_merge_and_the_printed_sheet(

@@ -149,6 +149,7 @@ def the_tabs_are_walked_by_arrows_to_the_team_and_back(studio: Studio) -> None:
     expect(studio.at("team")).to_be_hidden()
 
 
+@pytest.mark.thorough("web/src/model/commands/changeTeam.test.ts; robots are added, named and moved in this file")
 def test_tabs_are_walked_robots_moved_and_renamed_goals_changed_and_another_world_is_shown_at_once(
     open_studio: OpenStudio,
 ) -> None:
@@ -205,10 +206,10 @@ def test_axe_finds_nothing_in_the_team(open_studio: OpenStudio, look: tuple[str,
     choose(studio, *look)
     studio.page.keyboard.press("Alt+t")
     expect(studio.at("world-ring")).to_be_visible()
-    find_nothing(studio, "the team")
+    find_nothing(studio, "the team", within=".team")
     studio.at("world-empty").locator("input").check()
     expect(studio.page.locator(".team [role=status]").first).to_be_visible()
-    find_nothing(studio, "a team in the wrong world")
+    find_nothing(studio, "a team in the wrong world", within=".team")
 
 
 def test_after_a_run_the_arena_shows_what_was_edited_and_in_its_past_the_run(open_studio):

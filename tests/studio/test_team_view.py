@@ -185,4 +185,4 @@ def test_axe_finds_nothing_wrong_with_the_roster(open_studio: OpenStudio, look: 
     studio.at("change-leader").click()
     studio.at("code-tab-projection").click()
     expect(studio.at("projection")).to_contain_text("Team.Join();")
-    find_nothing(studio, "roster")
+    find_nothing(studio, "roster", within=".side")

@@ -13,6 +13,7 @@ from tests.studio.test_tutorials import BLINK, FIRST, OpenStudio, at_step
 pytestmark = pytest.mark.browser
 
 
+@pytest.mark.thorough("tests/server/test_tutorials.py, a tutorial dropped into the folder appears")
 def test_a_tutorial_in_the_folder_appears_and_one_with_a_mistake_says_which(open_studio: OpenStudio) -> None:
     studio = open_studio(BLINK)
     text = (EXAMPLES / "tutorials" / "first-steps" / "first-steps.tutorial.xml").read_text(encoding="utf-8")

@@ -14,6 +14,7 @@ pytestmark = pytest.mark.browser
 
 OpenStudio = Callable[[str | None], Studio]
 BLINK = "blink/blink.krt"
+PANEL = "[data-testid='tutorial']"
 FIRST = "example:tutorials/first-steps/first-steps.tutorial.xml"
 
 
@@ -96,6 +97,7 @@ def test_first_steps_with_the_mouse(open_studio: OpenStudio) -> None:
     done(studio, *range(1, 10))
 
 
+@pytest.mark.thorough("test_first_steps_with_the_mouse; test_first_minutes.py, with keys")
 def test_first_steps_by_keyboard_alone_in_urdu(open_studio: OpenStudio) -> None:
     studio = open_studio(BLINK)
     choose(studio, "ur")
@@ -164,6 +166,9 @@ def test_first_steps_by_keyboard_alone_in_urdu(open_studio: OpenStudio) -> None:
     done(studio, *range(1, 10))
 
 
+@pytest.mark.thorough(
+    "tests/tutorial/test_shipped.py does each step; web/src/features/tutorial/state.test.ts, an undone step is open"
+)
 def test_sensing_with_a_wrong_way_and_undo(open_studio: OpenStudio) -> None:
     studio = open_studio(BLINK)
     begin(studio, "sensing")
@@ -205,6 +210,7 @@ def test_sensing_with_a_wrong_way_and_undo(open_studio: OpenStudio) -> None:
     done(studio, *range(1, 9))
 
 
+@pytest.mark.thorough("tests/tutorial/test_shipped.py does each step of each tutorial")
 def test_together_with_two_branches_and_two_programs(open_studio: OpenStudio) -> None:
     studio = open_studio(BLINK)
     begin(studio, "together")
@@ -309,6 +315,7 @@ def test_skip_back_leave_and_come_back(open_studio: OpenStudio) -> None:
     done(studio, 1, 3)
 
 
+@pytest.mark.thorough("web/src/features/tutorial/state.test.ts, what was done is there with the file it was saved to")
 def test_what_was_saved_elsewhere_is_where_it_goes_on(open_studio: OpenStudio) -> None:
     studio = open_studio(BLINK)
     begin(studio, "first-steps")
@@ -336,18 +343,18 @@ def test_what_was_saved_elsewhere_is_where_it_goes_on(open_studio: OpenStudio) -
 def test_axe_finds_nothing_and_nothing_overlaps(open_studio: OpenStudio, look: tuple[str, ...]) -> None:
     studio = open_studio(None)
     choose(studio, *look)
-    find_nothing(studio, "the welcome")
+    find_nothing(studio, "the welcome", within="main")
     studio.page.keyboard.press("Control+o")
     expect(studio.at(f"tutorial-card-{FIRST}")).to_be_visible()
-    find_nothing(studio, "the gallery with tutorials")
+    find_nothing(studio, "the gallery with tutorials", within="[data-testid='open-dialog']")
     studio.at(f"tutorial-card-{FIRST}").click()
     at_step(studio, 1)
-    find_nothing(studio, "the first step")
+    find_nothing(studio, "the first step", within=PANEL)
     studio.at("tutorial-show").click()
-    find_nothing(studio, "the hint")
+    find_nothing(studio, "the hint", within=PANEL)
     for _ in range(9):
         studio.at("tutorial-next").click()
-    find_nothing(studio, "the end")
+    find_nothing(studio, "the end", within=PANEL)
     panel, leave = studio.at("tutorial").bounding_box(), studio.at("tutorial-leave").bounding_box()
     assert panel is not None
     assert leave is not None
