@@ -245,6 +245,7 @@ def test_pictures_have_lines_and_letters_in_every_theme_and_in_urdu_errors_have_
     ctrl_p_prints_the_sheet_too(studio)
 
 
+@pytest.mark.thorough("web/src/features/export/sheet/cuts.test.ts")
 def test_a_long_graph_is_cut_into_parts_between_its_vertices(open_studio: OpenStudio) -> None:
     studio = open_studio("blink/blink.krt")
     studio.edit_code()

@@ -40,8 +40,7 @@ def with_a_mistake(studio: Studio, right: str, wrong: str) -> None:
     expect(studio.at("canvas")).to_be_visible()
 
 
-def test_a_name_in_the_graph_by_click_and_back(open_studio: OpenStudio) -> None:
-    studio = open_studio("blink/blink.krt")
+def a_name_in_the_graph_by_click_and_back(studio: Studio) -> None:
     with_a_mistake(studio, "Light.LightOn", "Light.LihgtOn")
     expect(studio.at("problems")).to_contain_text("1")
     studio.at("problems").click()
@@ -54,8 +53,7 @@ def test_a_name_in_the_graph_by_click_and_back(open_studio: OpenStudio) -> None:
     expect(studio.at("problems")).to_contain_text("1")
 
 
-def test_a_slip_in_the_text_by_key(open_studio: OpenStudio) -> None:
-    studio = open_studio("blink/blink.krt")
+def a_slip_in_the_text_by_key(studio: Studio) -> None:
     studio.edit_code()
     studio.page.keyboard.press("Control+End")
     studio.page.keyboard.insert_text("\nLigth.LightOn();")
@@ -66,6 +64,14 @@ def test_a_slip_in_the_text_by_key(open_studio: OpenStudio) -> None:
     studio.expect_code("\nLight.LightOn();")
     expect(studio.at("code-state")).to_be_empty()
     expect(studio.page.locator(".vertex", has_text="Lamp On")).to_have_count(2)
+
+
+def test_a_slip_in_the_text_and_a_name_in_the_graph_are_mended_by_key_and_by_click(open_studio: OpenStudio) -> None:
+    studio = open_studio("blink/blink.krt")
+    a_slip_in_the_text_by_key(studio)
+    studio.at("canvas").focus()
+    studio.take_back()
+    a_name_in_the_graph_by_click_and_back(studio)
 
 
 def test_a_program_that_ends_at_once_says_so_whole_and_is_mended(open_studio: OpenStudio) -> None:

@@ -137,7 +137,7 @@ def test_the_heart_beats_on_the_lights(open_studio: OpenStudio) -> None:
 
 
 @pytest.mark.thorough(
-    "tests/studio/test_languages.py; web/src/components/scene/boards.test.ts: keys have their sensor's name"
+    "web/src/model/texts.test.ts: labels are in the reader's language; web/src/components/scene/boards.test.ts"
 )
 @pytest.mark.parametrize("language", cases(["ur"], ["fr"]))
 def test_keys_are_there_in_every_language(open_studio: OpenStudio, language: str) -> None:

@@ -134,7 +134,7 @@ def help_for_every_part_of_the_palette(studio: Studio, language: str) -> None:
     page = studio.page
     parts = page.locator('[data-testid^="part-"]:not(input)')
     seen = set()
-    for index in range(0, parts.count(), 1 if THOROUGH else 6):
+    for index in range(parts.count()):
         parts.nth(index).focus()
         page.keyboard.press("F1")
         expect(studio.at("part-help")).to_be_visible()
@@ -142,7 +142,7 @@ def help_for_every_part_of_the_palette(studio: Studio, language: str) -> None:
         meets_no_english(studio, language, f"help {index}")
         page.keyboard.press("Escape")
         expect(studio.at("part-help")).to_have_count(0)
-    assert len(seen) > (15 if THOROUGH else 3)
+    assert len(seen) > 15
 
 
 def a_dozen_mistakes_with_their_helps(studio: Studio, language: str) -> None:
@@ -228,20 +228,23 @@ def a_tutorial(studio: Studio, language: str) -> None:
 
 
 @each_language
-def test_menus_sheets_palette_inspector_outline_help_team_and_a_tutorial(
+def test_menus_sheets_palette_inspector_outline_help_team_a_dozen_mistakes_and_a_tutorial(
     open_studio: OpenStudio, language: str
 ) -> None:
     studio = open_studio("transport/transport.krt")
     choose(studio, language)
     the_team(studio, language)
     menus_sheets_palette_inspector_outline_and_help(studio, language)
+    a_dozen_mistakes_with_their_helps(studio, language)
     a_tutorial(studio, language)
 
 
+@pytest.mark.thorough(
+    "tests/server/test_languages.py: how a run ends; menus_sheets_palette_inspector_outline_and_help: F1"
+)
 @each_language
-def test_help_for_every_part_a_run_s_end_and_a_dozen_mistakes(open_studio: OpenStudio, language: str) -> None:
+def test_help_for_every_part_and_how_a_run_ends(open_studio: OpenStudio, language: str) -> None:
     studio = open_studio("square/square.krt")
     choose(studio, language)
     help_for_every_part_of_the_palette(studio, language)
     how_a_run_ends(studio, language)
-    a_dozen_mistakes_with_their_helps(studio, language)

@@ -82,8 +82,9 @@ def a_world_that_was_dropped_can_be_used_at_once(studio: Studio) -> None:
     expect(studio.page.locator(".arena")).to_contain_text("Yard")
 
 
-def test_robots_worlds_and_constructors_are_dropped_and_used(open_studio: OpenStudio) -> None:
+def test_robots_worlds_and_constructors_are_chosen_or_dropped_and_used(open_studio: OpenStudio) -> None:
     studio = open_studio(SQUARE)
+    parts_are_chosen_from_the_menu(studio)
     constructors_and_a_world_are_dropped_together(studio)
     a_world_that_was_dropped_can_be_used_at_once(studio)
     a_dropped_robot_is_beside_the_mission_and_a_program_is_added_for_it(studio)
@@ -167,15 +168,14 @@ def test_mistakes_of_a_dropped_robot_are_problems_with_file_and_line(open_studio
     find_nothing(studio, "problems of a file")
 
 
-def test_parts_are_chosen_from_the_menu(open_studio: OpenStudio) -> None:
-    studio = open_studio(SQUARE)
+def parts_are_chosen_from_the_menu(studio: Studio) -> None:
     with studio.page.expect_file_chooser() as chooser:
         studio.at("menu-File").click()
         studio.at("menu-file-parts").click()
-    file = studio.folder.parent / "mine.xml"
-    file.write_text(CONSTRUCTORS)
+    file = studio.folder.parent / "chosen.xml"
+    file.write_text(CONSTRUCTORS.replace("Twice", "Again"))
     chooser.value.set_files([file])
-    expect(studio.at("part-Twice")).to_be_visible()
+    expect(studio.at("part-Again")).to_be_visible()
 
 
 def test_a_file_that_changes_on_disk_is_followed_while_the_studio_runs(open_studio: OpenStudio) -> None:
@@ -247,7 +247,7 @@ def test_a_robot_for_which_a_program_exists_is_taken_up(open_studio: OpenStudio)
     expect(studio.at("code")).not_to_be_empty()
 
 
-@pytest.mark.thorough("tests/server/test_languages.py and test_robots_worlds_and_constructors_are_dropped_and_used")
+@pytest.mark.thorough("tests/server/test_languages.py and test_robots_worlds_and_constructors_are_chosen_or_dropped…")
 def test_parts_are_dropped_in_urdu(open_studio: OpenStudio) -> None:
     studio = open_studio(SQUARE)
     choose(studio, "ur")

@@ -245,8 +245,10 @@ def test_nothing_is_cut_off_stop_is_always_there_and_what_is_pressed_is_44_px(
     open_with_fingers: Callable[[ViewportSize], Studio], size: ViewportSize, language: str
 ) -> None:
     studio = open_with_fingers(size)
-    nothing_is_cut_off_and_stop_is_always_there(studio, size, language)
     everything_that_is_pressed_is_44_px(studio, size)
+    studio.page.keyboard.press("Escape")
+    studio.at("problems").tap()
+    nothing_is_cut_off_and_stop_is_always_there(studio, size, language)
 
 
 def a_mission_runs_on_a_phone(studio: Studio) -> None:
