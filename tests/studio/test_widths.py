@@ -87,7 +87,7 @@ def mission(studio: Studio, programs: int, word: str = "a-program-with-a-long-na
 
 
 def amiss(studio: Studio, turn: int, height: int = 900) -> list[str]:
-    """Everything that is amiss, each with its width: at some widths, others at each turn; in the thorough profile at all."""
+    """Everything that is amiss, each with its width: at some widths, others at each turn; thoroughly at all of them."""
     found = []
     for width in WIDTHS if THOROUGH else WIDTHS[2 * turn :: 6]:
         studio.page.set_viewport_size({"width": width, "height": height})
