@@ -124,25 +124,6 @@ def the_keyboard_opens_the_menu_of_the_selected_part(studio: Studio) -> None:
     expect(studio.page.locator(".vertex-name", has_text="Wait")).to_have_count(2)
 
 
-def test_a_menu_of_a_part_opens_by_right_click_and_by_keyboard(open_studio: OpenStudio) -> None:
-    studio = open_studio(TRANSPORT)
-    right_click_opens_a_menu_that_works_on_what_is_under_it(studio)
-    the_keyboard_opens_the_menu_of_the_selected_part(studio)
-
-
-def a_finger_that_rests_opens_the_menu(studio: Studio) -> None:
-    box = studio.page.locator(".vertex").first.bounding_box()
-    assert box is not None
-    touch = studio.page.context.new_cdp_session(studio.page)
-    point = {"x": box["x"] + 90, "y": box["y"] + 20}
-    touch.send("Input.dispatchTouchEvent", {"type": "touchStart", "touchPoints": [point]})
-    expect(studio.at("context-menu")).to_be_visible()
-    touch.send("Input.dispatchTouchEvent", {"type": "touchEnd", "touchPoints": []})
-    expect(studio.at("menu-context-wrap")).to_be_visible()
-    expect(studio.page.locator(".ghost")).to_have_count(0)
-    expect(studio.at("saved-state")).to_have_text("saved")
-
-
 def a_loop_dropped_on_the_selection_encloses_it_and_unwraps(studio: Studio) -> None:
     add_two_parts(studio)
     before = studio.code()
@@ -167,12 +148,6 @@ def w_asks_for_the_part_that_goes_around_the_selection(studio: Studio) -> None:
     expect(studio.at("code")).not_to_contain_text(re.compile(r"\]\( WAIT\(10\); \)"))
 
 
-def test_the_selection_is_wrapped_by_a_drop_and_by_a_key_and_unwrapped(open_studio: OpenStudio) -> None:
-    studio = open_studio(TRANSPORT)
-    a_loop_dropped_on_the_selection_encloses_it_and_unwraps(studio)
-    w_asks_for_the_part_that_goes_around_the_selection(studio)
-
-
 def find_looks_through_all_programs_and_enter_goes_there(studio: Studio) -> None:
     studio.page.keyboard.press("Control+f")
     expect(studio.at("find-input")).to_be_focused()
@@ -194,8 +169,7 @@ def find_looks_through_all_programs_and_enter_goes_there(studio: Studio) -> None
     expect(studio.at("canvas")).to_be_focused()
 
 
-def test_a_collapsed_body_says_how_much_it_holds_and_glows_for_it(open_studio: OpenStudio) -> None:
-    studio = open_studio(TRANSPORT)
+def a_collapsed_body_says_how_much_it_holds_and_glows_for_it(studio: Studio) -> None:
     outer = studio.page.locator(".vertex", has_text="While").first
     name = (outer.get_attribute("data-testid") or "").removeprefix("vertex-")
     studio.at(f"collapse-{name}").click()
@@ -227,11 +201,15 @@ def shift_drag_on_the_void_selects_what_the_box_touches(studio: Studio) -> None:
     assert abs(start["y"] - canvas["y"] - 18) < 8, "the canvas did not move along"
 
 
-def test_a_box_selects_and_a_finger_that_rests_opens_the_menu(open_studio: OpenStudio) -> None:
+def test_menus_boxes_and_wrapping_work_on_what_is_selected(open_studio: OpenStudio) -> None:
     studio = open_studio(TRANSPORT)
     shift_drag_on_the_void_selects_what_the_box_touches(studio)
     studio.page.keyboard.press("Escape")
-    a_finger_that_rests_opens_the_menu(studio)
+    a_loop_dropped_on_the_selection_encloses_it_and_unwraps(studio)
+    w_asks_for_the_part_that_goes_around_the_selection(studio)
+    studio.take_back()
+    right_click_opens_a_menu_that_works_on_what_is_under_it(studio)
+    the_keyboard_opens_the_menu_of_the_selected_part(studio)
 
 
 def beside_the_graph(studio: Studio) -> tuple[float, float]:
@@ -263,7 +241,8 @@ def keys_zoom_to_the_selection_show_the_map_and_follow_the_run(studio: Studio) -
     studio.at("stop-button").click()
 
 
-def test_keys_zoom_show_the_map_follow_the_run_and_find_in_all_programs(open_studio: OpenStudio) -> None:
+def test_keys_zoom_show_the_map_follow_the_run_find_in_all_programs_and_fold(open_studio: OpenStudio) -> None:
     studio = open_studio(TRANSPORT)
+    a_collapsed_body_says_how_much_it_holds_and_glows_for_it(studio)
     keys_zoom_to_the_selection_show_the_map_and_follow_the_run(studio)
     find_looks_through_all_programs_and_enter_goes_there(studio)

@@ -83,17 +83,7 @@ def escape_ends_a_drag_without_a_change(studio: Studio) -> None:
     expect(studio.at("saved-state")).to_have_text("saved")
 
 
-def test_a_drag_is_ended_by_escape_and_a_drop_on_an_arc_that_lights_up_splices_the_part_in(
-    open_studio: OpenStudio,
-) -> None:
-    studio = open_studio(TRANSPORT)
-    escape_ends_a_drag_without_a_change(studio)
-    arcs_light_up_and_a_drop_on_one_splices_the_part_in(studio)
-
-
-def test_a_drop_on_the_void_parks_a_part_and_a_drag_brings_it_in(open_studio: OpenStudio) -> None:
-    studio = open_studio(TRANSPORT)
-    fold_first_parallel(studio)
+def a_drop_on_the_void_parks_a_part_and_a_drag_brings_it_in(studio: Studio) -> None:
     before = studio.code()
     canvas, part = studio.at("canvas").bounding_box(), studio.at("part-Wait").bounding_box()
     assert canvas is not None
@@ -113,8 +103,7 @@ def test_a_drop_on_the_void_parks_a_part_and_a_drag_brings_it_in(open_studio: Op
     studio.expect_code("WAIT(10);")
 
 
-def test_a_test_docks_in_a_slot_and_nests_in_the_hole_of_another(open_studio: OpenStudio) -> None:
-    studio = open_studio(TRANSPORT)
+def a_test_docks_in_a_slot_and_nests_in_the_hole_of_another(studio: Studio) -> None:
     studio.drop("If Then", "arc-start.next")
     expect(studio.page.locator(".vertex.is-selected")).to_contain_text("If Then")
     name = name_of(studio.page.locator(".vertex.is-selected"))
@@ -176,9 +165,18 @@ def a_vertex_cannot_go_into_its_own_body(studio: Studio) -> None:
     expect(studio.at("saved-state")).to_have_text("saved")
 
 
-def test_a_vertex_moves_with_its_body_but_not_into_it_and_alt_takes_a_copy(open_studio: OpenStudio) -> None:
+def test_parts_and_vertices_are_dragged_spliced_parked_docked_moved_and_copied(open_studio: OpenStudio) -> None:
     studio = open_studio(TRANSPORT)
+    escape_ends_a_drag_without_a_change(studio)
+    arcs_light_up_and_a_drop_on_one_splices_the_part_in(studio)
+    studio.take_back()
+    a_test_docks_in_a_slot_and_nests_in_the_hole_of_another(studio)
+    studio.at("part-find").fill("")
+    studio.take_back()
     fold_first_parallel(studio)
+    a_drop_on_the_void_parks_a_part_and_a_drag_brings_it_in(studio)
+    studio.take_back()
+    settled(studio)
     a_vertex_cannot_go_into_its_own_body(studio)
     a_vertex_moves_with_its_body_and_comes_back_with_undo(studio)
     settled(studio)

@@ -13,6 +13,7 @@ from playwright.sync_api import expect
 
 from kitrobot.files import carried_mission
 from kitrobot.image import Image, assemble
+from tests.effort import cases
 from tests.studio.conftest import EXAMPLES, Studio
 
 pytestmark = pytest.mark.browser
@@ -45,6 +46,12 @@ def drop_file(studio: Studio, path: Path) -> None:
         studio.at("canvas").dispatch_event(event, {"dataTransfer": data})
 
 
+def choose_file(studio: Studio, path: Path) -> None:
+    """Opens a file of this computer from the menu."""
+    studio.page.keyboard.press("Control+o")
+    studio.at("open-file").set_input_files(path)
+
+
 def pages_of(pdf: bytes) -> int:
     return len(re.findall(rb"/Type\s*/Page\b", pdf))
 
@@ -67,22 +74,25 @@ def speak(studio: Studio, language: str) -> None:
     expect(studio.page.locator("html")).to_have_attribute("lang", language)
 
 
-def test_a_picture_that_is_dropped_on_the_window_opens_its_mission(open_studio: OpenStudio, tmp_path: Path) -> None:
+def test_a_picture_that_is_dropped_on_the_window_or_opened_from_the_menu_opens_its_mission(
+    open_studio: OpenStudio, tmp_path: Path
+) -> None:
     studio = open_studio("transport/transport.krt")
     before = studio.code()
     kept = {kind: keep(studio, f"export-{kind}", tmp_path) for kind in ("svg", "png", "pdf")}
     mission = (EXAMPLES / "transport" / "transport.krt").read_bytes().strip()
-    for kind, path in kept.items():
+    ways = [("svg", drop_file), ("png", choose_file), ("pdf", drop_file)]
+    for kind, opens in cases(ways, [("svg", choose_file), ("png", drop_file), ("pdf", choose_file)]):
+        path = kept[kind]
         assert path.name == f"carrier.{kind}"
         assert carried_mission(path.read_bytes(), path.name)[0].strip() == mission, kind
         studio.new_mission()
-        expect(studio.at("first-place")).to_be_visible()
-        drop_file(studio, path)
+        opens(studio, path)
         expect(studio.at("tab-store-manager-A")).to_be_visible()
         studio.expect_code("Collision.IsPressed")
         assert studio.code() == before, kind
-        again = keep(studio, "download-krt", tmp_path)
-        assert again.read_bytes().strip() == mission, kind
+    again = keep(studio, "download-krt", tmp_path)
+    assert again.read_bytes().strip() == mission
 
 
 def all_graphs_go_into_one_pdf_a_page_each(studio: Studio, tmp_path: Path) -> None:
@@ -202,10 +212,32 @@ def ctrl_p_prints_the_sheet_too(studio: Studio) -> None:
     assert pages_of(studio.page.pdf(prefer_css_page_size=True, format="A4")) >= 1
 
 
-def test_a_pdf_has_lines_and_letters_in_every_theme_and_in_urdu_errors_have_no_image_and_ctrl_p_prints(
+def the_svg_shows_every_vertex_in_words(studio: Studio, tmp_path: Path) -> None:
+    text = keep(studio, "export-svg", tmp_path).read_text(encoding="utf-8")
+    assert text.count(">On</text>") == 1
+    assert text.count(">Wait</text>") == 3
+    assert ">Run is true</text>" in text
+    assert ">At the same time</text>" in text
+    assert "var(" not in text
+
+
+def a_picture_without_a_mission_is_told_and_changes_nothing(studio: Studio, tmp_path: Path) -> None:
+    studio.expect_code("Light.LightOn")
+    before = studio.code()
+    path = tmp_path / "cat.svg"
+    path.write_text('<svg xmlns="http://www.w3.org/2000/svg"/>', encoding="utf-8")
+    choose_file(studio, path)
+    expect(studio.page.get_by_text("is a picture without a mission inside")).to_be_visible()
+    assert studio.code() == before
+    studio.faults[:] = [fault for fault in studio.faults if "400" not in fault and "422" not in fault]
+
+
+def test_pictures_have_lines_and_letters_in_every_theme_and_in_urdu_errors_have_no_image_and_ctrl_p_prints(
     open_studio: OpenStudio, tmp_path: Path
 ) -> None:
     studio = open_studio("blink/blink.krt")
+    the_svg_shows_every_vertex_in_words(studio, tmp_path)
+    a_picture_without_a_mission_is_told_and_changes_nothing(studio, tmp_path)
     a_pdf_is_drawn_in_lines_and_letters_and_is_light_in_every_theme(studio, tmp_path)
     a_program_with_errors_has_no_image_and_the_page_says_what_to_do(studio)
     studio.take_back()
@@ -213,6 +245,7 @@ def test_a_pdf_has_lines_and_letters_in_every_theme_and_in_urdu_errors_have_no_i
     ctrl_p_prints_the_sheet_too(studio)
 
 
+@pytest.mark.thorough("web/src/features/export/sheet/cuts.test.ts")
 def test_a_long_graph_is_cut_into_parts_between_its_vertices(open_studio: OpenStudio) -> None:
     studio = open_studio("blink/blink.krt")
     studio.edit_code()

@@ -71,6 +71,7 @@ def a_button_is_held_with_the_keyboard(studio: Studio, key: str) -> None:
     studio.wait_until_done()
 
 
+@pytest.mark.thorough("web/src/components/scene/boards.test.ts: a short press is held until the program has felt it")
 def test_a_finger_that_taps_shortly_is_felt(open_studio: OpenStudio) -> None:
     studio = running(open_studio, has_touch=True)
     studio.page.touchscreen.tap(*centre(studio.at("hand-ButtonB")))
@@ -112,11 +113,12 @@ def dice_are_thrown_by_a_shake(studio: Studio) -> None:
 def test_a_board_is_held_by_mouse_and_keys_shaken_and_watched_once_it_runs(open_studio: OpenStudio) -> None:
     studio = open_studio("dice/dice.krt")
     before_a_run_there_is_a_board_and_nothing_to_hold(studio)
+    find_nothing(studio, "a board before a run")
     begin(studio)
     expect(studio.at("hand-Shake")).to_be_enabled()
     a_press_on_the_canvas_beside_the_buttons_holds_nothing(studio)
     a_press_while_the_run_pauses_waits_for_it(studio)
-    for key in cases(["b", "Space"], ["Enter"]):
+    for key in cases(["b"], ["Space", "Enter"]):
         begin(studio)
         a_button_is_held_with_the_keyboard(studio, key)
     begin(studio)
@@ -126,6 +128,7 @@ def test_a_board_is_held_by_mouse_and_keys_shaken_and_watched_once_it_runs(open_
     dice_are_thrown_by_a_shake(studio)
 
 
+@pytest.mark.thorough("web/src/components/scene/boards.test.ts; dice_are_thrown_by_a_shake lights the display in a run")
 def test_the_heart_beats_on_the_lights(open_studio: OpenStudio) -> None:
     studio = open_studio("heart/heart.krt")
     studio.at("run-button").click()
@@ -133,6 +136,9 @@ def test_the_heart_beats_on_the_lights(open_studio: OpenStudio) -> None:
         expect(studio.at("arena-summary")).to_contain_text(lights)
 
 
+@pytest.mark.thorough(
+    "web/src/model/texts.test.ts: labels are in the reader's language; web/src/components/scene/boards.test.ts"
+)
 @pytest.mark.parametrize("language", cases(["ur"], ["fr"]))
 def test_keys_are_there_in_every_language(open_studio: OpenStudio, language: str) -> None:
     studio = open_studio("reaction/reaction.krt", locale=language)
@@ -140,6 +146,7 @@ def test_keys_are_there_in_every_language(open_studio: OpenStudio, language: str
     expect(studio.at("hand-ButtonA")).to_contain_text(names[language])
 
 
+@pytest.mark.thorough("test_a_board_is_held_by_mouse_and_keys_shaken_and_watched_once_it_runs looks with axe")
 @pytest.mark.parametrize("look", LOOKS, ids=str)
 def test_axe_finds_nothing_on_a_board(open_studio: OpenStudio, look: tuple[str, ...]) -> None:
     studio = open_studio("dice/dice.krt")

@@ -113,12 +113,18 @@ def nothing_on_the_page_is_for_the_mouse_alone(studio: Studio) -> None:
     assert studio.page.evaluate(NO_WAY) == []
 
 
-def test_every_entry_of_every_menu_is_reached_its_key_is_listed_and_nothing_is_for_the_mouse_alone(
+def test_every_menu_entry_and_room_is_reached_by_keys_which_are_listed_and_nothing_is_for_the_mouse_alone(
     open_studio: OpenStudio,
 ) -> None:
     studio = open_studio(TRANSPORT)
     every_entry_of_every_menu_is_reached_and_its_key_is_in_the_list(studio)
     every_entry_of_the_context_menus_is_reached(studio)
+    studio.page.keyboard.press("Escape")
+    f7_goes_through_the_rooms_and_the_arena_answers_keys(studio)
+    speed_follows_its_keys_but_not_while_one_types(studio)
+    studio.at("tab-carrier").click()
+    keys_mean_the_same_on_a_keyboard_of_another_script(studio)
+    studio.page.keyboard.press("Escape")
     nothing_on_the_page_is_for_the_mouse_alone(studio)
 
 
@@ -184,6 +190,9 @@ def test_a_program_is_drawn_without_a_mouse(open_studio: OpenStudio) -> None:
     expect(studio.at("code")).to_contain_text(re.compile(r"\*\[\s*\]\(\s*WAIT\(10\);\s*10\*\("))
 
 
+@pytest.mark.thorough(
+    "web/src/features/palette/tree.test.ts; test_a_program_is_drawn_without_a_mouse adds parts by keys"
+)
 def test_the_parts_are_walked_and_enter_puts_one_at_the_selection(open_studio: OpenStudio) -> None:
     studio = open_studio(TRANSPORT)
     keys = studio.page.keyboard
@@ -247,13 +256,3 @@ def speed_follows_its_keys_but_not_while_one_types(studio: Studio) -> None:
     studio.page.keyboard.press(",")
     expect(studio.at("part-find")).to_have_value(",")
     expect(speed).to_have_attribute("aria-valuetext", "2×")
-
-
-def test_f7_goes_through_the_rooms_and_keys_mean_the_same_in_another_script_but_not_while_one_types(
-    open_studio: OpenStudio,
-) -> None:
-    studio = open_studio(TRANSPORT)
-    f7_goes_through_the_rooms_and_the_arena_answers_keys(studio)
-    speed_follows_its_keys_but_not_while_one_types(studio)
-    studio.at("tab-carrier").click()
-    keys_mean_the_same_on_a_keyboard_of_another_script(studio)

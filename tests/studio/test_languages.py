@@ -8,7 +8,7 @@ from collections.abc import Callable
 import pytest
 from playwright.sync_api import expect
 
-from tests.effort import cases
+from tests.effort import THOROUGH, cases
 from tests.studio.conftest import EXAMPLES, Studio
 from tests.studio.test_reach import CUT_OFF, choose
 
@@ -103,7 +103,7 @@ def menus_sheets_palette_inspector_outline_and_help(studio: Studio, language: st
     keys = studio.page.keyboard
     meets_no_english(studio, language, "the mission")
     assert studio.page.evaluate(CUT_OFF) == []
-    for vertex in range(0, 12, 2):
+    for vertex in range(0, 12, 2 if THOROUGH else 5):
         studio.page.locator(".vertex").nth(vertex).click()
         meets_no_english(studio, language, f"the inspector of vertex {vertex}")
     keys.press("F1")
@@ -150,7 +150,8 @@ def a_dozen_mistakes_with_their_helps(studio: Studio, language: str) -> None:
     studio.page.keyboard.press("Control+o")
     studio.at("open-dialog").get_by_text("mistakes.krt").first.click()
     expect(studio.at("title")).to_contain_text("mistakes.krt")
-    studio.at("problems").click()
+    if studio.at("problems").get_attribute("aria-expanded") == "false":
+        studio.at("problems").click()
     rows = studio.page.locator(".problem")
     expect(rows.nth(12)).to_be_visible()
     assert rows.locator(".problem-help").count() >= 12
@@ -159,6 +160,9 @@ def a_dozen_mistakes_with_their_helps(studio: Studio, language: str) -> None:
     expect(rows.filter(has_text=re.compile(wanted, re.IGNORECASE))).to_have_count(1)
 
 
+@pytest.mark.thorough(
+    "tests/server/test_languages.py: a problem and its help follow the header; a_dozen_mistakes_with_their_helps"
+)
 def test_problems_follow_the_language_that_is_chosen(open_studio: OpenStudio) -> None:
     studio = open_studio("square/square.krt")
     studio.drop("While", "arc-start.next")
@@ -171,6 +175,9 @@ def test_problems_follow_the_language_that_is_chosen(open_studio: OpenStudio) ->
         expect(first).to_contain_text(words)
 
 
+@pytest.mark.thorough(
+    "tests/server/test_languages.py: differences and failures are told in the language; web/src/i18n/words.test.ts"
+)
 @each_language
 def test_the_difference_from_the_file_and_a_refusal(open_studio: OpenStudio, language: str) -> None:
     studio = open_studio("square/square.krt")
@@ -221,20 +228,23 @@ def a_tutorial(studio: Studio, language: str) -> None:
 
 
 @each_language
-def test_menus_sheets_palette_inspector_outline_help_team_and_a_tutorial(
+def test_menus_sheets_palette_inspector_outline_help_team_a_dozen_mistakes_and_a_tutorial(
     open_studio: OpenStudio, language: str
 ) -> None:
     studio = open_studio("transport/transport.krt")
     choose(studio, language)
     the_team(studio, language)
     menus_sheets_palette_inspector_outline_and_help(studio, language)
+    a_dozen_mistakes_with_their_helps(studio, language)
     a_tutorial(studio, language)
 
 
+@pytest.mark.thorough(
+    "tests/server/test_languages.py: how a run ends; menus_sheets_palette_inspector_outline_and_help: F1"
+)
 @each_language
-def test_help_for_every_part_a_run_s_end_and_a_dozen_mistakes(open_studio: OpenStudio, language: str) -> None:
+def test_help_for_every_part_and_how_a_run_ends(open_studio: OpenStudio, language: str) -> None:
     studio = open_studio("square/square.krt")
     choose(studio, language)
     help_for_every_part_of_the_palette(studio, language)
     how_a_run_ends(studio, language)
-    a_dozen_mistakes_with_their_helps(studio, language)

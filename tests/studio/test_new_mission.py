@@ -21,8 +21,7 @@ def choose(studio: Studio, testid: str) -> None:
     studio.page.locator("label", has=studio.at(testid)).click()
 
 
-def test_two_keys_lead_from_nothing_to_a_square_that_is_driven(open_studio: OpenStudio) -> None:
-    studio = open_studio(None)
+def two_keys_lead_from_nothing_to_a_square_that_is_driven(studio: Studio) -> None:
     studio.page.keyboard.press("Control+Alt+n")
     expect(studio.at("new-starter-square/square.krt")).to_be_checked()
     expect(studio.at("run-button")).to_be_disabled()
@@ -38,6 +37,7 @@ def test_two_keys_lead_from_nothing_to_a_square_that_is_driven(open_studio: Open
     assert list(studio.folder.iterdir()) == []
 
 
+@pytest.mark.thorough("web/src/features/new-mission/choosing.test.ts")
 def test_what_does_not_fit_gives_way_and_says_so_and_escape_keeps_what_was_open(open_studio: OpenStudio) -> None:
     studio = open_studio("blink/blink.krt")
     code = studio.code()
@@ -58,8 +58,7 @@ def test_what_does_not_fit_gives_way_and_says_so_and_escape_keeps_what_was_open(
     assert studio.code() == code
 
 
-def test_the_robot_of_a_team_and_its_place_are_what_was_chosen(open_studio: OpenStudio) -> None:
-    studio = open_studio(None)
+def the_robot_of_a_team_and_its_place_are_what_was_chosen(studio: Studio) -> None:
     studio.page.keyboard.press("Control+Alt+n")
     choose(studio, "new-robots-line-follower")
     choose(studio, "new-place-maze.world.xml")
@@ -72,8 +71,7 @@ def test_the_robot_of_a_team_and_its_place_are_what_was_chosen(open_studio: Open
     expect(studio.at("first-place")).to_be_visible()
 
 
-def test_a_robot_of_the_folder_is_one_to_begin_with(open_studio: OpenStudio) -> None:
-    studio = open_studio(None)
+def a_robot_of_the_folder_is_one_to_begin_with(studio: Studio) -> None:
     (studio.folder / "rover.robot.xml").write_text(ROBOT, encoding="utf-8")
     studio.page.keyboard.press("Control+Alt+n")
     card = studio.page.locator("label", has=studio.at("new-robots-rover"))
@@ -82,3 +80,12 @@ def test_a_robot_of_the_folder_is_one_to_begin_with(open_studio: OpenStudio) -> 
     studio.at("new-begin").click()
     studio.expect_opened()
     expect(studio.at("fold-Lamp")).to_be_visible()
+
+
+def test_a_mission_begins_with_two_keys_with_what_was_chosen_and_with_a_robot_of_the_folder(
+    open_studio: OpenStudio,
+) -> None:
+    studio = open_studio(None)
+    two_keys_lead_from_nothing_to_a_square_that_is_driven(studio)
+    the_robot_of_a_team_and_its_place_are_what_was_chosen(studio)
+    a_robot_of_the_folder_is_one_to_begin_with(studio)

@@ -100,18 +100,6 @@ def what_was_typed_is_kept_when_another_program_is_opened(studio: Studio) -> Non
     studio.expect_code("# Half a thought")
 
 
-def test_a_note_is_written_edited_and_removed_where_it_stands_and_kept_when_another_program_is_opened(
-    open_studio: OpenStudio,
-) -> None:
-    studio = open_studio(TRANSPORT)
-    a_note_is_edited_where_it_stands_and_escape_leaves_it_as_it_was(studio)
-    studio.take_back()
-    n_writes_a_note_that_stands_on_the_vertex_and_in_the_text(studio)
-    studio.take_back()
-    the_menu_writes_and_removes_a_note(studio)
-    what_was_typed_is_kept_when_another_program_is_opened(studio)
-
-
 def a_break_has_a_lane_to_the_exit_of_its_loop(studio: Studio) -> None:
     keys = studio.page.keyboard
     vertex(studio, "Road ahead free").click()
@@ -136,10 +124,17 @@ def the_second_bar_says_for_whom_it_waits(studio: Studio) -> None:
     expect(waits).to_have_text(re.compile(r"^0\s*waits for\s*1$"))
 
 
-def test_a_break_has_a_lane_to_the_exit_of_its_loop_and_the_second_bar_says_for_whom_it_waits(
+def test_a_note_is_written_edited_and_removed_where_it_stands_a_break_has_a_lane_and_a_bar_says_for_whom_it_waits(
     open_studio: OpenStudio,
 ) -> None:
     studio = open_studio(TRANSPORT)
+    a_note_is_edited_where_it_stands_and_escape_leaves_it_as_it_was(studio)
+    studio.take_back()
+    n_writes_a_note_that_stands_on_the_vertex_and_in_the_text(studio)
+    studio.take_back()
+    the_menu_writes_and_removes_a_note(studio)
+    what_was_typed_is_kept_when_another_program_is_opened(studio)
+    studio.take_back()
     a_break_has_a_lane_to_the_exit_of_its_loop(studio)
     studio.take_back()
     the_second_bar_says_for_whom_it_waits(studio)

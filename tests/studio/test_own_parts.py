@@ -8,6 +8,7 @@ from collections.abc import Callable
 import pytest
 from playwright.sync_api import Locator, expect
 
+from tests.effort import cases
 from tests.studio.conftest import LOOKS, Studio
 from tests.studio.test_reach import choose as axe_look
 from tests.studio.test_reach import find_nothing
@@ -79,7 +80,8 @@ def test_a_selection_is_saved_used_run_edited_and_deleted_and_all_of_it_is_undon
     expect(studio.page.locator(".vertex.is-active", has_text="Wait till free")).to_be_visible()
     keys.press("Shift+F5")
 
-    choose(studio, "Wait till free", "Edit this part")
+    row(studio, "Wait till free").focus()
+    keys.press("F2")
     dialog = studio.at("own-dialog")
     expect(studio.at("slot-condition")).to_be_visible()
     studio.at("own-name").fill("Road free")
@@ -104,7 +106,8 @@ def test_a_selection_is_saved_used_run_edited_and_deleted_and_all_of_it_is_undon
     expect(studio.at("own-delete")).to_contain_text("It is used 1 time.")
     studio.at("own-use-carrier").click()
     expect(studio.page.locator(".vertex", has_text="Road free")).to_be_in_viewport()
-    choose(studio, "Road free", "Delete this part")
+    row(studio, "Road free").focus()
+    keys.press("Delete")
     studio.at("own-dissolve").click()
     expect(studio.at("part-Road free")).to_have_count(0)
     expect(studio.page.locator(".vertex", has_text="Road free")).to_have_count(0)
@@ -117,6 +120,9 @@ def test_a_selection_is_saved_used_run_edited_and_deleted_and_all_of_it_is_undon
     assert saved_text(studio) == first
 
 
+@pytest.mark.thorough(
+    "test_a_selection_is_saved_used_run_edited_and_deleted_and_all_of_it_is_undone: P, F2, Delete, Ctrl+Z"
+)
 def test_it_all_goes_by_keys(open_studio: OpenStudio) -> None:
     studio = open_studio(TRANSPORT)
     keys = studio.page.keyboard
@@ -153,9 +159,10 @@ def test_it_all_goes_by_keys(open_studio: OpenStudio) -> None:
 def a_name_that_cannot_be_is_told_at_once(studio: Studio) -> None:
     select(studio, "v11")
     studio.page.keyboard.press("p")
-    for name in ("While", "a.b", "Start", "   "):
+    for name in cases(["While"], ["a.b", "Start", "   "]):
         studio.at("own-name").fill("Fitting")
         expect(studio.at("own-save")).to_be_enabled()
+        find_nothing(studio, "saving a part")
         studio.at("own-name").fill(name)
         expect(studio.page.locator(".own-wrong")).not_to_be_empty()
         expect(studio.at("own-save")).to_be_disabled()
@@ -189,6 +196,7 @@ def test_what_cannot_be_a_part_or_its_name_is_told_and_parts_are_shared_as_a_fil
     parts_are_shared_as_a_file(studio)
 
 
+@pytest.mark.thorough("tests/studio/test_reach.py: Urdu mirrors the page, its menus and arrow keys")
 def test_in_urdu_the_sheet_is_mirrored(open_studio: OpenStudio) -> None:
     studio = open_studio(TRANSPORT, locale="ur-PK")
     select(studio, "v11")
@@ -201,6 +209,7 @@ def test_in_urdu_the_sheet_is_mirrored(open_studio: OpenStudio) -> None:
     expect(studio.at("own-name")).to_have_value(re.compile("میرا پرزہ"))
 
 
+@pytest.mark.thorough("a_name_that_cannot_be_is_told_at_once looks at the sheet with axe")
 @pytest.mark.parametrize("look", LOOKS, ids=str)
 def test_axe_finds_nothing_on_the_sheets(open_studio: OpenStudio, look: tuple[str, ...]) -> None:
     studio = open_studio(TRANSPORT)
@@ -229,6 +238,7 @@ def test_axe_finds_nothing_on_the_sheets(open_studio: OpenStudio, look: tuple[st
     find_nothing(studio, "deleting a part")
 
 
+@pytest.mark.thorough("web/src/session/journal.test.ts, web/src/model/everything.test.ts; tests/studio/test_journal.py")
 def test_a_part_is_still_there_after_a_reload_with_its_undo(open_studio: OpenStudio) -> None:
     studio = open_studio(TRANSPORT)
     select(studio, "v11")
@@ -244,6 +254,9 @@ def test_a_part_is_still_there_after_a_reload_with_its_undo(open_studio: OpenStu
     expect(studio.page.locator(".vertex", has_text="Mine")).to_have_count(0)
 
 
+@pytest.mark.thorough(
+    "tests/studio/test_variables.py::a_finger_that_rests_opens_the_menu, on the same row of the palette"
+)
 def test_a_finger_that_rests_on_a_part_opens_its_menu(open_studio: OpenStudio) -> None:
     studio = open_studio(TRANSPORT, has_touch=True)
     select(studio, "v11")

@@ -55,8 +55,7 @@ def drop(studio: Studio, *, padding: int = 0, **files: str | bytes) -> None:
     studio.page.evaluate(DROP, [sent, padding])
 
 
-def test_a_dropped_robot_is_beside_the_mission_and_a_program_is_added_for_it(open_studio: OpenStudio) -> None:
-    studio = open_studio(SQUARE)
+def a_dropped_robot_is_beside_the_mission_and_a_program_is_added_for_it(studio: Studio) -> None:
     drop(studio, rover_robot_xml=ROBOT)
     expect(studio.at("banner")).to_contain_text("The robot rover is there now.")
     assert (studio.folder / "rover.robot.xml").read_text() == ROBOT
@@ -83,13 +82,17 @@ def a_world_that_was_dropped_can_be_used_at_once(studio: Studio) -> None:
     expect(studio.page.locator(".arena")).to_contain_text("Yard")
 
 
-def test_a_world_is_dropped_and_used_alone_and_together_with_constructors(open_studio: OpenStudio) -> None:
+def test_robots_worlds_and_constructors_are_chosen_or_dropped_and_used(open_studio: OpenStudio) -> None:
     studio = open_studio(SQUARE)
-    a_world_that_was_dropped_can_be_used_at_once(studio)
-    studio.at("tab-square").click()
+    parts_are_chosen_from_the_menu(studio)
     constructors_and_a_world_are_dropped_together(studio)
+    a_world_that_was_dropped_can_be_used_at_once(studio)
+    a_dropped_robot_is_beside_the_mission_and_a_program_is_added_for_it(studio)
 
 
+@pytest.mark.thorough(
+    "tests/server/test_parts.py: parts of a new mission and of an example are in the folder of missions"
+)
 def test_parts_of_an_example_go_into_the_folder_of_missions(open_studio: OpenStudio) -> None:
     studio = open_studio(None)
     expect(studio.page.locator("h1")).to_be_visible()
@@ -156,6 +159,7 @@ def test_what_holds_no_parts_is_refused_and_a_file_of_that_name_is_replaced_only
     what_is_different_in_a_kit_is_shown_before_the_answer(studio)
 
 
+@pytest.mark.thorough("tests/server/test_parts.py: the mistake of a robot that is taken in has a file and a line")
 def test_mistakes_of_a_dropped_robot_are_problems_with_file_and_line(open_studio: OpenStudio) -> None:
     studio = open_studio(SQUARE)
     drop(studio, rover_robot_xml=ROBOT.replace('type="boolean"', 'min="9" max="1"'))
@@ -164,15 +168,14 @@ def test_mistakes_of_a_dropped_robot_are_problems_with_file_and_line(open_studio
     find_nothing(studio, "problems of a file")
 
 
-def test_parts_are_chosen_from_the_menu(open_studio: OpenStudio) -> None:
-    studio = open_studio(SQUARE)
+def parts_are_chosen_from_the_menu(studio: Studio) -> None:
     with studio.page.expect_file_chooser() as chooser:
         studio.at("menu-File").click()
         studio.at("menu-file-parts").click()
-    file = studio.folder.parent / "mine.xml"
-    file.write_text(CONSTRUCTORS)
+    file = studio.folder.parent / "chosen.xml"
+    file.write_text(CONSTRUCTORS.replace("Twice", "Again"))
     chooser.value.set_files([file])
-    expect(studio.at("part-Twice")).to_be_visible()
+    expect(studio.at("part-Again")).to_be_visible()
 
 
 def test_a_file_that_changes_on_disk_is_followed_while_the_studio_runs(open_studio: OpenStudio) -> None:
@@ -206,6 +209,9 @@ def test_a_file_that_changes_on_disk_is_followed_while_the_studio_runs(open_stud
     studio.expect_code("2*(")
 
 
+@pytest.mark.thorough(
+    "tests/server/test_parts.py: the world belongs to the mission; test_a_file_that_changes_on_disk_is_followed…"
+)
 def test_the_robot_and_the_world_of_the_mission_are_followed_too(open_studio: OpenStudio) -> None:
     studio = open_studio("stripes/stripes.krt")
     world = studio.folder / "stripes.world.xml"
@@ -224,6 +230,9 @@ def test_the_robot_and_the_world_of_the_mission_are_followed_too(open_studio: Op
     expect(studio.page.locator(".team")).not_to_contain_text("is not there")
 
 
+@pytest.mark.thorough(
+    "test_a_file_that_changes_on_disk_is_followed_while_the_studio_runs: parts that come are taken up"
+)
 def test_a_robot_for_which_a_program_exists_is_taken_up(open_studio: OpenStudio) -> None:
     studio = open_studio(SQUARE)
     file = studio.folder / "square.krt"
@@ -238,6 +247,7 @@ def test_a_robot_for_which_a_program_exists_is_taken_up(open_studio: OpenStudio)
     expect(studio.at("code")).not_to_be_empty()
 
 
+@pytest.mark.thorough("tests/server/test_languages.py and test_robots_worlds_and_constructors_are_chosen_or_dropped…")
 def test_parts_are_dropped_in_urdu(open_studio: OpenStudio) -> None:
     studio = open_studio(SQUARE)
     choose(studio, "ur")
@@ -246,6 +256,7 @@ def test_parts_are_dropped_in_urdu(open_studio: OpenStudio) -> None:
     find_nothing(studio, "the banner in Urdu")
 
 
+@pytest.mark.thorough("tests/server/test_parts.py: a robot is put beside the mission and is there")
 def test_two_missions_of_two_folders_have_their_own_parts(open_studio: OpenStudio) -> None:
     studio = open_studio(SQUARE)
     inner = studio.folder / "inner"

@@ -1,6 +1,7 @@
 """The pictures in the documents come from the running product: `make pictures` keeps what these tests take.
 
-Without KITROBOT_PICTURES the pictures go to a temporary folder; the tests then hold that each scene can be reached.
+Without KITROBOT_PICTURES, and only in the thorough profile, the pictures go to a temporary folder: each scene can be
+reached.
 """
 
 from __future__ import annotations
@@ -15,7 +16,11 @@ from playwright.sync_api import expect
 
 from tests.studio.conftest import Studio
 
-pytestmark = pytest.mark.browser
+TAKEN = os.environ.get("KITROBOT_PICTURES", "") != ""
+pytestmark = [
+    pytest.mark.browser,
+    *([] if TAKEN else [pytest.mark.thorough("tests/studio/test_canvas.py, test_keys.py::test_a_program_is_drawn…")]),
+]
 
 OpenStudio = Callable[[str | None], Studio]
 
@@ -23,7 +28,7 @@ OpenStudio = Callable[[str | None], Studio]
 @pytest.fixture
 def pictures(tmp_path: Path) -> Path:
     """Where pictures go."""
-    if os.environ.get("KITROBOT_PICTURES"):
+    if TAKEN:
         return Path(__file__).resolve().parents[2] / "docs" / "pictures"
     return tmp_path
 

@@ -43,6 +43,9 @@ def test_one_key_makes_the_arena_large_and_shows_the_robot_that_is_watched(open_
     expect(studio.at("menu-show-rays")).to_have_attribute("aria-checked", "false")
 
 
+@pytest.mark.thorough(
+    "web/src/features/arena/stage/stage.test.ts; web/src/session/run.test.ts: a run can be gone back in"
+)
 def test_a_run_that_failed_leads_to_its_cause(open_studio: OpenStudio) -> None:
     studio = open_studio("transport/transport.krt")
     studio.at("run-button").click()
@@ -61,6 +64,7 @@ def test_a_run_that_failed_leads_to_its_cause(open_studio: OpenStudio) -> None:
     expect(studio.at("arena-summary")).to_contain_text("failed")
 
 
+@pytest.mark.thorough("tests/studio/test_clipping.py, the screen stage on 390 px; test_one_key_makes_the_arena_large…")
 def test_on_a_phone_the_stage_is_all_there_is_and_a_room_ends_it(open_studio: OpenStudio) -> None:
     studio = open_studio("square/square.krt", viewport={"width": 390, "height": 844})
     studio.at("room-arena").click()

@@ -80,7 +80,7 @@ def a_finger_that_rests_opens_the_menu_and_an_entry_is_tapped(studio: Studio) ->
     menu = studio.page.get_by_role("menu").bounding_box()
     assert menu is not None
     assert menu["x"] >= 0
-    assert menu["x"] + menu["width"] <= PHONE["width"]
+    assert menu["x"] + menu["width"] <= TABLET["width"]
     studio.at("menu-context-note").tap()
     expect(studio.at("note-field")).to_be_visible()
 
@@ -137,7 +137,7 @@ def one_finger_moves_the_canvas(studio: Studio) -> None:
     assert after[1] - before[1] > 60
 
 
-def test_fingers_select_drag_a_part_and_move_the_canvas_on_a_tablet(
+def test_fingers_select_drag_a_part_move_the_canvas_and_open_a_menu_on_a_tablet(
     open_with_fingers: Callable[[ViewportSize], Studio],
 ) -> None:
     studio = open_with_fingers(TABLET)
@@ -145,6 +145,7 @@ def test_fingers_select_drag_a_part_and_move_the_canvas_on_a_tablet(
     a_part_is_dragged_from_the_palette_onto_an_arc(studio)
     studio.take_back()
     one_finger_moves_the_canvas(studio)
+    a_finger_that_rests_opens_the_menu_and_an_entry_is_tapped(studio)
 
 
 TOO_SMALL = """() => {
@@ -175,11 +176,7 @@ TOO_SMALL = """() => {
 WIDER = "() => document.documentElement.scrollWidth > innerWidth"
 
 
-@pytest.mark.parametrize("size", [TABLET, PHONE], ids=["tablet", "phone"])
-def test_everything_that_is_pressed_is_44_px(
-    open_with_fingers: Callable[[ViewportSize], Studio], size: ViewportSize
-) -> None:
-    studio = open_with_fingers(size)
+def everything_that_is_pressed_is_44_px(studio: Studio, size: ViewportSize) -> None:
     page = studio.page
     assert page.evaluate(TOO_SMALL) == []
     studio.page.locator(".vertex", has_text="While").first.locator(".vertex-name").tap()
@@ -213,12 +210,7 @@ CUT_OFF = """() => [...document.querySelectorAll(
   .map(one => `${one.className} ${one.textContent}`)"""
 
 
-@pytest.mark.parametrize("language", cases(["ur"], ["en"]))
-@pytest.mark.parametrize("size", [TABLET, PHONE], ids=["tablet", "phone"])
-def test_nothing_is_cut_off_and_stop_is_always_there(
-    open_with_fingers: Callable[[ViewportSize], Studio], size: ViewportSize, language: str
-) -> None:
-    studio = open_with_fingers(size)
+def nothing_is_cut_off_and_stop_is_always_there(studio: Studio, size: ViewportSize, language: str) -> None:
     page = studio.page
     if language == "ur":
         studio.at("menu-View").tap()
@@ -247,6 +239,18 @@ def test_nothing_is_cut_off_and_stop_is_always_there(
         expect(studio.at("arena-canvas")).not_to_be_visible()
 
 
+@pytest.mark.parametrize("language", cases(["ur"], ["en"]))
+@pytest.mark.parametrize("size", cases([PHONE], [TABLET]), ids=cases(["phone"], ["tablet"]))
+def test_nothing_is_cut_off_stop_is_always_there_and_what_is_pressed_is_44_px(
+    open_with_fingers: Callable[[ViewportSize], Studio], size: ViewportSize, language: str
+) -> None:
+    studio = open_with_fingers(size)
+    everything_that_is_pressed_is_44_px(studio, size)
+    studio.page.keyboard.press("Escape")
+    studio.at("problems").tap()
+    nothing_is_cut_off_and_stop_is_always_there(studio, size, language)
+
+
 def a_mission_runs_on_a_phone(studio: Studio) -> None:
     studio.at("run-button").tap()
     expect(studio.page.locator(".vertex.is-active").first).to_be_attached()
@@ -263,16 +267,13 @@ def a_mission_runs_on_a_phone(studio: Studio) -> None:
     expect(studio.at("status")).to_contain_text("Stopped")
 
 
-def test_fingers_add_a_part_open_the_menu_zoom_and_run_a_mission_on_a_phone(
+def test_fingers_zoom_run_a_mission_and_add_a_part_on_a_phone(
     open_with_fingers: Callable[[ViewportSize], Studio],
 ) -> None:
     studio = open_with_fingers(PHONE)
     two_fingers_zoom_and_move_even_on_vertices(studio)
     expect(studio.at("event-strip")).to_be_hidden()
     a_mission_runs_on_a_phone(studio)
-    studio.page.reload()
-    expect(studio.page.locator(".vertex").first).to_be_visible()
-    a_finger_that_rests_opens_the_menu_and_an_entry_is_tapped(studio)
     studio.page.reload()
     expect(studio.page.locator(".vertex").first).to_be_visible()
     a_tap_on_a_part_adds_it(studio)

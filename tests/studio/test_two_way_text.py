@@ -8,6 +8,7 @@ from collections.abc import Callable
 import pytest
 from playwright.sync_api import Page, expect
 
+from tests.effort import cases
 from tests.studio.conftest import Studio
 
 pytestmark = pytest.mark.browser
@@ -66,8 +67,7 @@ def expect_text(studio: Studio, text: str) -> None:
     expect(studio.at("code").locator(".cm-content")).to_have_text(re.compile(text))
 
 
-def test_an_instruction_that_is_typed_appears_as_a_vertex_and_undo_takes_both_back(open_studio: OpenStudio) -> None:
-    studio, before = opened(open_studio)
+def an_instruction_that_is_typed_appears_as_a_vertex_and_undo_takes_both_back(studio: Studio, before: str) -> None:
     page = editor(studio)
     page.keyboard.insert_text("\n  WAIT( 7 )")
     expect_vertices(studio, "Wait", len(re.findall("WAIT", before)) + 1)
@@ -81,6 +81,7 @@ def test_an_instruction_that_is_typed_appears_as_a_vertex_and_undo_takes_both_ba
     expect_text(studio, r"WAIT\(7\);$")
 
 
+@pytest.mark.thorough("web/src/session/typing.test.ts: typing becomes one command a burst, which undo takes back")
 def test_a_burst_of_typing_is_one_step_of_undo(open_studio: OpenStudio) -> None:
     studio = empty(open_studio)
     # The page's clock stands still: on a slow machine there is a pause between any two letters.
@@ -95,8 +96,7 @@ def test_a_burst_of_typing_is_one_step_of_undo(open_studio: OpenStudio) -> None:
     expect_vertices(studio, "Lamp", 0)
 
 
-def test_a_mistake_is_marked_on_both_sides_and_the_graph_stays(open_studio: OpenStudio) -> None:
-    studio, _ = opened(open_studio)
+def a_mistake_is_marked_on_both_sides_and_the_graph_stays(studio: Studio) -> None:
     expect(studio.at("problems")).to_contain_text("0")
     before = studio.page.locator(VERTICES).count()
     page = editor(studio)
@@ -159,6 +159,7 @@ def an_edit_of_the_graph_changes_the_text_and_the_other_way_round(studio: Studio
     studio.expect_code("WAIT(10);")
 
 
+@pytest.mark.thorough("web/src/session/typing.test.ts; test_graph_and_text_follow_each_other_with_mistakes_and_without")
 def test_graph_and_text_follow_each_other_and_the_selection_stays(open_studio: OpenStudio) -> None:
     studio, _ = opened(open_studio)
     an_edit_of_the_graph_changes_the_text_and_the_other_way_round(studio)
@@ -180,6 +181,7 @@ def a_program_is_written_with_completion_and_keys_alone(studio: Studio) -> None:
     studio.expect_code("Wheel.Advance(33);")
 
 
+@pytest.mark.thorough("web/src/components/text/team-completion.test.ts; test_a_new_program_is_typed_with_completion…")
 def test_a_block_of_a_team_is_written_with_completion(open_studio: OpenStudio) -> None:
     studio = open_studio("convoy/convoy.krt")
     studio.expect_code("SeqOfPar convoy (")
@@ -239,8 +241,13 @@ def rubbish_gets_a_sentence_and_leaves_the_document_alone(studio: Studio, text: 
     assert studio.code() == before
 
 
-def test_rubbish_and_unfinished_text_get_a_sentence_and_leave_the_document_alone(open_studio: OpenStudio) -> None:
-    studio, _ = opened(open_studio)
-    for text in RUBBISH.values():
+def test_graph_and_text_follow_each_other_with_mistakes_and_without(open_studio: OpenStudio) -> None:
+    studio, before = opened(open_studio)
+    an_instruction_that_is_typed_appears_as_a_vertex_and_undo_takes_both_back(studio, before)
+    a_mistake_is_marked_on_both_sides_and_the_graph_stays(studio)
+    an_edit_of_the_text_leaves_the_selected_vertex_selected(studio)
+    leave(studio)
+    studio.take_back()
+    for text in cases([RUBBISH["marks"]], [RUBBISH["deep"], RUBBISH["file"]]):
         rubbish_gets_a_sentence_and_leaves_the_document_alone(studio, text)
     undo_of_unfinished_text_goes_back_to_the_last_text_without_mistakes(studio)

@@ -37,8 +37,7 @@ def opened(open_studio: OpenStudio) -> Studio:
     return studio
 
 
-def test_a_value_is_shown_with_its_unit_and_edited_where_it_stands(open_studio: OpenStudio) -> None:
-    studio = opened(open_studio)
+def a_value_is_shown_with_its_unit_and_edited_where_it_stands(studio: Studio) -> None:
     keys = studio.page.keyboard
     expect(vertex(studio, "Turn by")).to_contain_text("90°")
     expect(vertex(studio, "Wait")).to_contain_text("1.0 s")
@@ -75,8 +74,7 @@ def test_a_value_is_shown_with_its_unit_and_edited_where_it_stands(open_studio: 
     studio.expect_code("Captor.LessThan(35)")
 
 
-def test_what_is_typed_before_the_field_is_there_is_typed_into_it(open_studio: OpenStudio) -> None:
-    studio = opened(open_studio)
+def what_is_typed_before_the_field_is_there_is_typed_into_it(studio: Studio) -> None:
     keys = studio.page.keyboard
     waiting: list[Route] = []
     studio.page.route(re.compile(r"/InPlace-[^/]*\.js$"), lambda route: waiting.append(route))
@@ -96,8 +94,7 @@ def test_what_is_typed_before_the_field_is_there_is_typed_into_it(open_studio: O
     expect(studio.at("inspector").locator("h2")).to_have_text("Wait")
 
 
-def test_the_inspector_has_the_same_field_with_what_fits_and_the_name_of_lll(open_studio: OpenStudio) -> None:
-    studio = opened(open_studio)
+def the_inspector_has_the_same_field_with_what_fits_and_the_name_of_lll(studio: Studio) -> None:
     keys = studio.page.keyboard
     vertex(studio, "Turn by").click()
     inspector = studio.at("inspector")
@@ -165,8 +162,7 @@ def the_inspector_is_as_tall_as_its_content_and_begins_at_its_top(studio: Studio
     assert inspector.evaluate("(one) => one.scrollTop") == 0
 
 
-def test_chips_show_what_sensors_say_while_a_run_exists_and_can_be_switched(open_studio: OpenStudio) -> None:
-    studio = open_studio(BLINK, locale="en")
+def chips_show_what_sensors_say_while_a_run_exists_and_can_be_switched(studio: Studio) -> None:
     written(studio, "*([Captor.LessThan(20)](Light.LightOn(););[Light.IsRed()]();WAIT(1););\n")
     near, ground = (studio.page.locator(".vertex", has_text=words) for words in ("nearer than", "Ground is red"))
     expect(near).to_be_visible()
@@ -205,6 +201,7 @@ COVERED = """() => {
 }"""
 
 
+@pytest.mark.thorough("tests/studio/test_clipping.py, the screen paused: no text of a run lies over another")
 def test_what_a_sensor_says_lies_over_no_label_of_an_arc(open_studio: OpenStudio) -> None:
     studio = open_studio("transport/transport.krt", locale="en")
     studio.at("run-button").click()
@@ -213,8 +210,7 @@ def test_what_a_sensor_says_lies_over_no_label_of_an_arc(open_studio: OpenStudio
     assert studio.page.evaluate(COVERED) == []
 
 
-def test_an_empty_body_shows_where_to_drop_and_what_follows_a_new_loop_goes_inside(open_studio: OpenStudio) -> None:
-    studio = open_studio(BLINK, locale="en")
+def an_empty_body_shows_where_to_drop_and_what_follows_a_new_loop_goes_inside(studio: Studio) -> None:
     written(studio, "")
     keys = studio.page.keyboard
     keys.press("/")
@@ -243,3 +239,20 @@ def test_an_empty_body_shows_where_to_drop_and_what_follows_a_new_loop_goes_insi
     mouse.up()
     studio.expect_code("WAIT(10)")
     expect(place).to_have_count(0)
+
+
+def test_a_value_is_typed_where_it_stands_even_before_its_field_is_there_and_in_the_inspector(
+    open_studio: OpenStudio,
+) -> None:
+    studio = opened(open_studio)
+    what_is_typed_before_the_field_is_there_is_typed_into_it(studio)
+    studio.page.keyboard.press("Control+z")
+    a_value_is_shown_with_its_unit_and_edited_where_it_stands(studio)
+    written(studio, PROGRAM)
+    the_inspector_has_the_same_field_with_what_fits_and_the_name_of_lll(studio)
+
+
+def test_an_empty_body_takes_what_is_dropped_and_chips_show_what_sensors_say(open_studio: OpenStudio) -> None:
+    studio = open_studio(BLINK, locale="en")
+    an_empty_body_shows_where_to_drop_and_what_follows_a_new_loop_goes_inside(studio)
+    chips_show_what_sensors_say_while_a_run_exists_and_can_be_switched(studio)

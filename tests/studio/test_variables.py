@@ -45,8 +45,7 @@ def forgive_refusals(studio: Studio) -> None:
     studio.faults[:] = [fault for fault in studio.faults if "(Conflict)" not in fault and "(Unprocessable" not in fault]
 
 
-def test_a_variable_is_made_used_renamed_everywhere_changed_and_undone(open_studio: OpenStudio) -> None:
-    studio = open_studio(SQUARE)
+def a_variable_is_made_used_renamed_everywhere_changed_and_undone(studio: Studio) -> None:
     before = (studio.folder / "square.krt").read_text(encoding="utf-8")
     studio.at("new-variable").click()
     make(studio, "Trips", max="9", initial="2")
@@ -81,8 +80,7 @@ def test_a_variable_is_made_used_renamed_everywhere_changed_and_undone(open_stud
     assert save(studio, "square.krt") == before
 
 
-def test_a_variable_that_is_used_is_removed_only_after_a_question_that_shows_where(open_studio: OpenStudio) -> None:
-    studio = open_studio(SQUARE)
+def a_variable_that_is_used_is_removed_only_after_a_question_that_shows_where(studio: Studio) -> None:
     studio.page.keyboard.press("Alt+v")
     make(studio, "Trips")
     studio.page.locator('[data-testid^="part-Trips."]').first.click()
@@ -137,6 +135,7 @@ def a_variable_of_the_robots_own_file_says_where_it_is(studio: Studio) -> None:
     forgive_refusals(studio)
 
 
+@pytest.mark.thorough("tests/server/test_parts.py: names are of any script; test_a_variable_is_made_used_renamed…")
 def test_a_variable_is_made_while_adding_and_in_urdu(open_studio: OpenStudio) -> None:
     studio = open_studio(SQUARE)
     choose(studio, "ur")
@@ -152,10 +151,7 @@ def test_a_variable_is_made_while_adding_and_in_urdu(open_studio: OpenStudio) ->
     studio.expect_code("چکر_گنتی.")
 
 
-def test_an_open_text_with_a_mistake_follows_a_new_name(open_studio: OpenStudio) -> None:
-    studio = open_studio(SQUARE)
-    studio.at("new-variable").click()
-    make(studio, "Trips")
+def an_open_text_with_a_mistake_follows_a_new_name(studio: Studio) -> None:
     expect(row(studio, "Trips")).to_be_visible()
     studio.edit_code()
     studio.page.keyboard.press("Control+End")
@@ -187,3 +183,10 @@ def test_an_unused_one_goes_a_wrong_one_is_refused_and_one_of_the_robots_file_ha
     what_cannot_be_is_said_at_the_field_and_nothing_is_made(studio)
     a_finger_that_rests_opens_the_menu(studio)
     a_variable_of_the_robots_own_file_says_where_it_is(studio)
+
+
+def test_a_variable_is_made_used_renamed_changed_undone_and_removed_after_a_question(open_studio: OpenStudio) -> None:
+    studio = open_studio(SQUARE)
+    a_variable_is_made_used_renamed_everywhere_changed_and_undone(studio)
+    a_variable_that_is_used_is_removed_only_after_a_question_that_shows_where(studio)
+    an_open_text_with_a_mistake_follows_a_new_name(studio)

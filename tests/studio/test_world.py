@@ -103,21 +103,23 @@ def a_road_that_cannot_be_drawn_is_told_at_the_road(studio: Studio) -> None:
     expect(studio.at("world-chosen")).to_contain_text("there is no room for this radius")
     expect(studio.at("thing-road-0")).to_have_attribute("aria-selected", "true")
     studio.page.keyboard.press("F8")
+    find_nothing(studio, "a problem of the world")
     studio.at("world-stage").focus()
     studio.page.keyboard.press("Control+z")
     expect(studio.at("wrong-road-0")).not_to_be_attached()
     expect(studio.at("problems")).to_contain_text("0")
 
 
-def test_a_road_that_cannot_be_drawn_is_told_there_and_a_dock_is_moved_and_the_boxes_still_arrive(
-    open_studio: OpenStudio,
-) -> None:
-    studio = open_studio(TRANSPORT)
-    a_road_that_cannot_be_drawn_is_told_at_the_road(studio)
-    studio.take_back()
-    a_dock_is_moved_along_its_road_and_the_boxes_still_arrive(studio)
+def test_a_road_that_cannot_be_drawn_is_told_at_the_road(open_studio: OpenStudio) -> None:
+    a_road_that_cannot_be_drawn_is_told_at_the_road(open_studio(TRANSPORT))
 
 
+@pytest.mark.thorough("web/src/model/world/world.test.ts: things go where they are moved, docks along their road")
+def test_a_dock_is_moved_along_its_road_and_the_boxes_still_arrive(open_studio: OpenStudio) -> None:
+    a_dock_is_moved_along_its_road_and_the_boxes_still_arrive(open_studio(TRANSPORT))
+
+
+@pytest.mark.thorough("web/src/model/world/world.test.ts; test_a_road_that_cannot_be_drawn_is_told_at_the_road")
 def test_a_road_with_a_hole_in_a_file_is_told_at_the_road_and_mended(open_studio: OpenStudio) -> None:
     studio = open_studio(TRANSPORT)
     edit(studio)
@@ -142,6 +144,7 @@ def test_a_road_with_a_hole_in_a_file_is_told_at_the_road_and_mended(open_studio
     expect(studio.at("wrong-road-0")).not_to_be_attached()
 
 
+@pytest.mark.thorough("web/src/session/journal.test.ts, web/src/model/everything.test.ts; tests/studio/test_journal.py")
 def test_the_journal_keeps_the_world(open_studio: OpenStudio) -> None:
     studio = open_studio(TRANSPORT)
     edit(studio)
@@ -156,6 +159,9 @@ def test_the_journal_keeps_the_world(open_studio: OpenStudio) -> None:
     expect(studio.at("world-width_mm")).to_have_value("1500")
 
 
+@pytest.mark.thorough(
+    "web/src/model/everything.test.ts and web/src/model/world/world.test.ts; by keys: test_the_keyboard_is_enough"
+)
 def test_everything_is_undone_to_the_bytes_of_the_file(open_studio: OpenStudio) -> None:
     studio = open_studio(TRANSPORT)
     written = (studio.folder / "transport.krt").read_bytes()
@@ -280,18 +286,20 @@ def the_world_becomes_a_file_and_the_mission_uses_it(studio: Studio) -> None:
     assert '<world href="mine.world.xml"/>' in (studio.folder / "brake.krt").read_text()
 
 
-def test_a_robot_is_dragged_a_wall_is_drawn_and_met_ends_hold_and_the_world_becomes_a_file(
-    open_studio: OpenStudio,
-) -> None:
+@pytest.mark.thorough("web/src/model/world/world.test.ts: a point goes to the grid, or to an end that is near")
+def test_alt_is_free_of_the_grid_and_ends_hold(open_studio: OpenStudio) -> None:
+    alt_is_free_of_the_grid_and_ends_hold(open_studio(BRAKE))
+
+
+def test_a_robot_is_dragged_a_wall_is_drawn_and_met_and_the_world_becomes_a_file(open_studio: OpenStudio) -> None:
     studio = open_studio(BRAKE)
     a_robot_dragged_in_the_arena_starts_there(studio)
     a_wall_is_drawn_and_the_robot_stops_at_it(studio)
     studio.take_back()
-    alt_is_free_of_the_grid_and_ends_hold(studio)
-    studio.take_back()
     the_world_becomes_a_file_and_the_mission_uses_it(studio)
 
 
+@pytest.mark.thorough("a_road_that_cannot_be_drawn_is_told_at_the_road looks at the world with axe")
 @pytest.mark.parametrize("look", LOOKS, ids=str)
 def test_axe_finds_nothing_in_the_world(open_studio: OpenStudio, look: tuple[str, ...]) -> None:
     studio = open_studio(TRANSPORT)

@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-import subprocess
-import sys
 from collections.abc import Callable
 from pathlib import Path
 
 import pytest
 from playwright.sync_api import expect
 
+from kitrobot.cli import main
+from tests.effort import cases
 from tests.studio.conftest import EXAMPLES, Studio
 from tests.studio.test_world import ROOM, drag, edit, number, spot, type_number
 
@@ -83,6 +83,9 @@ def saved(studio: Studio) -> str:
     return (studio.folder / "tidy-up.krt").read_text(encoding="utf-8")
 
 
+@pytest.mark.thorough(
+    "tests/studio/test_world.py::a_robot_dragged_in_the_arena_starts_there; web/src/model/world/world.test.ts"
+)
 def test_a_box_is_dragged_in_the_arena_before_a_run_and_moved_from_the_keyboard(open_studio: OpenStudio) -> None:
     studio = open_studio("tidy-up/tidy-up.krt")
     page = studio.page
@@ -117,11 +120,12 @@ def test_what_the_pens_drew_is_saved_as_the_command_line_writes_it(open_studio: 
     studio.page.keyboard.press("Escape")
     studio.at("run-button").click()
     studio.wait_until_done()
-    for entry, options in (("drawing", []), ("drawing-floor", ["--floor"])):
+    for entry, options in cases([("drawing-floor", ["--floor"])], [("drawing", [])]):
         studio.at("arena-show").click()
         with studio.page.expect_download() as download:
             studio.at(f"menu-{entry}").click()
         wanted = tmp_path / f"{entry}.svg"
-        command = [sys.executable, "-m", "kitrobot", "run", str(EXAMPLES / "flower" / "flower.krt"), "--drawing"]
-        subprocess.run([*command, str(wanted), *options], check=True, capture_output=True)
+        command = ["run", str(EXAMPLES / "flower" / "flower.krt"), "--drawing", str(wanted), *options]
+        with pytest.raises(SystemExit, match="0"):
+            main(command)
         assert download.value.path().read_text(encoding="utf-8") == wanted.read_text(encoding="utf-8")
