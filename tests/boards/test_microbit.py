@@ -48,7 +48,7 @@ from tests.patience import PATIENCE_S
 pytestmark = pytest.mark.boards
 
 TICKS = 400 if THOROUGH else 30
-STEPS = 2000 if THOROUGH else 40
+STEPS = 2000 if THOROUGH else 25
 """Ticks of each program that a host steps through, which takes a message or two each."""
 
 EXAMPLES = Path(__file__).resolve().parents[2] / "examples"
@@ -147,7 +147,7 @@ def test_a_line_that_is_cut_at_any_message_needs_only_another_try(microbit: Emul
         with Proxy(microbit.port) as proxy:
             put(proxy.address, content)
             messages = proxy.messages
-        cut += 1 if THOROUGH else 40
+        cut += 1 if THOROUGH else 100
     with receiving(microbit.address) as receiver:
         assert receiver.read("data") == content
 
@@ -180,7 +180,8 @@ def test_the_heart_is_sent_started_and_stopped_with_the_commands_of_a_user(used_
         assert any(board.greet().tick > first for _ in range(100)), "its program goes on"
 
 
-@pytest.mark.parametrize("text", cases([PROGRAMS[1]], [PROGRAMS[0], PROGRAMS[3]]))
+@pytest.mark.thorough("test_three_hundred_instructions_fit_and_give_the_same_commands_in_every_tick, for one program")
+@pytest.mark.parametrize("text", [PROGRAMS[0], PROGRAMS[1], PROGRAMS[3]])
 def test_a_deployed_program_gives_the_same_commands_in_every_tick(
     used_microbit: Emulated, tmp_path: Path, text: str
 ) -> None:
@@ -198,19 +199,24 @@ def test_three_hundred_instructions_fit_and_give_the_same_commands_in_every_tick
     compared(used_microbit.address, program, bench_robot(tmp_path), seed=12, ticks=STEPS)
 
 
-@pytest.mark.parametrize(
-    "text",
-    [
-        "[TiltX.IsLeft()](Display.Number(1); )!(Display.Number(2); ); [TiltY.IsForward()](Display.Number(3); )!();"
-        " Music.Tone(440, 200); WAIT(2); Music.Stop();",
-        "Pin1.Write(1); WAIT(1); Pin1.Analog(500); WAIT(1); Pin2.Servo(90); WAIT(1); Pin1.Write(0);"
-        " [Pin1.IsHigh()](Display.Pixel(1, 2, 9); )!(Display.Clear(); );",
-        "Music.Play(1); WAIT(2);",
-        "[Random.LessThan(50)](Display.Number(Dice.Value()); )!(Display.Scroll(12); );",
-        "[ButtonA.IsPressed()](Music.Play(1); )!(Music.Stop(); );"
-        " [Shake.IsShaken()](Display.Number(Dice.Value()); )!(Display.Clear(); );",
-    ],
+TILT_AND_SOUND = (
+    "[TiltX.IsLeft()](Display.Number(1); )!(Display.Number(2); ); [TiltY.IsForward()](Display.Number(3); )!();"
+    " Music.Tone(440, 200); WAIT(2); Music.Stop();"
 )
+PINS = (
+    "Pin1.Write(1); WAIT(1); Pin1.Analog(500); WAIT(1); Pin2.Servo(90); WAIT(1); Pin1.Write(0);"
+    " [Pin1.IsHigh()](Display.Pixel(1, 2, 9); )!(Display.Clear(); );"
+)
+CHANCE = "[Random.LessThan(50)](Display.Number(Dice.Value()); )!(Display.Scroll(12); );"
+KEYS_AND_SHAKING = (
+    "[ButtonA.IsPressed()](Display.Number(4); )!();"
+    " [Shake.IsShaken()](Display.Number(Dice.Value()); )!(Display.Clear(); );"
+)
+MELODY = "Music.Play(1); WAIT(2);"
+APART = [TILT_AND_SOUND, PINS, CHANCE, "[ButtonA.IsPressed()](Music.Play(1); )!(Music.Stop(); );"]
+
+
+@pytest.mark.parametrize("text", cases([TILT_AND_SOUND + CHANCE, PINS + KEYS_AND_SHAKING, MELODY], APART))
 def test_all_devices_of_it_work_there(used_microbit: Emulated, tmp_path: Path, text: str) -> None:
     path = tmp_path / "devices.lll"
     path.write_text(f"*[Run.IsTrue()]({text} WAIT(1); );\n", encoding="utf-8")
@@ -220,9 +226,6 @@ def test_all_devices_of_it_work_there(used_microbit: Emulated, tmp_path: Path, t
     with connect(used_microbit.address, 10) as board:
         assert board.last_fault() is None
 
-
-CUTS = 2
-"""So many messages are tried where the thorough profile tries each."""
 
 PARTS = 4 if THOROUGH else 1
 """The messages at which a deploy is cut are shared out, so that the parts can run side by side."""
@@ -234,25 +237,26 @@ def test_a_deploy_that_is_cut_at_any_message_leaves_what_was_there(
 ) -> None:
     old, new = bench_program(tmp_path / "old", PROGRAMS[0]), bench_program(tmp_path / "new", PROGRAMS[1])
     board = used_microbit
-    place(board, old)
-    with Proxy(board.port) as whole:
-        put_program(whole.address, new)
-        messages = whole.messages
-    every = PARTS if THOROUGH else -(-messages // CUTS)
-    for cut in range(1 + part if THOROUGH else every // 2, messages, every):
-        put_program(board.address, old)
+    for cut in count(1 + part, PARTS) if THOROUGH else (60,):
+        place(board, old)
         with Proxy(board.port, cut_after=cut) as wire, contextlib.suppress(LineError):
             put_program(wire.address, new)
+        if wire.messages < cut:
+            break
         board.cut_power()
         found = runs(board.address)
         assert old.is_called(found) or new.is_called(found), f"cut after message {cut}"
         assert new.is_called(put_program(board.address, new).program)
         assert new.is_called(runs(board.address))
+    assert THOROUGH or wire.messages == cut, "a message is cut that a deploy has"
 
 
+@pytest.mark.thorough(
+    "test_deploy::test_a_first_deploy_that_is_cut_is_mended_by_the_next_one, on a current MicroPython"
+)
 def test_the_first_deploy_of_all_may_be_cut_at_any_message(tmp_path: Path) -> None:
     program = bench_program(tmp_path, PROGRAMS[0])
-    for cut in count(10, 10) if THOROUGH else (450,):
+    for cut in count(10, 10):
         with running() as board:
             with Proxy(board.port, cut_after=cut) as wire, contextlib.suppress(LineError):
                 put_program(wire.address, program)
@@ -262,7 +266,6 @@ def test_the_first_deploy_of_all_may_be_cut_at_any_message(tmp_path: Path) -> No
             assert program.is_called(runs(board.address))
         if not was_cut:
             break
-    assert was_cut != THOROUGH, "without the thorough profile, messages are cut that a deploy has"
 
 
 def test_the_examples_for_it_run_on_it_one_after_the_other_and_leave_files_of_the_user_alone(
@@ -270,21 +273,23 @@ def test_the_examples_for_it_run_on_it_one_after_the_other_and_leave_files_of_th
 ) -> None:
     microbit = used_microbit
     mine = bytes(range(90))
-    last = 9 if THOROUGH else 3
+    last = 9 if THOROUGH else 1
     for turn in range(last + 1):
-        program = load_board_program(EXAMPLES / (name := ("heart", "reaction", "dice")[turn % 3]) / f"{name}.krt")
+        program = load_board_program(EXAMPLES / (name := ("dice", "reaction", "heart")[turn % 3]) / f"{name}.krt")
         # The first makes room for the file, whatever tests before have left; the last removes what is KitRobot's alone.
         deploy(microbit.address, program.file.to_bytes(), program.package, fresh=turn in (0, last))
         assert program.is_called(runs(microbit.address))
         if turn == 0:
             put(microbit.address, mine)
-        if THOROUGH or turn in (1, 2):
-            compared(microbit.address, program, find_robot("microbit"), seed=13, ticks=STEPS)
+        compared(microbit.address, program, find_robot("microbit"), seed=13, ticks=STEPS)
     with receiving(microbit.address) as receiver:
         assert receiver.read("data") == mine
         receiver.remove("data")  # the next test finds the room that this one found
 
 
+@pytest.mark.thorough(
+    "test_files_arrive_whole_over_a_line_that_loses_changes_and_adds_bytes; test_deploy sends programs so"
+)
 def test_a_program_arrives_over_a_line_that_loses_changes_and_adds_bytes(
     used_microbit: Emulated, tmp_path: Path
 ) -> None:
@@ -318,7 +323,7 @@ NEVER = STORES.format(mark="one").replace("return True", "return False")
 
 @pytest.mark.parametrize(
     ("driver", "text", "number", "said"),
-    [(RAISES, "Motor.Turn(7); ", 1, "7"), (NEVER, "Motor.Turn(7); WAIT(9000); ", 2, "not done")],
+    cases([(RAISES, "Motor.Turn(7); ", 1, "7")], [(NEVER, "Motor.Turn(7); WAIT(9000); ", 2, "not done")]),
 )
 def test_a_device_that_fails_stops_the_robot_and_is_told_with_its_instruction(
     used_microbit: Emulated, tmp_path: Path, driver: str, text: str, number: int, said: str
@@ -338,6 +343,9 @@ def test_a_device_that_fails_stops_the_robot_and_is_told_with_its_instruction(
         assert board.greet().state == 4
 
 
+@pytest.mark.thorough(
+    "deploy/test_flash.py and test_room_of_2016.py: no room is said before anything changes, the old is freed"
+)
 def test_another_kitrobot_finds_no_room_beside_the_old_one_and_takes_its_place_when_told_to(
     used_microbit: Emulated, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
