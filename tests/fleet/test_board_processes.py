@@ -35,6 +35,7 @@ def mission(tmp_path: Path) -> Path:
         ('<agent name="robot-3" program="convoy" robot="mini-robot"/>', ""),
         (' least="2"', ""),
         ('<set name="count">2</set>', '<set name="count">1</set>'),
+        ('<set name="duration">40</set>', '<set name="duration">10</set>'),
     ):
         assert old in text
         text = text.replace(old, new)
