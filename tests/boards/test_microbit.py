@@ -9,6 +9,7 @@ from __future__ import annotations
 import contextlib
 import random
 import re
+import socket
 from collections.abc import Iterator
 from dataclasses import replace
 from importlib.resources import files
@@ -40,6 +41,8 @@ from tests.boards.proxy import Proxy, noise
 from tests.boards.qemu import Emulated, running
 from tests.boards.test_deploy import put as put_program
 from tests.boards.test_deploy import runs
+from tests.boards.test_line import mpremote
+from tests.boards.test_team import write_crew
 from tests.boards.test_ticks import compared
 from tests.boards.watching import called, watched
 from tests.effort import THOROUGH, cases
@@ -178,6 +181,25 @@ def test_the_heart_is_sent_started_and_stopped_with_the_commands_of_a_user(used_
         assert board.hello.state == 2, "it starts by itself"
         first = board.hello.tick
         assert any(board.greet().tick > first for _ in range(100)), "its program goes on"
+    mpremote_enters_it(microbit)
+    another_example_runs_on_it_and_a_file_of_the_user_is_left_alone(microbit)
+
+
+def mpremote_enters_it(microbit: Emulated) -> None:
+    assert mpremote(microbit.address, "resume", "exec", "print(6*7)").strip() == "42"
+
+
+def another_example_runs_on_it_and_a_file_of_the_user_is_left_alone(microbit: Emulated) -> None:
+    mine = bytes(range(90))
+    put(microbit.address, mine)
+    program = load_board_program(EXAMPLES / "dice" / "dice.krt")
+    deploy(
+        microbit.address, program.file.to_bytes(), program.package, fresh=True
+    )  # it removes what is KitRobot's alone
+    compared(microbit.address, program, find_robot("microbit"), seed=13, ticks=STEPS)
+    with receiving(microbit.address) as receiver:
+        assert receiver.read("data") == mine
+        receiver.remove("data")  # the next test finds the room that this one found
 
 
 @pytest.mark.thorough("test_three_hundred_instructions_fit_and_give_the_same_commands_in_every_tick, for one program")
@@ -268,14 +290,15 @@ def test_the_first_deploy_of_all_may_be_cut_at_any_message(tmp_path: Path) -> No
             break
 
 
+@pytest.mark.thorough("test_the_heart_is_sent_started_and_stopped_with_the_commands_of_a_user, with two examples")
 def test_the_examples_for_it_run_on_it_one_after_the_other_and_leave_files_of_the_user_alone(
     used_microbit: Emulated,
 ) -> None:
     microbit = used_microbit
     mine = bytes(range(90))
-    last = 9 if THOROUGH else 1
+    last = 9
     for turn in range(last + 1):
-        program = load_board_program(EXAMPLES / (name := ("dice", "reaction", "heart")[turn % 3]) / f"{name}.krt")
+        program = load_board_program(EXAMPLES / (name := ("heart", "reaction", "dice")[turn % 3]) / f"{name}.krt")
         # The first makes room for the file, whatever tests before have left; the last removes what is KitRobot's alone.
         deploy(microbit.address, program.file.to_bytes(), program.package, fresh=turn in (0, last))
         assert program.is_called(runs(microbit.address))
@@ -313,6 +336,26 @@ def test_a_program_that_does_not_fit_is_refused_and_the_old_one_goes_on(
     with pytest.raises(BoardError, match="memory"):
         put_program(used_microbit.address, bench_program(tmp_path, PROGRAMS[0] * 150))
     assert small.is_called(runs(used_microbit.address))
+
+
+def test_it_does_the_ticks_of_a_member_and_waits_when_another_of_its_team_has_no_program(
+    used_microbit: Emulated, tmp_path: Path
+) -> None:
+    with socket.create_server(("127.0.0.1", 0)) as listener:
+        nobody = f"socket://127.0.0.1:{listener.getsockname()[1]}"
+    boards = ("--board", f"bit-1={nobody}", "--board", f"bit-2={used_microbit.address}")
+    sending = called("deploy", str(write_crew(tmp_path)), "--team", *boards, "--fresh")
+    said = " ".join(sending.stderr.split())
+    assert sending.returncode == 1
+    assert "no robot of the team is started; mend what is said above of bit-1" in said
+    assert "the new program is already on the boards of these, where it waits: bit-2" in said
+    with connect(used_microbit.address, 10) as board:
+        assert board.hello.free > 2200
+        board.begin_member()
+        assert board.member_tick({}), "the number of its thread is no longer 0"
+        assert board.greet().tick == 1
+        board.stop()
+        assert board.last_fault() is None
 
 
 RAISES = STORES.format(mark="one").replace(

@@ -5,13 +5,11 @@ takes the place of another whose line is cut.
 from __future__ import annotations
 
 import json
-import socket
 from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
 
-from kitrobot.deploy import connect
 from tests.boards.bench import STORES
 from tests.boards.modern import ModernBoard
 from tests.boards.qemu import Emulated, running
@@ -95,28 +93,8 @@ def bits() -> Iterator[tuple[Emulated, Emulated]]:
         yield one, other
 
 
-def test_a_micro_bit_does_the_ticks_of_a_member_and_waits_when_another_of_its_team_has_no_program(
-    used_microbit: Emulated, tmp_path: Path
-) -> None:
-    with socket.create_server(("127.0.0.1", 0)) as listener:
-        nobody = f"socket://127.0.0.1:{listener.getsockname()[1]}"
-    boards = ("--board", f"bit-1={nobody}", "--board", f"bit-2={used_microbit.address}")
-    sending = called("deploy", str(write_crew(tmp_path)), "--team", *boards, "--fresh")
-    said = " ".join(sending.stderr.split())
-    assert sending.returncode == 1
-    assert "no robot of the team is started; mend what is said above of bit-1" in said
-    assert "the new program is already on the boards of these, where it waits: bit-2" in said
-    with connect(used_microbit.address, 10) as board:
-        assert board.hello.free > 2200
-        board.begin_member()
-        assert board.member_tick({}), "the number of its thread is no longer 0"
-        assert board.greet().tick == 1
-        board.stop()
-        assert board.last_fault() is None
-
-
 @pytest.mark.thorough(
-    "test_a_micro_bit_does_the_ticks_of_a_member_...; fleet/test_processes.py: a board takes over from one"
+    "test_microbit.py does the ticks of a member; in fleet/test_board_processes.py a board takes over"
 )
 def test_a_team_of_boards_shares_meets_and_goes_on_without_one(
     bits: tuple[Emulated, Emulated], board: ModernBoard, tmp_path: Path

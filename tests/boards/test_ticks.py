@@ -15,7 +15,7 @@ from kitrobot.robots import BoardProgram
 from tests.boards.bench import PROGRAMS, bench_program, bench_robot
 from tests.effort import THOROUGH
 
-TICKS = 2000 if THOROUGH else 150
+TICKS = 2000 if THOROUGH else 60
 
 
 def compared(address: str, program: BoardProgram, robot: Robot, seed: int, ticks: int = TICKS) -> None:
