@@ -40,8 +40,8 @@ UNPLUGGED = onboard_files()["machine.py"] + b"\nwidths[15] = None\n"
 """A Pico whose range finder does not answer; a colour sensor is on no bus of these boards anyway."""
 
 
-@pytest.fixture
-def kit() -> Iterator[ModernBoard]:
+@pytest.fixture(scope="module")
+def _kept_kit() -> Iterator[ModernBoard]:
     with ModernBoard({"lib/machine.py": UNPLUGGED}) as board:
         yield board
 
