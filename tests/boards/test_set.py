@@ -12,7 +12,7 @@ from pathlib import Path
 import pytest
 
 from tests.boards.bench import ONE, OTHER, bench_program
-from tests.boards.modern import ModernBoard, version
+from tests.boards.modern import ModernBoard
 from tests.boards.test_microbit_v2 import board as micro_bit
 from tests.boards.test_several import hang_up
 from tests.boards.watching import called
@@ -28,7 +28,7 @@ def mission(folder: Path, name: str, text: str) -> None:
 
 @pytest.fixture
 def v2() -> Iterator[ModernBoard]:
-    with micro_bit("nRF52833") as found:
+    with micro_bit("nRF52833", (1, 28, 0)) as found:
         yield found
 
 
@@ -55,7 +55,7 @@ def test_a_class_set_has_each_its_program_and_one_that_fails_holds_up_no_other(
     assert blue[:2] == ["B", there[1]]
     assert (red[3], blue[3]) == ("running", "running")
     assert red[2] != blue[2], "each has its own"
-    assert red[5] == blue[5] == version(), "the firmware of each"
+    assert red[5] != blue[5], "and its own firmware"
     assert [(row[0], row[-1]) for row in failed] == [("dead", "failed"), ("lost", "failed")]
     assert f"dead ({dead}):" in said.stderr
     assert "no board with the label `lost` is plugged in" in said.stderr
