@@ -235,10 +235,12 @@ KEYS_AND_SHAKING = (
     " [Shake.IsShaken()](Display.Number(Dice.Value()); )!(Display.Clear(); );"
 )
 MELODY = "Music.Play(1); WAIT(2);"
+TOGETHER = [TILT_AND_SOUND + CHANCE, PINS + KEYS_AND_SHAKING, MELODY]
 APART = [TILT_AND_SOUND, PINS, CHANCE, "[ButtonA.IsPressed()](Music.Play(1); )!(Music.Stop(); );"]
+USES = cases(TOGETHER, APART)
 
 
-@pytest.mark.parametrize("text", cases([TILT_AND_SOUND + CHANCE, PINS + KEYS_AND_SHAKING, MELODY], APART))
+@pytest.mark.parametrize("text", USES)
 def test_all_devices_of_it_work_there(used_microbit: Emulated, tmp_path: Path, text: str) -> None:
     path = tmp_path / "devices.lll"
     path.write_text(f"*[Run.IsTrue()]({text} WAIT(1); );\n", encoding="utf-8")
