@@ -99,12 +99,19 @@ class TickRow:
     flash: int
 
 
-def pages() -> dict[Path, str]:
-    """What there has to be, by its file."""
+def shown_kits() -> list[Kit]:
+    """Those that the pages tell of."""
     found = kits_at_hand()
-    kits = [found[name] for name in ORDER]
+    return [found[name] for name in ORDER]
+
+
+def pages(runs: dict[str, dict[str, str]] | None = None) -> dict[Path, str]:
+    """What there has to be, by its file. `runs`: what `what_runs` says of the kits, where it was asked before."""
+    kits = shown_kits()
     written = {PICTURES / f"wiring-{kit.name}.svg": wiring_picture(kit) for kit in kits if kit.supplies}
-    written[PAGE] = "\n".join([_HEAD, *_table(kits), *(line for kit in kits for line in _kit(kit))])
+    written[PAGE] = "\n".join(
+        [_HEAD, *_table(kits, runs or what_runs(kits)), *(line for kit in kits for line in _kit(kit))]
+    )
     for language in WORDS:
         written[PAGE.with_suffix(f".{language}.md")] = page_in(language, kits)
     return written
@@ -163,7 +170,7 @@ def _runs(on_2016: Mapping[str, int | str] | None) -> str:
     return f"V2; {on_2016['problem']}" if on_2016 is not None and "problem" in on_2016 else "yes"
 
 
-def _table(kits: Sequence[Kit]) -> Iterator[str]:
+def _table(kits: Sequence[Kit], runs: dict[str, dict[str, str]]) -> Iterator[str]:
     yield "## Which program runs on which kit"
     yield ""
     yield "*yes*: every program of the mission can be sent, each to a robot of that kit; else what the kit lacks. A"
@@ -175,7 +182,7 @@ def _table(kits: Sequence[Kit]) -> Iterator[str]:
     yield "| mission | " + " | ".join(f"[{kit.name}](#{kit.name})" for kit in kits) + " |"
     yield "|---" * (len(kits) + 1) + "|"
     small = measured_2016()
-    for name, row in what_runs(kits).items():
+    for name, row in runs.items():
         cells = (row[kit.name] or _runs(small.get(name, {}).get(kit.name)) for kit in kits)
         yield f"| {title_of(name)} | " + " | ".join(cells) + " |"
     yield ""

@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 
-from tests.boards.modern import ModernBoard
+from tests.boards.modern import ModernBoard, onboard_files
 from tests.boards.qemu import Emulated, running
 
 
@@ -39,6 +39,19 @@ def used_microbit(_kept_microbit: Emulated) -> Iterator[Emulated]:
     _kept_microbit.cut_power()
     yield _kept_microbit
     _kept_microbit.pause()
+
+
+@pytest.fixture(scope="module")
+def _kept_kit() -> Iterator[ModernBoard]:
+    with ModernBoard({"lib/machine.py": onboard_files()["machine.py"]}) as made:
+        yield made
+
+
+@pytest.fixture
+def kit(_kept_kit: ModernBoard) -> ModernBoard:
+    """One with pins that only remember, just switched on, with what tests of the same file before left on it."""
+    _kept_kit.cut_power()
+    return _kept_kit
 
 
 @pytest.fixture

@@ -17,18 +17,19 @@ from typing import Any
 import pytest
 
 from kitrobot.cli import main
-from kitrobot.deploy import Fault, connect
-from kitrobot.primitives import read_kit
+from kitrobot.deploy import Fault, FullError, NoMemoryError, connect
+from kitrobot.primitives import load_catalogue, read_kit
 from kitrobot.primitives.catalogue import SHIPPED
-from kitrobot.workspace.bench import bench_of
-from kitrobot.workspace.bench_loading import PartError
+from kitrobot.robots import BoardProgram
+from kitrobot.text import Sentence
+from kitrobot.workspace.bench import PartKey, bench_of
+from kitrobot.workspace.bench_loading import PartError, load_parts
 from kitrobot.workspace.bench_run import BenchRun
 from kitrobot.workspace.calibration import bench_robot
 from kitrobot.workspace.kit_files import kit_named
 from tests.boards.modern import ModernBoard, onboard_files
 from tests.boards.qemu import Emulated
 from tests.boards.test_modern_robot import pins_told
-from tests.effort import cases
 from tests.patience import PATIENCE_S
 
 MOTORS = (2, 3, 4, 5)
@@ -39,8 +40,8 @@ UNPLUGGED = onboard_files()["machine.py"] + b"\nwidths[15] = None\n"
 """A Pico whose range finder does not answer; a colour sensor is on no bus of these boards anyway."""
 
 
-@pytest.fixture
-def kit() -> Iterator[ModernBoard]:
+@pytest.fixture(scope="module")
+def _kept_kit() -> Iterator[ModernBoard]:
     with ModernBoard({"lib/machine.py": UNPLUGGED}) as board:
         yield board
 
@@ -241,7 +242,33 @@ def micro_bit_without(parts: list[str]) -> bytes:
     return text.encode()
 
 
-@pytest.mark.parametrize("left_out", cases([LEFT_OUT], [[]]), ids=lambda names: "without" if names else "all")
+def test_a_board_with_little_memory_gets_its_parts_in_as_many_programs_as_it_needs() -> None:
+    bench = bench_of(load_catalogue().robots["microbit"], kit_named("microbit"))
+    keys = {step.key for step in bench.steps}
+    room = len(bench.program(bench.together(list(keys))).file.image) * 2 // 3
+    sent: list[bool] = []
+
+    def send(program: BoardProgram, fresh: bool) -> None:
+        sent.append(fresh)
+        if not fresh:
+            raise FullError(Sentence("no room beside the old"))
+        if len(program.file.image) > room:
+            raise NoMemoryError(Sentence("too large"))
+
+    loads: list[frozenset[PartKey]] = []
+    for key in keys:
+        if not any(key in load for load in loads):
+            loads.append(load_parts(bench, key, {}, send)[0])
+    assert frozenset().union(*loads) == keys
+    assert 1 < len(loads) < len(keys)
+    assert sent[:2] == [False, True], "what KitRobot put there before is removed first"
+    room = 0
+    with pytest.raises(NoMemoryError):
+        load_parts(bench, None, {}, send)
+
+
+@pytest.mark.thorough("test_a_board_with_little_memory_gets_its_parts_in_as_many_programs_as_it_needs, without a board")
+@pytest.mark.parametrize("left_out", [LEFT_OUT, []], ids=lambda names: "without" if names else "all")
 def test_a_micro_bit_of_2016_gets_its_parts_in_as_many_programs_as_it_needs(
     microbit: Emulated, tmp_path: Path, left_out: list[str]
 ) -> None:

@@ -15,10 +15,9 @@ from tests.boards.bench import ONE, OTHER, bench_program
 from tests.boards.proxy import Proxy, noise
 from tests.effort import THOROUGH
 
-"""Every single message is cut, and many seeds are tried; else one of 40, and few."""
-
-EVERY = 1 if THOROUGH else 40
+EVERY = 1 if THOROUGH else 100
 SEEDS = range(20 if THOROUGH else 1)
+"""In the thorough profile every single message is cut, and many seeds are tried; else one of 100, and one."""
 
 
 def put(address: str, program: BoardProgram, *, replace: bool = False, fresh: bool = False) -> Deployed:
@@ -68,11 +67,26 @@ def test_an_empty_board_gets_all_of_it_and_runs(board: Any, tmp_path: Path) -> N
     assert done.kept_files == ()
     assert done.free > 300
     assert runs(board.address) == done.program
+    it_starts_by_itself_when_the_power_comes_on(board, done)
+    a_deploy_that_broke_off_needs_no_reset_to_start_it(board, done)
+    at_the_prompt_it_is_started(board, done)
 
 
-def test_the_program_starts_by_itself_when_the_power_comes_on(board: Any, tmp_path: Path) -> None:
-    done = put(board.address, bench_program(tmp_path))
+def it_starts_by_itself_when_the_power_comes_on(board: Any, done: Deployed) -> None:
     board.cut_power()
+    assert runs(board.address) == done.program
+
+
+def a_deploy_that_broke_off_needs_no_reset_to_start_it(board: Any, done: Deployed) -> None:
+    line = Line(board.address)
+    Receiver(RawRepl(line)).begin()
+    line.close()
+    assert runs(board.address) == done.program
+
+
+def at_the_prompt_it_is_started(board: Any, done: Deployed) -> None:
+    with connect(board.address, 10) as found:
+        found.quit()
     assert runs(board.address) == done.program
 
 
@@ -110,8 +124,15 @@ def test_a_main_of_somebody_else_is_only_overwritten_when_asked(board: Any, tmp_
     assert runs(board.address) == done.program
 
 
-def test_a_file_that_was_spoilt_is_sent_again(board: Any, tmp_path: Path) -> None:
+def test_a_file_that_was_spoilt_is_sent_again_and_what_would_not_start_leaves_what_was_there(
+    board: Any, tmp_path: Path
+) -> None:
     first = put(board.address, bench_program(tmp_path))
+    a_file_that_was_spoilt_is_sent_again(board, first, tmp_path)
+    a_board_that_would_not_start_it_goes_on_with_what_it_had(board, first, tmp_path)
+
+
+def a_file_that_was_spoilt_is_sent_again(board: Any, first: Deployed, tmp_path: Path) -> None:
     spoilt = next(name for name in first.sent_files if name.endswith(".py"))
     content = files_of(board.address)[spoilt]
     write(board.address, spoilt, content[: len(content) // 2])
@@ -120,8 +141,7 @@ def test_a_file_that_was_spoilt_is_sent_again(board: Any, tmp_path: Path) -> Non
     assert runs(board.address) == first.program
 
 
-def test_a_board_that_would_not_start_it_goes_on_with_what_it_had(board: Any, tmp_path: Path) -> None:
-    first = put(board.address, bench_program(tmp_path))
+def a_board_that_would_not_start_it_goes_on_with_what_it_had(board: Any, first: Deployed, tmp_path: Path) -> None:
     program = bench_program(tmp_path, OTHER, "two")
     (tmp_path / "stores.driver.py").write_text("def make(settings):\n    raise OSError('no such pin')\n")
     with pytest.raises(BoardError, match="no such pin"):
@@ -129,21 +149,6 @@ def test_a_board_that_would_not_start_it_goes_on_with_what_it_had(board: Any, tm
     assert runs(board.address) == first.program
     board.cut_power()
     assert runs(board.address) == first.program
-
-
-def test_a_deploy_that_broke_off_needs_no_reset_to_start_what_was_there(board: Any, tmp_path: Path) -> None:
-    done = put(board.address, bench_program(tmp_path))
-    line = Line(board.address)
-    Receiver(RawRepl(line)).begin()
-    line.close()
-    assert runs(board.address) == done.program
-
-
-def test_at_the_prompt_it_is_started(board: Any, tmp_path: Path) -> None:
-    done = put(board.address, bench_program(tmp_path))
-    with connect(board.address, 10) as found:
-        found.quit()
-    assert runs(board.address) == done.program
 
 
 def test_a_deploy_that_is_cut_leaves_what_was_there_and_the_next_one_mends_it(board: Any, tmp_path: Path) -> None:
@@ -182,7 +187,7 @@ def test_a_board_that_restarts_during_a_deploy_is_entered_again_while_the_line_s
     with Proxy(port_of(board.address)) as whole:
         put(whole.address, made(1))
         count = whole.messages
-    for number, at in enumerate(range(EVERY // 2, count, 1 if THOROUGH else 2 * EVERY)):
+    for number, at in enumerate(range(EVERY // 2, count, EVERY)):
         new = made(number)
         cut = partial(lambda wanted, messages: board.cut_power() if messages == wanted else None, at)
         with Proxy(port_of(board.address), happens=cut) as wire:

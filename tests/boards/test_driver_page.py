@@ -5,14 +5,13 @@ from __future__ import annotations
 import re
 import subprocess
 import sys
-from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
 
 from kitrobot.deploy import connect, deploy
 from kitrobot.workspace import load_board_program
-from tests.boards.modern import ModernBoard, onboard_files
+from tests.boards.modern import ModernBoard
 from tests.boards.test_modern_robot import pins_told
 from tests.patience import PATIENCE_S
 
@@ -38,20 +37,14 @@ def folder(tmp_path: Path) -> Path:
     return tmp_path
 
 
-@pytest.fixture
-def board() -> Iterator[ModernBoard]:
-    with ModernBoard({"lib/machine.py": onboard_files()["machine.py"]}) as made:
-        yield made
-
-
-def test_the_example_is_deployed_and_beeps_twice_when_the_battery_is_low(board: ModernBoard, folder: Path) -> None:
+def test_the_example_is_deployed_and_beeps_twice_when_the_battery_is_low(kit: ModernBoard, folder: Path) -> None:
     program = load_board_program(folder / "low.lll", robot=str(folder / "signaller.robot.xml"))
-    deploy(board.address, program.file.to_bytes(), program.package)
-    with connect(board.address, 10) as line:
+    deploy(kit.address, program.file.to_bytes(), program.package)
+    with connect(kit.address, 10) as line:
         # No volts at all: the battery is empty, so it beeps at once and ends.
         while line.greet().state != 3:
             assert line.last_fault() is None
-    told = [entry for entry in pins_told(board) if entry[0] == BUZZER]
+    told = [entry for entry in pins_told(kit) if entry[0] == BUZZER]
     sounds = [(what, value) for _, what, value in told if (what, value) != ("duty", 0)]
     loud = ("duty", 50 * 32767 // 100)
     assert sounds == [("freq", 440), ("freq", 880), loud, ("freq", 880), loud]

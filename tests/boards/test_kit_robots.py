@@ -2,12 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from pathlib import Path
 
-import pytest
-
-from kitrobot.deploy import connect
+from kitrobot.deploy import Board, connect
 from tests.boards.alvik import HEARD, NOTHING, STANDING, TURNED, frame
 from tests.boards.modern import ModernBoard, onboard_files
 from tests.boards.test_modern_robot import deploy_by_command, pins_told
@@ -16,17 +13,15 @@ EXAMPLES = Path(__file__).resolve().parents[2] / "examples"
 MOTORS = (2, 3, 4, 5)
 
 
-@pytest.fixture
-def kit() -> Iterator[ModernBoard]:
-    with ModernBoard({"lib/machine.py": onboard_files()["machine.py"]}) as board:
-        yield board
+def until_it_did_150_ticks(board: Board) -> None:
+    while (hello := board.greet()).state == 2 and hello.tick < 150:
+        board.news(0.2)
 
 
 def test_square_drives_and_turns_on_a_pico_with_two_motors_and_stop_stops_them(kit: ModernBoard) -> None:
     deploy_by_command(EXAMPLES / "square" / "square.krt", kit, "--board", "pico")
     with connect(kit.address, 10) as board:
-        while board.greet().state == 2 and board.greet().tick < 150:
-            continue
+        until_it_did_150_ticks(board)
         board.stop()
         assert board.last_fault() is None
     duties = dict.fromkeys(MOTORS, 0)
@@ -78,8 +73,7 @@ partners[1] = stm32
     with ModernBoard({"lib/machine.py": onboard_files()["machine.py"] + robot.encode()}) as board:
         deploy_by_command(EXAMPLES / "square" / "square.krt", board, "--board", "alvik")
         with connect(board.address, 10) as line:
-            while line.greet().state == 2 and line.greet().tick < 150:
-                continue
+            until_it_did_150_ticks(line)
             line.stop()
             assert line.last_fault() is None
         told = [value for _, what, value in pins_told(board) if what == "write"]

@@ -2,14 +2,11 @@
 
 from __future__ import annotations
 
-import contextlib
 import struct
 import subprocess
 import sys
 from collections.abc import Callable
 from pathlib import Path
-
-import pytest
 
 from kitrobot.deploy import Board, Line, connect, deploy
 from kitrobot.deploy.news import read_news
@@ -17,7 +14,6 @@ from kitrobot.image import Layout
 from kitrobot_onboard.link import unwrap, wrap
 from tests.boards.bench import bench_program, bench_robot
 from tests.boards.modern import ModernBoard
-from tests.boards.qemu import running
 from tests.patience import PATIENCE_S
 
 STANDS = "WAIT(30000);"
@@ -78,25 +74,14 @@ def mpremote(address: str, *words: str) -> str:
     return done.stdout
 
 
-@pytest.mark.parametrize(
-    "kind", [ModernBoard, pytest.param(running, marks=pytest.mark.boards)], ids=["modern", "microbit"]
-)
-def test_mpremote_enters_a_robot_that_runs(
-    kind: Callable[[], contextlib.AbstractContextManager[ModernBoard]], tmp_path: Path
-) -> None:
-    program = bench_program(tmp_path)
-    with kind() as robot:
-        deploy(robot.address, program.file.to_bytes(), program.package)
-        assert mpremote(robot.address, "resume", "exec", "print(6*7)").strip() == "42"
-
-
-def test_what_follows_a_break_reaches_the_prompt(tmp_path: Path) -> None:
+def test_mpremote_enters_a_robot_that_runs(tmp_path: Path) -> None:
     program = bench_program(tmp_path)
     with ModernBoard() as robot:
         deploy(robot.address, program.file.to_bytes(), program.package)
+        assert mpremote(robot.address, "resume", "exec", "print(6*7)").strip() == "42"
         line = Line(robot.address)
         try:
             line.write(b"\r\x03\r\x01print(6*7)\x04")
-            assert line.read_until(b"42", PATIENCE_S).endswith(b"42")
+            assert line.read_until(b"42", PATIENCE_S).endswith(b"42"), "what follows a break reaches the prompt"
         finally:
             line.close()

@@ -9,6 +9,7 @@ from __future__ import annotations
 import contextlib
 import random
 import re
+import socket
 from collections.abc import Iterator
 from dataclasses import replace
 from importlib.resources import files
@@ -40,6 +41,8 @@ from tests.boards.proxy import Proxy, noise
 from tests.boards.qemu import Emulated, running
 from tests.boards.test_deploy import put as put_program
 from tests.boards.test_deploy import runs
+from tests.boards.test_line import mpremote
+from tests.boards.test_team import write_crew
 from tests.boards.test_ticks import compared
 from tests.boards.watching import called, watched
 from tests.effort import THOROUGH, cases
@@ -48,7 +51,7 @@ from tests.patience import PATIENCE_S
 pytestmark = pytest.mark.boards
 
 TICKS = 400 if THOROUGH else 30
-STEPS = 2000 if THOROUGH else 40
+STEPS = 2000 if THOROUGH else 25
 """Ticks of each program that a host steps through, which takes a message or two each."""
 
 EXAMPLES = Path(__file__).resolve().parents[2] / "examples"
@@ -147,7 +150,7 @@ def test_a_line_that_is_cut_at_any_message_needs_only_another_try(microbit: Emul
         with Proxy(microbit.port) as proxy:
             put(proxy.address, content)
             messages = proxy.messages
-        cut += 1 if THOROUGH else 40
+        cut += 1 if THOROUGH else 100
     with receiving(microbit.address) as receiver:
         assert receiver.read("data") == content
 
@@ -178,9 +181,29 @@ def test_the_heart_is_sent_started_and_stopped_with_the_commands_of_a_user(used_
         assert board.hello.state == 2, "it starts by itself"
         first = board.hello.tick
         assert any(board.greet().tick > first for _ in range(100)), "its program goes on"
+    mpremote_enters_it(microbit)
+    another_example_runs_on_it_and_a_file_of_the_user_is_left_alone(microbit)
 
 
-@pytest.mark.parametrize("text", cases([PROGRAMS[1]], [PROGRAMS[0], PROGRAMS[3]]))
+def mpremote_enters_it(microbit: Emulated) -> None:
+    assert mpremote(microbit.address, "resume", "exec", "print(6*7)").strip() == "42"
+
+
+def another_example_runs_on_it_and_a_file_of_the_user_is_left_alone(microbit: Emulated) -> None:
+    mine = bytes(range(90))
+    put(microbit.address, mine)
+    program = load_board_program(EXAMPLES / "dice" / "dice.krt")
+    deploy(
+        microbit.address, program.file.to_bytes(), program.package, fresh=True
+    )  # it removes what is KitRobot's alone
+    compared(microbit.address, program, find_robot("microbit"), seed=13, ticks=STEPS)
+    with receiving(microbit.address) as receiver:
+        assert receiver.read("data") == mine
+        receiver.remove("data")  # the next test finds the room that this one found
+
+
+@pytest.mark.thorough("test_three_hundred_instructions_fit_and_give_the_same_commands_in_every_tick, for one program")
+@pytest.mark.parametrize("text", [PROGRAMS[0], PROGRAMS[1], PROGRAMS[3]])
 def test_a_deployed_program_gives_the_same_commands_in_every_tick(
     used_microbit: Emulated, tmp_path: Path, text: str
 ) -> None:
@@ -198,19 +221,26 @@ def test_three_hundred_instructions_fit_and_give_the_same_commands_in_every_tick
     compared(used_microbit.address, program, bench_robot(tmp_path), seed=12, ticks=STEPS)
 
 
-@pytest.mark.parametrize(
-    "text",
-    [
-        "[TiltX.IsLeft()](Display.Number(1); )!(Display.Number(2); ); [TiltY.IsForward()](Display.Number(3); )!();"
-        " Music.Tone(440, 200); WAIT(2); Music.Stop();",
-        "Pin1.Write(1); WAIT(1); Pin1.Analog(500); WAIT(1); Pin2.Servo(90); WAIT(1); Pin1.Write(0);"
-        " [Pin1.IsHigh()](Display.Pixel(1, 2, 9); )!(Display.Clear(); );",
-        "Music.Play(1); WAIT(2);",
-        "[Random.LessThan(50)](Display.Number(Dice.Value()); )!(Display.Scroll(12); );",
-        "[ButtonA.IsPressed()](Music.Play(1); )!(Music.Stop(); );"
-        " [Shake.IsShaken()](Display.Number(Dice.Value()); )!(Display.Clear(); );",
-    ],
+TILT_AND_SOUND = (
+    "[TiltX.IsLeft()](Display.Number(1); )!(Display.Number(2); ); [TiltY.IsForward()](Display.Number(3); )!();"
+    " Music.Tone(440, 200); WAIT(2); Music.Stop();"
 )
+PINS = (
+    "Pin1.Write(1); WAIT(1); Pin1.Analog(500); WAIT(1); Pin2.Servo(90); WAIT(1); Pin1.Write(0);"
+    " [Pin1.IsHigh()](Display.Pixel(1, 2, 9); )!(Display.Clear(); );"
+)
+CHANCE = "[Random.LessThan(50)](Display.Number(Dice.Value()); )!(Display.Scroll(12); );"
+KEYS_AND_SHAKING = (
+    "[ButtonA.IsPressed()](Display.Number(4); )!();"
+    " [Shake.IsShaken()](Display.Number(Dice.Value()); )!(Display.Clear(); );"
+)
+MELODY = "Music.Play(1); WAIT(2);"
+TOGETHER = [TILT_AND_SOUND + CHANCE, PINS + KEYS_AND_SHAKING, MELODY]
+APART = [TILT_AND_SOUND, PINS, CHANCE, "[ButtonA.IsPressed()](Music.Play(1); )!(Music.Stop(); );"]
+USES = cases(TOGETHER, APART)
+
+
+@pytest.mark.parametrize("text", USES)
 def test_all_devices_of_it_work_there(used_microbit: Emulated, tmp_path: Path, text: str) -> None:
     path = tmp_path / "devices.lll"
     path.write_text(f"*[Run.IsTrue()]({text} WAIT(1); );\n", encoding="utf-8")
@@ -220,9 +250,6 @@ def test_all_devices_of_it_work_there(used_microbit: Emulated, tmp_path: Path, t
     with connect(used_microbit.address, 10) as board:
         assert board.last_fault() is None
 
-
-CUTS = 2
-"""So many messages are tried where the thorough profile tries each."""
 
 PARTS = 4 if THOROUGH else 1
 """The messages at which a deploy is cut are shared out, so that the parts can run side by side."""
@@ -234,25 +261,26 @@ def test_a_deploy_that_is_cut_at_any_message_leaves_what_was_there(
 ) -> None:
     old, new = bench_program(tmp_path / "old", PROGRAMS[0]), bench_program(tmp_path / "new", PROGRAMS[1])
     board = used_microbit
-    place(board, old)
-    with Proxy(board.port) as whole:
-        put_program(whole.address, new)
-        messages = whole.messages
-    every = PARTS if THOROUGH else -(-messages // CUTS)
-    for cut in range(1 + part if THOROUGH else every // 2, messages, every):
-        put_program(board.address, old)
+    for cut in count(1 + part, PARTS) if THOROUGH else (60,):
+        place(board, old)
         with Proxy(board.port, cut_after=cut) as wire, contextlib.suppress(LineError):
             put_program(wire.address, new)
+        if wire.messages < cut:
+            break
         board.cut_power()
         found = runs(board.address)
         assert old.is_called(found) or new.is_called(found), f"cut after message {cut}"
         assert new.is_called(put_program(board.address, new).program)
         assert new.is_called(runs(board.address))
+    assert THOROUGH or wire.messages == cut, "a message is cut that a deploy has"
 
 
+@pytest.mark.thorough(
+    "test_deploy::test_a_first_deploy_that_is_cut_is_mended_by_the_next_one, on a current MicroPython"
+)
 def test_the_first_deploy_of_all_may_be_cut_at_any_message(tmp_path: Path) -> None:
     program = bench_program(tmp_path, PROGRAMS[0])
-    for cut in count(10, 10) if THOROUGH else (450,):
+    for cut in count(10, 10):
         with running() as board:
             with Proxy(board.port, cut_after=cut) as wire, contextlib.suppress(LineError):
                 put_program(wire.address, program)
@@ -262,15 +290,15 @@ def test_the_first_deploy_of_all_may_be_cut_at_any_message(tmp_path: Path) -> No
             assert program.is_called(runs(board.address))
         if not was_cut:
             break
-    assert was_cut != THOROUGH, "without the thorough profile, messages are cut that a deploy has"
 
 
+@pytest.mark.thorough("test_the_heart_is_sent_started_and_stopped_with_the_commands_of_a_user, with two examples")
 def test_the_examples_for_it_run_on_it_one_after_the_other_and_leave_files_of_the_user_alone(
     used_microbit: Emulated,
 ) -> None:
     microbit = used_microbit
     mine = bytes(range(90))
-    last = 9 if THOROUGH else 3
+    last = 9
     for turn in range(last + 1):
         program = load_board_program(EXAMPLES / (name := ("heart", "reaction", "dice")[turn % 3]) / f"{name}.krt")
         # The first makes room for the file, whatever tests before have left; the last removes what is KitRobot's alone.
@@ -278,13 +306,15 @@ def test_the_examples_for_it_run_on_it_one_after_the_other_and_leave_files_of_th
         assert program.is_called(runs(microbit.address))
         if turn == 0:
             put(microbit.address, mine)
-        if THOROUGH or turn in (1, 2):
-            compared(microbit.address, program, find_robot("microbit"), seed=13, ticks=STEPS)
+        compared(microbit.address, program, find_robot("microbit"), seed=13, ticks=STEPS)
     with receiving(microbit.address) as receiver:
         assert receiver.read("data") == mine
         receiver.remove("data")  # the next test finds the room that this one found
 
 
+@pytest.mark.thorough(
+    "test_files_arrive_whole_over_a_line_that_loses_changes_and_adds_bytes; test_deploy sends programs so"
+)
 def test_a_program_arrives_over_a_line_that_loses_changes_and_adds_bytes(
     used_microbit: Emulated, tmp_path: Path
 ) -> None:
@@ -310,6 +340,26 @@ def test_a_program_that_does_not_fit_is_refused_and_the_old_one_goes_on(
     assert small.is_called(runs(used_microbit.address))
 
 
+def test_it_does_the_ticks_of_a_member_and_waits_when_another_of_its_team_has_no_program(
+    used_microbit: Emulated, tmp_path: Path
+) -> None:
+    with socket.create_server(("127.0.0.1", 0)) as listener:
+        nobody = f"socket://127.0.0.1:{listener.getsockname()[1]}"
+    boards = ("--board", f"bit-1={nobody}", "--board", f"bit-2={used_microbit.address}")
+    sending = called("deploy", str(write_crew(tmp_path)), "--team", *boards, "--fresh")
+    said = " ".join(sending.stderr.split())
+    assert sending.returncode == 1
+    assert "no robot of the team is started; mend what is said above of bit-1" in said
+    assert "the new program is already on the boards of these, where it waits: bit-2" in said
+    with connect(used_microbit.address, 10) as board:
+        assert board.hello.free > 2200
+        board.begin_member()
+        assert board.member_tick({}), "the number of its thread is no longer 0"
+        assert board.greet().tick == 1
+        board.stop()
+        assert board.last_fault() is None
+
+
 RAISES = STORES.format(mark="one").replace(
     "        pass\n\n    def done", "        raise OSError(arguments[0])\n\n    def done"
 )
@@ -318,7 +368,7 @@ NEVER = STORES.format(mark="one").replace("return True", "return False")
 
 @pytest.mark.parametrize(
     ("driver", "text", "number", "said"),
-    [(RAISES, "Motor.Turn(7); ", 1, "7"), (NEVER, "Motor.Turn(7); WAIT(9000); ", 2, "not done")],
+    cases([(RAISES, "Motor.Turn(7); ", 1, "7")], [(NEVER, "Motor.Turn(7); WAIT(9000); ", 2, "not done")]),
 )
 def test_a_device_that_fails_stops_the_robot_and_is_told_with_its_instruction(
     used_microbit: Emulated, tmp_path: Path, driver: str, text: str, number: int, said: str
@@ -338,6 +388,9 @@ def test_a_device_that_fails_stops_the_robot_and_is_told_with_its_instruction(
         assert board.greet().state == 4
 
 
+@pytest.mark.thorough(
+    "deploy/test_flash.py and test_room_of_2016.py: no room is said before anything changes, the old is freed"
+)
 def test_another_kitrobot_finds_no_room_beside_the_old_one_and_takes_its_place_when_told_to(
     used_microbit: Emulated, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
@@ -9,6 +10,7 @@ import pytest
 
 from kitrobot.deploy import connect
 from tests.boards.kit_steps import results_of
+from tests.boards.modern import ModernBoard
 from tests.boards.test_microbit_v2 import board, goes_on
 from tests.boards.test_modern_robot import deploy_by_command, pins_told
 from tests.boards.test_motor_chips import fault_of
@@ -197,24 +199,30 @@ def make(settings):
 GOES = "Wheel.Advance(50); Switch.SwitchOn(); Lamp.LightOn(); //( Door.Open();, Arm.Load();, {then} );"
 
 
+@pytest.fixture(scope="module")
+def v2() -> Iterator[ModernBoard]:
+    with board("nRF52833") as found:
+        yield found
+
+
 @pytest.mark.parametrize("end", ["STOP", "a fault of another part", "the one who holds it falls silent"])
-def test_on_a_v2_motors_servos_switch_and_lamp_are_off_after(end: str, tmp_path: Path) -> None:
+def test_on_a_v2_motors_servos_switch_and_lamp_are_off_after(end: str, v2: ModernBoard, tmp_path: Path) -> None:
+    v2.cut_power()
     for name, text in (("crane.robot.xml", ROBOT), ("edge.board.xml", KIT), ("hot.driver.py", HOT)):
         (tmp_path / name).write_text(text, encoding="utf-8")
     path = tmp_path / "go.lll"
     path.write_text(GOES.format(then="WAIT(20); Pen.PenDown();" if end.startswith("a fault") else "WAIT(6000);"))
-    with board("nRF52833") as v2:
-        kit = str(tmp_path / "edge.board.xml")
-        deploy_by_command(path, v2, "--robot", str(tmp_path / "crane.robot.xml"), "--board", kit)
-        with connect(v2.address, 20) as robot:
-            robot.start(held=end.startswith("the one"))
-            if end == "STOP":
-                goes_on(robot)
-                robot.stop()
-            else:
-                robot._held = False  # nobody speaks to it any more
-                assert fault_of(robot).number == (1 if end.startswith("a fault") else 6)
-        told = pins_told(v2)
+    kit = str(tmp_path / "edge.board.xml")
+    deploy_by_command(path, v2, "--robot", str(tmp_path / "crane.robot.xml"), "--board", kit)
+    with connect(v2.address, 20) as robot:
+        robot.start(held=end.startswith("the one"))
+        if end == "STOP":
+            goes_on(robot)
+            robot.stop()
+        else:
+            robot._held = False  # nobody speaks to it any more
+            assert fault_of(robot).number == (1 if end.startswith("a fault") else 6)
+    told = pins_told(v2)
     moved = [(0, "analog", 511), (2, "analog", 511), (12, "analog", 77), (13, "analog", 77), (14, "value", 1)]
     for one in [*moved, (15, "pixels", [(40, 40, 40)])]:
         assert one in told

@@ -59,10 +59,13 @@ uart = Uart()
 """What is added to a module `microbit` that only remembers: its serial line and its clock."""
 
 
-def board(chip: str) -> ModernBoard:
+def board(chip: str, version: tuple[int, ...] = ()) -> ModernBoard:
+    """One with that chip. `version`: what it says that the version of its MicroPython is; none: which it is."""
     known = onboard_files()
     files = {name: known[name] for name in ("machine.py", "neopixel.py")}
     boot = BOOT.replace(b"CHIP", chip.encode())
+    if version:
+        boot = boot.replace(b"implementation = sys.implementation", f"implementation = ('', {version})".encode())
     utime = b"from time import *\n"
     microbit = known["microbit.py"] + SERIAL
     return ModernBoard({**files, "boot.py": boot, "microbit.py": microbit, "utime.py": utime})

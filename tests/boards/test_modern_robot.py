@@ -6,7 +6,6 @@ import ast
 import io
 import json
 import random
-from collections.abc import Iterator
 from contextlib import redirect_stderr, redirect_stdout
 from pathlib import Path
 from typing import Any
@@ -21,7 +20,8 @@ from kitrobot.image import Layout, Machine
 from kitrobot.lll import print_program
 from kitrobot.primitives import load_catalogue
 from kitrobot_onboard.link import wrap
-from tests.boards.modern import ModernBoard, onboard_files
+from tests.boards.modern import ModernBoard
+from tests.effort import THOROUGH
 from tests.strategies import Shape, TickInputs, random_program, random_script
 
 EXAMPLE = Path(__file__).resolve().parents[2] / "examples" / "kit-rover" / "kit-rover.krt"
@@ -29,12 +29,6 @@ LOOKS = "[Captor.LessThan(0)](Light.LightOff(); )!();"
 """Never true; but only devices that a program uses go onto a board."""
 
 FORWARD_LEFT, FORWARD_RIGHT, SERVO, TRIGGER = 2, 4, 22, 14
-
-
-@pytest.fixture
-def kit() -> Iterator[ModernBoard]:
-    with ModernBoard({"lib/machine.py": onboard_files()["machine.py"]}) as board:
-        yield board
 
 
 def deploy_by_command(path: Path, board: ModernBoard, *options: str, status: int = 0) -> dict[str, Any]:
@@ -90,7 +84,7 @@ def test_the_example_gives_the_commands_of_the_simulator_tick_by_tick(kit: Moder
     image = opened.compiled[program.name].image
     assert image is not None
     robot = opened.catalogue.robots[program.target]
-    script = random_script(random.Random("kit"), robot, 60)
+    script = random_script(random.Random("kit"), robot, 30)
     with connect(kit.address, 10) as board:
         assert board.hello.program == done["program"]
         same_commands(board, Machine(image, robot), script)
@@ -98,7 +92,7 @@ def test_the_example_gives_the_commands_of_the_simulator_tick_by_tick(kit: Moder
 
 def test_random_programs_give_the_commands_of_the_simulator_tick_by_tick(kit: ModernBoard, tmp_path: Path) -> None:
     robot = load_catalogue().robots["kit-robot"]
-    for seed in range(4):
+    for seed in range(4 if THOROUGH else 2):
         rng = random.Random(f"kit/{seed}")
         path = tmp_path / "random.lll"
         path.write_text(print_program(random_program(rng, robot, Shape(15, 5))), encoding="utf-8")

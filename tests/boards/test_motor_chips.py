@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
@@ -11,6 +12,7 @@ from kitrobot.deploy import Board, BoardError, Fault, connect
 from tests.boards.kit_steps import results_of
 from tests.boards.modern import ModernBoard, onboard_files
 from tests.boards.test_modern_robot import deploy_by_command, pins_told
+from tests.effort import cases
 
 PAGE = (Path(__file__).resolve().parents[2] / "docs" / "drivers.md").read_text(encoding="utf-8")
 ADDRESS = 96
@@ -308,22 +310,29 @@ def moves(messages: list[tuple[int, bytes]]) -> bool:
     return any(message in messages for message in (channel(8, wave(50)), channel(13, wave(50))))
 
 
+@pytest.fixture(scope="module")
+def plugged() -> Iterator[ModernBoard]:
+    """A board with the chip on its bus."""
+    with ModernBoard({"lib/machine.py": MACHINE + f"\nregisters[{ADDRESS}] = {{}}\n".encode()}) as found:
+        yield found
+
+
 @pytest.mark.parametrize("end", ["STOP", "a fault of another part", "the one who holds it falls silent"])
-def test_both_motors_have_no_power_after(end: str, tmp_path: Path) -> None:
-    with ModernBoard({"lib/machine.py": MACHINE + f"\nregisters[{ADDRESS}] = {{}}\n".encode()}) as modern:
-        then = "WAIT(20); Light.LightOn();" if end.startswith("a fault") else ""
-        sent(modern, tmp_path, f"Wheel.Advance(50); {then} WAIT(6000); Wheel.Stop(); Light.LightOff();")
-        with connect(modern.address, 10) as board:
-            board.start(held=end.startswith("the one"))
-            if end == "STOP":
-                board.stop()
-            else:
-                board._held = False  # nobody speaks to it any more
-                fault = fault_of(board)
-                assert fault.number == (1 if end.startswith("a fault") else 6)
-        messages = told(modern)
-        assert moves(messages) or end == "STOP"
-        assert messages[-len(SET_UP) :] == SET_UP
+def test_both_motors_have_no_power_after(end: str, plugged: ModernBoard, tmp_path: Path) -> None:
+    plugged.cut_power()
+    then = "WAIT(20); Light.LightOn();" if end.startswith("a fault") else ""
+    sent(plugged, tmp_path, f"Wheel.Advance(50); {then} WAIT(6000); Wheel.Stop(); Light.LightOff();")
+    with connect(plugged.address, 10) as board:
+        board.start(held=end.startswith("the one"))
+        if end == "STOP":
+            board.stop()
+        else:
+            board._held = False  # nobody speaks to it any more
+            fault = fault_of(board)
+            assert fault.number == (1 if end.startswith("a fault") else 6)
+    messages = told(plugged)
+    assert moves(messages) or end == "STOP"
+    assert messages[-len(SET_UP) :] == SET_UP
 
 
 def test_a_chip_that_is_not_there_stops_the_program_from_being_put_on_and_names_the_part(tmp_path: Path) -> None:
@@ -332,7 +341,7 @@ def test_a_chip_that_is_not_there_stops_the_program_from_being_put_on_and_names_
         assert f"Wheel: drive OSError('no answer at address {ADDRESS}: not plugged in?'" in said["error"]["message"]
 
 
-@pytest.mark.parametrize("missed", [2, 1000])
+@pytest.mark.parametrize("missed", cases([2], [1000]))
 def test_a_chip_that_is_lost_on_the_way_is_a_fault_and_starts_again_when_it_is_back(
     missed: int, tmp_path: Path
 ) -> None:

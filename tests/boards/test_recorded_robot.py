@@ -55,16 +55,16 @@ def to(*boards: ModernBoard) -> list[str]:
 
 
 def test_what_was_sent_from_here_is_recorded_without_naming_the_mission(
-    board: ModernBoard, pulse: Path, tmp_path: Path
+    kit: ModernBoard, pulse: Path, tmp_path: Path
 ) -> None:
-    deployed(str(pulse), *to(board))
+    deployed(str(pulse), *to(kit))
     record = tmp_path / "r.krtrace"
 
     def enough(heard: list[dict[str, Any]]) -> bool:
         ran = {place["vertex"] for news in heard for place in news.get("ran", [])}
         return len(counts(heard)) > 3 and ran >= {"v3", "v5", "v6", "v10"}
 
-    heard = watched(*to(board), "--trace", str(record), enough=enough)
+    heard = watched(*to(kit), "--trace", str(record), enough=enough)
     trace = open_trace(record)
     with trace.reader as reader:
         assert not reader.cut
@@ -122,14 +122,12 @@ def test_two_boards_share_one_recording_and_one_whose_power_is_gone_is_silent_in
         assert not end.active[1]
 
 
-def test_the_mission_of_a_kit_robot_comes_with_its_recording(boards: list[ModernBoard], tmp_path: Path) -> None:
+def test_the_mission_of_a_kit_robot_comes_with_its_recording(kit: ModernBoard, tmp_path: Path) -> None:
     folder = examples_folder()
     assert folder is not None
     mission = folder / "kit-rover" / "kit-rover.krt"
-    deployed(str(mission), *to(boards[0]))
-    heard = watched(
-        *to(boards[0]), "--trace", str(tmp_path / "r.krtrace"), enough=lambda heard: heard[-1].get("active")
-    )
+    deployed(str(mission), *to(kit))
+    heard = watched(*to(kit), "--trace", str(tmp_path / "r.krtrace"), enough=lambda heard: heard[-1].get("active"))
     with TraceReader(tmp_path / "r.krtrace") as reader:
         names = load_board_program(mission).names
         assert {column.name for column in reader.header.columns} >= {f"input {name}" for name in names.sensors}

@@ -16,6 +16,7 @@ from kitrobot.compiler import compile_text
 from kitrobot.image import LARGEST_VALUE, Machine
 from kitrobot.primitives import load_catalogue, read_robot
 from tests.boards.traces import Case, disagreements, on_cpython, on_micropython, rested, seeded
+from tests.effort import THOROUGH, examples
 from tests.oracle.agreement import machine_for, random_case, small_case
 from tests.programs.test_programs import head
 from tests.strategies import random_script
@@ -23,8 +24,8 @@ from tests.strategies import random_script
 ROOT = Path(__file__).resolve().parents[2]
 EXAMPLES = sorted((ROOT / "examples").glob("**/*.krt"))
 RUNS = sorted((ROOT / "tests" / "programs" / "runs").glob("*.lll"))
-BUDGET = int(os.environ.get("KITROBOT_BUDGET", "100"))
-TICKS = 100
+BUDGET = int(os.environ.get("KITROBOT_BUDGET", "40"))
+TICKS = 100 if THOROUGH else 40
 
 
 def watched(machine: Machine, watch: bool) -> Machine:
@@ -70,7 +71,7 @@ def test_random_programs() -> None:
     assert disagreements(cases) == []
 
 
-@settings(max_examples=8, deadline=None, suppress_health_check=[HealthCheck.too_slow])
+@settings(max_examples=examples(2, 8), deadline=None, suppress_health_check=[HealthCheck.too_slow])
 @given(rng=st.randoms(use_true_random=False))
 def test_small_programs_that_hypothesis_finds(rng: random.Random) -> None:
     case = small_case(rng)

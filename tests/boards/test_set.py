@@ -6,13 +6,14 @@ import json
 import re
 import socket
 import threading
+from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
 
 from tests.boards.bench import ONE, OTHER, bench_program
 from tests.boards.modern import ModernBoard
-from tests.boards.qemu import Emulated
+from tests.boards.test_microbit_v2 import board as micro_bit
 from tests.boards.test_several import hang_up
 from tests.boards.watching import called
 
@@ -25,15 +26,21 @@ def mission(folder: Path, name: str, text: str) -> None:
     assert made.returncode == 0, made.stderr
 
 
+@pytest.fixture
+def v2() -> Iterator[ModernBoard]:
+    with micro_bit("nRF52833", (1, 28, 0)) as found:
+        yield found
+
+
 def test_a_class_set_has_each_its_program_and_one_that_fails_holds_up_no_other(
-    used_microbit: Emulated, board: ModernBoard, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+    v2: ModernBoard, board: ModernBoard, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     mission(tmp_path, "one", ONE)
     mission(tmp_path, "other", OTHER)
     with socket.create_server(("127.0.0.1", 0)) as listener:
         dead = f"socket://127.0.0.1:{listener.getsockname()[1]}"
         threading.Thread(target=hang_up, args=(listener,), daemon=True).start()
-        there = [used_microbit.address, board.address, "socket://127.0.0.1:1"]
+        there = [v2.address, board.address, "socket://127.0.0.1:1"]
         monkeypatch.setenv("KITROBOT_BOARDS", " ".join(there))
         assert called("boards", "--to", there[0], "--label", "Red 1").stderr == f"{there[0]}: the label is Red 1\n"
         assert json.loads(called("boards", "--to", there[1], "--label", "B", "--json").stdout)[0]["label"] == "B"

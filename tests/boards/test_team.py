@@ -93,6 +93,9 @@ def bits() -> Iterator[tuple[Emulated, Emulated]]:
         yield one, other
 
 
+@pytest.mark.thorough(
+    "test_microbit.py does the ticks of a member; in fleet/test_board_processes.py a board takes over"
+)
 def test_a_team_of_boards_shares_meets_and_goes_on_without_one(
     bits: tuple[Emulated, Emulated], board: ModernBoard, tmp_path: Path
 ) -> None:

@@ -9,17 +9,35 @@ from xml.etree import ElementTree
 import pytest
 
 from tools import kit_pages
+from tools.microbit_kits import small_kits
+
+Runs = dict[str, dict[str, str]]
+"""By mission and kit, what is missing."""
 
 
 @pytest.fixture(scope="module")
-def made(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Mapping[Path, str]]:
+def runs(tmp_path_factory: pytest.TempPathFactory) -> Runs:
     with pytest.MonkeyPatch.context() as patch:
         patch.setenv("KITROBOT_CONFIG", str(tmp_path_factory.mktemp("nobody")))
-        yield kit_pages.pages()
+        return kit_pages.what_runs(kit_pages.shown_kits())
+
+
+@pytest.fixture(scope="module")
+def made(runs: Runs, tmp_path_factory: pytest.TempPathFactory) -> Iterator[Mapping[Path, str]]:
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setenv("KITROBOT_CONFIG", str(tmp_path_factory.mktemp("nobody")))
+        yield kit_pages.pages(runs)
 
 
 def test_the_page_and_the_pictures_are_current(made: Mapping[Path, str]) -> None:
     assert [path.name for path in kit_pages.stale(made)] == [], "write them with `python -m tools.kit_pages`"
+
+
+def test_what_was_measured_is_of_missions_that_the_kits_have_all_parts_for(runs: Runs) -> None:
+    found = kit_pages.measured_2016()
+    for mission, row in runs.items():
+        for kit in small_kits():
+            assert (kit in found.get(mission, {})) == (row[kit] == ""), f"{mission} on {kit}: measure it again"
 
 
 def test_every_program_of_the_gallery_runs_on_a_kit(made: Mapping[Path, str]) -> None:

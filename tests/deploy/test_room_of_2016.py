@@ -13,6 +13,7 @@ from kitrobot.deploy.memory import refuse_what_does_not_fit
 from kitrobot.robots import BoardProgram
 from kitrobot.workspace import open_mission
 from tests.deploy.small_flash import CHUNK, SmallFlash
+from tests.effort import cases
 from tests.verifier.building import EXAMPLES
 from tools.kit_pages import measured_2016
 from tools.microbit_kits import programs, sendable, small_kits
@@ -38,7 +39,9 @@ def only(mission: str, kit: str) -> BoardProgram:
 def test_nothing_that_ran_there_is_refused_and_most_of_what_did_not_is() -> None:
     found = {True: 0, False: 0}
     measured = measured_2016()
-    for name, kit in small_kits().items():
+    kits = small_kits()
+    for name in cases(["move-motor"], [name for name in kits if name != "move-motor"]):
+        kit = kits[name]
         for mission, made in sendable(kit).items():
             row = measured[mission][name]
             refused = any(refusal(program) is not None for _, program in made)

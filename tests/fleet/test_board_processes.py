@@ -13,24 +13,34 @@ from typing import Any
 import pytest
 
 from kitrobot.fleet import new_key
+from kitrobot.trace import TraceReader
 from kitrobot.workspace import agent_program, open_mission
 from tests.boards.host import HostBoard, board_with
 from tests.boards.proxy import Proxy
-from tests.fleet.test_processes import CONVOY, started
+from tests.fleet.test_processes import CONVOY, agents_of, is_there, linux, started
 
 NOWHERE = "socket://127.0.0.1:9"
 
 
 @pytest.fixture
 def mission(tmp_path: Path) -> Path:
-    """The convoy, with drivers of its parts beside it, and nobody fails by schedule."""
+    """The convoy with one follower, with drivers of its parts beside it, and nobody fails by schedule."""
     text = Path(CONVOY).read_text(encoding="utf-8")
     for beside in Path(CONVOY).parent.iterdir():
         shutil.copy(beside, tmp_path)
     for driver in ("turn", "drive", "lamp"):
         (tmp_path / f"{driver}.driver.py").write_text("def make(settings):\n    raise OSError\n", encoding="utf-8")
+    for old, new in (
+        ('<failure agent="robot-2" at="3" kind="fail"/>', ""),
+        ('<agent name="robot-3" program="convoy" robot="mini-robot"/>', ""),
+        (' least="2"', ""),
+        ('<set name="count">2</set>', '<set name="count">1</set>'),
+        ('<set name="duration">40</set>', '<set name="duration">10</set>'),
+    ):
+        assert old in text
+        text = text.replace(old, new)
     file = tmp_path / "convoy.krt"
-    file.write_text(text.replace('<failure agent="robot-2" at="3" kind="fail"/>', ""), encoding="utf-8")
+    file.write_text(text, encoding="utf-8")
     return file
 
 
@@ -45,22 +55,32 @@ def boards(mission: Path) -> Iterator[dict[str, HostBoard]]:
         }
 
 
-def test_a_cable_that_is_pulled_is_an_agent_that_failed_and_another_board_takes_over(
-    mission: Path, boards: dict[str, HostBoard]
+@linux
+@pytest.mark.slow
+def test_a_cable_that_is_pulled_is_an_agent_that_failed_and_another_board_takes_over_and_all_is_recorded(
+    mission: Path, boards: dict[str, HostBoard], tmp_path: Path, kitrobot: Any
 ) -> None:
+    trace = tmp_path / "run.krtrace"
     with (
         Proxy(int(boards["robot-2"].address.rpartition(":")[2]), cut_after=90) as cable,
         started(
             *("team", str(mission), "--pace", "4", "--json", "--board", f"robot-2={cable.address}"),
-            *("--board", f"robot-4={boards['robot-4'].address}"),
+            *("--board", f"robot-4={boards['robot-4'].address}", "--trace", str(trace)),
         ) as team,
     ):
         team.until("robot-2: its board is lost")
         team.until("robot-4: takes over for robot-2")
+        agents = agents_of(team)
+        assert {"robot-1", "robot-4"} <= agents.keys()
         status, out, said = team.end()
-    result = json.loads(out)
-    assert (status, result["outcome"]) == (0, "done"), said
+    assert (status, json.loads(out)["outcome"]) == (0, "done"), said
     assert "the line to" in said
+    assert "robot-2: is missed by its team" in said
+    assert not any(map(is_there, agents.values()))
+    with TraceReader(trace) as recorded:
+        assert (2, "takes over for robot-2") in [(event.agent, event.text) for _, event in recorded.events]
+        assert recorded.outcome["outcome"] == "done"
+    assert kitrobot("replay", trace).status == 0
 
 
 def test_what_cannot_be_a_team_with_boards_is_told(

@@ -16,6 +16,7 @@ from kitrobot.sim.team_columns import T_AT, T_HOLDER
 from kitrobot.workspace import RunOptions, open_mission
 from kitrobot_onboard.state import HELD, STATE
 from tests.boards import drivers
+from tests.effort import cases
 from tests.fleet.bench_boards import bench_boards
 from tests.fleet.network import LEASE, STEP, Faults, Fleet
 from tests.fleet.test_convoy import anew, texts, until
@@ -59,7 +60,7 @@ def test_a_board_takes_over_from_a_board_whose_line_is_cut(tmp_path: Path) -> No
     assert one.run.state.team.robots[T_HOLDER][1] == 3
 
 
-@pytest.mark.parametrize("moment", ["start", "meeting"])
+@pytest.mark.parametrize("moment", cases(["start"], ["meeting"]))
 def test_a_board_whose_line_is_cut_at_the_start_or_in_a_meeting_is_taken_over_from(moment: str, tmp_path: Path) -> None:
     with bench_boards(anew(), {1: 0, 3: 0}, tmp_path) as boards:
         one = Fleet(anew, boards=boards)

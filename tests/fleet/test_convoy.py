@@ -7,6 +7,8 @@ import shutil
 from functools import cache
 from pathlib import Path
 
+import pytest
+
 from kitrobot.cli.agent import prepare
 from kitrobot.sim import Simulation
 from kitrobot.sim.team_columns import T_HOLDER
@@ -40,6 +42,7 @@ def until(one: Fleet, now: int) -> None:
         one.step()
 
 
+@pytest.mark.thorough("test_boards.py::test_a_fleet_with_boards_comes_to_the_end_of_the_simulator, half of them boards")
 def test_a_fleet_comes_to_the_end_of_the_simulator() -> None:
     run, one = anew(), fleet()
     while run.outcome is None:

@@ -16,9 +16,11 @@ from typing import Any
 import pytest
 
 from kitrobot.fleet import new_key
-from kitrobot.trace import TraceReader
+from kitrobot.workspace import free_endpoint
 
+ROOT = Path(__file__).resolve().parents[2]
 CONVOY = "examples/convoy/convoy.krt"
+SEARCH = "examples/shared-search/shared-search.krt"
 NAMES = ["robot-1", "robot-2", "robot-3", "robot-4"]
 
 
@@ -87,47 +89,14 @@ linux = pytest.mark.skipif(not sys.platform.startswith("linux"), reason="looks f
 
 
 @linux
-@pytest.mark.slow
-def test_a_team_of_processes_goes_on_without_one_that_is_killed_and_its_run_is_recorded(tmp_path: Path) -> None:
-    trace = tmp_path / "run.krtrace"
-    with started("team", CONVOY, "--pace", "4", "--trace", str(trace), "--json") as team:
-        team.until("robot-2: fails")
-        team.until("takes over for robot-2")
-        agents = agents_of(team)
-        assert sorted(agents) == NAMES
-        os.kill(agents["robot-3"], signal.SIGKILL)
-        status, out, said = team.end()
-    result: dict[str, Any] = json.loads(out)
-    assert (status, result["outcome"]) == (0, "done"), said
-    assert "robot-3: its process has ended (status -9)" in said
-    assert "robot-3: is missed by its team" in said
-    assert not any(map(is_there, agents.values()))
-    with TraceReader(trace) as recorded:
-        assert (3, "takes over for robot-2") in [(event.agent, event.text) for _, event in recorded.events]
-        assert recorded.outcome["outcome"] == "done"
-    with started("replay", str(trace)) as replayed:
-        assert replayed.end()[0] == 0
-
-
-@linux
-def test_the_emergency_stop_reaches_all_and_everything_ends() -> None:
-    with started("team", CONVOY, "--json") as team:
+def test_an_agent_that_is_killed_is_told_of_and_all_end_with_the_team_that_started_them() -> None:
+    with started("team", SEARCH) as team:
         team.until("hears its team")
         agents = agents_of(team)
-        team.process.send_signal(signal.SIGINT)
-        status, out, said = team.end()
-    result = json.loads(out)
-    assert (status, result["outcome"]) == (130, "stopped")
-    assert sorted(result["stopped_ms"]) == NAMES, said
-    assert not any(map(is_there, agents.values()))
-
-
-@linux
-def test_agents_end_with_the_team_that_started_them() -> None:
-    with started("team", CONVOY) as team:
-        team.until("hears its team")
-        agents = agents_of(team)
-        assert len(agents) == 4
+        assert len(agents) == 2
+        os.kill(agents["robot-2"], signal.SIGKILL)
+        team.until(r"robot-2: its process has ended \(status -9\)")
+        assert is_there(agents["robot-1"])
         team.process.kill()
         # Their messages go where the team's go, so the last one of them to end closes that.
         team.process.communicate()
@@ -139,10 +108,8 @@ def test_an_agent_elsewhere_needs_the_key_and_the_mission_of_the_team(tmp_path: 
     key.write_text(new_key())
     foreign.write_text(new_key())
     words = [word for name in NAMES for word in ("--elsewhere", name)]
-    with started("team", CONVOY, *words, "--key", str(key)) as team:
-        where = team.until("the team is at").split()[-1]
-        to = ("--connect", where, "--fleet", "here")
-        team.process.kill()
+    where = free_endpoint()
+    to = ("--connect", where, "--fleet", "here")
     with started("team", CONVOY, *words, "--key", str(key), "--fleet", "here", "--listen", where) as team:
         team.until("the team is at")
         with started("agent", CONVOY, "--as", "robot-1", "--key", str(foreign), *to):
@@ -169,11 +136,10 @@ def test_an_agent_elsewhere_needs_the_key_and_the_mission_of_the_team(tmp_path: 
         (("team", CONVOY, "--seconds", "0"), "at most"),
     ],
 )
-def test_what_cannot_be_is_told(words: tuple[str, ...], said: str, tmp_path: Path) -> None:
+def test_what_cannot_be_is_told(words: tuple[str, ...], said: str, tmp_path: Path, kitrobot: Any) -> None:
     key = tmp_path / "key"
     key.write_text(new_key())
-    with started(*(str(key) if word == "KEY" else word for word in words)) as one:
-        status, _, messages = one.end()
-    assert status in (1, 2)
-    assert said in " ".join(messages.replace("│", " ").split()), messages
-    assert "Traceback" not in messages
+    found = kitrobot(*(str(key) if word == "KEY" else ROOT / CONVOY if word == CONVOY else word for word in words))
+    assert found.status in (1, 2)
+    assert said in " ".join(found.err.replace("│", " ").split()), found.err
+    assert "Traceback" not in found.err

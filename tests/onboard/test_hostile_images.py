@@ -18,7 +18,7 @@ from kitrobot_onboard.image import header, load, whole_arrays
 from kitrobot_onboard.interpreter import tick
 from tests.oracle.agreement import machine_for, random_case
 
-BUDGET = int(os.environ.get("KITROBOT_BUDGET", "200"))
+BUDGET = int(os.environ.get("KITROBOT_BUDGET", "50"))
 HEADER_SIZE = 46
 CRC_SIZE = 4
 

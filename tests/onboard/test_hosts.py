@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 import random
+import re
 from collections.abc import Callable
 from typing import Any
 
@@ -11,13 +12,14 @@ import pytest
 
 from kitrobot.image import Machine
 from kitrobot_onboard.interpreter import tick
+from tests.effort import cases
 from tests.oracle.agreement import machine_for, random_case
 from tests.strategies import TickInputs
 
 numba = pytest.importorskip("numba", reason="Numba has no wheel for this machine")
 np = pytest.importorskip("numpy")
 
-BUDGET = int(os.environ.get("KITROBOT_BUDGET", "200"))
+BUDGET = int(os.environ.get("KITROBOT_BUDGET", "60"))
 
 
 @pytest.fixture(scope="module")
@@ -54,6 +56,21 @@ def test_plain_and_numba_give_equal_arrays_after_every_tick(compiled_tick: Calla
                 assert array.tolist() == list(getattr(machine, name)), (seed, number, name)
         compared += 1
     assert compared > 0.8 * BUDGET
+
+
+@pytest.mark.parametrize("code_type", cases([np.uint8], [np.int32, np.int64]))
+def test_a_compiled_tick_counts_no_references(compiled_tick: Any, code_type: type) -> None:
+    """Counting references to its arrays costs more than the instructions of a short tick.
+
+    Numba leaves it out where it can prove that nothing needs it, and the proof hangs on small things in the shape of
+    `tick` (see there). When this fails after an edit or with another Numba, measure with `python -m benchmarks
+    interpreting` before anything else.
+    """
+    signature = (numba.from_dtype(np.dtype(code_type))[::1], *[numba.int32[::1]] * 5)
+    compiled_tick.compile(signature)
+    text = compiled_tick.inspect_llvm(signature)
+    assert "tick" in text
+    assert re.findall(r"call [^\n]*@NRT_incref", text) == []
 
 
 def test_a_snapshot_brings_back_the_same_future() -> None:

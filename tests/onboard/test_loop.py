@@ -15,7 +15,7 @@ from tests.onboard.bench import Bench
 from tests.oracle.agreement import machine_for, random_case
 from tests.strategies import TickInputs
 
-BUDGET = int(os.environ.get("KITROBOT_BUDGET", "60"))
+BUDGET = int(os.environ.get("KITROBOT_BUDGET", "20"))
 
 
 def commands_of(machine: Machine, payload: bytes) -> list[tuple[int, list[int]]]:
