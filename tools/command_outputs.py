@@ -88,7 +88,7 @@ def _run(arguments: str, folder: Path) -> str:
             out.flush()
     finally:
         os.chdir(before)
-    return out.buffer.getvalue().decode()  # type: ignore[attr-defined]
+    return out.buffer.getvalue().decode()
 
 
 def _broken(line: str) -> list[str]:

@@ -8,6 +8,7 @@ import random
 from collections.abc import Iterator
 from dataclasses import replace
 from pathlib import Path
+from typing import Any
 
 import pytest
 
@@ -26,7 +27,7 @@ ROOT = Path(__file__).parents[2]
 
 CHEAP = ["checking", "compiling", "interpreting", "meetings", "parsing", "starting", "tracing", "watchers"]
 IN_A_BROWSER = ("site", "studio")
-UNCOMPILED = {"interpreting": {"robots": 0}, "checking": {"compiled": 0, "carriers": (2,)}}
+UNCOMPILED: dict[str, dict[str, Any]] = {"interpreting": {"robots": 0}, "checking": {"compiled": 0, "carriers": (2,)}}
 """Sizes with which Numba compiles nothing, which takes longer than all else."""
 
 
