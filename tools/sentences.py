@@ -11,11 +11,13 @@ the entries of the English tables, each with its key as the context.
 from __future__ import annotations
 
 import ast
+import copy
 import json
 import re
 import sys
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
+from functools import cache
 from pathlib import Path
 
 from babel.messages.catalog import Catalog, Message
@@ -104,8 +106,9 @@ class Half:
     found: Callable[[], Iterator[tuple[str, str | None, Id]]]
     by_hand: tuple[str, ...] = ()
 
+    @cache  # noqa: B019 (there are two of them, as long as the tool runs)
     def sentences(self) -> Catalog:
-        """Every sentence, each with the files that say it."""
+        """Every sentence, each with the files that say it; looked for once."""
         made = Catalog()
         for file, context, id in self.found():
             made.add(id, locations=[(file, 0)], context=context)
@@ -128,7 +131,7 @@ class Half:
 
     def update(self, language: str) -> None:
         """Writes the catalogue with the sentences that are said and no others; what it knows of them is kept."""
-        known, said = self.catalogue(language), self.sentences()
+        known, said = self.catalogue(language), copy.deepcopy(self.sentences())
         for (context, _), one in entries(known).items():
             if context in self.by_hand:
                 said.add(one.id, context=context)

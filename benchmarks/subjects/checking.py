@@ -37,7 +37,7 @@ _ROOT = Path(__file__).parents[2]
 
 @dataclass(frozen=True)
 class Size:
-    """How much is explored plain, and through Numba; the peer has one round for each number of carriers."""
+    """How much is explored plain, and through Numba (0: nothing); the peer has a round for each number of carriers."""
 
     states: int
     compiled: int
@@ -59,7 +59,7 @@ class Peer:
 
 def run(size: Size, *, peers: bool) -> list[Row]:
     has_peer = peers and shutil.which("spin") is not None and shutil.which("gcc") is not None
-    engines = {"plain": PLAIN, **({"Numba": engine.make()} if available() else {})}
+    engines = {"plain": PLAIN, **({"Numba": engine.make()} if size.compiled and available() else {})}
     rows = []
     for carriers in size.carriers:
         transport = _transport(carriers)

@@ -71,7 +71,7 @@ def measured(what: str, members: int, seconds: float) -> dict[str, Any]:
         stdout=subprocess.PIPE,
         text=True,
         cwd=root,
-        env={**os.environ, "PYTHONPATH": str(root)},
+        env={**os.environ, "PYTHONPATH": os.pathsep.join((str(root / "src"), str(root)))},
         timeout=MOST_S,
         check=True,
     )

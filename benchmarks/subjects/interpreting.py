@@ -38,7 +38,7 @@ ROBOT = f"""<robot name="counter" version="1">
 
 @dataclass(frozen=True)
 class Size:
-    """`laps` of 1000 trips a round: plain and py_trees, scratch-vm; under Numba `robots` of `robot_laps` each."""
+    """`laps` of 1000 trips a round: plain and py_trees, scratch-vm; by Numba `robots` (or 0) of `robot_laps` each."""
 
     laps: int
     scratch_laps: int
@@ -110,7 +110,7 @@ def run(size: Size, *, peers: bool) -> list[Row]:
     a_trip = instructions_a_trip(machine())
     trips = {"plain": size.laps, "Numba": size.robots * size.robot_laps, "tree": size.tree_laps}
     work: dict[str, Callable[[], object]] = {"plain": lambda: plain(ours, size.laps)}
-    if importlib.util.find_spec("numba") is not None:
+    if size.robots and importlib.util.find_spec("numba") is not None:
         work["Numba"] = compiled(ours, size.robots, size.robot_laps)
     if peers:
         work["tree"] = lambda: behaviour_tree.run(size.tree_laps, UNTIL)

@@ -119,7 +119,7 @@ def _workers(kind: str, members: int, rounds: int, where: str) -> Iterator[list[
             stdout=subprocess.PIPE,
             text=True,
             cwd=root,
-            env={**os.environ, "PYTHONPATH": str(root)},
+            env={**os.environ, "PYTHONPATH": os.pathsep.join((str(root / "src"), str(root)))},
         )
         for me in range(members)
     ]

@@ -13,6 +13,7 @@ import pytest
 from kitrobot.cli.app import app
 from tests.cli.conftest import EXAMPLE, MISTAKEN
 from tests.cli.test_process import KITROBOT, call
+from tests.effort import cases
 from tests.patience import PATIENCE_S
 
 COMMANDS = sorted(command.name for command in app.registered_commands if command.name)
@@ -90,7 +91,7 @@ def test_the_list_of_commands_is_that_of_the_commands(kitrobot):
 
 
 @posix
-@pytest.mark.parametrize("arguments", ["check --json", "check none.krt", "exec --ticks 5 --program carrier"])
+@pytest.mark.parametrize("arguments", cases(["check --json"], ["check none.krt", "exec --ticks 5 --program carrier"]))
 def test_on_a_full_disk_a_sentence_is_said(arguments):
     ended = shell(f'$K {arguments} "$1" > /dev/full', EXAMPLE)
     assert ended.returncode == 1
@@ -100,7 +101,9 @@ def test_on_a_full_disk_a_sentence_is_said(arguments):
 
 
 @posix
-@pytest.mark.parametrize("arguments", ["check --json", "check none.krt", "exec --ticks 5 --program carrier", "run"])
+@pytest.mark.parametrize(
+    "arguments", cases(["check --json"], ["check none.krt", "exec --ticks 5 --program carrier", "run"])
+)
 def test_a_closed_output_is_said(arguments):
     ended = shell(f'$K {arguments} "$1" >&-', EXAMPLE)
     assert ended.returncode == 1
@@ -109,7 +112,9 @@ def test_a_closed_output_is_said(arguments):
 
 
 @posix
-@pytest.mark.parametrize("arguments", ["check none.krt", "zzzzzz", "run none.krt", "run --none", "format none.lll"])
+@pytest.mark.parametrize(
+    "arguments", cases(["check none.krt", "zzzzzz"], ["run none.krt", "run --none", "format none.lll"])
+)
 def test_a_closed_error_output_leaves_the_data_clean(arguments):
     ended = shell(f"$K {arguments} 2>&-")
     assert ended.returncode in (1, 2)
@@ -137,7 +142,7 @@ def test_who_stops_reading_in_the_middle_of_much_output_ends_it(tmp_path):
 
 
 @posix
-@pytest.mark.parametrize("locale", ["C", "POSIX"])
+@pytest.mark.parametrize("locale", cases(["C"], ["POSIX"]))
 def test_a_name_that_is_no_utf_8_is_read_and_named(tmp_path, locale):
     name = os.fsencode(tmp_path) + b"/b\xff.lll"
     with open(name, "wb") as file:

@@ -190,17 +190,14 @@ def test_where_no_studio_is_served_no_web_server_is_loaded(tmp_path):
     assert not loaded & {b"numpy", b"fastapi", b"uvicorn", b"kitrobot.sim", b"kitrobot.server.app"}
 
 
-def test_a_second_kitrobot_on_a_folder_opens_a_page_of_the_first(tmp_path):
+def test_a_second_kitrobot_on_a_folder_opens_a_page_of_the_first(kitrobot, tmp_path):
+    """With `--new` it does not: `server/test_two_studios.py`."""
     with opened(tmp_path) as (address, token, process):
         for target, named in ((tmp_path, ""), (tmp_path / "transport.krt", "transport.krt")):
-            ended = call(target, "--no-browser")
-            assert ended.returncode == 0
-            assert ended.stdout.decode().strip() == f"{address}/?token={token}&open={named}"
-            assert b"runs already" in ended.stderr
-        with subprocess.Popen([*KITROBOT, str(tmp_path), "--no-browser", "--new"], stdout=subprocess.PIPE) as second:
-            assert second.stdout is not None
-            assert not second.stdout.readline().decode().startswith(address)
-            second.kill()
+            ended = kitrobot(target, "--no-browser", studio=_open_studio)
+            assert ended.status == 0
+            assert ended.out.strip() == f"{address}/?token={token}&open={named}"
+            assert "runs already" in ended.err
         process.kill()
         process.wait(PATIENCE_S)
     with opened(tmp_path) as (again, other, _):

@@ -36,14 +36,21 @@ def test_every_robot_fails_at_every_moment_and_the_table_counts_what_came_of_it(
     assert "8 of 8, at 2 moments" in said.out
 
 
-def test_json_is_the_same_for_any_number_of_processes(kitrobot, exchange):
-    found = []
+def test_json_and_the_map_are_the_same_for_any_number_of_processes_and_say_what_is_where(kitrobot, exchange):
+    text = exchange.read_text().replace("</label>", " &amp; &lt;more&gt;</label>", 1)
+    exchange.write_text(text)
+    found, maps = [], []
     for jobs in (1, 2):
-        said = kitrobot("run", exchange, "--fail-sweep", 2, "--jobs", jobs, "--json")
+        said = kitrobot("run", exchange, "--fail-sweep", 2, "--jobs", jobs, "--json", "--output", "map.svg")
         assert said.status == 0
         found.append(said.json)
         assert set(found[-1].pop("timing")) == {"real_seconds"}
+        maps.append((exchange.parent / "map.svg").read_bytes())
     assert found[0] == found[1]
+    assert maps[0] == maps[1]
+    titles = [title.text for title in ElementTree.fromstring(maps[0]).iter("{http://www.w3.org/2000/svg}title")]
+    assert titles[0] == "Change of groups & <more>: an agent fails"
+    assert "robot-2 at 0.0 to 11.4 s: done" in titles, titles
     assert found[0]["moments"] == [0.0, 11.42]
     assert found[0]["counts"] == {"done": 8, "failed": 0, "stuck": 0, "time": 0}
     assert found[0]["complete"] is True
@@ -63,19 +70,6 @@ def test_pairs_fail_one_after_the_other_or_at_once(kitrobot, exchange):
     assert said.status == (0 if outcomes <= {"done", "failed"} else 1)
     names = [text.text for text in ElementTree.parse("map.svg").iter("{http://www.w3.org/2000/svg}text")]
     assert {"robot-1", "robot-2", "robot-3", "robot-4"} <= set(names)
-
-
-def test_the_map_has_a_row_for_each_robot_and_says_what_is_where(kitrobot, exchange):
-    text = exchange.read_text().replace("</label>", " &amp; &lt;more&gt;</label>", 1)
-    exchange.write_text(text)
-    assert kitrobot("run", exchange, "--fail-sweep", 3, "--jobs", 1, "--output", "map.svg").status == 0
-    data = (exchange.parent / "map.svg").read_bytes()
-    drawn = ElementTree.fromstring(data)
-    titles = [title.text for title in drawn.iter("{http://www.w3.org/2000/svg}title")]
-    assert titles[0] == "Change of groups & <more>: an agent fails"
-    assert "robot-2 at 0.0 to 15.2 s: done" in titles
-    kitrobot("run", exchange, "--fail-sweep", 3, "--jobs", 2, "-o", "map.svg")
-    assert (exchange.parent / "map.svg").read_bytes() == data
 
 
 def test_what_is_not_done_gives_the_status_1_and_a_reason(kitrobot, here):
@@ -132,7 +126,7 @@ def test_a_number_behind_the_option_may_be_left_out():
     assert with_moments(["--", "--fail-sweep"]) == ["--", "--fail-sweep"]
 
 
-def test_ctrl_c_ends_with_what_was_found(exchange, monkeypatch):
+def test_ctrl_c_ends_with_what_was_found_and_says_how_far_it_came(kitrobot, exchange, monkeypatch):
     def interrupted(prepared, simulation, tasks, jobs, work, stop):
         every = real(prepared, simulation, tasks, 1, work, stop)
         yield from (found for found, _ in zip(every, range(3), strict=False))
@@ -143,6 +137,12 @@ def test_ctrl_c_ends_with_what_was_found(exchange, monkeypatch):
     sweep = run_sweep(open_mission(exchange).prepare(RunOptions(1, 600.0)), SweepOptions(2, jobs=1))
     assert (len(sweep.fields), sweep.total, sweep.complete, sweep.holds) == (3, 8, False, False)
     assert sweep.to_json()["complete"] is False
+    said = kitrobot("run", exchange, "--fail-sweep", 200, "--jobs", 2, "-o", "m.svg")
+    assert said.status == 130
+    assert "Without these failures: Done" in said.out
+    assert "broken off after" in said.err
+    assert "of 800 fields" in said.err
+    assert (exchange.parent / "m.svg").exists()
 
 
 @pytest.mark.parametrize("jobs", [1, 2])
@@ -175,6 +175,7 @@ if __name__ == "__main__":
 """
 
 
+@pytest.mark.thorough("test_ctrl_c_ends_with_what_was_found_and_says_how_far_it_came; test_whoever_asks_for_the_end")
 @pytest.mark.skipif(sys.platform == "win32", reason="no such signal")
 def test_an_interrupted_sweep_of_several_processes_ends_and_says_how_far_it_came(exchange):
     (exchange.parent / "probe.py").write_text(PROBE)

@@ -64,28 +64,14 @@ def live(*breakpoints: Breakpoint) -> Hits:
     return hits_of(LiveRun(TRANSPORT.prepare()), *breakpoints)
 
 
-def test_it_pauses_where_a_robot_waits_as_the_run_did(replay):
-    waits = [one.id for one in CARRIER.vertices if one.element in ("When", "While")]
-    shown = 0
-    for place in waits:
-        theirs, mine = live(Breakpoint("carrier", place)), hits_of(replay, Breakpoint("carrier", place))
-        assert {(tick, hit.agent) for tick, hit in mine} <= {(tick, hit.agent) for tick, hit in theirs}
-        shown += bool(mine)
-    assert shown > 0
+WAITS = [one.id for one in CARRIER.vertices if one.element in ("When", "While")]
+ONCE = [one.id for one in CARRIER.vertices if "." in one.element and ELEMENTS[one.element] == 1]
+"""Where robots wait, and commands that only one part can give."""
 
 
-def test_it_pauses_at_a_command_that_only_one_part_can_give_as_the_run_did(replay):
-    once = [one.id for one in CARRIER.vertices if "." in one.element and ELEMENTS[one.element] == 1]
-    acts = [one for one in once if live(Breakpoint("carrier", one))]
-    found = [one for one in acts if hits_of(replay, Breakpoint("carrier", one))]
-    assert found
-    for place in found:
-        theirs = {(tick, hit.agent) for tick, hit in live(Breakpoint("carrier", place))}
-        assert {(tick, hit.agent) for tick, hit in hits_of(replay, Breakpoint("carrier", place))} <= theirs
-
-
-def test_nobody_is_said_to_have_been_where_they_may_not_have_been(replay):
+def test_it_pauses_where_robots_wait_and_at_commands_of_one_part_and_nowhere_that_the_run_did_not(replay):
     marks = [Breakpoint(program.name, one.id) for program in TRANSPORT.mission.programs for one in program.vertices]
+    paused: set[str] = set()
     # A pause at one place changes nothing for another: all at once are as each alone, at a fraction of the work.
     for together in [[mark] for mark in marks] if THOROUGH else [marks]:
         mine, theirs = (
@@ -93,16 +79,22 @@ def test_nobody_is_said_to_have_been_where_they_may_not_have_been(replay):
             for hits in (hits_of(replay, *together), live(*together))
         )
         assert mine <= theirs
-        assert THOROUGH or mine
+        paused |= {vertex for _, program, vertex, _ in mine if program == "carrier"}
+    assert paused & {*WAITS}
+    assert paused & {*ONCE}
 
 
-def waiting_place(replay: Replay) -> str:
+@pytest.fixture(scope="module")
+def place(recording) -> str:
     """A part of the carriers at which the recording pauses several times."""
-    return next(one.id for one in CARRIER.vertices if len(hits_of(replay, Breakpoint("carrier", one.id))) > 5)
+    replay = Replay(open_trace(recording), TRANSPORT)
+    found = next(one.id for one in CARRIER.vertices if len(hits_of(replay, Breakpoint("carrier", one.id))) > 5)
+    replay.close()
+    return found
 
 
-def test_a_condition_is_tested_with_what_was_recorded(replay):
-    mark = Breakpoint("carrier", waiting_place(replay))
+def test_a_condition_is_tested_with_what_was_recorded(replay, place):
+    mark = Breakpoint("carrier", place)
     for condition in ("Cargo.IsPressed()", "Sign.EqualTo(3)", "Cargo.IsReleased() & Run.IsTrue()"):
         wanted = replace(mark, when=condition)
         mine = hits_of(replay, wanted)
@@ -111,20 +103,20 @@ def test_a_condition_is_tested_with_what_was_recorded(replay):
         assert len(mine) < len(hits_of(replay, mark))
 
 
-def test_visits_are_counted_and_agents_chosen(replay):
-    mark = Breakpoint("carrier", waiting_place(replay))
+def test_visits_are_counted_and_agents_chosen(replay, place):
+    mark = Breakpoint("carrier", place)
     one = [(tick, hit) for tick, hit in hits_of(replay, mark) if hit.agent == "carrier-2"]
     assert [hit.visit for _, hit in one] == list(range(1, len(one) + 1))
     assert hits_of(replay, replace(mark, agents=("carrier-2",), hits=2)) == one[1:]
 
 
-def test_after_going_back_it_pauses_at_the_same_places_again(replay):
-    mark = Breakpoint("carrier", waiting_place(replay))
+def test_after_going_back_it_pauses_at_the_same_places_again(replay, place):
+    mark = Breakpoint("carrier", place)
     assert hits_of(replay, mark) == hits_of(replay, mark)
 
 
-def test_a_step_ends_at_a_breakpoint(replay):
-    first = hits_of(replay, Breakpoint("carrier", waiting_place(replay)))[0]
+def test_a_step_ends_at_a_breakpoint(replay, place):
+    first = hits_of(replay, Breakpoint("carrier", place))[0]
     replay.seek(0, lambda: False)
     replay.step("nobody", lambda: False)
     assert (replay.tick, replay.hits[0]) == first
@@ -144,8 +136,8 @@ def test_a_condition_that_cannot_be_understood_is_refused(replay):
         replay.pause_at([Breakpoint("carrier", vertex("While"), when="Sign.")])
 
 
-def test_without_its_robot_a_condition_is_said_not_to_be_tested_and_the_place_still_pauses(recording, replay):
-    mark = Breakpoint("carrier", waiting_place(replay), when="Cargo.IsPressed()")
+def test_without_its_robot_a_condition_is_said_not_to_be_tested_and_the_place_still_pauses(recording, replay, place):
+    mark = Breakpoint("carrier", place, when="Cargo.IsPressed()")
     header = open_trace(recording).reader.header
     assert recorded_agents.testable([mark], header, {}, ()) == ([replace(mark, when="")], False)
     assert recorded_agents.testable([replace(mark, enabled=False)], header, {}, ())[1]
@@ -158,11 +150,10 @@ def test_without_its_robot_a_condition_is_said_not_to_be_tested_and_the_place_st
     changed.close()
 
 
-def test_over_the_socket_a_recording_pauses_and_goes_on(connect, page, recording):
+def test_over_the_socket_a_recording_pauses_and_goes_on(connect, page, recording, place):
     opened = page.post("/api/trace", content=recording.read_bytes()).json()
     with connect() as watcher:
         replay = Replay(open_trace(recording), TRANSPORT)
-        place = waiting_place(replay)
         # At full speed it may be over before another request comes: the breakpoints come with this one.
         marks = [{"program": "carrier", "vertex": place}]
         watcher.send(type="replay", recording=opened["recording"], speed=0, breakpoints=marks)

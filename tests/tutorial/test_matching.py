@@ -240,7 +240,7 @@ def test_a_hostile_pattern_on_a_large_program_is_work_in_proportion() -> None:
     def of(count: int) -> Seq:
         return program("4*(Wheel.Advance(1); Wheel.Reverse(2); WAIT(3));" * count)
 
-    large = of(1000)
+    large = of(300)
     same = "; ".join(["Wheel.Advance({a})", "Wheel.Reverse({b})"] * 8)
     for code in (f"{same}; Wheel.Advance(7)", f"4*({same}); Door.Open(); WAIT({{a}})", "//({a}, {b}, WAIT({a}))"):
         hostile = pattern(code)
@@ -249,5 +249,5 @@ def test_a_hostile_pattern_on_a_large_program_is_work_in_proportion() -> None:
         def looked_for(n: int, hostile: Pattern = hostile) -> Callable[[], object]:
             return partial(fits, hostile, of(n))
 
-        assert growth(looked_for, 100) < MOST
+        assert growth(looked_for, 30) < MOST
     assert fits(pattern("4*(Wheel.Advance({a}); WAIT({b}))", a=(1, 1)), large)

@@ -130,7 +130,10 @@ def test_carriers_that_block_each_other_before_the_goal_are_told_and_nothing_whe
 
 @pytest.mark.parametrize(
     "name",
-    ["square", "rooms", "passing-loop", "wall-follower", "merge", "door", "follow-the-leader", "convoy", "exchange"],
+    cases(
+        ["square", "rooms", "passing-loop", "wall-follower", "convoy", "exchange"],
+        ["merge", "door", "follow-the-leader"],
+    ),
 )
 def test_nothing_is_said_of_missions_that_are_right_and_of_loops_that_are_meant_to_go_on(name: str) -> None:
     prepared = opened(EXAMPLES / name / f"{name}.krt")
@@ -161,7 +164,7 @@ def test_what_one_kind_of_robot_does_in_a_team_is_no_part_that_never_runs(tmp_pa
     assert look(runs_of(meeting(tmp_path, "Flag.IsFalse").parts()), 1, None) == ((), ())
 
 
-@pytest.mark.parametrize("seed", cases([2, 4, 7], [0, 1, 3, 5, 6, *range(8, 200)]))
+@pytest.mark.parametrize("seed", cases([2, 4], [0, 1, 3, 5, 6, 7, *range(8, 200)]))
 def test_of_random_teams_nothing_that_runs_is_told_to_be_never_reached(seed: int) -> None:
     maker, program = random_team_program(seed)
     try:
@@ -171,7 +174,7 @@ def test_of_random_teams_nothing_that_runs_is_told_to_be_never_reached(seed: int
     none_that_never_run_does(team.run, team.anew())
 
 
-@pytest.mark.parametrize("seed", cases([*range(12)], [*range(12, 300)]))
+@pytest.mark.parametrize("seed", cases([*range(6)], [*range(6, 300)]))
 def test_of_random_programs_nothing_that_runs_is_told_to_be_never_reached(seed: int) -> None:
     run, _ = random_run(random.Random(seed))
     other, _ = random_run(random.Random(seed))

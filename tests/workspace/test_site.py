@@ -2,8 +2,12 @@
 
 from __future__ import annotations
 
+import gzip
+import io
 import json
 import re
+import tarfile
+import zipfile
 from pathlib import Path
 
 import pytest
@@ -65,16 +69,36 @@ def test_the_page_of_a_site_is_as_strict_as_that_of_the_server() -> None:
 
 
 @pytest.mark.site
-def test_the_same_sources_make_the_same_bytes_and_nothing_of_the_machine_is_in_them(
-    tmp_path: Path, tmp_path_factory: pytest.TempPathFactory
-) -> None:
-    one, other = tmp_path / "deeper" / "one", made_site(tmp_path_factory.getbasetemp())
+@pytest.mark.thorough("test_the_folder_is_whole_and_no_order_date_or_owner_of_the_machine_is_in_it")
+def test_the_same_sources_make_the_same_bytes(tmp_path: Path, tmp_path_factory: pytest.TempPathFactory) -> None:
+    one = tmp_path / "deeper" / "one"
     made = make_site(one, [ROOT / "web", PARTS])
-    files = {path.relative_to(one).as_posix(): path.read_bytes() for path in one.rglob("*") if path.is_file()}
-    again = {path.relative_to(other).as_posix(): path.read_bytes() for path in other.rglob("*") if path.is_file()}
-    assert files == again
+    files = files_in(one)
+    assert files == files_in(made_site(tmp_path_factory.getbasetemp()))
     assert len(files) == made.files
     assert sum(map(len, files.values())) == made.size
+
+
+def files_in(folder: Path) -> dict[str, bytes]:
+    return {path.relative_to(folder).as_posix(): path.read_bytes() for path in folder.rglob("*") if path.is_file()}
+
+
+@pytest.mark.site
+def test_the_folder_is_whole_and_no_order_date_or_owner_of_the_machine_is_in_it(
+    tmp_path_factory: pytest.TempPathFactory,
+) -> None:
+    files = files_in(made_site(tmp_path_factory.getbasetemp()))
+    for name, data in files.items():
+        assert not name.endswith(".packed") or data[4:8] == bytes(4), f"{name}: gzip with a date"
+    with tarfile.open(fileobj=io.BytesIO(files["python.packed"]), mode="r:gz") as archive:
+        entries = archive.getmembers()
+    assert [one.name for one in entries] == sorted(one.name for one in entries)
+    assert {(one.mtime, one.uid, one.gid, one.uname, one.gname, one.mode) for one in entries} == {
+        (0, 0, 0, "", "", 0o644)
+    }
+    with zipfile.ZipFile(io.BytesIO(gzip.decompress(files["pyodide/python_stdlib.zip.packed"]))) as library:
+        assert library.namelist() == sorted(library.namelist())
+        assert {one.date_time for one in library.infolist()} == {(1980, 1, 1, 0, 0, 0)}
     page = files["index.html"].decode()
     assert POLICY in page
     assert re.findall(r"(?:src|href)=\"(?!\./)[^\"]*\"", page) == [], "an address that depends on the place"
