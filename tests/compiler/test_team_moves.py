@@ -152,9 +152,7 @@ def test_what_the_moves_of_a_random_team_leave_empty_is_told(seed: int) -> None:
     inside["g4"] = chance.sample(["g0", "g1", "g2", "g3"], 2)
     declared = [f"role {name}: carrier {count};" for name, count in roles.items()]
     declared += [f"group {name} = {{{', '.join(names)}}};" for name, names in inside.items()]
-    parsed = parse_team("\n".join(declared))
-    assert parsed.diagnostics == []
-    crew = declaring(Crew(tuple((name, "carrier") for name in agents), ()), parsed.program)
+    crew = crew_declaring(Crew(tuple((name, "carrier") for name in agents), ()), "\n".join(declared))
     pairs = [chance.sample([*inside, *roles], 2) for _ in range(chance.randint(1, 4))]
     sets = TeamSets(crew, Seq([Move(1, source, target) for source, target in pairs]))
     meaning = Meaning(playing, {name: sorted(names) for name, names in sets.groups.items()}, {})
@@ -180,7 +178,9 @@ def test_of_more_groups_and_moves_than_can_be_held_against_each_other_nothing_is
     groups: int, moves: int, told: int
 ) -> None:
     rows = [f"group g{n} = g{n + 1};" for n in range(groups - 1)]
-    crew = crew_declaring(CREW, "\n".join(["role r: carrier;", *rows, f"group g{groups - 1} = r; group other = loader-1;"]))
+    crew = crew_declaring(
+        CREW, "\n".join(["role r: carrier;", *rows, f"group g{groups - 1} = r; group other = loader-1;"])
+    )
     program = parse_team("MOVE 1 g0 -> other;" * moves).program.seq
     found: list[str] = []
     report_emptied(program, Names(crew), lambda rule, message, node, help="": found.append(message))

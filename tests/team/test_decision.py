@@ -111,7 +111,7 @@ def test_two_of_three_voters_try_and_no_run_chooses_two_values(tries: tuple[int,
     assert len(runs.chosen) == 2
 
 
-@pytest.mark.thorough
+@pytest.mark.thorough("test_two_of_three_voters_try_and_no_run_chooses_two_values, with fewer tries")
 @pytest.mark.parametrize("tries", [(2, 1, 0), (1, 1, 1)])
 def test_nor_do_the_first_million_states_where_there_are_more_tries(tries: tuple[int, ...]) -> None:
     runs = _Runs(tries)
