@@ -178,9 +178,8 @@ def test_of_more_groups_and_moves_than_can_be_held_against_each_other_nothing_is
     groups: int, moves: int, told: int
 ) -> None:
     rows = [f"group g{n} = g{n + 1};" for n in range(groups - 1)]
-    crew = crew_declaring(
-        CREW, "\n".join(["role r: carrier;", *rows, f"group g{groups - 1} = r; group other = loader-1;"])
-    )
+    declared = ["role r: carrier;", *rows, f"group g{groups - 1} = r; group other = loader-1;"]
+    crew = crew_declaring(CREW, "\n".join(declared))
     program = parse_team("MOVE 1 g0 -> other;" * moves).program.seq
     found: list[str] = []
     report_emptied(program, Names(crew), lambda rule, message, node, help="": found.append(message))
