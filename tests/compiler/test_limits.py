@@ -15,7 +15,7 @@ from kitrobot.image import (
     Machine,
     disassemble,
 )
-from kitrobot.lll import Call, Seq
+from kitrobot.lll import Call, Seq, parse
 from kitrobot.primitives import Robot, read_robot
 from tests.compiler.graphs import graph, shipped
 
@@ -112,15 +112,17 @@ def test_an_action_marked_again_in_its_slot_needs_no_stop_of_its_own() -> None:
     assert len(image.stops) == 1
 
 
+ADDED = parse("Count.Add(1);").program.items * (MOST_INSTRUCTIONS // 2)
+"""Two instructions each, ADD and CLAMP; the END of a program is one too many."""
+
+
 def test_a_program_with_as_many_instructions_as_there_are_runs() -> None:
-    program = Seq([Call("Wheel", "Stop")] * (MOST_INSTRUCTIONS - 1))
-    image = runs(compile_lll(program, MINI), MINI)
+    image = runs(compile_lll(Seq([*ADDED[1:], Call("Wheel", "Stop")]), MINI), MINI)
     assert image.instructions == MOST_INSTRUCTIONS
 
 
 def test_a_program_with_an_instruction_too_many_is_told() -> None:
-    program = Seq([Call("Wheel", "Stop")] * MOST_INSTRUCTIONS)
-    only(compile_lll(program, MINI), "the program needs 65537 instructions, and an image holds 65536")
+    only(compile_lll(Seq(ADDED), MINI), "the program needs 65537 instructions, and an image holds 65536")
 
 
 def test_a_robot_with_as_many_procedures_as_there_are_can_be_programmed() -> None:

@@ -7,7 +7,7 @@ import re
 from collections.abc import Callable
 
 import pytest
-from hypothesis import given
+from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from kitrobot.compiler import follow_text, graph_to_lll, lll_to_graph, stretch
@@ -16,6 +16,7 @@ from kitrobot.lll import Seq, parse, print_program
 from kitrobot.primitives import Catalogue
 from tests.compiler.graphs import graph, noted, shipped
 from tests.compiler.test_own_part_text import with_own_parts
+from tests.effort import examples
 from tests.strategies import Shape, random_program, shipped_robots
 
 
@@ -65,6 +66,7 @@ def followed(program: Program, text: str, catalogue: Catalogue) -> Program | Non
     return found.program
 
 
+@settings(max_examples=examples(12))
 @given(st.randoms(use_true_random=True))
 def test_a_stretch_drawn_anew_is_as_the_whole_drawn_anew(rng: random.Random) -> None:
     robot = rng.choice(list(shipped_robots().values()))
@@ -80,6 +82,7 @@ def test_a_stretch_drawn_anew_is_as_the_whole_drawn_anew(rng: random.Random) -> 
         program = after
 
 
+@settings(max_examples=examples(12))
 @given(st.randoms(use_true_random=True))
 def test_beside_parts_of_one_s_own_any_edit_is_drawn(rng: random.Random) -> None:
     program, catalogue, _ = with_own_parts(rng)

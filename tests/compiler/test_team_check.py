@@ -2,21 +2,27 @@
 
 from __future__ import annotations
 
+import sys
+from collections.abc import Iterator
+
 import pytest
 
 from kitrobot.compiler import check_declarations, check_program, program_circles
 from kitrobot.lll import parse_team, print_team_program
-from kitrobot.primitives import Crew, CrewProgram, Level, declaring, load_catalogue
+from kitrobot.primitives import Crew, CrewProgram, Level, load_catalogue
+from tests.compiler.crews import crew_declaring
 from tests.lll.expectations import meets_expectations
 
 PARTS = load_catalogue()
 ROBOTS = PARTS.robots
-AGENTS = (*((f"carrier-{n}", "carrier") for n in (1, 2, 3)), ("loader", "loader"), ("somebody", ""))
-PROGRAMS = (
-    CrewProgram("drive", "carrier"),
-    CrewProgram("load", "loader"),
-    CrewProgram("haul", "", Level.GROUP),
-    CrewProgram("day", "", Level.SOCIAL),
+CREW = Crew(
+    (*((f"carrier-{n}", "carrier") for n in (1, 2, 3)), ("loader", "loader"), ("somebody", "")),
+    (
+        CrewProgram("drive", "carrier"),
+        CrewProgram("load", "loader"),
+        CrewProgram("haul", "", Level.GROUP),
+        CrewProgram("day", "", Level.SOCIAL),
+    ),
 )
 DECLARED = """\
 role carriers: carrier 2..3;
@@ -27,15 +33,9 @@ work Boxes = 12;
 """
 
 
-def crew_of(declared: str) -> Crew:
-    parsed = parse_team(declared)
-    assert parsed.diagnostics == []
-    return declaring(Crew(AGENTS, PROGRAMS), parsed.program)
-
-
 def told(text: str, level: Level = Level.SOCIAL) -> None:
     """Compares what is said about a program with what its comments expect."""
-    crew = crew_of(DECLARED)
+    crew = crew_declaring(CREW, DECLARED)
     parts = PARTS.extended([], [], crew)
     parsed = parse_team(text)
     assert parsed.diagnostics == []
@@ -125,14 +125,23 @@ DECLARATIONS = [
 
 @pytest.mark.parametrize(("text", "codes"), DECLARATIONS, ids=[row[0] for row in DECLARATIONS])
 def test_what_is_wrong_with_a_declaration_is_said(text: str, codes: list[str]) -> None:
-    found = check_declarations(crew_of(text), ROBOTS, lambda _: None)
+    found = check_declarations(crew_declaring(CREW, text), ROBOTS, lambda _: None)
     assert [item.code for item in found] == codes
     assert all(item.help for item in found)
 
 
-def test_groups_may_hold_each_other_thousands_deep() -> None:
-    rows = [f"group g{n} = g{n + 1};" for n in range(3000)]
-    crew = crew_of("\n".join([*rows, "group g3000 = loader on failure abort;"]))
+@pytest.fixture
+def few_calls() -> Iterator[int]:
+    """How many calls may stand in one another: few, so that little text is deeper."""
+    usual = sys.getrecursionlimit()
+    sys.setrecursionlimit(300)
+    yield 300
+    sys.setrecursionlimit(usual)
+
+
+def test_groups_may_hold_each_other_deeper_than_calls_may(few_calls: int) -> None:
+    rows = [f"group g{n} = g{n + 1};" for n in range(few_calls)]
+    crew = crew_declaring(CREW, "\n".join([*rows, f"group g{few_calls} = loader on failure abort;"]))
     assert check_declarations(crew, ROBOTS, lambda _: None) == []
 
 

@@ -12,14 +12,17 @@ from kitrobot.compiler.team_names import Names
 from kitrobot.compiler.team_sets import TeamSets
 from kitrobot.diagnostics import Diagnostic
 from kitrobot.lll import Move, Seq, parse_team
-from kitrobot.primitives import Crew, CrewProgram, Level, declaring, load_catalogue
+from kitrobot.primitives import Crew, CrewProgram, Level, load_catalogue
+from tests.compiler.crews import crew_declaring
 from tests.effort import THOROUGH
 from tests.lll.expectations import meets_expectations
 from tests.team_programs.reference import Meaning
 
 PARTS = load_catalogue()
-AGENTS = (*((f"carrier-{n}", "carrier") for n in range(1, 7)), ("loader-1", "loader"))
-PROGRAMS = (CrewProgram("meet", "", Level.GROUP),)
+CREW = Crew(
+    (*((f"carrier-{n}", "carrier") for n in range(1, 7)), ("loader-1", "loader")),
+    (CrewProgram("meet", "", Level.GROUP),),
+)
 NESTED = """\
 role carriers: carrier 2;
 role helpers: carrier 3;
@@ -31,14 +34,8 @@ group rest = loaders on failure abort;
 """
 
 
-def crew_of(declared: str) -> Crew:
-    parsed = parse_team(declared)
-    assert parsed.diagnostics == []
-    return declaring(Crew(AGENTS, PROGRAMS), parsed.program)
-
-
 def found_in(text: str, declared: str = NESTED) -> list[Diagnostic]:
-    crew, parsed = crew_of(declared), parse_team(text)
+    crew, parsed = crew_declaring(CREW, declared), parse_team(text)
     assert parsed.diagnostics == []
     assert check_declarations(crew, PARTS.robots, lambda _: None) == []
     target = PARTS.extended([], [], crew).teams[Level.SOCIAL]
@@ -155,9 +152,7 @@ def test_what_the_moves_of_a_random_team_leave_empty_is_told(seed: int) -> None:
     inside["g4"] = chance.sample(["g0", "g1", "g2", "g3"], 2)
     declared = [f"role {name}: carrier {count};" for name, count in roles.items()]
     declared += [f"group {name} = {{{', '.join(names)}}};" for name, names in inside.items()]
-    parsed = parse_team("\n".join(declared))
-    assert parsed.diagnostics == []
-    crew = declaring(Crew(tuple((name, "carrier") for name in agents), ()), parsed.program)
+    crew = crew_declaring(Crew(tuple((name, "carrier") for name in agents), ()), "\n".join(declared))
     pairs = [chance.sample([*inside, *roles], 2) for _ in range(chance.randint(1, 4))]
     sets = TeamSets(crew, Seq([Move(1, source, target) for source, target in pairs]))
     meaning = Meaning(playing, {name: sorted(names) for name, names in sets.groups.items()}, {})
@@ -183,7 +178,8 @@ def test_of_more_groups_and_moves_than_can_be_held_against_each_other_nothing_is
     groups: int, moves: int, told: int
 ) -> None:
     rows = [f"group g{n} = g{n + 1};" for n in range(groups - 1)]
-    crew = crew_of("\n".join(["role r: carrier;", *rows, f"group g{groups - 1} = r; group other = loader-1;"]))
+    declared = ["role r: carrier;", *rows, f"group g{groups - 1} = r; group other = loader-1;"]
+    crew = crew_declaring(CREW, "\n".join(declared))
     program = parse_team("MOVE 1 g0 -> other;" * moves).program.seq
     found: list[str] = []
     report_emptied(program, Names(crew), lambda rule, message, node, help="": found.append(message))

@@ -168,7 +168,7 @@ def test_round_trip_of_many_programs(holds: object) -> None:
 
 @pytest.mark.parametrize("holds", PROPERTIES, ids=lambda holds: holds.__name__)
 @given(rng=st.randoms(note_method_calls=False))
-@settings(max_examples=examples(10))
+@settings(max_examples=examples(5))
 def test_round_trip_of_small_programs(holds: object, rng: random.Random) -> None:
     assert callable(holds)
     holds(rng)

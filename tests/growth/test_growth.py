@@ -25,10 +25,13 @@ from tests.counting import MOST, growth
 from tests.effort import THOROUGH
 from tests.growth.shapes import SHAPES, content
 
-N = 110 if THOROUGH else 70
+N = 110 if THOROUGH else 40
+
+DEEP = 110 if THOROUGH else 70
+"""Of texts: twice as many blocks are more than the 100 that may stand in one another, up to which work may be dear."""
 
 
-def grows(work: Callable[[int], Callable[[], object]]) -> float:
+def grows(work: Callable[[int], Callable[[], object]], n: int = N) -> float:
     """How many times as many calls twice as much takes; a refusal is work too."""
 
     def unless_refused(n: int) -> Callable[[], object]:
@@ -40,7 +43,7 @@ def grows(work: Callable[[int], Callable[[], object]]) -> float:
 
         return tried
 
-    return growth(unless_refused, N)
+    return growth(unless_refused, n)
 
 
 @pytest.fixture(scope="module")
@@ -89,7 +92,7 @@ def test_twice_as_much_text_is_no_more_than_twice_the_work_of_laying_it_out_and_
         file = made(tmp_path, name, n)
         return lambda: (lay_out_file(file), check_file(file, robot))
 
-    assert grows(work) < MOST
+    assert grows(work, DEEP) < MOST
 
 
 @pytest.mark.parametrize("name", [name for name in SHAPES if name.startswith("csv")])
@@ -110,14 +113,11 @@ def test_twice_as_much_is_no_more_than_twice_the_work_of_comparing_merging_and_c
         out = one.with_name("out.lll")
 
         def all_of_it() -> None:
-            for act in (
-                lambda: compare_files(one, other),
-                lambda: compare_files(half, one),
-                lambda: merge_files(half, one, other, one.with_name("merged.krt")),
-                lambda: convert(one, out),
-            ):
-                with contextlib.suppress(KitRobotError):
-                    act()
+            with contextlib.suppress(KitRobotError):  # what cannot be compared cannot be merged
+                compare_files(half, one)
+                compare_files(one, other)
+                merge_files(half, one, other, one.with_name("merged.krt"))
+            convert(one, out)
 
         return all_of_it
 
@@ -128,14 +128,14 @@ def test_ten_thousand_columns_of_one_name_and_as_many_rows_of_one_tick_are_read(
     inputs, problems = read_inputs("tick" + ",Captor" * 10_000 + "\n0" + ",1" * 10_000, "x.csv", robot)
     assert len(problems) == 9_999
     assert len(inputs.at(0)) == 10_000
-    inputs, problems = read_inputs("tick,Captor\n" + "5,1\n" * 80_000, "x.csv", robot)
-    assert len(problems) == 79_999
-    assert len(inputs.at(5)) == 80_000
+    inputs, problems = read_inputs("tick,Captor\n" + "5,1\n" * 10_000, "x.csv", robot)
+    assert len(problems) == 9_999
+    assert len(inputs.at(5)) == 10_000
 
 
 def test_of_very_many_misspelt_words_the_first_ones_get_a_suggestion(monkeypatch):
-    monkeypatch.setattr("kitrobot.text.suggestions._COMPARED", 1000)
-    words = [f"word-{number}" for number in range(1000)]
+    monkeypatch.setattr("kitrobot.text.suggestions._COMPARED", 400)
+    words = [f"word-{number}" for number in range(400)]
     suggestions = Suggestions()
     found = [suggestions.did_you_mean(f"wort-{number}", words) for number in range(1000)]
     some = MOST_COMPARISONS // len(words)

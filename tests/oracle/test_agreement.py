@@ -10,9 +10,10 @@ import os
 import random
 
 import pytest
-from hypothesis import given
+from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from tests.effort import examples
 from tests.oracle.agreement import disagreement, first_difference, machine_for, random_case, report, small_case
 from tests.patience import PATIENCE_S
 
@@ -36,6 +37,7 @@ def test_the_machine_does_what_the_oracle_says(stream: int) -> None:
     assert compared > 0.8 * (BUDGET // STREAMS), "too many programs were refused for their size"
 
 
+@settings(max_examples=examples(15))
 @given(st.randoms(note_method_calls=False))
 def test_the_machine_does_what_the_oracle_says_on_small_programs(rng: random.Random) -> None:
     case = small_case(rng)

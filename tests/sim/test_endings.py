@@ -13,6 +13,7 @@ from kitrobot.mission import Failure, FailureKind, Goal
 from kitrobot.sim import Simulation
 from kitrobot.sim.columns import CHANCE, STUCK
 from kitrobot.world import Wall
+from tests.effort import examples
 from tests.sim.building import (
     WHEEL,
     avatar,
@@ -172,7 +173,7 @@ def test_a_ring_on_which_a_stalled_one_pushes_the_others_is_stuck(step: int) -> 
     assert f"carrier-1 stalled after {step / 50:.1f} s (by hand)" in run.sentence
 
 
-@settings(max_examples=12, deadline=None)
+@settings(max_examples=examples(5))
 @given(st.integers(0, 99), st.integers(1, 2500), st.sampled_from(["carrier-1", "carrier-2", "carrier-3", "loader"]))
 def test_what_is_called_stuck_never_changes_again(seed: int, step: int, agent: str) -> None:
     run = gone_on(stalled(seed, step, agent))

@@ -13,6 +13,7 @@ from kitrobot.mission import Failure, FailureKind
 from kitrobot.sim import Event, Simulation
 from kitrobot.sim.failures import KINDS
 from kitrobot.sim.timeline import Timeline
+from tests.effort import examples
 from tests.sim.building import transport
 from tests.sim.teams import random_team
 
@@ -35,7 +36,7 @@ def boxes(run: Simulation) -> int:
 
 
 @given(st.integers(0, 10**9))
-@hypothesis.settings(max_examples=15, deadline=None)
+@hypothesis.settings(max_examples=examples(7))
 def test_stock_is_conserved_whatever_befalls_whom(seed: int) -> None:
     random = Random(seed)
     boxes_there, carriers = random.randrange(1, 9), random.randrange(1, 5)
@@ -52,7 +53,7 @@ def test_stock_is_conserved_whatever_befalls_whom(seed: int) -> None:
 
 @pytest.mark.usefixtures("with_numba")
 @given(st.integers(0, 10**9), st.integers(1, 12))
-@hypothesis.settings(max_examples=20 if hypothesis.settings().max_examples < 100 else 500, deadline=None)
+@hypothesis.settings(max_examples=examples(8, 500))
 def test_plain_and_compiled_agree_on_failures(seed: int, robots: int) -> None:
     names = [agent.name for agent in random_team(seed, robots).members]
     random = Random(seed)
@@ -70,7 +71,7 @@ def test_plain_and_compiled_agree_on_failures(seed: int, robots: int) -> None:
 
 
 @given(st.integers(0, 10**9))
-@hypothesis.settings(max_examples=15, deadline=None)
+@hypothesis.settings(max_examples=examples(7))
 def test_a_restored_run_goes_on_alike(seed: int) -> None:
     random = Random(seed)
     robots = random.randrange(1, 8)

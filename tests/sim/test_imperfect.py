@@ -72,11 +72,12 @@ def test_a_command_comes_to_an_actuator_as_late_as_its_xml_says(device: str) -> 
 def test_a_command_to_an_actuator_is_lost_as_often_as_its_xml_says_and_by_the_seed(device: str) -> None:
     assert first_change(device, told(device, 'dropout="100"')) is None
 
-    def arrived() -> list[bool]:
-        return [first_change(device, told(device, 'dropout="40"', seed), 5) is not None for seed in range(100)]
+    def arrived(runs: int) -> list[bool]:
+        return [first_change(device, told(device, 'dropout="40"', seed), 5) is not None for seed in range(runs)]
 
-    assert 45 <= sum(arrived()) <= 75
-    assert arrived() == arrived()
+    once = arrived(100)
+    assert 45 <= sum(once) <= 75
+    assert arrived(20) == once[:20]
 
 
 @pytest.mark.parametrize("device", ["motor", "drive", "wheel"])

@@ -17,7 +17,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from kitrobot.mission import Failure, FailureKind, Radio
-from kitrobot.sim import Simulation, compiling, jit_cache, simulate
+from kitrobot.sim import Simulation, compiling, expect_run, jit_cache, simulate
+from tests.effort import examples
 from tests.patience import PATIENCE_S
 from tests.sim.building import transport
 from tests.sim.team_building import RunningTeam, random_team_program
@@ -60,7 +61,7 @@ def states(run: Simulation, stretches: list[int]) -> list[bytes]:
 
 
 @given(st.integers(0, 10**9), st.integers(1, 14))
-@hypothesis.settings(max_examples=25 if hypothesis.settings().max_examples < 100 else 1000)
+@hypothesis.settings(max_examples=examples(12, 1000))
 def test_random_teams_run_alike_plain_and_compiled(seed: int, robots: int) -> None:
     stretches = [1, 1, 2, 30, 100, 1]
     radio = RADIOS[seed % len(RADIOS)]
@@ -72,7 +73,7 @@ def test_random_teams_run_alike_plain_and_compiled(seed: int, robots: int) -> No
 
 
 @given(st.integers(0, 10**9))
-@hypothesis.settings(max_examples=10 if hypothesis.settings().max_examples < 100 else 300)
+@hypothesis.settings(max_examples=examples(5, 300))
 def test_random_programs_of_teams_run_alike_plain_and_compiled(seed: int) -> None:
     plain, compiled = programmed_team(seed), programmed_team(seed)
     plain.stays_plain = True
@@ -177,8 +178,6 @@ import sys
 from kitrobot.sim import expect_run
 from kitrobot.sim.compiling import step
 from tests.sim.teams import random_team
-expect_run(99)
-assert step.asked is None, "for so few it is not worth it"
 expect_run(100)
 assert step.asked is not None
 step.asked.join()
@@ -190,6 +189,16 @@ sys.stdout.buffer.write(run.snapshot())
 """
 
 
+def test_for_a_crowd_the_compiled_step_is_asked_for_before_its_run_begins(monkeypatch: pytest.MonkeyPatch) -> None:
+    asked: list[bool] = []
+    monkeypatch.setattr(compiling.step, "ask", lambda: asked.append(True))
+    expect_run(99)
+    assert asked == [], "for so few it is not worth it"
+    expect_run(100)
+    assert asked == [True]
+
+
+@pytest.mark.thorough("test_for_a_crowd_the_compiled_step_is_asked_for_before_its_run_begins; taken: a long run")
 def test_what_a_crowd_needs_is_there_before_its_run_begins() -> None:
     environment = {**os.environ, "PYTHONPATH": f"{ROOT}:{ROOT / 'src'}"}
     child = subprocess.run(
@@ -247,7 +256,7 @@ def test_what_is_not_kept_yet_is_compiled_in_a_process_of_its_own(tmp_path: Path
 
 
 @pytest.mark.slow
-@pytest.mark.thorough
+@pytest.mark.thorough("test_what_is_not_kept_yet_is_compiled_in_a_process_of_its_own, with a stand-in for Numba")
 def test_numba_compiles_what_is_not_kept_yet(tmp_path: Path) -> None:
     environment = {**os.environ, "PYTHONPATH": f"{ROOT}:{ROOT / 'src'}", "KITROBOT_CACHE": str(tmp_path)}
     subprocess.run([sys.executable, "-c", LONG], env=environment, capture_output=True, check=True, timeout=PATIENCE_S)

@@ -120,7 +120,7 @@ def test_sensors_tell_who_is_in_reach() -> None:
 
 
 @given(SEEDS, st.integers(1, 12))
-@settings(max_examples=examples(6))
+@settings(max_examples=examples(3))
 def test_a_radio_that_reaches_all_at_once_changes_nothing(seed: int, robots: int) -> None:
     without, with_one = random_team(seed, robots), random_team(seed, robots, radio=Radio())
     for count in (1, 1, 7, 40, 100):
@@ -133,7 +133,7 @@ def test_a_radio_that_reaches_all_at_once_changes_nothing(seed: int, robots: int
 
 
 @given(SEEDS, st.integers(2, 30), RADIOS)
-@settings(max_examples=examples(12))
+@settings(max_examples=examples(5))
 def test_reach_is_found_as_by_comparing_all_pairs(seed: int, robots: int, radio: Radio) -> None:
     run = random_team(seed, robots, radio=radio)
     for _ in range(4):
@@ -147,7 +147,7 @@ def test_reach_is_found_as_by_comparing_all_pairs(seed: int, robots: int, radio:
 
 
 @given(SEEDS, st.integers(2, 8), st.sampled_from((0, 30, 500)), st.sampled_from((0.0, 20.0, 80.0)))
-@settings(max_examples=examples(12))
+@settings(max_examples=examples(5))
 def test_all_copies_are_equal_once_nobody_writes_and_all_hear_each_other(
     seed: int, robots: int, delay: int, loss: float
 ) -> None:
@@ -176,7 +176,7 @@ def test_all_copies_are_equal_once_nobody_writes_and_all_hear_each_other(
 
 
 @given(SEEDS, st.integers(0, 1), st.sampled_from((Radio(delay_ms=40), Radio(loss=30), Radio(None, 20, 20))))
-@settings(max_examples=examples(6))
+@settings(max_examples=examples(3))
 def test_a_team_in_reach_does_the_same_however_late_and_lossy_its_messages(
     seed: int, spares: int, radio: Radio
 ) -> None:

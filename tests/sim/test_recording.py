@@ -12,6 +12,7 @@ import pytest
 
 from kitrobot.sim import Recorder, Simulation, simulate
 from kitrobot.trace import TraceReader
+from tests.effort import cases
 from tests.patience import PATIENCE_S
 from tests.sim.building import catalogue, empty_world, run_of, transport
 
@@ -34,7 +35,7 @@ def test_the_same_seed_gives_the_same_bytes_and_another_seed_others(tmp_path: Pa
     assert traces[0] == traces[1] != traces[2]
 
 
-@pytest.mark.parametrize("hash_seed", ["0", "12345"])
+@pytest.mark.parametrize("hash_seed", cases(["12345"], ["0"]))
 def test_another_process_gives_the_same_bytes(tmp_path: Path, hash_seed: str) -> None:
     simulate(transport(5, 3, 2), tmp_path / "here.krtrace")
     there = tmp_path / "there.krtrace"

@@ -126,11 +126,24 @@ def test_looking_over_a_mission_says_what_making_its_run_says() -> None:
     look_over(fine, ROOM, {"p": compile_program(fine.programs[0], catalogue())}, catalogue())
 
 
-@pytest.mark.slow
-def test_as_many_agents_as_allowed_begin_a_run() -> None:
+def ended_at_once(agents: int) -> bool:
+    """Whether a run of so many agents that have nothing to do begins and is over."""
     plain = avatar('<variable name="Count" type="integer"/>')
     mission = Mission(programs=[empty_program("p", "avatar")])
-    mission.team.agents = [Agent(f"a{n}", "p", "a") for n in range(MAX_AGENTS)]
+    mission.team.agents = [Agent(f"a{n}", "p", "a") for n in range(agents)]
     images = {"p": compile_text("", plain)}
     run = Simulation(mission, ROOM, images, Catalogue(robots={"avatar": plain}))
-    assert steps(run, 1).outcome == "done"
+    return steps(run, 1).outcome == "done"
+
+
+def test_as_many_agents_as_allowed_begin_a_run_and_no_more(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("kitrobot.sim.setup.MAX_AGENTS", 30)
+    assert ended_at_once(30)
+    with pytest.raises(SimulationError, match="expected at most 30 agents in a run, found 31"):
+        ended_at_once(31)
+
+
+@pytest.mark.slow
+@pytest.mark.thorough("test_as_many_agents_as_allowed_begin_a_run_and_no_more, with a small limit")
+def test_a_hundred_thousand_agents_begin_a_run() -> None:
+    assert ended_at_once(MAX_AGENTS)

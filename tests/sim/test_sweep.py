@@ -77,7 +77,7 @@ def are_the_same(make: Make, failures: Sequence[Failure], count: int, pairs: boo
 
 
 @given(st.integers(0, 10**9), st.integers(1, 3), st.booleans())
-@settings(max_examples=examples(5))
+@settings(max_examples=examples(3))
 def test_fields_of_random_teams_are_runs_from_the_start(seed: int, robots: int, pairs: bool) -> None:
     chance = random.Random(seed)
     failures = [Failure("r0", chance.random() * 5, chance.choice(tuple(FailureKind))) for _ in range(2)]
@@ -85,7 +85,7 @@ def test_fields_of_random_teams_are_runs_from_the_start(seed: int, robots: int, 
 
 
 @given(st.integers(0, 10**9), st.booleans())
-@settings(max_examples=examples(4))
+@settings(max_examples=examples(2))
 def test_fields_of_teams_with_spare_robots_are_runs_from_the_start(seed: int, pairs: bool) -> None:
     maker, program = random_team_program(seed, 1)
 

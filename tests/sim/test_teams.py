@@ -35,7 +35,7 @@ def team_and_meaning(seed: int, spares: int = 0, asks: bool = True) -> tuple[Run
 
 
 @given(SEEDS, st.integers(0, 1))
-@settings(max_examples=examples(20))
+@settings(max_examples=examples(8))
 def test_every_robot_does_its_lines_and_nobody_goes_on_before_all_are_there(seed: int, spares: int) -> None:
     team, meaning = team_and_meaning(seed, spares)
     team.finish()
@@ -65,7 +65,7 @@ def test_from_a_snapshot_another_run_goes_on_alike(seed: int) -> None:
 
 
 @given(SEEDS, st.lists(st.integers(0, 80), min_size=1, max_size=4))
-@settings(max_examples=examples(30))
+@settings(max_examples=examples(10))
 def test_a_substitute_goes_on_with_what_was_lost_and_no_role_is_held_twice(seed: int, moments: list[int]) -> None:
     team, meaning = team_and_meaning(seed, spares=2, asks=False)
     run, chance = team.run, random.Random(seed)
@@ -92,7 +92,7 @@ def test_a_substitute_goes_on_with_what_was_lost_and_no_role_is_held_twice(seed:
 
 
 @given(SEEDS, st.lists(st.integers(0, 80), min_size=1, max_size=4))
-@settings(max_examples=examples(20))
+@settings(max_examples=examples(8))
 def test_without_spare_robots_the_run_still_ends_and_says_why(seed: int, moments: list[int]) -> None:
     team, meaning = team_and_meaning(seed)
     run, chance = team.run, random.Random(seed)
@@ -231,7 +231,7 @@ def crowd(robots: int, spares: int = 0) -> dict[str, str]:
 
 
 @given(st.integers(0, 9), st.integers(1, 4), st.lists(st.tuples(st.integers(0, 60), st.integers(0, 3)), max_size=4))
-@settings(max_examples=examples(30))
+@settings(max_examples=examples(10))
 def test_every_unit_is_done_once_whoever_fails(units: int, robots: int, losses: list[tuple[int, int]]) -> None:
     text = WORK.format(robots=robots, failure="substitute", units=units, lease=0, block="ParOfSeq", lines=ALONE)
     run = small(text, crowd(robots, 4), [])

@@ -14,6 +14,7 @@ from kitrobot.diagnostics import KitRobotError
 from kitrobot.sim import Simulation
 from kitrobot.sim.timeline import Intervention, Timeline
 from kitrobot.translation.rendering import translated
+from tests.effort import examples
 from tests.sim.building import catalogue, empty_world, run_of
 
 EXAMPLES = Path(__file__).resolve().parents[2] / "examples"
@@ -70,7 +71,7 @@ def act(timeline: Timeline, random: Random) -> Intervention:
     return Intervention(timeline.tick, "set", "carrier-2", "Dock", value)
 
 
-@settings(max_examples=12, deadline=None)
+@settings(max_examples=examples(6))
 @given(st.integers(0, 2**32))
 def test_any_way_there_leads_to_the_same_place(seed: int) -> None:
     random = Random(seed)

@@ -2,16 +2,19 @@
 
 from __future__ import annotations
 
-import itertools
 import random
 
 import pytest
 
 from kitrobot.mission import Failure, FailureKind, Radio
 from kitrobot.sim import Simulation
+from tests.effort import cases
 from tests.sim.building import transport
 
-CASES = list(itertools.product((0, 1, 2, 5, 12), (1, 2, 3)))
+CASES = cases(
+    [(0, 1), (1, 3), (2, 2), (5, 1), (12, 3)],
+    [(0, 2), (0, 3), (1, 1), (1, 2), (2, 1), (2, 3), (5, 2), (5, 3), (12, 1), (12, 2)],
+)
 RNG = random.Random(7)
 
 
@@ -40,7 +43,7 @@ def test_all_stock_arrives_and_nobody_collides(stock: int, carriers: int) -> Non
     assert not any(agent.fault for agent in run.agents)
 
 
-@pytest.mark.parametrize("seed", range(8))
+@pytest.mark.parametrize("seed", cases([0, 1], list(range(2, 8))))
 def test_any_seed_is_done_and_carriers_keep_apart(seed: int) -> None:
     run = transport(seed)
     nearest = 1e9
@@ -53,7 +56,7 @@ def test_any_seed_is_done_and_carriers_keep_apart(seed: int) -> None:
 
 
 def test_seeds_give_different_runs() -> None:
-    assert len({finished(transport(seed)).tick for seed in range(4)}) > 1
+    assert len({finished(transport(seed)).tick for seed in range(2)}) > 1
 
 
 def test_the_sentence_says_what_was_reached() -> None:
@@ -79,8 +82,13 @@ def test_the_first_messages_say_how_many_boxes_there_are() -> None:
     assert [(event.agent, event.text) for event in run.events] == [("store-manager-B", "Counted = true")]
 
 
-@pytest.mark.parametrize("kind", [FailureKind.FAIL, FailureKind.STALL, FailureKind.MUTE])
-@pytest.mark.parametrize("moment", [1, 52])
+@pytest.mark.parametrize(
+    ("kind", "moment"),
+    cases(
+        [(FailureKind.FAIL, 52), (FailureKind.STALL, 1), (FailureKind.MUTE, 52)],
+        [(FailureKind.FAIL, 1), (FailureKind.STALL, 52), (FailureKind.MUTE, 1)],
+    ),
+)
 def test_a_loader_that_hears_no_more_of_the_stock_does_not_reach_into_an_empty_storehouse(
     kind: FailureKind, moment: float
 ) -> None:

@@ -86,11 +86,13 @@ def _explore(rounds: int) -> tuple[int, int]:
 
 
 def test_whoever_is_cut_off_stopped_or_crashes_nobody_ever_shares_a_role() -> None:
-    states, acted = _explore(4)
-    assert states > 1_000
+    states, acted = _explore(3)
+    assert states > 300
     assert acted == 2
 
 
-@pytest.mark.thorough
+@pytest.mark.thorough("test_whoever_is_cut_off_stopped_or_crashes_nobody_ever_shares_a_role, for three rounds")
 def test_the_same_for_longer_runs() -> None:
-    assert _explore(5)[1] == 2
+    states, acted = _explore(5)
+    assert states > 1_000
+    assert acted == 2

@@ -30,7 +30,7 @@ def team_and_meaning(seed: int, spares: int = 0, asks: bool = True) -> tuple[Tea
 
 
 @given(SEEDS)
-@settings(max_examples=examples(25))
+@settings(max_examples=examples(12))
 def test_every_robot_does_its_lines_and_nobody_goes_on_before_all_are_there(seed: int) -> None:
     team, meaning = team_and_meaning(seed)
     team.run()
@@ -44,7 +44,7 @@ def test_every_robot_does_its_lines_and_nobody_goes_on_before_all_are_there(seed
 
 
 @given(SEEDS, st.lists(st.integers(0, 60), min_size=1, max_size=5))
-@settings(max_examples=examples(25))
+@settings(max_examples=examples(12))
 def test_a_substitute_goes_on_with_the_block_in_which_a_role_was_lost(seed: int, moments: list[int]) -> None:
     team, meaning = team_and_meaning(seed, spares=2, asks=False)
     chance = random.Random(seed)

@@ -123,7 +123,7 @@ def test_missions_on_two_roads_do_nothing_that_the_model_does_not(name: str) -> 
     assert follow(prepared(EXAMPLES / name / f"{name}.krt").again(), 3000) > 50
 
 
-@pytest.mark.parametrize("seed", cases([1, 2], list(range(3, 60))))
+@pytest.mark.parametrize("seed", cases([2], [1, *range(3, 60)]))
 def test_failures_do_nothing_that_the_model_does_not(seed: int) -> None:
     chance = random.Random(seed)
     harms = [
@@ -132,7 +132,7 @@ def test_failures_do_nothing_that_the_model_does_not(seed: int) -> None:
     follow(transport(seed, stock=3, carriers=3, failures=harms), 3000, failures=2)
 
 
-@pytest.mark.parametrize("seed", cases([1, 2], list(range(3, 60))))
+@pytest.mark.parametrize("seed", cases([1], list(range(2, 60))))
 def test_robots_without_a_radio_do_nothing_that_the_model_does_not(seed: int) -> None:
     """Those that share variables lose it at any moment; what else befalls anybody comes then or later."""
     chance = random.Random(seed)
@@ -147,8 +147,13 @@ def test_robots_without_a_radio_do_nothing_that_the_model_does_not(seed: int) ->
     follow(transport(seed, stock=3, carriers=2, failures=harms), 3000, 3, ALL_KINDS)
 
 
-@pytest.mark.parametrize("name", ["merge", "passing-loop"])
-@pytest.mark.parametrize("seed", cases([3], [*range(3), *range(4, 60)]))
+@pytest.mark.parametrize(
+    ("name", "seed"),
+    cases(
+        [("passing-loop", 3)],
+        [("merge", 3), *((name, seed) for seed in (*range(3), *range(4, 60)) for name in ("merge", "passing-loop"))],
+    ),
+)
 def test_failures_on_two_roads_do_nothing_that_the_model_does_not(name: str, seed: int) -> None:
     """On `passing-loop` with 3, a carrier stalls, rolls to the end of its road and stands there."""
     chance = random.Random(seed)

@@ -71,9 +71,12 @@ def test_the_transport_mission_has_the_states_and_answers_of_the_plain_model(
         [
             (Timing.LOCKSTEP, 1, (FailureKind.MUTE,)),
             (Timing.PROMPT, 1, (FailureKind.MUTE,)),
-            (Timing.LOCKSTEP, 2, (FailureKind.STALL, FailureKind.MUTE)),
         ],
-        [(Timing.FREE, 1, (FailureKind.MUTE,)), (Timing.PROMPT, 2, (FailureKind.STALL, FailureKind.MUTE))],
+        [
+            (Timing.LOCKSTEP, 2, (FailureKind.STALL, FailureKind.MUTE)),
+            (Timing.FREE, 1, (FailureKind.MUTE,)),
+            (Timing.PROMPT, 2, (FailureKind.STALL, FailureKind.MUTE)),
+        ],
     ),
 )
 def test_robots_that_lose_their_radio_have_the_states_and_answers_of_the_plain_model(
@@ -82,7 +85,7 @@ def test_robots_that_lose_their_radio_have_the_states_and_answers_of_the_plain_m
     agrees(transport(stock=1, carriers=1), timing, failures, kinds)
 
 
-@pytest.mark.parametrize("timing", [Timing.LOCKSTEP, Timing.PROMPT])
+@pytest.mark.parametrize("timing", cases([Timing.LOCKSTEP], [Timing.PROMPT]))
 def test_a_mission_made_wrong_is_broken_alike(tmp_path: Path, timing: Timing) -> None:
     old = '<vertex id="v15" element="Wheel.Stop"/>'
     agrees(mutant(tmp_path, (old, old.replace("Wheel.Stop", "Lamp.LightOn")), carriers=2, stock=1).again(), timing)
@@ -117,7 +120,7 @@ def test_what_a_field_holds_no_more_widens_it_and_changes_no_state() -> None:
     )
 
 
-@pytest.mark.parametrize("memory", [0, 3_000_000])
+@pytest.mark.parametrize("memory", [0, 500_000])
 def test_a_search_without_memory_left_ends_and_nothing_holds(memory: int) -> None:
     run = transport(stock=12, carriers=3)
     model = Model(run, take_apart(run), 0, Timing.FREE)

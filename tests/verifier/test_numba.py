@@ -26,7 +26,7 @@ from tests.sim.building import transport
 from tests.verifier.test_asked import AT_A, LOADED
 from tests.verifier.test_teams import team
 
-pytestmark = pytest.mark.thorough
+pytestmark = pytest.mark.thorough("test_equality.py holds the plain engine; sim/test_numba.py that Numba is used")
 
 
 @pytest.fixture(scope="module")

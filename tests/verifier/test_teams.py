@@ -114,7 +114,7 @@ def shown(model: Model, state: State, left: int) -> tuple[Any, ...]:
     return agents, shared[-len(model.agreement.first) :] if shared[0] == left else ()
 
 
-@pytest.mark.parametrize("seed", cases([0, 2, 4, 6, 7], [1, 3, 5, *range(8, 200)]))
+@pytest.mark.parametrize("seed", cases([0, 2, 4, 7], [1, 3, 5, 6, *range(8, 200)]))
 def test_a_team_agrees_on_nothing_that_the_model_does_not(seed: int) -> None:
     maker, program = random_team_program(seed)
     try:
@@ -124,7 +124,7 @@ def test_a_team_agrees_on_nothing_that_the_model_does_not(seed: int) -> None:
     assert follow(running.run, 120) > 1
 
 
-@pytest.mark.parametrize("seed", cases([0, 1, 2, 3, 4, 5, 6, 7], list(range(8, 400))))
+@pytest.mark.parametrize("seed", cases([1, 3, 7, 8], [0, 2, 4, 5, 6, *range(9, 400)]))
 def test_a_team_of_which_some_fail_does_nothing_that_the_model_does_not(seed: int) -> None:
     """They fail, stall or lose their radio at any moment, one or two of them; who stalls may go on, or is missed."""
     chance = random.Random(seed)
@@ -177,8 +177,18 @@ ParOfSeq waiters ( <Boxes.IsEmpty()>( Arm.Do(2); ); );
 """
 
 
-@pytest.mark.parametrize("timing", [Timing.LOCKSTEP, Timing.FREE])
-@pytest.mark.parametrize(("rule", "answer"), [("drop", "broken"), ("substitute", "broken"), ("abort", "holds")])
+@pytest.mark.parametrize(
+    ("rule", "answer", "timing"),
+    cases(
+        [
+            ("drop", "broken", Timing.LOCKSTEP),
+            ("substitute", "broken", Timing.LOCKSTEP),
+            ("abort", "holds", Timing.LOCKSTEP),
+            ("abort", "holds", Timing.FREE),
+        ],
+        [("drop", "broken", Timing.FREE), ("substitute", "broken", Timing.FREE)],
+    ),
+)
 def test_who_waits_for_what_nobody_does_any_more_waits_for_ever(rule: str, answer: str, timing: Timing) -> None:
     """Whoever takes over does not know what the one before had counted. A team that gives up does not stand still."""
     parsed = parse_team(WAITING.format(rule=rule))
