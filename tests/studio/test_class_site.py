@@ -18,8 +18,8 @@ pytestmark = [
     pytest.mark.browser,
     pytest.mark.site,
     pytest.mark.thorough(
-        "test_class.py with studios at the teacher's; what pages get: server/classes/test_class_site.py; Python in a page: "
-        "test_site.py; what one pupil leaves for another: web/src/features/class/left.test.ts"
+        "test_class.py with studios at the teacher's; what pages get: server/classes/test_class_site.py; Python in a "
+        "page: test_site.py; what one pupil leaves for another: web/src/features/class/left.test.ts"
     ),
 ]
 
