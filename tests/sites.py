@@ -1,15 +1,53 @@
-"""The static site, made once for all workers of a run of the tests: making it reads every source that is sent."""
+"""The static site, made once for all workers of a run of the tests: making it reads every source that is sent.
+
+What sources are without their texts is kept in `build` from one run to the next. That it is what making the site
+without it gives, to the byte, is held by `tests/workspace/test_site.py`.
+"""
 
 from __future__ import annotations
 
+import hashlib
+import os
+import pickle
 import sys
+from collections.abc import Iterator
+from contextlib import contextmanager
 from pathlib import Path
+from unittest.mock import patch
 
-from kitrobot.workspace.site import make_site
+from kitrobot.workspace import site, site_packages, site_sources
 from tools.site_parts import PARTS, ROOT
 
 if sys.platform != "win32":
     import fcntl
+
+KEPT = ROOT / "build" / "sources-without-texts.pickle"
+
+
+@contextmanager
+def kept_sources() -> Iterator[None]:
+    """Takes what `without_texts` makes of a source from the run before, where source, code and Python are the same."""
+    way = hashlib.sha256(Path(site_sources.__file__).read_bytes() + sys.version.encode())
+    before: dict[bytes, bytes] = pickle.loads(KEPT.read_bytes()) if KEPT.is_file() else {}
+    now: dict[bytes, bytes] = {}
+
+    def without_texts(source: bytes) -> bytes:
+        digest = way.copy()
+        digest.update(source)
+        key = digest.digest()
+        found = before.get(key)
+        now[key] = site_sources.without_texts(source) if found is None else found
+        return now[key]
+
+    with (
+        patch.object(site, "without_texts", without_texts),
+        patch.object(site_packages, "without_texts", without_texts),
+    ):
+        yield
+    if now.keys() != before.keys():
+        made = KEPT.with_suffix(f".{os.getpid()}")
+        made.write_bytes(pickle.dumps(now))
+        made.replace(KEPT)
 
 
 def made_site(base: Path) -> Path:
@@ -21,6 +59,7 @@ def made_site(base: Path) -> Path:
         if sys.platform != "win32":
             fcntl.flock(lock, fcntl.LOCK_EX)
         if not made.exists():
-            make_site(folder, [ROOT / "web", PARTS])
+            with kept_sources():
+                site.make_site(folder, [ROOT / "web", PARTS])
             made.touch()
     return folder

@@ -107,11 +107,9 @@ def expect_kept(page: Page, how: str = "yes") -> None:
     expect(page.get_by_test_id("class-kept")).to_have_attribute("data-kept", how)
 
 
-def test_a_pupil_joins_works_and_is_seen_by_the_teacher(school: Class) -> None:
-    teacher = school.page(school.teacher)
+def a_class_without_pupils_fits_a_narrow_page(teacher: Page, code: str) -> None:
     expect(teacher.get_by_test_id("class-empty")).to_contain_text("Nobody is here yet")
-    expect(teacher.get_by_test_id("class-code")).to_have_text(f"{school.code[:3]} {school.code[3:]}")
-    # On a narrow page nothing is wider than it.
+    expect(teacher.get_by_test_id("class-code")).to_have_text(f"{code[:3]} {code[3:]}")
     teacher.set_viewport_size({"width": 390, "height": HEIGHT})
     assert teacher.evaluate("document.querySelector('.class-main').scrollWidth") <= 390
     box = teacher.get_by_test_id("class-join").bounding_box()
@@ -119,23 +117,31 @@ def test_a_pupil_joins_works_and_is_seen_by_the_teacher(school: Class) -> None:
     assert box["x"] >= 0
     assert box["x"] + box["width"] <= 390
     teacher.set_viewport_size({"width": WIDTH, "height": HEIGHT})
-    find_nothing(teacher, "a class without pupils", every_theme=True)
-    # A wrong code is said, in the pupil's language.
+    find_nothing(teacher, "a class without pupils")
+
+
+def a_wrong_code_is_said_in_the_pupils_language_and_the_right_one_lets_in(school: Class) -> Page:
     pupil = school.page(school.address, "fr")
     pupil.get_by_test_id("join-code").fill("AAAAAA")
     pupil.get_by_test_id("join-name").fill("Zoé")
     pupil.get_by_test_id("join-go").click()
     expect(pupil.get_by_test_id("join-failure")).to_contain_text("Ce n'est pas le code de cette classe.")
-    find_nothing(pupil, "coming in", every_theme=True)
-    pupil.get_by_test_id("join-code").fill(school.code)
+    find_nothing(pupil, "coming in")
+    pupil.get_by_test_id("join-code").fill(school.code.lower())
     pupil.get_by_test_id("join-go").click()
     expect(pupil.get_by_test_id("class-hand")).to_be_visible()
+    # Where the class has no exercise a pupil begins with a new mission.
+    pupil.get_by_test_id("new-name").press("Escape")
+    return pupil
+
+
+def an_exercise_opens_and_what_is_made_of_it_comes_in(school: Class, teacher: Page, pupil: Page) -> None:
     card = teacher.get_by_test_id("card-Zoé")
     expect(card).to_have_attribute("data-state", "editing")
-    # The exercise opens where nothing is unsaved, and what is made of it comes in without a word.
     teacher.get_by_test_id("change-exercise").click()
     find_nothing(teacher, "the exercises of a class")
     teacher.locator(f"[data-path='{SQUARE}']").click()
+    # It opens where nothing is unsaved.
     expect(pupil.get_by_test_id("exercise")).to_be_visible()
     add_part(pupil, "stop")
     expect_kept(pupil)
@@ -143,7 +149,10 @@ def test_a_pupil_joins_works_and_is_seen_by_the_teacher(school: Class) -> None:
     expect(card.locator(".class-picture .picture-node")).to_have_count(1)
     pupil.get_by_test_id("run-button").click()
     expect(card.locator('.class-box[data-met="true"]').first).to_be_visible()
-    # The hand, looking on, a few words.
+
+
+def a_pupil_asks_for_help_and_gets_a_few_words(teacher: Page, pupil: Page) -> None:
+    card = teacher.get_by_test_id("card-Zoé")
     pupil.get_by_test_id("class-hand").click()
     expect(card).to_have_attribute("data-state", "asks")
     teacher.get_by_test_id("filter-help").click()
@@ -154,23 +163,27 @@ def test_a_pupil_joins_works_and_is_seen_by_the_teacher(school: Class) -> None:
     teacher.get_by_test_id("write").fill("Look at the turn")
     teacher.get_by_test_id("write").press("Enter")
     expect(pupil.get_by_test_id("class-note")).to_contain_text("Look at the turn")
-    find_nothing(teacher, "a class, looking at one", every_theme=True)
-    find_nothing(pupil, "a pupil with a word of the teacher's", every_theme=True)
+    find_nothing(teacher, "a class, looking at one")
+    find_nothing(pupil, "a pupil with a word of the teacher's")
     teacher.get_by_test_id("look").get_by_role("button", name="I was there").click()
     expect(pupil.get_by_test_id("class-hand")).to_have_attribute("aria-pressed", "false")
     # The arena of the pupil's page is seen, with the robot where it is.
     arena = teacher.get_by_test_id("look-arena")
     expect(arena.locator(".picture-robot")).to_have_count(1)
-    # This one alone is frozen.
+
+
+def one_alone_is_frozen(teacher: Page, pupil: Page) -> None:
     teacher.get_by_test_id("filter-all").click()
     teacher.get_by_test_id("look-freeze").click()
     expect(pupil.get_by_test_id("class-frozen")).to_be_visible()
     find_nothing(pupil, "a frozen pupil")
-    expect(card).to_have_attribute("data-frozen", "true")
+    expect(teacher.get_by_test_id("card-Zoé")).to_have_attribute("data-frozen", "true")
     expect(teacher.get_by_test_id("look-freeze")).to_have_text("Let go on")
     teacher.get_by_test_id("look-freeze").click()
     expect(pupil.get_by_test_id("class-frozen")).to_have_count(0)
-    # The teacher edits once the pupil lets in; what was saved comes back as one step, and is handed in.
+
+
+def the_teacher_edits_once_the_pupil_lets_in(school: Class, teacher: Page, pupil: Page) -> None:
     teacher.get_by_test_id("ask-to-edit").click()
     pupil.get_by_test_id("class-let-edit").click()
     expect(pupil.get_by_test_id("class-take-back")).to_be_visible()
@@ -180,11 +193,15 @@ def test_a_pupil_joins_works_and_is_seen_by_the_teacher(school: Class) -> None:
     add_part(studio, "stop")
     studio.keyboard.press("Control+s")
     expect(studio.get_by_test_id("saved-state")).to_have_text("saved")
+    studio.close()
+    # What was saved comes back as one step, and is handed in.
     teacher.get_by_test_id("give-back").click()
     expect(pupil.get_by_test_id("class-take-back")).to_have_count(0)
-    expect(card.locator(".class-picture .picture-node")).to_have_count(2)
+    expect(teacher.get_by_test_id("card-Zoé").locator(".class-picture .picture-node")).to_have_count(2)
     assert [path.name for path in (school.folder / "Zoé").glob("*.krt")] == ["03-square.krt"]
-    # Frozen: nothing can be typed, but STOP is there.
+
+
+def where_all_are_frozen_nothing_can_be_typed_but_stop_is_there(teacher: Page, pupil: Page) -> None:
     teacher.get_by_test_id("freeze").click()
     expect(pupil.get_by_test_id("class-frozen")).to_be_visible()
     expect(teacher.get_by_test_id("freeze")).to_have_attribute("aria-pressed", "true")
@@ -194,23 +211,21 @@ def test_a_pupil_joins_works_and_is_seen_by_the_teacher(school: Class) -> None:
     teacher.get_by_test_id("freeze").click()
     expect(pupil.get_by_test_id("class-frozen")).to_have_count(0)
     assert not pupil.locator(".middle").evaluate("(one) => one.inert")
-    # A mission for all is offered where something is unsaved.
+
+
+def a_mission_for_all_is_offered_and_all_work_is_collected(teacher: Page, pupil: Page) -> None:
     teacher.keyboard.press("Escape")
     expect(teacher.get_by_test_id("look")).to_have_count(0)
     teacher.get_by_test_id("send").click()
     teacher.locator("[data-path='example:blink/blink.krt']").click()
+    # Something is unsaved, so it does not open by itself.
     expect(pupil.get_by_test_id("class-handed")).to_contain_text("blink")
     with teacher.expect_download() as downloaded:
         teacher.get_by_test_id("collect").click()
     assert downloaded.value.suggested_filename == "Class 5b.zip"
 
 
-def test_a_kill_in_the_middle_loses_nothing_and_a_pupil_comes_back_from_another_computer(school: Class) -> None:
-    pupil = school.join("Ada", "ur")
-    # Where the class has no exercise a pupil begins with a new mission.
-    pupil.get_by_test_id("new-name").press("Escape")
-    add_part(pupil, "stop")
-    expect_kept(pupil)
+def a_kill_in_the_middle_loses_nothing(school: Class, pupil: Page) -> None:
     school.kill()
     expect_kept(pupil, "here")
     # The page goes on; what is done meanwhile is handed in when the class is back.
@@ -219,17 +234,34 @@ def test_a_kill_in_the_middle_loses_nothing_and_a_pupil_comes_back_from_another_
     expect_kept(pupil, "here")
     school.start()
     expect_kept(pupil)
-    (kept,) = (school.folder / "Ada").glob("*.krt")
-    assert "Stop" not in kept.read_text().replace('element="Stop"', "")
-    word = tomllib.loads((school.folder / "class.toml").read_text())["pupil"][0]["word"]
-    # Another browser: the name is taken, the word brings the pupil back to what was made.
+    (kept,) = (school.folder / "Zoé").glob("*.krt")
+    assert kept.read_text().count("Motor.Stop") == 1
+
+
+def a_pupil_comes_back_from_another_computer(school: Class) -> None:
+    """The name is taken, the word brings the pupil back to what was made."""
     other = school.page(school.address)
     other.get_by_test_id("join-code").fill(school.code)
-    other.get_by_test_id("join-name").fill("ada")
+    other.get_by_test_id("join-name").fill("zoé")
     other.get_by_test_id("join-go").click()
     expect(other.get_by_test_id("join-taken")).to_be_visible()
     find_nothing(other, "a name that is taken")
+    word = tomllib.loads((school.folder / "class.toml").read_text())["pupil"][0]["word"]
     other.get_by_test_id("join-word").fill(word)
     other.get_by_test_id("join-go").click()
     expect(other.get_by_test_id("class-hand")).to_be_visible()
-    expect(other.get_by_role("heading", level=1)).to_contain_text(kept.stem)
+    expect(other.get_by_role("heading", level=1)).to_contain_text("03-square")
+
+
+def test_a_pupil_joins_works_is_seen_by_the_teacher_and_comes_back_after_a_kill(school: Class) -> None:
+    teacher = school.page(school.teacher)
+    a_class_without_pupils_fits_a_narrow_page(teacher, school.code)
+    pupil = a_wrong_code_is_said_in_the_pupils_language_and_the_right_one_lets_in(school)
+    an_exercise_opens_and_what_is_made_of_it_comes_in(school, teacher, pupil)
+    a_pupil_asks_for_help_and_gets_a_few_words(teacher, pupil)
+    one_alone_is_frozen(teacher, pupil)
+    the_teacher_edits_once_the_pupil_lets_in(school, teacher, pupil)
+    where_all_are_frozen_nothing_can_be_typed_but_stop_is_there(teacher, pupil)
+    a_mission_for_all_is_offered_and_all_work_is_collected(teacher, pupil)
+    a_kill_in_the_middle_loses_nothing(school, pupil)
+    a_pupil_comes_back_from_another_computer(school)

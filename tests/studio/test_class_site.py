@@ -1,6 +1,6 @@
 """A class with a static site: programs run in the pupils' pages, which go on without the teacher's machine.
 
-One test, because a page with Python in it takes seconds to begin.
+One test of the thorough profile, because a page with Python in it takes seconds to begin.
 """
 
 from __future__ import annotations
@@ -14,7 +14,14 @@ from playwright.sync_api import Browser, Page, expect
 from tests.sites import made_site
 from tests.studio.test_class import Class, add_part, expect_kept
 
-pytestmark = [pytest.mark.browser, pytest.mark.site]
+pytestmark = [
+    pytest.mark.browser,
+    pytest.mark.site,
+    pytest.mark.thorough(
+        "test_class.py with studios at the teacher's; what pages get: server/classes/test_class_site.py; Python in a "
+        "page: test_site.py; what one pupil leaves for another: web/src/features/class/left.test.ts"
+    ),
+]
 
 OWN = "mine.exercise.xml"
 HOMES = "async () => (await indexedDB.databases()).map(({ name }) => name).filter((name) => name.startsWith('/home'))"

@@ -1,21 +1,22 @@
-"""The static site in Firefox, by the main path: run, edit, save, another tab, a visit without a server, a link.
+"""The studio in Firefox by the main path: run, edit by mouse and keys, save; and the static site, thorough profile.
 
-One test that starts Python twice, because in a page that takes seconds. The rest is tried in Chromium (`test_site`).
+The rest is tried in Chromium. With the site also: another tab, a visit without a server, a link.
 """
 
 from __future__ import annotations
 
 import shutil
+from contextlib import closing
 from pathlib import Path
 
 import pytest
 
 from tests.sites import made_site
-from tests.studio.conftest import IS_OPEN
+from tests.studio.conftest import EXAMPLES, IS_OPEN, ServerThread
 from tests.studio.firefox import Firefox, Tab
 from tests.studio.test_site import BLINK, PATH, FileServer, link
 
-pytestmark = [pytest.mark.firefox, pytest.mark.site]
+pytestmark = pytest.mark.firefox
 
 NO_SERIAL = {"dom.webserial.enabled": False}
 """As older ones are, and Safari."""
@@ -27,6 +28,46 @@ def opened(tab: Tab) -> None:
     tab.until("() => !at('site')")
 
 
+def a_mission_runs_to_its_end(tab: Tab) -> None:
+    tab.click("speed")
+    tab.press("End")
+    tab.click("run-button")
+    tab.shows("status", "Done")
+
+
+def it_is_edited_by_the_mouse_and_by_keys_and_saved_under_a_name_of_its_own(tab: Tab) -> None:
+    tab.drag("part-Wait", "arc-start.next")
+    tab.shows("code", "WAIT(10);")
+    tab.click(':[data-testid="inspector"] input:not([type="range"])')
+    tab.press("Control+a")
+    tab.write("0.7 s")
+    tab.shows("code", "WAIT(7);")
+    tab.press("Control+Shift+s")
+    tab.click("save-name")
+    tab.press("Control+a")
+    tab.write("mine")
+    tab.press("Enter")
+    tab.until("() => at('saved-state').textContent === 'saved'")
+
+
+def test_a_mission_runs_is_edited_and_saved_in_firefox(
+    firefox_path: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, servers: ServerThread
+) -> None:
+    monkeypatch.setenv("KITROBOT_STATE", str(tmp_path / "state"))
+    mission = Path(shutil.copy(EXAMPLES / "square" / "square.krt", tmp_path))
+    with closing(servers.serve(mission)) as studio, Firefox(firefox_path, **NO_SERIAL) as firefox:
+        tab = firefox.tab(studio.address)
+        opened(tab)
+        a_mission_runs_to_its_end(tab)
+        it_is_edited_by_the_mouse_and_by_keys_and_saved_under_a_name_of_its_own(tab)
+        assert 'element="Wait"><set name="duration">7</set>' in (tmp_path / "mine.krt").read_text()
+        tab.click("run-on-robot")
+        tab.shows("find-board-not", "This browser reaches no boards by itself.")
+        assert firefox.faults == []
+
+
+@pytest.mark.site
+@pytest.mark.thorough("the visit above to the installed studio; the site in Chromium: test_site.py")
 def test_a_site_runs_keeps_what_is_saved_and_works_without_its_server_in_firefox(
     firefox_path: str, tmp_path: Path, tmp_path_factory: pytest.TempPathFactory
 ) -> None:
@@ -36,28 +77,10 @@ def test_a_site_runs_keeps_what_is_saved_and_works_without_its_server_in_firefox
         tab = firefox.tab(server.address)
         opened(tab)
 
-        # The example runs to its end.
-        tab.click("speed")
-        tab.press("End")
-        tab.click("run-button")
-        tab.shows("status", "Done")
+        a_mission_runs_to_its_end(tab)
         tab.shows("arena-summary", "12 of 12 delivered")
-
-        # It is edited by the mouse and by keys.
-        tab.drag("part-Wait", "arc-start.next")
-        tab.shows("code", "WAIT(10);")
-        tab.click(':[data-testid="inspector"] input:not([type="range"])')
-        tab.press("Control+a")
-        tab.write("0.7 s")
-        tab.shows("code", "WAIT(7);")
-
-        # It is saved under a name of its own.
-        tab.press("Control+s")
-        tab.click("save-name")
-        tab.press("Control+a")
-        tab.write("mine")
-        tab.press("Enter")
-        tab.until("() => at('saved-state').textContent === 'saved'")
+        it_is_edited_by_the_mouse_and_by_keys_and_saved_under_a_name_of_its_own(tab)
+        # Answered after the journal was told of the new name.
         tab.press("Control+o")
         tab.shows("open-dialog", "mine")
         tab.press("Escape")

@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 import re
+import shutil
 from collections.abc import Callable
+from pathlib import Path
 
 import pytest
 from playwright.sync_api import expect
 
-from tests.studio.conftest import Studio
+from tests.studio.conftest import EXAMPLES, Studio
 from tests.studio.test_reach import find_nothing
 from tests.studio.test_watching import another_window, status_is
 
@@ -19,13 +21,17 @@ ACTIVE = ".vertex.is-active"
 
 @pytest.mark.slow
 def test_a_team_is_given_bodies_started_glows_is_paused_and_stopped_from_a_phone(
-    open_studio: Callable[..., Studio],
+    open_studio: Callable[..., Studio], tmp_path: Path
 ) -> None:
-    studio = open_studio("convoy/convoy.krt")
+    # Two robots that drive there and back until they are stopped.
+    mission = shutil.copytree(EXAMPLES / "pair", tmp_path / "source") / "pair.krt"
+    text = mission.read_text(encoding="utf-8")
+    mission.write_text(text.replace('<set name="count">2</set>', '<set name="count">200</set>'), encoding="utf-8")
+    studio = open_studio(str(mission))
     page = studio.page
     page.keyboard.press("Alt+r")
     crew = studio.at("crew")
-    expect(crew.get_by_role("combobox")).to_have_count(4)
+    expect(crew.get_by_role("combobox")).to_have_count(2)
     expect(studio.at("crew-send")).to_be_disabled()
     # A board that is not plugged in can be chosen by its address, for one agent at a time.
     studio.at("robots-address").fill("127.0.0.1:1")

@@ -1,4 +1,4 @@
-"""Recordings of real robots in the studio: saved, played, and what they say of a fault."""
+"""Real robots that are lost or fail in the studio, and their recordings: saved, played, what they say of a fault."""
 
 # ruff: noqa: F811 (fixtures of test_robots)
 
@@ -8,10 +8,12 @@ import re
 from collections.abc import Callable
 
 import pytest
-from playwright.sync_api import expect
+from playwright.sync_api import Locator, expect
 
 from kitrobot.workspace import open_trace
 from tests.boards.host import HostBoard
+from tests.studio.conftest import Studio
+from tests.studio.test_reach import find_nothing
 from tests.studio.test_robots import (  # noqa: F401
     ACTIVE,
     OpenStudio,
@@ -25,7 +27,18 @@ from tests.studio.test_robots import (  # noqa: F401
 pytestmark = pytest.mark.browser
 
 
-def test_a_run_is_saved_and_opens_on_the_timeline_with_what_was_done_to_it(
+def a_lost_link_is_said_and_the_robot_is_greeted_again(studio: Studio, robot: Locator) -> None:
+    expect_robot(robot, phase="lost")
+    expect(robot.get_by_test_id("robot-trouble")).to_contain_text("motors stop within one second")
+    expect(studio.at("status")).to_contain_text("motors stop within one second")
+    expect(studio.page.locator(ACTIVE)).to_have_count(0)
+    find_nothing(studio, "a lost robot")
+    robot.get_by_test_id("robot-reconnect").click()
+    expect(robot.get_by_test_id("robot-trouble")).to_contain_text("cannot be opened")
+    expect_robot(robot, phase="closed")
+
+
+def test_a_run_whose_link_is_lost_is_saved_and_opens_on_the_timeline_with_what_was_done_to_it(
     pulse: OpenStudio, robots: Callable[..., HostBoard]
 ) -> None:
     studio = pulse()
@@ -43,7 +56,7 @@ def test_a_run_is_saved_and_opens_on_the_timeline_with_what_was_done_to_it(
     expect(studio.at("arena-real")).to_contain_text("do not tell where they are")
     studio.page.keyboard.press("Alt+r")
     board.pull()
-    expect_robot(robot, phase="lost")
+    a_lost_link_is_said_and_the_robot_is_greeted_again(studio, robot)
     with studio.page.expect_download() as saving:
         robot.get_by_test_id("robot-save-recording").click()
     assert (
@@ -76,13 +89,19 @@ def test_a_run_is_saved_and_opens_on_the_timeline_with_what_was_done_to_it(
     expect(value).to_have_value("0")
 
 
-def test_a_fault_in_a_recording_lights_the_vertex_where_it_happened(
+def test_a_fault_leads_to_its_vertex_and_so_does_its_recording(
     pulse: OpenStudio, robots: Callable[..., HostBoard]
 ) -> None:
     studio = pulse(broken=True)
     robot = connect(studio, robots(broken=True))
+    fault = robot.get_by_test_id("robot-fault")
+    expect(fault).to_contain_text("Fault 1")
+    expect(fault).to_contain_text("Display")
+    expect(fault).to_contain_text("line 2")
+    robot.get_by_test_id("robot-fault-vertex").click()
+    expect(studio.page.locator(".vertex.is-selected", has_text="Image")).to_be_visible()
     robot.get_by_test_id("robot-run").click()
-    expect(robot.get_by_test_id("robot-fault")).to_contain_text("Fault 1")
+    expect(fault).to_contain_text("Fault 1")
     robot.get_by_test_id("robot-play-recording").click()
     expect(studio.at("recording-bar")).to_contain_text("a recording of a real robot")
     strip = studio.at("event-strip")

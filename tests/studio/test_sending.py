@@ -45,10 +45,8 @@ def program_in(request: Request) -> dict[str, object]:
     return sent
 
 
-def test_a_key_and_an_edit_of_the_graph_send_what_changed(open_studio: OpenStudio) -> None:
-    studio = open_studio(BLINK)
+def a_key_and_an_edit_of_the_graph_send_what_changed(studio: Studio) -> None:
     page = studio.page
-    expect(page.get_by_test_id("problems")).to_have_attribute("aria-busy", "false")
     waits = numbers(page).all_inner_texts()
     writing(page)
     with page.expect_request(ABOUT_MISSIONS) as typed:
@@ -66,10 +64,24 @@ def test_a_key_and_an_edit_of_the_graph_send_what_changed(open_studio: OpenStudi
     studio.expect_code("WAIT(7);")
 
 
-def test_a_server_that_forgot_is_sent_everything(open_studio: OpenStudio) -> None:
-    studio = open_studio(BLINK)
+def keys_that_follow_each_other_faster_than_answers_come_end_as_they_were_typed(studio: Studio) -> None:
     page = studio.page
-    expect(page.get_by_test_id("problems")).to_have_attribute("aria-busy", "false")
+    waits = numbers(page).all_inner_texts()
+    writing(page)
+    page.keyboard.insert_text("\nWAIT(1);")
+    for key in ("ArrowLeft", "ArrowLeft"):
+        page.keyboard.press(key)
+    for digit in "2345":
+        page.keyboard.press(digit)
+    expect_waits(page, [*waits, seconds(12345)])
+    page.keyboard.press("Backspace")
+    page.keyboard.press("Backspace")
+    expect_waits(page, [*waits, seconds(123)])
+    studio.expect_code("WAIT(123);")
+
+
+def a_server_that_forgot_is_sent_everything(studio: Studio) -> None:
+    page = studio.page
     waits = numbers(page).all_inner_texts()
     names: list[object] = []
 
@@ -95,8 +107,20 @@ def test_a_server_that_forgot_is_sent_everything(open_studio: OpenStudio) -> Non
     page.keyboard.insert_text("\nWAIT(8);")
     expect_waits(page, [*waits, seconds(7), seconds(8)])
     assert names[2]
+    page.unroute(ABOUT_MISSIONS)
 
 
+def test_an_edit_sends_what_changed_and_to_a_server_that_forgot_everything(open_studio: OpenStudio) -> None:
+    studio = open_studio(BLINK)
+    expect(studio.at("problems")).to_have_attribute("aria-busy", "false")
+    a_key_and_an_edit_of_the_graph_send_what_changed(studio)
+    keys_that_follow_each_other_faster_than_answers_come_end_as_they_were_typed(studio)
+    a_server_that_forgot_is_sent_everything(studio)
+
+
+@pytest.mark.thorough(
+    "server/test_sent.py::test_two_windows_that_edit_the_same_program_are_each_answered_for_their_own"
+)
 def test_two_windows_edit_the_same_mission_each_in_its_own_way(open_studio: OpenStudio) -> None:
     studio = open_studio(BLINK)
     one = studio.page
@@ -112,21 +136,3 @@ def test_two_windows_edit_the_same_mission_each_in_its_own_way(open_studio: Open
             page.bring_to_front()
             page.keyboard.insert_text(f"\nWAIT({durations[-1]});")
             expect_waits(page, [*waits, *map(seconds, durations)])
-
-
-def test_keys_that_follow_each_other_faster_than_answers_come_end_as_they_were_typed(open_studio: OpenStudio) -> None:
-    studio = open_studio(BLINK)
-    page = studio.page
-    expect(page.get_by_test_id("problems")).to_have_attribute("aria-busy", "false")
-    waits = numbers(page).all_inner_texts()
-    writing(page)
-    page.keyboard.insert_text("\nWAIT(1);")
-    for key in ("ArrowLeft", "ArrowLeft"):
-        page.keyboard.press(key)
-    for digit in "2345":
-        page.keyboard.press(digit)
-    expect_waits(page, [*waits, seconds(12345)])
-    page.keyboard.press("Backspace")
-    page.keyboard.press("Backspace")
-    expect_waits(page, [*waits, seconds(123)])
-    studio.expect_code("WAIT(123);")

@@ -1,7 +1,9 @@
 """The static site from a plain file server, under a path: nothing but files is asked for, and Python runs in the page.
 
-One test, because a page with Python in it takes seconds to begin. Building the folder has tests of its own
-(`tests/workspace/test_site.py`), and so have what is said in each state and links (`web/src/site`).
+One visit with two starts of Python, because a page with Python in it takes seconds to begin; the second start has no
+server any more, and a board behind a port of the page. More of it is tried in the thorough profile (`test_site_whole`,
+`test_site_boards`). Building the folder has tests of its own (`tests/workspace/test_site.py`), the same Python without
+a page (`tests/server/test_in_page.py`), and so have what is said in each state, storage and links (`web/src/site`).
 """
 
 from __future__ import annotations
@@ -11,22 +13,22 @@ import re
 import shutil
 import threading
 import zlib
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass, field
 from functools import partial
 from http.server import SimpleHTTPRequestHandler, ThreadingHTTPServer
 from pathlib import Path
+from typing import Any
 
 import pytest
 from playwright.sync_api import Browser, BrowserContext, Page, expect
 
+from tests.boards.modern import ModernBoard, onboard_files
 from tests.patience import STATE_MS
 from tests.sites import made_site
-from tests.studio.conftest import HEIGHT, IS_OPEN, WIDTH, Studio
-from tests.studio.test_check import greedy_text
-from tests.studio.test_exercises import JAM
-from tests.studio.test_files_out import keep
-from tests.studio.test_recordings import drop, expect_tick, value
-from tests.studio.test_tutorials import at_step, begin, first_steps_until_run
+from tests.studio.conftest import EXAMPLES, HEIGHT, IS_OPEN, WIDTH, Studio
+from tests.studio.serial_ports import PICO, Bridge
+from tests.studio.test_robots import expect_robot
 
 pytestmark = [pytest.mark.browser, pytest.mark.site]
 
@@ -93,45 +95,43 @@ def server(site: Path) -> Iterator[FileServer]:
     server.end()
 
 
+@dataclass
+class Visit:
+    """A browser that was never here; what its pages said, and what they asked for."""
+
+    context: BrowserContext
+    faults: list[str] = field(default_factory=list)
+    warned: list[str] = field(default_factory=list)
+    asked: list[str] = field(default_factory=list)
+
+    def __post_init__(self) -> None:
+        self.context.set_default_timeout(STATE_MS)
+        self.context.on("request", lambda request: self.asked.append(request.url))
+        self.context.on("weberror", lambda error: self.faults.append(str(error.error)))
+        said = {"error": self.faults, "warning": self.warned}
+        self.context.on("console", lambda message: said.get(message.type, []).append(message.text))
+
+
 @pytest.fixture
-def context(browser: Browser) -> Iterator[BrowserContext]:
-    context = browser.new_context(viewport={"width": WIDTH, "height": HEIGHT}, reduced_motion="reduce")
-    context.set_default_timeout(STATE_MS)
-    yield context
-    context.close()
+def visit(browser: Browser, server: FileServer) -> Iterator[Callable[..., Visit]]:
+    """A function that begins a visit to the site, which asks nobody else for anything and reports no errors."""
+    visits: list[Visit] = []
+
+    def begin(**device: Any) -> Visit:
+        words = {"viewport": {"width": WIDTH, "height": HEIGHT}, "reduced_motion": "reduce", **device}
+        visits.append(Visit(browser.new_context(**words)))
+        return visits[-1]
+
+    yield begin
+    for one in visits:
+        one.context.close()
+    own = (server.address, "data:", "blob:")
+    assert [address for one in visits for address in one.asked if not address.startswith(own)] == []
+    assert [fault for one in visits for fault in one.faults] == [], "the page reported errors of its own"
 
 
-NO_LOCKS = "delete Navigator.prototype.locks"
 MEMORY = "caches.keys().then((names) => names.filter((name) => name.startsWith('kitrobot memory')).join())"
 """Where the browser keeps Python's memory, or nothing."""
-DAMAGE = """async ([name, address, table]) => {
-    const headers = { "X-Table": table, "X-Length": "64" };
-    await (await caches.open(name)).put(address, new Response(new Uint8Array(64), { headers }));
-}"""
-ENTRY = """async (name) => {
-    const cache = await caches.open(name);
-    const [asked] = await cache.keys();
-    return [name, asked.url, (await cache.match(asked)).headers.get("X-Table")];
-}"""
-
-
-LATER = """async () => {
-    const name = (await indexedDB.databases()).find(({ name }) => name.startsWith("/home")).name;
-    const done = (asked) => new Promise((yes, no) => {
-        asked.onsuccess = () => yes(asked.result);
-        asked.onerror = asked.onblocked = () => no(asked.error);
-    });
-    (await done(indexedDB.open(name, 99))).close();
-}"""
-"""As a later browser or KitRobot would leave it: this one cannot read it."""
-ENTRIES = """async () => {
-    const name = (await indexedDB.databases()).find(({ name }) => name.startsWith("/home")).name;
-    const db = await new Promise((yes) => (indexedDB.open(name).onsuccess = (event) => yes(event.target.result)));
-    const keys = db.transaction("FILE_DATA").objectStore("FILE_DATA").getAllKeys();
-    await new Promise((yes) => (keys.onsuccess = yes));
-    db.close();
-    return keys.result;
-}"""
 
 
 def opened(page: Page, address: str) -> Studio:
@@ -140,169 +140,96 @@ def opened(page: Page, address: str) -> Studio:
     return Studio(page, Path(), [])
 
 
-def a_run_is_stepped_back_in_saved_and_opened_again(studio: Studio, folder: Path) -> None:
-    end = value(studio, "aria-valuenow")
-    studio.at("step-back-button").click()
-    expect_tick(studio, end - 1)
-    studio.page.get_by_role("menuitem", name="Run", exact=True).click()
-    with studio.page.expect_download() as saved:
-        studio.page.get_by_role("menuitem", name="Save this run").click()
-    path = folder / "kept.krtrace"
-    saved.value.save_as(path)
-    drop(studio, path.name, path.read_bytes())
-    expect(studio.at("recording-bar")).to_contain_text("kept.krt, seed 1")
-    studio.at("event-strip").focus()
-    studio.page.keyboard.press("End")
-    expect_tick(studio, end)
+def follow_link(studio: Studio, text: str, name: str) -> None:
+    """Opens the mission of a link in a page that is there."""
+    studio.page.evaluate("hash => location.hash = hash", link(text, name))
+    expect(studio.page).to_have_title(re.compile(name))
 
 
-def a_mission_goes_out_as_a_picture_and_comes_back(studio: Studio, folder: Path) -> None:
-    path = keep(studio, "export-png", folder)
-    studio.new_mission()
-    expect(studio.at("first-place")).to_be_visible()
-    studio.page.keyboard.press("Control+o")
-    studio.at("open-file").set_input_files(path)
-    expect(studio.at("tab-store-manager-A")).to_be_visible()
+def example(name: str) -> str:
+    return (EXAMPLES / name / f"{name}.krt").read_text(encoding="utf-8")
 
 
-def an_exercise_is_judged(studio: Studio) -> None:
-    studio.page.keyboard.press("Control+o")
-    studio.at(JAM).click()
-    studio.at("exercise-judge").click()
-    expect(studio.at("exercise-basis")).to_have_text("Judged in 2 runs.")
-    expect(studio.at("exercise-goal-2")).to_have_attribute("data-state", "missed")
-    studio.at("exercise-leave").click()
-
-
-def a_check_tells_what_breaks_and_plays_it(studio: Studio) -> None:
-    studio.page.evaluate("hash => location.hash = hash", link(greedy_text(), "greedy"))
-    expect(studio.page).to_have_title(re.compile("greedy"))
-    studio.page.keyboard.press("Alt+c")
-    studio.at("check-begin").click()
-    broken = studio.at("answer-empty-storehouse-lockstep-0")
-    expect(broken).to_have_attribute("data-shape", "broken")
-    studio.at("check-stop").click()
-    expect(studio.at("check-begin")).to_be_visible()
-    broken.click()
-    expect(studio.at("check-seen")).to_have_attribute("data-confirmed", "true")
-    studio.at("check-play").click()
-    expect(studio.at("status")).to_have_attribute("data-status", "paused")
-    expect(studio.at("status")).to_contain_text("01:05.6")
-
-
-def a_tutorial_follows_what_is_drawn(studio: Studio) -> None:
-    begin(studio, "first-steps")
-    first_steps_until_run(studio)
-    studio.at("run-button").click()
-    at_step(studio, 6)
-
-
-def test_a_site_runs_keeps_what_is_saved_and_works_without_its_server(
-    server: FileServer, context: BrowserContext, tmp_path: Path
-) -> None:
-    asked: list[str] = []
-    faults: list[str] = []
-    context.on("request", lambda request: asked.append(request.url))
-    context.on("weberror", lambda error: faults.append(str(error.error)))
-    warned: list[str] = []
-    said = {"error": faults, "warning": warned}
-    context.on("console", lambda message: said.get(message.type, []).append(message.text))
-    page = context.new_page()
-    studio = opened(page, server.address)
-
-    # The example runs to its end.
+def a_mission_runs_is_edited_and_saved_under_a_name_of_its_own(studio: Studio) -> None:
     studio.full_speed()
     studio.at("run-button").click()
     studio.wait_until_done()
-    expect(studio.at("arena-summary")).to_contain_text("12 of 12 delivered")
-    a_run_is_stepped_back_in_saved_and_opened_again(studio, tmp_path)
-    a_mission_goes_out_as_a_picture_and_comes_back(studio, tmp_path)
-    an_exercise_is_judged(studio)
-    a_check_tells_what_breaks_and_plays_it(studio)
-    a_tutorial_follows_what_is_drawn(studio)
-    page.goto("about:blank")
-    studio = opened(page, server.address)
-
-    # An edit is saved under a name of its own, and is there after a reload.
     studio.drop("Wait", "arc-start.next")
     studio.expect_code("WAIT(10);")
-    page.keyboard.press("Control+s")
-    page.get_by_test_id("save-name").fill("mine")
-    page.get_by_test_id("save-name").press("Enter")
+    studio.page.keyboard.press("Control+s")
+    studio.at("save-name").fill("mine")
+    studio.at("save-name").press("Enter")
     expect(studio.at("saved-state")).to_have_text("saved")
-    # Answered after the journal was told of the new name.
-    page.keyboard.press("Control+o")
-    expect(studio.at("open-dialog")).to_contain_text("mine")
-    page.keyboard.press("Escape")
-    # Python's memory of this start is kept, and the next starts go on from it.
-    page.wait_for_function(f"async () => await {MEMORY} !== ''")
-    page.reload()
-    page.wait_for_function(IS_OPEN)
-    studio.expect_code("WAIT(10);")
-    expect(page).to_have_title(re.compile("mine"))
 
-    # A second tab waits for the first, and goes on when that is closed.
-    page.evaluate("navigator.serviceWorker.ready.then(() => null)")
-    other = context.new_page()
-    other.goto(server.address)
-    expect(other.get_by_test_id("site")).to_contain_text("open in another tab")
-    page.close()
-    other.wait_for_function(IS_OPEN)
 
-    # So it is at an address to which the browser gives no locks, such as that of another machine without `https`.
-    page = other
-    page.add_init_script(NO_LOCKS)
-    page.reload()
-    page.wait_for_function(IS_OPEN)
-    other = context.new_page()
-    other.add_init_script(NO_LOCKS)
-    other.goto(server.address)
-    expect(other.get_by_test_id("site")).to_contain_text("open in another tab")
-    page.close()
-    other.wait_for_function(IS_OPEN)
-    studio = Studio(other, Path(), [])
-
-    # A mission in a link is opened, a damaged one is told; where robots are looked for it is said what is not there.
-    other.evaluate("location.hash = 'mission=AAAA&name=x'")
-    expect(studio.at("banner")).to_contain_text("The mission in this link is damaged.")
-    other.evaluate("hash => location.hash = hash", link(BLINK, "linked"))
-    expect(other).to_have_title(re.compile("linked"))
-    studio.expect_code("WAIT(17);")
-    studio.at("run-on-robot").click()
-    expect(studio.at("robots-in-page")).to_contain_text("teams of several boards, need KitRobot installed")
-    studio.at("robots-close").click()
-
-    # A new version is offered, and comes when somebody wants it.
+def a_new_version_is_offered(studio: Studio, server: FileServer) -> None:
+    studio.page.evaluate("navigator.serviceWorker.ready.then(() => null)")
     worker = server.folder / "service-worker.js"
     worker.write_text(worker.read_text().replace('const VERSION = "', 'const VERSION = "newer-'))
-    other.evaluate("navigator.serviceWorker.ready.then((found) => found.update()).then(() => null)")
+    studio.page.evaluate("navigator.serviceWorker.ready.then((found) => found.update()).then(() => null)")
     expect(studio.at("site")).to_contain_text("There is a new version")
-    with other.expect_navigation():
+
+
+def a_second_tab_waits_and_goes_on_once_the_first_goes_to_the_new_version(studio: Studio, address: str) -> Studio:
+    first = studio.page
+    second = first.context.new_page()
+    # Only here: in the first tab Python began under the policy of the site. A board's stand-in is at another address.
+    first.context.new_cdp_session(second).send("Page.setBypassCSP", {"enabled": True})
+    second.goto(address)
+    expect(second.get_by_test_id("site")).to_contain_text("open in another tab")
+    with first.expect_navigation():
         studio.at("site").get_by_role("button").click()
-    studio.expect_code("WAIT(17);")
-    assert "newer-" in other.evaluate("caches.keys().then((names) => names.join())")
+    second.wait_for_function(IS_OPEN)
+    expect(first.get_by_test_id("site")).to_contain_text("open in another tab")
+    assert "newer-" in second.evaluate("caches.keys().then((names) => names.join())")
+    first.close()
+    return Studio(second, Path(), [])
 
-    # The server is gone, and a memory is damaged: the page is there, with what was saved, and without that memory.
-    assert warned == []
-    other.evaluate(DAMAGE, other.evaluate(ENTRY, other.evaluate(MEMORY)))
+
+def a_board_is_chosen_sent_to_glows_and_is_stopped(studio: Studio, bridge: Bridge) -> None:
+    bridge.give(studio.page)
+    studio.page.keyboard.press("Alt+r")
+    expect(studio.at("robots-empty")).to_contain_text("Press Find a board, and choose it.")
+    expect(studio.at("robots-in-page")).to_contain_text("teams of several boards, need KitRobot installed")
+    expect(studio.at("robots-address")).to_have_count(0)
+    studio.at("find-board").click()
+    robot = studio.at("robot")
+    expect(robot.get_by_role("heading")).to_have_text("Raspberry Pi Pico")
+    robot.get_by_test_id("robot-run").click()
+    studio.built_of("pico")
+    expect_robot(robot, state="running")
+    # Held, it would stop where Python in the page is busy for longer than 0.8 s.
+    robot.get_by_test_id("robot-free").click()
+    expect(studio.page.locator(".vertex.is-active").first).to_be_visible()
+    studio.at("team-stop").click()
+    expect_robot(robot, state="ready")
+    bridge.pull()
+    expect_robot(robot, phase="lost")
+
+
+def test_a_site_opens_a_link_keeps_what_is_saved_works_without_its_server_and_sends_to_a_board(
+    server: FileServer, visit: Callable[..., Visit]
+) -> None:
+    made = visit()
+    studio = opened(made.context.new_page(), f"{server.address}#{link(BLINK, 'linked')}")
+    expect(studio.page).to_have_title(re.compile("linked"))
+    studio.expect_code("WAIT(17);")
+    a_mission_runs_is_edited_and_saved_under_a_name_of_its_own(studio)
+    # Python's memory of this start is kept, and the next one goes on from it.
+    studio.page.wait_for_function(f"async () => await {MEMORY} !== ''")
+    a_new_version_is_offered(studio, server)
     server.end()
-    other.reload()
-    other.wait_for_function(IS_OPEN)
-    studio.expect_code("WAIT(17);")
-    assert ["memory cannot be used" in line for line in warned] == [True]
-
-    # What was kept and cannot be read is told, and nothing is written over it.
-    other.goto(f"{server.address}site.json")
-    other.evaluate(LATER)
-    entries = other.evaluate(ENTRIES)
-    other.goto(server.address)
-    other.wait_for_function(IS_OPEN)
-    expect(studio.at("site")).to_contain_text("nothing is written over it")
-    studio.drop("Wait", "arc-start.next")
-    expect(studio.at("saved-state")).to_have_text("only in this page")
-    other.goto(f"{server.address}site.json")
-    assert entries
-    assert other.evaluate(ENTRIES) == entries
-
-    assert [address for address in asked if not address.startswith((server.address, "data:", "blob:"))] == []
-    assert faults == []
+    studio = a_second_tab_waits_and_goes_on_once_the_first_goes_to_the_new_version(studio, server.address)
+    studio.page.keyboard.press("Control+o")
+    studio.at("open-dialog").locator('[data-path="mine.krt"]').click()
+    expect(studio.page).to_have_title(re.compile("mine"))
+    studio.expect_code("WAIT(10);")
+    studio.page.evaluate("location.hash = 'mission=AAAA&name=x'")
+    expect(studio.at("banner")).to_contain_text("The mission in this link is damaged.")
+    follow_link(studio, example("blink"), "blink")
+    with (
+        ModernBoard({"lib/machine.py": onboard_files()["machine.py"]}) as board,
+        Bridge(int(board.address.rsplit(":", 1)[1]), PICO) as bridge,
+    ):
+        a_board_is_chosen_sent_to_glows_and_is_stopped(studio, bridge)
+    assert made.warned == []

@@ -1,54 +1,48 @@
-"""Boards at the static site: a micro:bit and a Pico behind ports of the page, Python in its worker."""
+"""Boards at the static site, thorough profile: micro:bit and Pico behind ports of the page, Python in its worker."""
 
 from __future__ import annotations
 
-import re
+from collections.abc import Callable
 from pathlib import Path
 
 import pytest
-from playwright.sync_api import Browser, expect
+from playwright.sync_api import expect
 
 from kitrobot.workspace import open_trace
 from tests.boards.modern import ModernBoard
 from tests.boards.qemu import running
 from tests.boards.test_bench import UNPLUGGED
-from tests.sites import made_site
-from tests.studio.conftest import EXAMPLES, HEIGHT, WIDTH
 from tests.studio.serial_ports import PICO, Bridge
 from tests.studio.test_page_ports import DEPLOY_MS, expect_stop_when_pulled
 from tests.studio.test_robots import expect_robot
-from tests.studio.test_site import PATH, FileServer, link, opened
+from tests.studio.test_site import FileServer, Visit, example, follow_link, opened, server, site, visit  # noqa: F401
 
-pytestmark = [pytest.mark.browser, pytest.mark.site, pytest.mark.boards]
+pytestmark = [
+    pytest.mark.browser,
+    pytest.mark.site,
+    pytest.mark.boards,
+    pytest.mark.thorough(
+        "studio/test_site.py with one board; panel and server: test_page_ports, test_robots, test_try_parts; "
+        "answers while a board is sent to: server/test_in_page.py"
+    ),
+]
 
 
 def test_boards_are_sent_to_watched_stopped_and_tried_by_python_in_the_page(
-    browser: Browser, tmp_path: Path, tmp_path_factory: pytest.TempPathFactory
+    server: FileServer,  # noqa: F811
+    visit: Callable[..., Visit],  # noqa: F811
+    tmp_path: Path,
 ) -> None:
-    (tmp_path / PATH.strip("/")).parent.mkdir()
-    (tmp_path / PATH.strip("/")).symlink_to(made_site(tmp_path_factory.getbasetemp()))
-    server = FileServer(tmp_path)
-    context = browser.new_context(viewport={"width": WIDTH, "height": HEIGHT}, reduced_motion="reduce", bypass_csp=True)
-    context.set_default_timeout(DEPLOY_MS)
-    faults: list[str] = []
-    context.on("weberror", lambda error: faults.append(str(error.error)))
-    page = context.new_page()
-    page.on("console", lambda message: faults.append(message.text) if message.type == "error" else None)
     with (
         running() as board,
         Bridge(board.port) as bridge,
         ModernBoard({"lib/machine.py": UNPLUGGED}) as other,
         Bridge(int(other.address.rsplit(":", 1)[1]), PICO) as other_bridge,
     ):
+        page = visit(bypass_csp=True).context.new_page()
         studio = opened(page, server.address)
         bridge.give(page, other_bridge)
-
-        def show(mission: str) -> None:
-            text = (EXAMPLES / mission / f"{mission}.krt").read_text(encoding="utf-8")
-            page.evaluate("hash => location.hash = hash", link(text, mission))
-            expect(page).to_have_title(re.compile(mission))
-
-        show("heart")
+        follow_link(studio, example("heart"), "heart")
 
         # Boards are chosen here; what cannot be there is said.
         page.keyboard.press("Alt+r")
@@ -91,13 +85,13 @@ def test_boards_are_sent_to_watched_stopped_and_tried_by_python_in_the_page(
         expect_robot(robot, phase="open")
 
         # A second board beside it is built otherwise, has another program, and a sensor of it is held.
-        show("dice")
+        follow_link(studio, example("dice"), "dice")
         robot.get_by_test_id("robot-run").click()
         expect_robot(robot, state="running")
         # Held, it would stop where Python in the page is busy with the other one for longer than 0.8 s.
         robot.get_by_test_id("robot-free").click()
         expect(robot.get_by_test_id("robot-state")).to_contain_text("on its own")
-        show("blink")
+        follow_link(studio, example("blink"), "blink")
         studio.at("find-board").click()
         expect(studio.at("robot")).to_have_count(2)
         second = page.get_by_role("listitem", name="Raspberry Pi Pico")
@@ -131,6 +125,3 @@ def test_boards_are_sent_to_watched_stopped_and_tried_by_python_in_the_page(
         ranger.get_by_test_id("bench-try").click()
         expect(forward).to_have_attribute("data-going", "false")
         expect(ranger.get_by_test_id("bench-failure")).to_contain_text("not plugged in")
-    assert faults == []
-    context.close()
-    server.end()
