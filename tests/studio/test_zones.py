@@ -120,7 +120,7 @@ def test_what_the_pens_drew_is_saved_as_the_command_line_writes_it(open_studio: 
     studio.page.keyboard.press("Escape")
     studio.at("run-button").click()
     studio.wait_until_done()
-    for entry, options in cases([("drawing-floor", ["--floor"])], [("drawing", [])]):
+    for entry, options in cases([("drawing-floor", ["--floor"])], [("drawing", list[str]())]):
         studio.at("arena-show").click()
         with studio.page.expect_download() as download:
             studio.at(f"menu-{entry}").click()
