@@ -112,7 +112,7 @@ def test_what_cannot_be_a_team_with_boards_is_told(
         assert found.status in (1, 2), words
         assert said in " ".join(found.err.replace("│", " ").split()), found.err
         assert "Traceback" not in found.err
-    mission.write_text(mission.read_text(encoding="utf-8").replace(">40<", ">41<"), encoding="utf-8")
+    mission.write_text(mission.read_text(encoding="utf-8").replace(">10<", ">11<"), encoding="utf-8")
     found = kitrobot(*agent, "--as", "robot-4", "--board", other)
     assert found.status == 1
     assert "does not have the program of `robot-4` as it is now" in found.err
