@@ -134,8 +134,8 @@ def test_ten_thousand_columns_of_one_name_and_as_many_rows_of_one_tick_are_read(
 
 
 def test_of_very_many_misspelt_words_the_first_ones_get_a_suggestion(monkeypatch):
-    monkeypatch.setattr("kitrobot.text.suggestions._COMPARED", 400)
-    words = [f"word-{number}" for number in range(400)]
+    monkeypatch.setattr("kitrobot.text.suggestions._COMPARED", 1000)
+    words = [f"word-{number}" for number in range(1000)]
     suggestions = Suggestions()
     found = [suggestions.did_you_mean(f"wort-{number}", words) for number in range(1000)]
     some = MOST_COMPARISONS // len(words)
