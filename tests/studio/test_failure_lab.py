@@ -66,7 +66,6 @@ def keys_do_it_too(studio, robot, item, word):
     expect(studio.at("arena-canvas")).to_be_focused()
 
 
-@pytest.mark.thorough("test_canvas.py, a finger that rests opens the menu; by mouse and keys in this file")
 def test_a_finger_that_rests_opens_the_menu(open_studio):
     studio = open_studio(TRANSPORT, has_touch=True)
     start_paused(studio)

@@ -115,9 +115,6 @@ def test_search_filters_and_arrows_lead_to_an_example_that_runs_to_its_end(open_
     studio.wait_until_done()
 
 
-@pytest.mark.thorough(
-    "tests/workspace/test_previews.py holds what is drawn; test_screens.py, who wants less motion gets none"
-)
 def test_pictures_move_while_they_are_seen_until_somebody_wants_them_still(open_studio: OpenStudio) -> None:
     studio = open_studio("blink/blink.krt", reduced_motion="no-preference")
     dialog = open_gallery(studio)

@@ -138,9 +138,6 @@ def saved_journal(answer: Response) -> bool:
     return request.method == "PUT" and request.url.endswith("/api/journal") and not sent.get("unsaved", True)
 
 
-@pytest.mark.thorough(
-    "test_after_a_kill_the_work_is_there; web/src/session/journal.test.ts, it goes on after a lost connection"
-)
 def test_a_page_goes_on_with_the_studio_that_started_after_a_kill(
     start: Start, mission: Path, context: BrowserContext
 ) -> None:
@@ -177,7 +174,7 @@ def test_a_page_goes_on_with_the_studio_that_started_after_a_kill(
     assert '<set name="duration">9</set>' in mission.read_text()
 
 
-@pytest.mark.thorough("tests/server/test_journal.py, nobody watches without the token; tests/server/test_security.py")
+@pytest.mark.thorough("web/src/api/again.test.ts; tests/server/test_journal.py, nobody watches without the token")
 def test_another_studio_at_the_address_gets_nothing_of_a_page(
     start: Start, mission: Path, context: BrowserContext, tmp_path: Path
 ) -> None:
@@ -249,7 +246,7 @@ def test_a_page_that_is_loaded_again_goes_on(studio: Studio) -> None:
 
 
 @pytest.mark.thorough(
-    "web/src/session/journal.test.ts, a mission is brought back with its undo; tests/server/test_journal.py"
+    "web/src/session/journal.test.ts, a mission is brought back with its undo; tests/files/test_recovery.py"
 )
 def test_a_new_mission_that_was_never_saved_comes_back(start: Start, mission: Path, context: BrowserContext) -> None:
     server = start(mission.parent)
@@ -342,7 +339,6 @@ def test_two_windows_know_of_each_other_and_overwrite_nothing_silently(studio: S
     assert first.get_by_test_id("banner").count() == 0
 
 
-@pytest.mark.thorough("web/src/session/journal.test.ts, journals that are cut or lost records")
 def test_a_damaged_journal_opens_what_is_whole_of_it(start: Start, mission: Path, context: BrowserContext) -> None:
     server = start(mission)
     page = server.open(context)

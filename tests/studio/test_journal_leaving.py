@@ -117,7 +117,6 @@ def test_a_file_that_gives_no_mission_is_refused_and_the_open_one_stays(studio: 
     forgive_refusals(studio)
 
 
-@pytest.mark.thorough("web/src/session/journal.test.ts, it says when it cannot be written and mends it later")
 def test_without_its_server_a_page_claims_nothing_of_its_file(
     start: Start, mission: Path, context: BrowserContext
 ) -> None:

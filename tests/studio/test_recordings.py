@@ -142,7 +142,6 @@ def test_what_is_no_recording_is_a_sentence_and_nothing_is_lost(open_studio: Ope
     expect(studio.at("recording-bar")).to_contain_text("cut off")
 
 
-@pytest.mark.thorough("test_reach.py, axe on a run that pauses, whose bar and timeline are the same")
 @pytest.mark.parametrize("look", LOOKS, ids=str)
 def test_axe_finds_nothing_while_a_recording_plays(
     open_studio: OpenStudio, tmp_path: Path, look: tuple[str, ...]
@@ -159,7 +158,6 @@ def test_axe_finds_nothing_while_a_recording_plays(
     find_nothing(studio, "the end of a recording", within=".bottom-bar, [data-testid='recording-bar']")
 
 
-@pytest.mark.thorough("tests/server/test_recorded_breakpoints.py")
 def test_a_recording_pauses_at_a_part_and_does_so_again_when_it_is_played_again(
     open_studio: OpenStudio, tmp_path: Path
 ) -> None:

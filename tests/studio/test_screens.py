@@ -39,7 +39,6 @@ def select(studio: Studio, testid: str) -> None:
     raise AssertionError(f"{testid} was not selected")
 
 
-@pytest.mark.thorough("test_reach.py, axe on the studio before and in a run, on its menus and sheets")
 @pytest.mark.parametrize("look", LOOKS, ids=str)
 def test_axe_finds_nothing_on_the_tools_of_the_canvas(open_studio: OpenStudio, look: tuple[str, ...]) -> None:
     studio = open_studio(TRANSPORT)

@@ -11,9 +11,6 @@ from tests.studio.test_reach import find_nothing
 pytestmark = pytest.mark.browser
 
 
-@pytest.mark.thorough(
-    "tests/server/test_sweep.py, a field that is played ends as the map says; web/src/features/sweep/map.test.ts"
-)
 def test_a_field_of_the_map_is_played_and_ends_as_it_says(open_studio):
     studio = open_studio("transport/transport.krt")
     studio.at("menu-Run").click()

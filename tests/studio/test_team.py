@@ -149,7 +149,6 @@ def the_tabs_are_walked_by_arrows_to_the_team_and_back(studio: Studio) -> None:
     expect(studio.at("team")).to_be_hidden()
 
 
-@pytest.mark.thorough("web/src/model/commands/changeTeam.test.ts; robots are added, named and moved in this file")
 def test_tabs_are_walked_robots_moved_and_renamed_goals_changed_and_another_world_is_shown_at_once(
     open_studio: OpenStudio,
 ) -> None:

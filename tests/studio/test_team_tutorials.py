@@ -30,9 +30,6 @@ def let_fail(studio: Studio, robot: str) -> None:
     studio.at("menu-harm-fail").click()
 
 
-@pytest.mark.thorough(
-    "tests/tutorial/test_shipped.py does each step of each tutorial; web/src/features/tutorial/watching.test.ts"
-)
 def test_together_step_by_step(open_studio: OpenStudio) -> None:
     studio = open_studio(BLINK)
     begin(studio, "together-in-step")
@@ -60,9 +57,6 @@ def test_together_step_by_step(open_studio: OpenStudio) -> None:
     done(studio, *range(1, 7))
 
 
-@pytest.mark.thorough(
-    "tests/tutorial/test_shipped.py does each step of each tutorial; web/src/features/tutorial/watching.test.ts"
-)
 def test_when_one_fails(open_studio: OpenStudio) -> None:
     studio = open_studio(BLINK)
     begin(studio, "when-one-fails")

@@ -166,9 +166,6 @@ def test_first_steps_by_keyboard_alone_in_urdu(open_studio: OpenStudio) -> None:
     done(studio, *range(1, 10))
 
 
-@pytest.mark.thorough(
-    "tests/tutorial/test_shipped.py does each step; web/src/features/tutorial/state.test.ts, an undone step is open"
-)
 def test_sensing_with_a_wrong_way_and_undo(open_studio: OpenStudio) -> None:
     studio = open_studio(BLINK)
     begin(studio, "sensing")
@@ -210,7 +207,6 @@ def test_sensing_with_a_wrong_way_and_undo(open_studio: OpenStudio) -> None:
     done(studio, *range(1, 9))
 
 
-@pytest.mark.thorough("tests/tutorial/test_shipped.py does each step of each tutorial")
 def test_together_with_two_branches_and_two_programs(open_studio: OpenStudio) -> None:
     studio = open_studio(BLINK)
     begin(studio, "together")
