@@ -7,7 +7,7 @@ a role shows only while a team runs. Where a name is that of a role or a group a
 from __future__ import annotations
 
 from collections import defaultdict
-from collections.abc import Callable, Iterable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from functools import cached_property
 from typing import NamedTuple, TypeAlias
 
@@ -41,7 +41,6 @@ class Names:
         self.kinds = dict(crew.agents)
         self.programs = {program.name: program for program in reversed(crew.programs)}
         self.suggestions = Suggestions()
-        self.known: dict[str, Atoms] = {}
 
     @cached_property
     def members(self) -> list[str]:
@@ -56,22 +55,20 @@ class Names:
 
     def atoms(self, names: Iterable[str]) -> Atoms:
         """The roles and agents that a set stands for; unknown names stand for nobody."""
-        return frozenset(atom for name in names for atom in self._atoms(name))
+        of_groups = self._of_groups
+        found = [of_groups[name] if name in of_groups else self.atom(name) for name in names]
+        return frozenset().union(*found)
 
-    def _atoms(self, name: str) -> Atoms:
-        found = self.known.get(name)
-        if found is None:
-            waiting, seen, atoms = [name], {name}, set[Atom]()
-            while waiting:
-                one = waiting.pop()
-                if (known := self.known.get(one)) is not None:
-                    atoms |= known
-                    continue
-                inside = self.groups[one].members.names if one in self.groups and one not in self.roles else ()
-                atoms |= self.atom(one) if not inside else frozenset()
-                waiting += [member for member in inside if member not in seen]
-                seen.update(inside)
-            found = self.known[name] = frozenset(atoms)
+    @cached_property
+    def _of_groups(self) -> dict[str, Atoms]:
+        """The roles and agents that each group stands for; of those that hold each other, all the same."""
+        found: dict[str, Atoms] = {}
+        inside = {name: group.members.names for name, group in self.groups.items() if name not in self.roles}
+        inside = {name: members for name, members in inside.items() if members}
+        for part in reversed(_components(inside)):
+            members = [one for name in part for one in inside[name]]
+            atoms = [found.get(one, frozenset()) if one in inside else self.atom(one) for one in members]
+            found.update(dict.fromkeys(part, frozenset().union(*atoms)))
         return found
 
     def fewest(self, name: str) -> int:
@@ -94,17 +91,22 @@ class Names:
 
     @cached_property
     def in_circles(self) -> frozenset[str]:
-        """The groups that hold themselves, in time linear in the members of all groups (Kosaraju's algorithm)."""
-        inside = {
-            name: [one for one in group.members.names if one in self.groups] for name, group in self.groups.items()
-        }
-        holders: defaultdict[str, list[str]] = defaultdict(list)
-        for name, members in inside.items():
-            for one in members:
-                holders[one].append(name)
-        ended = [name for part in _parts(inside, inside) for name in part]
-        parts = [part for part in _parts(reversed(ended), holders) if len(part) > 1 or part[0] in inside[part[0]]]
+        """The groups that hold themselves."""
+        inside = {name: group.members.names for name, group in self.groups.items()}
+        parts = [part for part in _components(inside) if len(part) > 1 or part[0] in inside[part[0]]]
         return frozenset(name for part in parts for name in part)
+
+
+def _components(inside: Mapping[str, Sequence[str]]) -> list[list[str]]:
+    """Groups that hold each other, together; whoever holds others comes before those. Linear (Kosaraju's algorithm)."""
+    holders: defaultdict[str, list[str]] = defaultdict(list)
+    for name, members in inside.items():
+        for one in members:
+            if one in inside:
+                holders[one].append(name)
+    held = {name: [one for one in members if one in inside] for name, members in inside.items()}
+    ended = [name for part in _parts(held, held) for name in part]
+    return list(_parts(reversed(ended), holders))
 
 
 def _parts(begins: Iterable[str], following: Mapping[str, Iterable[str]]) -> Iterator[list[str]]:
