@@ -8,10 +8,12 @@ that is slower for a while is slower for all of them. A rate is the median of it
 from __future__ import annotations
 
 import gc
+import os
 import statistics
 import time
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
+from pathlib import Path
 
 
 @dataclass(frozen=True)
@@ -49,6 +51,12 @@ class Row:
             return None
         ratio = self.ours.median / self.theirs.median
         return 1 / ratio if self.lower_is_better else ratio
+
+
+def checkout_environment() -> dict[str, str]:
+    """The environment of a Python process that runs this checkout, and not a KitRobot that is installed."""
+    root = Path(__file__).resolve().parents[1]
+    return {**os.environ, "PYTHONPATH": os.pathsep.join((str(root / "src"), str(root)))}
 
 
 def in_turns(work: Mapping[str, Callable[[], object]], rounds: int) -> dict[str, list[float]]:

@@ -17,7 +17,7 @@ import re
 import sys
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
-from functools import cache
+from functools import cached_property
 from pathlib import Path
 
 from babel.messages.catalog import Catalog, Message
@@ -106,7 +106,7 @@ class Half:
     found: Callable[[], Iterator[tuple[str, str | None, Id]]]
     by_hand: tuple[str, ...] = ()
 
-    @cache  # noqa: B019 (there are two of them, as long as the tool runs)
+    @cached_property
     def sentences(self) -> Catalog:
         """Every sentence, each with the files that say it; looked for once."""
         made = Catalog()
@@ -121,7 +121,7 @@ class Half:
 
     def faults(self, language: str) -> tuple[list[Key], list[Key]]:
         """What lacks a translation, and what is translated and said by nobody."""
-        known, wanted = entries(self.catalogue(language)), entries(self.sentences())
+        known, wanted = entries(self.catalogue(language)), entries(self.sentences)
         lacking = [
             key
             for key, one in wanted.items()
@@ -131,7 +131,7 @@ class Half:
 
     def update(self, language: str) -> None:
         """Writes the catalogue with the sentences that are said and no others; what it knows of them is kept."""
-        known, said = self.catalogue(language), copy.deepcopy(self.sentences())
+        known, said = self.catalogue(language), copy.deepcopy(self.sentences)
         for (context, _), one in entries(known).items():
             if context in self.by_hand:
                 said.add(one.id, context=context)

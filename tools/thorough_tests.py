@@ -21,9 +21,9 @@ PAGE = ROOT / "docs" / "thorough-tests.md"
 
 HEAD = """# Tests of the thorough profile
 
-`make thorough` runs what `make test` leaves out to end in about ten minutes on two cores. It also tries more random
-examples, and further cases of tests that `make test` tries on a few (`examples` and `cases` in `tests/effort.py`). For
-each test that is left out, the right column says what holds the same fact in `make test`. This page is written by
+`make thorough` runs what `make test` leaves out for the time it takes. It also tries more random examples, and further
+cases of tests that `make test` tries on a few (`examples` and `cases` in `tests/effort.py`). For each test that is left
+out, the right column says what holds the same fact in `make test`. This page is written by
 `python tools/thorough_tests.py`.
 """
 

@@ -9,7 +9,6 @@ it, TCP and the frames of bodies included.
 from __future__ import annotations
 
 import json
-import os
 import statistics
 import subprocess
 import sys
@@ -17,7 +16,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from benchmarks.measuring import Rate, Row
+from benchmarks.measuring import Rate, Row, checkout_environment
 
 TITLE = "fleets"
 MOST_S = 300
@@ -71,7 +70,7 @@ def measured(what: str, members: int, seconds: float) -> dict[str, Any]:
         stdout=subprocess.PIPE,
         text=True,
         cwd=root,
-        env={**os.environ, "PYTHONPATH": os.pathsep.join((str(root / "src"), str(root)))},
+        env=checkout_environment(),
         timeout=MOST_S,
         check=True,
     )

@@ -10,7 +10,6 @@ from __future__ import annotations
 
 import importlib.util
 import json
-import os
 import shutil
 import socket
 import subprocess
@@ -21,7 +20,7 @@ from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
 
-from benchmarks.measuring import Rate, Row
+from benchmarks.measuring import Rate, Row, checkout_environment
 from benchmarks.meeting import FLEET, KEY
 
 TITLE = "meetings"
@@ -119,7 +118,7 @@ def _workers(kind: str, members: int, rounds: int, where: str) -> Iterator[list[
             stdout=subprocess.PIPE,
             text=True,
             cwd=root,
-            env={**os.environ, "PYTHONPATH": os.pathsep.join((str(root / "src"), str(root)))},
+            env=checkout_environment(),
         )
         for me in range(members)
     ]

@@ -236,7 +236,11 @@ KEYS_AND_SHAKING = (
 )
 MELODY = "Music.Play(1); WAIT(2);"
 TOGETHER = [TILT_AND_SOUND + CHANCE, PINS + KEYS_AND_SHAKING, MELODY]
-APART = [TILT_AND_SOUND, PINS, CHANCE, "[ButtonA.IsPressed()](Music.Play(1); )!(Music.Stop(); );"]
+MUSIC_BY_KEY = (
+    "[ButtonA.IsPressed()](Music.Play(1); )!(Music.Stop(); );"
+    " [Shake.IsShaken()](Display.Number(Dice.Value()); )!(Display.Clear(); );"
+)
+APART = [TILT_AND_SOUND, PINS, CHANCE, MUSIC_BY_KEY]
 USES = cases(TOGETHER, APART)
 
 

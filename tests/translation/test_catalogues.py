@@ -84,7 +84,7 @@ def test_what_is_read_at_run_time_is_what_translators_wrote(language: str) -> No
 
 
 def test_a_template_of_recordings_names_each_hole_once_and_its_plural_in_the_same_order() -> None:
-    for one in PROGRAM.sentences():
+    for one in PROGRAM.sentences:
         names = HOLE.findall(english(one)[0]) if one.id else []
         assert one.context != "recorded" or len(set(names)) == len(names), one.id
         assert not one.id or HOLE.findall(english(one)[-1]) == names, one.id

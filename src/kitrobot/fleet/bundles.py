@@ -26,8 +26,9 @@ def bundled(sendings: Iterable[Sending], run: int) -> list[tuple[int, bytes]]:
     """The addressee, a member or `EVERYBODY`, and the body of each envelope: at most `FULL` bytes and one message."""
     parts: list[tuple[list[int], Message]] = []
     for to, message in sendings:
-        if parts and parts[-1][1] is message and not {to, EVERYONE} & set(parts[-1][0]) and to != EVERYONE:
-            parts[-1][0].append(to)
+        members = parts[-1][0] if parts and parts[-1][1] is message else [EVERYONE]
+        if {to, EVERYONE}.isdisjoint(members) and to != EVERYONE:
+            members.append(to)
         else:
             parts.append(([to], message))
     with_all = any(EVERYONE in members for members, _ in parts)

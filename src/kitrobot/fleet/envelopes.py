@@ -1,6 +1,6 @@
 """What travels between the processes of a fleet: envelopes, each sealed with the key of the team.
 
-An envelope is `KF`, a version, a kind, the run, sender, addressee and a serial number, then the message, then 16 bytes
+An envelope is `KF`, a version, a kind, the run, sender, addressee and a serial number, then its body, then 16 bytes
 of keyed BLAKE2b over all of it. Whoever has not the key can neither make nor change one; one of another run is told
 apart from them. Repeated envelopes are left to what is in them: all of it is numbered.
 """
