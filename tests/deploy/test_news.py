@@ -8,7 +8,7 @@ from typing import Any
 
 import pytest
 
-from kitrobot.deploy import Board, Fault, News
+from kitrobot.deploy import Board, Fault, News, Text
 from kitrobot.deploy.news import read_news
 from kitrobot_onboard.link import unwrap, wrap
 
@@ -133,11 +133,22 @@ def test_what_a_robot_says_after_its_answer_is_newer_than_that_though_both_are_r
     assert board.look().tick == 9, "else the robot seems to have begun anew"
 
 
-def test_news_of_the_run_before_tell_values_and_no_tick(wired: tuple[Any, Board]) -> None:
+def test_news_of_the_run_before_are_no_news_of_the_one_that_is_started(
+    wired: tuple[Any, Board], monkeypatch: pytest.MonkeyPatch
+) -> None:
     twin, board = wired
+    write = twin.write
+
+    def answered_and_told(data: bytes) -> None:
+        twin.comes += told(901, CELL) + b"still here\n~"
+        write(data)
+        twin.comes += told(1, goes(RUNNING))
+
+    monkeypatch.setattr(twin, "write", answered_and_told)
     twin.comes += told(900, CELL)
     board.start()
-    assert board.news(0) == News(0, {4: -9}, {})
+    found = [board.news(0) for _ in range(2)]
+    assert found == [Text("still here\n"), News(1, {}, {}, frozenset(), RUNNING, 0)]
 
 
 def test_what_a_later_version_adds_at_the_end_is_left_out() -> None:

@@ -11,7 +11,7 @@ from pathlib import Path
 import pytest
 
 from kitrobot_onboard.link import LONGEST, checksum, unwrap, wrap
-from kitrobot_onboard.state import LATE, REST
+from kitrobot_onboard.state import LATE, NEWS, REST
 from tests.onboard.bench import Bench
 from tests.onboard.test_watchdog import file
 
@@ -119,6 +119,24 @@ def test_who_watches_is_told_how_it_goes_though_nothing_changes(tmp_path: Path) 
         assert all(later > earlier for earlier, later in pairwise(data[:4] for data in news)), "the ticks go on"
         assert bench.ask("x") == ("K", b"")
         assert bench.wait(2000) == []
+
+
+def all_told(bench: Bench) -> dict[bytes, bytes]:
+    """What was told last of each cell and each slot until nothing new comes."""
+    news = [data for kind, _, data in bench.wait(2000) if kind == "T"]
+    pieces = [data[at : at + {ord("c"): 6, ord("t"): 4}.get(data[at], 0)] for data in news for at in records(data)]
+    return {piece[:2]: piece[2:] for piece in pieces if piece}
+
+
+def test_what_is_started_tells_everything_anew_and_nothing_of_the_run_before(tmp_path: Path) -> None:
+    with Bench(tmp_path, file(text="WAIT(9000);")) as bench:
+        assert bench.ask("w", struct.pack("<H", 100)) == ("K", b"")
+        everything = all_told(bench)
+        assert b"t\0" in everything
+        assert all_told(bench) == {}
+        bench.robot[NEWS] = b"c\1" + struct.pack("<i", 502)
+        assert bench.ask("s", b"\0") == ("K", b"")
+        assert all_told(bench) == everything
 
 
 def records(data: bytes) -> list[int]:

@@ -95,6 +95,7 @@ class Board:
         self._spoke = 0.0
         self._told = -math.inf
         self._since: News | None = None
+        self._before_answer = 0
         self._fresh_s = _FRESH_S
         self._signs = 0
         self._took = 0.0
@@ -155,8 +156,6 @@ class Board:
 
     def start(self, held: bool = False) -> None:
         """Begins the program. Held: it stops when it does not hear from us; `news` sees to that."""
-        # A fault that was told before is of another run, and the robot comes out of it.
-        self._waiting = deque((one for one in self._waiting if not isinstance(one, Fault)), self._waiting.maxlen)
         self._held = held  # before it is answered it may have begun, and wants to hear from us
         try:
             self._request("s", bytes((held,)), first_s=1.0)
@@ -164,10 +163,11 @@ class Board:
             self._held = False
             raise
         self._told = -math.inf
-        # What was told before still says what changed; its tick is of another run.
-        for at, one in enumerate(self._waiting):
-            if isinstance(one, News):
-                self._waiting[at] = replace(one, tick=0)
+        # What was told before the answer is of another run; a robot that was started tells everything anew.
+        before = self._before_answer
+        self._waiting = deque(
+            (one for at, one in enumerate(self._waiting) if at >= before or isinstance(one, Text)), self._waiting.maxlen
+        )
 
     def stop(self) -> None:
         """Stops every device and the program."""
@@ -353,6 +353,7 @@ class Board:
             elif found[1] == self._number:
                 answer = found[0], found[2]
                 self._since = None
+                self._before_answer = len(self._waiting)
             elif found[1] == 0 and found[0] == "F":
                 self._waiting.append(read_fault(found[2]))
                 self._told = -math.inf  # the state that it reported before holds no more

@@ -12,7 +12,11 @@ from kitrobot_onboard.state import (
     INPUTS,
     KIND,
     LATE,
+    NEWS,
     PARS,
+    SEEN,
+    SENT,
+    SPOT,
     STATE,
     STEPS,
     THREADS,
@@ -42,6 +46,12 @@ for count in range(at[1]):
 for count in range(at[2]):
     at[number] = 0
     number += 3
+robot[NEWS] = b""  # all is told anew
+robot[SPOT] = 0
+for number in range(len(robot[SENT] or b"")):
+    robot[SENT][number] = -2
+for number in range(len(robot[SEEN])):
+    robot[SEEN][number] = 0
 robot[FAULT] = 0, 0, None, None
 robot[COUNT] = robot[LATE] = 0
 robot[STATE] = 2
