@@ -46,7 +46,7 @@ LOOKS = [("light",), *([("dark", "ur"), ("contrast", "fr")] if THOROUGH else [])
 
 WHAT_A_PAGE_SHOWS = """() => {
     const at = document.activeElement;
-    const places = ["banner", "said", "saved-state", "status"].map((id) => `[data-testid="${id}"]`);
+    const places = ["banner", "said", "saved-state", "site", "status"].map((id) => `[data-testid="${id}"]`);
     const said = [...document.querySelectorAll([...places, '[role="dialog"]'].join())];
     return [location.href, document.hasFocus() ? "has the focus" : "has no focus", at?.cloneNode(false).outerHTML ?? "",
         ...said.map((one) => `${one.dataset.testid ?? "dialog"}: ${one.textContent}`)];

@@ -139,14 +139,18 @@ def what_is_shown_is_paused_and_gone_back_in_and_follows_the_robot_again(studio:
 
 
 def it_is_shown_as_it_was_at_a_breakpoint(studio: Studio, robot: Locator) -> None:
-    run_anew(robot)
-    studio.page.locator(".vertex", has_text="Wait").last.click()
+    robot.get_by_test_id("robot-stop").click()
+    expect_robot(robot, state="ready")
+    wait = studio.page.locator(".vertex", has_text="Wait").last
+    wait.click()
     studio.page.keyboard.press("b")
+    robot.get_by_test_id("robot-run").click()
     expect(studio.at("status")).to_have_attribute("data-status", "paused")
     expect(studio.at("status")).to_contain_text("visit 1")
     expect(studio.page.locator(ACTIVE).filter(has_text="Wait").last).to_be_visible()
     expect(studio.at("behind-bar")).to_be_visible()
     expect_robot(robot, state="running")
+    wait.click()
     studio.page.keyboard.press("b")
     studio.at("team-stop").click()
     expect_robot(robot, state="ready")

@@ -133,6 +133,9 @@ def visit(browser: Browser, server: FileServer) -> Iterator[Callable[..., Visit]
 MEMORY = "caches.keys().then((names) => names.filter((name) => name.startsWith('kitrobot memory')).join())"
 """Where the browser keeps Python's memory, or nothing."""
 
+TAKES_OVER_MS = 400_000
+"""Chromium lets a service worker take over when the one before has nothing to do; after five minutes at the latest."""
+
 
 def opened(page: Page, address: str) -> Studio:
     page.goto(address)
@@ -177,7 +180,8 @@ def a_second_tab_waits_and_goes_on_once_the_first_goes_to_the_new_version(studio
     first.context.new_cdp_session(second).send("Page.setBypassCSP", {"enabled": True})
     second.goto(address)
     expect(second.get_by_test_id("site")).to_contain_text("open in another tab")
-    with first.expect_navigation():
+    second.wait_for_load_state("networkidle")
+    with first.expect_navigation(timeout=TAKES_OVER_MS):
         studio.at("site").get_by_role("button").click()
     second.wait_for_function(IS_OPEN)
     expect(first.get_by_test_id("site")).to_contain_text("open in another tab")

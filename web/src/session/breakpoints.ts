@@ -10,7 +10,7 @@ import { useStudio } from "../model/studio";
 import { findSpot, inChain } from "../model/tree";
 import type { Breakpoint } from "../model/types";
 import { nodeOf, currentDrawing, type Drawing } from "./drawing";
-import { isEnded, isLive, useRun } from "./run";
+import { isThere, useRun } from "./run";
 
 /** The vertex whose instruction holds that one: a condition's is what waits for it. Null for start and stop. */
 export function instructionOf(drawing: Drawing, id: string): string | null {
@@ -51,8 +51,8 @@ export function toggleBreakpoints(): boolean {
 export function followBreakpoints(reveal: (program: string, vertices: string[]) => void): () => void {
   const offStudio = useStudio.subscribe(({ mission }, before) => {
     const [now, then] = [mission.breakpoints ?? NONE, before.mission.breakpoints ?? NONE];
-    const { status, pauseAt } = useRun.getState();
-    if (now !== then && (isLive(status) || isEnded(status))) pauseAt(now);
+    const run = useRun.getState();
+    if (now !== then && (run.status === "connecting" || isThere(run))) run.pauseAt(now);
   });
   const offRun = useRun.subscribe(({ hits, selectAgent }, before) => {
     const [hit] = hits;

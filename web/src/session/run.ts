@@ -159,9 +159,14 @@ export function canGoBack(status: RunStatus): boolean {
   return status === "running" || status === "paused" || isEnded(status);
 }
 
-/** Whether that can be done to the run now; to real robots also when they were stopped. */
-export function can(ability: Ability, { status, abilities, real }: RunState): boolean {
-  return abilities.includes(ability) && (canGoBack(status) || (real && status === "stopped"));
+/** Whether the run is there to be asked: real robots that were stopped may be started again in it. */
+export function isThere({ status, real }: Pick<RunState, "status" | "real">): boolean {
+  return canGoBack(status) || (real && status === "stopped");
+}
+
+/** Whether that can be done to the run now. */
+export function can(ability: Ability, state: RunState): boolean {
+  return state.abilities.includes(ability) && isThere(state);
 }
 
 /** Whether it stands at its end. */
