@@ -12,6 +12,7 @@ from pathlib import Path
 
 from kitrobot.workspace import load_board_program
 from tests.boards.booting import lay
+from tests.patience import PATIENCE_S
 
 ROOT = Path(__file__).resolve().parents[2]
 PULSE = """<kitrobot version="1">
@@ -92,7 +93,7 @@ class HostBoard:
     def pull(self) -> None:
         """It is gone, in the middle of whatever it does."""
         self.process.kill()
-        self.process.wait(10)
+        self.process.wait(PATIENCE_S)
 
 
 @contextmanager
@@ -117,5 +118,5 @@ def board_with(data: bytes, pace: float = 1.0) -> Iterator[HostBoard]:
             yield HostBoard(process.stdout.readline().strip(), process)
         finally:
             process.kill()
-            process.wait(10)
+            process.wait(PATIENCE_S)
             process.stdout.close()

@@ -52,7 +52,7 @@ class Proxy:
         self.listener.close()
         self.cut()
         for thread in self._threads:
-            thread.join(10)
+            thread.join(PATIENCE_S)
 
     def cut(self) -> None:
         """Hangs up on both."""

@@ -11,6 +11,7 @@ import pytest
 import kitrobot
 from kitrobot.trace import TraceReader
 from tests.cli.conftest import EXAMPLE
+from tests.patience import PATIENCE_S
 
 CHILD = """
 import sys
@@ -112,7 +113,7 @@ def test_a_run_that_is_killed_leaves_what_it_recorded(here):
         assert run.stdout is not None
         assert run.stdout.readline() == "now\n"
         run.send_signal(signal.SIGKILL)
-        run.wait(30)
+        run.wait(PATIENCE_S)
     with TraceReader(path) as reader:
         assert reader.cut
         ticks = [record.tick for record in reader]

@@ -21,6 +21,7 @@ from tests.fleet.bench_boards import bench_boards
 from tests.fleet.network import LEASE, STEP, Faults, Fleet
 from tests.fleet.test_convoy import anew, texts, until
 from tests.fleet.test_outcomes import finish, fleet_and_meaning
+from tests.patience import PATIENCE_S
 
 
 def test_a_fleet_with_boards_comes_to_the_end_of_the_simulator(tmp_path: Path) -> None:
@@ -126,7 +127,7 @@ def test_a_silent_line_is_given_up_after_a_lease_but_not_before_it_was_asked_aga
     line.wake = woken.set
     line.bear(lease)
     line.order(Order("still"))
-    assert woken.wait(60)
+    assert woken.wait(PATIENCE_S)
     [done] = line.done()
     assert done.error is not None
     assert "silent" in done.error.message

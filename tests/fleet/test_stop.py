@@ -32,6 +32,7 @@ from kitrobot_onboard.state import STATE
 from tests.fleet.bench_boards import bench_boards
 from tests.fleet.network import LEASE
 from tests.fleet.test_convoy import anew, fleet, until
+from tests.patience import PATIENCE_S
 
 KEY = key_of("a key of sixteen letters", "here")
 RUN = 7
@@ -201,7 +202,7 @@ class HeldBoard(Board):
     def member_tick(self, inputs: Mapping[int, int]) -> Any:
         self.orders.append("tick")
         self.at_work.set()
-        assert self.let_go.wait(60)
+        assert self.let_go.wait(PATIENCE_S)
         return super().member_tick(inputs)
 
     def stand_still(self) -> Any:
@@ -218,7 +219,7 @@ def test_a_board_stops_next_after_the_tick_that_it_is_at_whatever_it_was_told_be
         held = HeldBoard(boards[0].board.line)
         line = BoardLine(held)
         line.order(Order("tick", True))
-        assert held.at_work.wait(60)
+        assert held.at_work.wait(PATIENCE_S)
         line.order(Order("still"))
         line.order(Order("tick"))
         line.order(Order("stop"))

@@ -15,6 +15,7 @@ from kitrobot_onboard.state import WRITE
 from tests.boards import drivers
 from tests.boards.program_files import device_lines, program_file
 from tests.onboard.bench import Bench
+from tests.patience import PATIENCE_S
 
 XML = """<robot name="rig" version="1" tick="20" wait-unit="100">
   <actuator name="Wheel" device="drive">
@@ -191,6 +192,6 @@ def test_an_interrupt_twice_stops_and_leaves_and_a_single_one_does_nothing(tmp_p
         assert state(bench) == (2, 0)
         drivers.log.clear()
         bench.send(b"~h\x01\r\x03")
-        bench.thread.join(5)
+        bench.thread.join(PATIENCE_S)
         assert not bench.thread.is_alive()
         assert [word for word, _ in drivers.log].count("stop") == 2

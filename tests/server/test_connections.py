@@ -63,7 +63,7 @@ def test_a_head_that_is_too_large_is_refused(port: int) -> None:
 
 def test_a_socket_that_says_nothing_stays_open(port: int) -> None:
     address = f"ws://127.0.0.1:{port}/api/run?token={TOKEN}"
-    with connect(address, origin=Origin(f"http://127.0.0.1:{port}"), proxy=None) as line:
+    with connect(address, origin=Origin(f"http://127.0.0.1:{port}"), proxy=None, open_timeout=PATIENCE_S) as line:
         with pytest.raises(TimeoutError):
             line.recv(1)
         assert line.ping().wait(PATIENCE_S)

@@ -23,6 +23,7 @@ from kitrobot.workspace import agent_program, open_mission
 from tests.boards.host import board_with
 from tests.boards.proxy import Proxy
 from tests.fleet.test_processes import CONVOY, NAMES, is_there
+from tests.patience import PATIENCE_S
 from tests.server.conftest import HOST, SOCKET, TOKEN, TestClient
 from tests.server.test_boards import ADDRESS, Page, RunPage
 
@@ -221,7 +222,7 @@ class Sending(SerialGateway):
 
     def deploy(self, address: str, program: Any, progress: Any, replace: bool, fresh: bool) -> None:
         progress("send", 10, 20)
-        self.goes_on.wait(20)
+        self.goes_on.wait(PATIENCE_S)
         progress("send", 20, 20)
         if address.endswith(":2") and not replace:
             raise ForeignError(

@@ -23,6 +23,7 @@ from kitrobot.server.security import Guard
 from kitrobot.trace import Threads, TraceReader, layout
 from kitrobot.trace.header import header_to_json
 from kitrobot.workspace import RunOptions, open_trace
+from tests.patience import PATIENCE_S
 from tests.server.test_run import FOREVER, connect, forever, mission  # noqa: F401
 
 EXAMPLES = Path(__file__).resolve().parents[2] / "examples"
@@ -370,7 +371,7 @@ def test_two_saves_at_once_both_come(page, connect, forever):  # noqa: F811
         for thread in threads:
             thread.start()
         for thread in threads:
-            thread.join(60)
+            thread.join(PATIENCE_S)
         assert len(answers) == 2
         assert all(answer.startswith(layout.MAGIC) for answer in answers)
 

@@ -113,7 +113,9 @@ class Firefox:
             # What else it says is read away, or it would wait for a reader.
             threading.Thread(target=list, args=(heard,), daemon=True).start()
             self._wire = ends.enter_context(
-                connect(f"{address}/session", compression=None, max_size=None, ping_interval=None)
+                connect(
+                    f"{address}/session", compression=None, max_size=None, ping_interval=None, open_timeout=PATIENCE_S
+                )
             )
             self.tell("session.new", capabilities={})
             ends.callback(self._quit, process)

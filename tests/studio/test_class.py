@@ -13,7 +13,7 @@ from pathlib import Path
 import pytest
 from playwright.sync_api import Browser, Page, expect
 
-from tests.patience import STATE_MS
+from tests.patience import PATIENCE_S, STATE_MS
 from tests.studio.conftest import HEIGHT, WIDTH
 from tests.studio.test_reach import find_nothing
 
@@ -55,7 +55,7 @@ class Class:
     def kill(self) -> None:
         """Ends it as a power cut would."""
         self.process.kill()
-        self.process.wait(10)
+        self.process.wait(PATIENCE_S)
         assert self.process.stdout is not None
         self.process.stdout.close()
 

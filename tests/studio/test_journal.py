@@ -13,7 +13,7 @@ from pathlib import Path
 import pytest
 from playwright.sync_api import Browser, BrowserContext, Page, Response, expect
 
-from tests.patience import STATE_MS
+from tests.patience import PATIENCE_S, STATE_MS
 from tests.studio.conftest import HEIGHT, WIDTH, Studio, begin_new
 from tests.studio.test_variables import forgive_refusals
 
@@ -62,7 +62,7 @@ class Server:
     def kill(self) -> None:
         """Ends it as a power cut would."""
         self.process.kill()
-        self.process.wait(10)
+        self.process.wait(PATIENCE_S)
         assert self.process.stdout is not None
         self.process.stdout.close()
 
@@ -191,7 +191,7 @@ def test_another_studio_at_the_address_gets_nothing_of_a_page(
         expect(page.get_by_test_id("banner")).to_contain_text("Your changes are still in this page")
     finally:
         other.kill()
-        other.wait(10)
+        other.wait(PATIENCE_S)
 
 
 def test_after_a_kill_the_work_is_there_with_its_undo(start: Start, mission: Path, context: BrowserContext) -> None:

@@ -29,7 +29,8 @@ function Graph({ program, name }: { program: Program; name: string }) {
     [catalogue, program],
   );
   return (
-    <div className="class-look-graph">
+    // It scrolls, and keys scroll what has the focus.
+    <div className="class-look-graph" role="region" aria-label={name} tabIndex={0}>
       <GraphDrawing key={theme} layout={layout} title={name} inside="" />
     </div>
   );
