@@ -24,15 +24,15 @@ os.environ.setdefault("KITROBOT_STATE", _STATE.name)
 os.environ.setdefault("KITROBOT_COMPILE", "no")
 
 # No deadlines: on a busy machine they fail tests that are right.
-hypothesis.settings.register_profile("ci", max_examples=30, deadline=None, derandomize=True, print_blob=True)
+hypothesis.settings.register_profile("ci", max_examples=20, deadline=None, derandomize=True, print_blob=True)
 hypothesis.settings.register_profile("thorough", max_examples=2000, deadline=None, print_blob=True)
 hypothesis.settings.load_profile(os.environ.get("HYPOTHESIS_PROFILE", "ci"))
 
 
 def pytest_xdist_auto_num_workers(config: pytest.Config) -> int:
-    """One worker more than cores: boards, processes and pages are waited for, a quarter of the time."""
+    """Two workers more than cores: boards, processes and pages are waited for, and no core is ever without work."""
     usable = len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
-    return usable + 1
+    return usable + 2
 
 
 def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:
