@@ -121,11 +121,15 @@ def test_who_watches_is_told_how_it_goes_though_nothing_changes(tmp_path: Path) 
         assert bench.wait(2000) == []
 
 
+SIZES = {ord("c"): 6, ord("t"): 4, ord("r"): 3, ord("s"): 4}
+"""Bytes of each kind of record in a T."""
+
+
 def all_told(bench: Bench) -> dict[bytes, bytes]:
     """What was told last of each cell and each slot until nothing new comes."""
     news = [data for kind, _, data in bench.wait(2000) if kind == "T"]
-    pieces = [data[at : at + {ord("c"): 6, ord("t"): 4}.get(data[at], 0)] for data in news for at in records(data)]
-    return {piece[:2]: piece[2:] for piece in pieces if piece}
+    pieces = [data[at : at + SIZES[data[at]]] for data in news for at in records(data)]
+    return {piece[:2]: piece[2:] for piece in pieces if piece[:1] in (b"c", b"t")}
 
 
 def test_what_is_started_tells_everything_anew_and_nothing_of_the_run_before(tmp_path: Path) -> None:
@@ -145,6 +149,6 @@ def records(data: bytes) -> list[int]:
     found = []
     while at < len(data):
         found.append(at)
-        at += {ord("c"): 6, ord("t"): 4, ord("r"): 3, ord("s"): 4}[data[at]]
+        at += SIZES[data[at]]
     assert at == len(data)
     return found

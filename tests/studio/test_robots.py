@@ -138,18 +138,29 @@ def what_is_shown_is_paused_and_gone_back_in_and_follows_the_robot_again(studio:
     expect(value).to_have_value(re.compile("^([2-9]|[1-9][0-9])"))
 
 
-def it_is_shown_as_it_was_at_a_breakpoint(studio: Studio, robot: Locator) -> None:
-    robot.get_by_test_id("robot-stop").click()
-    expect_robot(robot, state="ready")
-    wait = studio.page.locator(".vertex", has_text="Wait").last
-    wait.click()
-    studio.page.keyboard.press("b")
-    robot.get_by_test_id("robot-run").click()
+def expect_paused_where_it_waits(studio: Studio, robot: Locator) -> None:
     expect(studio.at("status")).to_have_attribute("data-status", "paused")
     expect(studio.at("status")).to_contain_text("visit 1")
     expect(studio.page.locator(ACTIVE).filter(has_text="Wait").last).to_be_visible()
     expect(studio.at("behind-bar")).to_be_visible()
     expect_robot(robot, state="running")
+
+
+def it_is_shown_as_it_was_at_a_breakpoint_set_while_it_runs_and_while_it_is_stopped(
+    studio: Studio, robot: Locator
+) -> None:
+    wait = studio.page.locator(".vertex", has_text="Wait").last
+    run_anew(robot)
+    wait.click()
+    studio.page.keyboard.press("b")
+    expect_paused_where_it_waits(studio, robot)
+    studio.page.keyboard.press("b")
+    robot.get_by_test_id("robot-stop").click()
+    expect_robot(robot, state="ready")
+    wait.click()
+    studio.page.keyboard.press("b")
+    robot.get_by_test_id("robot-run").click()
+    expect_paused_where_it_waits(studio, robot)
     wait.click()
     studio.page.keyboard.press("b")
     studio.at("team-stop").click()
@@ -207,7 +218,7 @@ def test_a_robot_is_run_watched_paused_in_what_is_shown_and_held_by_its_page_or_
     robot = connect(studio, board)
     a_robot_runs_glows_is_watched_and_stopped(studio, robot)
     what_is_shown_is_paused_and_gone_back_in_and_follows_the_robot_again(studio, robot)
-    it_is_shown_as_it_was_at_a_breakpoint(studio, robot)
+    it_is_shown_as_it_was_at_a_breakpoint_set_while_it_runs_and_while_it_is_stopped(studio, robot)
     robot = a_page_that_goes_away_stops_the_robot_it_held(studio, board, robot)
     a_robot_that_runs_on_its_own_goes_on_when_the_page_is_loaded_again(studio, board, robot)
     another_window_watches_what_the_robot_does(studio, robot)

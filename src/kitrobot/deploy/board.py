@@ -156,18 +156,18 @@ class Board:
 
     def start(self, held: bool = False) -> None:
         """Begins the program. Held: it stops when it does not hear from us; `news` sees to that."""
-        self._held = held  # before it is answered it may have begun, and wants to hear from us
-        try:
-            self._request("s", bytes((held,)), first_s=1.0)
-        except DeployError:
-            self._held = False
-            raise
-        self._told = -math.inf
-        # What was told before the answer is of another run; a robot that was started tells everything anew.
-        before = self._before_answer
-        self._waiting = deque(
-            (one for at, one in enumerate(self._waiting) if at >= before or isinstance(one, Text)), self._waiting.maxlen
-        )
+        with self._lock:
+            self._held = held  # before it is answered it may have begun, and wants to hear from us
+            try:
+                self._request("s", bytes((held,)), first_s=1.0)
+            except DeployError:
+                self._held = False
+                raise
+            self._told = -math.inf
+            # What was told before the answer is of another run; a robot that was started tells everything anew.
+            before, told = self._before_answer, list(self._waiting)
+            texts = [one for one in told[:before] if isinstance(one, Text)]
+            self._waiting = deque([*texts, *told[before:]], self._waiting.maxlen)
 
     def stop(self) -> None:
         """Stops every device and the program."""
