@@ -139,6 +139,23 @@ def test_what_was_heard_is_kept_and_the_robots_go_on_meanwhile(made: Run) -> Non
     assert (made.run.tick, counts(made)) == (300, 6)
 
 
+def test_news_that_comes_at_once_is_of_ticks_of_its_own_and_no_place_is_lost(made: Run) -> None:
+    made.hears(0, News(1, {COUNT: 1}, {0: 3}))
+    assert made.run.advance(10) == 0
+    for number in (2, 3):
+        made.hears(0, News(number, {COUNT: number}, {0: 3 + number}))
+        made.hears(1, News(number, {}, {0: number}))
+    assert (made.run.tick, made.run.record().active[0], counts(made)) == (0, ((0, 3),), 1)
+    assert [one.active for one in made.run.records()] == [
+        [((0, 3),), ()],
+        [((0, 5),), ((0, 2),)],
+        [((0, 6),), ((0, 3),)],
+    ]
+    assert [made.run.advance(1) for _ in range(3)] == [1, 1, 0]
+    made.clock.now += 1
+    assert made.run.latest == 50, "the clock is the same"
+
+
 def test_only_the_last_moments_are_kept(made: Run, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr("kitrobot.robots.run.MOST_KEPT", 10)
     for number in range(1, 31):

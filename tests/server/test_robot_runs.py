@@ -141,6 +141,29 @@ def test_it_is_held_at_a_breakpoint_and_the_robot_goes_on(visit, robot) -> None:
             assert run.until("tick")["tick"] < said["tick"] + 30
 
 
+def test_it_is_followed_again_from_its_beginning_when_the_robot_is_started_anew(visit, robot) -> None:  # noqa: F811
+    with visit() as page:
+        held(page, robot.address)
+        with page.run(robot.address) as run:
+            point = {"program": "pulse", "vertex": "v10", "when": "", "after": 1, "enabled": True}
+            run.send(type="breakpoints", breakpoints=[point])
+            for _ in range(2):
+                said = run.until("state", status="paused")
+                assert [(hit["vertex"], hit["visit"]) for hit in said["hits"]] == [("v10", 1)]
+                assert "v10" in [vertex for _, vertex in run.agents[name_of(robot.address)]["active"]]
+                page.send("stop", robot.address)
+                page.board(state="ready")
+                page.send("start", robot.address, held=True)
+                run.until("state", status="running")
+            run.until("state", status="paused")
+            run.send(type="breakpoints", breakpoints=[])
+            page.send("stop", robot.address)
+            page.board(state="ready")
+            page.send("start", robot.address, held=True)
+            run.until("state", status="running")
+            run.report(lambda said: said["values"]["Count"] >= 3)
+
+
 def test_it_is_saved_as_a_recording(visit, robot, tmp_path: Path) -> None:  # noqa: F811
     with visit() as page:
         held(page, robot.address)

@@ -2,8 +2,10 @@
 
 The clock begins with the run, so several robots share one timeline, and silence takes its time. The robot's own count
 of ticks stands beside its numbers. Robots send only what changed, a few times a second, so a record holds what was
-heard last. Robots go on at their own pace, whatever the run stands at: with sessions, what was heard is kept, and the
-run can stand at a moment of it. When a robot is started while none runs, the run begins anew.
+heard last. News that comes from one robot twice within a tick, as when it was held up on its way, is of two ticks, so
+that no place where a thread stood is lost. Robots go on at their own pace, whatever the run stands at: with sessions,
+what was heard is kept, and the run can stand at a moment of it. When a robot is started while none runs, the run begins
+anew.
 """
 
 from __future__ import annotations
@@ -114,6 +116,8 @@ class RobotsRun:
         self._active: list[Threads] = [()] * len(robots)
         self._past: deque[TraceEvent] = deque(maxlen=MOST_EVENTS)
         self._untold: deque[TraceEvent] = deque(maxlen=MOST_EVENTS)
+        self.beginnings = 0
+        """How often it began anew, the first time included."""
         self._wrong: dict[int, str] = {}
         """Why robots go on no more, the first one first."""
         self._begin()
@@ -125,12 +129,14 @@ class RobotsRun:
                 heard(Change(Happening.LOOKED, session.state))
 
     def _begin(self) -> None:
+        self.beginnings += 1
         self._began = self._clock()
         self._tick = self._at = 0
         """The newest tick, and that which it stands at."""
         self._commands: list[TraceCommand] = []
         self._events: list[TraceEvent] = []
-        """Of the newest tick."""
+        self._told: set[int] = set()
+        """Of the newest tick; the robots that sent news or were started in it."""
         self._kept: list[_Moment] = []
         self._past.clear()
         self._untold.clear()
@@ -158,6 +164,10 @@ class RobotsRun:
 
     def _take(self, number: int, change: Change) -> None:
         robot, state = self._robots[number], change.state
+        if change.happening in (Happening.NEWS, Happening.STARTED):
+            if number in self._told:
+                self._go_to(self._tick + 1)
+            self._told.add(number)
         self._states[number] = state
         self._rows[number] = row_of(robot, state)
         self._active[number] = active_of(state)
@@ -291,6 +301,7 @@ class RobotsRun:
             if len(self._kept) > MOST_KEPT:
                 del self._kept[: MOST_KEPT // 10]
         self._commands, self._events = [], []
+        self._told.clear()
         self._tick = tick
 
     def seek(self, tick: int, stop: Callable[[], bool]) -> None:

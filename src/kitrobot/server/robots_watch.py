@@ -47,6 +47,7 @@ class RobotsWatch(RunOfRecords):
             self._robots_run.close()
             raise
         self.follows = True
+        self._beginnings = self._robots_run.beginnings
         for session in self._sessions:
             session.subscribe(self._heard)
 
@@ -68,6 +69,15 @@ class RobotsWatch(RunOfRecords):
         """Shows what the robots do now."""
         super().follow()
         self.follows = True
+
+    def begins_anew(self) -> bool:
+        """As `WatchedRun.begins_anew`; it follows the robots again."""
+        before, self._beginnings = self._beginnings, self._robots_run.beginnings
+        if before == self._beginnings:
+            return False
+        self.follows = True
+        self._went()
+        return True
 
     def record_to(self, path: Path) -> None:
         """Writes what is kept of its past."""

@@ -289,6 +289,8 @@ class Session:
                 await self._telling.state(watch, "stopped")
                 broadcast.on = False
                 return
+            if watch.begins_anew():
+                pace.set_paused(False, watch.tick)
             if await self._do_jobs(watch):
                 pace.set_paused(pace.paused, watch.tick)
                 await self._telling.news(watch)

@@ -125,6 +125,12 @@ class WatchedRun(ABC):
         """Goes to the latest tick."""
         self.seek(self._source.latest, lambda: False)
 
+    def begins_anew(self) -> bool:
+        """Whether it began anew since this was asked last, as robots do that are started again. What it stood at
+        before is gone then; it is gone on with from its beginning, and visits are counted anew.
+        """
+        return False
+
     def hold(self) -> None:
         """It is not gone on with for a while; what real robots do meanwhile is for later."""
         self.follows = False
