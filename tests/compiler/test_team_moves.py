@@ -6,13 +6,16 @@ import random
 
 import pytest
 
-from kitrobot.compiler import check_declarations, check_program
+from kitrobot.compiler import Compiled, check_declarations, check_program, compile_team
+from kitrobot.compiler.inlining import inlined
 from kitrobot.compiler.team_moves import report_emptied
 from kitrobot.compiler.team_names import Names
 from kitrobot.compiler.team_sets import TeamSets
-from kitrobot.diagnostics import Diagnostic
-from kitrobot.lll import Move, Seq, parse_team
+from kitrobot.diagnostics import Diagnostic, Rule
+from kitrobot.image import DebugMap
+from kitrobot.lll import Move, Node, Seq, parse_team
 from kitrobot.primitives import Crew, CrewProgram, Level, load_catalogue
+from kitrobot.text import Help, Sentence
 from tests.compiler.crews import crew_declaring
 from tests.effort import THOROUGH
 from tests.lll.expectations import meets_expectations
@@ -34,17 +37,33 @@ group rest = loaders on failure abort;
 """
 
 
-def found_in(text: str, declared: str = NESTED) -> list[Diagnostic]:
-    crew, parsed = crew_declaring(CREW, declared), parse_team(text)
-    assert parsed.diagnostics == []
+MEET = "[any {road, rest} (Collision.IsPressed())]( SeqOfPar movers (); );"
+
+
+def found_in(text: str, declared: str = NESTED, meet: str = MEET) -> list[Diagnostic]:
+    crew = crew_declaring(CREW, declared)
     assert check_declarations(crew, PARTS.robots, lambda _: None) == []
+    return found_for(crew, text, meet)
+
+
+def found_for(crew: Crew, text: str, meet: str = MEET) -> list[Diagnostic]:
+    """What is said of a program of a team; `meet` is the text of the one that it can name."""
+    parsed = parse_team(text)
+    assert parsed.diagnostics == []
     target = PARTS.extended([], [], crew).teams[Level.SOCIAL]
-    return check_program(parsed.program.seq, target, crew, parsed.source)
+    found = check_program(parsed.program.seq, target, crew, parsed.source)
+
+    def report(rule: Rule, message: Sentence, node: Node, help: Help = "") -> None:
+        found.append(rule(message, parsed.source.place(node.start, node.end), help=help))
+
+    whole = inlined(parsed.program.seq, "day", {"meet": parse_team(meet).program.seq}, report)
+    report_emptied(whole, Names(crew), report)
+    return found
 
 
-def told(text: str, declared: str = NESTED) -> None:
+def told(text: str, declared: str = NESTED, meet: str = MEET) -> None:
     """Compares what is said about a program with what its comments expect."""
-    meets_expectations(text, found_in(text, declared))
+    meets_expectations(text, found_in(text, declared, meet))
 
 
 def emptied(text: str) -> dict[str, str]:
@@ -89,7 +108,6 @@ def test_each_role_and_group_that_a_move_can_leave_empty_is_told(text: str, expe
 LOOKED_FOR = [
     "MOVE 2 movers -> rest;  MOVE 2 rest -> movers;",
     "MOVE 2 movers -> rest; SeqOfPar loaders (); MOVE 2 rest -> movers;",
-    "MOVE 2 movers -> rest; PROGRAM meet; MOVE 2 rest -> movers;  #! team-group-empty@1",
     "MOVE 2 movers -> rest; SeqOfPar movers (); MOVE 2 rest -> movers;  #! team-group-empty@1",
     "MOVE 2 movers -> rest; [any road (Collision.IsPressed())](); MOVE 2 rest -> movers;  #! team-group-empty@1",
     "2*( MOVE 1 movers -> rest; SeqOfPar movers (); ); MOVE 2 rest -> movers;  #! team-group-empty@5",
@@ -100,6 +118,31 @@ LOOKED_FOR = [
 @pytest.mark.parametrize("text", LOOKED_FOR)
 def test_a_group_that_is_filled_again_is_told_where_somebody_looks_for_its_robots_before(text: str) -> None:
     told(text)
+
+
+@pytest.mark.parametrize(
+    ("meet", "text"),
+    [
+        (MEET, "MOVE 2 movers -> rest; PROGRAM meet; MOVE 2 rest -> movers;  #! team-group-empty@1"),
+        ("SeqOfPar loaders ();", "MOVE 2 movers -> rest; PROGRAM meet; MOVE 2 rest -> movers;"),
+        ("MOVE 2 rest -> movers;", "MOVE 2 movers -> rest; PROGRAM meet;"),
+        ("MOVE 1 movers -> rest;", "MOVE 1 movers -> rest; PROGRAM meet;  #! team-group-empty@1"),
+        ("MOVE 1 movers -> rest;", "2*( PROGRAM meet; );  #! team-group-empty@1"),
+        ("MOVE 1 movers -> rest;", "PROGRAM meet; SeqOfPar movers (); MOVE 1 rest -> movers;  #! team-group-empty@1"),
+    ],
+)
+def test_moves_and_blocks_of_a_program_that_is_named_count_where_it_stands(meet: str, text: str) -> None:
+    told(text, meet=meet)
+
+
+def test_it_is_told_of_the_program_in_which_the_move_stands() -> None:
+    crew = crew_declaring(CREW, NESTED)
+    texts = {"day": "WAIT(1);\nPROGRAM meet;\n", "meet": "WAIT(1);\n\nMOVE 2 movers -> rest;\n"}
+    parsed = {name: parse_team(text) for name, text in texts.items()}
+    programs = {name: Compiled(one.program.seq, one.source, None, DebugMap()) for name, one in parsed.items()}
+    made = compile_team("day", programs, PARTS.extended([], [], crew), ["carrier", "loader"])
+    assert {item.code for item in made.diagnostics} == {"team-group-empty"}
+    assert {(item.program, item.place.line) for item in made.diagnostics if item.place} == {("meet", 3)}
 
 
 ONE_LEFT = """\
@@ -166,9 +209,7 @@ def test_what_the_moves_of_a_random_team_leave_empty_is_told(seed: int) -> None:
         meaning.instruction(Move(count, source, target), agents, False)
         lines.append(f"MOVE {count} {source} -> {target}; SeqOfPar {{{', '.join(sets.groups)}}} ();")
         emptied |= {group for group in sets.groups if not members(group)}
-    program = parse_team("\n".join(lines))
-    target_of_all = PARTS.extended([], [], crew).teams[Level.SOCIAL]
-    found = check_program(program.program.seq, target_of_all, crew, program.source)
+    found = found_for(crew, "\n".join(lines))
     assert not any(item.is_error for item in found)
     assert emptied <= {item.message.split("`")[1] for item in found if "can lose" in item.message}
 

@@ -15,7 +15,6 @@ from typing import Any
 from kitrobot.compiler import team_rules as rules
 from kitrobot.compiler.checker import check
 from kitrobot.compiler.target import Target
-from kitrobot.compiler.team_moves import report_emptied
 from kitrobot.compiler.team_names import Atom, Atoms, Names
 from kitrobot.diagnostics import Diagnostic, Rule, Source, in_reading_order
 from kitrobot.lll import (
@@ -104,7 +103,6 @@ class _Look:
 
     def whole(self, program: Seq) -> list[Diagnostic]:
         self.seq(program, None)
-        report_emptied(program, self.names, self.report)
         return self.found
 
     # -- who is there

@@ -8,6 +8,8 @@ from dataclasses import dataclass, field
 from kitrobot.compiler.compilation import Compiled, compile_lll
 from kitrobot.compiler.projection import project
 from kitrobot.compiler.team_effects import MovesBoxes, report_effects_done_twice
+from kitrobot.compiler.team_moves import report_emptied
+from kitrobot.compiler.team_names import Names
 from kitrobot.compiler.team_points import TeamPlan
 from kitrobot.diagnostics import Diagnostic, Rule, Source
 from kitrobot.lll import Call, Instruction, Node, Seq, print_program
@@ -64,5 +66,6 @@ def compile_team(
             vertices = (node.vertex,) if node.vertex else ()
             found.append(rule(message, place, help=help, program=program, vertices=vertices))
 
+        report_emptied(projection.whole, Names(catalogue.crew), report)
         report_effects_done_twice(projection.whole, catalogue.crew, catalogue.robots, moves_boxes, report)
     return CompiledTeam(made, projection.plan, found)

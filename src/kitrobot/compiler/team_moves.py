@@ -8,7 +8,8 @@ names it and at the end; so too for what it holds itself, without the groups in 
 robots there. Where robots are left but may fail, those are counted that the mission has: one of them alone, if nobody
 takes its place.
 
-Of a team with more groups and moves than `MOST_PAIRS` allows nothing is told: all are held against each other.
+Of a team with more groups and places that move or look for robots than `MOST_PAIRS` allows nothing is told: all are
+held against each other.
 
 Left to others: groups that one failure empties without a MOVE (team_names).
 """
@@ -31,7 +32,6 @@ from kitrobot.lll import (
     Move,
     Node,
     Parallel,
-    ProgramCall,
     Repeat,
     Seq,
     While,
@@ -41,7 +41,7 @@ from kitrobot.lll import (
 from kitrobot.text import Help, Sentence
 
 MOST_PAIRS = 40_000
-"""Pairs of a group with a group or a MOVE that are looked at, at most."""
+"""Pairs of a group with a group, a MOVE, a block or a question that are looked at, at most."""
 _MANY = 1_000_000
 
 
@@ -65,22 +65,23 @@ _Losses = dict[_Part, _Loss]
 _NOTHING = _Loss()
 
 
-def report_emptied(program: Seq, names: Names, report: Report) -> None:
+def report_emptied(whole: Seq, names: Names, report: Report) -> None:
     """Reports each role and group that the MOVEs of a program can leave empty, at the last of them that takes from it.
 
     Args:
-        program: the program of a team; names that are unknown in it are nobody's.
+        whole: the team's program, every `PROGRAM` in its place (`inlining`); names unknown in it are nobody's.
         names: the names of the team.
         report: is given what is found.
     """
-    moves = [node for node in nodes(program) if isinstance(node, Move)]
-    sets = TeamSets(names.crew, program)
-    if moves and len(sets.groups) * (len(sets.groups) + len(moves)) <= MOST_PAIRS:
-        _Look(program, names, moves, sets).tell(report)
+    moves = [node for node in nodes(whole) if isinstance(node, Move)]
+    looking = sum(isinstance(node, Block | Joint) for node in nodes(whole))
+    sets = TeamSets(names.crew, whole)
+    if moves and len(sets.groups) * (len(sets.groups) + len(moves) + looking) <= MOST_PAIRS:
+        _Look(whole, names, moves, sets).tell(report)
 
 
 class _Look:
-    def __init__(self, program: Seq, names: Names, moves: list[Move], sets: TeamSets) -> None:
+    def __init__(self, whole: Seq, names: Names, moves: list[Move], sets: TeamSets) -> None:
         self.names = names
         self.moves = moves
         self.sets = sets
@@ -97,7 +98,7 @@ class _Look:
         }
         self.taken: dict[tuple[str, str], dict[_Part, int]] = {}
         self.changed = frozenset(part for move in moves for part in self.effect(move))
-        self.losses = {part: max(loss) for part, loss in self.of(program).items()}
+        self.losses = {part: max(loss) for part, loss in self.of(whole).items()}
 
     def inner(self, group: str) -> frozenset[str]:
         """The groups in a group, it itself among them."""
@@ -157,9 +158,6 @@ class _Look:
 
     def looked_for(self, node: Instr) -> Iterable[_Part]:
         """The parts whose robots an instruction looks for before what stands in it."""
-        if isinstance(node, ProgramCall):
-            program = self.names.programs.get(str(node.name))
-            return self.changed if program is not None and program.level.is_team else ()
         asked: list[Block | Joint] = [node] if isinstance(node, Block) else []
         condition = getattr(node, "condition", None)
         if isinstance(condition, Node):
