@@ -136,6 +136,26 @@ def test_a_condition_that_cannot_be_understood_is_refused(replay):
         replay.pause_at([Breakpoint("carrier", vertex("While"), when="Sign.")])
 
 
+def test_it_pauses_in_programs_that_stand_in_a_team_s(tmp_path):
+    team = kitrobot.open(EXAMPLES / "transport-team" / "transport-team.krt")
+    marks = [Breakpoint(name, one.id) for name in ("carry", "load") for one in team.program(name).vertices]
+    run, path = LiveRun(team.prepare()), tmp_path / "team.krtrace"
+    run.pause_at(marks)
+    theirs: Hits = []
+    while run.tick < 1500:
+        run.advance(1500 - run.tick, 1e9, lambda: 0.0)
+        theirs += [(run.tick, hit) for hit in run.hits]
+    run.record_to(path)
+    replay = Replay(open_trace(path), team)
+    mine = hits_of(replay, *marks)
+    replay.close()
+    places = {(tick, hit.program, hit.vertex, hit.agent) for tick, hit in mine}
+    assert {program for _, program, _, _ in places} == {"carry", "load"}
+    assert places <= {(tick, hit.program, hit.vertex, hit.agent) for tick, hit in theirs}
+    commands = {one.id for one in team.program("load").vertices if one.element == "Arm.Load"}
+    assert commands <= {vertex for _, _, vertex, _ in places}, "a command of one part only is known to have been given"
+
+
 def test_without_its_robot_a_condition_is_said_not_to_be_tested_and_the_place_still_pauses(recording, replay, place):
     mark = Breakpoint("carrier", place, when="Cargo.IsPressed()")
     header = open_trace(recording).reader.header

@@ -15,6 +15,7 @@ from kitrobot.primitives import load_catalogue
 from kitrobot.sim import Recorder, Simulation
 from kitrobot.sim.breakpoints import Breakpoints, Condition, ConditionError, Hit
 from kitrobot.sim.timeline import Timeline
+from kitrobot.trace import Place
 
 EXAMPLES = Path(__file__).resolve().parents[2] / "examples"
 TRANSPORT = kitrobot.open(EXAMPLES / "transport" / "transport.krt")
@@ -25,15 +26,15 @@ def vertex(program: str, element: str) -> str:
     return next(one.id for one in TRANSPORT.program(program).vertices if one.element == element)
 
 
-def vertices(simulation: Simulation) -> Mapping[str, Sequence[str | None]]:
-    return Recorder(simulation).header.vertices
+def places(simulation: Simulation) -> Mapping[str, Sequence[Place]]:
+    return Recorder(simulation).header.places
 
 
 def run(*breakpoints: Breakpoint, steps: int = 3000) -> list[tuple[int, Hit]]:
     """Every hit of a run and the step after which it was."""
     simulation = TRANSPORT.simulation(seed=1)
     simulation.watch_programs()
-    armed = Breakpoints(breakpoints, simulation.members, vertices(simulation))
+    armed = Breakpoints(breakpoints, simulation.members, places(simulation))
     found = []
     while simulation.outcome is None and simulation.tick < steps:
         simulation.step()
@@ -83,6 +84,27 @@ def test_every_agent_stands_there() -> None:
     assert len({tick for tick, _ in hits}) <= len(hits)
 
 
+def test_who_runs_a_team_s_program_comes_to_places_of_programs_that_stand_in_it() -> None:
+    team = kitrobot.open(EXAMPLES / "transport-team" / "transport-team.krt")
+    simulation = team.simulation(seed=1)
+    simulation.watch_programs()
+    docks = [one.id for one in team.program("carry").vertices if one.element == "Dock.Set"]
+    points = [
+        *(Breakpoint("carry", one, when="Cargo.IsPressed()") for one in docks),
+        Breakpoint("load", team.program("load").vertices[1].id),
+        Breakpoint("transport-team", docks[0]),
+    ]
+    armed = Breakpoints(points, simulation.members, places(simulation))
+    hits: list[Hit] = []
+    while simulation.tick < 2000:
+        simulation.step()
+        hits += armed.after_step(simulation.tick)
+    carried = {hit.vertex: hit.agent for hit in hits if hit.program == "carry"}
+    assert list(carried) == docks[:1], "only who has a box goes on to B"
+    assert {hit.agent for hit in hits if hit.program == "load"} == {"loader-1"}
+    assert {hit.program for hit in hits} == {"carry", "load"}
+
+
 def test_what_is_off_or_gone_does_nothing() -> None:
     light = vertex("carrier", "Lamp.LightOn")
     gone = (
@@ -99,7 +121,7 @@ def test_visits_are_the_same_on_every_way_there() -> None:
     simulation = TRANSPORT.simulation(seed=1)
     simulation.watch_programs()
     timeline = Timeline(simulation)
-    armed = Breakpoints([Breakpoint("carrier", light)], simulation.members, vertices(simulation))
+    armed = Breakpoints([Breakpoint("carrier", light)], simulation.members, places(simulation))
 
     def on(to: int) -> list[tuple[int, Hit]]:
         found = []

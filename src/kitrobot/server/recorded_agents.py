@@ -20,7 +20,7 @@ from kitrobot.image.instructions import ACT
 from kitrobot.lll import WorkDeclaration
 from kitrobot.mission import Breakpoint
 from kitrobot.primitives import Robot, has_team, with_team
-from kitrobot.trace import Threads, TickRecord, TraceAgent, TraceHeader
+from kitrobot.trace import Place, Threads, TickRecord, TraceAgent, TraceHeader
 
 _CELLS = ("input", "done", "variable")
 """The first words of columns that hold what an agent's program knows."""
@@ -30,7 +30,7 @@ class RecordedAgent:
     """One agent of a recording, as it is in the record that was looked at last. It is its own machine."""
 
     def __init__(
-        self, index: int, header: TraceHeader, robot: Robot, cells: slice, givers: Mapping[tuple[str, str], str]
+        self, index: int, header: TraceHeader, robot: Robot, cells: slice, givers: Mapping[tuple[str, str], Place]
     ) -> None:
         agent = header.agents[index]
         self.index = index
@@ -41,7 +41,7 @@ class RecordedAgent:
         self.active: Threads = ()
         self.cells: list[int] = []
         self.seen: list[int] = []
-        self._vertices = header.vertices_of(agent)
+        self._from = header.places.get(self.image_name, ())
         self._places = cells
         self._givers = givers
 
@@ -54,12 +54,12 @@ class RecordedAgent:
         """As it is in this record."""
         self.active = record.active[self.index]
         self.cells = record.numbers[self._places]
-        ran = {self._vertices[number] for _, number in self.active if number < len(self._vertices)}
+        ran = {self._from[number] for _, number in self.active if number < len(self._from)}
         for command in record.commands:
             if command.agent == self.index:
                 ran.add(self._givers.get((command.actuator, command.procedure)))
         ran.discard(None)
-        self.seen = [int(vertex in ran) for vertex in self._vertices]
+        self.seen = [int(place in ran) for place in self._from]
 
 
 def recorded_agents(
@@ -78,7 +78,7 @@ def recorded_agents(
             width[column.owner] += 1
     robot_of = {header.image_name(agent): _robot(header, agent, robots, works) for agent in header.agents}
     givers = {
-        name: _givers(compiled, robot, header.vertices.get(name, ()))
+        name: _givers(compiled, robot, header.places.get(name, ()), name.partition("\n")[0])
         for name, compiled in programs.items()
         if (robot := robot_of.get(name)) is not None
     }
@@ -103,7 +103,8 @@ def testable(
     known: dict[str, bool] = {}
     for agent in header.agents:
         is_known = _is_as_recorded(header, agent.name, _robot(header, agent, robots, works))
-        known[agent.program] = is_known and known.get(agent.program, True)
+        for program in {agent.program, *(one[0] for one in header.inner.get(header.image_name(agent), ()) if one)}:
+            known[program] = is_known and known.get(program, True)
     made, all_of_them = [], True
     for one in breakpoints:
         tests = not one.when.strip() or known.get(one.program, True)
@@ -133,23 +134,24 @@ def _is_as_recorded(header: TraceHeader, agent: str, robot: Robot | None) -> boo
     return expected == [(kind, name) for kind, _, name in words if kind in _CELLS]
 
 
-def _givers(compiled: Compiled, robot: Robot, vertices: Sequence[str | None]) -> dict[tuple[str, str], str]:
+def _givers(compiled: Compiled, robot: Robot, places: Sequence[Place], program: str) -> dict[tuple[str, str], Place]:
     """The commands that only one vertex of a program can give, and that vertex.
 
     Those that end a marked action are given by no instruction. Nothing is known of a program that compiles to something
     else than what was recorded.
     """
-    image, debug = compiled.image, compiled.debug
-    if image is None or [debug.vertex(number) for number in range(len(debug.origins))] != list(vertices):
+    image = compiled.image
+    now = [(one.program or program, one.vertex) if one.vertex else None for one in compiled.debug.origins]
+    if image is None or now != list(places):
         return {}
     layout = Layout(robot)
-    found: dict[tuple[str, str], set[str | None]] = {}
-    for number, vertex in enumerate(vertices):
+    found: dict[tuple[str, str], set[Place]] = {}
+    for number, place in enumerate(places):
         if image.code[4 * number] == ACT:
             _, actuator, procedure = layout.commands[image.code[4 * number + 1]]
-            found.setdefault((actuator, procedure), set()).add(vertex)
+            found.setdefault((actuator, procedure), set()).add(place)
     for stop in image.stops:
         _, actuator, procedure = layout.commands[stop.command]
         found.setdefault((actuator, procedure), set()).add(None)
     alone = {call: next(iter(givers)) for call, givers in found.items() if len(givers) == 1}
-    return {call: vertex for call, vertex in alone.items() if vertex is not None}
+    return {call: place for call, place in alone.items() if place is not None}

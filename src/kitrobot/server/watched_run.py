@@ -190,7 +190,7 @@ class WatchedRun(ABC):
         self._breakpoints.went_to(self.tick)
 
     def _armed(self, breakpoints: Iterable[Breakpoint]) -> Breakpoints:
-        return Breakpoints(breakpoints, self._agents, self._source.header.vertices)
+        return Breakpoints(breakpoints, self._agents, self._source.header.places)
 
     # -- telling
 

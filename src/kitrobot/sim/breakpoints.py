@@ -5,6 +5,8 @@ already at the end of its step before: waiting is one visit. A condition is a pr
 tried by the one interpreter on a copy of the agent's inputs and variables: where it is true the program waits, else it
 ends at once. So it means exactly what it means in the graph. A visit counts when the condition holds.
 
+Programs that stand in a team's by `PROGRAM` have breakpoints of their own: who runs that team's program comes there.
+
 What it asks of an agent a recording can answer too (`Observed`).
 
 Left to others: pausing (whoever steers the run), keeping breakpoints (mission).
@@ -23,7 +25,7 @@ from kitrobot.lll import Conditional, parse
 from kitrobot.mission import Breakpoint
 from kitrobot.primitives import Robot
 from kitrobot.text import Sentence
-from kitrobot.trace import Threads
+from kitrobot.trace import Place, Threads
 
 
 class Mind(Protocol):
@@ -46,9 +48,6 @@ class Observed(Protocol):
 
     @property
     def name(self) -> str: ...
-
-    @property
-    def program(self) -> str: ...
 
     @property
     def image_name(self) -> str: ...
@@ -131,7 +130,7 @@ class Breakpoints:
     Args:
         breakpoints: those of the mission; one that is off, or whose program or vertex is gone, does nothing.
         agents: the members of the run.
-        vertices: for each program the vertex of each of its instructions, as a trace's header has them.
+        places: where each instruction of what an agent runs came from, by its `image_name` (`TraceHeader.places`).
 
     Raises:
         ConditionError: a condition cannot be understood.
@@ -141,23 +140,27 @@ class Breakpoints:
         self,
         breakpoints: Iterable[Breakpoint],
         agents: Sequence[Observed],
-        vertices: Mapping[str, Sequence[str | None]],
+        places: Mapping[str, Sequence[Place]],
     ) -> None:
         self._watched: list[_Watched] = []
+        images = {agent.image_name: agent.robot for agent in agents}
         for breakpoint in breakpoints:
-            mine = [agent for agent in agents if agent.program == breakpoint.program]
-            wanted = [agent for agent in mine if not breakpoint.agents or agent.name in breakpoint.agents]
-            if not breakpoint.enabled or not wanted:
+            if not breakpoint.enabled:
                 continue
-            images = {agent.image_name: agent.robot for agent in wanted}
-            places = {name: enumerate(vertices.get(name, ())) for name in images}
+            place = (breakpoint.program, breakpoint.vertex)
             instructions = {
-                name: frozenset(number for number, vertex in rows if vertex == breakpoint.vertex)
-                for name, rows in places.items()
+                name: found
+                for name in images
+                if (found := frozenset(number for number, one in enumerate(places.get(name, ())) if one == place))
             }
-            asks = breakpoint.when.strip()
-            conditions = {name: Condition(breakpoint.when, robot) for name, robot in images.items()} if asks else {}
-            if any(instructions.values()):
+            wanted = [
+                agent
+                for agent in agents
+                if agent.image_name in instructions and (not breakpoint.agents or agent.name in breakpoint.agents)
+            ]
+            asks = {agent.image_name for agent in wanted} if breakpoint.when.strip() else set[str]()
+            conditions = {name: Condition(breakpoint.when, images[name]) for name in asks}
+            if wanted:
                 self._watched.append(_Watched(breakpoint, instructions, conditions, wanted))
 
     def __bool__(self) -> bool:

@@ -13,6 +13,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from functools import cached_property
+from itertools import zip_longest
 
 from kitrobot.diagnostics import KitRobotError
 
@@ -87,7 +88,9 @@ class TracePlan:
     points: tuple[TracePoint, ...]
 
 
-Inner = tuple[tuple[str, str] | None, ...]
+Place = tuple[str, str] | None
+"""A program and a vertex of it."""
+Inner = tuple[Place, ...]
 """Of each instruction the program and the vertex, where that program is another one than the agent's own."""
 
 
@@ -127,6 +130,17 @@ class TraceHeader:
     def vertices_of(self, agent: TraceAgent) -> tuple[str | None, ...]:
         """The vertex of each instruction of what an agent runs."""
         return self.vertices.get(self.image_name(agent), ())
+
+    @cached_property
+    def places(self) -> Mapping[str, tuple[Place, ...]]:
+        """The program and the vertex of each instruction, where it has one, of what `vertices` names."""
+        return {
+            name: tuple(
+                (name.partition("\n")[0], vertex) if vertex is not None else inner
+                for vertex, inner in zip_longest(vertices, self.inner.get(name, ()))
+            )
+            for name, vertices in self.vertices.items()
+        }
 
     def image_name(self, agent: TraceAgent) -> str:
         """What `vertices` calls what an agent runs: its program, and its kind of robot where that is a team's."""
