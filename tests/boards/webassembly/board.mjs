@@ -46,6 +46,11 @@ function powerUp() {
     else if (message.put !== undefined) flash.set(message.put, Buffer.from(message.bytes));
     else if (message.remove !== undefined) flash.delete(message.remove);
   });
+  begun.on("exit", (code) => {
+    if (begun !== worker) return;
+    process.stderr.write(`the board's thread ended: ${code}\n`);
+    process.exit(1);
+  });
   begun.on("error", (problem) => {
     process.stderr.write(`${problem?.stack ?? problem}\n`);
     process.exit(1);
