@@ -19,6 +19,8 @@ export const SITE_EN = {
     "It is still there, and nothing is written over it. Load the page again; what you make until then is not kept: choose Download .krt in the menu File.",
   "site.newer": "There is a new version of KitRobot.",
   "site.renew": "Load it",
+  "site.renewing": "The new version is coming.",
+  "site.renewing-help": "The page loads by itself as soon as the browser lets it; your work is kept.",
   "site.crowd": "So many robots are slow in a page.",
   "site.crowd-help": "KitRobot installed on a computer runs them at full speed.",
   "site.again": "Load again",

@@ -52,4 +52,7 @@ test("a new version is loaded when a person says so", async () => {
   expect(strip?.textContent).toContain("There is a new version of KitRobot.");
   strip?.querySelector("button")?.click();
   expect(renew).toHaveBeenCalledOnce();
+  const after = await told({ phase: "ready", renew, renewing: true });
+  expect(after?.textContent).toContain("loads by itself");
+  expect(after?.querySelector("button")).toBeNull();
 });

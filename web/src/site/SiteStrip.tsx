@@ -22,7 +22,7 @@ const CROWD = 100;
 
 function useTold(): Told | null {
   const crowd = useRun(({ status, agents }) => status === "running" && agents.length >= CROWD);
-  const { phase, fetched, keeping, renew } = useSite();
+  const { phase, fetched, keeping, renew, renewing } = useSite();
   switch (phase) {
     case "fetching":
       return {
@@ -51,6 +51,7 @@ function useTold(): Told | null {
     return { kind: "note", message: t("site.crowd"), help: "site.crowd-help", action: null };
   }
   if (renew === null) return null;
+  if (renewing) return { kind: "note", message: t("site.renewing"), help: "site.renewing-help", action: null };
   return { kind: "note", message: t("site.newer"), help: null, action: ["site.renew", renew] };
 }
 

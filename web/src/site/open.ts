@@ -141,6 +141,7 @@ async function fetchPage(base: string): Promise<void> {
 function offerNew(found: ServiceWorker): void {
   set({
     renew: () => {
+      set({ renewing: true });
       navigator.serviceWorker.addEventListener("controllerchange", () => window.location.reload());
       void flush().finally(() => found.postMessage("take over"));
     },

@@ -14,6 +14,8 @@ interface SiteState {
   keeping: Keeping;
   /** Loads the new version that is there, or null. */
   renew: (() => void) | null;
+  /** The new version takes over: the page is loaded again when the browser lets it. */
+  renewing: boolean;
 }
 
 export const useSite = create<SiteState>(() => ({
@@ -22,4 +24,5 @@ export const useSite = create<SiteState>(() => ({
   reason: "",
   keeping: "kept",
   renew: null,
+  renewing: false,
 }));
