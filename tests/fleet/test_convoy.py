@@ -95,6 +95,19 @@ def test_a_process_that_is_started_again_is_a_spare_one() -> None:
     assert all(pack == packs[0] for pack in packs)
 
 
+def test_a_role_that_nobody_is_left_for_ends_the_run_though_who_was_towed_is_back() -> None:
+    opened = open_mission(Path("examples/transport-team/transport-team.krt"))
+    one = Fleet(lambda: opened.prepare(RunOptions(1, 600)).simulation)
+    until(one, 2500)
+    one.faults = Faults(side=frozenset({0, 1, 2}), bodies_too=True)
+    until(one, 9500)
+    one.faults = Faults()
+    one.finish(60_000)
+    assert sorted(agent for agent, text in texts(one) if "towed" in text) == ["carrier-1", "carrier-2", "carrier-3"]
+    assert one.run.outcome == "failed"
+    assert "nobody is left of movers" in one.run.sentence
+
+
 def test_without_a_majority_all_stand_still_until_it_is_back() -> None:
     one = fleet()
     until(one, 3000)

@@ -208,12 +208,14 @@ class WorldHost:
         self._expected = expected
 
     def _stirs(self) -> bool:
-        """Whether anything happened, moves, or is on its way."""
+        """Whether anything happened, moves, is on its way, or is to be revived on schedule."""
         slots, self._slots = self._slots, self.replica.slot
         if self.events or slots != self.replica.slot or any(agent.busy for agent in self.simulation.members):
             return True
-        ended = self.simulation.state.robots.ints[ENDED]
-        return not all(link.quiet or link.lost or ended[i] for i, link in enumerate(self.links))
+        if self.simulation.state.clock[REVIVALS] > self._expected:
+            return True
+        ended, down = (self.simulation.state.robots.ints[row] for row in (ENDED, DOWN))
+        return not all(link.quiet or link.lost or ended[i] or down[i] != WELL for i, link in enumerate(self.links))
 
     def _sense(self, now: int) -> None:
         """What sensors measure, and a frame for each agent whose tick it is and that has answered its last one."""
