@@ -5,7 +5,7 @@ from __future__ import annotations
 from kitrobot.lll import TeamProgram
 from kitrobot.sim.team_columns import T_ANCHOR, T_ANCHORED
 from tests.fleet.network import LEASE, Fleet
-from tests.sim.team_building import RunningTeam
+from tests.sim.team_building import RunningTeam, lost_for
 from tests.team_programs.making import TeamMaker
 
 
@@ -49,7 +49,7 @@ class FleetTeam(RunningTeam):
         self.stepped = True
 
     def took_over(self, name: str) -> bool:
-        return any(event.agent == name and event.text.startswith("takes over") for event in self.run.events)
+        return any(event.agent == name and lost_for(event) for event in self.run.events)
 
     def step(self) -> None:
         """Until the world has made a step."""

@@ -11,7 +11,7 @@ from kitrobot.graph import Program, empty_program
 from kitrobot.lll import TeamProgram, print_team_program
 from kitrobot.mission import Agent, Failure, Mission, Radio, Team, image_name
 from kitrobot.primitives import Catalogue, Crew, Level, Robot, declaring, read_robot, with_team
-from kitrobot.sim import Simulation
+from kitrobot.sim import Event, Simulation
 from kitrobot.sim.team_columns import T_ANCHOR, T_ANCHORED, T_ROLE, T_SEAT, W_LEFT
 from tests.sim.building import empty_world
 from tests.team_programs.hosting import TooLarge
@@ -98,11 +98,10 @@ class RunningTeam:
         run.step()
         table = run.state.team.robots
         for event in run.events:
-            if event.text.startswith("takes over for "):
-                lost = event.text.removeprefix("takes over for ")
+            lost = lost_for(event)
+            if lost:
                 count, lines = self.anchors.pop(lost, (0, 0))
-                self.lines[event.agent] = self.lines[lost][:lines]
-                self.lines[lost] = []
+                self.lines[lost], self.lines[event.agent] = [], self.lines[lost][:lines]
                 self.anchors[event.agent] = count, lines
                 run.set_variable(event.agent, "Count", count)
         for agent in run.members:
@@ -137,6 +136,14 @@ class RunningTeam:
         """Until the run is over."""
         while self.run.outcome is None:
             self.step()
+
+
+def lost_for(event: Event) -> str:
+    """Who was missed before an agent plays its role, which may be the agent itself; "" for other events."""
+    if event.text == "plays its role again":
+        return event.agent
+    before, found, lost = event.text.partition("takes over for ")
+    return lost if found and not before else ""
 
 
 def random_team_program(seed: int, spares: int = 0, asks: bool = True) -> tuple[TeamMaker, TeamProgram]:

@@ -177,13 +177,18 @@ class Pair:
             self.settled()
 
     def comes_back(self, i: int) -> None:
+        """A robot is back, and plays a role that is vacant beside somebody else; where nobody else plays it, the two
+        forms differ.
+        """
         if self.tables.view.has(i):
             return
         change = ViewChange(self.tables.view.number, (), (Seat(i, self.lives[i] + 1),))
         first, players = self.tables.view.seats[0].member, self.tables.players
-        if self.after(self.tables, first, change)[0].players == players and self.is_told(first, change):
+        after = self.after(self.tables, first, change)[0].players
+        beside = [before for before, now in zip(players, after, strict=True) if before != now]
+        if () not in beside and self.is_told(first, change):
             self.lives[i] += 1
-            self.latest[i] = None
+            self.latest[i] = self.latest[beside[0][0]] if beside else None
             self.sim.harm(i, "revive")
             self.settled()
 

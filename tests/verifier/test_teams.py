@@ -70,11 +70,13 @@ def follow(run: Simulation, steps: int, harms: Sequence[Harm] = ()) -> int:
         if run.outcome is not None:
             break
         now_harmed = [
-            harm for harm in harms if harm.tick == run.tick and run.view(names.index(harm.agent)).state != "failed"
+            harm
+            for harm in harms
+            if harm.tick == run.tick
+            and not run.members[names.index(harm.agent)].ended
+            and run.harm(harm.agent, harm.kind)
         ]
-        for harm in now_harmed:
-            run.harm(harm.agent, harm.kind)
-            failures -= harm.kind != "revive"
+        failures -= sum(harm.kind != "revive" for harm in now_harmed)
         # What else could befall somebody in this step is left out: it would only take time.
         if bool(model.t.fixed[v.MAY_FAIL]) != bool(now_harmed):
             model.t.fixed[v.MAY_FAIL] = may_fail if now_harmed else 0
@@ -126,7 +128,10 @@ def test_a_team_agrees_on_nothing_that_the_model_does_not(seed: int) -> None:
 
 @pytest.mark.parametrize("seed", cases([1, 3, 7, 8], [0, 2, 4, 5, 6, *range(9, 400)]))
 def test_a_team_of_which_some_fail_does_nothing_that_the_model_does_not(seed: int) -> None:
-    """They fail, stall or lose their radio at any moment, one or two of them; who stalls may go on, or is missed."""
+    """They fail, stall or lose their radio at any moment, one or two of them; who stalls may go on, or is missed.
+
+    What befalls a robot whose program has ended, or a second time, is nothing that the model knows.
+    """
     chance = random.Random(seed)
     maker, program = random_team_program(seed, chance.randint(0, 2))
     for group in program.groups:
@@ -136,8 +141,8 @@ def test_a_team_of_which_some_fail_does_nothing_that_the_model_does_not(seed: in
     except TooLarge:
         return
     harms = []
-    for _ in range(1 if len(running.names) > 5 else 2):
-        who, when, kind = chance.choice(running.names), chance.randint(0, 60), chance.choice(list(KINDS))
+    for who in chance.sample(running.names, 1 if len(running.names) > 5 else 2):
+        when, kind = chance.randint(0, 60), chance.choice(list(KINDS))
         harms.append(Harm(when, who, kind.value))
         if kind is FailureKind.STALL and chance.random() < 0.8:
             harms.append(Harm(when + chance.randint(1, 120), who, "revive"))

@@ -14,7 +14,7 @@ from hashlib import blake2b
 
 from kitrobot.text import Sentence
 
-VERSION = 2
+VERSION = 3
 SEAL = 16
 MOST_BYTES = 1 << 20
 LEAST_KEY, MOST_KEY = 16, 64

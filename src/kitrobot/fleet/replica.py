@@ -11,20 +11,18 @@ from collections.abc import Iterable, Sequence
 
 from kitrobot.fleet import notes
 from kitrobot.sim import Event, Simulation
-from kitrobot.sim.columns import ACTUATOR_INDEX, BACK, ENDED, EVENTS, tell
+from kitrobot.sim.columns import ACTUATOR_INDEX, ENDED, EVENTS
 from kitrobot.sim.meetings import come, find_members
 from kitrobot.sim.program_ends import end_program
 from kitrobot.sim.state import State
-from kitrobot.sim.substitution import begin_anew, miss, settle
+from kitrobot.sim.substitution import come_back, miss, settle
 from kitrobot.sim.team_columns import (
     HAS_UNIT,
     LOST_UNIT,
     T_ACTUATOR,
     T_AT,
-    T_MISSED,
     T_ROLE,
     T_SILENT,
-    TEAM_FRESH,
     TEAM_OVER,
     W_LEFT,
     W_TAKEN,
@@ -117,7 +115,7 @@ class Replica:
             if 0 <= seat.member < len(lives):
                 lives[seat.member] = seat.life
         gone = [i for i, life in enumerate(self.lives) if life >= 0 and lives[i] != life]
-        come_back = [i for i, life in enumerate(lives) if life >= 0 and self.lives[i] != life]
+        returned = [i for i, life in enumerate(lives) if life >= 0 and self.lives[i] != life]
         self.lives = lives
         team = self.state.team
         for i in gone:
@@ -127,16 +125,10 @@ class Replica:
         for i in gone:
             if self.is_of_team(i) and team.robots[T_ROLE][i] >= 0 and not self.state.robots.ints[ENDED][i]:
                 miss(i, self.state)
-        for i in come_back:
+        for i in returned:
             self.epochs[i] += 1
             if self.is_of_team(i):
-                team.robots[T_SILENT][i] = -1
-                team.numbers[TEAM_FRESH] = 1
-                if team.robots[T_MISSED][i]:
-                    team.robots[T_MISSED][i] = 0
-                    tell(self.state.events, self.state.clock, BACK, i, 0, 0)
-                    begin_anew(i, self.state)
-                    self.beginnings[i] += 1
+                self.beginnings[i] += come_back(i, self.state)
 
     def _noted(self, seat: Seat, numbers: tuple[int, ...]) -> None:
         """What a robot said; nothing where it is not for it to say, or was said before it was missed."""

@@ -183,7 +183,7 @@ CLOCKS = 22
     LEAVING,
     MOVED_OVER,  # what: the group that it is in now
     MISSED,  # the team goes on without it
-    TAKEN_OVER,  # it plays a role now, what: the robot that was missed
+    TAKEN_OVER,  # it plays a role now, what: the robot that was missed, much: 1 where that is itself
     BACK,  # it begins anew, as a spare one
     UNIT_LOST,  # what: the work of which it had a unit
     UNHEARD,  # what: the robot whose message, with news for this one, got lost

@@ -111,6 +111,8 @@ class EventText:
         if kind == c.MISSED:
             return "member", Recorded("is missed by its team")
         if kind == c.TAKEN_OVER:
+            if much:
+                return "member", Recorded("plays its role again")
             return "member", Recorded("takes over for {agent}", self._members[what].name)
         if kind == c.BACK:
             return "member", Recorded("begins anew, as a spare one")

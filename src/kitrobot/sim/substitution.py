@@ -6,6 +6,9 @@ and stands at the same storehouse if that one stood at one, takes its role and g
 its first line, is led to where the role was lost (`compiler.team_points`). *drop*, which also holds where no spare one
 is left: the others go on without it.
 
+A role that was to be taken over and was not is vacant. As long as somebody else plays it, the next robot of its kind,
+and for its place, that is back plays it too, and is led to where that one is.
+
 With a radio, who does not hear a majority of the team is silent too, and while nobody hears one, nobody is missed.
 A robot that is missed plays no role any more. One that has only lost its radio knows that by itself, and begins its
 program anew at once, as a spare one; any other does so when it is revived. Its devices are told to stop before.
@@ -54,6 +57,7 @@ from kitrobot.sim.team_columns import (
     T_ANSWER,
     T_HOLDER,
     T_LED,
+    T_LEFT,
     T_MISSED,
     T_PLACE,
     T_ROLE,
@@ -98,28 +102,38 @@ def look_for_silent(step: int, state: State) -> None:
     for i in range(len(robots[T_SILENT])):
         if robots[T_ACTUATOR][i] < 0 or ints[ENDED][i]:
             continue
-        begins_anew = False
         if ints[DOWN][i] == WELL and ints[MUTED][i] == 0 and (not by_radio or state.radio.robots[QUORUM][i]):
             if robots[T_SILENT][i] >= 0:
-                robots[T_SILENT][i] = -1
-                team.numbers[TEAM_FRESH] = 1
-                if robots[T_MISSED][i]:
-                    robots[T_MISSED][i] = 0
-                    begins_anew = True
-                    tell(state.events, state.clock, BACK, i, 0, 0)
-        else:
-            if robots[T_SILENT][i] < 0:
-                robots[T_SILENT][i] = step
-            if not can_agree:
-                continue
-            if robots[T_ROLE][i] >= 0 and step - robots[T_SILENT][i] >= team.numbers[TEAM_LEASE]:
-                miss(i, state)
-                begins_anew = ints[DOWN][i] == WELL
-            elif robots[T_ROLE][i] >= 0:
-                pending += 1
-        if begins_anew:
+                come_back(i, state)
+            continue
+        if robots[T_SILENT][i] < 0:
+            robots[T_SILENT][i] = step
+        if robots[T_ROLE][i] < 0 or not can_agree:
+            continue
+        if step - robots[T_SILENT][i] < team.numbers[TEAM_LEASE]:
+            pending += 1
+            continue
+        miss(i, state)
+        if ints[DOWN][i] == WELL:
             begin_anew(i, state)
     team.numbers[TEAM_PENDING] = pending
+
+
+def come_back(i: int, state: State) -> bool:
+    """Robot i is silent no more; whether its program begins anew, because it was missed. A spare one takes a role that
+    is vacant.
+    """
+    robots = state.team.robots
+    robots[T_SILENT][i] = -1
+    state.team.numbers[TEAM_FRESH] = 1
+    was_missed = robots[T_MISSED][i] != 0
+    if was_missed:
+        robots[T_MISSED][i] = 0
+        tell(state.events, state.clock, BACK, i, 0, 0)
+        begin_anew(i, state)
+    if robots[T_ROLE][i] < 0 and state.robots.ints[ENDED][i] == 0:
+        fill_vacancy(i, state)
+    return was_missed
 
 
 def miss(i: int, state: State) -> None:
@@ -144,6 +158,8 @@ def miss(i: int, state: State) -> None:
     if spare >= 0:
         take_over(spare, i, state)
     else:
+        if rule == SUBSTITUTE:
+            robots[T_LEFT][robots[T_SEAT][i]] = 1 + robots[T_ROLE][i]
         drop(i, team)
     robots[T_ROLE][i] = -1
     robots[T_SEAT][i] = i
@@ -175,23 +191,73 @@ def take_over(spare: int, lost: int, state: State) -> None:
     """A spare robot plays the role of one that is missed, in its groups; it is led to where that was."""
     team = state.team
     robots = team.robots
-    seat = robots[T_SEAT][lost]
-    robots[T_HOLDER][seat] = spare
-    robots[T_SEAT][spare] = seat
-    robots[T_ROLE][spare] = robots[T_ROLE][lost]
+    stand_in(spare, robots[T_SEAT][lost], lost, state)
     for g in range(len(team.groups)):
-        team.groups[g][spare] = team.groups[g][lost]
         team.groups[g][lost] = 0
-    robots[T_ANCHOR][spare] = robots[T_ANCHOR][lost]
-    robots[T_ANCHORED][spare] = robots[T_ANCHORED][lost]
-    robots[T_ANCHOR_ANSWER][spare] = robots[T_ANCHOR_ANSWER][lost]
-    robots[T_SINCE][spare] = robots[T_SINCE][lost]
-    copy_row(team.since[spare], team.since[lost])
-    robots[T_LED][spare] = robots[T_ANCHOR][lost]
-    robots[T_TOLD][spare] = 0
-    robots[T_TELL][spare] = robots[T_SINCE][lost]
-    state.actuators.ints[A_DONE][robots[T_ACTUATOR][spare]] = 1
     tell(state.events, state.clock, TAKEN_OVER, spare, lost, 0)
+
+
+def stand_in(i: int, seat: int, like: int, state: State) -> None:
+    """Robot i, which begins its program, stands in a place, with the role and in the groups of another robot; it is led
+    to where that one was last.
+    """
+    team = state.team
+    robots = team.robots
+    robots[T_HOLDER][seat] = i
+    robots[T_SEAT][i] = seat
+    robots[T_ROLE][i] = robots[T_ROLE][like]
+    for g in range(len(team.groups)):
+        team.groups[g][i] = team.groups[g][like]
+    robots[T_ANCHOR][i] = robots[T_ANCHOR][like]
+    robots[T_ANCHORED][i] = robots[T_ANCHORED][like]
+    robots[T_ANCHOR_ANSWER][i] = robots[T_ANCHOR_ANSWER][like]
+    robots[T_SINCE][i] = robots[T_SINCE][like]
+    copy_row(team.since[i], team.since[like])
+    robots[T_LED][i] = robots[T_ANCHOR][like]
+    robots[T_TOLD][i] = 0
+    robots[T_TELL][i] = robots[T_SINCE][like]
+    state.actuators.ints[A_DONE][robots[T_ACTUATOR][i]] = 1
+
+
+def fill_vacancy(i: int, state: State) -> None:
+    """A spare robot plays a role that is vacant for its kind and place, the first one that somebody else plays."""
+    robots = state.team.robots
+    programs = state.robots.ints[PROGRAM]
+    seat = -1
+    beside = -1
+    for k in range(len(robots[T_LEFT])):
+        left = robots[T_LEFT][k]
+        if (
+            left > 0
+            and (seat < 0 or left < robots[T_LEFT][seat])
+            and programs[k] == programs[i]
+            and robots[T_PLACE][k] == robots[T_PLACE][i]
+        ):
+            player = first_player(left - 1, state)
+            if player >= 0:
+                seat = k
+                beside = player
+    if seat < 0:
+        return
+    robots[T_LEFT][seat] = 0
+    stand_in(i, seat, beside, state)
+    find_members(state.team)
+    tell(state.events, state.clock, TAKEN_OVER, i, seat, 1 if seat == i else 0)
+
+
+def first_player(role: int, state: State) -> int:
+    """The first robot that plays a role, is well, and to whose place in the program another one can be led; or -1."""
+    robots = state.team.robots
+    ended = state.robots.ints[ENDED]
+    for i in range(len(robots[T_ROLE])):
+        if (
+            robots[T_ROLE][i] == role
+            and robots[T_SILENT][i] < 0
+            and ended[i] == 0
+            and robots[T_SINCE][i] <= len(state.team.since[i])
+        ):
+            return i
+    return -1
 
 
 def drop(lost: int, team: Team) -> None:

@@ -64,8 +64,9 @@ ONE, ANY, EVERY, MOST = range(4)
     T_TOLD,  # how many of `since` it was told again
     T_TELL,  # how many it is to be told
     T_PLACE,  # where it stands for good: at one of the storehouses, or -1 where it can be anywhere
-) = range(17)
-TEAM_ROWS = 17
+    T_LEFT,  # 1 + the role that is vacant in its place: whoever had it was missed, and no spare robot was left; or 0
+) = range(18)
+TEAM_ROWS = 18
 
 MOST_SINCE = 256
 """Points that a robot may go on from in one block and be substituted."""

@@ -4,7 +4,8 @@ Who is *silent* is missed at some time, or heard again before; the lease of a un
 simulator both take a certain time, in the model any. What comes of it, by the rules of the groups, is done by the
 simulator itself (`sim.substitution`, `sim.work`), on a copy of the whole state of the run.
 
-What a substitute needs to be led is kept only for those who may still be missed and who have a spare robot.
+What a substitute needs to be led is kept only of those with others of their kind, and while somebody may still be
+missed or a role is vacant.
 """
 
 from __future__ import annotations
@@ -22,7 +23,7 @@ from kitrobot.sim.dispatch import start
 from kitrobot.sim.meetings import is_left_empty
 from kitrobot.sim.radio_tables import no_radio
 from kitrobot.sim.state import State, Team
-from kitrobot.sim.substitution import begin_anew, end_spares, miss
+from kitrobot.sim.substitution import begin_anew, come_back, end_spares, miss
 from kitrobot.verifier import columns as v
 from kitrobot.verifier.agreeing import Agreed, Agreement, Told
 
@@ -80,19 +81,16 @@ class Watch(Agreement):
         """
         self._write(agreed)
         state, robots = self._state, self._team.robots
-        begins_anew = what == v.W_ANEW
         if what == v.W_SILENT:
             robots[tc.T_SILENT][robot] = 0
         elif what == v.W_BACK:
-            robots[tc.T_SILENT][robot] = -1
-            begins_anew = bool(robots[tc.T_MISSED][robot])
-            robots[tc.T_MISSED][robot] = 0
+            come_back(robot, state)
         elif what in (v.W_MISSED, v.W_ANEW):
             miss(robot, state)
+            if what == v.W_ANEW:
+                begin_anew(robot, state)
         else:
             self._team.holds[what - v.W_FREED][robot] = tc.LOST_UNIT
-        if begins_anew:
-            begin_anew(robot, state)
         return self._read()
 
     def after(self, agreed: Agreed, told: Sequence[Told]) -> Agreed:
@@ -169,14 +167,15 @@ class Watch(Agreement):
         """The same without what leads substitutes of those who cannot be missed where so many failures are left."""
         self._write(agreed)
         robots = self._team.robots
+        silent = any(one >= 0 <= role for one, role in zip(robots[tc.T_SILENT], robots[tc.T_ROLE], strict=True))
+        leads = left > 0 or silent or any(robots[tc.T_LEFT])
         for i in range(len(robots[tc.T_AT])):
             if robots[tc.T_LED][i] >= 0 or robots[tc.T_TOLD][i] < robots[tc.T_TELL][i]:
                 continue
             robots[tc.T_TOLD][i] = robots[tc.T_TELL][i] = 0
-            may_be_missed = robots[tc.T_ROLE][i] >= 0 and (left > 0 or robots[tc.T_SILENT][i] >= 0)
-            if not may_be_missed:
+            if not (leads and robots[tc.T_ROLE][i] >= 0):
                 robots[tc.T_ANCHOR][i] = -1
-            if not (may_be_missed and self._has_spare[i]):
+            if not (leads and robots[tc.T_ROLE][i] >= 0 and self._has_spare[i]):
                 robots[tc.T_SINCE][i] = robots[tc.T_ANCHOR_ANSWER][i] = 0
         return self._read()
 
@@ -186,7 +185,7 @@ class Watch(Agreement):
         """The rows that change besides, of which `ENDED` is the first and `T_ROLE` the fourth."""
         robots = self._team.robots
         own = (tc.T_MISSED, tc.T_ROLE, tc.T_SEAT, tc.T_HOLDER, tc.T_ANCHOR, tc.T_ANCHOR_ANSWER, tc.T_SINCE)
-        leads = (tc.T_LED, tc.T_TOLD, tc.T_TELL)
+        leads = (tc.T_LED, tc.T_TOLD, tc.T_TELL, tc.T_LEFT)
         rows = [robots[row] for row in (tc.T_SILENT, *own, *leads)]
         return [self._state.robots.ints[c.ENDED], *rows, self._team.emptied]
 
