@@ -7,6 +7,7 @@ from pathlib import Path
 import pytest
 
 import kitrobot
+from kitrobot.mission import FailureKind
 from kitrobot.sim.sweep import Fault, Field, Task, run_task
 from kitrobot.workspace import RunOptions
 from kitrobot.workspace.running import PreparedRun
@@ -62,6 +63,23 @@ def said_or_done(field: Field, agents: tuple[str, ...]) -> None:
     lost = {agents[fault.agent].rstrip("12") for fault in field.faults}
     assert (field.outcome == "done") or len(lost) == 1
     assert (field.outcome == "done") or "The team cannot go on: nobody is left of " in field.sentence
+
+
+@pytest.mark.parametrize("away", [2.0, 3.0])
+@pytest.mark.parametrize("apart", [1.5, 2.2, 4.0])
+def test_all_boxes_arrive_when_each_carrier_fails_for_a_while_and_one_is_always_left(apart: float, away: float) -> None:
+    simulation = opened("transport-team", 1).again()
+    names = [f"carrier-{n}" for n in (1, 2, 3)]
+    harms = [(2.5 + apart * n, name, FailureKind.FAIL) for n, name in enumerate(names)]
+    harms += [(at + away, name, FailureKind.REVIVE) for at, name, _ in harms]
+    for at, name, kind in sorted(harms):
+        while simulation.seconds < at:
+            simulation.step()
+        simulation.harm(name, kind)
+    while simulation.outcome is None:
+        simulation.step()
+    assert simulation.outcome == "done", simulation.sentence
+    assert "B holds all 12 boxes" in simulation.sentence
 
 
 def test_searchers_that_are_left_search_all_rooms() -> None:

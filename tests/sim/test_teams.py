@@ -176,6 +176,36 @@ def test_who_is_back_begins_anew_as_a_spare_one_and_takes_over_later() -> None:
     assert run.outcome == "done"
 
 
+def test_who_is_back_plays_the_role_again_that_nobody_could_take_over_as_far_as_another_one_is() -> None:
+    failures = [Failure("a", 0.2, FailureKind.MUTE), Failure("a", 1.5, FailureKind.REVIVE)]
+    run = small(PAIR.format(failure="substitute"), {"a": "scout", "b": "scout"}, failures)
+    assert told(run) == [
+        ("a", "loses its radio (on schedule)"),
+        ("a", "is missed by its team"),
+        ("a", "is well again (on schedule)"),
+        ("a", "begins anew, as a spare one"),
+        ("a", "plays its role again"),
+    ]
+    assert run.outcome == "done"
+    assert [agent.ended for agent in run.members] == [True, True]
+
+
+@pytest.mark.parametrize(("failure", "agents"), [("drop", "ab"), ("substitute", "a")])
+def test_who_is_back_stays_spare_where_nobody_was_to_take_over_or_nobody_else_plays_the_role(
+    failure: str, agents: str
+) -> None:
+    text = f"""role scout: ant {len(agents)};
+role digger: ant;
+group scouts = scout on failure {failure};
+
+//( SeqOfPar scouts ( Arm.Do(1); WAIT(100); );, ParOfSeq digger ( WAIT(300); ); );
+"""
+    failures = [Failure("a", 0.2, FailureKind.MUTE), Failure("a", 1.5, FailureKind.REVIVE)]
+    found = told(small(text, {**dict.fromkeys(agents, "scout"), "c": "digger"}, failures))
+    assert ("a", "begins anew, as a spare one") in found
+    assert ("a", "plays its role again") not in found
+
+
 def test_one_that_was_silent_for_less_than_a_second_goes_on() -> None:
     failures = [Failure("a", 0.2, FailureKind.MUTE), Failure("a", 1.1, FailureKind.REVIVE)]
     run = small(PAIR.format(failure="substitute"), {"a": "scout", "b": "scout", "c": ""}, failures)
