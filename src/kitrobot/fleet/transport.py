@@ -177,6 +177,8 @@ def _open(network: Network) -> tuple[Any, Any]:
         "scouting/gossip/enabled": True,
         "connect/endpoints": list(network.connect),
         "connect/timeout_ms": 5000,
+        # Zenoh waits 1, 2, 4 s between attempts: longer than a router takes to be there again.
+        "connect/retry": {"period_init_ms": 200, "period_max_ms": 500, "period_increase_factor": 1.5},
         "connect/exit_on_failure": False,
         "listen/exit_on_failure": True,
         "transport/unicast/max_sessions": 1000,
