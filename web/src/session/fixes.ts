@@ -12,7 +12,7 @@ import { unwrapPart } from "../model/commands/wrapParts";
 import { partsOf } from "../model/parts";
 import { useStudio } from "../model/studio";
 import type { Problem, Program, Vertex } from "../model/types";
-import { exactStretchOf } from "./places";
+import { exactStretchesIn } from "./places";
 import { typeText, useTyping } from "./typing";
 
 function changed(program: Program, vertex: Vertex, after: Vertex): Program {
@@ -73,7 +73,7 @@ export function applyFix(problem: Problem): boolean {
   if (fix == null) return false;
   const draft = useTyping.getState().drafts[problem.program];
   if (draft !== undefined && isOfText(problem)) {
-    const { from, to } = exactStretchOf(problem, draft.text);
+    const { from, to } = exactStretchesIn(draft.text)(problem);
     const text = draft.text.slice(0, from) + fix.text + draft.text.slice(to);
     typeText(problem.program, text, { text: draft.text, spans: draft.spans });
     return true;

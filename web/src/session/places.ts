@@ -24,25 +24,31 @@ export interface Stretch {
   to: number;
 }
 
-/** Where a problem stands in a text; empty where something is missing. */
-export function exactStretchOf(problem: Problem, text: string): Stretch {
+/** Where problems stand in a text; empty where something is missing. */
+export function exactStretchesIn(text: string): (problem: Problem) => Stretch {
   const lines = text.split("\n");
+  let end = 0;
+  const begins = lines.map((line) => (end += line.length + 1) - line.length - 1);
   const offset = (line: number, column: number): number => {
     const at = Math.min(Math.max(line, 1), lines.length) - 1;
-    const before = lines.slice(0, at).reduce((sum, one) => sum + one.length + 1, 0);
     const own = line > lines.length ? Infinity : column - 1;
     const words = lines[at] ?? "";
-    return before + Math.min(unitsOf(words)(own), words.length);
+    return (begins[at] ?? 0) + Math.min(unitsOf(words)(own), words.length);
   };
-  const from = offset(problem.line, problem.column);
-  return { from, to: Math.max(offset(problem.end_line, problem.end_column), from) };
+  return (problem) => {
+    const from = offset(problem.line, problem.column);
+    return { from, to: Math.max(offset(problem.end_line, problem.end_column), from) };
+  };
 }
 
-/** As `exactStretchOf`, at least one character of the text where there is one: what can be marked. */
-export function stretchOf(problem: Problem, text: string): Stretch {
-  const { from, to } = exactStretchOf(problem, text);
-  if (to > from) return { from, to };
-  return from > 0 && (from === text.length || text[from] === "\n") && text[from - 1] !== "\n"
-    ? { from: from - 1, to: from }
-    : { from, to: Math.min(from + 1, text.length) };
+/** As `exactStretchesIn`, at least one character of the text where there is one: what can be marked. */
+export function stretchesIn(text: string): (problem: Problem) => Stretch {
+  const exact = exactStretchesIn(text);
+  return (problem) => {
+    const { from, to } = exact(problem);
+    if (to > from) return { from, to };
+    return from > 0 && (from === text.length || text[from] === "\n") && text[from - 1] !== "\n"
+      ? { from: from - 1, to: from }
+      : { from, to: Math.min(from + 1, text.length) };
+  };
 }

@@ -3,7 +3,7 @@ import { describe, expect, it } from "vitest";
 import type { Catalogue, Constructor, Method, Problem, Robot } from "../../model/types";
 import { callSnippet, complete, constructSnippet, standingAt } from "./completion";
 import { callHelp } from "./help";
-import { spansInUnits, stretchOf } from "../../session/places";
+import { spansInUnits, stretchesIn } from "../../session/places";
 
 const method = (name: string, kind: Method["kind"], defaults: number[] = []): Method => ({
   ...{ name, kind, label: { "": `label of ${name}` }, help: { "": `help of ${name}` }, icon: "", phrase: {} },
@@ -133,8 +133,8 @@ describe("places", () => {
   });
 
   it("are offsets of the text, in units", () => {
-    expect(stretchOf(problem(2, 1, 2, 3), "ab\ncd")).toEqual({ from: 3, to: 5 });
-    expect(stretchOf(problem(1, 2, 1, 3), "💥b")).toEqual({ from: 2, to: 3 });
+    expect(stretchesIn("ab\ncd")(problem(2, 1, 2, 3))).toEqual({ from: 3, to: 5 });
+    expect(stretchesIn("💥b")(problem(1, 2, 1, 3))).toEqual({ from: 2, to: 3 });
     const span = { vertex: "v", start: 1, end: 2, line: 1 };
     expect(spansInUnits([span], "💥b")).toEqual([{ ...span, start: 2, end: 3 }]);
   });
@@ -146,6 +146,6 @@ describe("places", () => {
     ["ab\n", 2, 1, 3, 3],
     ["ab", 1, 1, 0, 1],
   ])("without length take a character where there is one: %j", (text, line, column, from, to) => {
-    expect(stretchOf(problem(line, column, line, column), text)).toEqual({ from, to });
+    expect(stretchesIn(text)(problem(line, column, line, column))).toEqual({ from, to });
   });
 });

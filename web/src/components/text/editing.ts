@@ -17,7 +17,7 @@ import { useStudio } from "../../model/studio";
 import { partsOf } from "../../model/parts";
 import type { Catalogue, Problem, Robot } from "../../model/types";
 import { applyFix } from "../../session/fixes";
-import { stretchOf } from "../../session/places";
+import { stretchesIn } from "../../session/places";
 import { isUnfinished } from "../../session/typing";
 import { completionSource } from "./completion";
 import { callHelp, constructHelp, numberHelp } from "./help";
@@ -115,11 +115,12 @@ export function editingExtensions(around: Surroundings): Extension {
 /** Marks the mistakes in the text. */
 export function mark(view: EditorView, problems: readonly Problem[]): void {
   const text = view.state.doc.toString();
+  const stretchOf = stretchesIn(text);
   const marks = problems.map((problem): Diagnostic => {
     const message = [sentence(problem.message), sentence(problem.help)].filter((one) => one !== "").join("\n");
     const actions = problem.fix == null ? [] : [{ name: t("problems.fix"), apply: () => void applyFix(problem) }];
     const severity = problem.severity === "hint" ? "info" : problem.severity;
-    return { ...stretchOf(problem, text), severity, message, actions };
+    return { ...stretchOf(problem), severity, message, actions };
   });
   view.dispatch(setDiagnostics(view.state, marks));
 }
