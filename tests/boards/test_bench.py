@@ -75,7 +75,7 @@ def test_every_part_is_tried_and_what_is_not_plugged_in_fails_by_itself_alone(ki
     assert "pressed" in rows["Button"]["words"][0]
     assert len(rows["Button"]["words"]) == len(rows["Button"]["values"])
     assert rows["Wheel.Advance(40)"]["seen"] == "Both wheels turn forward."
-    with connect(kit.address, 10) as board:
+    with connect(kit.address, PATIENCE_S) as board:
         assert board.hello.state_name == "ready"
     moves = duties(kit)
     for one in ((40, 0, 40, 0), (0, 40, 0, 40), (0, 40, 40, 0)):
@@ -97,7 +97,7 @@ def test_a_part_moves_until_its_step_ends_and_everything_stands_when_the_line_is
         run.watch(30)
     run.begin(steps["Motor.Turn(40)"])
     run._hand.session.link.close()  # the cable is pulled
-    with connect(kit.address, 10) as board:
+    with connect(kit.address, PATIENCE_S) as board:
         # Nobody speaks to it any more.
         while not isinstance(news := board.news(1), Fault):
             pass
@@ -218,7 +218,7 @@ def test_answers_that_end_too_early_write_nothing_and_the_robot_stands(
     _, err = command("calibrate", kit.address, "--board", "pico", status=1)
     assert "the answers ended" in err
     assert not list(tmp_path.glob("*.xml"))
-    with connect(kit.address, 10) as board:
+    with connect(kit.address, PATIENCE_S) as board:
         assert board.hello.state_name == "ready"
 
 

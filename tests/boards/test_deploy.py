@@ -14,6 +14,7 @@ from kitrobot.robots import BoardProgram
 from tests.boards.bench import ONE, OTHER, bench_program
 from tests.boards.proxy import Proxy, noise
 from tests.effort import THOROUGH
+from tests.patience import PATIENCE_S
 
 EVERY = 1 if THOROUGH else 100
 SEEDS = range(20 if THOROUGH else 1)
@@ -26,7 +27,7 @@ def put(address: str, program: BoardProgram, *, replace: bool = False, fresh: bo
 
 def runs(address: str) -> str:
     """The program that runs on a board."""
-    with connect(address, 10) as board:
+    with connect(address, PATIENCE_S) as board:
         assert board.hello.state == 2
         return board.hello.program
 
@@ -85,7 +86,7 @@ def a_deploy_that_broke_off_needs_no_reset_to_start_it(board: Any, done: Deploye
 
 
 def at_the_prompt_it_is_started(board: Any, done: Deployed) -> None:
-    with connect(board.address, 10) as found:
+    with connect(board.address, PATIENCE_S) as found:
         found.quit()
     assert runs(board.address) == done.program
 

@@ -40,7 +40,7 @@ def folder(tmp_path: Path) -> Path:
 def test_the_example_is_deployed_and_beeps_twice_when_the_battery_is_low(kit: ModernBoard, folder: Path) -> None:
     program = load_board_program(folder / "low.lll", robot=str(folder / "signaller.robot.xml"))
     deploy(kit.address, program.file.to_bytes(), program.package)
-    with connect(kit.address, 10) as line:
+    with connect(kit.address, PATIENCE_S) as line:
         # No volts at all: the battery is empty, so it beeps at once and ends.
         while line.greet().state != 3:
             assert line.last_fault() is None

@@ -8,6 +8,7 @@ from kitrobot.deploy import Board, connect
 from tests.boards.alvik import HEARD, NOTHING, STANDING, TURNED, frame
 from tests.boards.modern import ModernBoard, onboard_files
 from tests.boards.test_modern_robot import deploy_by_command, pins_told
+from tests.patience import PATIENCE_S
 
 EXAMPLES = Path(__file__).resolve().parents[2] / "examples"
 MOTORS = (2, 3, 4, 5)
@@ -20,7 +21,7 @@ def until_it_did_150_ticks(board: Board) -> None:
 
 def test_square_drives_and_turns_on_a_pico_with_two_motors_and_stop_stops_them(kit: ModernBoard) -> None:
     deploy_by_command(EXAMPLES / "square" / "square.krt", kit, "--board", "pico")
-    with connect(kit.address, 10) as board:
+    with connect(kit.address, PATIENCE_S) as board:
         until_it_did_150_ticks(board)
         board.stop()
         assert board.last_fault() is None
@@ -49,7 +50,7 @@ def test_a_range_finder_that_is_not_plugged_in_is_a_fault_of_its_part_and_everyt
         path = tmp_path / "wall.lll"
         path.write_text("Wheel.Advance(50); *[Captor.GreaterThan(20)](WAIT(1); ); Wheel.Stop();", encoding="utf-8")
         deploy_by_command(path, board, "--robot", "mini-robot", "--board", "pico")
-        with connect(board.address, 10) as line:
+        with connect(board.address, PATIENCE_S) as line:
             fault = None
             while fault is None:
                 fault = line.last_fault()
@@ -72,7 +73,7 @@ partners[1] = stm32
 """
     with ModernBoard({"lib/machine.py": onboard_files()["machine.py"] + robot.encode()}) as board:
         deploy_by_command(EXAMPLES / "square" / "square.krt", board, "--board", "alvik")
-        with connect(board.address, 10) as line:
+        with connect(board.address, PATIENCE_S) as line:
             until_it_did_150_ticks(line)
             line.stop()
             assert line.last_fault() is None
@@ -101,7 +102,7 @@ partners[1] = stm32
         path = tmp_path / "wall.lll"
         path.write_text("Wheel.Advance(50); *[Captor.GreaterThan(20)](WAIT(1); ); Wheel.Stop();", encoding="utf-8")
         deploy_by_command(path, board, "--robot", "mini-robot", "--board", "alvik")
-        with connect(board.address, 10) as line:
+        with connect(board.address, PATIENCE_S) as line:
             fault = None
             while fault is None:
                 fault = line.last_fault()

@@ -33,7 +33,7 @@ def test_a_host_that_does_not_read_holds_nothing_up_and_is_told_later(tmp_path: 
     cell = Layout(bench_robot(tmp_path)).variables["Count"]
     with ModernBoard() as robot:
         deploy(robot.address, program.file.to_bytes(), program.package)
-        with connect(robot.address, 20) as board:
+        with connect(robot.address, PATIENCE_S) as board:
             board.watch(20)
             until(board, lambda: board.look().tick > 0)
             robot.deaf(True)

@@ -177,7 +177,7 @@ def test_the_heart_is_sent_started_and_stopped_with_the_commands_of_a_user(used_
     again = called("deploy", str(HEART), *to)
     assert "nothing to send" in again.stdout
     microbit.cut_power()
-    with connect(microbit.address, 20) as board:
+    with connect(microbit.address, PATIENCE_S) as board:
         assert board.hello.state == 2, "it starts by itself"
         first = board.hello.tick
         assert any(board.greet().tick > first for _ in range(100)), "its program goes on"
@@ -251,7 +251,7 @@ def test_all_devices_of_it_work_there(used_microbit: Emulated, tmp_path: Path, t
     program = load_board_program(path, robot="microbit")
     place(used_microbit, program)
     compared(used_microbit.address, program, find_robot("microbit"), seed=14, ticks=STEPS)
-    with connect(used_microbit.address, 10) as board:
+    with connect(used_microbit.address, PATIENCE_S) as board:
         assert board.last_fault() is None
 
 
@@ -355,7 +355,7 @@ def test_it_does_the_ticks_of_a_member_and_waits_when_another_of_its_team_has_no
     assert sending.returncode == 1
     assert "no robot of the team is started; mend what is said above of bit-1" in said
     assert "the new program is already on the boards of these, where it waits: bit-2" in said
-    with connect(used_microbit.address, 10) as board:
+    with connect(used_microbit.address, PATIENCE_S) as board:
         assert board.hello.free > 2200
         board.begin_member()
         assert board.member_tick({}), "the number of its thread is no longer 0"
@@ -383,7 +383,7 @@ def test_a_device_that_fails_stops_the_robot_and_is_told_with_its_instruction(
     (tmp_path / "bench.robot.xml").write_text(robot.replace('pin="1"', 'pin="1" limit="0.2"'), encoding="utf-8")
     program = load_board_program(tmp_path / "program.lll", robot=str(tmp_path / "bench.robot.xml"))
     place(used_microbit, program)
-    with connect(used_microbit.address, 10) as board:
+    with connect(used_microbit.address, PATIENCE_S) as board:
         fault = next((found for _ in range(100) if (found := board.last_fault()) is not None), None)
         assert fault is not None
         assert (fault.number, said in fault.text) == (number, True)

@@ -22,6 +22,7 @@ from kitrobot.primitives import load_catalogue
 from kitrobot_onboard.link import wrap
 from tests.boards.modern import ModernBoard
 from tests.effort import THOROUGH
+from tests.patience import PATIENCE_S
 from tests.strategies import Shape, TickInputs, random_program, random_script
 
 EXAMPLE = Path(__file__).resolve().parents[2] / "examples" / "kit-rover" / "kit-rover.krt"
@@ -85,7 +86,7 @@ def test_the_example_gives_the_commands_of_the_simulator_tick_by_tick(kit: Moder
     assert image is not None
     robot = opened.catalogue.robots[program.target]
     script = random_script(random.Random("kit"), robot, 30)
-    with connect(kit.address, 10) as board:
+    with connect(kit.address, PATIENCE_S) as board:
         assert board.hello.program == done["program"]
         same_commands(board, Machine(image, robot), script)
 
@@ -99,7 +100,7 @@ def test_random_programs_give_the_commands_of_the_simulator_tick_by_tick(kit: Mo
         deploy_by_command(path, kit, "--robot", "kit-robot")
         compiled = compile_text(path.read_text(encoding="utf-8"), robot)
         assert compiled.image is not None
-        with connect(kit.address, 10) as board:
+        with connect(kit.address, PATIENCE_S) as board:
             same_commands(board, Machine(compiled.image, robot), random_script(rng, robot, 40))
 
 
@@ -112,7 +113,7 @@ def test_the_pins_of_motors_servo_and_lamp_do_what_the_program_says_and_stop_sto
     go = LOOKS + "LeftWheel.Forward(50); RightWheel.Forward(20); Door.Open(); Light.LightOn();"
     path.write_text(f"{go} {number}.Set(7); WAIT(600);\n")
     deploy_by_command(path, kit, "--robot", "kit-robot")
-    with connect(kit.address, 10) as board:
+    with connect(kit.address, PATIENCE_S) as board:
         board.start()
         board.watch(20)
         assert told_value(board, Layout(robot).variables[number], 7)
@@ -138,7 +139,7 @@ def test_watching_tells_variables_and_inputs_and_a_variable_can_be_set(kit: Mode
     deploy_by_command(path, kit, "--robot", "kit-robot")
     layout = Layout(robot)
     cell = layout.variables[number]
-    with connect(kit.address, 10) as board:
+    with connect(kit.address, PATIENCE_S) as board:
         board.watch(20)
         board.set(cell, 57)
         assert told_value(board, cell, 57)
@@ -171,7 +172,7 @@ def test_the_link_survives_noise_and_floods_while_it_runs(kit: ModernBoard) -> N
         assert line.read_until(wrap("K", 99, b""), 30).endswith(wrap("K", 99, b"")), "all of it was read"
     finally:
         line.close()
-    with connect(kit.address, 20) as board:
+    with connect(kit.address, PATIENCE_S) as board:
         assert board.hello.state in (2, 3)
         assert board.last_fault() is None
 
@@ -190,7 +191,7 @@ def test_a_driver_that_fails_stops_the_motors_and_the_board_says_which(kit: Mode
     path = tmp_path / "broken.lll"
     path.write_text("LeftWheel.Forward(50); WAIT(5); Door.Open(); WAIT(600);\n")
     deploy_by_command(path, kit, "--robot", "kit-robot")
-    with connect(kit.address, 10) as board:
+    with connect(kit.address, PATIENCE_S) as board:
         while (fault := board.last_fault()) is None:
             pass
         assert fault.number == 1
@@ -214,5 +215,5 @@ def test_a_pin_that_the_board_does_not_have_is_named_and_the_old_program_stays(
     path.write_text(LOOKS + "Light.LightOn();\n")
     answer = deploy_by_command(path, kit, "--robot", str(own), status=1)
     assert "invalid pin" in answer["error"]["message"]
-    with connect(kit.address, 10) as board:
+    with connect(kit.address, PATIENCE_S) as board:
         assert board.hello.program == before["program"]

@@ -13,6 +13,7 @@ from tests.boards.kit_steps import results_of
 from tests.boards.modern import ModernBoard, onboard_files
 from tests.boards.test_modern_robot import deploy_by_command, pins_told
 from tests.effort import cases
+from tests.patience import PATIENCE_S
 
 PAGE = (Path(__file__).resolve().parents[2] / "docs" / "drivers.md").read_text(encoding="utf-8")
 ADDRESS = 96
@@ -322,7 +323,7 @@ def test_both_motors_have_no_power_after(end: str, plugged: ModernBoard, tmp_pat
     plugged.cut_power()
     then = "WAIT(20); Light.LightOn();" if end.startswith("a fault") else ""
     sent(plugged, tmp_path, f"Wheel.Advance(50); {then} WAIT(6000); Wheel.Stop(); Light.LightOff();")
-    with connect(plugged.address, 10) as board:
+    with connect(plugged.address, PATIENCE_S) as board:
         board.start(held=end.startswith("the one"))
         if end == "STOP":
             board.stop()
@@ -348,7 +349,7 @@ def test_a_chip_that_is_lost_on_the_way_is_a_fault_and_starts_again_when_it_is_b
     frail = FRAIL.replace("MISSED", str(missed)).encode()
     with ModernBoard({"lib/machine.py": MACHINE + frail}) as modern:
         sent(modern, tmp_path, "Wheel.Advance(50); WAIT(20); Wheel.Reverse(50); WAIT(6000);")
-        with connect(modern.address, 10) as board:
+        with connect(modern.address, PATIENCE_S) as board:
             board.start()
             fault = fault_of(board)
             assert (fault.number, fault.instruction is not None) == (1, True)

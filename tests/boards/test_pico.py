@@ -152,7 +152,7 @@ def test_a_robot_is_deployed_to_a_pico_driven_watched_and_stopped(board: Pico, t
     made = program(tmp_path, LOOKS + "LeftWheel.Forward(50); RightWheel.Forward(20); WAIT(600);")
     pins = (FORWARD_LEFT, FORWARD_RIGHT)
     assert made.is_called(deploy(board.address, made.file.to_bytes(), made.package).program)
-    with connect(board.address, 20) as link:
+    with connect(board.address, PATIENCE_S) as link:
         link.start(held=True)
         link.watch(100)
         news = [link.news(5) for _ in range(10)]
@@ -168,7 +168,7 @@ def test_a_robot_is_deployed_to_a_pico_driven_watched_and_stopped(board: Pico, t
         until_duties(board, pins, (0.5, 0.2))
     until_duties(board, pins, (0, 0))
     board.cut_power()
-    with connect(board.address, 20) as link:
+    with connect(board.address, PATIENCE_S) as link:
         assert link.hello.state_name == "running", "it starts by itself"
 
 
@@ -181,7 +181,7 @@ def test_a_body_made_for_its_chip_turns_its_wheels_and_stands_after_stop_and_a_l
     # Of each wheel the pin with the power and the one that is high for backward.
     pins = (15, 11, 14, 10)
     deploy(board.address, made.file.to_bytes(), made.package)
-    with connect(board.address, 20) as link:
+    with connect(board.address, PATIENCE_S) as link:
         link.start(held=True)
         until_duties(board, pins, (0.5, 0, 0.2, 1))
         link.stop()
@@ -211,6 +211,6 @@ def test_a_deploy_to_a_pico_that_is_cut_leaves_what_was_there(board: Pico, tmp_p
     with Proxy(port, cut_after=cut) as wire, contextlib.suppress(KitRobotError):
         deploy(wire.address, new.file.to_bytes(), new.package)
     board.cut_power()
-    with connect(board.address, 20) as link:
+    with connect(board.address, PATIENCE_S) as link:
         assert old.is_called(link.hello.program) or new.is_called(link.hello.program)
     assert new.is_called(deploy(board.address, new.file.to_bytes(), new.package).program)

@@ -14,6 +14,7 @@ from kitrobot.primitives import Robot
 from kitrobot.robots import BoardProgram
 from tests.boards.bench import PROGRAMS, TURNS, bench_program, bench_robot
 from tests.effort import THOROUGH, cases
+from tests.patience import PATIENCE_S
 
 TICKS = 2000 if THOROUGH else 60
 
@@ -23,7 +24,7 @@ def compared(address: str, program: BoardProgram, robot: Robot, seed: int, ticks
     machine = Machine(Image.from_bytes(program.file.image), robot)
     layout = machine.layout
     chance = random.Random(seed)
-    with connect(address, 10) as board:
+    with connect(address, PATIENCE_S) as board:
         board.stop()
         board.arguments = list(program.names.arguments)
         held: dict[int, int] = {}
