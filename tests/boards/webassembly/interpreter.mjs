@@ -5,7 +5,6 @@
 // that outlast a reset, soft reset, and raw paste mode, which this build announces but cannot do.
 
 import { parentPort, workerData } from "node:worker_threads";
-import { loaded } from "./loading.mjs";
 import { DEAF, HEAD, HELD_UP, REFUSED, TAIL, ringOf } from "./ring.mjs";
 
 const CTRL_A = 1;
@@ -44,6 +43,7 @@ _run(${JSON.stringify(name)})
 del _run
 `;
 
+const { loadMicroPython } = await import(workerData.micropython);
 const { indices, bytes } = ringOf(workerData.buffer);
 const files = new Map(workerData.files);
 
@@ -190,7 +190,7 @@ async function boot(withMain) {
   mp = undefined;
   // Node's loop must turn once, or what the old one held is never given back.
   await new Promise((resolve) => setImmediate(resolve));
-  mp = await loaded(workerData.micropython, { stdin: readByte, stdout: put, stderr: put, linebuffer: false });
+  mp = await loadMicroPython({ stdin: readByte, stdout: put, stderr: put, linebuffer: false });
   const stdin = mp.FS.streams[0];
   stdin.stream_ops = {
     ...stdin.stream_ops,

@@ -7,9 +7,9 @@
 
 import { readFileSync, readdirSync, writeSync } from "node:fs";
 import { join, relative } from "node:path";
-import { loaded } from "./loading.mjs";
 
 const [micropython, folder, name] = process.argv.slice(2);
+const { loadMicroPython } = await import(micropython);
 
 const write = (bytes) => {
   for (let at = 0; at < bytes.length;) at += writeSync(1, bytes, at);
@@ -19,7 +19,7 @@ const flush = () => {
   write(Buffer.from(out));
   out = [];
 };
-const mp = await loaded(micropython, {
+const mp = await loadMicroPython({
   stdout: (bytes) => {
     out.push(...bytes);
     if (out.length > 4096) flush();
