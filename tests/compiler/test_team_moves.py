@@ -105,6 +105,22 @@ def test_each_role_and_group_that_a_move_can_leave_empty_is_told(text: str, expe
     assert emptied(text) == expected
 
 
+PLAIN = "role carriers: carrier 2..3; role loaders: loader; group movers = carriers; group all = {movers, loaders};"
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "MOVE 2 movers -> loaders;  #! team-group-empty@1 it may have no more than 2",
+        "2*( MOVE 1 movers -> loaders; );  #! team-group-empty",
+        "*( WAIT(1); MOVE 1 movers -> loaders; );  #! team-group-empty",
+        "*( WAIT(1); MOVE 1 movers -> loaders; MOVE 1 loaders -> movers; );",
+    ],
+)
+def test_a_group_that_can_lose_all_its_members_is_told_with_how_many_it_may_have(text: str) -> None:
+    told(text, PLAIN)
+
+
 LOOKED_FOR = [
     "MOVE 2 movers -> rest;  MOVE 2 rest -> movers;",
     "MOVE 2 movers -> rest; SeqOfPar loaders (); MOVE 2 rest -> movers;",

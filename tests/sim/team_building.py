@@ -142,8 +142,8 @@ def lost_for(event: Event) -> str:
     """Who was missed before an agent plays its role, which may be the agent itself; "" for other events."""
     if event.text == "plays its role again":
         return event.agent
-    before, found, lost = event.text.partition("takes over for ")
-    return lost if found and not before else ""
+    told = "takes over for "
+    return event.text.removeprefix(told) if event.text.startswith(told) else ""
 
 
 def random_team_program(seed: int, spares: int = 0, asks: bool = True) -> tuple[TeamMaker, TeamProgram]:

@@ -37,6 +37,10 @@ class DebugMap:
         """The same, without those of other programs that stand in this one."""
         return [origin.vertex if origin.program == program else None for origin in self.origins]
 
+    def places_of(self, program: str) -> list[tuple[str, str] | None]:
+        """The program and the vertex of each instruction of that program, where it has one."""
+        return [(origin.program or program, origin.vertex) if origin.vertex else None for origin in self.origins]
+
     def inner_of(self, program: str) -> list[tuple[str, str] | None]:
         """Of each instruction its program and vertex, where that is another program than this one."""
         return [

@@ -141,8 +141,7 @@ def _givers(compiled: Compiled, robot: Robot, places: Sequence[Place], program: 
     else than what was recorded.
     """
     image = compiled.image
-    now = [(one.program or program, one.vertex) if one.vertex else None for one in compiled.debug.origins]
-    if image is None or now != list(places):
+    if image is None or compiled.debug.places_of(program) != list(places):
         return {}
     layout = Layout(robot)
     found: dict[tuple[str, str], set[Place]] = {}

@@ -168,14 +168,15 @@ class Watch(Agreement):
         self._write(agreed)
         robots = self._team.robots
         silent = any(one >= 0 <= role for one, role in zip(robots[tc.T_SILENT], robots[tc.T_ROLE], strict=True))
-        leads = left > 0 or silent or any(robots[tc.T_LEFT])
+        may_be_led = left > 0 or silent or any(robots[tc.T_LEFT])
         for i in range(len(robots[tc.T_AT])):
             if robots[tc.T_LED][i] >= 0 or robots[tc.T_TOLD][i] < robots[tc.T_TELL][i]:
                 continue
             robots[tc.T_TOLD][i] = robots[tc.T_TELL][i] = 0
-            if not (leads and robots[tc.T_ROLE][i] >= 0):
+            leads = may_be_led and robots[tc.T_ROLE][i] >= 0
+            if not leads:
                 robots[tc.T_ANCHOR][i] = -1
-            if not (leads and robots[tc.T_ROLE][i] >= 0 and self._has_spare[i]):
+            if not (leads and self._has_spare[i]):
                 robots[tc.T_SINCE][i] = robots[tc.T_ANCHOR_ANSWER][i] = 0
         return self._read()
 
