@@ -46,8 +46,25 @@ def test_a_search_that_is_cut_never_holds(kitrobot) -> None:
     said = kitrobot("verify", SMALL, "--timing", "free", "--max-states", "50", "--json")
     assert said.status == 3
     checked = said.json["checks"][0]
-    assert (checked["states"], checked["complete"]) == (50, False)
+    assert (checked["states"], checked["complete"], checked["cut"]) == (50, False, "states")
     assert {one["answer"] for one in checked["properties"]} == {"not finished"}
+
+
+@pytest.mark.parametrize(
+    ("options", "words"),
+    [
+        (
+            ("--timing", "prompt", "--max-states", "50"),
+            "prompt; free came to the limit of states; --max-states sets another",
+        ),
+        (("--max-memory", "1"), "free came to the limit of memory; --max-memory sets another"),
+        (("--timing", "prompt", "--seconds", "0.000001"), "prompt ran out of time; --seconds gives it more"),
+    ],
+)
+def test_why_a_search_is_not_finished_is_said_with_what_helps(kitrobot, options: tuple[str, ...], words: str) -> None:
+    said = kitrobot("verify", SMALL, "--timing", "free", *options)
+    assert said.status == 3
+    assert [line for line in said.out.splitlines() if "not finished:" in line] == [f"  not finished: {words}"]
 
 
 @pytest.mark.parametrize(
@@ -60,6 +77,7 @@ def test_a_search_that_is_cut_never_holds(kitrobot) -> None:
         (("--kind", "mute"), 2, "say with --failures how many there may be"),
         (("--seconds", "0"), 2, "a check takes more than 0 seconds"),
         (("--max-states", "0"), 2, "--max-states"),
+        (("--max-memory", "0"), 2, "--max-memory"),
     ],
 )
 def test_a_check_that_makes_no_sense_is_refused(kitrobot, options: tuple[str, ...], status: int, words: str) -> None:

@@ -79,7 +79,7 @@ def test_columns_come_one_by_one_in_the_readers_language_and_a_broken_one_is_pla
     with checking("fr") as checker:
         checker.start(greedy)
         first = checker.until("column")
-        assert (first["timing"], first["failures"], first["complete"]) == ("lockstep", 0, True)
+        assert (first["timing"], first["failures"], first["cut"]) == ("lockstep", 0, None)
         assert first["states"] > 1000
         told = {one["name"]: one for one in first["properties"]}
         assert told["empty-storehouse"]["answer"] == "broken"
@@ -156,6 +156,6 @@ def test_a_studio_is_at_one_check_at_a_time_and_it_tells_how_far_it_came_when_it
         first.send(type="stop")
         first.until("end")
         assert {one["answer"] for one in first.columns[-1]["properties"]} <= {"holds", "not finished"}
-        assert not first.columns[-1]["complete"]
+        assert first.columns[-1]["cut"] == "stopped"
         second.start(blink)
         second.until("end")

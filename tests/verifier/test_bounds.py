@@ -2,12 +2,16 @@
 
 from __future__ import annotations
 
+import itertools
+
 import pytest
 
 from kitrobot.exercise.reading import PROPERTIES
 from kitrobot.mission.asked import READY, READY_OF_AGENTS, is_ready
 from kitrobot.sim import Simulation
-from kitrobot.verifier import AbstractionError, Budget, Model, Timing, judge, ready_properties, take_apart
+from kitrobot.verifier import AbstractionError, Budget, Cut, Model, Timing, judge, ready_properties, take_apart
+from kitrobot.verifier.engines import PLAIN
+from kitrobot.verifier.events import TooManyError
 from tests.sim.building import avatar, empty_world, run_of, transport
 from tests.verifier.building import EXAMPLES, prepared
 
@@ -35,6 +39,38 @@ def test_six_robots_that_each_count_to_a_hundred_have_a_million_million_states_a
     assert 4_000 < made.states <= 5_000
     assert made.memory < 10_000_000
     assert {verdict.answer.value for verdict in made.verdicts} == {"not finished"}
+
+
+def beyond(_: Model, code: int) -> None:
+    raise TooManyError(code)
+
+
+@pytest.mark.parametrize(
+    ("budget", "cut"),
+    [
+        (Budget(50), Cut.STATES),
+        (Budget(None, memory=1_000_000), Cut.MEMORY),
+        (Budget(None, seconds=40.0, clock=itertools.count().__next__), Cut.TIME),
+        (Budget(None, stop=lambda: True), Cut.STOPPED),
+        (Budget(None), Cut.SIZE),
+    ],
+)
+def test_why_a_search_ended_is_known(monkeypatch: pytest.MonkeyPatch, budget: Budget, cut: Cut) -> None:
+    run = transport(stock=12, carriers=3)
+    model = Model(run, take_apart(run), 0, Timing.FREE)
+    model.begin()
+    if cut is Cut.SIZE:
+        monkeypatch.setattr(Model, "fill", beyond)
+    made = judge(model, ready_properties(model), budget, PLAIN)
+    assert (made.cut, made.complete) == (cut, False)
+    assert "holds" not in {verdict.answer.value for verdict in made.verdicts}
+
+
+def test_of_what_is_seen_whole_nothing_is_cut() -> None:
+    run = transport(stock=1, carriers=1)
+    model = Model(run, take_apart(run), 0, Timing.LOCKSTEP)
+    made = judge(model, ready_properties(model), Budget(None), PLAIN)
+    assert (made.cut, made.complete) == (None, True)
 
 
 @pytest.mark.parametrize("timing", Timing)

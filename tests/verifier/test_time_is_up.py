@@ -15,6 +15,7 @@ from kitrobot.text import Sentence
 from kitrobot.verifier import (
     Budget,
     Confirmed,
+    Cut,
     Model,
     Property,
     Timing,
@@ -30,7 +31,7 @@ from kitrobot.verifier.exploring import explore
 from kitrobot.verifier.properties import OfAgent
 from kitrobot.workspace.verification import VerificationOptions, verify
 from tests.sim.building import transport
-from tests.verifier.building import answers, mutant
+from tests.verifier.building import EXAMPLES, answers, mutant, prepared
 
 STEP_S, ENOUGH_S = 0.4, 400.0
 
@@ -66,6 +67,15 @@ def test_what_was_found_is_kept_and_the_rest_is_not_finished(tmp_path: Path, tim
     assert clock.now < ENOUGH_S + STEP_S * (2 + 2 * len(properties))
 
 
+def test_each_assumption_has_time_though_the_first_could_use_all_of_it() -> None:
+    made = verify(
+        prepared(EXAMPLES / "transport" / "transport.krt"), VerificationOptions(seconds=1000 * STEP_S, clock=Clock())
+    )
+    assert [column.judged.timing for column in made.columns] == list(Timing)
+    assert {column.judged.cut for column in made.columns} == {Cut.TIME}
+    assert all(column.judged.states > 1 for column in made.columns)
+
+
 def test_what_is_waited_for_has_a_share_of_the_time_and_is_not_searched_for_without_it() -> None:
     run = transport(stock=1, carriers=1)
     model, clock = Model(run, take_apart(run), 0, Timing.LOCKSTEP), Clock()
@@ -78,6 +88,7 @@ def test_what_is_waited_for_has_a_share_of_the_time_and_is_not_searched_for_with
         made = judge(model, ready_properties(model), Budget(seconds=seconds, clock=clock), PLAIN)
         assert made.complete == (seconds > took)
         if not made.complete:
+            assert made.cut is Cut.TIME
             assert set(answers(made).values()) == {"not finished"}
     assert set(answers(made).values()) == {"holds"}
 
@@ -97,22 +108,25 @@ def test_what_goes_through_all_states_is_broken_off_in_its_midst(monkeypatch: py
     model = Model(run, take_apart(run), 0, Timing.FREE)
     engine = PLAIN._replace(reach=counting) if which == "reach" else PLAIN._replace(crossing=counting)
     made = explore(model, Budget(), True, engine)
-    made.breaks_off = lambda: calls >= most
+    made.breaks_off = lambda: Cut.TIME if calls >= most else None
     ends = OfAgent(0, lambda inside: not model.has_ended(0, inside))
     nobody = OfAgent(0, lambda inside: False)
     one = Property("one", Sentence("one"), waits=((ends,),), breaks=(((ends,),), ((nobody,),)))
 
     def looked_through() -> bool:
+        made.look_anew()
         if which == "reach":
-            return rounds.fair_round(made, one)[2]
-        assert one.breaks is not None
-        assert rounds.first_crossing(made, *one.breaks) == (-1, -1)
-        return not made.is_cut
+            assert rounds.fair_round(made, one) == ([], [])
+        else:
+            assert one.breaks is not None
+            assert rounds.first_crossing(made, *one.breaks) == (-1, -1)
+        return made.unseen is None
 
     assert looked_through()
     assert calls > 10
     calls, most = 0, 3
     assert not looked_through()
+    assert made.unseen is Cut.TIME
     assert calls == 3
 
 

@@ -15,9 +15,10 @@ import typer
 from kitrobot.cli.output import give, json_text, show, tell
 
 if TYPE_CHECKING:
-    from kitrobot.verifier import Timing
+    from kitrobot.verifier import Cut, Timing
     from kitrobot.workspace.verification import Finding, Progress, Verification
 
+MEGA = 1_000_000
 _FIRST, _LAST = 6, 24
 """Events of one run that are shown: the first and the last ones."""
 
@@ -49,8 +50,19 @@ def verify_mission(
         ),
     ] = None,
     most_states: Annotated[
-        int, typer.Option("--max-states", metavar="N", min=1, help="Explore at most so many states of each.")
-    ] = 1_000_000,
+        int | None,
+        typer.Option(
+            "--max-states",
+            metavar="N",
+            min=1,
+            help="Explore at most so many states of each. Else as many as there is time and memory for.",
+            show_default=False,
+        ),
+    ] = None,
+    most_memory: Annotated[
+        int,
+        typer.Option("--max-memory", metavar="MB", min=1, help="Keep the states of each in at most so much memory."),
+    ] = 1_000,
     seconds: Annotated[float, typer.Option(metavar="S", help="Take at most so long, together.")] = 60.0,
     as_json: Annotated[bool, typer.Option("--json", help="Give the result as one JSON object.")] = False,
 ) -> None:
@@ -82,7 +94,9 @@ def verify_mission(
     prepared = open_mission(file).prepare(RunOptions(1, 600.0))
     show(prepared.problems, prepared.sources)
     wanted = tuple(one for name, one in befalls.items() if name in kinds) if kinds else USUAL_KINDS
-    options = VerificationOptions(tuple(properties or ()), chosen, failures, wanted, most_states, seconds)
+    options = VerificationOptions(
+        tuple(properties or ()), chosen, failures, wanted, most_states, seconds, memory=most_memory * MEGA
+    )
     with _progress() as progress:
         made = verify(prepared, options, progress)
     give(json_text(made.to_json()) + "\n" if as_json else _table(made))
@@ -152,6 +166,11 @@ def _table(made: Verification) -> str:
     explored = (f"{column.judged.states:,}" for column in made.columns)
     cells = (text.ljust(width) for text, width in zip(explored, widths, strict=True))
     lines += ["", "  ".join(["states".ljust(names), *cells]).rstrip()]
+    cuts: dict[Cut, list[str]] = {}
+    for column, head in zip(made.columns, heads, strict=True):
+        if column.judged.cut is not None:
+            cuts.setdefault(column.judged.cut, []).append(head)
+    lines += [f"  not finished: {_cut_words(cut, '; '.join(heads))}" for cut, heads in cuts.items()]
     lines += [f"  taken for granted: {limit}" for limit in made.limits]
     told: set[str] = set()
     for column, head in zip(made.columns, heads, strict=True):
@@ -165,6 +184,17 @@ def _table(made: Verification) -> str:
                 lines += ["", f"{name} ({head}): see its run with --property {name}"]
             told.add(name)
     return "\n".join(lines) + "\n"
+
+
+def _cut_words(cut: Cut, where: str) -> str:
+    """Why a search was not finished under these assumptions, and what helps."""
+    return {
+        "states": f"{where} came to the limit of states; --max-states sets another",
+        "memory": f"{where} came to the limit of memory; --max-memory sets another",
+        "time": f"{where} ran out of time; --seconds gives it more",
+        "stopped": f"{where} was stopped",
+        "size": f"{where} has a step that goes in too many ways to be kept",
+    }[cut.value]
 
 
 def _answer(finding: Finding) -> str:

@@ -6,9 +6,9 @@ was found (`timing`).
 """
 
 from kitrobot.verifier.asked import asked_properties, variables_asked
+from kitrobot.verifier.budget import Budget, Cut
 from kitrobot.verifier.building import KINDS, USUAL_KINDS
 from kitrobot.verifier.conditions import Asked, Member, PropertyError, ask
-from kitrobot.verifier.exploring import Budget
 from kitrobot.verifier.judging import Answer, Judged, Verdict, Way, judge
 from kitrobot.verifier.model import Model
 from kitrobot.verifier.parts import Parts, take_apart
@@ -26,6 +26,7 @@ __all__ = [
     "Asked",
     "Budget",
     "Confirmed",
+    "Cut",
     "Harm",
     "Judged",
     "Member",

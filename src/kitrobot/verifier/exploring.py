@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import time
 from array import array
 from collections.abc import Callable, Iterator
 from contextlib import suppress
@@ -11,6 +10,7 @@ from typing import Any
 
 from kitrobot.verifier import columns as v
 from kitrobot.verifier import engines
+from kitrobot.verifier.budget import Budget, Cut
 from kitrobot.verifier.engines import Engine
 from kitrobot.verifier.events import Event, TooManyError, event_of
 from kitrobot.verifier.growing import longer
@@ -24,32 +24,6 @@ _ROOM_AT_FIRST = 16_000_000
 MOST_STATES = (1 << 31) - 2
 
 
-@dataclass(frozen=True)
-class Budget:
-    """How far to explore.
-
-    Attributes:
-        states: at most so many.
-        seconds: at most so long, on the clock on the wall; None for no limit.
-        memory: at most about so many bytes; None for no limit.
-        stop: asked now and then whether to break off.
-        progress: told now and then how many states there are and how deep.
-        clock: what tells the time, in seconds.
-    """
-
-    states: int = 1_000_000
-    seconds: float | None = None
-    memory: int | None = None
-    stop: Callable[[], bool] = lambda: False
-    progress: Callable[[int, int], None] = lambda states, depth: None
-    clock: Callable[[], float] = time.monotonic
-
-    def breaks_off(self, began: float) -> Callable[[], bool]:
-        """Asked whether it is stopped, or time is up for what began then."""
-        ends = None if self.seconds is None else began + self.seconds
-        return lambda: self.stop() or (ends is not None and self.clock() >= ends)
-
-
 @dataclass
 class Explored:
     """What was explored.
@@ -59,23 +33,28 @@ class Explored:
         graph: states and steps.
         engine: what goes through them.
         expanded: how many of the states, from the first on, have all their steps.
-        complete: whether there is no state beyond.
+        cut: why there may be states beyond; None where there are none.
         seconds: how long it took.
         breaks_off: asked whether time is up or it is stopped.
-        is_cut: whether marking states for a property was broken off.
+        unseen: why not all was looked through for a property; None where it was.
     """
 
     model: Model
     graph: Graph
     engine: Engine
-    complete: bool = False
+    cut: Cut | None = Cut.SIZE
     seconds: float = 0.0
-    breaks_off: Callable[[], bool] = field(default=lambda: False)
-    is_cut: bool = False
+    breaks_off: Callable[[], Cut | None] = field(default=lambda: None)
+    unseen: Cut | None = None
 
-    def mark_anew(self) -> None:
-        """From here on states are marked for another property."""
-        self.is_cut = False
+    @property
+    def complete(self) -> bool:
+        """Whether there is no state beyond."""
+        return self.cut is None
+
+    def look_anew(self) -> None:
+        """From here on it is looked through for another property."""
+        self.unseen = None
 
     def __len__(self) -> int:
         """How many states were reached."""
@@ -210,10 +189,10 @@ def explore(model: Model, budget: Budget, keeps_steps: bool, engine: Engine | No
     began = budget.clock()
     made = Explored(model, fresh_graph(), engines.PLAIN, breaks_off=budget.breaks_off(began))
     with suppress(TooManyError):
-        _begin(made, min(budget.states, MOST_STATES), keeps_steps)
+        _begin(made, MOST_STATES if budget.states is None else min(budget.states, MOST_STATES), keeps_steps)
         if engine is not None:
             _use(made, engine)
-        _explore(made, budget, engine is None)
+        made.cut = _explore(made, budget, engine is None)
     made.seconds = budget.clock() - began
     budget.progress(len(made), made.depth)
     return made
@@ -257,12 +236,14 @@ def _begin(made: Explored, most: int, keeps_steps: bool) -> None:
     made.engine.rehash(made.graph, 1, model.layout.words == 2)
 
 
-def _explore(made: Explored, budget: Budget, may_change: bool) -> None:
+def _explore(made: Explored, budget: Budget, may_change: bool) -> Cut | None:
     batch, begun = 256, budget.clock()
     told = begun
     while made.expanded < len(made):
-        if made.breaks_off() or (budget.memory is not None and made.memory > budget.memory):
-            return
+        if cut := made.breaks_off():
+            return cut
+        if budget.memory is not None and made.memory > budget.memory:
+            return Cut.MEMORY
         if may_change and made.engine is engines.PLAIN:
             better = engines.worth(len(made), budget.clock() - begun)
             if better is not None:
@@ -271,7 +252,7 @@ def _explore(made: Explored, budget: Budget, may_change: bool) -> None:
         t = made.model.t
         code = made.engine.advance(t, made.graph, int(t.regs[v.AT]) + batch)
         if code == v.CUT:
-            return
+            return Cut.STATES
         if code != v.GOES_ON:
             made.fill(code)
             continue
@@ -280,7 +261,7 @@ def _explore(made: Explored, budget: Budget, may_change: bool) -> None:
         if now - told > _PAUSE_S:
             told = now
             budget.progress(len(made), made.depth)
-    made.complete = True
+    return None
 
 
 def _use(made: Explored, engine: Engine) -> None:

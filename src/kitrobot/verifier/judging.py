@@ -7,9 +7,10 @@ from dataclasses import dataclass, replace
 from enum import Enum
 from typing import NamedTuple
 
+from kitrobot.verifier.budget import Budget, Cut
 from kitrobot.verifier.engines import Engine
 from kitrobot.verifier.events import Event
-from kitrobot.verifier.exploring import Budget, Explored, explore
+from kitrobot.verifier.exploring import Explored, explore
 from kitrobot.verifier.model import Model, State
 from kitrobot.verifier.properties import Property
 from kitrobot.verifier.rounds import fair_round, first_crossing, first_marked, first_where, holds_somewhere
@@ -67,7 +68,8 @@ class Judged:
         verdicts: one for each property.
         states: how many states were reached.
         depth: steps to the one furthest away.
-        complete: whether there are no more.
+        cut: why answers are not finished; None where all are.
+        complete: whether there are no more states.
         seconds: how long exploring took.
         memory: bytes that states, steps and tables took.
     """
@@ -80,6 +82,7 @@ class Judged:
     complete: bool
     seconds: float
     memory: int = 0
+    cut: Cut | None = None
 
 
 _SHARE = 0.75
@@ -96,7 +99,11 @@ def judge(model: Model, properties: Sequence[Property], budget: Budget, engine: 
     first = made.came_first()
     # What one state or event breaks is found at once; what is waited for takes the time that is left.
     quick_first = sorted(range(len(properties)), key=lambda n: properties[n].waits is not None)
-    judged = {n: _verdict(made, properties[n], first) for n in quick_first}
+    judged: dict[int, Verdict] = {}
+    cut = made.cut
+    for n in quick_first:
+        judged[n] = _verdict(made, properties[n], first)
+        cut = cut or made.unseen
     verdicts = [judged[n] for n in range(len(properties))]
     return Judged(
         model.timing,
@@ -107,24 +114,23 @@ def judge(model: Model, properties: Sequence[Property], budget: Budget, engine: 
         made.complete,
         made.seconds,
         made.memory,
+        cut,
     )
 
 
 def _verdict(made: Explored, one: Property, first: dict[int, int]) -> Verdict:
-    made.mark_anew()
+    made.look_anew()
     kinds = [what for what in one.broken_by if what in first]
     if kinds:
         kind = min(kinds, key=lambda what: (first[what], what))
         path = made.path(first[kind])
         last = next(n for n, (_, _, came) in enumerate(made.steps(path[-1])) if came >> kind & 1)
         return Verdict(one, Answer.BROKEN, _way_to(made, path, last))
-    way, is_sure = _sudden(made, one), True
-    if way is None:
-        way, is_sure = _endless(made, one)
+    way = _sudden(made, one) or _endless(made, one)
     if way is not None:
         return Verdict(one, Answer.BROKEN, way)
     in_question = made.complete and _is_in_question(made, one, first)
-    if not made.complete or not is_sure or made.is_cut:
+    if not made.complete or made.unseen is not None:
         return Verdict(one, Answer.NOT_FINISHED)
     return Verdict(one, Answer.HOLDS if in_question else Answer.VACUOUS)
 
@@ -149,18 +155,18 @@ def _sudden(made: Explored, one: Property) -> Way | None:
     return None
 
 
-def _endless(made: Explored, one: Property) -> tuple[Way | None, bool]:
-    """A run that breaks a property by standing still or by waiting for ever; whether all was looked through."""
+def _endless(made: Explored, one: Property) -> Way | None:
+    """A run that breaks a property by standing still or by waiting for ever."""
     if one.is_wrong is not None:
         number = first_marked(made, one.is_wrong)
-        return (None if number < 0 else _way_to(made, made.path(number), repeats=True)), True
+        return None if number < 0 else _way_to(made, made.path(number), repeats=True)
     if one.waits is None:
-        return None, True
-    lead, around, is_sure = fair_round(made, one)
+        return None
+    lead, around = fair_round(made, one)
     if not around:
-        return None, is_sure
+        return None
     path = [*made.path(lead[0]), *lead[1:]]
-    return _way_to(made, [*path, *around[1:]], repeats=True, first=len(path) - 1), True
+    return _way_to(made, [*path, *around[1:]], repeats=True, first=len(path) - 1)
 
 
 def _way_to(made: Explored, numbers: Sequence[int], last: int = -1, repeats: bool = False, first: int = -1) -> Way:

@@ -6,6 +6,7 @@ from typing import Any
 
 from kitrobot.verifier import columns as v
 from kitrobot.verifier import fairness as f
+from kitrobot.verifier.budget import Cut
 from kitrobot.verifier.engines import PLAIN
 from kitrobot.verifier.events import TooManyError
 from kitrobot.verifier.exploring import Explored
@@ -36,8 +37,8 @@ def first_crossing(made: Explored, before: Condition, after: Condition) -> tuple
     now, _ = _mark(made, after)
     state = -1
     for at in range(0, made.expanded, _CHUNK):
-        if at and made.breaks_off():
-            made.is_cut = True
+        if at and (cut := made.breaks_off()):
+            made.unseen = cut
             break
         state = int(made.engine.crossing(made.graph, at, min(at + _CHUNK, made.expanded), was, now))
         if state >= 0:
@@ -85,8 +86,8 @@ def _mark_sensed(made: Explored, condition: Sensed) -> tuple[Any, list[int]]:
     columns = [engine.words(_CHUNK) for _ in condition.agents]
     known: dict[tuple[int, ...], bool] = {}
     for first in range(0, len(made), _CHUNK):
-        if made.breaks_off():
-            made.is_cut = True
+        if cut := made.breaks_off():
+            made.unseen = cut
             break
         end = min(first + _CHUNK, len(made))
         for i, keys in zip(condition.agents, columns, strict=True):
@@ -132,14 +133,15 @@ def _truth(made: Explored, fact: Fact) -> tuple[int, list[int]]:
     return int(fixed[v.ROAD_FIELD]) + road, [one >> fact.agent & 1 for one in stand]
 
 
-def fair_round(made: Explored, one: Property) -> tuple[list[int], list[int], bool]:
+def fair_round(made: Explored, one: Property) -> tuple[list[int], list[int]]:
     """The states of a run that waits for ever, of a property of liveness: from where waiting counts up to where the
-    round begins, through states that wait; that one and those that follow, up to there again; whether all was looked
-    through.
+    round begins, through states that wait; that one and those that follow, up to there again. Both are empty where
+    there is none, or none was found before it was broken off (`Explored.unseen`).
     """
     assert one.waits is not None
-    if not len(made) or made.breaks_off():
-        return [], [], False
+    made.unseen = made.unseen or made.breaks_off()
+    if not len(made) or made.unseen:
+        return [], []
     marks, counts = _mark(made, one.waits)
     engine = made.engine
     steps = _PLAIN_STEPS if engine is PLAIN else _STEPS
@@ -148,10 +150,11 @@ def fair_round(made: Explored, one: Property) -> tuple[list[int], list[int], boo
     reached = engine.row([0, (1 if one.from_start else len(made)) if sum(counts) else 0, 0, 0, made.expanded])
     since = marks if one.since is None else _mark(made, one.since)[0]
     while not engine.reach(made.graph, marks, since, colour, found, before, reached, steps):
-        if made.breaks_off():
-            return [], [], False
+        if cut := made.breaks_off():
+            made.unseen = cut
+            return [], []
     if not reached[f.REACHED]:
-        return [], [], True
+        return [], []
     search = _search(made, colour, found, int(reached[f.REACHED]))
     code = f.BUSY
     while True:
@@ -162,20 +165,22 @@ def fair_round(made: Explored, one: Property) -> tuple[list[int], list[int], boo
             try:
                 made.fill(int(made.model.t.regs[v.CODE]))
             except TooManyError:
-                return [], [], False
+                made.unseen = Cut.SIZE
+                return [], []
             continue
         if code == f.DONE:
             search = f.next_round(search)
             if search.numbers[f.ROOTS] == 0:
-                return [], [], True
-        if made.breaks_off():
-            return [], [], False
+                return [], []
+        if cut := made.breaks_off():
+            made.unseen = cut
+            return [], []
     first, top = int(search.numbers[f.FIRST]), int(search.numbers[f.TOP])
     around = _round(made, search.stack[first:top], search)
     lead = [around[0]]
     while int(before[lead[-1]]) >= 0:
         lead.append(int(before[lead[-1]]))
-    return lead[::-1], around, True
+    return lead[::-1], around
 
 
 def _search(made: Explored, colour: Any, found: Any, count: int) -> f.Search:

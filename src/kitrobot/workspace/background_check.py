@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Any
 
 from kitrobot.diagnostics import KitRobotError
 from kitrobot.text import Sentence
-from kitrobot.verifier import Answer, Confirmed, Timing
+from kitrobot.verifier import Answer, Confirmed, Cut, Timing
 from kitrobot.verifier.scenes import Guilty, Scene
 from kitrobot.workspace.child_processes import end_with_parent, has_processes
 from kitrobot.workspace.running import PreparedRun
@@ -36,6 +36,8 @@ _LOOK_S = 0.1
 """How long nobody looks whether a check is to be broken off, in seconds."""
 _EACH_S = 0.1
 """Seconds between two words of progress."""
+_MEMORY_HERE = 300_000_000
+"""Bytes that a check may take at most where there are no processes, about: the page itself runs there."""
 _PATIENCE_S = 5.0
 """How long a check that is broken off may take to judge what it has; then its process is ended."""
 
@@ -98,7 +100,7 @@ class Checked:
     failures: int
     states: int
     depth: int
-    complete: bool
+    cut: Cut | None
     seconds: float
     properties: tuple[Answered, ...]
 
@@ -188,7 +190,8 @@ def _verify_here(prepared: PreparedRun, options: VerificationOptions, told: Told
         else:
             told(message)
 
-    _whole_check(prepared.parts(), prepared.options.seed, replace(options, draws=True), tell)
+    chosen = replace(options, draws=True, memory=_MEMORY_HERE)
+    _whole_check(prepared.parts(), prepared.options.seed, chosen, tell)
     end = last[-1]
     if isinstance(end, _Refused):
         raise KitRobotError(end.message, end.help)
@@ -229,7 +232,7 @@ def _plain(column: Column) -> Checked:
         judged.failures,
         judged.states,
         judged.depth,
-        judged.complete,
+        judged.cut,
         judged.seconds,
         tuple(_answered(finding) for finding in column.findings),
     )

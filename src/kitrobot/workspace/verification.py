@@ -38,6 +38,11 @@ from kitrobot.workspace.running import PreparedRun
 
 MOST_FAILURES = 3
 """Failures in one run at most."""
+MEMORY = 1_000_000_000
+"""Bytes that states, steps and tables under one assumption may take, where nothing else is said; looking through them
+for what is waited for takes about as much again."""
+_SHARE = 0.5
+"""Of the time that is left for each assumption that others follow."""
 
 Progress = Callable[[Timing, int, int, int], None]
 """Told now and then the assumption (timing, failures) and how many states there are, and how deep."""
@@ -63,7 +68,7 @@ class VerificationOptions:
         timings: the assumptions, from the fast to the thorough.
         failures: up to how many failures there may be.
         kinds: what a failure may be; of `verifier.KINDS`.
-        states: at most so many states under each assumption.
+        states: at most so many states under each assumption; None for as many as there is time and memory for.
         seconds: at most so long for all of them; None for no limit.
         confirms: whether broken properties are looked for in the simulator.
         stop: asked now and then whether to break off.
@@ -76,11 +81,11 @@ class VerificationOptions:
     timings: tuple[Timing, ...] = tuple(Timing)
     failures: int = 0
     kinds: tuple[FailureKind, ...] = USUAL_KINDS
-    states: int = 1_000_000
+    states: int | None = None
     seconds: float | None = 60.0
     confirms: bool = True
     stop: Callable[[], bool] = _never
-    memory: int | None = 2_000_000_000
+    memory: int | None = MEMORY
     draws: bool = False
     clock: Callable[[], float] = time.monotonic
 
@@ -147,6 +152,7 @@ class Verification:
                     "states": column.judged.states,
                     "depth": column.judged.depth,
                     "complete": column.judged.complete,
+                    "cut": None if column.judged.cut is None else column.judged.cut.value,
                     "properties": [_finding_json(finding, self.tick_ms) for finding in column.findings],
                     "timing_seconds": round(column.judged.seconds, 3),
                     "memory_bytes": column.judged.memory,
@@ -226,7 +232,8 @@ def verify_runs(
     ends = None if options.seconds is None else options.clock() + options.seconds
     columns: list[Column] = []
     search = _Search(runs, options, ends)
-    for failures, timing in _assumptions(options):
+    assumptions = list(_assumptions(options))
+    for failures, timing in assumptions:
         model = Model(run, parts, failures, timing, options.kinds)
         own, left_out = asked_properties(model, asked)
         limits += [words for words in left_out if words not in limits]
@@ -235,6 +242,8 @@ def verify_runs(
             break
         limits += [words for words in _said_of_failures(parts, options, failures, properties) if words not in limits]
         left = None if ends is None else max(0.0, ends - options.clock())
+        if left is not None and (failures, timing) != assumptions[-1]:
+            left *= _SHARE
 
         def tell(states: int, depth: int, timing: Timing = timing, failures: int = failures) -> None:
             if progress is not None:

@@ -2301,7 +2301,7 @@ export interface VerifyColumnMessage {
   failures: number;
   states: number;
   depth: number;
-  complete: boolean;
+  cut: "states" | "memory" | "time" | "stopped" | "size" | null;
   seconds: number;
   properties: CheckedProperty[];
 }

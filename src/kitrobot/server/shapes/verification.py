@@ -18,6 +18,7 @@ LONGEST_S = 3_600.0
 
 TimingName = Literal["lockstep", "prompt", "free"]
 KindName = Literal["fail", "stall", "mute"]
+CutName = Literal["states", "memory", "time", "stopped", "size"]
 
 
 class VerifyStartRequest(BaseModel):
@@ -126,7 +127,7 @@ class VerifyColumnMessage(WorkMessage):
     failures: int
     states: int
     depth: int
-    complete: bool
+    cut: CutName | None
     seconds: float
     properties: list[CheckedPropertyShape]
 
@@ -163,7 +164,7 @@ def verify_message(told: Explored | Checked, tick_ms: int) -> VerifyProgressMess
         failures=told.failures,
         states=told.states,
         depth=told.depth,
-        complete=told.complete,
+        cut=None if told.cut is None else told.cut.value,
         seconds=told.seconds,
         properties=[_answer(one, tick_ms) for one in told.properties],
     )

@@ -47,6 +47,11 @@ function Head({ assumption, column, now }: HeadProps) {
           })}
         </span>
       )}
+      {column === undefined || column.cut === null ? null : (
+        <span className="check-means" data-testid={`cut-${timing}-${String(failures)}`}>
+          {t(`check.cut-${column.cut}`)}
+        </span>
+      )}
     </th>
   );
 }

@@ -1,4 +1,5 @@
 /** The check in a sentence, and what its answers take for granted. */
+import type { VerifyColumnMessage } from "../../api/generated";
 import { t } from "../../i18n/words";
 import { Said } from "../../i18n/Said";
 import { Icon } from "../../theme";
@@ -16,6 +17,17 @@ export function assumptionWords({ timing, failures }: Assumption): string {
   return withKinds(t("check.with-failures", { timing: name, count: failures }), kinds);
 }
 
+/** That nothing is broken as far as it was looked at, and what helps to look further. */
+function cutWords(columns: readonly VerifyColumnMessage[]): string {
+  const why = columns.map(({ cut }) => cut).filter((cut) => cut !== null);
+  const helps = why.includes("memory")
+    ? t("check.less")
+    : why.every((cut) => cut === "time")
+      ? t("check.more-time")
+      : "";
+  return `${t("check.cut")} ${helps}`.trim();
+}
+
 /** What came of the check: how many are broken, whether all hold, and what was not reached. */
 export function Verdict() {
   const asked = useCheck((check) => check.asked);
@@ -26,7 +38,7 @@ export function Verdict() {
   const broken = new Set(answers.filter(({ answer }) => answer === "broken").map(({ name }) => name)).size;
   const cut = answers.some(({ answer }) => answer === "not finished") || columns.length < planned;
   if (asked === null || (busy && broken === 0)) return null;
-  const words = broken > 0 ? t("check.broken-count", { count: broken }) : cut ? t("check.cut") : t("check.all-hold");
+  const words = broken > 0 ? t("check.broken-count", { count: broken }) : cut ? cutWords(columns) : t("check.all-hold");
   const most = asked.failures ?? 0;
   return (
     <p className="check-verdict" role="status" data-testid="check-verdict">
