@@ -120,10 +120,14 @@ class Machine:
 
     def tick(self) -> list[Command]:
         """One reaction: at most one command an actuator, in the order of the actuators."""
+        self.run_tick()
+        return self.commands()
+
+    def run_tick(self) -> None:
+        """The same, for who reads the commands in `out`."""
         if self.seen:
             self.seen[:] = [0] * len(self.seen)
         tick(self.code, self.cells, self.threads, self.pars, self.out, self.seen)
-        return self.commands()
 
     def react(self, devices: Devices) -> list[Command]:
         """One reaction with a host's devices: reads them, ticks, and applies the commands, which are returned too."""

@@ -39,9 +39,13 @@ def _build(folder: Path) -> engines.Engine:
         options: Any = {**CALLED, "forceinline": True} if function.__name__ in _INLINED else CALLED
         extending.register_jitable(**options)(function)
     made = dict(zip(engines.FUNCTIONS, njit(folder, engines.FUNCTIONS.values()), strict=True))
+    entries = {}
     for name, arguments in samples().items():
-        made[name].compile(tuple(typeof(one) for one in arguments))
-    return engines.arrays(made)
+        types = tuple(typeof(one) for one in arguments)
+        made[name].compile(types)
+        # Past Numba's look at the types of arguments, which takes longer than most calls do.
+        entries[name] = made[name].overloads[types].entry_point
+    return engines.arrays(entries)
 
 
 def samples() -> dict[str, tuple[Any, ...]]:

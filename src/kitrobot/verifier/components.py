@@ -80,9 +80,11 @@ class Components:
         self._inside_numbers: list[dict[Inside, int]] = [{} for _ in self.parts]
         self._shareds: list[Shared] = []
         self._shared_numbers: dict[Shared, int] = {}
-        self._writes: dict[reactions.Change, int] = {}
+        self._writes: list[reactions.Change] = []
+        self._write_numbers: dict[reactions.Change, int] = {}
         self._first_watched = 3 + 2 * self.houses
         self._watched_each = v.W_FREED + watched - 1 if watched else 0
+        self._first_write = self._first_watched + self._watched_each * len(self.parts)
         self._seen: list[dict[tuple[int, ...], int]] = [{} for _ in self.parts]
         self._seen_tuples: list[list[tuple[int, ...]]] = [[] for _ in self.parts]
         self._read: dict[tuple[int, int, tuple[int, ...]], tuple[int | None, ...]] = {}

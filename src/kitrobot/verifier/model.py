@@ -163,8 +163,11 @@ class Model(Components):
         """The number of a change of what is shared."""
         if change == ((), ()):
             return v.NO_WRITE
-        first = self._first_watched + self._watched_each * self.count
-        return self._writes.setdefault(change, first + len(self._writes))
+        number = self._write_numbers.get(change)
+        if number is None:
+            number = self._write_numbers[change] = self._first_write + len(self._writes)
+            self._writes.append(change)
+        return number
 
     def _fill_change(self, number: int, write: int) -> None:
         shared = list(self._shareds[number])
@@ -176,13 +179,13 @@ class Model(Components):
             assert self.agreement is not None, "only a team settles"
             settled = self.agreement.settled(tuple(shared[self._agreed_at :]))
             shared[self._agreed_at :] = self._reduced(settled, shared[0])
-        elif write < self._first_watched + self._watched_each * self.count:
+        elif write < self._first_write:
             assert self.watch is not None, "only a team that misses members is watched"
             i, what = divmod(write - self._first_watched, self._watched_each)
             agreed = self.watch.befallen(tuple(shared[self._agreed_at :]), self.parts[i].agent.index, what)
             shared[self._agreed_at :] = self._settled(agreed, shared[0])
         else:
-            changes, told = next(one for one, its in self._writes.items() if its == write)
+            changes, told = self._writes[write - self._first_write]
             for at, value in changes:
                 shared[1 + self.houses + at] = value
             if self.agreement is not None and told:

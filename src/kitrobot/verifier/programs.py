@@ -68,6 +68,8 @@ class ProgramTable:
         """Sensors, then one flag for each actuator that takes longer."""
         self.shared = [layout.variables[one.name] for one in robot.variables if one.shared]
         self._reads = _cells_read(image)
+        self._read_by: dict[tuple[int, ...], frozenset[int]] = {}
+        """The cells that are read where these instructions run."""
         self._apart = {*range(1, 1 + layout.inputs), *self.shared}
         self._kept = {layout.variables[name] for name in kept if name in layout.variables}
         self._live = live_cells(image)
@@ -169,7 +171,7 @@ class ProgramTable:
 
     def run_tick(
         self, local: int, sensed: tuple[int | None, ...], shared: tuple[int, ...], chosen: Mapping[int, int]
-    ) -> tuple[Reaction, set[int]]:
+    ) -> tuple[Reaction, frozenset[int]]:
         """One tick of the machine, with these values where several are possible; also the cells that it read."""
         machine = self.machine
         self._restore(local)
@@ -186,7 +188,10 @@ class ProgramTable:
         )
         seconds = tuple(self._argument(at, 1) for at in told)
         self.ticks += 1
-        read = set[int]().union(*compress(self._reads, machine.seen))
+        ran = tuple(machine.seen)
+        read = self._read_by.get(ran)
+        if read is None:
+            read = self._read_by[ran] = frozenset[int]().union(*compress(self._reads, ran))
         after = tuple(int(cells[cell]) for cell in self.shared)
         return Reaction(self.current(), commands, after, machine.ended, seconds, stops), read
 
@@ -199,7 +204,7 @@ class ProgramTable:
     @staticmethod
     def _told(machine: Machine) -> list[int]:
         """Lets the machine tick; where in `out` the commands begin."""
-        machine.tick()
+        machine.run_tick()
         return [at for at in range(0, machine.width * machine.image.actuators, machine.width) if machine.out[at]]
 
     def current(self) -> int:

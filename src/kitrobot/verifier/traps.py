@@ -68,7 +68,7 @@ class _WatchedTable(ProgramTable):
 
     def run_tick(
         self, local: int, sensed: tuple[int | None, ...], shared: tuple[int, ...], chosen: Mapping[int, int]
-    ) -> tuple[Reaction, set[int]]:
+    ) -> tuple[Reaction, frozenset[int]]:
         made = super().run_tick(local, sensed, shared, chosen)
         self.ran |= {pc for pc, ran in enumerate(self.machine.seen) if ran}
         return made
