@@ -93,6 +93,7 @@ def test_every_submission_gets_a_row_and_the_file_that_was_named_is_all_that_is_
     assert "Un carré" in html
     assert "چوکور" in html
     assert "<script" not in html
+    assert "no program <code>a-square</code>" in html
 
 
 def test_without_an_exercise_each_is_judged_by_the_one_whose_programs_it_has(kitrobot, tmp_path: Path) -> None:

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import pytest
 
+from kitrobot.exercise.evidence import ProgramsSeen
+from kitrobot.translation.rendering import translated
 from kitrobot.workspace import SearchPath, open_mission
 from kitrobot.workspace.exercises import programs_of
 from kitrobot.workspace.grading_process import ready_exercise, shipped_exercises
@@ -73,3 +75,25 @@ def test_what_was_found_before_judging_is_stopped_is_kept_and_nothing_else_is_sa
         [True, False, True, None, None],
         [True, False, True, False, False],
     ]
+
+
+@pytest.mark.parametrize(
+    ("name", "number", "english", "french"),
+    [
+        ("03-square", 3, "“Repeat” is not in the program", "« Répéter » n'est pas dans le programme"),
+        (
+            "05-before-the-wall",
+            4,
+            "“Distance sensor: Nearer than” is not in the program",
+            "« Capteur de distance : Plus près que » n'est pas dans le programme",
+        ),
+    ],
+)
+def test_a_part_that_is_missed_is_called_as_on_the_page(name: str, number: int, english: str, french: str) -> None:
+    why = judged(name, {}).verdicts[number - 1].why
+    assert why is not None
+    assert (str(why), translated(why, "fr")) == (english, french)
+
+
+def test_a_part_that_no_robot_of_the_mission_has_is_called_by_its_name() -> None:
+    assert str(ProgramsSeen({}, {}).called("Wings.Flap")) == "Wings.Flap"

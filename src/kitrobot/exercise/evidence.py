@@ -7,8 +7,10 @@ one property is a `CheckSeen`. Lengths are in mm, times in simulated seconds.
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Literal, NamedTuple
+
+from kitrobot.text import Label, Sentence
 
 
 class PathPoint(NamedTuple):
@@ -47,11 +49,17 @@ class RunSeen:
 @dataclass(frozen=True)
 class ProgramsSeen:
     """For each program, how many vertices of each element hang on its Start (Start and Stop are not counted); `own` is
-    how many parts the own blocks stand for that it uses, each block once.
+    how many parts the own blocks stand for that it uses, each block once. `labels` is what elements are called on the
+    page, where the program's robots and the catalogue know them.
     """
 
     elements: Mapping[str, Mapping[str, int]]
     own: Mapping[str, int]
+    labels: Mapping[str, Sentence] = field(default_factory=dict)
+
+    def called(self, part: str) -> Sentence:
+        """What a part is called on the page; its name where nobody knows it."""
+        return self.labels.get(part) or Label(part, {})
 
 
 @dataclass(frozen=True)

@@ -214,8 +214,9 @@ class Uses(ProgramGoal):
         if found >= self.times:
             return None
         if self.times == 1:
-            return Fault(Sentence("`{part}` is not in the program", self.part))
-        words = Sentence("`{part}` is there {found} times; it is asked for {times} times", self.part, found, self.times)
+            return Fault(Sentence("“{part}” is not in the program", seen.called(self.part)))
+        part = seen.called(self.part)
+        words = Sentence("“{part}” is there {found} times; it is asked for {times} times", part, found, self.times)
         return Fault(words)
 
 
@@ -228,7 +229,7 @@ class Avoids(ProgramGoal):
     def fault(self, seen: ProgramsSeen) -> Fault | None:
         if not self.count(seen, self.part):
             return None
-        return Fault(Sentence("`{part}` is in the program, and is not allowed", self.part))
+        return Fault(Sentence("“{part}” is in the program, and is not allowed", seen.called(self.part)))
 
 
 @dataclass(frozen=True)

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import csv
 import io
+import re
 from collections.abc import Iterator, Mapping, Sequence
 from html import escape
 from typing import Final
@@ -17,6 +18,7 @@ from kitrobot.translation import DIRECTIONS, LANGUAGES
 from kitrobot.workspace.grades import GoalGrade, Grade, Told, told
 
 _FORMULA: Final = tuple("=+-@\t\r\n")
+_QUOTED: Final = re.compile("`([^`]*)`")
 _NAMES: Final = {"en": "English", "fr": "Français", "ur": "اردو"}
 
 
@@ -145,11 +147,15 @@ def _lost(lost: Sequence[Grade]) -> str:
 
 
 def _said(texts: Told | Mapping[str, str]) -> str:
-    """A text in each language, of which one is shown."""
+    """A text in each language, of which one is shown; what stands between back quotes is a name."""
     return "".join(
-        f'<span class="said" lang="{code}" dir="{DIRECTIONS[code]}">{escape(texts.get(code, ""))}</span>'
+        f'<span class="said" lang="{code}" dir="{DIRECTIONS[code]}">{_with_names(texts.get(code, ""))}</span>'
         for code in LANGUAGES
     )
+
+
+def _with_names(text: str) -> str:
+    return _QUOTED.sub(r"<code>\1</code>", escape(text))
 
 
 _STYLE: Final = """

@@ -30,7 +30,7 @@ from kitrobot.graph import IN, RETURN, START, STOP, Program
 from kitrobot.lll import Call, Hole, Number, Seq, nodes
 from kitrobot.mission import Mission
 from kitrobot.sim import Simulation, pens_of, strokes_now
-from kitrobot.text import Sentence
+from kitrobot.text import Label, Sentence
 from kitrobot.trace import Drawing
 from kitrobot.verifier import AbstractionError, Answer, Timing
 from kitrobot.workspace.exercises import handed_in
@@ -225,7 +225,20 @@ def programs_seen(opened: OpenMission) -> ProgramsSeen:
             own[program.name] += len(inner)
             counts.update(f"{node.object}.{node.method}" for node in inner if isinstance(node, Call))
         elements[program.name] = counts
-    return ProgramsSeen(elements, own)
+    return ProgramsSeen(elements, own, _labels(opened))
+
+
+def _labels(opened: OpenMission) -> dict[str, Sentence]:
+    """What elements are called on the page, of the constructors and of the robots of all programs."""
+    found: dict[str, Sentence] = {name: Label(name, one.label) for name, one in opened.catalogue.constructors.items()}
+    for program in opened.mission.programs:
+        robot = opened.catalogue.robots.get(program.target)
+        for (part, name), (of, method) in (robot.calls if robot is not None else {}).items():
+            label: Sentence = Label(name, method.label)
+            if not method.alone:
+                label = Sentence("{part}: {does}", Label(part, of.label), label)
+            found.setdefault(f"{part}.{name}", label)
+    return found
 
 
 def attached(program: Program) -> list[str]:
