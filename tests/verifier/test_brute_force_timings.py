@@ -302,9 +302,11 @@ def random_road(rng: random.Random) -> tuple[Simulation, list[str]]:
 
 @pytest.mark.parametrize("timing", list(Timing))
 def test_random_missions_on_a_road_have_the_states_and_answers_of_the_plain_model(timing: Timing) -> None:
-    """Safety (contact, standstill) and liveness (goals that are never reached, programs that never end)."""
+    """Safety (contact, standstill) and liveness (goals that are never reached, programs that never end). In the mission
+    of seed 128 an actuator goes on when the marked action that started it gives way.
+    """
     compared, answers = 0, set()
-    for seed in range(examples(16, 400)):
+    for seed in (*range(examples(16, 400)), 128):
         run, texts = random_road(random.Random(seed))
         parts = take_apart(run)
         model = Model(run, parts, 0, timing)

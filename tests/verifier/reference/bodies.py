@@ -23,6 +23,7 @@ class Inside(NamedTuple):
         busy: of each of its actuators that take longer: 0, or 1 and the number of the procedure.
         down: RUNS, STALLED (it rolls on and does not tick) or FAILED.
         own: its copies of the shared variables, once it hears nobody; empty as long as it does.
+        loose: the bits of its actuators that go on although the marked action's parallel is over (see `stops`).
     """
 
     local: int
@@ -30,6 +31,7 @@ class Inside(NamedTuple):
     busy: tuple[int, ...]
     down: int
     own: tuple[int, ...] = ()
+    loose: int = 0
 
 
 class Body(NamedTuple):

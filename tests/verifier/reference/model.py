@@ -223,7 +223,9 @@ class Model:
                 elif act.busy >= 0 and command in act.later:
                     busy[act.busy] = 1 + act.ways[command]
             own = reaction.shared if inside.own else ()
-            after = inside._replace(local=reaction.local, busy=tuple(busy), own=own)
+            stopped, left = reaction.stops
+            loose = inside.loose & ~stopped | left
+            after = inside._replace(local=reaction.local, busy=tuple(busy), own=own, loose=loose)
             found[self._number(i, after), want, reaction.shared] = None
         return tuple(found)
 
