@@ -27,14 +27,14 @@ def agrees(run: Simulation, timing: Timing, failures: int = 0, kinds: Sequence[F
     """Explores a mission both ways and compares what came of it."""
     parts = take_apart(run)
     model = Model(run, parts, failures, timing, kinds)
-    ours = judge(model, ready_properties(model), Budget(100_000))
+    ours = judge(model, ready_properties(model), Budget(200_000))
     plain = plain_model.Model(run, parts, failures, kinds)
     theirs = plain_judging.judge(
         plain,
         plain_properties.ready_properties(plain),
         plain_timing.Timing(timing.value),
         failures,
-        plain_exploring.Budget(100_000),
+        plain_exploring.Budget(200_000),
     )
     assert ours.complete
     assert (ours.states, ours.depth, ours.complete) == (theirs.states, theirs.depth, theirs.complete)
