@@ -45,7 +45,7 @@ LOOKS = [("light",), *([("dark", "ur"), ("contrast", "fr")] if THOROUGH else [])
 
 
 ENGINE = "--js-flags=--no-opt"
-"""No test is long enough for what the JavaScript engine spends on optimising the page: a tenth of the browser's time."""
+"""Optimising the page takes a tenth of the browser's time, and no test is long enough to get it back."""
 
 
 WHAT_A_PAGE_SHOWS = """() => {
