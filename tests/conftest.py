@@ -13,6 +13,7 @@ import pytest
 
 from kitrobot.text import collection_paused
 from tests.effort import THOROUGH
+from tests.shares import in_shares
 from tools import chromium, firefox, pico
 
 # A shell starts what runs in its background deaf to Ctrl+C, and what that starts inherits it: some tests press it.
@@ -48,13 +49,23 @@ def pytest_collection() -> Generator[None, object, object]:
     return collected
 
 
+@pytest.hookimpl(trylast=True)
 def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:
-    """Leaves out what only the thorough profile tries, what needs firmware that nobody names; none is skipped."""
+    """Leaves out what only the thorough profile tries, what needs firmware that nobody names; none is skipped.
+
+    The workers of pytest-xdist get those with a browser first.
+    """
     names = [name for name, wanted in (("thorough", THOROUGH), ("pico", pico.find() is not None)) if not wanted]
     left_out = [item for item in items if any(item.get_closest_marker(name) for name in names)]
     if left_out:
         items[:] = [item for item in items if item not in left_out]
         config.hook.pytest_deselected(items=left_out)
+    workers = getattr(config, "workerinput", {}).get("workercount", 1)
+    if workers > 1:
+        parted: dict[bool, list[pytest.Item]] = {True: [], False: []}
+        for item in items:
+            parted[any(item.get_closest_marker(name) for name in ("browser", "slow"))].append(item)
+        items[:] = in_shares(parted[True], parted[False], workers)
 
 
 @pytest.fixture(scope="session")
