@@ -2,14 +2,18 @@
 
 from __future__ import annotations
 
+import gc
 import os
 import signal
 import tempfile
+from collections.abc import Generator
 
 import hypothesis
 import pytest
 
+from kitrobot.text import collection_paused
 from tests.effort import THOROUGH
+from tests.shares import in_shares
 from tools import chromium, firefox, pico
 
 # A shell starts what runs in its background deaf to Ctrl+C, and what that starts inherits it: some tests press it.
@@ -35,13 +39,33 @@ def pytest_xdist_auto_num_workers(config: pytest.Config) -> int:
     return usable + 2
 
 
+@pytest.hookimpl(wrapper=True)
+def pytest_collection() -> Generator[None, object, object]:
+    """Keeps the garbage collector from what ten thousand tests and all modules take: a look at it takes 0.3 s."""
+    with collection_paused():
+        collected = yield
+    gc.freeze()
+    gc.set_threshold(5_000)
+    return collected
+
+
+@pytest.hookimpl(trylast=True)
 def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:
-    """Leaves out what only the thorough profile tries, what needs firmware that nobody names; none is skipped."""
+    """Leaves out what only the thorough profile tries, what needs firmware that nobody names; none is skipped.
+
+    The workers of pytest-xdist get those with a browser first.
+    """
     names = [name for name, wanted in (("thorough", THOROUGH), ("pico", pico.find() is not None)) if not wanted]
     left_out = [item for item in items if any(item.get_closest_marker(name) for name in names)]
     if left_out:
         items[:] = [item for item in items if item not in left_out]
         config.hook.pytest_deselected(items=left_out)
+    workers = getattr(config, "workerinput", {}).get("workercount", 1)
+    if workers > 1:
+        parted: dict[bool, list[pytest.Item]] = {True: [], False: []}
+        for item in items:
+            parted[any(item.get_closest_marker(name) for name in ("browser", "slow"))].append(item)
+        items[:] = in_shares(parted[True], parted[False], workers)
 
 
 @pytest.fixture(scope="session")

@@ -5,7 +5,6 @@ from __future__ import annotations
 import gc
 import json
 import random
-from collections.abc import Iterator
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
@@ -32,11 +31,9 @@ UNCOMPILED: dict[str, dict[str, Any]] = {"interpreting": {"robots": 0}, "checkin
 
 
 @pytest.fixture(autouse=True)
-def _left_alone() -> Iterator[None]:
+def _left_alone() -> None:
     """Measuring collects garbage: that of other tests takes seconds."""
     gc.freeze()
-    yield
-    gc.unfreeze()
 
 
 @pytest.mark.parametrize(

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from functools import cache
 from pathlib import Path
 
 import pytest
@@ -14,8 +15,12 @@ from kitrobot.exercise.model import Seed
 from kitrobot.exercise.reading import KINDS, MOST_GOALS, MOST_SEEDS
 from tests.primitives.samples import EXERCISE, messages
 
-SCHEMA = xmlschema.XMLSchema(Path(kitrobot.primitives.__file__).parent / "schemas" / "exercise.xsd")
 GOAL = "<done><label>D</label></done>"
+
+
+@cache
+def schema() -> xmlschema.XMLSchema:
+    return xmlschema.XMLSchema(Path(kitrobot.primitives.__file__).parent / "schemas" / "exercise.xsd")
 
 
 def exercise(inside: str, start: str = "x.krt") -> str:
@@ -36,7 +41,7 @@ def test_an_exercise_is_read_with_everything_in_it_and_fits_its_schema() -> None
     assert holds == CheckGoal({"": "Never stuck"}, 1, False, "deadlock", "lockstep", 0, 100_000)
     assert found.goals_for(hidden=False) == (done, draws, holds)
     assert found.seeds_for(hidden=False) == (1,)
-    SCHEMA.validate(EXERCISE)
+    schema().validate(EXERCISE)
 
 
 def test_every_kind_of_goal_is_read_from_what_it_needs_alone() -> None:
@@ -54,7 +59,7 @@ def test_every_kind_of_goal_is_read_from_what_it_needs_alone() -> None:
     assert problems == []
     assert found is not None
     assert len(found.goals) == len(KINDS)
-    SCHEMA.validate(text)
+    schema().validate(text)
 
 
 def test_as_many_goals_and_seeds_as_are_allowed_are_read_and_one_more_is_not() -> None:

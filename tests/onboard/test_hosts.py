@@ -16,19 +16,24 @@ from tests.effort import cases
 from tests.oracle.agreement import machine_for, random_case
 from tests.strategies import TickInputs
 
-numba = pytest.importorskip("numba", reason="Numba has no wheel for this machine")
-np = pytest.importorskip("numpy")
-
 BUDGET = int(os.environ.get("KITROBOT_BUDGET", "60"))
 
 
 @pytest.fixture(scope="module")
-def compiled_tick() -> Callable[..., None]:
+def numba() -> Any:
+    """Numba, which takes half a second to import: not where no test needs it."""
+    return pytest.importorskip("numba", reason="Numba has no wheel for this machine")
+
+
+@pytest.fixture(scope="module")
+def compiled_tick(numba: Any) -> Callable[..., None]:
     return numba.njit(tick)  # type: ignore[no-any-return]
 
 
 def as_arrays(machine: Machine) -> dict[str, Any]:
     """The machine's state in the words that a fleet uses: 32 bits a number, bytes for code."""
+    import numpy as np
+
     numbers = {name: np.array(getattr(machine, name), np.int32) for name in ("cells", "threads", "pars", "out", "seen")}
     return {"code": np.array(machine.code, np.uint8), **numbers}
 
@@ -58,15 +63,15 @@ def test_plain_and_numba_give_equal_arrays_after_every_tick(compiled_tick: Calla
     assert compared > 0.8 * BUDGET
 
 
-@pytest.mark.parametrize("code_type", cases([np.uint8], [np.int32, np.int64]))
-def test_a_compiled_tick_counts_no_references(compiled_tick: Any, code_type: type) -> None:
+@pytest.mark.parametrize("code_type", cases(["uint8"], ["int32", "int64"]))
+def test_a_compiled_tick_counts_no_references(numba: Any, compiled_tick: Any, code_type: str) -> None:
     """Counting references to its arrays costs more than the instructions of a short tick.
 
     Numba leaves it out where it can prove that nothing needs it, and the proof hangs on small things in the shape of
     `tick` (see there). When this fails after an edit or with another Numba, measure with `python -m benchmarks
     interpreting` before anything else.
     """
-    signature = (numba.from_dtype(np.dtype(code_type))[::1], *[numba.int32[::1]] * 5)
+    signature = (getattr(numba, code_type)[::1], *[numba.int32[::1]] * 5)
     compiled_tick.compile(signature)
     text = compiled_tick.inspect_llvm(signature)
     assert "tick" in text

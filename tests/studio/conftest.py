@@ -44,6 +44,10 @@ LOOKS = [("light",), *([("dark", "ur"), ("contrast", "fr")] if THOROUGH else [])
 """Theme and language that axe looks at whole; it holds the contrast of each screen in one of the themes, by turns."""
 
 
+ENGINE = "--js-flags=--no-opt"
+"""Optimising the page takes a tenth of the browser's time, and no test is long enough to get it back."""
+
+
 WHAT_A_PAGE_SHOWS = """() => {
     const at = document.activeElement;
     const places = ["banner", "said", "saved-state", "site", "status"].map((id) => `[data-testid="${id}"]`);
@@ -72,7 +76,7 @@ def pytest_runtest_makereport(
 def browser(chromium_path: str) -> Iterator[Browser]:
     """One Chromium for all tests of a worker."""
     with sync_playwright() as playwright:
-        browser = playwright.chromium.launch(executable_path=chromium_path, args=list(FLAGS), slow_mo=HANDS_MS)
+        browser = playwright.chromium.launch(executable_path=chromium_path, args=[*FLAGS, ENGINE], slow_mo=HANDS_MS)
         yield browser
         browser.close()
 

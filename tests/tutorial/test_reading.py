@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from functools import cache
 from pathlib import Path
 
 import pytest
@@ -14,7 +15,10 @@ from kitrobot.tutorial import EVENTS, GroupWant, Point, SpareWant, read_tutorial
 from kitrobot.tutorial.reading import BUTTONS, DEEPEST_PATTERN, MOST_STEPS, PANELS
 from tests.primitives.samples import TUTORIAL, messages
 
-SCHEMA = xmlschema.XMLSchema(Path(kitrobot.primitives.__file__).parent / "schemas" / "tutorial.xsd")
+
+@cache
+def schema() -> xmlschema.XMLSchema:
+    return xmlschema.XMLSchema(Path(kitrobot.primitives.__file__).parent / "schemas" / "tutorial.xsd")
 
 
 def tutorial(inside: str, start: str = "x.krt") -> str:
@@ -36,7 +40,7 @@ def test_a_tutorial_is_read_with_everything_in_it() -> None:
     assert isinstance(pattern.code, While)
     assert (pattern.whole, pattern.program, pattern.programs) == (False, "", 1)
     assert pattern.ranges == {"speed": (30, 65535)}
-    SCHEMA.validate(TUTORIAL)
+    schema().validate(TUTORIAL)
 
 
 def test_several_right_ways_and_several_wants_are_told_apart() -> None:
@@ -46,7 +50,7 @@ def test_several_right_ways_and_several_wants_are_told_apart() -> None:
         '<matches program="b"><code>Wheel.Stop()</code></matches>'
     )
     found, problems = read_tutorial(text.encode(), "x")
-    SCHEMA.validate(text)
+    schema().validate(text)
     assert found is not None
     assert problems == []
     either, both, other = found.steps[0].wants
@@ -60,7 +64,7 @@ def test_several_right_ways_and_several_wants_are_told_apart() -> None:
 def test_every_event_can_be_waited_for(name: str) -> None:
     text = tutorial(f'<event name="{name}"/>')
     assert messages(read_tutorial, text) == []
-    SCHEMA.validate(text)
+    schema().validate(text)
 
 
 @pytest.mark.parametrize(
@@ -69,7 +73,7 @@ def test_every_event_can_be_waited_for(name: str) -> None:
 def test_everything_of_the_page_that_has_a_name_can_be_pointed_at(kind: str, name: str) -> None:
     text = tutorial(f'<point {kind}="{name}"/>')
     assert messages(read_tutorial, text) == []
-    SCHEMA.validate(text)
+    schema().validate(text)
 
 
 def test_what_is_wanted_of_a_team_and_a_point_into_a_group_are_read() -> None:
@@ -78,7 +82,7 @@ def test_what_is_wanted_of_a_team_and_a_point_into_a_group_are_read() -> None:
         '<point group="crew" failure="substitute"/><point group="crew"/>'
     )
     found, problems = read_tutorial(text.encode(), "x")
-    SCHEMA.validate(text)
+    schema().validate(text)
     assert problems == []
     assert found is not None
     [step] = found.steps
@@ -151,7 +155,7 @@ def test_a_mistake_is_said_at_its_place_and_the_tutorial_is_not_used(inside: str
 @pytest.mark.parametrize("start", ["", "../x.krt", "a/b.krt", "C:x.krt", "x.xml", ".krt", "x\\y.krt"])
 def test_the_start_is_a_file_of_the_same_folder(start: str) -> None:
     assert read_tutorial(tutorial("", start).encode(), "f.xml")[0] is None
-    assert not SCHEMA.is_valid(tutorial("", start))
+    assert not schema().is_valid(tutorial("", start))
 
 
 def test_a_tutorial_needs_names_and_steps_within_the_limit() -> None:
@@ -177,7 +181,7 @@ def test_a_pattern_is_nested_up_to_the_limit() -> None:
 def test_the_example_of_the_docs_is_right_and_a_program_can_do_it() -> None:
     page = (Path(__file__).parents[2] / "docs" / "tutorials.md").read_text(encoding="utf-8")
     [example] = re.findall(r"```xml\n(.*?)```", page, re.DOTALL)
-    SCHEMA.validate(example)
+    schema().validate(example)
     found, problems = read_tutorial(example.encode(), "tutorials.md")
     assert found is not None
     assert problems == []

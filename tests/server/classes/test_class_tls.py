@@ -21,6 +21,7 @@ from websockets.asyncio.client import connect
 
 from kitrobot.diagnostics import KitRobotError
 from kitrobot.server.class_certificate import usable_certificate, validity
+from tests import coroutines
 from tests.certificates import self_signed
 from tests.patience import PATIENCE_S
 
@@ -33,7 +34,7 @@ def first_said(address: str, trusting: ssl.SSLContext, origin: str) -> Any:
         async with connect(address, **options) as socket:
             return json.loads(await asyncio.wait_for(socket.recv(), PATIENCE_S))
 
-    return asyncio.run(heard())
+    return coroutines.run(heard())
 
 
 def test_pupils_join_and_are_told_over_tls(tmp_path):
