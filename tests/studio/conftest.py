@@ -194,6 +194,12 @@ class Studio:
         """The LLL beside the graph, a line break a line."""
         return "\n".join(self.page.locator('[data-testid="code"] .cm-line').all_inner_texts())
 
+    def expect_whole_code(self, text: str) -> None:
+        """Waits until the LLL is this: lines that come into view are drawn in the frame after."""
+        lines = self.page.locator('[data-testid="code"] .cm-line')
+        expect(lines).to_have_text(text.split("\n"), use_inner_text=True)
+        assert self.code() == text
+
     def edit_code(self) -> None:
         """Gives the LLL the focus, once it can be edited."""
         expect(self.at("code-editor")).to_have_attribute("data-writable", "true")
