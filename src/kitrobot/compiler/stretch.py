@@ -13,9 +13,10 @@ from dataclasses import dataclass, replace
 from typing import Any
 
 from kitrobot.compiler.accepted_forms import write_anew
-from kitrobot.compiler.graph_to_lll import Translation, graph_to_lll
+from kitrobot.compiler.graph_to_lll import Translation
 from kitrobot.compiler.lll_to_graph import Drawing, redraw
 from kitrobot.compiler.preserve_ids import Before, Old, lines_of
+from kitrobot.compiler.retranslation import graph_to_lll_again
 from kitrobot.compiler.target import program_for
 from kitrobot.compiler.tree_diff import same_nodes
 from kitrobot.graph import IN, NEXT, Arc, Program
@@ -45,7 +46,7 @@ def redraw_edited(seq: Seq, robot: Robot, catalogue: Catalogue, before: Before) 
     write_anew(seq, catalogue)
     drawn = None if before.translation.program == seq else _with_stretch(seq, robot, catalogue, before)
     if drawn is not None:
-        translation = graph_to_lll(drawn, catalogue)
+        translation = graph_to_lll_again(before.translation, drawn, catalogue)
         if translation.program == seq:
             for node, made in zip(nodes(seq), nodes(translation.program), strict=True):
                 node.vertex = made.vertex

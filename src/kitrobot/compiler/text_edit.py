@@ -8,7 +8,6 @@ typed and names the vertex that the instruction around it was, so that it can be
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterator
 from dataclasses import dataclass, field, replace
 
 from kitrobot.compiler.graph_to_lll import Translation
@@ -16,20 +15,11 @@ from kitrobot.compiler.preserve_ids import Before, Old
 from kitrobot.compiler.stretch import redraw_edited
 from kitrobot.compiler.target import read_for
 from kitrobot.compiler.team_check import check_program
+from kitrobot.compiler.vertex_places import VertexPlace, vertex_places
 from kitrobot.diagnostics import Diagnostic, Place, Source, in_reading_order
 from kitrobot.graph import Program
 from kitrobot.lll import Seq, TeamProgram, nodes
 from kitrobot.primitives import Catalogue, Crew, declaring
-
-
-@dataclass(frozen=True)
-class VertexPlace:
-    """The stretch of a text that a vertex is: character offsets, the end exclusive, and the line from 1."""
-
-    vertex: str
-    start: int
-    end: int
-    line: int
 
 
 @dataclass(frozen=True)
@@ -69,18 +59,10 @@ def follow_text(before: Translation, text: str, catalogue: Catalogue) -> Followe
     if parsed.ok and not _news(found, before, catalogue.crew):
         drawn, made = redraw_edited(parsed.seq, robot, catalogue, Before(before))
         sound = not diagnostics and made.program == parsed.seq
-        return Followed(drawn, list(_spans(parsed.seq, parsed.source)), diagnostics, made, sound, parsed.team)
+        return Followed(drawn, vertex_places(parsed.seq, parsed.source), diagnostics, made, sound, parsed.team)
     old = Old.beside(Before(before), parsed.seq)
     told = [_at_vertex(item, parsed.seq, parsed.source, old) for item in diagnostics]
     return Followed(None, [], told, team=parsed.team)
-
-
-def _spans(tree: Seq, source: Source) -> Iterator[VertexPlace]:
-    ends: dict[str, int] = {}
-    for node in nodes(tree):
-        if node.vertex is not None and node.start >= ends.get(node.vertex, 0) and node.end > node.start:
-            ends[node.vertex] = node.end
-            yield VertexPlace(node.vertex, node.start, node.end, source.position(node.start)[0])
 
 
 def _news(found: list[Diagnostic], before: Translation, crew: Crew) -> bool:

@@ -20,7 +20,7 @@ from kitrobot.server.list_delta import stretched
 from kitrobot.server.shapes import problem_shapes
 from kitrobot.server.shapes.mission import DeclaredShape
 from kitrobot.text.json_text import to_json
-from kitrobot.workspace import Report, Span
+from kitrobot.workspace import Report
 
 
 def report_answer(report: Report) -> Response:
@@ -87,7 +87,7 @@ def _arc(one: Arc) -> dict[str, Any]:
     return {"source": one.source, "target": one.target, "out": one.out, "at": one.at}
 
 
-def _spans(spans: Iterable[Span | VertexPlace]) -> list[dict[str, Any]]:
+def _spans(spans: Iterable[VertexPlace]) -> list[dict[str, Any]]:
     return [{"vertex": one.vertex, "start": one.start, "end": one.end, "line": one.line} for one in spans]
 
 

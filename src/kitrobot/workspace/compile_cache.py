@@ -17,7 +17,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 
-from kitrobot.compiler import Compiled, Translation, compile_program, graph_to_lll
+from kitrobot.compiler import Compiled, Translation, compile_program, graph_to_lll, graph_to_lll_again
 from kitrobot.graph import Program
 from kitrobot.primitives import Catalogue, Constructor, Crew, OwnVariable
 from kitrobot.workspace.program_report import ProgramReport, program_report
@@ -38,8 +38,15 @@ class KeptProgram:
     """A program, the catalogue it is for, and what became of it, each made when it is first asked for."""
 
     def __init__(
-        self, program: Program, catalogue: Catalogue, translation: Translation | None = None, *, sound: bool = False
+        self,
+        program: Program,
+        catalogue: Catalogue,
+        translation: Translation | None = None,
+        *,
+        sound: bool = False,
+        before: KeptProgram | None = None,
     ) -> None:
+        self._before = before
         self.program = program
         self.catalogue = catalogue
         self.name = ""
@@ -50,17 +57,31 @@ class KeptProgram:
     @cached_property
     def translation(self) -> Translation:
         """The program as LLL. Raises KitRobotError when its robot is not at hand."""
-        return self._given if self._given is not None else graph_to_lll(self.program, self.catalogue)
+        before, self._before = self._before, None
+        if self._given is not None:
+            return self._given
+        translated = None if before is None else before.__dict__.get("translation")
+        if translated is None:
+            return graph_to_lll(self.program, self.catalogue)
+        return graph_to_lll_again(translated, self.program, self.catalogue)
 
     @cached_property
     def compiled(self) -> Compiled:
         """The program compiled. Raises KitRobotError when its robot is not at hand."""
-        return compile_program(self.program, self.catalogue, self.translation, sound=self._sound)
+        return self._made[0]
 
     @cached_property
     def report(self) -> ProgramReport:
         """What is shown of it. Raises KitRobotError when its robot is not at hand."""
-        return program_report(self.program.name, self.compiled)
+        return self._made[1]
+
+    @cached_property
+    def _made(self) -> tuple[Compiled, ProgramReport]:
+        translation = self.translation
+        with translation.lineage.lock:  # the places of its nodes are those of this state for so long
+            compiled = compile_program(self.program, self.catalogue, translation, sound=self._sound)
+            report = program_report(self.program.name, compiled, translation.lineage)
+        return replace(compiled, shared=not self.program.level.is_team), report
 
 
 @dataclass(frozen=True)
@@ -132,7 +153,13 @@ class KeptPrograms:
             if kept is not None:
                 self._programs.move_to_end(key)
                 return kept
-            kept = self._programs[key] = KeptProgram(program, catalogue, translation, sound=sound)
+            states = [
+                other
+                for (_, of), other in self._programs.items()
+                if of == id(catalogue) and other.program.name == program.name
+            ]
+            before = states[-1] if states else None
+            kept = self._programs[key] = KeptProgram(program, catalogue, translation, sound=sound, before=before)
             self._keys[same] = key
             self._give_name(kept)
             self._vertices += len(program.vertices)
