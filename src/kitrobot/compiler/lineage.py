@@ -29,11 +29,13 @@ class Lineage:
 
     Attributes:
         tree, text: the state that the places of nodes are of, and its text; None before one was printed.
+        read: a state of which it is known that its text reads as it, without anything to say about that.
     """
 
     lock: threading.RLock = field(default_factory=threading.RLock)
     tree: Seq | None = None
     text: str = ""
+    read: Seq | None = None
     _tables: dict[tuple[str, Hashable], Table] = field(default_factory=dict)
     _states: int = 0
 

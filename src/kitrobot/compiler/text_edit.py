@@ -11,6 +11,7 @@ from collections import Counter
 from dataclasses import dataclass, field, replace
 
 from kitrobot.compiler.graph_to_lll import Translation
+from kitrobot.compiler.near_edit import follow_near
 from kitrobot.compiler.preserve_ids import Before, Old
 from kitrobot.compiler.stretch import redraw_edited
 from kitrobot.compiler.target import read_for
@@ -51,6 +52,9 @@ def follow_text(before: Translation, text: str, catalogue: Catalogue) -> Followe
 
     Raises KitRobotError when the catalogue lacks the constructors to draw with.
     """
+    near = _follow_near(before, text, catalogue)
+    if near is not None:
+        return near
     program, robot = before.wiring.program, before.wiring.robot
     parsed = read_for(text, robot, f"{program.name}.lll")
     crew = catalogue.crew if parsed.team is None else declaring(catalogue.crew, parsed.team)
@@ -63,6 +67,22 @@ def follow_text(before: Translation, text: str, catalogue: Catalogue) -> Followe
     old = Old.beside(Before(before), parsed.seq)
     told = [_at_vertex(item, parsed.seq, parsed.source, old) for item in diagnostics]
     return Followed(None, [], told, team=parsed.team)
+
+
+def _follow_near(before: Translation, text: str, catalogue: Catalogue) -> Followed | None:
+    """The same where the text is what its graph prints, and differs from that of the graph before in some lines only."""
+    with before.lineage.lock:
+        near = follow_near(before, text, catalogue)
+        if near is None:
+            return None
+        drawn, made = near
+        source, lineage = Source(f"{drawn.name}.lll", text), made.lineage
+        found = check_program(made.program, made.wiring.robot, catalogue.crew, source, drawn.name, lineage)
+        if any(item.is_error for item in found):
+            return None
+        # Of a text it is not said which vertices it has become.
+        diagnostics = [replace(item, program=drawn.name, vertices=()) for item in found]
+        return Followed(drawn, vertex_places(made.program, source, lineage), diagnostics, made, sound=not found)
 
 
 def _news(found: list[Diagnostic], before: Translation, crew: Crew) -> bool:
