@@ -19,9 +19,13 @@ from kitrobot.compiler.preserve_ids import Before
 from kitrobot.compiler.retranslation import graph_to_lll_again
 from kitrobot.compiler.stretch import Stretch, draw_stretch
 from kitrobot.graph import Program
-from kitrobot.lll import Parallel, Seq, bodies, parse
+from kitrobot.lll import Parallel, Seq, bodies, parse, print_lines
 from kitrobot.primitives import Catalogue
 from kitrobot.text import same_ends
+
+
+_MOST = 0.5
+"""Of a text: where more of it changed, the whole is as quickly looked at."""
 
 
 @dataclass(frozen=True)
@@ -42,8 +46,9 @@ class _Lines:
 def follow_near(before: Translation, text: str, catalogue: Catalogue) -> tuple[Program, Translation] | None:
     """The graph of the text and its translation, whose text is this one; None where the whole is to be looked at.
 
-    The lineage's lock must be held.
+    The lineage's lock must be held. A text need not end with a line break.
     """
+    text = text if text.endswith("\n") else f"{text}\n"
     lineage, tree = before.lineage, before.program
     if before.diagnostics or before.wiring.robot.level.is_team or not before.pieces:
         return None
@@ -61,11 +66,16 @@ def follow_near(before: Translation, text: str, catalogue: Catalogue) -> tuple[P
     lines = _lines(tree, printed, begin, end, before)
     if lines is None:
         return None
-    parsed = parse(text[lines.start : lines.end + len(text) - len(printed)])
+    typed = text[lines.start : lines.end + len(text) - len(printed)]
+    if len(typed) > _MOST * len(text):
+        return None
+    parsed = parse(typed)
     new = parsed.program
     if parsed.diagnostics or not new.items or new.below or new.hole is not None:
         return None
     write_anew(new, catalogue)
+    if print_lines(new, len(lines.path)) != typed:
+        return None
 
     row = lines.body.items
     items = [*row[: lines.first], *new.items, *row[lines.last + 1 :]]

@@ -4,6 +4,7 @@ from kitrobot.lll.formatting import format_text
 from kitrobot.lll.printer import (
     print_again,
     print_declaration,
+    print_lines,
     print_members,
     print_program,
     print_team_program,
@@ -122,6 +123,7 @@ __all__ = [
     "parse_template",
     "print_again",
     "print_declaration",
+    "print_lines",
     "print_members",
     "print_program",
     "print_team_program",

@@ -64,6 +64,13 @@ def print_program(program: Seq) -> str:
     return text
 
 
+def print_lines(body: Seq, level: int) -> str:
+    """The lines of the instructions of a body that stands so many levels deep. Sets the places of its nodes."""
+    printer = _Printer()
+    printer.seq(body, level)
+    return "".join(printer.parts)
+
+
 def print_again(program: Seq, before: str, taken: Set[int]) -> str:
     """As `print_program`, for a tree of which the instructions `taken`, by their `id`, stood in the text `before` already
     and have their places there: these are moved.
