@@ -12,10 +12,12 @@ from kitrobot.server import create_app
 from kitrobot.server.shapes.mission import MOST_VERTICES
 from kitrobot.workspace import KeptPrograms
 from kitrobot.workspace.compile_cache import MOST_NAMED, MOST_STATES
-from tests.server.conftest import HOST, TOKEN, TestClient, whole
+from tests.server.conftest import HOST, TOKEN, TestClient, whole, whole_report
 
 Mission = dict[str, Any]
 PATH = "blink.krt"
+KNOWN: dict[str, Mission] = {}
+"""Programs of reports by the names that they were given."""
 
 
 @pytest.fixture
@@ -28,8 +30,7 @@ def mission(page: TestClient) -> Mission:
 def check(page: TestClient, mission: Mission) -> Mission:
     answer = page.post("/api/check", json={"mission": mission, "path": PATH})
     assert answer.status_code == 200, answer.text
-    report: Mission = answer.json()
-    return report
+    return whole_report(answer.json(), KNOWN)
 
 
 def name_in(report: Mission) -> str:

@@ -23,7 +23,6 @@ from kitrobot.lll import Parallel, Seq, bodies, parse, print_lines
 from kitrobot.primitives import Catalogue
 from kitrobot.text import same_ends
 
-
 _MOST = 0.5
 """Of a text: where more of it changed, the whole is as quickly looked at."""
 

@@ -178,6 +178,13 @@ class KeptPrograms:
                 self._named.move_to_end(name)
         return found
 
+    def report_of(self, name: str) -> ProgramReport | None:
+        """What was shown of the program of that name; None where it is not kept any more."""
+        with self._lock:
+            kept = next((one for one in self._programs.values() if one.name == name), None)
+        made = None if kept is None else kept.__dict__.get("_made")
+        return None if made is None else replace(made[1], known=name)
+
     def reports(self, programs: Sequence[Program], catalogue: Catalogue) -> list[ProgramReport]:
         """What is shown of each program, with the names of those that can be found again."""
         known = [one.level.is_team or one.target in catalogue.robots for one in programs]

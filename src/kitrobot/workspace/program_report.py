@@ -1,4 +1,4 @@
-"""What a program becomes, as it is shown beside its graph: LLL with the place of each vertex, three-address code."""
+"""What a program becomes, as it is shown beside its graph: LLL with the place of each vertex."""
 
 from __future__ import annotations
 
@@ -6,13 +6,12 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 
 from kitrobot.compiler import Compiled, Lineage, VertexPlace, vertex_places
-from kitrobot.image import disassemble
 from kitrobot.lll import Instruction, nodes
 
 
 @dataclass(frozen=True)
 class ProgramReport:
-    """What a program becomes; `listing` is empty and `instructions` 0 when it has errors.
+    """What a program becomes; `instructions` is 0 when it has errors.
 
     `known` is the name by which `KeptPrograms` finds the program again, "" when it is not kept.
     """
@@ -20,7 +19,6 @@ class ProgramReport:
     name: str
     lll: str
     spans: tuple[VertexPlace, ...]
-    listing: str
     instructions: int
     known: str = ""
 
@@ -65,9 +63,7 @@ def _projected(compiled: Compiled) -> Iterable[ProjectionSpan]:
 def program_report(name: str, compiled: Compiled | None, lineage: Lineage | None = None) -> ProgramReport:
     """The report of a program; `compiled` is None when its robot is not at hand. `lineage`: as for `check`."""
     if compiled is None:
-        return ProgramReport(name, "", (), "", 0)
-    image = compiled.image
-    listing = disassemble(image) if image is not None else ""
-    instructions = image.instructions if image is not None else 0
+        return ProgramReport(name, "", (), 0)
+    instructions = compiled.image.instructions if compiled.image is not None else 0
     spans = vertex_places(compiled.program, compiled.source, lineage)
-    return ProgramReport(name, compiled.source.text, tuple(spans), listing, instructions)
+    return ProgramReport(name, compiled.source.text, tuple(spans), instructions)

@@ -12,7 +12,7 @@ const extra: Vertex = { id: "extra", element: "Wait", settings: { duration: "3" 
 
 /** The report of a mission whose program the server knows by that name. */
 function named(known: string): Report {
-  return { programs: [{ name: CARRIER.name, lll: "", spans: [], listing: "", instructions: 0, known }], problems: [] };
+  return { programs: [{ name: CARRIER.name, lll: "", spans: [], instructions: 0, known }], problems: [] };
 }
 
 const gone = { message: "Not known.", help: "", problems: [] };
