@@ -113,19 +113,18 @@ class Code:
             "constant": state + self.counters + self.temporaries,
         }
 
-        def byte(operand: Operand) -> int:
-            if isinstance(operand, Cell):
-                return first[operand.region] + operand.number
-            assert isinstance(operand, int)
-            return operand
-
-        code = bytearray()
+        code: list[int] = []
         for op, a, b, c in self.rows:
-            if isinstance(b, Label):
+            # Tuples of two are cells: this is done for every operand of a program.
+            code.append(op)
+            code.append(a if type(a) is int else first[a[0]] + a[1])  # type: ignore[index]
+            if type(b) is Label:
                 target = self.labels[b.number]
                 assert target >= 0
                 assert BY_NUMBER[op].jumps
-                code += bytes((op, byte(a), target % 256, target // 256))
+                code.append(target % 256)
+                code.append(target // 256)
             else:
-                code += bytes((op, byte(a), byte(b), byte(c)))
+                code.append(b if type(b) is int else first[b[0]] + b[1])  # type: ignore[index]
+                code.append(c if type(c) is int else first[c[0]] + c[1])  # type: ignore[index]
         return bytes(code)

@@ -69,7 +69,7 @@ def compile_lll(
     diagnostics = [] if sound else check(program, target, source, name, lineage)
     if any(item.is_error for item in diagnostics):
         return Compiled(program, source, None, DebugMap(), diagnostics)
-    image, debug, too_large = lower(program, target, name)
+    image, debug, too_large = lower(program, target, name, lineage)
     diagnostics += [replace(item, place=source.place(0, 0), program=name) for item in too_large]
     return Compiled(program, source, image, debug, diagnostics)
 

@@ -9,6 +9,7 @@ from __future__ import annotations
 from kitrobot.compiler import rules
 from kitrobot.compiler.code import FAULT, Cell, Code, Label
 from kitrobot.compiler.flow import FlowAnalysis
+from kitrobot.compiler.lineage import Lineage
 from kitrobot.compiler.slots import SlotTree
 from kitrobot.compiler.target import Target
 from kitrobot.diagnostics import Diagnostic
@@ -52,12 +53,14 @@ from kitrobot.primitives import Category, Kind, Method, Robot, RobotObject
 from kitrobot.text import Sentence, Word
 
 
-def lower(program: Seq, target: Target, name: str = "") -> tuple[Image | None, DebugMap, list[Diagnostic]]:
+def lower(
+    program: Seq, target: Target, name: str = "", lineage: Lineage | None = None
+) -> tuple[Image | None, DebugMap, list[Diagnostic]]:
     """The image of a program, or None and why it is too large; and where each instruction came from.
 
-    `name` is the program's name in its mission, kept in the origins.
+    `name` is the program's name in its mission, kept in the origins; `lineage`: as for `check`.
     """
-    lowering = _Lowering(program, target, name)
+    lowering = _Lowering(program, target, name, lineage or Lineage())
     too_large = lowering.too_large()
     debug = DebugMap(lowering.code.origins)
     if too_large:
@@ -66,11 +69,11 @@ def lower(program: Seq, target: Target, name: str = "") -> tuple[Image | None, D
 
 
 class _Lowering:
-    def __init__(self, program: Seq, robot: Robot, name: str) -> None:
+    def __init__(self, program: Seq, robot: Robot, name: str, lineage: Lineage) -> None:
         self.name = name
         self.robot = robot
         self.layout = Layout(robot)
-        self.flow = FlowAnalysis(robot)
+        self.flow = FlowAnalysis(robot, None, lineage.table("flow", id(robot)))
         self.code = Code()
         self.tree = SlotTree()
         self.tree.add(program, None, marked=False)

@@ -18,7 +18,7 @@ from dataclasses import dataclass, replace
 from functools import cached_property
 
 from kitrobot.compiler import Compiled, Translation, compile_program, graph_to_lll, graph_to_lll_again
-from kitrobot.graph import Program
+from kitrobot.graph import Program, Vertex
 from kitrobot.primitives import Catalogue, Constructor, Crew, OwnVariable
 from kitrobot.workspace.program_report import ProgramReport, program_report
 
@@ -30,8 +30,8 @@ MOST_NAMED = 10
 """Times `MOST_VERTICES`, of all programs that have a name: states of a program share what did not change in them."""
 MOST_CATALOGUES = 16
 
-_Key = tuple[object, int]
-"""All that a program says, and the id of its catalogue."""
+_Key = tuple[int, int]
+"""The ids of a program and its catalogue: these cannot come again before the objects are gone, which are kept."""
 
 
 class KeptProgram:
@@ -110,8 +110,6 @@ class KeptPrograms:
         self._most_vertices = most_vertices
         self._lock = threading.Lock()
         self._programs: OrderedDict[_Key, KeptProgram] = OrderedDict()
-        self._keys: dict[tuple[int, int], _Key] = {}
-        """Of the very objects that are kept, by their ids: these cannot come again before the objects are gone."""
         self._named: OrderedDict[str, Program] = OrderedDict()
         """They outlive what became of them, so that several windows may edit programs of one name."""
         self._named_vertices = 0
@@ -141,26 +139,19 @@ class KeptPrograms:
         self, program: Program, catalogue: Catalogue, translation: Translation | None = None, *, sound: bool = False
     ) -> KeptProgram:
         """A program as it is kept, or from now on is; `translation` and `sound` as for `compile_program`."""
-        same = (id(program), id(catalogue))
+        key = (id(program), id(catalogue))
         with self._lock:
-            key = self._keys.get(same)
-            if key is not None:
-                self._programs.move_to_end(key)
-                return self._programs[key]
-        key = (_all_of(program), id(catalogue))
-        with self._lock:
-            kept = self._programs.get(key)
-            if kept is not None:
-                self._programs.move_to_end(key)
-                return kept
             states = [
                 other
                 for (_, of), other in self._programs.items()
                 if of == id(catalogue) and other.program.name == program.name
             ]
+            kept = self._programs.get(key) or next((one for one in states if _says_same(one.program, program)), None)
+            if kept is not None:
+                self._programs.move_to_end((id(kept.program), id(catalogue)))
+                return kept
             before = states[-1] if states else None
             kept = self._programs[key] = KeptProgram(program, catalogue, translation, sound=sound, before=before)
-            self._keys[same] = key
             self._give_name(kept)
             self._vertices += len(program.vertices)
             states = [one for one, other in self._programs.items() if other.program.name == program.name]
@@ -208,30 +199,21 @@ class KeptPrograms:
 
     def _forget(self, key: _Key) -> None:
         gone = self._programs.pop(key)
-        del self._keys[id(gone.program), id(gone.catalogue)]
         self._vertices -= len(gone.program.vertices)
 
 
-def _all_of(program: Program) -> object:
-    """Everything a program says, in its order: that of settings counts too, where nobody knows the element."""
+def _says_same(one: Program, other: Program) -> bool:
+    """Whether two programs say the same in the same order: that of settings counts too, where nobody knows the element."""
     return (
-        program.name,
-        program.target,
-        program.level,
-        tuple(
-            [
-                (
-                    one.id,
-                    one.element,
-                    tuple(one.settings.items()),
-                    tuple([(n.text, n.at) for n in one.notes]),
-                    one.unknown,
-                )
-                for one in program.vertices
-            ]
-        ),
-        tuple([(arc.source, arc.target, arc.out, arc.at) for arc in program.arcs]),
+        (one.target, one.level, len(one.vertices), len(one.arcs))
+        == (other.target, other.level, len(other.vertices), len(other.arcs))
+        and all(map(_same_vertex, one.vertices, other.vertices))
+        and one.arcs == other.arcs
     )
+
+
+def _same_vertex(one: Vertex, other: Vertex) -> bool:
+    return one is other or (one == other and [*one.settings] == [*other.settings])
 
 
 def _same(kept: Sequence[object], given: Sequence[object]) -> bool:
