@@ -54,17 +54,23 @@ def check(
     `source` is the text the nodes' places point into; `program_name` is set on each diagnostic. `lineage`: what is known
     of the instructions that are the same as in another state of the program.
     """
-    checker = _Checker(target, source, program_name, lineage or Lineage())
+    lineage, of = lineage or Lineage(), (id(target), source.name, program_name)
+    known: list[Diagnostic] | None = lineage.found("check", program, source.text, of)
+    if known is not None:
+        return [*known]
+    checker = _Checker(target, source, program_name, lineage)
     checker.seq(program, in_loop=False, in_parallel=False)
     if not any(item.is_error for item in checker.found):
         checker.overwritten(program)
-    return in_reading_order(checker.found)
+    found = in_reading_order(checker.found)
+    lineage.find("check", program, source.text, of, found)
+    return [*found]
 
 
 class _Checker:
     def __init__(self, robot: Robot, source: Source, program_name: str, lineage: Lineage) -> None:
         self.lineage = lineage
-        self.known = lineage.table("checks", (id(robot), source.name, program_name))
+        self.known = lineage.table("check", (id(robot), source.name, program_name))
         self.robot = robot
         self.source = source
         self.program_name = program_name

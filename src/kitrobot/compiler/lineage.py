@@ -36,6 +36,7 @@ class Lineage:
     tree: Seq | None = None
     text: str = ""
     read: Seq | None = None
+    _found: dict[str, tuple[Seq, str, Hashable, Any]] = field(default_factory=dict)
     _tables: dict[tuple[str, Hashable], Table] = field(default_factory=dict)
     _states: int = 0
 
@@ -54,3 +55,13 @@ class Lineage:
     def table(self, what: str, of: Hashable) -> Table:
         """What a pass found out about nodes, in the circumstances `of`; the pass adds to it."""
         return self._tables.setdefault((what, of), {})
+
+    def found(self, what: str, tree: Seq, text: str, of: Hashable) -> Any:
+        """What `find` was told of a whole tree whose text it is, in the circumstances `of`; None where it was not."""
+        known = self._found.get(what)
+        same = known is not None and known[0] is tree and known[2] == of and known[1] == text
+        return known[3] if known is not None and same else None
+
+    def find(self, what: str, tree: Seq, text: str, of: Hashable, value: Any) -> None:
+        """Keeps what a pass found out about a whole tree, for as long as it is the newest."""
+        self._found[what] = (tree, text, of, value)

@@ -143,7 +143,10 @@ class _Lowering:
         for node in seq.items:
             self.code.free_temporaries()
             self.code.origin = Origin(node.program or self.name, node.vertex, node.start, node.end)
-            self.instruction(node)
+            if isinstance(node, Call):  # most are, and `match` takes longer to find out
+                self.action(node, marked=False)
+            else:
+                self.instruction(node)
 
     def body(self, seq: Seq) -> None:
         origin = self.code.origin
@@ -154,8 +157,6 @@ class _Lowering:
     def instruction(self, node: Instr) -> None:
         code = self.code
         match node:
-            case Call():
-                self.action(node, marked=False)
             case Interrupt():
                 assert isinstance(node.call, Call)
                 if node.call.vertex is not None:
@@ -253,6 +254,8 @@ class _Lowering:
         code = self.code
         if not call.params:
             return FAULT
+        if len(call.params) == 1 and isinstance(only := call.params[0], Number):
+            return code.constant(only.value)
         literals = tuple(param.value for param in call.params if isinstance(param, Number))
         if len(literals) == len(call.params):
             return code.constant_run(literals)

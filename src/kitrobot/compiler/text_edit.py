@@ -31,7 +31,8 @@ class Followed:
 
     `spans` are the outermost stretches of each vertex in the text, in reading order; none without a graph.
     `translation` is the graph's way back to LLL, for who compiles it next; its tree is not the one of the text, but
-    equal to it where `sound` says so: then there is nothing to say about either.
+    equal to it where `sound` says so: then there is nothing to say about either. `printed`: the text is the very one that
+    the graph prints, so that all that is said of it is what is said of the graph, with its places.
     """
 
     program: Program | None
@@ -39,6 +40,7 @@ class Followed:
     diagnostics: list[Diagnostic] = field(default_factory=list)
     translation: Translation | None = field(default=None, repr=False, compare=False)
     sound: bool = field(default=False, repr=False, compare=False)
+    printed: bool = field(default=False, repr=False, compare=False)
     team: TeamProgram | None = field(default=None, repr=False, compare=False)
 
 
@@ -82,7 +84,7 @@ def _follow_near(before: Translation, text: str, catalogue: Catalogue) -> Follow
             return None
         # Of a text it is not said which vertices it has become.
         diagnostics = [replace(item, program=drawn.name, vertices=()) for item in found]
-        return Followed(drawn, vertex_places(made.program, source, lineage), diagnostics, made, sound=not found)
+        return Followed(drawn, vertex_places(made.program, source, lineage), diagnostics, made, sound=not found, printed=True)
 
 
 def _news(found: list[Diagnostic], before: Translation, crew: Crew) -> bool:

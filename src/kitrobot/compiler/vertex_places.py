@@ -23,7 +23,12 @@ def vertex_places(tree: Seq, source: Source, lineage: Lineage | None = None) -> 
 
     `lineage`: what is known of the instructions that are the same as in another state of the program.
     """
-    return _Places(source, (lineage or Lineage()).table("places", None)).whole(tree)
+    lineage = lineage or Lineage()
+    known: list[VertexPlace] | None = lineage.found("places", tree, source.text, None)
+    if known is None:
+        known = _Places(source, lineage.table("places", None)).whole(tree)
+        lineage.find("places", tree, source.text, None, known)
+    return [*known]
 
 
 class _Places:

@@ -36,12 +36,12 @@ def followed_answer(
     before: Program, followed: Followed, report: Report | None, bases: Bases, most_problems: int
 ) -> Response:
     """A text typed over a program as `FollowedShape`, with the report of its mission, if there is one."""
-    reported = () if report is None else next(one.spans for one in report.programs if one.name == before.name)
+    same = followed.printed and report is not None
     return _answer(
         {
             "program": _drawn(before, followed.program) if followed.program is not None else None,
-            "spans": None if report is not None and followed.spans == [*reported] else _spans(followed.spans),
-            "problems": _problems(followed.diagnostics[:most_problems]),
+            "spans": None if same else _spans(followed.spans),
+            "problems": None if same else _problems(followed.diagnostics[:most_problems]),
             "report": _report(report, bases) if report is not None else None,
             "declared": _declared(followed.team) if followed.program is not None else None,
         }

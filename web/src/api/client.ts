@@ -16,10 +16,11 @@ import { token } from "./token";
  * What became of a typed text: its program, or null and why not; places count in the text that was sent. The server sends
  * what has changed of the program (`known.ts`), the page has the whole.
  */
-export interface Followed extends Omit<server.Followed, "program" | "report" | "spans"> {
+export interface Followed extends Omit<server.Followed, "program" | "report" | "spans" | "problems"> {
   program: Program | null;
   report: Report | null;
   spans: SpanEntry[];
+  problems: Problem[];
 }
 
 /** Whether a mission declares of its team what a text declares. */
@@ -144,19 +145,26 @@ async function image(mission: Mission, path: string, program: string): Promise<s
   return (await askAbout<server.Image>("image", mission, { path, program })).answer;
 }
 
+/** The problems of a report that have a place in the LLL of a program. */
+export function problemsIn(report: Report | null, program: string): Problem[] {
+  const file = `${program}.lll`;
+  return report?.problems.filter((one) => one.program === program && one.file === file && one.line > 0) ?? [];
+}
+
 async function follow(mission: Mission, path: string, program: string, text: string): Promise<Followed> {
   const { answer, known } = await askAbout<server.Followed>("text", mission, { path, program, text });
   const report = answer.report === null ? null : whole(answer.report, known);
   const spans = answer.spans ?? report?.programs.find((one) => one.name === program)?.spans ?? [];
+  const problems = answer.problems ?? problemsIn(report, program);
   const before = mission.programs.find((one) => one.name === program);
-  if (answer.program === null || before === undefined) return { ...answer, program: null, report, spans };
+  if (answer.program === null || before === undefined) return { ...answer, program: null, report, spans, problems };
   const same = answer.declared == null || declares(mission, answer.declared);
   const graph = drawn(before, answer.program);
   // A text with other declarations is another program, be its graph the same.
   const after = graph === before && !same ? { ...before } : graph;
   const programs = mission.programs.map((one) => (one === before ? after : one));
   if (report !== null) learn({ ...mission, programs }, report);
-  return { ...answer, program: after, report, spans };
+  return { ...answer, program: after, report, spans, problems };
 }
 
 export const api = {

@@ -739,15 +739,15 @@ export interface Floor {
 }
 
 /**
- * The program of a text, with the place of each vertex in it; None, and no places, while it has mistakes. `spans` are
- * None where they are those of the report: the text is the one that the graph prints. `problems` have their places in
- * the text that was sent. `report` is the mission looked through with that program, and with what the text of a team's
- * program declares: `declared`.
+ * The program of a text, with the place of each vertex in it; None, and no places, while it has mistakes. `spans` and
+ * `problems` are None where they are those of the report: the text is the one that the graph prints. `problems` have
+ * their places in the text that was sent. `report` is the mission looked through with that program, and with what the
+ * text of a team's program declares: `declared`.
  */
 export interface Followed {
   program: DrawnProgram | null;
   spans: SpanEntry[] | null;
-  problems: Problem[];
+  problems: Problem[] | null;
   report: Report | null;
   declared?: Declared | null;
 }
