@@ -22,7 +22,7 @@ from kitrobot.graph import RETURN, START, Note, Program, Vertex
 from kitrobot.lll import Node, Number, Seq, children
 from kitrobot.primitives import Catalogue, Robot
 
-_NUMBERED = re.compile(r"v([1-9][0-9]{0,8})")
+_NUMBERED = re.compile(r"^v([1-9][0-9]{0,8})$", re.MULTILINE)
 
 
 @dataclass(frozen=True)
@@ -99,7 +99,7 @@ class Before:
         if not self.translation.ok:  # else arcs join vertices that are there
             for arc in self.program.arcs:
                 ids |= {arc.source, arc.target}
-        return max((int(found[1]) for found in map(_NUMBERED.fullmatch, ids) if found), default=0)
+        return max(map(int, _NUMBERED.findall("\n".join(ids))), default=0)
 
 
 def nothing_before(robot: Robot, catalogue: Catalogue) -> Before:

@@ -78,7 +78,8 @@ def _follow_near(before: Translation, text: str, catalogue: Catalogue) -> Follow
         if near is None:
             return None
         drawn, made = near
-        source, lineage = Source(f"{drawn.name}.lll", text), made.lineage
+        lineage = made.lineage
+        source = Source(f"{drawn.name}.lll", lineage.text)
         found = check_program(made.program, made.wiring.robot, catalogue.crew, source, drawn.name, lineage)
         if any(item.is_error for item in found):
             return None

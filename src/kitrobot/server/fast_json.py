@@ -85,8 +85,7 @@ def _program(one: ProgramReport, base: ProgramReport | None) -> dict[str, Any]:
 
 def _moved(before: Sequence[VertexPlace], after: Sequence[VertexPlace]) -> list[dict[str, Any]]:
     """The places as what became of those before: the first ones that stayed, those between, the last ones, moved."""
-    shorter = min(len(before), len(after))
-    start = next((at for at in range(shorter) if before[at] != after[at]), shorter)
+    shorter, start = min(len(before), len(after)), same_ends(before, after)[0]
     tail = characters = lines = 0
     if start < shorter:
         characters, lines = after[-1].start - before[-1].start, after[-1].line - before[-1].line

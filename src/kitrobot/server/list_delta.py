@@ -7,12 +7,10 @@ which one was edited is two stretches and a vertex, whichever end sends it. Left
 from __future__ import annotations
 
 from collections.abc import Callable, Hashable, Sequence
-from itertools import islice
-from operator import is_
 from typing import Any, TypeVar
 
 from kitrobot.diagnostics import KitRobotError
-from kitrobot.text import Sentence
+from kitrobot.text import Sentence, same_ends
 
 Thing = TypeVar("Thing")
 
@@ -50,21 +48,13 @@ def stretched(
     before: Sequence[Thing], after: Sequence[Thing], name: Callable[[Thing], Hashable], written: Callable[[Thing], Any]
 ) -> list[Any]:
     """The rows that say `after`. What has one name and is equal stayed; `written` is how a new thing travels."""
-    start, tail = _same_ends(before, after)
+    start, tail = same_ends(before, after)
     if start + tail == len(before) == len(after):
         return [[0, len(after)]] if after else []
     rows = _between(before, after[start : len(after) - tail], name, written)
     if start:
         rows = _joined([[0, start]], rows)
     return _joined(rows, [[len(before) - tail, len(before)]]) if tail else rows
-
-
-def _same_ends(before: Sequence[object], after: Sequence[object]) -> tuple[int, int]:
-    """How many things two lists begin with that are the same objects, and how many they end with behind those."""
-    shorter = min(len(before), len(after))
-    start = next((at for at, same in enumerate(map(is_, before, after)) if not same), shorter)
-    pairs = map(is_, reversed(before), reversed(after))
-    return start, next((at for at, same in enumerate(islice(pairs, shorter - start)) if not same), shorter - start)
 
 
 def _joined(rows: list[Any], more: list[Any]) -> list[Any]:

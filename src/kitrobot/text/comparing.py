@@ -1,12 +1,12 @@
-"""Where two texts differ."""
+"""Where two texts, or lists, differ."""
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 
 
-def same_ends(one: str, other: str) -> tuple[int, int]:
-    """How many characters two texts have in common at their beginnings, and behind those at their ends."""
+def same_ends(one: Sequence[object], other: Sequence[object]) -> tuple[int, int]:
+    """How much two texts, or two lists, have in common at their beginnings, and behind that at their ends."""
     shorter = min(len(one), len(other))
     start = _most(shorter, lambda count: one[:count] == other[:count])
     return start, _most(shorter - start, lambda count: one[len(one) - count :] == other[len(other) - count :])
