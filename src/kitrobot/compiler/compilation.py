@@ -107,9 +107,7 @@ def _compile_program(program: Program, catalogue: Catalogue, translation: Transl
         found = check_program(translation.program, target, catalogue.crew, source, program.name)
         diagnostics = translation.diagnostics + _news(found, translation.diagnostics)
         return Compiled(translation.program, source, None, DebugMap(), diagnostics)
-    compiled = compile_lll(
-        translation.program, target, source, program.name, sound=sound, lineage=translation.lineage
-    )
+    compiled = compile_lll(translation.program, target, source, program.name, sound=sound, lineage=translation.lineage)
     return Compiled(
         compiled.program, source, compiled.image, compiled.debug, translation.diagnostics + compiled.diagnostics
     )

@@ -79,7 +79,9 @@ def follow_near(before: Translation, text: str, catalogue: Catalogue) -> tuple[P
     row = lines.body.items
     items = [*row[: lines.first], *new.items, *row[lines.last + 1 :]]
     stretch = Stretch(lines.body, replace(lines.body, items=items), lines.first, len(row) - 1 - lines.last)
-    drawn = draw_stretch(stretch, before.wiring.robot, catalogue, Before(before, Seq(row[max(0, lines.first - 1) : lines.last + 2])))
+    drawn = draw_stretch(
+        stretch, before.wiring.robot, catalogue, Before(before, Seq(row[max(0, lines.first - 1) : lines.last + 2]))
+    )
     if drawn is None:
         return None
     made = graph_to_lll_again(before, drawn, catalogue)

@@ -74,9 +74,7 @@ def _wired_again(before: Wiring, program: Program) -> tuple[Wiring | None, set[s
         # Their arcs are looked at again: they may fit no more.
         new = set(map(id, arcs_come))
         again = lost | other
-        touched = [
-            arc for arc in program.arcs if (arc.source in again or arc.target in again) and id(arc) not in new
-        ]
+        touched = [arc for arc in program.arcs if (arc.source in again or arc.target in again) and id(arc) not in new]
         arcs_gone, arcs_come = [*arcs_gone, *touched], [*arcs_come, *touched]
 
     made = copy(before)

@@ -54,9 +54,10 @@ def follow_text(before: Translation, text: str, catalogue: Catalogue) -> Followe
 
     Raises KitRobotError when the catalogue lacks the constructors to draw with.
     """
-    near = _follow_near(before, text, catalogue)
-    if near is not None:
-        return near
+    return _follow_near(before, text, catalogue) or _follow_whole(before, text, catalogue)
+
+
+def _follow_whole(before: Translation, text: str, catalogue: Catalogue) -> Followed:
     program, robot = before.wiring.program, before.wiring.robot
     parsed = read_for(text, robot, f"{program.name}.lll")
     crew = catalogue.crew if parsed.team is None else declaring(catalogue.crew, parsed.team)
@@ -85,7 +86,9 @@ def _follow_near(before: Translation, text: str, catalogue: Catalogue) -> Follow
             return None
         # Of a text it is not said which vertices it has become.
         diagnostics = [replace(item, program=drawn.name, vertices=()) for item in found]
-        return Followed(drawn, vertex_places(made.program, source, lineage), diagnostics, made, sound=not found, printed=True)
+        return Followed(
+            drawn, vertex_places(made.program, source, lineage), diagnostics, made, sound=not found, printed=True
+        )
 
 
 def _news(found: list[Diagnostic], before: Translation, crew: Crew) -> bool:

@@ -98,9 +98,7 @@ def _moved(before: Sequence[VertexPlace], after: Sequence[VertexPlace]) -> list[
     if start:
         rows.insert(0, {"start": 0, "end": start, "characters": 0, "lines": 0})
     if tail:
-        rows.append(
-            {"start": len(before) - tail, "end": len(before), "characters": characters, "lines": lines}
-        )
+        rows.append({"start": len(before) - tail, "end": len(before), "characters": characters, "lines": lines})
     return rows
 
 
