@@ -7,8 +7,11 @@ typed and names the vertex that the instruction around it was, so that it can be
 
 from __future__ import annotations
 
+from bisect import bisect_right
 from collections import Counter
 from dataclasses import dataclass, field, replace
+from itertools import accumulate
+from operator import itemgetter
 
 from kitrobot.compiler.graph_to_lll import Translation
 from kitrobot.compiler.near_edit import follow_near
@@ -17,10 +20,11 @@ from kitrobot.compiler.stretch import redraw_edited
 from kitrobot.compiler.target import read_for
 from kitrobot.compiler.team_check import check_program
 from kitrobot.compiler.vertex_places import VertexPlace, vertex_places
-from kitrobot.diagnostics import Diagnostic, Place, Source, in_reading_order
+from kitrobot.diagnostics import Diagnostic, Source, in_reading_order
 from kitrobot.graph import Program
-from kitrobot.lll import Seq, TeamProgram, nodes
+from kitrobot.lll import Node, Seq, TeamProgram, nodes
 from kitrobot.primitives import Catalogue, Crew, declaring
+from kitrobot.text import TextPositions
 
 
 @dataclass(frozen=True)
@@ -67,9 +71,8 @@ def _follow_whole(before: Translation, text: str, catalogue: Catalogue) -> Follo
         drawn, made = redraw_edited(parsed.seq, robot, catalogue, Before(before))
         sound = not diagnostics and made.program == parsed.seq
         return Followed(drawn, vertex_places(parsed.seq, parsed.source), diagnostics, made, sound, parsed.team)
-    old = Old.beside(Before(before), parsed.seq)
-    told = [_at_vertex(item, parsed.seq, parsed.source, old) for item in diagnostics]
-    return Followed(None, [], told, team=parsed.team)
+    around = _Around(parsed.seq, parsed.source, Old.beside(Before(before), parsed.seq))
+    return Followed(None, [], [around.at_vertex(item) for item in diagnostics], team=parsed.team)
 
 
 def _follow_near(before: Translation, text: str, catalogue: Catalogue) -> Followed | None:
@@ -103,19 +106,31 @@ def _errors(found: list[Diagnostic]) -> Counter[tuple[str, str]]:
     return Counter((item.code, item.message) for item in found if item.is_error)
 
 
-def _at_vertex(item: Diagnostic, tree: Seq, source: Source, old: Old) -> Diagnostic:
-    """The diagnostic with the vertex of the smallest instruction or condition around its place."""
-    if item.place is None or item.vertices:
-        return item
-    at = _offset(source, item.place)
-    around = [node for node in nodes(tree) if node.start <= at <= node.end and old.origin(node) is not None]
-    if not around:
-        return item
-    origin = old.origin(min(around, key=lambda node: node.end - node.start))
-    assert origin is not None
-    return replace(item, vertices=(origin.vertex.id,))
+class _Around:
+    """The vertices that instructions and conditions of a text were, by places in it."""
 
+    def __init__(self, tree: Seq, source: Source, old: Old) -> None:
+        self.old = old
+        self.starts = TextPositions(source.text).line_starts
+        known = [(node.start, at, node) for at, node in enumerate(nodes(tree)) if old.origin(node) is not None]
+        self.known = sorted(known, key=itemgetter(0, 1))
+        self.furthest = list(accumulate((node.end for _, _, node in self.known), max))
+        """Where the furthest of the nodes so far ends."""
 
-def _offset(source: Source, place: Place) -> int:
-    before = source.text.split("\n")[: place.line - 1]
-    return sum(len(line) + 1 for line in before) + place.column - 1
+    def at_vertex(self, item: Diagnostic) -> Diagnostic:
+        """The diagnostic with the vertex of the smallest instruction or condition around its place."""
+        if item.place is None or item.vertices:
+            return item
+        offset = self.starts[item.place.line - 1] + item.place.column - 1
+        around: list[tuple[int, int, Node]] = []
+        index = bisect_right(self.known, offset, key=itemgetter(0))
+        while index > 0 and self.furthest[index - 1] >= offset:
+            index -= 1
+            start, at, node = self.known[index]
+            if node.end >= offset:
+                around.append((node.end - start, at, node))
+        if not around:
+            return item
+        origin = self.old.origin(min(around, key=itemgetter(0, 1))[2])
+        assert origin is not None
+        return replace(item, vertices=(origin.vertex.id,))
