@@ -51,8 +51,8 @@ def check(
 ) -> list[Diagnostic]:
     """All that is wrong or odd about a program for a target, in reading order.
 
-    `source` is the text the nodes' places point into; `program_name` is set on each diagnostic. `lineage`: what is known
-    of the instructions that are the same as in another state of the program.
+    `source` is the text the nodes' places point into; `program_name` is set on each diagnostic. `lineage`: what is
+    known of the instructions that are the same as in another state of the program.
     """
     lineage, of = lineage or Lineage(), (id(target), source.name, program_name)
     known: list[Diagnostic] | None = lineage.found("check", program, source.text, of)

@@ -37,7 +37,7 @@ from kitrobot.text import Help, Sentence, Word
 
 
 class Piece(NamedTuple):
-    """What a vertex in the flow became: its instructions in a row, how deep they stand, and how many vertices they are."""
+    """What a vertex in the flow became: its instructions in a row, how deep they stand, how many vertices they are."""
 
     row: list[Any]
     depth: int

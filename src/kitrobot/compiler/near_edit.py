@@ -93,7 +93,8 @@ def follow_near(before: Translation, text: str, catalogue: Catalogue) -> tuple[P
 
 def _lines(tree: Seq, text: str, start: int, end: int, before: Translation) -> _Lines | None:
     """The lines around whole lines of a text that are instructions of the innermost body that those are in."""
-    body, top, path = tree, 0, ()
+    body, top = tree, 0
+    path: tuple[tuple[int, int], ...] = ()
     found: _Lines | None = None
     while True:
         items = body.items
@@ -142,7 +143,7 @@ def _with_items(seq: Seq, path: tuple[tuple[int, int], ...], items: list[Any]) -
     if not path:
         return replace(seq, items=items)
     (at, number), *rest = path
-    item = seq.items[at]
+    item: Any = seq.items[at]
     inner = bodies(item)[number]
     made = _with_items(inner, tuple(rest), items)
     part = next(one.name for one in fields(item) if getattr(item, one.name) is inner)

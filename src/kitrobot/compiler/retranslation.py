@@ -2,9 +2,9 @@
 
 The two states share the vertices and arcs that stayed. What is different is found by identity; then every piece whose
 vertex, whatever it holds, has neither changed nor lost or got an arc is taken over with its nodes, and the others are
-walked as ever. The state before must be without anything to say about it, and so must the new one: a piece that is taken
-over was walked without a mistake, and an arc that would lead into it from elsewhere touches a vertex of it. Otherwise
-the whole is translated, so the answer is always that of `graph_to_lll`.
+walked as ever. The state before must be without anything to say about it, and so must the new one: a piece that is
+taken over was walked without a mistake, and an arc that would lead into it from elsewhere touches a vertex of it.
+Otherwise the whole is translated, so the answer is always that of `graph_to_lll`.
 """
 
 from __future__ import annotations

@@ -35,7 +35,7 @@ class Followed:
 
     `spans` are the outermost stretches of each vertex in the text, in reading order; none without a graph.
     `translation` is the graph's way back to LLL, for who compiles it next; its tree is not the one of the text, but
-    equal to it where `sound` says so: then there is nothing to say about either. `printed`: the text is the very one that
+    equal to it where `sound` says so: then there is nothing to say about either. `printed`: the text is the one that
     the graph prints, so that all that is said of it is what is said of the graph, with its places.
     """
 
@@ -44,8 +44,8 @@ class Followed:
     diagnostics: list[Diagnostic] = field(default_factory=list)
     translation: Translation | None = field(default=None, repr=False, compare=False)
     sound: bool = field(default=False, repr=False, compare=False)
-    printed: bool = field(default=False, repr=False, compare=False)
     team: TeamProgram | None = field(default=None, repr=False, compare=False)
+    printed: bool = field(default=False, repr=False, compare=False)
 
 
 def follow_text(before: Translation, text: str, catalogue: Catalogue) -> Followed:
@@ -76,7 +76,7 @@ def _follow_whole(before: Translation, text: str, catalogue: Catalogue) -> Follo
 
 
 def _follow_near(before: Translation, text: str, catalogue: Catalogue) -> Followed | None:
-    """The same where the text is what its graph prints, and differs from that of the graph before in some lines only."""
+    """The same where the text is what its graph prints, and differs from that of the one before in some lines."""
     with before.lineage.lock:
         near = follow_near(before, text, catalogue)
         if near is None:

@@ -72,8 +72,8 @@ def print_lines(body: Seq, level: int) -> str:
 
 
 def print_again(program: Seq, before: str, taken: Set[int]) -> str:
-    """As `print_program`, for a tree of which the instructions `taken`, by their `id`, stood in the text `before` already
-    and have their places there: these are moved.
+    """As `print_program`, for a tree of which the instructions `taken`, by their `id`, stood in the text `before` and
+    have their places there: these are moved.
     """
     printer = _Printer(before, taken)
     printer.seq(program, 0)

@@ -44,7 +44,7 @@ class KeptProgram:
         translation: Translation | None = None,
         *,
         sound: bool = False,
-        before: KeptProgram | None = None,
+        before: Translation | None = None,
     ) -> None:
         self._before = before
         self.program = program
@@ -60,10 +60,9 @@ class KeptProgram:
         before, self._before = self._before, None
         if self._given is not None:
             return self._given
-        translated = None if before is None else before.__dict__.get("translation")
-        if translated is None:
+        if before is None:
             return graph_to_lll(self.program, self.catalogue)
-        return graph_to_lll_again(translated, self.program, self.catalogue)
+        return graph_to_lll_again(before, self.program, self.catalogue)
 
     @cached_property
     def compiled(self) -> Compiled:
@@ -141,16 +140,16 @@ class KeptPrograms:
         """A program as it is kept, or from now on is; `translation` and `sound` as for `compile_program`."""
         key = (id(program), id(catalogue))
         with self._lock:
-            states = [
+            others = [
                 other
                 for (_, of), other in self._programs.items()
                 if of == id(catalogue) and other.program.name == program.name
             ]
-            kept = self._programs.get(key) or next((one for one in states if _says_same(one.program, program)), None)
+            kept = self._programs.get(key) or next((one for one in others if _says_same(one.program, program)), None)
             if kept is not None:
                 self._programs.move_to_end((id(kept.program), id(catalogue)))
                 return kept
-            before = states[-1] if states else None
+            before = others[-1].__dict__.get("translation") if others else None
             kept = self._programs[key] = KeptProgram(program, catalogue, translation, sound=sound, before=before)
             self._give_name(kept)
             self._vertices += len(program.vertices)
@@ -203,7 +202,7 @@ class KeptPrograms:
 
 
 def _says_same(one: Program, other: Program) -> bool:
-    """Whether two programs say the same in the same order: that of settings counts too, where nobody knows the element."""
+    """Whether two programs say the same in the same order; that of settings counts where nobody knows the element."""
     return (
         (one.target, one.level, len(one.vertices), len(one.arcs))
         == (other.target, other.level, len(other.vertices), len(other.arcs))

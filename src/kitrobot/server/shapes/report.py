@@ -44,7 +44,7 @@ class MovedShape(BaseModel):
 class ProgramReportChangeShape(BaseModel):
     """As `ProgramReportShape`, told by what is different from the report of the program that was named in the question.
 
-    `of`: that name; `at`, `removed` and `inserted`: of the text before so many characters at that one gave way to others.
+    `of`: that name; `at`, `removed` and `inserted`: so many characters of the text before gave way to others.
     """
 
     name: str
