@@ -49,7 +49,7 @@ def whole(before: dict[str, Any], rows: dict[str, Any]) -> dict[str, Any]:
 
 
 def whole_report(told: dict[str, Any], known: dict[str, dict[str, Any]]) -> dict[str, Any]:
-    """A report, whole, as the page puts it together; `known`: programs of earlier ones by their names, and then these."""
+    """A report, whole, as the page puts it together; `known`: programs of earlier ones by name, and then these."""
     programs = [_whole_program(one, known[one["of"]]) if "of" in one else one for one in told["programs"]]
     known.update({one["known"]: one for one in programs})
     return told | {"programs": programs}
