@@ -3,7 +3,6 @@ import { useEffect, useState } from "react";
 
 import { api } from "../../api/client";
 import { useStudio } from "../../model/studio";
-import { complain } from "../../session/document";
 
 /** The listing of the newest report; "" while there is none, or nobody looks. */
 export function useListing(looks: boolean): string {
@@ -19,9 +18,8 @@ export function useListing(looks: boolean): string {
       (made) => {
         if (wanted) setListing(made.listing);
       },
-      (cause: unknown) => {
-        if (wanted) complain(cause);
-      },
+      // The mission is another one by now, or the server is away: the next report, or the banner, says so.
+      () => undefined,
     );
     return () => {
       wanted = false;
