@@ -1499,8 +1499,7 @@ export interface ProgramReport {
 
 /**
  * As `ProgramReportShape`, told by what is different from the report of the program that was named in the question.
- * `of`: that name; `at`, `removed` and `inserted`: of the text before so many characters at that one gave way to
- * others.
+ * `of`: that name; `at`, `removed` and `inserted`: so many characters of the text before gave way to others.
  */
 export interface ProgramReportChange {
   name: string;
