@@ -17,6 +17,7 @@ from kitrobot.compiler.vertex_places import vertex_places
 from kitrobot.graph import IN, NEXT, RETURN, Arc, Note, Program, Vertex
 from kitrobot.lll import nodes, parse, print_program
 from kitrobot.primitives import Catalogue
+from kitrobot.workspace import KeptPrograms
 from tests.compiler.graphs import graph, noted, shipped
 from tests.compiler.test_own_part_text import with_own_parts
 from tests.compiler.test_stretch import edited, in_order, text_of
@@ -211,3 +212,17 @@ def test_a_key_reads_the_lines_around_it_alone(monkeypatch: pytest.MonkeyPatch) 
 def test_what_is_not_printed_so_or_not_understood_is_looked_at_whole(edit: Any) -> None:
     text = edit(text_of(LONG, shipped()))
     assert _follow_near(graph_to_lll(LONG, shipped()), text, shipped()) is None
+
+
+def test_an_earlier_state_still_tells_where_its_instructions_stand() -> None:
+    kept = KeptPrograms()
+    first = kept.of(LONG, shipped()).compiled
+    new = Vertex("n", "Wait", {"duration": "12345"})
+    arcs = [Arc("start", "n"), Arc("n", "a"), *(arc for arc in LONG.arcs if arc.source != "start")]
+    second = kept.of(replace(LONG, vertices=[*LONG.vertices, new], arcs=arcs), shipped()).compiled
+    shared = {id(node) for node in nodes(first.program)} & {id(node) for node in nodes(second.program)}
+    assert shared
+    for state in (first, second):
+        own = {node.vertex: state.source.text[node.start : node.end] for node in state.placed.items}
+        assert own["z"] == "Light.LightOff()"
+        assert own["w"] == "WAIT(3)"
