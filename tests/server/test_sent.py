@@ -3,19 +3,25 @@
 from __future__ import annotations
 
 import copy
+import random
 from pathlib import Path
 from typing import Any
 
 import pytest
+from hypothesis import HealthCheck, given, settings
+from hypothesis import strategies as st
 
 from kitrobot.server import create_app
 from kitrobot.server.shapes.mission import MOST_VERTICES
 from kitrobot.workspace import KeptPrograms
 from kitrobot.workspace.compile_cache import MOST_NAMED, MOST_STATES
-from tests.server.conftest import HOST, TOKEN, TestClient, whole
+from tests.effort import examples
+from tests.server.conftest import HOST, TOKEN, TestClient, whole, whole_report
 
 Mission = dict[str, Any]
 PATH = "blink.krt"
+KNOWN: dict[str, Mission] = {}
+"""Programs of reports by the names that they were given."""
 
 
 @pytest.fixture
@@ -28,8 +34,7 @@ def mission(page: TestClient) -> Mission:
 def check(page: TestClient, mission: Mission) -> Mission:
     answer = page.post("/api/check", json={"mission": mission, "path": PATH})
     assert answer.status_code == 200, answer.text
-    report: Mission = answer.json()
-    return report
+    return whole_report(answer.json(), KNOWN)
 
 
 def name_in(report: Mission) -> str:
@@ -111,7 +116,7 @@ def test_a_text_is_typed_over_a_program_that_is_only_named(page: TestClient, mis
     assert stayed == [[0, 2], [3, 4]]
     drawn = whole(mission["programs"][0], answer["program"])
     assert drawn == waiting(mission, "8")["programs"][0]
-    assert said(answer["report"]) == said(check(page, mission | {"programs": [drawn]}))
+    assert said(whole_report(answer["report"], KNOWN)) == said(check(page, mission | {"programs": [drawn]}))
     # The next key starts from the program that was drawn.
     after = rows(mission, name_in(answer["report"]), [[0, 4]])
     again = page.post("/api/text", json=wanted | {"mission": after, "text": "Light.LightOn();\nWAIT(89);"}).json()
@@ -210,3 +215,35 @@ def test_a_program_that_is_too_large_for_what_is_kept_has_no_name(page: TestClie
 def test_a_program_whose_robot_is_not_at_hand_has_no_name(page: TestClient, mission: Mission) -> None:
     mission["programs"][0]["robot"] = "nobody"
     assert check(page, mission)["programs"][0]["known"] == ""
+
+
+@settings(max_examples=examples(15), deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture])
+@given(st.randoms(use_true_random=True))
+def test_what_is_told_by_what_is_different_is_the_whole(
+    page: TestClient, mission: Mission, folder: Path, rng: random.Random
+) -> None:
+    report = check(page, mission)
+    text = report["programs"][0]["lll"]
+    for _ in range(6):
+        lines = text.splitlines(keepends=True)
+        at = rng.randrange(len(lines) + 1)
+        lines[at : at + rng.randrange(2)] = rng.choice(
+            [
+                ["WAIT(7);\n"],
+                ["2*(\n", "  WAIT(1);\n", "  Light.LightOn();\n", ");\n"],
+                ["# é🙂\n", "Light.LightOff();\n"],
+                [],
+            ]
+        )
+        text = "".join(lines)
+        sent = rows(mission, name_in(report), [[0, len(mission["programs"][0]["vertices"])]])
+        wanted = {"mission": sent, "path": PATH, "program": "blink", "text": text}
+        answer = page.post("/api/text", json=wanted).json()
+        if answer["program"] is None:
+            text = report["programs"][0]["lll"]
+            continue
+        report = whole_report(answer["report"], KNOWN)
+        mission = mission | {"programs": [whole(mission["programs"][0], answer["program"])]}
+        fresh = TestClient(create_app(folder, None, TOKEN), base_url=HOST, headers={"X-KitRobot-Token": TOKEN})
+        assert said(report) == said(check(fresh, mission))
+        text = report["programs"][0]["lll"]

@@ -119,7 +119,7 @@ def test_the_report_is_what_a_check_of_the_new_mission_says(page: TestClient, mi
     mission["programs"][0] = found["program"]
     checked = page.post("/api/check", json={"mission": mission, "path": "blink.krt"}).json()
     assert found["report"] == checked
-    assert checked["programs"][0]["listing"]
+    assert checked["programs"][0]["instructions"]
     assert ReportShape.model_validate(checked).model_dump(mode="json") == checked
 
 

@@ -241,6 +241,18 @@ def rubbish_gets_a_sentence_and_leaves_the_document_alone(studio: Studio, text: 
     studio.expect_whole_code(before)
 
 
+def the_three_address_code_follows_while_it_is_shown(studio: Studio) -> None:
+    studio.at("code-tab-listing").click()
+    shown = studio.at("code").locator(".cm-content")
+    expect(shown).to_contain_text("END")
+    before = shown.inner_text()
+    studio.drop("Wait", "arc-start.next")
+    expect(shown).not_to_have_text(before)
+    expect(shown).to_contain_text("END")
+    studio.at("code-tab-lll").click()
+    studio.expect_code("WAIT(10);")
+
+
 def test_graph_and_text_follow_each_other_with_mistakes_and_without(open_studio: OpenStudio) -> None:
     studio, before = opened(open_studio)
     an_instruction_that_is_typed_appears_as_a_vertex_and_undo_takes_both_back(studio, before)
@@ -253,3 +265,6 @@ def test_graph_and_text_follow_each_other_with_mistakes_and_without(open_studio:
     for text in cases([RUBBISH["marks"]], [RUBBISH["deep"], RUBBISH["file"]]):
         rubbish_gets_a_sentence_and_leaves_the_document_alone(studio, text)
     undo_of_unfinished_text_goes_back_to_the_last_text_without_mistakes(studio)
+    leave(studio)
+    studio.take_back()
+    the_three_address_code_follows_while_it_is_shown(studio)

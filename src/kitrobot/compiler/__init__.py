@@ -3,18 +3,21 @@
 from kitrobot.compiler.checker import check
 from kitrobot.compiler.compilation import Compiled, compile_lll, compile_program, compile_text
 from kitrobot.compiler.graph_to_lll import Translation, graph_to_lll
+from kitrobot.compiler.lineage import Lineage
 from kitrobot.compiler.lll_to_graph import lll_to_graph
 from kitrobot.compiler.own_part import Chosen, Look, Offered, Part, PartError, make_part, offer_part
 from kitrobot.compiler.part_offers import Offer
 from kitrobot.compiler.part_reading import PartText, draw_template, read_part
 from kitrobot.compiler.projection import Projection, project
+from kitrobot.compiler.retranslation import graph_to_lll_again
 from kitrobot.compiler.selection import SelectionError
 from kitrobot.compiler.target import Read, Target, print_for, read_for, robot_of, target_of
 from kitrobot.compiler.team_check import check_program, program_circles
 from kitrobot.compiler.team_compilation import CompiledTeam, compile_team
 from kitrobot.compiler.team_names import check_declarations
 from kitrobot.compiler.team_points import ALL, ONE, Point, PointKind, TeamPlan
-from kitrobot.compiler.text_edit import Followed, VertexPlace, follow_text
+from kitrobot.compiler.text_edit import Followed, follow_text
+from kitrobot.compiler.vertex_places import VertexPlace, vertex_places
 
 __all__ = [
     "ALL",
@@ -23,6 +26,7 @@ __all__ = [
     "Compiled",
     "CompiledTeam",
     "Followed",
+    "Lineage",
     "Look",
     "Offer",
     "Offered",
@@ -48,6 +52,7 @@ __all__ = [
     "draw_template",
     "follow_text",
     "graph_to_lll",
+    "graph_to_lll_again",
     "lll_to_graph",
     "make_part",
     "offer_part",
@@ -58,4 +63,5 @@ __all__ = [
     "read_part",
     "robot_of",
     "target_of",
+    "vertex_places",
 ]

@@ -33,7 +33,7 @@ class Code:
     """Instructions so far, and the pools of cells they use."""
 
     def __init__(self) -> None:
-        self.rows: list[tuple[int, Operand, Operand, Operand]] = []
+        self.rows: list[tuple[int, Cell | int, Operand, Cell | int]] = []
         self.origins: list[Origin] = []
         self.origin = Origin("", None, 0, 0)
         self.labels: list[int] = []
@@ -44,12 +44,12 @@ class Code:
         self.temporaries = 0
         self._temporaries_in_use = 0
 
-    def emit(self, op: int, a: Operand = 0, b: Operand = 0, c: Operand = 0) -> None:
+    def emit(self, op: int, a: Cell | int = 0, b: Cell | int = 0, c: Cell | int = 0) -> None:
         """Appends an instruction."""
         self.rows.append((op, a, b, c))
         self.origins.append(self.origin)
 
-    def jump(self, op: int, label: Label, a: Operand = 0) -> None:
+    def jump(self, op: int, label: Label, a: Cell | int = 0) -> None:
         """Appends a jump to a label."""
         self.rows.append((op, a, label, 0))
         self.origins.append(self.origin)
@@ -113,19 +113,18 @@ class Code:
             "constant": state + self.counters + self.temporaries,
         }
 
-        def byte(operand: Operand) -> int:
-            if isinstance(operand, Cell):
-                return first[operand.region] + operand.number
-            assert isinstance(operand, int)
-            return operand
-
-        code = bytearray()
+        code: list[int] = []
         for op, a, b, c in self.rows:
+            # What is asked most comes first: this is done for every operand of a program.
+            code.append(op)
+            code.append(a if isinstance(a, int) else first[a[0]] + a[1])
             if isinstance(b, Label):
                 target = self.labels[b.number]
                 assert target >= 0
                 assert BY_NUMBER[op].jumps
-                code += bytes((op, byte(a), target % 256, target // 256))
+                code.append(target % 256)
+                code.append(target // 256)
             else:
-                code += bytes((op, byte(a), byte(b), byte(c)))
+                code.append(b if isinstance(b, int) else first[b[0]] + b[1])
+                code.append(c if isinstance(c, int) else first[c[0]] + c[1])
         return bytes(code)

@@ -7,6 +7,7 @@ from dataclasses import dataclass, field, replace
 from kitrobot.compiler.checker import check
 from kitrobot.compiler.graph_rules import UNKNOWN_ELEMENT
 from kitrobot.compiler.graph_to_lll import Translation, graph_to_lll
+from kitrobot.compiler.lineage import Lineage
 from kitrobot.compiler.lowering import lower
 from kitrobot.compiler.rules import UNKNOWN_METHOD, UNKNOWN_OBJECT
 from kitrobot.compiler.target import Target, print_for, target_of
@@ -14,20 +15,34 @@ from kitrobot.compiler.team_check import check_program
 from kitrobot.diagnostics import Diagnostic, Source, in_reading_order
 from kitrobot.graph import Program
 from kitrobot.image import DebugMap, Image
-from kitrobot.lll import Seq, parse, print_program
+from kitrobot.lll import Seq, nodes, parse, print_again, print_program
 from kitrobot.primitives import Catalogue
 from kitrobot.text import collection_paused
 
 
 @dataclass(frozen=True)
 class Compiled:
-    """What became of a program: its LLL (tree and text), its image (None when there are errors), its debug map."""
+    """What became of a program: its LLL (tree and text), its image (None when there are errors), its debug map.
+
+    `shared`: other states of the program share nodes of the tree, so that their places may be those of another text.
+    """
 
     program: Seq
     source: Source
     image: Image | None
     debug: DebugMap
     diagnostics: list[Diagnostic] = field(default_factory=list)
+    shared: bool = field(default=False, compare=False)
+
+    @property
+    def placed(self) -> Seq:
+        """The tree, its nodes with their places in the text."""
+        if not self.shared:
+            return self.program
+        read = parse(self.source.text, self.source.name).program
+        for node, made in zip(nodes(read), nodes(self.program), strict=True):
+            node.vertex = made.vertex
+        return read
 
     @property
     def ok(self) -> bool:
@@ -36,19 +51,25 @@ class Compiled:
 
 
 def compile_lll(
-    program: Seq, target: Target, source: Source | None = None, name: str = "", *, sound: bool = False
+    program: Seq,
+    target: Target,
+    source: Source | None = None,
+    name: str = "",
+    *,
+    sound: bool = False,
+    lineage: Lineage | None = None,
 ) -> Compiled:
     """Checks a tree for a target and lowers it. Without a `source` the tree is printed first, to have a text.
 
     `name` is the program's name in its mission, set on the diagnostics; `sound`: `check` found nothing in an equal
-    tree.
+    tree; `lineage`: as for `check`.
     """
     if source is None:
         source = Source(f"{name or 'program'}.lll", print_program(program))
-    diagnostics = [] if sound else check(program, target, source, name)
+    diagnostics = [] if sound else check(program, target, source, name, lineage)
     if any(item.is_error for item in diagnostics):
         return Compiled(program, source, None, DebugMap(), diagnostics)
-    image, debug, too_large = lower(program, target, name)
+    image, debug, too_large = lower(program, target, name, lineage)
     diagnostics += [replace(item, place=source.place(0, 0), program=name) for item in too_large]
     return Compiled(program, source, image, debug, diagnostics)
 
@@ -81,15 +102,30 @@ def _compile_program(program: Program, catalogue: Catalogue, translation: Transl
     target = target_of(program, catalogue)
     if translation is None:
         translation = graph_to_lll(program, catalogue)
-    source = Source(f"{program.name}.lll", print_for(translation.program, target, catalogue.crew))
+    source = Source(f"{program.name}.lll", text_of(translation, catalogue))
     if not translation.ok or target.level.is_team:  # what a team's program becomes is each robot's own
         found = check_program(translation.program, target, catalogue.crew, source, program.name)
         diagnostics = translation.diagnostics + _news(found, translation.diagnostics)
         return Compiled(translation.program, source, None, DebugMap(), diagnostics)
-    compiled = compile_lll(translation.program, target, source, program.name, sound=sound)
+    compiled = compile_lll(translation.program, target, source, program.name, sound=sound, lineage=translation.lineage)
     return Compiled(
         compiled.program, source, compiled.image, compiled.debug, translation.diagnostics + compiled.diagnostics
     )
+
+
+def text_of(translation: Translation, catalogue: Catalogue) -> str:
+    """The text of a translation; sets the places of its nodes, which the states of its lineage share."""
+    lineage, tree, target = translation.lineage, translation.program, translation.wiring.robot
+    if target.level.is_team:
+        return print_for(tree, target, catalogue.crew)
+    if lineage.tree is tree:
+        return lineage.text
+    if translation.since is not None and lineage.tree is translation.since:
+        text = print_again(tree, lineage.text, translation.taken)
+    else:
+        text = print_for(tree, target, catalogue.crew)
+    lineage.tree, lineage.text = tree, text
+    return text
 
 
 def _news(found: list[Diagnostic], told: list[Diagnostic]) -> list[Diagnostic]:

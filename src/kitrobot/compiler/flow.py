@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import NamedTuple
 
+from kitrobot.compiler.lineage import Table
 from kitrobot.compiler.slots import is_marked
 from kitrobot.lll import (
     Break,
@@ -55,20 +56,24 @@ class FlowAnalysis:
     """Flows of the pieces of one program, each worked out once. The tree must not change meanwhile.
 
     `endless`: which loops go on for ever unless a BREAK leaves them. Without it the flow is the one of the language's
-    definition, by which passes of loops are timed: there every `*[ ]( )` and `*( )` may be passed.
+    definition, by which passes of loops are timed: there every `*[ ]( )` and `*( )` may be passed. `known`: what was
+    found out about bodies that other trees share with this one.
     """
 
-    def __init__(self, robot: Robot, endless: Callable[[While], bool] | None = None) -> None:
+    def __init__(
+        self, robot: Robot, endless: Callable[[While], bool] | None = None, known: Table | None = None
+    ) -> None:
         self._robot = robot
         self._endless = endless
-        self._known: dict[int, Flow] = {}
+        self._known: Table = {} if known is None else known
 
     def seq(self, seq: Seq) -> Flow:
         """The flow of a body."""
         known = self._known.get(id(seq))
         if known is None:
-            known = self._known[id(seq)] = self._sequence(seq)
-        return known
+            known = self._known[id(seq)] = (seq, self._sequence(seq))
+        flow: Flow = known[1]
+        return flow
 
     def back_edge_is_free(self, body: Seq) -> bool:
         """Whether every way round through a loop's body surely blocks."""

@@ -9,6 +9,7 @@ from __future__ import annotations
 from kitrobot.compiler import rules
 from kitrobot.compiler.code import FAULT, Cell, Code, Label
 from kitrobot.compiler.flow import FlowAnalysis
+from kitrobot.compiler.lineage import Lineage
 from kitrobot.compiler.slots import SlotTree
 from kitrobot.compiler.target import Target
 from kitrobot.diagnostics import Diagnostic
@@ -52,12 +53,14 @@ from kitrobot.primitives import Category, Kind, Method, Robot, RobotObject
 from kitrobot.text import Sentence, Word
 
 
-def lower(program: Seq, target: Target, name: str = "") -> tuple[Image | None, DebugMap, list[Diagnostic]]:
+def lower(
+    program: Seq, target: Target, name: str = "", lineage: Lineage | None = None
+) -> tuple[Image | None, DebugMap, list[Diagnostic]]:
     """The image of a program, or None and why it is too large; and where each instruction came from.
 
-    `name` is the program's name in its mission, kept in the origins.
+    `name` is the program's name in its mission, kept in the origins; `lineage`: as for `check`.
     """
-    lowering = _Lowering(program, target, name)
+    lowering = _Lowering(program, target, name, lineage or Lineage())
     too_large = lowering.too_large()
     debug = DebugMap(lowering.code.origins)
     if too_large:
@@ -66,11 +69,11 @@ def lower(program: Seq, target: Target, name: str = "") -> tuple[Image | None, D
 
 
 class _Lowering:
-    def __init__(self, program: Seq, robot: Robot, name: str) -> None:
+    def __init__(self, program: Seq, robot: Robot, name: str, lineage: Lineage) -> None:
         self.name = name
         self.robot = robot
         self.layout = Layout(robot)
-        self.flow = FlowAnalysis(robot)
+        self.flow = FlowAnalysis(robot, None, lineage.table("flow", id(robot)))
         self.code = Code()
         self.tree = SlotTree()
         self.tree.add(program, None, marked=False)
@@ -140,7 +143,10 @@ class _Lowering:
         for node in seq.items:
             self.code.free_temporaries()
             self.code.origin = Origin(node.program or self.name, node.vertex, node.start, node.end)
-            self.instruction(node)
+            if isinstance(node, Call):  # most are, and `match` takes longer to find out
+                self.action(node, marked=False)
+            else:
+                self.instruction(node)
 
     def body(self, seq: Seq) -> None:
         origin = self.code.origin
@@ -151,8 +157,6 @@ class _Lowering:
     def instruction(self, node: Instr) -> None:
         code = self.code
         match node:
-            case Call():
-                self.action(node, marked=False)
             case Interrupt():
                 assert isinstance(node.call, Call)
                 if node.call.vertex is not None:
@@ -250,6 +254,8 @@ class _Lowering:
         code = self.code
         if not call.params:
             return FAULT
+        if len(call.params) == 1 and isinstance(only := call.params[0], Number):
+            return code.constant(only.value)
         literals = tuple(param.value for param in call.params if isinstance(param, Number))
         if len(literals) == len(call.params):
             return code.constant_run(literals)

@@ -7,34 +7,60 @@ last wins. What only some ways do is not told: a command that a choice takes bac
 from __future__ import annotations
 
 from kitrobot.compiler.flow import FlowAnalysis
-from kitrobot.lll import Call, Conditional, Instr, Interrupt, Repeat, Seq, SeqOfPar, While, bodies
+from kitrobot.compiler.lineage import Lineage, Table
+from kitrobot.lll import Call, Conditional, Instr, Interrupt, Repeat, Seq, SeqOfPar, Wait, While, bodies
 from kitrobot.primitives import Category, Kind, Robot
+
+_SHORT = (Call, Interrupt, Wait)
+"""Holds no body."""
 
 Pairs = list[tuple[Call, Call]]
 """Commands, and those to which they give way."""
 
 
-def given_way(program: Seq, robot: Robot) -> Pairs:
-    """Each command that surely gives way, and the one it gives way to, in no order."""
-    flow = FlowAnalysis(robot)
-    found: Pairs = []
-    waiting: list[tuple[Seq, bool]] = [(program, False)]
-    while waiting:
-        seq, goes_round = waiting.pop()
-        given = _row(seq.items, {}, robot, flow, found)
+def given_way(program: Seq, robot: Robot, lineage: Lineage | None = None) -> Pairs:
+    """Each command that surely gives way, and the one it gives way to, in no order.
+
+    `lineage`: what is known of the instructions that are the same as in another state of the program.
+    """
+    lineage = lineage or Lineage()
+    return _Ways(robot, lineage.table("flow", id(robot)), lineage.table("ways", id(robot))).body(program, False)
+
+
+class _Ways:
+    def __init__(self, robot: Robot, flows: Table, known: Table) -> None:
+        self.robot = robot
+        self.flow = FlowAnalysis(robot, None, flows)
+        self.known = known
+
+    def body(self, seq: Seq, goes_round: bool) -> Pairs:
+        """Those of a body, with all in it."""
+        found: Pairs = []
+        given = _row(seq.items, {}, self.robot, self.flow, found)
         if goes_round:
             told = {id(call) for call, _ in found}
             more: Pairs = []
-            _row(seq.items, dict(given), robot, flow, more)
+            _row(seq.items, dict(given), self.robot, self.flow, more)
             last = {id(call) for call in given.values()}
             found += [pair for pair in more if id(pair[0]) in last - told and pair[0] is not pair[1]]
         for node in seq.items:
-            if isinstance(node, SeqOfPar):  # its members meet between two lines
-                waiting += [(Seq([item]), False) for item in node.body.items]
-                continue
-            endless = isinstance(node, While) and node.condition is None and flow.back_edge_is_free(node.body)
-            waiting += [(body, endless) for body in bodies(node)]
-    return found
+            if not isinstance(node, _SHORT):
+                found += self.inside(node)
+        return found
+
+    def inside(self, node: Instr) -> Pairs:
+        """Those in an instruction."""
+        known = self.known.get(id(node))
+        if known is None:
+            known = self.known[id(node)] = (node, self.all_inside(node))
+        found: Pairs = known[1]
+        return found
+
+    def all_inside(self, node: Instr) -> Pairs:
+        if isinstance(node, SeqOfPar):  # its members meet between two lines
+            return [pair for item in node.body.items for pair in self.body(Seq([item]), False)]
+        endless = isinstance(node, While) and node.condition is None and self.flow.back_edge_is_free(node.body)
+        return [pair for one in bodies(node) for pair in self.body(one, endless)]
 
 
 def _row(items: list[Instr], given: dict[str, Call], robot: Robot, flow: FlowAnalysis, found: Pairs) -> dict[str, Call]:

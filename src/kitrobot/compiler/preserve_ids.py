@@ -22,7 +22,7 @@ from kitrobot.graph import RETURN, START, Note, Program, Vertex
 from kitrobot.lll import Node, Number, Seq, children
 from kitrobot.primitives import Catalogue, Robot
 
-_NUMBERED = re.compile(r"v([1-9][0-9]{0,8})")
+_NUMBERED = re.compile(r"^v([1-9][0-9]{0,8})$", re.MULTILINE)
 
 
 @dataclass(frozen=True)
@@ -53,9 +53,13 @@ class Branch:
 
 
 class Before:
-    """A graph as it was before an edit, with its translation to LLL; nothing of either may change any more."""
+    """A graph as it was before an edit, with its translation to LLL; nothing of either may change any more.
 
-    def __init__(self, translation: Translation) -> None:
+    `within`: what of the tree is asked about, if not all.
+    """
+
+    def __init__(self, translation: Translation, within: Seq | None = None) -> None:
+        self.within = translation.program if within is None else within
         self.program = translation.wiring.program
         self.translation = translation
 
@@ -68,7 +72,7 @@ class Before:
     def roots(self) -> dict[str, list[Any]]:
         """The outermost nodes of each vertex: a template's inner nodes name the vertex too."""
         found: dict[str, list[Any]] = {}
-        waiting: list[tuple[Node, str | None]] = [(self.translation.program, None)]
+        waiting: list[tuple[Node, str | None]] = [(self.within, None)]
         while waiting:
             node, owner = waiting.pop()
             if node.vertex is not None and node.vertex != owner and not isinstance(node, Number):
@@ -92,9 +96,10 @@ class Before:
     def highest_number(self) -> int:
         """The highest n of the ids v<n> in use, by vertices or by arcs."""
         ids = {vertex.id for vertex in self.program.vertices}
-        for arc in self.program.arcs:
-            ids |= {arc.source, arc.target}
-        return max((int(found[1]) for found in map(_NUMBERED.fullmatch, ids) if found), default=0)
+        if not self.translation.ok:  # else arcs join vertices that are there
+            for arc in self.program.arcs:
+                ids |= {arc.source, arc.target}
+        return max(map(int, _NUMBERED.findall("\n".join(ids))), default=0)
 
 
 def nothing_before(robot: Robot, catalogue: Catalogue) -> Before:

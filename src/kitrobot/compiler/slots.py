@@ -10,7 +10,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass, field
 
 from kitrobot.image import ParallelRecord
-from kitrobot.lll import Interrupt, Parallel, Repeat, Seq, bodies
+from kitrobot.lll import Call, Interrupt, Parallel, Repeat, Seq, Wait, bodies
 
 
 @dataclass
@@ -52,7 +52,7 @@ def _parallels(seq: Seq) -> Iterator[Parallel]:
         if isinstance(node, Parallel):
             if node.branches:
                 yield node
-        elif not (isinstance(node, Repeat) and node.count == 0):
+        elif not isinstance(node, Call | Wait) and not (isinstance(node, Repeat) and node.count == 0):
             for body in bodies(node):
                 yield from _parallels(body)
 

@@ -13,9 +13,10 @@ from dataclasses import dataclass, replace
 from typing import Any
 
 from kitrobot.compiler.accepted_forms import write_anew
-from kitrobot.compiler.graph_to_lll import Translation, graph_to_lll
+from kitrobot.compiler.graph_to_lll import Translation
 from kitrobot.compiler.lll_to_graph import Drawing, redraw
 from kitrobot.compiler.preserve_ids import Before, Old, lines_of
+from kitrobot.compiler.retranslation import graph_to_lll_again
 from kitrobot.compiler.target import program_for
 from kitrobot.compiler.tree_diff import same_nodes
 from kitrobot.graph import IN, NEXT, Arc, Program
@@ -24,7 +25,7 @@ from kitrobot.primitives import Catalogue, Robot
 
 
 @dataclass(frozen=True)
-class _Stretch:
+class Stretch:
     """A body of both trees, and where its items stop and begin again to be equal (`tail` counts from the end)."""
 
     old: Seq
@@ -45,7 +46,7 @@ def redraw_edited(seq: Seq, robot: Robot, catalogue: Catalogue, before: Before) 
     write_anew(seq, catalogue)
     drawn = None if before.translation.program == seq else _with_stretch(seq, robot, catalogue, before)
     if drawn is not None:
-        translation = graph_to_lll(drawn, catalogue)
+        translation = graph_to_lll_again(before.translation, drawn, catalogue)
         if translation.program == seq:
             for node, made in zip(nodes(seq), nodes(translation.program), strict=True):
                 node.vertex = made.vertex
@@ -60,8 +61,14 @@ def _with_stretch(seq: Seq, robot: Robot, catalogue: Catalogue, before: Before) 
     if not before.translation.ok:
         return None
     stretch = _differing(before, seq)
-    if stretch is None:
-        return None
+    return None if stretch is None else draw_stretch(stretch, robot, catalogue, before)
+
+
+def draw_stretch(stretch: Stretch, robot: Robot, catalogue: Catalogue, before: Before) -> Program | None:
+    """The graph with a stretch drawn anew; None where it cannot be told where that belongs.
+
+    Raises KitRobotError when no constructor at hand draws a construct of the text.
+    """
     wiring, program = before.translation.wiring, before.program
     entry = _entry(before, stretch)
     row = stretch.row(stretch.old)
@@ -75,7 +82,7 @@ def _with_stretch(seq: Seq, robot: Robot, catalogue: Catalogue, before: Before) 
     if stretch.old is before.translation.program and stretch.start == 0:
         assert wiring.start is not None, "a graph without Start has an error"
         title = drawing.title = lines_of(wiring.start.notes)
-        if seq.items[0].above[: len(title)] != title:
+        if stretch.new.items[0].above[: len(title)] != title:
             return None
     last, port = drawing.chain(Seq(stretch.row(stretch.new)), entry.source, entry.out, len(title))
     drawing.arc(last, leaving.target, port, leaving.at)
@@ -85,9 +92,9 @@ def _with_stretch(seq: Seq, robot: Robot, catalogue: Catalogue, before: Before) 
 # -- where the trees differ
 
 
-def _differing(before: Before, new: Seq) -> _Stretch | None:
+def _differing(before: Before, new: Seq) -> Stretch | None:
     """The innermost body that holds every difference and whose items are a vertex each."""
-    found: _Stretch | None = None
+    found: Stretch | None = None
     inner: tuple[Seq, Seq] | None = (before.translation.program, new)
     while inner is not None:
         old, new = inner
@@ -99,7 +106,7 @@ def _differing(before: Before, new: Seq) -> _Stretch | None:
             start += 1
         while tail < shorter - start and old.items[-1 - tail] == new.items[-1 - tail]:
             tail += 1
-        found = _Stretch(old, new, start, tail)
+        found = Stretch(old, new, start, tail)
         row, edited = found.row(old), found.row(new)
         inner = _edited_body(row[0], edited[0]) if len(row) == len(edited) == 1 else None
     return found
@@ -131,7 +138,7 @@ def _edited_body(old: Any, new: Any) -> tuple[Seq, Seq] | None:
 # -- in the lists of the graph
 
 
-def _entry(before: Before, stretch: _Stretch) -> Arc | None:
+def _entry(before: Before, stretch: Stretch) -> Arc | None:
     """The arc that leads into the stretch, or across the place where something is put in."""
     out = before.translation.wiring.out
     if stretch.start > 0:
@@ -140,7 +147,7 @@ def _entry(before: Before, stretch: _Stretch) -> Arc | None:
     return next((arc for arc in out.values() if arc.target == first and arc.at == IN), None)
 
 
-def _spliced(before: Before, drawn: Program, entry: Arc, stretch: _Stretch) -> Program | None:
+def _spliced(before: Before, drawn: Program, entry: Arc, stretch: Stretch) -> Program | None:
     """The graph with the vertices and arcs of the stretch in the places of the old ones."""
     program, out = before.program, before.translation.wiring.out
     gone = {node.vertex for item in stretch.row(stretch.old) for node in nodes(item)} - {None}

@@ -7,29 +7,24 @@ typed and names the vertex that the instruction around it was, so that it can be
 
 from __future__ import annotations
 
+from bisect import bisect_right
 from collections import Counter
-from collections.abc import Iterator
 from dataclasses import dataclass, field, replace
+from itertools import accumulate
+from operator import itemgetter
 
 from kitrobot.compiler.graph_to_lll import Translation
+from kitrobot.compiler.near_edit import follow_near
 from kitrobot.compiler.preserve_ids import Before, Old
 from kitrobot.compiler.stretch import redraw_edited
 from kitrobot.compiler.target import read_for
 from kitrobot.compiler.team_check import check_program
-from kitrobot.diagnostics import Diagnostic, Place, Source, in_reading_order
+from kitrobot.compiler.vertex_places import VertexPlace, vertex_places
+from kitrobot.diagnostics import Diagnostic, Source, in_reading_order
 from kitrobot.graph import Program
-from kitrobot.lll import Seq, TeamProgram, nodes
+from kitrobot.lll import Node, Seq, TeamProgram, nodes
 from kitrobot.primitives import Catalogue, Crew, declaring
-
-
-@dataclass(frozen=True)
-class VertexPlace:
-    """The stretch of a text that a vertex is: character offsets, the end exclusive, and the line from 1."""
-
-    vertex: str
-    start: int
-    end: int
-    line: int
+from kitrobot.text import TextPositions
 
 
 @dataclass(frozen=True)
@@ -40,7 +35,8 @@ class Followed:
 
     `spans` are the outermost stretches of each vertex in the text, in reading order; none without a graph.
     `translation` is the graph's way back to LLL, for who compiles it next; its tree is not the one of the text, but
-    equal to it where `sound` says so: then there is nothing to say about either.
+    equal to it where `sound` says so: then there is nothing to say about either. `printed`: the text is the one that
+    the graph prints, so that all that is said of it is what is said of the graph, with its places.
     """
 
     program: Program | None
@@ -49,6 +45,7 @@ class Followed:
     translation: Translation | None = field(default=None, repr=False, compare=False)
     sound: bool = field(default=False, repr=False, compare=False)
     team: TeamProgram | None = field(default=None, repr=False, compare=False)
+    printed: bool = field(default=False, repr=False, compare=False)
 
 
 def follow_text(before: Translation, text: str, catalogue: Catalogue) -> Followed:
@@ -61,6 +58,10 @@ def follow_text(before: Translation, text: str, catalogue: Catalogue) -> Followe
 
     Raises KitRobotError when the catalogue lacks the constructors to draw with.
     """
+    return _follow_near(before, text, catalogue) or _follow_whole(before, text, catalogue)
+
+
+def _follow_whole(before: Translation, text: str, catalogue: Catalogue) -> Followed:
     program, robot = before.wiring.program, before.wiring.robot
     parsed = read_for(text, robot, f"{program.name}.lll")
     crew = catalogue.crew if parsed.team is None else declaring(catalogue.crew, parsed.team)
@@ -69,18 +70,28 @@ def follow_text(before: Translation, text: str, catalogue: Catalogue) -> Followe
     if parsed.ok and not _news(found, before, catalogue.crew):
         drawn, made = redraw_edited(parsed.seq, robot, catalogue, Before(before))
         sound = not diagnostics and made.program == parsed.seq
-        return Followed(drawn, list(_spans(parsed.seq, parsed.source)), diagnostics, made, sound, parsed.team)
-    old = Old.beside(Before(before), parsed.seq)
-    told = [_at_vertex(item, parsed.seq, parsed.source, old) for item in diagnostics]
-    return Followed(None, [], told, team=parsed.team)
+        return Followed(drawn, vertex_places(parsed.seq, parsed.source), diagnostics, made, sound, parsed.team)
+    around = _Around(parsed.seq, parsed.source, Old.beside(Before(before), parsed.seq))
+    return Followed(None, [], [around.at_vertex(item) for item in diagnostics], team=parsed.team)
 
 
-def _spans(tree: Seq, source: Source) -> Iterator[VertexPlace]:
-    ends: dict[str, int] = {}
-    for node in nodes(tree):
-        if node.vertex is not None and node.start >= ends.get(node.vertex, 0) and node.end > node.start:
-            ends[node.vertex] = node.end
-            yield VertexPlace(node.vertex, node.start, node.end, source.position(node.start)[0])
+def _follow_near(before: Translation, text: str, catalogue: Catalogue) -> Followed | None:
+    """The same where the text is what its graph prints, and differs from that of the one before in some lines."""
+    with before.lineage.lock:
+        near = follow_near(before, text, catalogue)
+        if near is None:
+            return None
+        drawn, made = near
+        lineage = made.lineage
+        source = Source(f"{drawn.name}.lll", lineage.text)
+        found = check_program(made.program, made.wiring.robot, catalogue.crew, source, drawn.name, lineage)
+        if any(item.is_error for item in found):
+            return None
+        # Of a text it is not said which vertices it has become.
+        diagnostics = [replace(item, program=drawn.name, vertices=()) for item in found]
+        return Followed(
+            drawn, vertex_places(made.program, source, lineage), diagnostics, made, sound=not found, printed=True
+        )
 
 
 def _news(found: list[Diagnostic], before: Translation, crew: Crew) -> bool:
@@ -95,19 +106,31 @@ def _errors(found: list[Diagnostic]) -> Counter[tuple[str, str]]:
     return Counter((item.code, item.message) for item in found if item.is_error)
 
 
-def _at_vertex(item: Diagnostic, tree: Seq, source: Source, old: Old) -> Diagnostic:
-    """The diagnostic with the vertex of the smallest instruction or condition around its place."""
-    if item.place is None or item.vertices:
-        return item
-    at = _offset(source, item.place)
-    around = [node for node in nodes(tree) if node.start <= at <= node.end and old.origin(node) is not None]
-    if not around:
-        return item
-    origin = old.origin(min(around, key=lambda node: node.end - node.start))
-    assert origin is not None
-    return replace(item, vertices=(origin.vertex.id,))
+class _Around:
+    """The vertices that instructions and conditions of a text were, by places in it."""
 
+    def __init__(self, tree: Seq, source: Source, old: Old) -> None:
+        self.old = old
+        self.starts = TextPositions(source.text).line_starts
+        known = [(node.start, at, node) for at, node in enumerate(nodes(tree)) if old.origin(node) is not None]
+        self.known = sorted(known, key=itemgetter(0, 1))
+        self.furthest = list(accumulate((node.end for _, _, node in self.known), max))
+        """Where the furthest of the nodes so far ends."""
 
-def _offset(source: Source, place: Place) -> int:
-    before = source.text.split("\n")[: place.line - 1]
-    return sum(len(line) + 1 for line in before) + place.column - 1
+    def at_vertex(self, item: Diagnostic) -> Diagnostic:
+        """The diagnostic with the vertex of the smallest instruction or condition around its place."""
+        if item.place is None or item.vertices:
+            return item
+        offset = self.starts[item.place.line - 1] + item.place.column - 1
+        around: list[tuple[int, int, Node]] = []
+        index = bisect_right(self.known, offset, key=itemgetter(0))
+        while index > 0 and self.furthest[index - 1] >= offset:
+            index -= 1
+            start, at, node = self.known[index]
+            if node.end >= offset:
+                around.append((node.end - start, at, node))
+        if not around:
+            return item
+        origin = self.old.origin(min(around, key=itemgetter(0, 1))[2])
+        assert origin is not None
+        return replace(item, vertices=(origin.vertex.id,))

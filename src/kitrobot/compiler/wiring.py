@@ -33,7 +33,7 @@ class Wiring:
         self.fills: dict[tuple[str, str], str] = {}
         self.ports: dict[str, list[str]] = {}
         for vertex in program.vertices:
-            self._add_vertex(vertex)
+            self.add_vertex(vertex)
         self.start = self._only(START)
         self.stop = self._only(STOP)
         for what, end in ((Word(START), self.start), (Word(STOP), self.stop)):
@@ -41,7 +41,7 @@ class Wiring:
                 message = Sentence("the program has no vertex {vertex}", what)
                 self.report(rules.START_STOP(message, help=Sentence("add a vertex {vertex}", what), **self._at()))
         for arc in program.arcs:
-            self._add_arc(arc)
+            self.add_arc(arc)
 
     def report(self, diagnostic: Diagnostic) -> None:
         """Collects a diagnostic of this program."""
@@ -51,7 +51,8 @@ class Wiring:
         """The constructor a vertex is of, or None."""
         return self.catalogue.constructors.get(vertex.element)
 
-    def _add_vertex(self, vertex: Vertex) -> None:
+    def add_vertex(self, vertex: Vertex) -> None:
+        """Adds a vertex, and reports what is wrong with it."""
         if vertex.id in self.vertices:
             self.report(
                 rules.SAME_ID(
@@ -108,7 +109,8 @@ class Wiring:
         of_it = self.suggestions.nearest(method, [known for owner, known in calls if owner == near])
         return f"{near}.{of_it}" if of_it else ""
 
-    def _add_arc(self, arc: Arc) -> None:
+    def add_arc(self, arc: Arc) -> None:
+        """Adds an arc between vertices that were added, or reports why it cannot be."""
         name: ArcName = (arc.source, arc.out, arc.target, arc.at)
         ends = [vertex for vertex in (arc.source, arc.target) if vertex not in self.vertices]
         if ends:

@@ -25,6 +25,11 @@ from kitrobot.image.model import (
 )
 from kitrobot.text import Sentence
 
+_ANYWHERE = frozenset(
+    number for number, op in BY_NUMBER.items() if not op.jumps and number not in (ADD, SUB, FORK, JOIN, ARM)
+)
+"""Instructions that, where they may stand once, may stand anywhere but at the end of a slot."""
+
 _Operands = dict[int, tuple[Op, list[tuple[Role, range]]]]
 """Each instruction by its number: what the operands that name something are, and may be."""
 
@@ -35,9 +40,16 @@ def verify(image: Image) -> None:
     _check_tree(image)
     regions = _regions(image)
     operands = _operands(image)
+    code = image.code
+    fine: set[bytes] = set()
     for slot, (start, end) in enumerate(regions):
         for at in range(start, end):
+            row = code[4 * at : 4 * at + 4]
+            if row in fine and at + 1 < end:
+                continue
             _check_instruction(image, operands, at, slot, start, end)
+            if row[0] in _ANYWHERE:
+                fine.add(row)
         most_instructions(image, start, end)
 
 
@@ -154,9 +166,17 @@ def most_instructions(image: Image, start: int, end: int) -> int:
     code = image.code
     longest = [0] * (end - start)
     for at in range(end - 1, start - 1, -1):
+        op = BY_NUMBER[code[4 * at]]
+        if op.blocks:
+            longest[at - start] = 1
+            continue
+        if not op.jumps and op.falls_through:
+            beyond = longest[at + 1 - start]
+            longest[at - start] = 1 + beyond if beyond else 0
+            continue
         # Most ways lead on: then all that is behind is known already.
         most = 0
-        for way in _ways(BY_NUMBER[code[4 * at]], code, at):
+        for way in _ways(op, code, at):
             beyond = longest[way - start] if way > at else 0
             if beyond == 0:
                 break

@@ -1,7 +1,15 @@
 """The Low Level Language as text and tree: tokens, parser, printer."""
 
 from kitrobot.lll.formatting import format_text
-from kitrobot.lll.printer import print_declaration, print_members, print_program, print_team_program, print_template
+from kitrobot.lll.printer import (
+    print_again,
+    print_declaration,
+    print_lines,
+    print_members,
+    print_program,
+    print_team_program,
+    print_template,
+)
 from kitrobot.lll.reading import (
     Parsed,
     ParsedTeam,
@@ -113,7 +121,9 @@ __all__ = [
     "parse_names",
     "parse_team",
     "parse_template",
+    "print_again",
     "print_declaration",
+    "print_lines",
     "print_members",
     "print_program",
     "print_team_program",

@@ -8,6 +8,8 @@ its place in the new text, so that what is found out about the tree can be shown
 
 from __future__ import annotations
 
+from collections.abc import Set
+
 from kitrobot.lll.tokens import MARK, team_name
 from kitrobot.lll.tree import (
     FAILURES,
@@ -25,6 +27,7 @@ from kitrobot.lll.tree import (
     Joint,
     Members,
     Move,
+    Node,
     Not,
     Number,
     Or,
@@ -42,6 +45,7 @@ from kitrobot.lll.tree import (
     While,
     WorkDeclaration,
 )
+from kitrobot.lll.walk import nodes
 
 LINE_WIDTH = 60
 """Characters a line may have for a body to stay on it; the studio shows this many without wrapping."""
@@ -58,6 +62,25 @@ def print_program(program: Seq) -> str:
     text = "".join(printer.parts)
     program.start, program.end = 0, len(text)
     return text
+
+
+def print_lines(body: Seq, level: int) -> str:
+    """The lines of the instructions of a body that stands so many levels deep. Sets the places of its nodes."""
+    printer = _Printer()
+    printer.seq(body, level)
+    return "".join(printer.parts)
+
+
+def print_again(program: Seq, before: str, taken: Set[int]) -> str:
+    """As `print_program`, for a tree of which the instructions `taken`, by their `id`, stood in the text `before` and
+    have their places there: these are moved.
+    """
+    printer = _Printer(before, taken)
+    printer.seq(program, 0)
+    for comment in program.below:
+        printer.comment(comment, 0)
+    program.start, program.end = 0, printer.at
+    return "".join(printer.parts)
 
 
 def print_team_program(program: TeamProgram) -> str:
@@ -99,9 +122,11 @@ def print_template(template: Seq | Instr | Condition) -> str:
 
 
 class _Printer:
-    def __init__(self) -> None:
+    def __init__(self, before: str = "", taken: Set[int] = frozenset()) -> None:
         self.parts: list[str] = []
         self.at = 0
+        self.before = before
+        self.taken = taken
 
     def write(self, text: str) -> None:
         self.parts.append(text)
@@ -120,13 +145,27 @@ class _Printer:
             for comment in node.above:
                 self.comment(comment, level)
             self.write(indent)
-            self.instruction(node, level)
+            if id(node) not in self.taken or not self.take_over(node, indent):
+                self.instruction(node, level)
             self.write(";" + separator if index == last else ";")
             if node.after is not None:
                 self.write(f"  # {node.after}".rstrip())
             self.write("\n")
         if seq.hole is not None and seq.hole_at > last:
             self.write(f"{indent}{{{seq.hole.name}}};{separator}\n")
+
+    def take_over(self, node: Instr, indent: str) -> bool:
+        """Writes an instruction as it stood on lines of its own before; False where it did not, or is a short one."""
+        if isinstance(node, _SIMPLE):  # they may be tried out within a line, which sets their places
+            return False
+        begin = node.start - len(indent)
+        if begin < 0 or self.before[begin : node.start] != indent or self.before[begin - 1 : begin] not in ("", "\n"):
+            return False
+        moved = self.at - node.start
+        self.write(self.before[node.start : node.end])
+        if moved:
+            move(node, moved)
+        return True
 
     def instruction(self, node: Instr, level: int) -> None:
         node.start = self.at
@@ -331,6 +370,15 @@ class _Printer:
                 self.param(param)
             self.write(")")
         node.end = self.at
+
+
+def move(root: Node, by: int) -> None:
+    """Moves the places of a node and of all in it by so many characters."""
+    for node in nodes(root):
+        node.start += by
+        node.end += by
+        if isinstance(node, Call):
+            node.method_start += by
 
 
 def _number(value: int | Hole) -> str:

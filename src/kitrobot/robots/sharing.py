@@ -22,7 +22,7 @@ def warn_of_sharing(name: str, robot: Robot, compiled: Compiled) -> list[Diagnos
     shared = {variable.name for variable in robot.variables if variable.shared}
     found: dict[str, Diagnostic] = {}
     vertex = None
-    for node in nodes(compiled.program) if shared else ():
+    for node in nodes(compiled.placed) if shared else ():
         vertex = node.vertex or vertex
         if not isinstance(node, Call) or node.object not in shared or node.object in found:
             continue

@@ -10,7 +10,7 @@ from collections.abc import Callable, Hashable, Sequence
 from typing import Any, TypeVar
 
 from kitrobot.diagnostics import KitRobotError
-from kitrobot.text import Sentence
+from kitrobot.text import Sentence, same_ends
 
 Thing = TypeVar("Thing")
 
@@ -48,6 +48,27 @@ def stretched(
     before: Sequence[Thing], after: Sequence[Thing], name: Callable[[Thing], Hashable], written: Callable[[Thing], Any]
 ) -> list[Any]:
     """The rows that say `after`. What has one name and is equal stayed; `written` is how a new thing travels."""
+    start, tail = same_ends(before, after)
+    if start + tail == len(before) == len(after):
+        return [[0, len(after)]] if after else []
+    rows = _between(before, after[start : len(after) - tail], name, written)
+    if start:
+        rows = _joined([[0, start]], rows)
+    return _joined(rows, [[len(before) - tail, len(before)]]) if tail else rows
+
+
+def _joined(rows: list[Any], more: list[Any]) -> list[Any]:
+    """Both, in which a stretch that goes on is one."""
+    if rows and more and isinstance(rows[-1], list) and isinstance(more[0], list) and rows[-1][1] == more[0][0]:
+        return [*rows[:-1], [rows[-1][0], more[0][1]], *more[1:]]
+    return [*rows, *more]
+
+
+def _between(
+    before: Sequence[Thing], after: Sequence[Thing], name: Callable[[Thing], Hashable], written: Callable[[Thing], Any]
+) -> list[Any]:
+    if not after:
+        return []
     places = {id(one): at for at, one in enumerate(before)}
     named: dict[Hashable, int] | None = None
     rows: list[Any] = []

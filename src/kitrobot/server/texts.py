@@ -7,6 +7,7 @@ from fastapi import Response
 from kitrobot.compiler import follow_text
 from kitrobot.diagnostics import KitRobotError
 from kitrobot.server.fast_json import followed_answer
+from kitrobot.server.routes import reports_of
 from kitrobot.server.routing import ThisStudio, api_router
 from kitrobot.server.shapes.sent import sent_mission
 from kitrobot.server.shapes.text import FollowedShape, TextEditShape
@@ -45,6 +46,7 @@ def text_follow(studio: ThisStudio, wanted: TextEditShape) -> Response:
         )
     with collection_paused():
         parts = studio.parts_of(mission, wanted.path)
+        bases = reports_of(studio, wanted.mission)
         followed = follow_text(studio.programs.of(program, parts).translation, wanted.text, parts)
         report = None
         if followed.program is not None:
@@ -56,4 +58,4 @@ def text_follow(studio: ThisStudio, wanted: TextEditShape) -> Response:
                 parts = studio.parts_of(mission, wanted.path)
             studio.programs.of(drawn, parts, followed.translation, sound=followed.sound)
             report = studio.open(mission, wanted.path).check()
-        return followed_answer(program, followed, report, MOST_PROBLEMS)
+        return followed_answer(program, followed, report, bases, MOST_PROBLEMS)

@@ -1,6 +1,7 @@
 """What every reader of a text needs: lines and columns, words that were meant, values as sentences repeat them."""
 
 from kitrobot.text.collection import collection_paused
+from kitrobot.text.comparing import same_ends
 from kitrobot.text.positions import BytePositions, TextPositions
 from kitrobot.text.sentences import COMMA, HOLE, SEMICOLON, Help, Label, Recorded, Sentence, Series, Word, clipped
 from kitrobot.text.suggestions import Suggestions, did_you_mean, nearest
@@ -26,5 +27,6 @@ __all__ = [
     "listed",
     "nearest",
     "one_of",
+    "same_ends",
     "shown",
 ]

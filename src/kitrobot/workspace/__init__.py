@@ -35,7 +35,7 @@ if TYPE_CHECKING:
         with_mission,
     )
     from kitrobot.workspace.previews import Preview, Previews
-    from kitrobot.workspace.program_report import ProgramReport, Span
+    from kitrobot.workspace.program_report import ProgramReport
     from kitrobot.workspace.replay import state_at, summary_of
     from kitrobot.workspace.robot_programs import board_program, load_board_program, look_at_boards, send_program
     from kitrobot.workspace.robots import find_robot
@@ -74,7 +74,7 @@ else:
             ),
             "beginnings": ("Choices", "FoundPlace", "NoBeginningError", "RobotSet", "Starter"),
             "previews": ("Preview", "Previews"),
-            "program_report": ("ProgramReport", "Span"),
+            "program_report": ("ProgramReport",),
             "replay": ("state_at", "summary_of"),
             "robot_programs": ("board_program", "load_board_program", "look_at_boards", "send_program"),
             "robots": ("find_robot",),
@@ -124,7 +124,6 @@ __all__ = [
     "Run",
     "RunOptions",
     "SearchPath",
-    "Span",
     "Starter",
     "Timing",
     "Tutorials",

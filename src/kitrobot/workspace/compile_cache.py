@@ -17,8 +17,8 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 
-from kitrobot.compiler import Compiled, Translation, compile_program, graph_to_lll
-from kitrobot.graph import Program
+from kitrobot.compiler import Compiled, Translation, compile_program, graph_to_lll, graph_to_lll_again
+from kitrobot.graph import Program, Vertex
 from kitrobot.primitives import Catalogue, Constructor, Crew, OwnVariable
 from kitrobot.workspace.program_report import ProgramReport, program_report
 
@@ -30,16 +30,23 @@ MOST_NAMED = 10
 """Times `MOST_VERTICES`, of all programs that have a name: states of a program share what did not change in them."""
 MOST_CATALOGUES = 16
 
-_Key = tuple[object, int]
-"""All that a program says, and the id of its catalogue."""
+_Key = tuple[int, int]
+"""The ids of a program and its catalogue: these cannot come again before the objects are gone, which are kept."""
 
 
 class KeptProgram:
     """A program, the catalogue it is for, and what became of it, each made when it is first asked for."""
 
     def __init__(
-        self, program: Program, catalogue: Catalogue, translation: Translation | None = None, *, sound: bool = False
+        self,
+        program: Program,
+        catalogue: Catalogue,
+        translation: Translation | None = None,
+        *,
+        sound: bool = False,
+        before: Translation | None = None,
     ) -> None:
+        self._before = before
         self.program = program
         self.catalogue = catalogue
         self.name = ""
@@ -50,17 +57,30 @@ class KeptProgram:
     @cached_property
     def translation(self) -> Translation:
         """The program as LLL. Raises KitRobotError when its robot is not at hand."""
-        return self._given if self._given is not None else graph_to_lll(self.program, self.catalogue)
+        before, self._before = self._before, None
+        if self._given is not None:
+            return self._given
+        if before is None:
+            return graph_to_lll(self.program, self.catalogue)
+        return graph_to_lll_again(before, self.program, self.catalogue)
 
     @cached_property
     def compiled(self) -> Compiled:
         """The program compiled. Raises KitRobotError when its robot is not at hand."""
-        return compile_program(self.program, self.catalogue, self.translation, sound=self._sound)
+        return self._made[0]
 
     @cached_property
     def report(self) -> ProgramReport:
         """What is shown of it. Raises KitRobotError when its robot is not at hand."""
-        return program_report(self.program.name, self.compiled)
+        return self._made[1]
+
+    @cached_property
+    def _made(self) -> tuple[Compiled, ProgramReport]:
+        translation = self.translation
+        with translation.lineage.lock:  # the places of its nodes are those of this state for so long
+            compiled = compile_program(self.program, self.catalogue, translation, sound=self._sound)
+            report = program_report(self.program.name, compiled, translation.lineage)
+        return replace(compiled, shared=not self.program.level.is_team), report
 
 
 @dataclass(frozen=True)
@@ -89,8 +109,6 @@ class KeptPrograms:
         self._most_vertices = most_vertices
         self._lock = threading.Lock()
         self._programs: OrderedDict[_Key, KeptProgram] = OrderedDict()
-        self._keys: dict[tuple[int, int], _Key] = {}
-        """Of the very objects that are kept, by their ids: these cannot come again before the objects are gone."""
         self._named: OrderedDict[str, Program] = OrderedDict()
         """They outlive what became of them, so that several windows may edit programs of one name."""
         self._named_vertices = 0
@@ -120,20 +138,19 @@ class KeptPrograms:
         self, program: Program, catalogue: Catalogue, translation: Translation | None = None, *, sound: bool = False
     ) -> KeptProgram:
         """A program as it is kept, or from now on is; `translation` and `sound` as for `compile_program`."""
-        same = (id(program), id(catalogue))
+        key = (id(program), id(catalogue))
         with self._lock:
-            key = self._keys.get(same)
-            if key is not None:
-                self._programs.move_to_end(key)
-                return self._programs[key]
-        key = (_all_of(program), id(catalogue))
-        with self._lock:
-            kept = self._programs.get(key)
+            others = [
+                other
+                for (_, of), other in self._programs.items()
+                if of == id(catalogue) and other.program.name == program.name
+            ]
+            kept = self._programs.get(key) or next((one for one in others if _says_same(one.program, program)), None)
             if kept is not None:
-                self._programs.move_to_end(key)
+                self._programs.move_to_end((id(kept.program), id(catalogue)))
                 return kept
-            kept = self._programs[key] = KeptProgram(program, catalogue, translation, sound=sound)
-            self._keys[same] = key
+            before = others[-1].__dict__.get("translation") if others else None
+            kept = self._programs[key] = KeptProgram(program, catalogue, translation, sound=sound, before=before)
             self._give_name(kept)
             self._vertices += len(program.vertices)
             states = [one for one, other in self._programs.items() if other.program.name == program.name]
@@ -150,6 +167,13 @@ class KeptPrograms:
             if found is not None:
                 self._named.move_to_end(name)
         return found
+
+    def report_of(self, name: str) -> ProgramReport | None:
+        """What was shown of the program of that name; None where it is not kept any more."""
+        with self._lock:
+            kept = next((one for one in self._programs.values() if one.name == name), None)
+        made = None if kept is None else kept.__dict__.get("_made")
+        return None if made is None else replace(made[1], known=name)
 
     def reports(self, programs: Sequence[Program], catalogue: Catalogue) -> list[ProgramReport]:
         """What is shown of each program, with the names of those that can be found again."""
@@ -174,30 +198,21 @@ class KeptPrograms:
 
     def _forget(self, key: _Key) -> None:
         gone = self._programs.pop(key)
-        del self._keys[id(gone.program), id(gone.catalogue)]
         self._vertices -= len(gone.program.vertices)
 
 
-def _all_of(program: Program) -> object:
-    """Everything a program says, in its order: that of settings counts too, where nobody knows the element."""
+def _says_same(one: Program, other: Program) -> bool:
+    """Whether two programs say the same in the same order; that of settings counts where nobody knows the element."""
     return (
-        program.name,
-        program.target,
-        program.level,
-        tuple(
-            [
-                (
-                    one.id,
-                    one.element,
-                    tuple(one.settings.items()),
-                    tuple([(n.text, n.at) for n in one.notes]),
-                    one.unknown,
-                )
-                for one in program.vertices
-            ]
-        ),
-        tuple([(arc.source, arc.target, arc.out, arc.at) for arc in program.arcs]),
+        (one.target, one.level, len(one.vertices), len(one.arcs))
+        == (other.target, other.level, len(other.vertices), len(other.arcs))
+        and all(map(_same_vertex, one.vertices, other.vertices))
+        and one.arcs == other.arcs
     )
+
+
+def _same_vertex(one: Vertex, other: Vertex) -> bool:
+    return one is other or (one == other and [*one.settings] == [*other.settings])
 
 
 def _same(kept: Sequence[object], given: Sequence[object]) -> bool:

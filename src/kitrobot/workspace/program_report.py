@@ -1,43 +1,31 @@
-"""What a program becomes, as it is shown beside its graph: LLL with the place of each vertex, three-address code."""
+"""What a program becomes, as it is shown beside its graph: LLL with the place of each vertex."""
 
 from __future__ import annotations
 
 from collections.abc import Iterable
 from dataclasses import dataclass
 
-from kitrobot.compiler import Compiled
-from kitrobot.image import disassemble
+from kitrobot.compiler import Compiled, Lineage, VertexPlace, vertex_places
 from kitrobot.lll import Instruction, nodes
 
 
 @dataclass(frozen=True)
-class Span:
-    """The stretch of LLL that a vertex became: character offsets, the end exclusive, and the line from 1."""
-
-    vertex: str
-    start: int
-    end: int
-    line: int
-
-
-@dataclass(frozen=True)
 class ProgramReport:
-    """What a program becomes; `listing` is empty and `instructions` 0 when it has errors.
+    """What a program becomes; `instructions` is 0 when it has errors.
 
     `known` is the name by which `KeptPrograms` finds the program again, "" when it is not kept.
     """
 
     name: str
     lll: str
-    spans: tuple[Span, ...]
-    listing: str
+    spans: tuple[VertexPlace, ...]
     instructions: int
     known: str = ""
 
 
 @dataclass(frozen=True)
 class ProjectionSpan:
-    """A stretch of a projected program, as `Span`, and the team's program in which its vertex stands."""
+    """A stretch of a projected program, as `VertexPlace`, and the team's program in which its vertex stands."""
 
     program: str
     vertex: str
@@ -72,20 +60,10 @@ def _projected(compiled: Compiled) -> Iterable[ProjectionSpan]:
             yield ProjectionSpan(*key, node.start, node.end, compiled.source.position(node.start)[0])
 
 
-def program_report(name: str, compiled: Compiled | None) -> ProgramReport:
-    """The report of a program; `compiled` is None when its robot is not at hand."""
+def program_report(name: str, compiled: Compiled | None, lineage: Lineage | None = None) -> ProgramReport:
+    """The report of a program; `compiled` is None when its robot is not at hand. `lineage`: as for `check`."""
     if compiled is None:
-        return ProgramReport(name, "", (), "", 0)
-    image = compiled.image
-    listing = disassemble(image) if image is not None else ""
-    instructions = image.instructions if image is not None else 0
-    return ProgramReport(name, compiled.source.text, tuple(_spans(compiled)), listing, instructions)
-
-
-def _spans(compiled: Compiled) -> Iterable[Span]:
-    """The outermost stretches of each vertex, in reading order."""
-    ends: dict[str, int] = {}
-    for node in nodes(compiled.program):
-        if node.vertex is not None and node.start >= ends.get(node.vertex, 0) and node.end > node.start:
-            ends[node.vertex] = node.end
-            yield Span(node.vertex, node.start, node.end, compiled.source.position(node.start)[0])
+        return ProgramReport(name, "", (), 0)
+    instructions = compiled.image.instructions if compiled.image is not None else 0
+    spans = vertex_places(compiled.program, compiled.source, lineage)
+    return ProgramReport(name, compiled.source.text, tuple(spans), instructions)

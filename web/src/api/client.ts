@@ -5,10 +5,10 @@
  * to do; 409 keeps the revision that is on disk. Addresses are relative, so the page works under any path.
  */
 import { languageInUse, t } from "../i18n/words";
-import type { Fragment, Mission, MissionFile, Problem, Program, Report } from "../model/types";
+import type { Fragment, Mission, MissionFile, Problem, Program, Report, SpanEntry } from "../model/types";
 import { meetAgain } from "./again";
 import type * as server from "./generated";
-import { drawn, forget, learn, sent } from "./known";
+import { type Bases, bases, drawn, forget, learn, sent, whole } from "./known";
 import { talk } from "./line";
 import { token } from "./token";
 
@@ -16,8 +16,11 @@ import { token } from "./token";
  * What became of a typed text: its program, or null and why not; places count in the text that was sent. The server sends
  * what has changed of the program (`known.ts`), the page has the whole.
  */
-export interface Followed extends Omit<server.Followed, "program"> {
+export interface Followed extends Omit<server.Followed, "program" | "report" | "spans" | "problems"> {
   program: Program | null;
+  report: Report | null;
+  spans: SpanEntry[];
+  problems: Problem[];
 }
 
 /** Whether a mission declares of its team what a text declares. */
@@ -114,34 +117,54 @@ async function request(address: string, { method = "GET", json, bytes, signal }:
 const FORGOTTEN = 410;
 
 /** A question about a mission of which the server may know most. */
-async function askAbout<T>(address: string, mission: Mission, rest: object, signal?: AbortSignal): Promise<T> {
+async function askAbout<T>(
+  address: string,
+  mission: Mission,
+  rest: object,
+  signal?: AbortSignal,
+): Promise<{ answer: T; known: Bases }> {
   const asked = (): Asked => ({ method: "POST", json: { mission: sent(mission), ...rest }, ...(signal && { signal }) });
+  const known = bases();
   try {
-    return await ask<T>(address, asked());
+    return { answer: await ask<T>(address, asked()), known };
   } catch (cause) {
     if (!(cause instanceof ApiError) || cause.status !== FORGOTTEN) throw cause;
     forget();
-    return ask<T>(address, asked());
+    return { answer: await ask<T>(address, asked()), known: bases() };
   }
 }
 
 async function check(mission: Mission, path: string, signal?: AbortSignal): Promise<Report> {
-  const report = await askAbout<Report>("check", mission, { path }, signal);
+  const { answer, known } = await askAbout<server.Report>("check", mission, { path }, signal);
+  const report = whole(answer, known);
   learn(mission, report);
   return report;
 }
 
+async function image(mission: Mission, path: string, program: string): Promise<server.Image> {
+  return (await askAbout<server.Image>("image", mission, { path, program })).answer;
+}
+
+/** The problems of a report that have a place in the LLL of a program. */
+export function problemsIn(report: Report | null, program: string): Problem[] {
+  const file = `${program}.lll`;
+  return report?.problems.filter((one) => one.program === program && one.file === file && one.line > 0) ?? [];
+}
+
 async function follow(mission: Mission, path: string, program: string, text: string): Promise<Followed> {
-  const answer = await askAbout<server.Followed>("text", mission, { path, program, text });
+  const { answer, known } = await askAbout<server.Followed>("text", mission, { path, program, text });
+  const report = answer.report === null ? null : whole(answer.report, known);
+  const spans = answer.spans ?? report?.programs.find((one) => one.name === program)?.spans ?? [];
+  const problems = answer.problems ?? problemsIn(report, program);
   const before = mission.programs.find((one) => one.name === program);
-  if (answer.program === null || before === undefined) return { ...answer, program: null };
+  if (answer.program === null || before === undefined) return { ...answer, program: null, report, spans, problems };
   const same = answer.declared == null || declares(mission, answer.declared);
   const graph = drawn(before, answer.program);
   // A text with other declarations is another program, be its graph the same.
   const after = graph === before && !same ? { ...before } : graph;
   const programs = mission.programs.map((one) => (one === before ? after : one));
-  if (answer.report !== null) learn({ ...mission, programs }, answer.report);
-  return { ...answer, program: after };
+  if (report !== null) learn({ ...mission, programs }, report);
+  return { ...answer, program: after, report, spans, problems };
 }
 
 export const api = {
@@ -154,8 +177,7 @@ export const api = {
   saveMission: (path: string, revision: string, mission: Mission) =>
     ask<server.Saved>("mission", { method: "PUT", json: { path, revision, mission } }),
   missionText: (mission: Mission) => ask<{ text: string }>("mission/text", { method: "POST", json: { mission } }),
-  image: (mission: Mission, path: string, program: string) =>
-    ask<server.Image>("image", { method: "POST", json: { mission, path, program } }),
+  image,
   /** `own` is what the mission brings along: the text may speak of it. */
   fragment: (text: string, robot: string, path: string, own: Pick<Mission, "constructors" | "variables"> = {}) =>
     ask<Fragment>("fragment", {

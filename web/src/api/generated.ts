@@ -739,14 +739,15 @@ export interface Floor {
 }
 
 /**
- * The program of a text, with the place of each vertex in it; None, and no places, while it has mistakes. `problems`
- * have their places in the text that was sent. `report` is the mission looked through with that program, and with what
- * the text of a team's program declares: `declared`.
+ * The program of a text, with the place of each vertex in it; None, and no places, while it has mistakes. `spans` and
+ * `problems` are None where they are those of the report: the text is the one that the graph prints. `problems` have
+ * their places in the text that was sent. `report` is the mission looked through with that program, and with what the
+ * text of a team's program declares: `declared`.
  */
 export interface Followed {
   program: DrawnProgram | null;
-  spans: SpanEntry[];
-  problems: Problem[];
+  spans: SpanEntry[] | null;
+  problems: Problem[] | null;
   report: Report | null;
   declared?: Declared | null;
 }
@@ -864,7 +865,7 @@ export interface Image {
 
 /** Which program of a mission is to become an image; `path` is where the mission lies, "" for nowhere. */
 export interface ImageAsk {
-  mission: Mission;
+  mission: SentMission;
   path: string;
   program: string;
 }
@@ -1112,6 +1113,14 @@ export interface MissionFile {
 /** A mission to be written out, unsaved. */
 export interface MissionText {
   mission: Mission;
+}
+
+/** A stretch [start, end) of places of before, all of them so many characters and lines further on. */
+export interface Moved {
+  start: number;
+  end: number;
+  characters: number;
+  lines: number;
 }
 
 /**
@@ -1477,14 +1486,28 @@ export interface Program {
 }
 
 /**
- * What a program becomes: LLL with the place of each vertex, and three-address code. `known`: the name by which the
- * next edit may send only what it changed in the program; "" when it must send all.
+ * What a program becomes: LLL with the place of each vertex, and how long its three-address code is. `known`: the name
+ * by which the next edit may send only what it changed in the program; "" when it must send all.
  */
 export interface ProgramReport {
   name: string;
   lll: string;
   spans: SpanEntry[];
-  listing: string;
+  instructions: number;
+  known: string;
+}
+
+/**
+ * As `ProgramReportShape`, told by what is different from the report of the program that was named in the question.
+ * `of`: that name; `at`, `removed` and `inserted`: so many characters of the text before gave way to others.
+ */
+export interface ProgramReportChange {
+  name: string;
+  of: string;
+  at: number;
+  removed: number;
+  inserted: string;
+  spans: (SpanEntry | Moved)[];
   instructions: number;
   known: string;
 }
@@ -1603,9 +1626,12 @@ export interface ReplayRequest {
   breakpoints?: Breakpoint[];
 }
 
-/** A mission looked through. `projections`: one for each kind of robot that runs the program of the whole team. */
+/**
+ * A mission looked through; programs that were named in the question are told by what is different from theirs.
+ * `projections`: one for each kind of robot that runs the program of the whole team.
+ */
 export interface Report {
-  programs: ProgramReport[];
+  programs: (ProgramReport | ProgramReportChange)[];
   problems: Problem[];
   projections?: Projection[];
 }

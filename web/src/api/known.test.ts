@@ -12,7 +12,7 @@ const extra: Vertex = { id: "extra", element: "Wait", settings: { duration: "3" 
 
 /** The report of a mission whose program the server knows by that name. */
 function named(known: string): Report {
-  return { programs: [{ name: CARRIER.name, lll: "", spans: [], listing: "", instructions: 0, known }], problems: [] };
+  return { programs: [{ name: CARRIER.name, lll: "", spans: [], instructions: 0, known }], problems: [] };
 }
 
 const gone = { message: "Not known.", help: "", problems: [] };
@@ -102,6 +102,64 @@ describe("a mission", () => {
     await expect(api.check(missionOf(edited()), "")).rejects.toThrow();
     await api.check(missionOf(edited({ ...extra, id: "other" })), "");
     expect(sentProgram()).toMatchObject({ of: "s-1", vertices: [[0, 2], { id: "other" }, [2, vertices.length]] });
+  });
+});
+
+describe("a report", () => {
+  const spans = [
+    { vertex: "v1", start: 0, end: 8, line: 1 },
+    { vertex: "v2", start: 14, end: 21, line: 2 },
+    { vertex: "v3", start: 23, end: 30, line: 3 },
+  ];
+  const whole: Report = {
+    programs: [
+      { name: CARRIER.name, lll: "WAIT(1);\n# 🙂\nWAIT(2);\nWAIT(3);\n", spans, instructions: 3, known: "s-1" },
+    ],
+    problems: [],
+  };
+  const change = (more: object) => ({
+    programs: [
+      { name: CARRIER.name, of: "s-1", at: 18, removed: 1, inserted: "245", instructions: 4, known: "s-2", ...more },
+    ],
+    problems: [],
+  });
+
+  it("is put together from the one before and what is different", async () => {
+    const rows = [
+      { start: 0, end: 1, characters: 0, lines: 0 },
+      { vertex: "v2", start: 14, end: 23, line: 2 },
+      { start: 2, end: 3, characters: 2, lines: 0 },
+    ];
+    answering([200, whole], [200, change({ spans: rows })]);
+    await api.check(MISSION, "");
+    const report = await api.check(missionOf(edited()), "");
+    expect(report.programs).toEqual([
+      {
+        name: CARRIER.name,
+        lll: "WAIT(1);\n# 🙂\nWAIT(245);\nWAIT(3);\n",
+        spans: [spans[0], { vertex: "v2", start: 14, end: 23, line: 2 }, { vertex: "v3", start: 25, end: 32, line: 3 }],
+        instructions: 4,
+        known: "s-2",
+      },
+    ]);
+    // The next one is told by what is different from this.
+    answering([200, { ...change({ of: "s-2", at: 0, removed: 0, inserted: "", spans: [] }) }]);
+    expect((await api.check(missionOf(edited()), "")).programs[0]?.lll).toBe(report.programs[0]?.lll);
+  });
+
+  it("that came with a typed text says of it what is said of the graph, where both are one", async () => {
+    const told = { code: "x", severity: "warning", message: "m", help: "", program: CARRIER.name, vertices: ["v1"] };
+    const place = { file: `${CARRIER.name}.lll`, line: 1, column: 1, end_line: 1, end_column: 3 };
+    const problems = [
+      { ...told, ...place },
+      { ...told, ...place, program: "other" },
+      { ...told, ...place, line: 0 },
+    ];
+    const same = { vertices: [[0, vertices.length]], arcs: [[0, arcs.length]] };
+    answering([200, { program: same, spans: null, problems: null, report: { ...whole, problems } }]);
+    const followed = await api.follow(MISSION, "", CARRIER.name, "text");
+    expect(followed.spans).toEqual(spans);
+    expect(followed.problems).toEqual([problems[0]]);
   });
 });
 

@@ -5,13 +5,27 @@
  * stayed is told by `===`, which holds since nothing is ever changed in place. The server names the programs that it keeps; it
  * may forget them at any time (status 410), and is then sent everything.
  */
-import type { Mission, Program, Report } from "../model/types";
-import type { DrawnProgram, SentMission } from "./generated";
+import type { Mission, Program, ProgramReport, Report, SpanEntry } from "../model/types";
+import { unitsOf } from "../model/units";
+import type { DrawnProgram, Moved, ProgramReportChange, SentMission, Report as Told } from "./generated";
 
 export type Rows<Thing> = (Thing | [from: number, to: number])[];
 
 /** The newest of each name that the server has answered for. */
-const known = new Map<string, { program: Program; of: string }>();
+const known = new Map<string, Known>();
+
+interface Known {
+  program: Program;
+  of: string;
+  report: ProgramReport;
+}
+
+/** What the server knew when it was asked. */
+export type Bases = ReadonlyMap<string, Known>;
+
+export function bases(): Bases {
+  return new Map(known);
+}
 
 /** `after` as rows of `before`. */
 export function rowsOf<Thing extends object>(before: readonly Thing[], after: readonly Thing[]): Rows<Thing> {
@@ -61,12 +75,52 @@ export function drawn(before: Program, { vertices, arcs }: DrawnProgram): Progra
   return after.vertices === before.vertices && after.arcs === before.arcs ? before : after;
 }
 
+function isMoved(row: SpanEntry | Moved): row is Moved {
+  return "characters" in row;
+}
+
+function moved(before: readonly SpanEntry[], { start, end, characters, lines }: Moved): SpanEntry[] {
+  const stretch = before.slice(start, end);
+  if (characters === 0 && lines === 0) return stretch;
+  return stretch.map((one) => ({
+    vertex: one.vertex,
+    start: one.start + characters,
+    end: one.end + characters,
+    line: one.line + lines,
+  }));
+}
+
+function changed(before: ProgramReport, change: ProgramReportChange): ProgramReport {
+  const { name, at, removed, inserted, instructions, known: named } = change;
+  // Places count whole characters, of which some are two units.
+  const units = unitsOf(before.lll);
+  const [from, to] = [units(at), units(at + removed)];
+  return {
+    name,
+    lll: before.lll.slice(0, from) + inserted + before.lll.slice(to),
+    spans: change.spans.flatMap((row) => (isMoved(row) ? moved(before.spans, row) : [row])),
+    instructions,
+    known: named,
+  };
+}
+
+/** A report with each program whole. */
+export function whole(told: Told, before: Bases): Report {
+  const programs = told.programs.map((one) => {
+    if (!("of" in one)) return one;
+    const base = before.get(one.name);
+    if (base?.of !== one.of) throw new Error(`nothing is known of ${one.of}`);
+    return changed(base.report, one);
+  });
+  return { ...told, programs };
+}
+
 /** From now on the server knows these programs, by the names in its report. */
 export function learn(mission: Mission, { programs }: Report): void {
   mission.programs.forEach((program, at) => {
-    const of = programs[at]?.known ?? "";
-    if (of === "") known.delete(program.name);
-    else known.set(program.name, { program, of });
+    const report = programs[at];
+    if (report === undefined || report.known === "") known.delete(program.name);
+    else known.set(program.name, { program, of: report.known, report });
   });
 }
 

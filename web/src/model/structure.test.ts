@@ -26,6 +26,12 @@ describe("structure", () => {
     expect(through(CARRIER)).toEqual(CARRIER);
   });
 
+  it("keeps the vertices and arcs that stayed: the very objects", () => {
+    const again = through(CARRIER);
+    expect(again.vertices.every((one, at) => one === CARRIER.vertices[at])).toBe(true);
+    expect(again.arcs.every((one, at) => one === CARRIER.arcs[at])).toBe(true);
+  });
+
   it("keeps what a program is besides its graph", () => {
     const program: Program = { ...CARRIER, robot: "", level: "social" };
     expect(through(program)).toEqual(program);

@@ -45,6 +45,8 @@ export interface Structure {
   main: Body;
   parked: Block[][];
   strays: Arc[];
+  /** The arcs as they were read, by source and port: one that is there again is the same object. */
+  drawn: ReadonlyMap<string, ReadonlyMap<string, readonly Arc[]>>;
   /** Vertices with an id that another one has already. */
   lost: Vertex[];
 }
@@ -90,7 +92,7 @@ class Reader {
     const parked = this.parked();
     const strays = program.arcs.filter((arc) => !this.used.has(arc));
     const { vertices: _vertices, arcs: _arcs, ...of } = program;
-    return { of, start, stop, main, parked, strays, lost: this.lost };
+    return { of, start, stop, main, parked, strays, drawn: this.leaving, lost: this.lost };
   }
 
   private body(owner: string, out: string, closer: string, at: string, depth: number): Body {
@@ -191,12 +193,20 @@ export function writeStructure(structure: Structure): Program {
   const vertices: Vertex[] = [];
   const arcs: Arc[] = [];
 
+  const join = (source: string, out: string, target: string, at: string) => {
+    const same = structure.drawn
+      .get(source)
+      ?.get(out)
+      ?.find((one) => one.target === target && one.at === at);
+    arcs.push(same ?? { source, target, out, at });
+  };
+
   const block = (one: Block) => {
     vertices.push(one.vertex);
     for (const { slot, block: filler } of one.plugs) {
       if (filler === null) continue;
       block(filler);
-      arcs.push({ source: filler.vertex.id, target: one.vertex.id, out: "next", at: slot });
+      join(filler.vertex.id, "next", one.vertex.id, slot);
     }
     for (const body of one.bodies) chain(one.vertex.id, body, one.vertex.id, "return");
   };
@@ -205,12 +215,12 @@ export function writeStructure(structure: Structure): Program {
     let source = owner;
     let out = body.out;
     for (const one of body.chain) {
-      arcs.push({ source, target: one.vertex.id, out, at: "in" });
+      join(source, out, one.vertex.id, "in");
       block(one);
       source = one.vertex.id;
       out = "next";
     }
-    if (body.closed) arcs.push({ source, target: closer, out, at });
+    if (body.closed) join(source, out, closer, at);
   };
 
   const { start, stop, main, parked, strays, lost, of } = structure;

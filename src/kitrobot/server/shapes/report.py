@@ -20,7 +20,7 @@ class SpanEntryShape(BaseModel):
 
 
 class ProgramReportShape(BaseModel):
-    """What a program becomes: LLL with the place of each vertex, and three-address code.
+    """What a program becomes: LLL with the place of each vertex, and how long its three-address code is.
 
     `known`: the name by which the next edit may send only what it changed in the program; "" when it must send all.
     """
@@ -28,7 +28,31 @@ class ProgramReportShape(BaseModel):
     name: str
     lll: str
     spans: list[SpanEntryShape]
-    listing: str
+    instructions: int
+    known: str
+
+
+class MovedShape(BaseModel):
+    """A stretch [start, end) of places of before, all of them so many characters and lines further on."""
+
+    start: int
+    end: int
+    characters: int
+    lines: int
+
+
+class ProgramReportChangeShape(BaseModel):
+    """As `ProgramReportShape`, told by what is different from the report of the program that was named in the question.
+
+    `of`: that name; `at`, `removed` and `inserted`: so many characters of the text before gave way to others.
+    """
+
+    name: str
+    of: str
+    at: int
+    removed: int
+    inserted: str
+    spans: list[SpanEntryShape | MovedShape]
     instructions: int
     known: str
 
@@ -48,9 +72,12 @@ class ProjectionShape(BaseModel):
 
 
 class ReportShape(BaseModel):
-    """A mission looked through. `projections`: one for each kind of robot that runs the program of the whole team."""
+    """A mission looked through; programs that were named in the question are told by what is different from theirs.
 
-    programs: list[ProgramReportShape]
+    `projections`: one for each kind of robot that runs the program of the whole team.
+    """
+
+    programs: list[ProgramReportShape | ProgramReportChangeShape]
     problems: list[ProblemShape]
     projections: list[ProjectionShape] = []
 

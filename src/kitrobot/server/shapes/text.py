@@ -22,12 +22,13 @@ class TextEditShape(BaseModel):
 class FollowedShape(BaseModel):
     """The program of a text, with the place of each vertex in it; None, and no places, while it has mistakes.
 
+    `spans` and `problems` are None where they are those of the report: the text is the one that the graph prints.
     `problems` have their places in the text that was sent. `report` is the mission looked through with that program,
     and with what the text of a team's program declares: `declared`.
     """
 
     program: DrawnProgramShape | None
-    spans: list[SpanEntryShape]
-    problems: list[ProblemShape]
+    spans: list[SpanEntryShape] | None
+    problems: list[ProblemShape] | None
     report: ReportShape | None
     declared: DeclaredShape | None = None

@@ -16,6 +16,7 @@ import { complain } from "../../session/document";
 import { useTyping } from "../../session/typing";
 import { later } from "../../ui/later";
 import { Tool } from "../../ui/Tool";
+import { useListing } from "./listing";
 import { Lll } from "./Lll";
 import "./code.css";
 
@@ -54,7 +55,7 @@ export function Code() {
   const program = useStudio((studio) => studio.activeProgram);
   const found = useStudio((studio) => studio.report?.programs.find((one) => one.name === studio.activeProgram));
   const lll = found?.lll ?? "";
-  const listing = found?.listing ?? "";
+  const listing = useListing(side === "listing");
   const typed = useTyping((typing) => typing.drafts[program]?.text);
   const loaded = found !== undefined;
   return (

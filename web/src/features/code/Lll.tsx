@@ -1,7 +1,7 @@
 /** The program in view as LLL that can be written: its text, what is marked in it, and the line about mistakes below. */
 import { useCallback, useEffect, useMemo } from "react";
 
-import { api } from "../../api/client";
+import { api, problemsIn } from "../../api/client";
 import { teamNames } from "../../components/text/named";
 import { TextEditor } from "../../components/text/TextEditor";
 import { Said } from "../../i18n/Said";
@@ -57,8 +57,7 @@ export function Lll({
   );
   const problems = useMemo((): readonly Problem[] | null => {
     if (draft !== undefined) return draft.waiting ? null : draft.problems;
-    const file = `${program}.lll`;
-    return report?.problems.filter((one) => one.program === program && one.file === file && one.line > 0) ?? [];
+    return problemsIn(report, program);
   }, [draft, report, program]);
   const shown = useMemo(
     () => ({

@@ -374,3 +374,47 @@ describe("random programs", () => {
     expect(copies.every((one, at) => at === 0 || one.y > (copies[at - 1]?.y ?? 0))).toBe(true);
   });
 });
+
+describe("a program that was laid out before", () => {
+  /** The same program of which nothing is known: all its objects are new. */
+  const fresh = (program: Program) => JSON.parse(JSON.stringify(program)) as Program;
+
+  it.each([1, 2, 3, 4, 5, 6])("is laid out after an edit as if it never had been (seed %d)", (seed) => {
+    const program = growProgram(seed, 30, true);
+    layout(program);
+    program.vertices.forEach((vertex, at) => {
+      const settings = Object.fromEntries(Object.keys(vertex.settings).map((name) => [name, "12345"]));
+      const vertices = program.vertices.map((one, place) => (place === at ? { ...one, settings } : one));
+      // What fills a slot goes out of it, and into others.
+      const arcs = program.arcs.filter((one) => one.source !== vertex.id || one.at === "in" || one.at === "return");
+      for (const edited of [
+        { ...program, vertices },
+        { ...program, arcs },
+      ])
+        expect(layout(edited)).toEqual(layout(fresh(edited)));
+    });
+  });
+
+  it("shows a condition in the slot that it was moved to", () => {
+    const vertices = ["Start", "If", "And", "Whisker.IsPressed", "Stop"].map((element, at) => ({
+      ...(CARRIER.vertices[0] as Program["vertices"][number]),
+      id: `n${String(at)}`,
+      element,
+      settings: {},
+      notes: [],
+    }));
+    const into = (at: string): Program => ({
+      ...CARRIER,
+      vertices,
+      arcs: [
+        { source: "n0", target: "n1", out: "next", at: "in" },
+        { source: "n2", target: "n1", out: "next", at: "condition" },
+        { source: "n3", target: "n2", out: "next", at },
+        { source: "n1", target: "n4", out: "next", at: "in" },
+      ],
+    });
+    const [left, right] = [into("left"), into("right")];
+    layout(left);
+    expect(layout(right)).toEqual(layout(fresh(right)));
+  });
+});

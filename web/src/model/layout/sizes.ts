@@ -2,12 +2,13 @@
  * Widths: of each vertex, and of each block with all it holds. Everything is symmetric about its middle line, so one
  * number a block, its half width, is enough; halves are multiples of 8, which keeps middles on the grid.
  */
-import { t } from "../../i18n/words";
+import { languageInUse, t } from "../../i18n/words";
 import { textWidth } from "../measure";
 import { noteText } from "../notes";
-import { isMark } from "../parts";
+import { isMark, type Shape } from "../parts";
 import type { Block } from "../structure";
 import { verticesOf } from "../tree";
+import type { Vertex } from "../types";
 import { chipOf, chipWidth, type Face, faceOf, faceWidth } from "../vertex-content";
 import { leapsOut } from "./break-edges";
 import type { Inside } from "./types";
@@ -89,9 +90,13 @@ export class Sizes {
     const inside = shown.bodies.length > 0 && this.folded.has(shown.vertex.id) ? insideOf(shown) : null;
     const open = styleOf(shown);
     const style = inside === null ? open : "simple";
-    const face = faceOf(shown);
+    const drawn = seenOf(shown);
+    const { face } = drawn;
     const hexagon = open === "columns" || (open !== "loop" && open !== "bars" && isChoice(shown));
-    const width = vertexWidth(shown, style, face, hexagon) + (inside === null ? 0 : foldedWidth(inside));
+    const looks = `${style} ${String(hexagon)}`;
+    let width = drawn.widths.get(looks);
+    if (width === undefined) drawn.widths.set(looks, (width = vertexWidth(shown, style, face, hexagon)));
+    width += inside === null ? 0 : foldedWidth(inside);
     const measured = {
       style,
       shown,
@@ -109,6 +114,39 @@ export class Sizes {
     if (leapsOut(shown.shape)) size.half = ceilTo(8, width / 2 + LEAP_SIDE);
     return { ...measured, ...size };
   }
+}
+
+type Seeing = Shape | Vertex | string;
+
+interface Seen {
+  language: string;
+  /** What it was made of: the vertex, its shape, and each slot with what fills it. */
+  of: readonly Seeing[];
+  face: Face;
+  widths: Map<string, number>;
+}
+
+/** What vertices show: an edit leaves nearly all of them as they are. */
+const seen = new WeakMap<Vertex, Seen>();
+
+function madeOf(block: Block, into: Seeing[] = []): Seeing[] {
+  into.push(block.vertex, block.shape);
+  for (const plug of block.plugs) {
+    into.push(plug.slot);
+    if (plug.block !== null) madeOf(plug.block, into);
+  }
+  return into;
+}
+
+function seenOf(block: Block): Seen {
+  const of = madeOf(block);
+  const language = languageInUse();
+  const known = seen.get(block.vertex);
+  if (known?.language === language && known.of.length === of.length && known.of.every((one, at) => one === of[at]))
+    return known;
+  const made = { language, of, face: faceOf(block), widths: new Map<string, number>() };
+  seen.set(block.vertex, made);
+  return made;
 }
 
 /** The notes above a vertex, those of its mark included. */
