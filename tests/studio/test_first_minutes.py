@@ -48,7 +48,7 @@ def new_sheet(open_studio: OpenStudio, **device: object) -> Studio:
     """An empty folder, with the sheet that it begins with."""
     studio = open_studio(None, **device)
     studio.page.reload()
-    expect(studio.at("new-starter-square/square.krt")).to_be_checked()
+    expect(studio.at("new-starter-draw-square/draw-square.krt")).to_be_checked()
     if not device:
         expect(studio.at("new-robots-mini-robot")).to_be_focused()
     return studio

@@ -23,7 +23,7 @@ def choose(studio: Studio, testid: str) -> None:
 
 def two_keys_lead_from_nothing_to_a_square_that_is_driven(studio: Studio) -> None:
     studio.page.keyboard.press("Control+Alt+n")
-    expect(studio.at("new-starter-square/square.krt")).to_be_checked()
+    expect(studio.at("new-starter-draw-square/draw-square.krt")).to_be_checked()
     expect(studio.at("run-button")).to_be_disabled()
     find_nothing(studio, "a new mission")
     expect(studio.at("new-robots-mini-robot")).to_be_focused()
@@ -49,7 +49,7 @@ def test_what_does_not_fit_gives_way_and_says_so_and_escape_keeps_what_was_open(
         "Not for this robot"
     )
     expect(studio.at("new-starter-heart/heart.krt")).to_be_checked()
-    expect(studio.at("new-starter-square/square.krt")).to_have_count(0)
+    expect(studio.at("new-starter-draw-square/draw-square.krt")).to_have_count(0)
     choose(studio, "new-robots-carriers")
     expect(studio.page.locator(".new-stage canvas.picture-run")).to_be_visible()
     assert studio.page.locator(".new-stage canvas").evaluate(IS_DRAWN)
