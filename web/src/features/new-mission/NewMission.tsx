@@ -127,6 +127,12 @@ function RunOf({ run, plays }: { run: RunPreview | undefined; plays: boolean }) 
   return run === undefined ? null : <RunPicture preview={run} plays={plays} />;
 }
 
+/** The place where a starter could be had. */
+function PlaceOf({ all, name }: { all: Beginnings; name: string | undefined }) {
+  const place = all.places.find((one) => one.name === name);
+  return place === undefined ? null : <WorldPicture world={place.world} agents={[]} />;
+}
+
 export function NewMission() {
   const all = useBeginnings();
   return all === null || all.robot_sets.length === 0 ? null : <Form all={all} />;
@@ -224,7 +230,11 @@ function Form({ all }: { all: Beginnings }) {
               reason={starterFits(one, choice) ? "" : t("new.starter-not")}
               choose={() => choose({ starter: one.name })}
             >
-              <RunOf run={runOf(one.name)} plays={false} />
+              {starterFits(one, choice) ? (
+                <RunOf run={runOf(one.name)} plays={false} />
+              ) : (
+                <PlaceOf all={all} name={one.places[choice.robotSet]?.[0]} />
+              )}
             </Card>
           ))}
         </Row>
