@@ -26,7 +26,7 @@ _MEASURE = """() => {
     const found = new Set();
     const texts = [];
     // Opened over the page for a moment, and gone with Escape; lines that are dragged are wider than they look.
-    const passing = 'dialog, [role=dialog], [role=menu], .in-place, .add-popup, .find, .outline-panel, [role=separator]';
+    const passing = 'dialog, [role=dialog], [role=menu], [role=separator], .in-place, .find, .outline-panel';
     // What is seen of a line of text; null where all of it is out of sight, as what is only read aloud.
     const seenOf = (text, parent, line) => {
         // A line is taller than its letters.

@@ -84,7 +84,7 @@ FIRST_HOUR: list[Screen] = [
     ("a field", ("vertex-v8", "key 7"), "in-place"),
     ("a menu of a part", ("vertex-v4", "key Shift+F10"), "context-menu"),
     ("find", ("key Control+f",), "find-input"),
-    ("done", ("run-button",), "ending"),
+    ("done", (Studio.full_speed, "run-button"), "ending"),
     ("a question", (ask_for_new,), "banner"),
     ("nothing yet", (go_on_without_saving,), "first-place"),
     ("a part is added", ("vertex-start", "key /"), "add-find"),
@@ -107,7 +107,6 @@ def test_no_text_of_any_screen_is_cut_off_covered_or_over_another(
     studio = open_studio(mission)
     page = studio.page
     choose(studio, *look)
-    studio.full_speed()
     found = []
     for turn, (screen, presses, seen) in enumerate(screens):
         for press in presses:

@@ -115,6 +115,11 @@ def the_inspector_has_the_same_field_with_what_fits_and_the_name_of_lll(studio: 
     keys.press("Escape")
     expect(studio.at("canvas")).to_be_focused()
     studio.expect_code("Motor.AbsoluteTurn(25, 50)")
+    # In the list for a test what the robot feels stands before what joins tests.
+    vertex(studio, "When").click(position={"x": 20, "y": 20})
+    groups = inspector.locator("select").first.locator("optgroup")
+    expect(groups.first).to_have_attribute("label", "Distance sensor")
+    expect(groups.last).to_have_attribute("label", "Conditions")
     vertex(studio, "When").locator(".chip").click()
     ruler = inspector.get_by_role("slider", name="distance")
     expect(ruler).to_have_attribute("aria-valuetext", "20 cm")
