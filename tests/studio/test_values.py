@@ -51,7 +51,8 @@ def a_value_is_shown_with_its_unit_and_edited_where_it_stands(studio: Studio) ->
     expect(studio.at("in-place")).to_have_count(0)
     expect(studio.at("canvas")).to_be_focused()
     studio.expect_code("Motor.AbsoluteTurn(50, 50)")
-    # A double click opens the field of that value; Escape leaves it as it was.
+    # A double click opens the field of that value; Escape leaves it as it was, and no step to undo.
+    undo = studio.at("undo").get_attribute("title")
     vertex(studio, "Wait").locator(".box").dblclick()
     field = studio.at("in-place").locator("[data-testid^=field-]")
     expect(field).to_be_focused()
@@ -60,6 +61,7 @@ def a_value_is_shown_with_its_unit_and_edited_where_it_stands(studio: Studio) ->
     keys.press("Escape")
     studio.expect_code("WAIT(10)")
     expect(studio.at("canvas")).to_be_focused()
+    expect(studio.at("undo")).to_have_attribute("title", undo or "")
     # Out of range: a dashed border, one sentence, and Enter takes the nearest.
     vertex(studio, "Turn by").locator(".box").first.dblclick()
     keys.type("400")
