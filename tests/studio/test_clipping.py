@@ -85,7 +85,7 @@ FIRST_HOUR: list[Screen] = [
     ("a menu of a part", ("vertex-v4", "key Shift+F10"), "context-menu"),
     ("find", ("key Control+f",), "find-input"),
     ("done", (Studio.full_speed, "run-button"), "ending"),
-    ("a question", (ask_for_new,), "banner"),
+    ("a question", ("vertex-v7", "key Delete", ask_for_new), "banner"),
     ("nothing yet", (go_on_without_saving,), "first-place"),
     ("a part is added", ("vertex-start", "key /"), "add-find"),
     ("gallery", (open_gallery_at(1),), "gallery-count"),
