@@ -1,4 +1,4 @@
-"""Measures what a reader sees of every text of a page: what is cut off, what lies over another."""
+"""Measures what a reader sees of every text of a page: what is cut off, what lies over another, what is covered."""
 
 from __future__ import annotations
 
@@ -25,6 +25,8 @@ _MEASURE = """() => {
     const name = (one) => one.closest('[data-testid]')?.dataset.testid ?? one.className;
     const found = new Set();
     const texts = [];
+    // Opened over the page for a moment, and gone with Escape; lines that are dragged are wider than they look.
+    const passing = 'dialog, [role=dialog], [role=menu], [role=separator], .in-place, .find, .outline-panel';
     // What is seen of a line of text; null where all of it is out of sight, as what is only read aloud.
     const seenOf = (text, parent, line) => {
         // A line is taller than its letters.
@@ -54,7 +56,7 @@ _MEASURE = """() => {
         }
         const lost = leaves(box, view);
         if (!scrolls && (lost.x || lost.y)) found.add(`${short(text)} in ${name(parent)} is out of the window`);
-        return meet(box, view);
+        return { scrolls, ...meet(box, view) };
     };
     const walker = document.createTreeWalker(document.body, NodeFilter.SHOW_TEXT);
     const visible = { opacityProperty: true, visibilityProperty: true };
@@ -81,6 +83,19 @@ _MEASURE = """() => {
         }
         return false;
     };
+    for (const { node, parent, box } of texts) {
+        // What scrolls comes out from under it, as the graph does.
+        if (box.scrolls || parent.closest(`${passing}, [inert]`) !== null) continue;
+        const y = (box.top + box.bottom) / 2;
+        for (const x of [box.left + 2, (box.left + box.right) / 2, box.right - 2]) {
+            const over = document.elementsFromPoint(x, y).find((one) =>
+                parent.contains(one) || one.contains(parent) || isOpaque(one) || one.tagName === 'CANVAS');
+            if (over === undefined || parent.contains(over) || over.contains(parent) || over.closest(passing) !== null)
+                continue;
+            found.add(`${short(node.data)} in ${name(parent)} is covered by ${name(over)}`);
+            break;
+        }
+    }
     texts.sort((p, q) => p.box.left - q.box.left);
     texts.forEach((p, at) => {
         for (const q of texts.slice(at + 1)) {

@@ -1,4 +1,4 @@
-"""Of every text on the screens of the studio: nothing is cut off, none lies over another.
+"""Of every text on the screens of the studio: nothing is cut off, none lies over another, none is covered.
 
 Each screen on one size, wide and narrow by turns; in the thorough profile on all sizes, in all languages and themes.
 """
@@ -8,18 +8,19 @@ from __future__ import annotations
 from collections.abc import Callable
 
 import pytest
-from playwright.sync_api import expect
+from playwright.sync_api import Position, expect
 
 from tests.effort import THOROUGH, cases
 from tests.studio.clipping import amiss
-from tests.studio.conftest import Studio
+from tests.studio.conftest import Studio, begin_new
 from tests.studio.test_reach import choose
 from tests.studio.test_widths import SETTLED
 
 pytestmark = pytest.mark.browser
 
 OpenStudio = Callable[..., Studio]
-TRANSPORT = "transport/transport.krt"
+TRANSPORT, DRAWING = "transport/transport.krt", "draw-square/draw-square.krt"
+CORNER = Position(x=12, y=12)
 SIZES = [(1440, 900), (390, 844), (1024, 768), (768, 1024)]
 # Words of the other languages are longer than English ones.
 LOOKS: list[object] = [
@@ -32,7 +33,8 @@ LOOKS: list[object] = [
     ("contrast", "fr"),
 ]
 
-SCREENS: list[tuple[str, tuple[str, ...], str]] = [
+Screen = tuple[str, tuple[str | Callable[[Studio], None], ...], str]
+SCREENS: list[Screen] = [
     ("a mission", (), "canvas"),
     ("new mission", ("menu-File", "menu-file-new"), "new-name"),
     ("open", ("menu-File", "menu-file-open"), "open-dialog"),
@@ -44,23 +46,76 @@ SCREENS: list[tuple[str, tuple[str, ...], str]] = [
     ("check", ("menu-Run", "menu-run-check"), "check"),
     ("sweep", ("menu-Run", "menu-run-sweep"), "sweep"),
     ("robots", ("menu-Robots", "menu-robots-panel"), "robots"),
-    ("team", ("menu-Program", "menu-program-team"), "team"),
+    ("team", ("menu-Robots", "menu-robots-panel", "menu-Program", "menu-program-team"), "team"),
     ("world", ("menu-Program", "menu-program-world"), "world"),
-    ("stage", ("tab-carrier", "menu-View", "menu-view-stage"), "stage-watched"),
-    ("paused", ("run-button", "pause-button"), "status"),
+    ("world, edited", ("edit-world",), "world-tool-wall"),
+    ("templates", ("world-templates-open",), "template-maze"),
+    ("stage", ("undo", "tab-carrier", "menu-View", "menu-view-stage"), "stage-watched"),
+    ("paused", ("arena-large", "run-button", "pause-button"), "palette-robot"),
+    ("watch", ("watch-button",), "watch"),
+    ("a part of one's own", ("vertex-v11", "key p"), "own-dialog"),
 ]
 """The name of each screen, what is pressed one after the other for it, and what is seen then."""
 
 
+def open_gallery_at(section: int) -> Callable[[Studio], None]:
+    def scroll(studio: Studio) -> None:
+        studio.page.keyboard.press("Control+o")
+        studio.at("open-dialog").locator(".open-jumps button").nth(section).click()
+
+    return scroll
+
+
+def ask_for_new(studio: Studio) -> None:
+    studio.at("menu-File").click()
+    studio.at("menu-file-new").click()
+    begin_new(studio.page)
+
+
+def go_on_without_saving(studio: Studio) -> None:
+    ask_for_new(studio)
+    studio.at("banner").get_by_role("button").nth(1).click()
+
+
+TUTORIAL = "menu-help-tutorial-example:tutorials/first-steps/first-steps.tutorial.xml"
+EXERCISE = "exercise-card-example:exercises/03-square.exercise.xml"
+FIRST_HOUR: list[Screen] = [
+    ("a first program", (), "canvas"),
+    ("a field", ("vertex-v8", "key 7"), "in-place"),
+    ("a menu of a part", ("vertex-v4", "key Shift+F10"), "context-menu"),
+    ("find", ("key Control+f",), "find-input"),
+    ("done", (Studio.full_speed, "run-button"), "ending"),
+    ("a question", ("vertex-v7", "key Delete", ask_for_new), "banner"),
+    ("nothing yet", (go_on_without_saving,), "first-place"),
+    ("a part is added", ("vertex-start", "key /"), "add-find"),
+    ("gallery", (open_gallery_at(1),), "gallery-count"),
+    ("tutorials", (open_gallery_at(2),), "gallery-count"),
+    ("exercises", (open_gallery_at(3),), "gallery-count"),
+    ("an exercise", ("key Control+o", EXERCISE), "exercise"),
+    ("a tutorial", ("exercise-leave", "menu-Help", TUTORIAL), "tutorial"),
+]
+"""The same of what somebody meets first, on a mission that draws."""
+
+
 @pytest.mark.parametrize("look", cases(LOOKS[:1], LOOKS[1:]), ids=str)
-def test_no_text_of_any_screen_is_cut_off_or_lies_over_another(open_studio: OpenStudio, look: tuple[str, ...]) -> None:
-    studio = open_studio(TRANSPORT)
+@pytest.mark.parametrize(
+    ("mission", "screens"), [(TRANSPORT, SCREENS), (DRAWING, FIRST_HOUR)], ids=["screens", "first hour"]
+)
+def test_no_text_of_any_screen_is_cut_off_covered_or_over_another(
+    open_studio: OpenStudio, look: tuple[str, ...], mission: str, screens: list[Screen]
+) -> None:
+    studio = open_studio(mission)
     page = studio.page
     choose(studio, *look)
     found = []
-    for turn, (screen, presses, seen) in enumerate(SCREENS):
+    for turn, (screen, presses, seen) in enumerate(screens):
         for press in presses:
-            studio.at(press).click()
+            if callable(press):
+                press(studio)
+            elif press.startswith("key "):
+                page.keyboard.press(press.removeprefix("key "))
+            else:
+                studio.at(press).first.click(position=CORNER if press.startswith("vertex-") else None)
         expect(studio.at(seen).first).to_be_visible()
         for width, height in SIZES if THOROUGH else SIZES[turn % 2 : turn % 2 + 1]:
             page.set_viewport_size({"width": width, "height": height})
@@ -80,10 +135,16 @@ def test_what_is_cut_off_or_lies_over_another_is_found(open_studio: OpenStudio) 
         <p style="left: 10px; top: 90px; width: 40px; overflow: hidden; text-overflow: ellipsis">long, and told</p>
         <p style="left: 10px; top: 120px; width: 40px; overflow: auto">long, and scrolls</p>
         <p style="left: -30px; top: 150px">outside</p>
-        <p style="left: 10px; top: 180px">under</p> <p style="left: 10px; top: 180px; background: white">above it</p>"""
+        <p style="left: 10px; top: 180px">under it</p> <p style="left: 30px; top: 180px; background: white">above</p>
+        <div style="position: absolute; left: 10px; top: 210px; height: 40px; overflow: auto">
+        <p style="position: static">scrolls under it</p> <br> <br> <br> </div>
+        <p style="left: 10px; top: 210px; background: white">a bar</p>
+        <p style="left: 10px; top: 270px">asked</p>
+        <p role="dialog" style="left: 10px; top: 270px; background: white">?!</p>"""
     )
     assert amiss(page) == [
         '"much too long" in  is cut off',
         '"outside" in  is out of the window',
+        '"under it" in  is covered by ',
         '"one" and "other" in  lie over each other',
     ]

@@ -21,9 +21,20 @@ def choose(studio: Studio, testid: str) -> None:
     studio.page.locator("label", has=studio.at(testid)).click()
 
 
+def families(studio: Studio, selector: str) -> set[str]:
+    """The fonts that the letters of an element come from."""
+    studio.page.evaluate("document.fonts.ready.then(() => true)")
+    glass = studio.page.context.new_cdp_session(studio.page)
+    glass.send("DOM.enable")
+    glass.send("CSS.enable")
+    root = glass.send("DOM.getDocument")["root"]["nodeId"]
+    node = glass.send("DOM.querySelector", {"nodeId": root, "selector": selector})["nodeId"]
+    return {font["familyName"] for font in glass.send("CSS.getPlatformFontsForNode", {"nodeId": node})["fonts"]}
+
+
 def two_keys_lead_from_nothing_to_a_square_that_is_driven(studio: Studio) -> None:
     studio.page.keyboard.press("Control+Alt+n")
-    expect(studio.at("new-starter-square/square.krt")).to_be_checked()
+    expect(studio.at("new-starter-draw-square/draw-square.krt")).to_be_checked()
     expect(studio.at("run-button")).to_be_disabled()
     find_nothing(studio, "a new mission")
     expect(studio.at("new-robots-mini-robot")).to_be_focused()
@@ -49,7 +60,7 @@ def test_what_does_not_fit_gives_way_and_says_so_and_escape_keeps_what_was_open(
         "Not for this robot"
     )
     expect(studio.at("new-starter-heart/heart.krt")).to_be_checked()
-    expect(studio.at("new-starter-square/square.krt")).to_have_count(0)
+    expect(studio.at("new-starter-draw-square/draw-square.krt")).to_have_count(0)
     choose(studio, "new-robots-carriers")
     expect(studio.page.locator(".new-stage canvas.picture-run")).to_be_visible()
     assert studio.page.locator(".new-stage canvas").evaluate(IS_DRAWN)
@@ -67,6 +78,7 @@ def the_robot_of_a_team_and_its_place_are_what_was_chosen(studio: Studio) -> Non
     studio.at("new-begin").click()
     studio.expect_opened()
     expect(studio.at("title")).to_contain_text("Łukasz' maze.krt")
+    assert families(studio, "[data-testid=title] h1") == {"Inter"}, "Ł comes from the page's own font too"
     expect(studio.at("part-LeftWheel.Forward")).to_be_visible()
     expect(studio.at("first-place")).to_be_visible()
 

@@ -198,11 +198,22 @@ def another_language_keeps_the_document_and_its_history(studio: Studio) -> None:
     expect(studio.at("undo")).to_be_disabled()
 
 
+def what_is_done_in_another_language_is_kept_in_the_journal(studio: Studio) -> None:
+    with studio.page.expect_response(lambda answer: answer.url.partition("?")[0].endswith("/api/journal")) as kept:
+        studio.drop("Wait", "arc-start.next")
+    assert kept.value.ok
+    studio.page.reload()
+    expect(studio.at("undo")).to_be_enabled()
+    studio.expect_code("WAIT(10);")
+    studio.at("undo").click()
+
+
 def test_another_language_keeps_the_document_with_its_history_and_is_remembered_with_the_theme(
     open_studio: OpenStudio,
 ) -> None:
     studio = open_studio(TRANSPORT)
     another_language_keeps_the_document_and_its_history(studio)
+    what_is_done_in_another_language_is_kept_in_the_journal(studio)
     language_and_theme_are_remembered(studio)
 
 

@@ -68,8 +68,8 @@ def test_a_run_that_failed_leads_to_its_cause(open_studio: OpenStudio) -> None:
 def test_on_a_phone_the_stage_is_all_there_is_and_a_room_ends_it(open_studio: OpenStudio) -> None:
     studio = open_studio("square/square.krt", viewport={"width": 390, "height": 844})
     studio.at("room-arena").click()
-    # The graph above it is small: its zoom leaves it the place.
-    expect(studio.page.locator(".zoom button").filter(visible=True)).to_have_count(2)
+    # The graph above it is small: tools over it would cover the end of a row. They are back with its place.
+    expect(studio.page.locator(".zoom")).to_be_hidden()
     studio.at("arena-large").click()
     expect(studio.page.locator(".studio")).to_have_attribute("data-stage", "true")
     box = studio.at("arena").bounding_box()
@@ -78,3 +78,5 @@ def test_on_a_phone_the_stage_is_all_there_is_and_a_room_ends_it(open_studio: Op
     assert box["height"] > 400
     studio.at("room-code").click()
     expect(studio.at("canvas")).to_be_visible()
+    studio.at("room-code").click()
+    expect(studio.page.locator(".zoom")).to_be_visible()

@@ -51,7 +51,8 @@ def a_value_is_shown_with_its_unit_and_edited_where_it_stands(studio: Studio) ->
     expect(studio.at("in-place")).to_have_count(0)
     expect(studio.at("canvas")).to_be_focused()
     studio.expect_code("Motor.AbsoluteTurn(50, 50)")
-    # A double click opens the field of that value; Escape leaves it as it was.
+    # A double click opens the field of that value; Escape leaves it as it was, and no step to undo.
+    undo = studio.at("undo").get_attribute("title")
     vertex(studio, "Wait").locator(".box").dblclick()
     field = studio.at("in-place").locator("[data-testid^=field-]")
     expect(field).to_be_focused()
@@ -60,6 +61,7 @@ def a_value_is_shown_with_its_unit_and_edited_where_it_stands(studio: Studio) ->
     keys.press("Escape")
     studio.expect_code("WAIT(10)")
     expect(studio.at("canvas")).to_be_focused()
+    expect(studio.at("undo")).to_have_attribute("title", undo or "")
     # Out of range: a dashed border, one sentence, and Enter takes the nearest.
     vertex(studio, "Turn by").locator(".box").first.dblclick()
     keys.type("400")
@@ -115,6 +117,11 @@ def the_inspector_has_the_same_field_with_what_fits_and_the_name_of_lll(studio: 
     keys.press("Escape")
     expect(studio.at("canvas")).to_be_focused()
     studio.expect_code("Motor.AbsoluteTurn(25, 50)")
+    # In the list for a test what the robot feels stands before what joins tests.
+    vertex(studio, "When").click(position={"x": 20, "y": 20})
+    groups = inspector.locator("select").first.locator("optgroup")
+    expect(groups.first).to_have_attribute("label", "Distance sensor")
+    expect(groups.last).to_have_attribute("label", "Conditions")
     vertex(studio, "When").locator(".chip").click()
     ruler = inspector.get_by_role("slider", name="distance")
     expect(ruler).to_have_attribute("aria-valuetext", "20 cm")

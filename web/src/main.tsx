@@ -4,7 +4,7 @@ import { createRoot } from "react-dom/client";
 
 import { inPage } from "./api/line";
 import { isJoining, token } from "./api/token";
-import { App } from "./app/App";
+import { App, Journal } from "./app/App";
 import { installLanguage, useLanguage } from "./i18n/language";
 import { installTheme } from "./theme";
 import "./theme/styles";
@@ -13,10 +13,15 @@ const found = document.getElementById("root");
 if (found === null) throw new Error("index.html has no #root");
 const root = found;
 
-/** Words are read while drawing: another language draws the page anew, from the same document. */
+/** Words are read while drawing: another language draws the page anew, from the same document, beside the same journal. */
 function Spoken() {
   const language = useLanguage((state) => state.language);
-  return <App key={language} />;
+  return (
+    <>
+      <Journal />
+      <App key={language} />
+    </>
+  );
 }
 
 token();

@@ -37,21 +37,27 @@ import "./tabs.css";
 
 let begun = false;
 
-/** Opens the first mission once, and keeps the report fresh while the page is there. */
-function useDocumentFlow(): void {
+/** Keeps what is done in the journal as long as the page is there, in whatever language it is drawn. Draws nothing. */
+export function Journal() {
   useEffect(() => {
     const onReturn = () => {
       sayReturned();
       checkAgain();
     };
-    const offJournal = keepJournal(complainOfJournal, hearOfDisk, undefined, { onReturn, onStranger: sayStranger });
+    return keepJournal(complainOfJournal, hearOfDisk, undefined, { onReturn, onStranger: sayStranger });
+  }, []);
+  return null;
+}
+
+/** Opens the first mission once, and keeps the report fresh while the page is there. */
+function useDocumentFlow(): void {
+  useEffect(() => {
     const offDisk = watchDisk();
     const offWorld = keepWorld();
     const offTeam = keepTeamView();
     return () => {
       offWorld();
       offTeam();
-      offJournal();
       offDisk();
     };
   }, []);

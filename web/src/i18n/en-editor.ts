@@ -69,9 +69,9 @@ export const EDITOR_EN = {
 
   "parts.change-robot": "Change the robot",
   "parts.find": "Find a part",
-  "parts.constructors": "Constructors",
+  "parts.constructors": "Control",
   "parts.robot": "Robot",
-  "parts.actuators": "Actuators",
+  "parts.actuators": "Actions",
   "parts.sensors": "Sensors",
   "parts.variables": "Variables",
   "parts.system": "System",

@@ -14,11 +14,14 @@ export function axisTime(seconds: number): string {
   return `${String(Math.floor(seconds / 60))}:${two(Math.round(seconds % 60))}`;
 }
 
-/** 2130 → "2 130", with a narrow space: the same in every language, and never taken for a decimal sign. */
+/**
+ * 2130 → "2 130", with a narrow space: the same in every language, and never taken for a decimal sign. No line breaks at it,
+ * and its groups keep their order among letters that run from right to left, as after other spaces they would not.
+ */
 export function grouped(number: number): string {
   return format({ maximumFractionDigits: 0 })
     .formatToParts(number)
-    .map((part) => (part.type === "group" ? "\u2009" : part.value))
+    .map((part) => (part.type === "group" ? "\u202f" : part.value))
     .join("");
 }
 

@@ -1,6 +1,6 @@
 import { expect, it } from "vitest";
 
-import { text } from "./texts";
+import { firstSentence, text } from "./texts";
 
 const WORDS = { "": "While", fr: "Tant que", ur: "جب تک" };
 
@@ -10,4 +10,11 @@ it("takes the reader's language, a dialect's language, then the default, then wh
   expect(text(WORDS, "x", "de")).toBe("While");
   expect(text({}, "x", "fr")).toBe("x");
   expect(text({ "": "" }, "x", "")).toBe("x");
+});
+
+it("takes the first sentence of a text in each script, all of one that has no end", () => {
+  expect(firstSentence("Drives 1.5 m. It has wheels.")).toBe("Drives 1.5 m.");
+  expect(firstSentence("چلتا ہے۔ اس میں پہیے ہیں۔")).toBe("چلتا ہے۔");
+  expect(firstSentence("Only Start and Stop")).toBe("Only Start and Stop");
+  expect(firstSentence("")).toBe("");
 });

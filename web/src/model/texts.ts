@@ -6,3 +6,8 @@ import type { Texts } from "./types";
 export function text(texts: Texts, fallback = "", language: string = languageInUse()): string {
   return texts[language] || texts[language.split("-")[0] ?? ""] || texts[""] || texts["en"] || fallback;
 }
+
+/** The first sentence of a text, with its full stop, Latin or Urdu; a stop within a word ("1.5 m") ends none. */
+export function firstSentence(all: string): string {
+  return /^.*?[.۔!?؟](?=\s|$)/su.exec(all)?.[0] ?? all;
+}

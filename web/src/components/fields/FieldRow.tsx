@@ -9,7 +9,7 @@ import "./fields.css";
 import { type KeyboardEvent, useEffect, useId, useRef, useState } from "react";
 
 import { t } from "../../i18n/words";
-import { setField } from "../../model/commands/setField";
+import { setField, stepsSince } from "../../model/commands/setField";
 import { figures, inWords, unitOf } from "../../model/meaning";
 import type { Field } from "../../model/parts";
 import { useStudio } from "../../model/studio";
@@ -62,9 +62,17 @@ function toGraph(): void {
 }
 
 /** Enter and Escape in any field; `keep` is done before Enter goes. What there was before is what had the focus first. */
-function useLeaving({ vertex, field, done = toGraph }: FieldProps, set: (value: string) => void) {
+function useLeaving({ drawing, vertex, field, done = toGraph }: FieldProps, set: (value: string) => void) {
   const setting = vertex.settings[field.name] ?? "";
   const before = useRef(setting);
+  /** What was typed and is not wanted leaves no step that undo would go through. */
+  const takeBack = () => {
+    if (setting === before.current) return;
+    const { history, undo } = useStudio.getState();
+    const steps = stepsSince(history.past, drawing.program, vertex.id, field.name, before.current);
+    for (let step = 0; step < steps; step++) undo();
+    if (steps === 0) set(before.current);
+  };
   return {
     onFocus: () => {
       before.current = setting;
@@ -73,7 +81,7 @@ function useLeaving({ vertex, field, done = toGraph }: FieldProps, set: (value: 
       if (event.nativeEvent.isComposing || (event.key !== "Enter" && event.key !== "Escape")) return false;
       event.preventDefault();
       event.stopPropagation();
-      if (event.key === "Escape") set(before.current);
+      if (event.key === "Escape") takeBack();
       else keep?.();
       done();
       return true;

@@ -28,6 +28,8 @@ const ORIGIN: Camera = { scale: 1, x: 0, y: 0 };
 
 /** What is drawn besides, under the robots and over them; true when it goes on moving by itself. */
 export interface Layers {
+  /** Under what pens drew. */
+  ground: (brush: Brush, scene: Scene) => void;
   under: (brush: Brush, scene: Scene, seen: readonly Seen[]) => boolean;
   over: (brush: Brush, scene: Scene, seen: readonly Seen[]) => boolean;
 }
@@ -264,6 +266,7 @@ export class Painter {
     }
     const brush = { pen, camera, room, unit: unitOf(camera, this.scene.world), colours };
     drawWorld(brush, this.scene);
+    this.layers?.ground(brush, this.scene);
     this.drawOnFloor(brush, seen);
     const moves = this.layers?.under(brush, this.scene, seen) === true;
     drawActors(brush, this.scene, seen, this.selected, this.program, this.seldom, this.said);

@@ -11,6 +11,8 @@ export interface TagPlace {
   area: Area;
   right: 1 | -1;
   below: 1 | -1;
+  /** 0 where it covers nothing and stands where it belongs; more where it does not, in square px. */
+  cost: number;
 }
 
 const EDGE = 8;
@@ -36,7 +38,7 @@ export function placeTag(
   room: { width: number; height: number },
   taken: readonly Area[],
 ): TagPlace {
-  let best: { place: TagPlace; cost: number } | null = null;
+  let best: TagPlace | null = null;
   for (const [right, below] of CORNERS) {
     const left = right > 0 ? x + away + 12 : x - away - 12 - size.width;
     const top = below > 0 ? y + away * 0.6 : y - away * 0.6 - size.height;
@@ -47,8 +49,8 @@ export function placeTag(
     };
     const pushed = Math.hypot(area.left - left, area.top - top) * 20;
     const cost = taken.reduce((sum, other) => sum + overlap(area, other), pushed);
-    if (best === null || cost < best.cost) best = { place: { area, right, below }, cost };
+    if (best === null || cost < best.cost) best = { area, right, below, cost };
   }
   if (best === null) throw new Error("a tag has four corners to choose from");
-  return best.place;
+  return best;
 }

@@ -196,6 +196,13 @@ describe("the tag", () => {
     expect(placeTag(100, 100, 30, size, room, [house])).not.toMatchObject({ right: 1, below: 1 });
   });
 
+  it("says what it costs to stand where something is, or away from where it belongs", () => {
+    const all = { left: 0, top: 0, ...room };
+    expect(placeTag(100, 100, 30, size, room, []).cost).toBe(0);
+    expect(placeTag(100, 100, 30, size, room, [all]).cost).toBeGreaterThan(0);
+    expect(placeTag(240, 100, 30, { width: 400, height: 24 }, room, []).cost).toBeGreaterThan(0);
+  });
+
   it("stays inside the arena", () => {
     const { area } = placeTag(475, 330, 30, size, room, []);
     expect(area.left + area.width).toBeLessThanOrEqual(472);

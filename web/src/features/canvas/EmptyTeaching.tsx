@@ -3,7 +3,7 @@ import { ViewportPortal } from "@xyflow/react";
 
 import { PanelSlot } from "../../components/Slot";
 import { type Parts, type Shape, shortTitle } from "../../model/parts";
-import { text } from "../../model/texts";
+import { firstSentence, text } from "../../model/texts";
 import { Tile } from "../../theme";
 import { t } from "../../i18n/words";
 import { useDocument } from "../../session/document";
@@ -27,10 +27,10 @@ export function firstParts({ all }: Parts): Shape[] {
 
 const MOST_LETTERS = 44;
 
-/** The first sentence of a help text, or the beginning of it when it is long. */
-function firstSentence(help: string): string {
-  const sentence = /^[^.]*/.exec(help)?.[0] ?? help;
-  return sentence.length <= MOST_LETTERS ? sentence : (/^[^,;:]*/.exec(sentence)?.[0] ?? sentence);
+/** The first sentence of a help text without its stop, or the beginning of it when it is long. */
+function inShort(help: string): string {
+  const sentence = firstSentence(help).replace(/[.۔]$/u, "");
+  return sentence.length <= MOST_LETTERS ? sentence : (/^[^,;:،؛]*/u.exec(sentence)?.[0] ?? sentence);
 }
 
 export function EmptyTeaching({ drawing }: { drawing: Drawing }) {
@@ -58,7 +58,7 @@ export function EmptyTeaching({ drawing }: { drawing: Drawing }) {
                 <Tile icon={shape.icon} colour={shape.colour} size={36} />
                 <span>
                   <strong>{shortTitle(shape)}</strong>
-                  <small>{firstSentence(text(shape.help))}</small>
+                  <small>{inShort(text(shape.help))}</small>
                 </span>
               </button>
             </li>

@@ -3,7 +3,7 @@ import { describe, expect, it } from "vitest";
 import { layoutStructure } from "../../model/layout";
 import { readStructure } from "../../model/structure";
 import { CARRIER, CARRIER_PARTS as PARTS } from "../../model/testing/missions";
-import { homeOf, LEAST_READABLE, type Size, wholeOf } from "./home";
+import { afterResize, homeOf, LEAST_READABLE, type Size, wholeOf } from "./home";
 
 const layout = layoutStructure(readStructure(CARRIER, PARTS));
 const carrier = { layout, nodes: new Map(layout.nodes.map((node) => [node.id, node])) };
@@ -53,5 +53,25 @@ describe("a program opens", () => {
 
   it("smaller where that is asked for", () => {
     expect(edges({ width: w * 0.6 + 32, height: h + 400 }, 0.5).zoom).toBeCloseTo(0.6);
+  });
+});
+
+describe("a canvas of another width", () => {
+  const [wide, narrow] = [
+    { width: w + 400, height: h + 400 },
+    { width: w * 0.9, height: h + 400 },
+  ];
+  const shown = { camera: wholeOf(wide, carrier, 0.7), least: 0.7 };
+
+  it("shows the whole program where it was shown, and so at the next width", () => {
+    const { camera, whole } = afterResize(shown.camera, wide.width, narrow, carrier, shown);
+    expect(camera).toEqual(wholeOf(narrow, carrier, 0.7));
+    expect(afterResize(camera, narrow.width, wide, carrier, whole).camera).toEqual(shown.camera);
+  });
+
+  it("keeps in the middle what somebody moved there", () => {
+    const moved = { ...shown.camera, x: shown.camera.x + 30 };
+    const after = afterResize(moved, wide.width, narrow, carrier, shown);
+    expect(after).toEqual({ camera: { ...moved, x: moved.x + (narrow.width - wide.width) / 2 }, whole: null });
   });
 });

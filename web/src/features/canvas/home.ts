@@ -39,6 +39,33 @@ export function homeOf(size: Size, drawing: Drawn, zoom = 1): Camera {
   };
 }
 
+/** A camera that shows all of a program, and how small it may be: `wholeOf`. */
+export interface Whole {
+  camera: Camera;
+  least: number;
+}
+
+function isAt(one: Camera, other: Camera): boolean {
+  return Math.abs(one.x - other.x) < 1 && Math.abs(one.y - other.y) < 1 && Math.abs(one.zoom - other.zoom) < 0.001;
+}
+
+/**
+ * The camera once a canvas of `width` px is as large as `size`: one that still showed the whole program shows it again, one
+ * that was moved keeps what was in the middle there.
+ */
+export function afterResize(
+  camera: Camera,
+  width: number,
+  size: Size,
+  drawing: Drawn,
+  whole: Whole | null,
+): { camera: Camera; whole: Whole | null } {
+  if (whole === null || !isAt(camera, whole.camera))
+    return { camera: { ...camera, x: camera.x + (size.width - width) / 2 }, whole: null };
+  const now = wholeOf(size, drawing, whole.least);
+  return { camera: now, whole: { camera: now, least: whole.least } };
+}
+
 /** All of a program from its Start, not larger than 1; one that does not fit at `least` as wide as fits, from its Start. */
 export function wholeOf(size: Size, drawing: Drawn, least: number): Camera {
   const { y, w, h } = drawing.layout.bounds;

@@ -1,12 +1,12 @@
 /** Where the canvas looks: at first as `home.ts` says, remembered for each program, moved only as far as needed. */
 import { useReactFlow, useStoreApi, type Viewport as Camera } from "@xyflow/react";
-import { type RefObject, useEffect, useState } from "react";
+import { type RefObject, useEffect, useRef, useState } from "react";
 
 import { useStudio } from "../../model/studio";
 import type { Drawing } from "../../session/drawing";
 import { currentDrawing, nodeOf } from "../../session/drawing";
 import { restFollowing, standsStill, useView } from "../../session/view";
-import { homeOf, LEAST_READABLE, type Size, wholeOf } from "./home";
+import { afterResize, homeOf, LEAST_READABLE, type Size, type Whole, wholeOf } from "./home";
 import { spotOfArc } from "./Lines";
 
 const remembered = new Map<string, Camera>();
@@ -62,6 +62,8 @@ export function useViewport(
   const store = useStoreApi();
   const { name } = drawing.program;
   const [first] = useState<Camera>(() => remembered.get(name) ?? wholeOf(roomNow(), drawing, leastAtFirst()));
+  /** How wide the canvas was for its camera, and the camera that showed all, if that was the last one asked for. */
+  const stood = useRef<{ width: number; whole: Whole | null } | null>(null);
 
   useEffect(
     () => () => {
@@ -90,9 +92,17 @@ export function useViewport(
         },
         whole: () => {
           const before = flow.getViewport();
+          const whole = stood.current?.whole ?? null;
           const now = currentDrawing();
-          if (now !== null) void flow.setViewport(wholeOf(size(), now, 0.5));
-          return () => void flow.setViewport(before);
+          if (now !== null) {
+            const camera = wholeOf(size(), now, 0.5);
+            stood.current = { width: size().width, whole: { camera, least: 0.5 } };
+            void flow.setViewport(camera);
+          }
+          return () => {
+            stood.current = { width: size().width, whole };
+            void flow.setViewport(before);
+          };
         },
         zoomToSelection: () => {
           restFollowing();
@@ -162,11 +172,30 @@ export function useViewport(
       canvas.removeEventListener("scroll", pan, true);
     };
   }, [flow, root]);
+  useEffect(() => {
+    const canvas = root.current;
+    if (canvas === null) return;
+    // A window, a phone that is turned, a line that is dragged: what was in view stays in view.
+    const watcher = new ResizeObserver(() => {
+      const [size, was, now] = [sizeOf(canvas), stood.current, currentDrawing()];
+      if (size.width === 0 || was === null || was.width === size.width || now === null) return;
+      const { camera, whole } = afterResize(flow.getViewport(), was.width, size, now, was.whole);
+      stood.current = { width: size.width, whole };
+      void flow.setViewport(camera);
+    });
+    watcher.observe(canvas);
+    return () => {
+      watcher.disconnect();
+    };
+  }, [flow, root]);
   const onReady = () => {
     const now = sizeOf(root.current);
     const guessed = now.width === last.width && now.height === last.height;
-    if (!remembered.has(name) && now.width > 0 && !guessed)
-      void flow.setViewport(wholeOf(now, drawing, leastAtFirst()));
+    const least = leastAtFirst();
+    const isNew = !remembered.has(name) && now.width > 0;
+    const camera = isNew && !guessed ? wholeOf(now, drawing, least) : first;
+    if (camera !== first) void flow.setViewport(camera);
+    stood.current = { width: now.width, whole: isNew ? { camera, least } : null };
     last = now;
   };
   return { first, onReady };

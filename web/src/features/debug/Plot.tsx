@@ -7,7 +7,8 @@ import { valueWords } from "../../model/words";
 import { useRun } from "../../session/run";
 import { boundsOf, levelOf, samplesNow, seriesOf, stepsPath } from "./samples";
 
-const PLOT = { width: 104, height: 32 };
+/** So wide that variables and sensors stand side by side above a graph of the usual width. */
+const PLOT = { width: 72, height: 32 };
 /** Room around the line for its own width and for the dot. */
 const EDGE = 4;
 

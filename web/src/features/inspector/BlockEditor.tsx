@@ -4,7 +4,7 @@ import type { Command } from "../../model/command";
 import { deleteParts } from "../../model/commands/deleteParts";
 import { insertPart } from "../../model/commands/insertPart";
 import { replaceElement } from "../../model/commands/replaceElement";
-import { fieldOf, type Field, fits, type Plug, type Shape, title } from "../../model/parts";
+import { fieldOf, type Field, fits, type Parts, type Plug, type Shape, title } from "../../model/parts";
 import type { Block } from "../../model/structure";
 import { useStudio } from "../../model/studio";
 import { text } from "../../model/texts";
@@ -123,7 +123,7 @@ function SlotRow({ drawing, owner, plug, label, children }: SlotRowProps) {
           }}
         >
           <option value="">{filler === null ? t("inspector.choose") : t("inspector.clear")}</option>
-          {groupsOf(known).map(([group, shapes]) => (
+          {groupsOf(known, parts).map(([group, shapes]) => (
             <optgroup key={group} label={group}>
               {shapes.map((shape) => (
                 <option key={shape.element} value={shape.element}>
@@ -142,13 +142,17 @@ function SlotRow({ drawing, owner, plug, label, children }: SlotRowProps) {
   );
 }
 
-function groupsOf(shapes: Shape[]): [string, Shape[]][] {
+/** What the robot feels first; And, Or and Not, which need a test themselves, after it. */
+function groupsOf(shapes: Shape[], parts: Parts): [string, Shape[]][] {
+  const named = (shape: Shape) => {
+    const { object, constructor_ } = shape;
+    if (object !== null) return text(object.label, object.name);
+    const group = parts.groups.find(({ name }) => name === constructor_?.group);
+    return group === undefined ? "" : text(group.label, group.name);
+  };
   const groups = new Map<string, Shape[]>();
-  for (const shape of shapes) {
-    const { object } = shape;
-    const group = object === null ? (shape.constructor_?.group ?? "") : text(object.label, object.name);
-    groups.set(group, [...(groups.get(group) ?? []), shape]);
-  }
+  const [felt, made] = [shapes.filter(({ object }) => object !== null), shapes.filter(({ object }) => object === null)];
+  for (const shape of [...felt, ...made]) groups.set(named(shape), [...(groups.get(named(shape)) ?? []), shape]);
   return [...groups];
 }
 

@@ -9,7 +9,7 @@ import { create } from "zustand";
 import { beginningsApi } from "../../api/beginnings";
 import type { Ability, Beginnings, Preview, RunPreview } from "../../api/generated";
 import { t } from "../../i18n/words";
-import { text } from "../../model/texts";
+import { firstSentence, text } from "../../model/texts";
 import { closeOverlay, complain, show } from "../../session/document";
 import { beginMission } from "../../session/open-requests";
 import { Icon } from "../../theme";
@@ -78,7 +78,7 @@ function Card({ row, value, label, help, chosen, reason = "", choose, children }
       />
       <span className="new-picture">{children}</span>
       <strong>{label}</strong>
-      <small>{reason || help}</small>
+      <small>{reason || firstSentence(help)}</small>
       {chosen ? (
         <span className="new-tick">
           <Icon name="check" size={14} />
@@ -125,6 +125,12 @@ function ProgramOf({ run }: { run: RunPreview | undefined }) {
 
 function RunOf({ run, plays }: { run: RunPreview | undefined; plays: boolean }) {
   return run === undefined ? null : <RunPicture preview={run} plays={plays} />;
+}
+
+/** The place where a starter could be had. */
+function PlaceOf({ all, name }: { all: Beginnings; name: string | undefined }) {
+  const place = all.places.find((one) => one.name === name);
+  return place === undefined ? null : <WorldPicture world={place.world} agents={[]} />;
 }
 
 export function NewMission() {
@@ -198,7 +204,7 @@ function Form({ all }: { all: Beginnings }) {
               reason={placeFits(all, choice.robotSet, one.name) ? "" : t("new.place-not")}
               choose={() => choose({ place: one.name })}
             >
-              <WorldPicture world={one.world} agents={[]} />
+              <WorldPicture world={one.world} agents={one.world.starts.map(({ name }) => name)} />
             </Card>
           ))}
         </Row>
@@ -224,7 +230,11 @@ function Form({ all }: { all: Beginnings }) {
               reason={starterFits(one, choice) ? "" : t("new.starter-not")}
               choose={() => choose({ starter: one.name })}
             >
-              <RunOf run={runOf(one.name)} plays={false} />
+              {starterFits(one, choice) ? (
+                <RunOf run={runOf(one.name)} plays={false} />
+              ) : (
+                <PlaceOf all={all} name={one.places[choice.robotSet]?.[0]} />
+              )}
             </Card>
           ))}
         </Row>
@@ -244,18 +254,18 @@ function Form({ all }: { all: Beginnings }) {
             starter: starter === undefined ? "" : text(starter.label, starter.name),
           })}
         </p>
-        <div className="new-both">
+        <div className="new-about">
           <Abilities title={t("new.can")} all={robotSet?.can ?? []} />
           <Abilities title={t("new.feels")} all={robotSet?.feels ?? []} />
+          {choice.starter === NOTHING || runOf(choice.starter) === undefined ? null : (
+            <section className="new-program">
+              <h3>{t("new.program")}</h3>
+              <div className="new-graph">
+                <ProgramOf run={runOf(choice.starter)} />
+              </div>
+            </section>
+          )}
         </div>
-        {choice.starter === NOTHING || runOf(choice.starter) === undefined ? null : (
-          <section className="new-program">
-            <h3>{t("new.program")}</h3>
-            <div className="new-graph">
-              <ProgramOf run={runOf(choice.starter)} />
-            </div>
-          </section>
-        )}
         <div className="new-end">
           <label className="field-label" htmlFor="new-name">
             {t("new.name")}

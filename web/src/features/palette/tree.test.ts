@@ -8,10 +8,10 @@ const labels = (query: string, folded = {}) => rowsOf(PARTS, query, folded).map(
 describe("the palette's rows", () => {
   it("come from the catalogue: groups, then the robot's objects, the first one open", () => {
     const rows = labels("");
-    expect(rows.slice(0, 5)).toEqual(["Constructors", "Loops", "Repetition", "While", "Break"]);
+    expect(rows.slice(0, 5)).toEqual(["Control", "Loops", "Repetition", "While", "Break"]);
     expect(rows.slice(rows.indexOf("Robot"), rows.indexOf("Robot") + 6)).toEqual([
       "Robot",
-      "Actuators",
+      "Actions",
       "Wheel",
       "Advance",
       "Reverse",
@@ -36,7 +36,7 @@ describe("the palette's rows", () => {
   });
 
   it("are what matches while one searches, all open", () => {
-    expect(labels("light")).toEqual(["Robot", "Actuators", "Lamp", "LightOn", "LightOff"]);
+    expect(labels("light")).toEqual(["Robot", "Actions", "Lamp", "LightOn", "LightOff"]);
     expect(labels("xyz")).toEqual([]);
   });
 });

@@ -13,10 +13,14 @@ describe("the strip of events", () => {
   });
 
   it("doubles its axis before the label of the moment leaves it", () => {
-    expect(axisFor(0).length).toBe(60);
-    expect(axisFor(51).length).toBe(60);
-    expect(axisFor(52).length).toBe(120);
-    expect(axisFor(600).length).toBe(960);
+    expect(axisFor(0, 900).length).toBe(60);
+    expect(axisFor(51, 900).length).toBe(60);
+    expect(axisFor(52, 900).length).toBe(120);
+    expect(axisFor(600, 900).length).toBe(960);
+    // On a phone the label takes more of it.
+    expect(axisFor(39, 300).length).toBe(60);
+    expect(axisFor(40, 300).length).toBe(120);
+    expect(axisFor(31, 100).length).toBe(120);
   });
 
   it("keeps the weightier of two events that would lie on each other", () => {

@@ -22,8 +22,10 @@ const NOTHING_PLANNED: readonly ScheduledFailure[] = [];
 /** Where the axis begins, from the left of the strip. */
 const EDGE = 18;
 
-/** How much of the axis may be used before it doubles: the label of the moment needs room at its right. */
+/** How much of the axis may be used before it doubles, at most: the label of the moment needs room at its right. */
 const FULL = 0.86;
+/** The room that the label takes beyond the end of the axis, in px. */
+const LABEL_PX = 104;
 
 /** The room that the time of a mark takes, in px. */
 const TIME_PX = 40;
@@ -33,10 +35,11 @@ export function toldMarks(room: number): number {
   return [1, 2, 3].find((every) => (every * room) / 6 >= TIME_PX) ?? 6;
 }
 
-/** How many seconds the axis holds, and the distance of its marks. */
-export function axisFor(seconds: number): { length: number; step: number } {
+/** How many seconds an axis of `room` px holds, and the distance of its marks. */
+export function axisFor(seconds: number, room: number): { length: number; step: number } {
+  const full = Math.min(FULL, Math.max(1 - LABEL_PX / room, 0.5));
   let length = FIRST_S;
-  while (length * FULL < seconds) length *= 2;
+  while (length * full < seconds) length *= 2;
   return { length, step: length / 6 };
 }
 
@@ -136,8 +139,8 @@ export function EventStrip() {
     return () => watcher.disconnect();
   }, []);
 
-  const { length, step } = axisFor((latest * tickMs) / 1000);
   const room = width - 56;
+  const { length, step } = axisFor((latest * tickMs) / 1000, room);
   const shown = useMemo(() => {
     const place = (event: RunEvent) => (((event.tick * tickMs) / 1000) * room) / length;
     return thinned(events, place, GAP_PX).map((event) => ({ event, x: place(event) }));

@@ -21,7 +21,7 @@ export function Welcome() {
     <section className="welcome" aria-label={t("tutorial.welcome")} data-testid="welcome">
       <Icon name="graduation-cap" size={18} />
       <p>
-        <strong>{t("tutorial.welcome")}</strong> {t("tutorial.welcome-help")}
+        <strong>{t("tutorial.welcome")}</strong> <span className="welcome-help">{t("tutorial.welcome-help")}</span>
       </p>
       <button type="button" className="button" data-testid="welcome-tutorial" onClick={() => void begin(first)}>
         {text(first.label)}

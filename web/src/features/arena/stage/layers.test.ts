@@ -40,6 +40,7 @@ function drawn(seen: Seen[], selected: string, shows: string) {
   const scene = { running: true, real: false, actors: seen.map(({ actor }) => actor), world: {} } as unknown as Scene;
   const layers = new StageLayers(() => undefined);
   layers.show(readSwitches(shows), selected, false);
+  layers.ground(recording.brush, scene);
   layers.under(recording.brush, scene, seen);
   layers.over(recording.brush, scene, seen);
   return recording;

@@ -99,10 +99,15 @@ export class StageLayers implements Layers {
     return seen.actor.name === this.selected || count <= MANY;
   }
 
+  /** Trails lie under what pens drew: a drawn line is never dotted. */
+  ground(brush: Brush, scene: Scene): void {
+    if (this.on?.trails !== true || !scene.running || scene.real) return;
+    this.trails.draw(brush, (index) => lineColour(scene.actors[index]?.lid ?? 0));
+  }
+
   under(brush: Brush, scene: Scene, seen: readonly Seen[]): boolean {
     this.rays = [];
     if (this.on === null || !scene.running || scene.real) return false;
-    if (this.on.trails) this.trails.draw(brush, (index) => lineColour(scene.actors[index]?.lid ?? 0));
     if (this.on.radio) this.drawRadio(brush, seen);
     if (this.on.ahead) this.drawAhead(brush, seen);
     if (this.on.rays) this.drawRays(brush, seen);

@@ -124,12 +124,25 @@ export function drawTag(brush: Brush, scene: Scene, seen: readonly Seen[], one: 
   const { pen, camera, room, colours } = brush;
   const { senses, number, role, name } = one.actor;
   if (senses.length === 0 || role === "keeper") return;
-  const words = [role === "robot" ? String(number) : name, ...senses.slice(0, MOST_SENSES)].join(" · ");
   const [x, y] = toScreen(camera, one.pose.x_mm, one.pose.y_mm);
   pen.font = fontOf(600, 13);
-  const size = { width: pen.measureText(words).width + 24, height: 24 };
   const away = ringOf(one.actor, robotUnit(camera, one.actor.length_mm));
-  const { area, right, below } = placeTag(x, y, away, size, room, takenAreas(brush, scene, seen, one));
+  const taken = [
+    ...takenAreas(brush, scene, seen, one),
+    { left: x - away, top: y - away, width: 2 * away, height: 2 * away },
+  ];
+  // As many senses as have room beside everybody; where not even one has, the panel of the stage and the watch tell them.
+  const found = [...Array(Math.min(MOST_SENSES, senses.length)).keys()]
+    .map((less) => {
+      const few = senses.slice(0, Math.min(MOST_SENSES, senses.length) - less);
+      const words = [role === "robot" ? String(number) : name, ...few].join(" · ");
+      const size = { width: pen.measureText(words).width + 24, height: 24 };
+      return { words, place: placeTag(x, y, away, size, room, taken) };
+    })
+    .find(({ place }) => place.cost === 0);
+  if (found === undefined) return;
+  const { words } = found;
+  const { area, right, below } = found.place;
   const middle = area.top + area.height / 2;
   pen.beginPath();
   pen.moveTo(x + right * away * 0.72, y + below * away * 0.72);
