@@ -115,10 +115,12 @@ def a_test_docks_in_a_slot_and_nests_in_the_hole_of_another(studio: Studio) -> N
     hole = choice.locator(".hole").first
     expect(hole).to_be_visible()
     settled(studio)
+    before = studio.code()
     studio.drag(studio.page.locator("[data-testid='part-Cargo.IsPressed']"), hole)
-    studio.expect_code("[Cargo.IsPressed()")
+    studio.expect_code("[Cargo.IsPressed() &")
     studio.page.keyboard.press("Control+z")
     expect(choice.locator(".hole")).to_have_count(2)
+    code_is(studio, before)
 
 
 def a_vertex_moves_with_its_body_and_comes_back_with_undo(studio: Studio) -> None:
