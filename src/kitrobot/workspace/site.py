@@ -9,13 +9,13 @@ Left to others: the Python packages (`site_packages`), running in a page (`serve
 
 from __future__ import annotations
 
-import gzip
 import hashlib
 import io
 import json
 import re
 import zipfile
 from collections.abc import Iterable
+from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Final
@@ -23,7 +23,8 @@ from typing import Final
 from kitrobot import __version__
 from kitrobot.diagnostics import KitRobotError
 from kitrobot.text import Sentence
-from kitrobot.workspace.site_packages import archive_of_packages
+from kitrobot.workspace.site_packages import packages
+from kitrobot.workspace.site_packing import PACKED, packed
 from kitrobot.workspace.site_sources import in_library, without_texts
 
 PYODIDE: Final = "314.0.7"
@@ -31,15 +32,14 @@ PYODIDE: Final = "314.0.7"
 PYTHON: Final = "3.14"
 WHEEL_TAGS: Final = "cp314-cp314-pyemscripten_2026_0_wasm32"
 
-PACKED: Final = ".packed"
-"""The ending of files that the worker unpacks: gzip, under a name that no web server has a rule for."""
-
 _PACKAGE = Path(__file__).resolve().parent.parent
 PAGE: Final = _PACKAGE / "server" / "static"
 """The built page."""
 _FILES = Path(__file__).parent / "site_files"
-_RUNTIME = {"pyodide.mjs": False, "pyodide.asm.mjs": False, "pyodide.asm.wasm": True, "python_stdlib.zip": True}
-"""What Pyodide consists of, and whether it is packed."""
+_LIBRARY: Final = "python_stdlib.zip"
+_LARGE: Final = ("pyodide.asm.wasm", _LIBRARY)
+_RUNTIME: Final = ("pyodide.mjs", "pyodide.asm.mjs", *_LARGE)
+"""What Pyodide consists of."""
 
 POLICY: Final = (
     "default-src 'self'; script-src 'self'; style-src 'self' 'unsafe-inline'; img-src 'self' data: blob:; "
@@ -75,8 +75,10 @@ def make_site(folder: Path, parts: Iterable[Path], page: Path = PAGE) -> Site:
         raise SiteError(message, Sentence("run `python tools/page.py build`, then this command again"))
     places = list(parts)
     pyodide, wheel = _pyodide_in(places), _wheel_in(places)
-    files = {f"pyodide/{name}": data for name, data in _runtime(pyodide)}
-    files[f"python{PACKED}"] = gzip.compress(archive_of_packages(wheel), 9, mtime=0)
+    archive, libraries = packages(wheel)
+    files = {f"pyodide/{name}": data for name, data in _runtime(pyodide).items()}
+    large = {f"pyodide/{name}": files.pop(f"pyodide/{name}") for name in _LARGE} | {"python": archive}
+    files |= _packed(large | {Path(name).name: data for name, data in libraries.items()})
     python = {name: len(data) for name, data in files.items()}
     version = _digest(files).hexdigest()[:20]
     for path in sorted(page.rglob("*")):
@@ -88,6 +90,7 @@ def make_site(folder: Path, parts: Iterable[Path], page: Path = PAGE) -> Site:
         "version": version,
         "pyodide": "pyodide/",
         "packages": "python",
+        "libraries": {name: Path(name).name for name in libraries},
         "place": f"/lib/python{PYTHON}/site-packages",
         "files": python,
         "page": sorted(name for name in files if name.startswith("assets/")),
@@ -201,15 +204,18 @@ def _wheel_in(places: Iterable[Path]) -> Path:
     return found
 
 
-def _runtime(folder: Path) -> Iterable[tuple[str, bytes]]:
-    for name, packed in _RUNTIME.items():
-        data = (folder / name).read_bytes()
-        if name.endswith(".zip"):
-            data = _stored(data)
-        yield (name + PACKED, gzip.compress(data, 9, mtime=0)) if packed else (name, data)
+def _packed(files: dict[str, bytes]) -> dict[str, bytes]:
+    with ThreadPoolExecutor() as threads:
+        return {name + PACKED: data for name, data in zip(files, threads.map(packed, files.values()), strict=True)}
+
+
+def _runtime(folder: Path) -> dict[str, bytes]:
+    found = {name: (folder / name).read_bytes() for name in _RUNTIME}
+    found[_LIBRARY] = _stored(found[_LIBRARY])
     lock = json.loads((folder / "pyodide-lock.json").read_bytes())
     # Its packages are not here: nothing may be fetched from elsewhere.
-    yield "pyodide-lock.json", json.dumps({**lock, "packages": {}}, sort_keys=True).encode()
+    found["pyodide-lock.json"] = json.dumps({**lock, "packages": {}}, sort_keys=True).encode()
+    return found
 
 
 def _stored(data: bytes) -> bytes:

@@ -8,6 +8,7 @@ import { createElement } from "react";
 import { createRoot } from "react-dom/client";
 
 import { talkThrough } from "../api/line";
+import { PARTS, type Parts, siteParts } from "../api/site-parts";
 import { pageRole, pupilName } from "../api/token";
 import { moreWords } from "../i18n/words";
 import { features, install } from "../session/features";
@@ -40,7 +41,7 @@ export function openSite(spoken: Promise<unknown>): Promise<void> {
     begin: () => {
       set({ phase: "fetching" });
       try {
-        give(begun(line, base));
+        begun(line, base, give);
       } catch (cause) {
         broke(base, String(cause));
       }
@@ -61,15 +62,21 @@ function draw(): void {
   createRoot(place).render(createElement(SiteStrip));
 }
 
-function begun(line: WorkerLine, base: string): Worker {
+/** `give` takes the worker once it knows what it begins with: nothing may come before that. */
+function begun(line: WorkerLine, base: string, give: (worker: Worker) => void): void {
   const worker = new Worker(new URL("./worker.ts", import.meta.url), { type: "module" });
   worker.addEventListener("message", ({ data }: MessageEvent<FromWorker>) => {
     if (!line.hear(data)) follow(base, data);
   });
   worker.addEventListener("error", (event) => broke(base, event.message || ""));
-  const first: ToWorker = { kind: "begin", base, pupil: pupilName() };
-  worker.postMessage(first);
-  return worker;
+  const first = (parts: Parts): ToWorker => ({ kind: "begin", base, parts, pupil: pupilName() });
+  siteParts().then(
+    (parts) => {
+      worker.postMessage(first(parts));
+      give(worker);
+    },
+    () => set({ phase: "unfetched", reason: PARTS }),
+  );
 }
 
 /** The next try begins with nothing that was kept of this one. */
@@ -133,8 +140,7 @@ async function keepFiles(base: string): Promise<void> {
  * came over `http://` from another machine have no service worker.
  */
 async function fetchPage(base: string): Promise<void> {
-  const said = await fetch(new URL("site.json", base));
-  const { page } = (await said.json()) as { page: string[] };
+  const { page } = await siteParts();
   for (const name of page) await (await fetch(new URL(name, base), { priority: "low" })).arrayBuffer();
 }
 

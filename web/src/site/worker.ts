@@ -6,8 +6,9 @@
  *
  * Left to others: fetching (`fetching`), starting Python (`python`, `memory`), the storage (`kept`).
  */
-import { Fetching, partsOf, UnfetchedError } from "./fetching";
 import { homeOf } from "../api/home";
+import type { Parts } from "../api/site-parts";
+import { Fetching, UnfetchedError } from "./fetching";
 import { Kept } from "./kept";
 import { forgetMemory, KeptMemory, type Memory } from "./memory";
 import type { FromWorker, ToWorker } from "./messages";
@@ -40,19 +41,16 @@ const scope = self as unknown as {
 };
 const tell = (message: FromWorker, transfer: Transferable[] = []) => scope.postMessage(message, transfer);
 
-async function load(base: string, pupil: string): Promise<Studio> {
-  const parts = await partsOf(base);
-  const fetching = new Fetching(base, parts.files, (fetched, total) => tell({ kind: "progress", fetched, total }));
-  fetching.answerFetch();
-  const packages = fetching.bytes(parts.packages);
-  // Whoever waits for Pyodide first hears of it too.
-  packages.catch(() => undefined);
-  void packages.then(() => tell({ kind: "starting" })).catch(() => undefined);
+async function load(base: string, parts: Parts, pupil: string): Promise<Studio> {
+  const fetching = new Fetching(base, parts, (fetched, total) => tell({ kind: "progress", fetched, total }));
+  fetching.answerPyodide();
+  const started = () => tell({ kind: "starting" });
+  void fetching.bytes(parts.packages).then(started, () => undefined);
   const home = homeOf(base, pupil);
   const env = { HOME: home, KITROBOT_STATE: `${home}/state`, KITROBOT_COMPILE: "no", PYTHONDONTWRITEBYTECODE: "1" };
   const enter = async (memory: Memory | null) => {
     try {
-      const started = await startPython(base, parts, packages, env, MODULES, memory);
+      const started = await startPython(base, parts, fetching, env, MODULES, memory);
       keep = new Kept(started.pyodide, home, tell, () => forgetMemory(base));
       await keep.read();
       const { begin_here } = started.pyodide.pyimport(MODULES) as {
@@ -119,8 +117,8 @@ async function open({ id, address }: ToWorker & { kind: "open" }): Promise<void>
   }
 }
 
-async function begin(base: string, pupil: string): Promise<void> {
-  studio = load(base, pupil);
+async function begin({ base, parts, pupil }: ToWorker & { kind: "begin" }): Promise<void> {
+  studio = load(base, parts, pupil);
   // Each who asks is told by itself.
   studio.catch(() => undefined);
   try {
@@ -138,7 +136,7 @@ let opening: Promise<void> = Promise.resolve();
 scope.addEventListener("message", ({ data }) => {
   switch (data.kind) {
     case "begin":
-      void begin(data.base, data.pupil);
+      void begin(data);
       break;
     case "fetch":
       void answer(data);
