@@ -15,6 +15,7 @@ from contextlib import contextmanager
 from pathlib import Path
 from unittest.mock import patch
 
+from kitrobot.server.first_missions import first_missions
 from kitrobot.workspace import site, site_packages, site_packing, site_sources
 from tools.site_parts import PARTS, ROOT
 
@@ -67,6 +68,6 @@ def made_site(base: Path) -> Path:
             fcntl.flock(lock, fcntl.LOCK_EX)
         if not made.exists():
             with kept_sources():
-                site.make_site(folder, [ROOT / "web", PARTS])
+                site.make_site(folder, [ROOT / "web", PARTS], first=first_missions())
             made.touch()
     return folder

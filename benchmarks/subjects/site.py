@@ -29,6 +29,7 @@ from playwright.sync_api import Browser, Page
 from benchmarks import browser as web
 from benchmarks.measuring import Rate, Row
 from benchmarks.subjects.studio import WORKING, mission_of, studio_of, type_in_code
+from kitrobot.server.first_missions import first_missions
 from kitrobot.workspace.site import PACKED, make_site
 from tools.site_parts import PARTS, ROOT, fetch
 
@@ -60,7 +61,7 @@ def run(size: Size, *, peers: bool) -> list[Row]:
         found: Found = defaultdict(list)
         with tempfile.TemporaryDirectory() as folder:
             place = Path(folder, "site")
-            make_site(place, [ROOT / "web", PARTS])
+            make_site(place, [ROOT / "web", PARTS], first=first_missions())
             found["files, compressed (kB)"] = [_weight(place) / 1000]
             with _served(Path(folder)) as address:
                 for _ in range(size.rounds):

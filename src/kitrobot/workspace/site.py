@@ -14,10 +14,11 @@ import io
 import json
 import re
 import zipfile
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 from pathlib import Path
+from types import MappingProxyType
 from typing import Final
 
 from kitrobot import __version__
@@ -61,8 +62,12 @@ class Site:
     python: int
 
 
-def make_site(folder: Path, parts: Iterable[Path], page: Path = PAGE) -> Site:
+def make_site(
+    folder: Path, parts: Iterable[Path], page: Path = PAGE, *, first: Mapping[str, bytes] = MappingProxyType({})
+) -> Site:
     """Writes the site into a folder that is new or empty.
+
+    `first`: files with the mission that it begins with, by their names: `server.first_missions` makes them.
 
     Raises:
         SiteError: there is something in it, or a part of the site is not there.
@@ -84,6 +89,7 @@ def make_site(folder: Path, parts: Iterable[Path], page: Path = PAGE) -> Site:
     for path in sorted(page.rglob("*")):
         if path.is_file() and path.suffix not in (".br", ".gz") and not path.name.startswith("."):
             files[path.relative_to(page).as_posix()] = path.read_bytes()
+    files |= first
     files["index.html"] = _index(index.read_text(encoding="utf-8"))
     told = {
         "kitrobot": __version__,

@@ -21,7 +21,7 @@ from kitrobot.workspace.site_sources import without_texts
 USED: Final = ("fastapi", "mpremote", "python-minifier")
 """The server, and what `kitrobot.deploy` puts programs onto boards with."""
 _NOT_SENT: Final = ("pyserial", "platformdirs", "idna")
-"""What mpremote and anyio require, and nothing uses there: the page has the ports (`server.in_worker`), and no hosts."""
+"""What mpremote and anyio require, and nothing uses there: ports are the page's (`server.in_worker`), hosts are not."""
 COMPILED: Final = "pydantic-core"
 
 _ROOT = Path(__file__).resolve().parent.parent.parent

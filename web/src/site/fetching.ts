@@ -39,8 +39,8 @@ export class Fetching {
   /** What did not come; whoever asked for it may have kept that to himself. */
   missing: UnfetchedError | null = null;
 
-  /** Begins to fetch. */
-  constructor(base: string, parts: Parts, tell: (fetched: number, total: number) => void) {
+  /** Begins to fetch; `unpacker`: the line to that worker. */
+  constructor(base: string, parts: Parts, unpacker: MessagePort, tell: (fetched: number, total: number) => void) {
     this.#base = base;
     this.#runtime = `${parts.pyodide}pyodide.asm.wasm`;
     this.#tell = tell;
@@ -60,12 +60,9 @@ export class Fetching {
       size: parts.files[name + PACKED] ?? 0,
       module: first.includes(name),
     }));
-    const unpacker = new Worker(new URL("./unpacker.ts", import.meta.url), { type: "module" });
-    unpacker.addEventListener("message", ({ data }: MessageEvent<FromUnpacker>) => this.#hear(data));
-    unpacker.addEventListener("error", ({ message }) => {
-      for (const one of this.#files.values()) one.reject(new Error(message || "unpacking"));
-    });
+    unpacker.onmessage = ({ data }: MessageEvent<FromUnpacker>) => this.#hear(data);
     unpacker.postMessage(wanted);
+    void Promise.allSettled([...this.#files.values()].map(({ made }) => made)).then(() => unpacker.postMessage(null));
   }
 
   /** From now on Pyodide, which fetches its own files by their names and compiles them, gets what was fetched here. */

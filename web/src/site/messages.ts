@@ -6,7 +6,7 @@ import type { Parts } from "../api/site-parts";
  * of a class.
  */
 export type ToWorker =
-  | { kind: "begin"; base: string; parts: Parts; pupil: string }
+  | { kind: "begin"; base: string; parts: Parts; unpacker: MessagePort; pupil: string }
   | {
       kind: "fetch";
       id: number;

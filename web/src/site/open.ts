@@ -14,6 +14,7 @@ import { moreWords } from "../i18n/words";
 import { features, install } from "../session/features";
 import { flush, useLink } from "../session/journal";
 import { alone } from "./alone";
+import { drawFirst } from "./first";
 import { links, openLinked } from "./links";
 import { forgetMemory } from "./memory";
 import type { FromWorker, ToWorker } from "./messages";
@@ -40,6 +41,7 @@ export function openSite(spoken: Promise<unknown>): Promise<void> {
   alone(`kitrobot ${path}`, {
     begin: () => {
       set({ phase: "fetching" });
+      void spoken.then(() => drawFirst(base));
       try {
         begun(line, base, give);
       } catch (cause) {
@@ -69,10 +71,14 @@ function begun(line: WorkerLine, base: string, give: (worker: Worker) => void): 
     if (!line.hear(data)) follow(base, data);
   });
   worker.addEventListener("error", (event) => broke(base, event.message || ""));
-  const first = (parts: Parts): ToWorker => ({ kind: "begin", base, parts, pupil: pupilName() });
+  const unpacker = new Worker(new URL("./unpacker.ts", import.meta.url), { type: "module" });
+  unpacker.addEventListener("error", (event) => broke(base, event.message || ""));
+  const { port1, port2 } = new MessageChannel();
+  unpacker.postMessage(port1, [port1]);
+  const first = (parts: Parts): ToWorker => ({ kind: "begin", base, parts, unpacker: port2, pupil: pupilName() });
   siteParts().then(
     (parts) => {
-      worker.postMessage(first(parts));
+      worker.postMessage(first(parts), [port2]);
       give(worker);
     },
     () => set({ phase: "unfetched", reason: PARTS }),

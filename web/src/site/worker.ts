@@ -7,7 +7,6 @@
  * Left to others: fetching (`fetching`), starting Python (`python`, `memory`), the storage (`kept`).
  */
 import { homeOf } from "../api/home";
-import type { Parts } from "../api/site-parts";
 import { Fetching, UnfetchedError } from "./fetching";
 import { Kept } from "./kept";
 import { forgetMemory, KeptMemory, type Memory } from "./memory";
@@ -30,6 +29,8 @@ interface Studio {
   open: (address: string, heard: (words: string | Uint8Array<ArrayBuffer> | undefined) => void) => Socket;
 }
 
+type Beginning = ToWorker & { kind: "begin" };
+
 /** What is imported before the folder of missions is there. */
 const MODULES = "kitrobot.server.in_worker";
 /** Requests that only ask, though they are no GET. */
@@ -41,8 +42,8 @@ const scope = self as unknown as {
 };
 const tell = (message: FromWorker, transfer: Transferable[] = []) => scope.postMessage(message, transfer);
 
-async function load(base: string, parts: Parts, pupil: string): Promise<Studio> {
-  const fetching = new Fetching(base, parts, (fetched, total) => tell({ kind: "progress", fetched, total }));
+async function load({ base, parts, unpacker, pupil }: Beginning): Promise<Studio> {
+  const fetching = new Fetching(base, parts, unpacker, (fetched, total) => tell({ kind: "progress", fetched, total }));
   fetching.answerPyodide();
   const started = () => tell({ kind: "starting" });
   void fetching.bytes(parts.packages).then(started, () => undefined);
@@ -117,8 +118,8 @@ async function open({ id, address }: ToWorker & { kind: "open" }): Promise<void>
   }
 }
 
-async function begin({ base, parts, pupil }: ToWorker & { kind: "begin" }): Promise<void> {
-  studio = load(base, parts, pupil);
+async function begin(beginning: Beginning): Promise<void> {
+  studio = load(beginning);
   // Each who asks is told by itself.
   studio.catch(() => undefined);
   try {
