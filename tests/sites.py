@@ -30,7 +30,7 @@ def kept_sources() -> Iterator[None]:
     """Takes what was made of a source or file from the run before, where data, code and Python are the same."""
     way = hashlib.sha256(sys.version.encode())
     for module in (site_sources, site_packing):
-        way.update(Path(module.__file__).read_bytes())
+        way.update(Path(str(module.__file__)).read_bytes())
     before: dict[bytes, bytes] = pickle.loads(KEPT.read_bytes()) if KEPT.is_file() else {}
     now: dict[bytes, bytes] = {}
 

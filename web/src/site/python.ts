@@ -11,7 +11,7 @@ import type { loadPyodide as Load, PyodideConfig, PyodideInterface } from "pyodi
 import type { Parts } from "../api/site-parts";
 import { filesOf } from "./archive";
 import type { Fetching } from "./fetching";
-import type { Memory } from "./memory";
+import { giveBack, type Memory } from "./memory";
 
 type Bytes = Uint8Array<ArrayBuffer>;
 
@@ -106,6 +106,7 @@ export async function startPython(
   if (memory !== null) {
     // It is in use now, and need not be there twice.
     delete (pyodide as unknown as Hidden)._api.config._loadSnapshot;
+    giveBack(memory.bytes);
     return { pyodide, memory: null };
   }
   pyodide.runPython(`import ${modules}`);

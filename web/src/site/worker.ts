@@ -49,33 +49,33 @@ async function load({ base, parts, unpacker, pupil }: Beginning): Promise<Studio
   void fetching.bytes(parts.packages).then(started, () => undefined);
   const home = homeOf(base, pupil);
   const env = { HOME: home, KITROBOT_STATE: `${home}/state`, KITROBOT_COMPILE: "no", PYTHONDONTWRITEBYTECODE: "1" };
+  const kept = new KeptMemory(base, parts.version);
   const enter = async (memory: Memory | null) => {
     try {
       const started = await startPython(base, parts, fetching, env, MODULES, memory);
+      // Before Python does more: what is kept is given back then, a third of what a run would have beside it.
+      if (started.memory !== null) await kept.keep(started.memory);
       keep = new Kept(started.pyodide, home, tell, () => forgetMemory(base));
       await keep.read();
       const { begin_here } = started.pyodide.pyimport(MODULES) as {
         begin_here: (folder: string, inClass: boolean) => Promise<Studio>;
       };
-      return { studio: await begin_here(`${home}/missions`, pupil !== ""), memory: started.memory };
+      return await begin_here(`${home}/missions`, pupil !== "");
     } catch (cause) {
       throw fetching.missing ?? cause;
     }
   };
-  const kept = new KeptMemory(base, parts.version);
   const memory = await kept.find();
   if (memory !== null) {
     try {
-      return (await enter(memory)).studio;
+      return await enter(memory);
     } catch (cause) {
       if (cause instanceof UnfetchedError) throw cause;
       console.warn("read again, because the memory cannot be used:", cause);
       await forgetMemory(base);
     }
   }
-  const made = await enter(null);
-  if (made.memory !== null) void kept.keep(made.memory);
-  return made.studio;
+  return enter(null);
 }
 
 let keep: Kept | null = null;
