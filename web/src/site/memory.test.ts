@@ -15,7 +15,10 @@ const caches = {
     places.set(name, place);
     return Promise.resolve({
       match: (asked: URL) => Promise.resolve(place.get(asked.href)?.clone()),
-      put: (asked: URL, response: Response) => Promise.resolve(void place.set(asked.href, response)),
+      put: async (asked: URL, response: Response) => {
+        const { headers } = response;
+        place.set(asked.href, new Response(await response.arrayBuffer(), { headers }));
+      },
     });
   },
   delete: (name: string) => Promise.resolve(places.delete(name)),
