@@ -24,6 +24,7 @@ from pathlib import Path
 
 from playwright.sync_api import Browser, Locator, expect, sync_playwright
 
+from kitrobot.server.first_missions import first_missions
 from kitrobot.workspace.site import make_site
 from tests.boards.qemu import running
 from tests.studio.conftest import EXAMPLES, IS_OPEN
@@ -124,7 +125,7 @@ def main() -> None:
         os.environ |= {"KITROBOT_STATE": str(Path(folder) / "state"), "KITROBOT_CONFIG": str(Path(folder) / "none")}
         found = playwright.chromium.launch(executable_path=path, args=list(chromium.FLAGS))
         (web := Path(folder) / "web").mkdir()
-        make_site(web / PATH.strip("/"), [ROOT / "web", PARTS])
+        make_site(web / PATH.strip("/"), [ROOT / "web", PARTS], first=first_missions())
         server = FileServer(web)
         site = f"{server.address}#{link(HEART.read_text(encoding='utf-8'), 'heart')}"
         command, own = [], []

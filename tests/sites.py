@@ -1,7 +1,7 @@
 """The static site, made once for all workers of a run of the tests: making it reads every source that is sent.
 
-What sources are without their texts is kept in `build` from one run to the next. That it is what making the site
-without it gives, to the byte, is held by `tests/workspace/test_site.py`.
+What sources are without their texts, and what files are when they are packed, is kept in `build` from one run to the
+next. That it is what making the site without it gives, to the byte, is held by `tests/workspace/test_site.py`.
 """
 
 from __future__ import annotations
@@ -10,38 +10,46 @@ import hashlib
 import os
 import pickle
 import sys
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from pathlib import Path
 from unittest.mock import patch
 
-from kitrobot.workspace import site, site_packages, site_sources
+from kitrobot.server.first_missions import first_missions
+from kitrobot.workspace import site, site_packages, site_packing, site_sources
 from tools.site_parts import PARTS, ROOT
 
 if sys.platform != "win32":
     import fcntl
 
-KEPT = ROOT / "build" / "sources-without-texts.pickle"
+KEPT = ROOT / "build" / "parts-of-sites.pickle"
 
 
 @contextmanager
 def kept_sources() -> Iterator[None]:
-    """Takes what `without_texts` makes of a source from the run before, where source, code and Python are the same."""
-    way = hashlib.sha256(Path(site_sources.__file__).read_bytes() + sys.version.encode())
+    """Takes what was made of a source or file from the run before, where data, code and Python are the same."""
+    way = hashlib.sha256(sys.version.encode())
+    for module in (site_sources, site_packing):
+        way.update(Path(str(module.__file__)).read_bytes())
     before: dict[bytes, bytes] = pickle.loads(KEPT.read_bytes()) if KEPT.is_file() else {}
     now: dict[bytes, bytes] = {}
 
-    def without_texts(source: bytes) -> bytes:
-        digest = way.copy()
-        digest.update(source)
-        key = digest.digest()
-        found = before.get(key)
-        now[key] = site_sources.without_texts(source) if found is None else found
-        return now[key]
+    def kept(made: Callable[[bytes], bytes]) -> Callable[[bytes], bytes]:
+        def make(data: bytes) -> bytes:
+            digest = way.copy()
+            digest.update(made.__name__.encode() + data)
+            key = digest.digest()
+            found = before.get(key)
+            now[key] = made(data) if found is None else found
+            return now[key]
 
+        return make
+
+    without_texts = kept(site_sources.without_texts)
     with (
         patch.object(site, "without_texts", without_texts),
         patch.object(site_packages, "without_texts", without_texts),
+        patch.object(site, "packed", kept(site_packing.packed)),
     ):
         yield
     if now.keys() != before.keys():
@@ -60,6 +68,6 @@ def made_site(base: Path) -> Path:
             fcntl.flock(lock, fcntl.LOCK_EX)
         if not made.exists():
             with kept_sources():
-                site.make_site(folder, [ROOT / "web", PARTS])
+                site.make_site(folder, [ROOT / "web", PARTS], first=first_missions())
             made.touch()
     return folder

@@ -34,6 +34,7 @@ from websockets.exceptions import WebSocketException
 
 from benchmarks.measuring import Rate, Row
 from kitrobot.files import revision_of
+from kitrobot.server.first_missions import first_missions
 from kitrobot.workspace.site import make_site
 from tools import chromium
 from tools.site_parts import PARTS, ROOT, fetch
@@ -129,7 +130,7 @@ def run(size: Size, *, peers: bool) -> list[Row]:
         site = None
         if size.pages and chromium.find() is not None and fetch():
             site = Path(folder, "site")
-            make_site(site, [ROOT / "web", PARTS])
+            make_site(site, [ROOT / "web", PARTS], first=first_missions())
         there = Class(Path(folder, "Class"), site, found)
         try:
             asyncio.run(_measured(size, there, found))

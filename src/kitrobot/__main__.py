@@ -21,9 +21,15 @@ def _open_class(wish: ClassWish) -> None:
     serve_class(ClassOpening(wish.folder, wish.host, wish.port, wish.tls, wish.browser, wish.new_code, wish.site))
 
 
+def _first_missions() -> dict[str, bytes]:
+    from kitrobot.server.first_missions import first_missions
+
+    return first_missions()
+
+
 def run() -> None:
     """Runs the command line with the studio and the class in it."""
-    main(studio=_open_studio, classroom=_open_class)
+    main(studio=_open_studio, classroom=_open_class, first=_first_missions)
 
 
 if __name__ == "__main__":

@@ -16,6 +16,9 @@ from tests.server.sleeping_loop import SleepingLoop, sleep
 BANNED = frozenset(
     {"numpy", "numba", "llvmlite", "orjson", "uvicorn", "uvloop", "websockets", "h11", "serial", "mpremote", "zenoh"}
     | {"rich", "typer", "python_minifier", "multiprocessing", "_multiprocessing", "concurrent.futures.process"}
+    # What is not sent (`workspace.site_sources`, `workspace.site_packages`).
+    | {"idna", "argparse", "configparser", "tomllib", "tracemalloc", "http.server", "http.cookiejar"}
+    | {"logging.handlers", "logging.config", "anyio._backends._trio", "starlette.testclient"}
 )
 
 

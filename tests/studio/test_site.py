@@ -60,6 +60,15 @@ def link(text: str, name: str) -> str:
 class Files(SimpleHTTPRequestHandler):
     """A file server as Python brings it along: no header of ours, nothing compressed."""
 
+    def __init__(self, *words: Any, gate: threading.Event, **named: Any) -> None:
+        self._gate = gate
+        super().__init__(*words, **named)
+
+    def do_GET(self) -> None:
+        if self.path.endswith(".packed"):
+            assert self._gate.wait(STATE_MS / 1000)
+        super().do_GET()
+
     def log_message(self, *_: object) -> None:
         """Says nothing."""
 
@@ -69,7 +78,10 @@ class FileServer:
 
     def __init__(self, root: Path) -> None:
         self.folder = root / PATH.strip("/")
-        self._server = ThreadingHTTPServer(("127.0.0.1", 0), partial(Files, directory=str(root)))
+        # Nothing of Python is handed out while it is closed.
+        self.gate = threading.Event()
+        self.gate.set()
+        self._server = ThreadingHTTPServer(("127.0.0.1", 0), partial(Files, directory=str(root), gate=self.gate))
         self.address = f"http://127.0.0.1:{self._server.server_port}{PATH}"
         self._thread = threading.Thread(target=self._server.serve_forever, daemon=True)
         self._thread.start()
@@ -209,6 +221,38 @@ def a_board_is_chosen_sent_to_glows_and_is_stopped(studio: Studio, bridge: Bridg
     expect_robot(robot, state="ready")
     bridge.pull()
     expect_robot(robot, phase="lost")
+
+
+def test_the_first_mission_is_drawn_before_python_is_there_and_nothing_is_done_to_it(
+    server: FileServer, visit: Callable[..., Visit]
+) -> None:
+    """Later the same one is open; once something was done, a page that is loaded again waits for what that was."""
+    server.gate.clear()
+    page = visit().context.new_page()
+    try:
+        page.goto(server.address)
+        nodes = page.locator(".react-flow__node")
+        expect(nodes).to_have_count(19)
+        expect(page.get_by_test_id("site")).to_contain_text("KitRobot is coming")
+        expect(page.locator(".studio")).to_have_attribute("aria-busy", "true")
+        # No key and no click reaches it.
+        page.keyboard.press("Control+a")
+        page.keyboard.press("Delete")
+        assert page.locator(".middle").get_attribute("inert") is not None
+        server.gate.set()
+        page.wait_for_function(IS_OPEN)
+        studio = Studio(page, Path(), [])
+        expect(page.locator(".studio")).to_have_attribute("aria-busy", "false")
+        expect(nodes).to_have_count(19)
+        studio.drop("Wait", "arc-start.next")
+        expect(nodes).to_have_count(20)
+        server.gate.clear()
+        page.evaluate("caches.keys().then((names) => Promise.all(names.map((name) => caches.delete(name))))")
+        page.goto(server.address)
+        expect(page.get_by_test_id("site")).to_contain_text("KitRobot is coming")
+        expect(nodes).to_have_count(0)
+    finally:
+        server.gate.set()
 
 
 def test_a_site_opens_a_link_keeps_what_is_saved_works_without_its_server_and_sends_to_a_board(

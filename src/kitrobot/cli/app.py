@@ -42,7 +42,7 @@ from kitrobot.cli.merge import merge_missions_of_files
 from kitrobot.cli.output import NobodyReadsError, begin, complain, failure, give, remember, tell, use_utf8
 from kitrobot.cli.replay import replay_trace
 from kitrobot.cli.run import run_mission
-from kitrobot.cli.site import write_site
+from kitrobot.cli.site import FirstMissions, write_site
 from kitrobot.cli.start import start_boards, stop_boards
 from kitrobot.cli.studio import Studio, open_studio
 from kitrobot.cli.sweep import with_moments
@@ -121,9 +121,14 @@ def _kitrobot(
 
 
 def main(
-    arguments: Sequence[str] | None = None, *, studio: Studio | None = None, classroom: Classroom | None = None
+    arguments: Sequence[str] | None = None,
+    *,
+    studio: Studio | None = None,
+    classroom: Classroom | None = None,
+    first: FirstMissions | None = None,
 ) -> None:
-    """Runs the command line and exits with its status. `studio` and `classroom` are what opens those.
+    """Runs the command line and exits with its status. `studio` and `classroom` are what opens those, `first` what a
+    site begins with.
 
     Raises:
         SystemExit: always.
@@ -134,7 +139,7 @@ def main(
     words = with_moments(_with_command(given))
     failed = TROUBLE.get(words[0], FAILED)
     with _termination():
-        status = _status(lambda: _obey(words, classroom if words[0] == "class" else studio), failed)
+        status = _status(lambda: _obey(words, {"class": classroom, "site": first}.get(words[0], studio)), failed)
         if status not in (0, INTERRUPTED, NOBODY_READS) and _wants_json(given):
             status = _status(lambda: _give_failure(status), failed) or status
     sys.exit(status)
@@ -174,7 +179,7 @@ def _command(name: str) -> Any:
     return typer.main.get_command(made)
 
 
-def _obey(arguments: list[str], door: Studio | Classroom | None) -> int:
+def _obey(arguments: list[str], door: Studio | Classroom | FirstMissions | None) -> int:
     # What a shell asks to have completed is not in the arguments; the studio tells which commands there are.
     name = "" if COMPLETION_VARIABLE in os.environ or arguments[0] == "studio" else arguments[0]
     try:

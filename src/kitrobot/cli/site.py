@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from pathlib import Path
 from typing import Annotated
 
@@ -9,8 +10,12 @@ import typer
 
 from kitrobot.cli.output import clean, tell
 
+FirstMissions = Callable[[], dict[str, bytes]]
+"""Gives the missions that a site draws before Python is there; the server knows how the page gets them."""
+
 
 def write_site(
+    context: typer.Context,
     folder: Annotated[Path, typer.Argument(metavar="DIR", help="The folder to write; it must be new or empty.")],
     parts: Annotated[
         list[Path] | None,
@@ -22,6 +27,7 @@ def write_site(
     """Write the studio as a static site, where Python runs in the page: for any web server, under any path."""
     from kitrobot.workspace.site import make_site
 
-    made = make_site(folder, parts or [])
+    first: FirstMissions | None = context.obj
+    made = make_site(folder, parts or [], first=first() if first is not None else {})
     mega = 1_000_000
     tell(f"{clean(str(folder))}: {made.files} files, {made.size / mega:.1f} MB")

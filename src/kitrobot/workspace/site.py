@@ -9,21 +9,23 @@ Left to others: the Python packages (`site_packages`), running in a page (`serve
 
 from __future__ import annotations
 
-import gzip
 import hashlib
 import io
 import json
 import re
 import zipfile
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
+from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 from pathlib import Path
+from types import MappingProxyType
 from typing import Final
 
 from kitrobot import __version__
 from kitrobot.diagnostics import KitRobotError
 from kitrobot.text import Sentence
-from kitrobot.workspace.site_packages import archive_of_packages
+from kitrobot.workspace.site_packages import packages
+from kitrobot.workspace.site_packing import PACKED, packed
 from kitrobot.workspace.site_sources import in_library, without_texts
 
 PYODIDE: Final = "314.0.7"
@@ -31,15 +33,14 @@ PYODIDE: Final = "314.0.7"
 PYTHON: Final = "3.14"
 WHEEL_TAGS: Final = "cp314-cp314-pyemscripten_2026_0_wasm32"
 
-PACKED: Final = ".packed"
-"""The ending of files that the worker unpacks: gzip, under a name that no web server has a rule for."""
-
 _PACKAGE = Path(__file__).resolve().parent.parent
 PAGE: Final = _PACKAGE / "server" / "static"
 """The built page."""
 _FILES = Path(__file__).parent / "site_files"
-_RUNTIME = {"pyodide.mjs": False, "pyodide.asm.mjs": False, "pyodide.asm.wasm": True, "python_stdlib.zip": True}
-"""What Pyodide consists of, and whether it is packed."""
+_LIBRARY: Final = "python_stdlib.zip"
+_LARGE: Final = ("pyodide.asm.wasm", _LIBRARY)
+_RUNTIME: Final = ("pyodide.mjs", "pyodide.asm.mjs", *_LARGE)
+"""What Pyodide consists of."""
 
 POLICY: Final = (
     "default-src 'self'; script-src 'self'; style-src 'self' 'unsafe-inline'; img-src 'self' data: blob:; "
@@ -61,8 +62,12 @@ class Site:
     python: int
 
 
-def make_site(folder: Path, parts: Iterable[Path], page: Path = PAGE) -> Site:
+def make_site(
+    folder: Path, parts: Iterable[Path], page: Path = PAGE, *, first: Mapping[str, bytes] = MappingProxyType({})
+) -> Site:
     """Writes the site into a folder that is new or empty.
+
+    `first`: files with the mission that it begins with, by their names: `server.first_missions` makes them.
 
     Raises:
         SiteError: there is something in it, or a part of the site is not there.
@@ -75,19 +80,23 @@ def make_site(folder: Path, parts: Iterable[Path], page: Path = PAGE) -> Site:
         raise SiteError(message, Sentence("run `python tools/page.py build`, then this command again"))
     places = list(parts)
     pyodide, wheel = _pyodide_in(places), _wheel_in(places)
-    files = {f"pyodide/{name}": data for name, data in _runtime(pyodide)}
-    files[f"python{PACKED}"] = gzip.compress(archive_of_packages(wheel), 9, mtime=0)
+    archive, libraries = packages(wheel)
+    files = {f"pyodide/{name}": data for name, data in _runtime(pyodide).items()}
+    large = {f"pyodide/{name}": files.pop(f"pyodide/{name}") for name in _LARGE} | {"python": archive}
+    files |= _packed(large | {Path(name).name: data for name, data in libraries.items()})
     python = {name: len(data) for name, data in files.items()}
     version = _digest(files).hexdigest()[:20]
     for path in sorted(page.rglob("*")):
         if path.is_file() and path.suffix not in (".br", ".gz") and not path.name.startswith("."):
             files[path.relative_to(page).as_posix()] = path.read_bytes()
+    files |= first
     files["index.html"] = _index(index.read_text(encoding="utf-8"))
     told = {
         "kitrobot": __version__,
         "version": version,
         "pyodide": "pyodide/",
         "packages": "python",
+        "libraries": {name: Path(name).name for name in libraries},
         "place": f"/lib/python{PYTHON}/site-packages",
         "files": python,
         "page": sorted(name for name in files if name.startswith("assets/")),
@@ -201,15 +210,18 @@ def _wheel_in(places: Iterable[Path]) -> Path:
     return found
 
 
-def _runtime(folder: Path) -> Iterable[tuple[str, bytes]]:
-    for name, packed in _RUNTIME.items():
-        data = (folder / name).read_bytes()
-        if name.endswith(".zip"):
-            data = _stored(data)
-        yield (name + PACKED, gzip.compress(data, 9, mtime=0)) if packed else (name, data)
+def _packed(files: dict[str, bytes]) -> dict[str, bytes]:
+    with ThreadPoolExecutor() as threads:
+        return {name + PACKED: data for name, data in zip(files, threads.map(packed, files.values()), strict=True)}
+
+
+def _runtime(folder: Path) -> dict[str, bytes]:
+    found = {name: (folder / name).read_bytes() for name in _RUNTIME}
+    found[_LIBRARY] = _stored(found[_LIBRARY])
     lock = json.loads((folder / "pyodide-lock.json").read_bytes())
     # Its packages are not here: nothing may be fetched from elsewhere.
-    yield "pyodide-lock.json", json.dumps({**lock, "packages": {}}, sort_keys=True).encode()
+    found["pyodide-lock.json"] = json.dumps({**lock, "packages": {}}, sort_keys=True).encode()
+    return found
 
 
 def _stored(data: bytes) -> bytes:

@@ -20,27 +20,36 @@ from kitrobot.workspace.site_sources import without_texts
 
 USED: Final = ("fastapi", "mpremote", "python-minifier")
 """The server, and what `kitrobot.deploy` puts programs onto boards with."""
-_NOT_SENT: Final = ("pyserial", "platformdirs")
-"""What mpremote requires, and nothing uses there: the page has the ports (`server.in_worker`)."""
+_NOT_SENT: Final = ("pyserial", "platformdirs", "idna")
+"""What mpremote and anyio require, and nothing uses there: ports are the page's (`server.in_worker`), hosts are not."""
 COMPILED: Final = "pydantic-core"
 
 _ROOT = Path(__file__).resolve().parent.parent.parent
 _OURS: Final = ("kitrobot", "kitrobot_onboard")
 _ONBOARD: Final = "kitrobot_onboard/"
-_LEFT_OUT: Final = ("kitrobot/cli/", "kitrobot/server/static/", "kitrobot/examples/", "kitrobot/workspace/site_files/")
+_LEFT_OUT: Final = (
+    *("kitrobot/cli/", "kitrobot/server/static/", "kitrobot/examples/", "kitrobot/workspace/site_files/"),
+    "kitrobot/primitives/schemas/",
+)
 _NOT_USED: Final = (
-    *("anyio/pytest_plugin.py", "pydantic/mypy.py", "pydantic/v1/", "fastapi/cli.py", "idna/uts46data.py"),
+    *("anyio/pytest_plugin.py", "anyio/_backends/_trio.py", "pydantic/mypy.py", "pydantic/v1/", "fastapi/cli.py"),
+    *("annotated_types/test_cases.py", "starlette/testclient.py", "pydantic/experimental/pipeline.py"),
     *("mpremote/commands.py", "mpremote/main.py", "mpremote/mip.py", "mpremote/repl.py", "mpremote/romfs.py"),
     "python_minifier/__main__.py",
 )
 """Large parts that are never imported there."""
 _ABOUT: Final = ("licen", "copying", "notice", "/metadata", "/entry_points.txt")
 """What is taken of what a package says of itself: licences, and what packages look one another up by."""
+_METADATA: Final = ".dist-info/METADATA"
 
 
-def archive_of_packages(wheel: Path) -> bytes:
-    """The archive, with sources without texts; `wheel` is pydantic_core's."""
+def packages(wheel: Path) -> tuple[bytes, dict[str, bytes]]:
+    """The archive, with sources without texts, and the compiled libraries by their names; `wheel` is pydantic_core's.
+
+    The page compiles libraries before Python is there, and Python reads none of their bytes.
+    """
     files = dict(_own()) | dict(_installed()) | dict(_in_wheel(wheel))
+    libraries = {name: files.pop(name) for name in sorted(files) if name.endswith(".so")}
     made = io.BytesIO()
     with tarfile.open(fileobj=made, mode="w", format=tarfile.USTAR_FORMAT) as archive:
         for name, data in sorted(files.items()):
@@ -50,7 +59,7 @@ def archive_of_packages(wheel: Path) -> bytes:
             about = tarfile.TarInfo(name)
             about.size = len(data)
             archive.addfile(about, io.BytesIO(data))
-    return made.getvalue()
+    return made.getvalue(), libraries
 
 
 def _own() -> Iterator[tuple[str, bytes]]:
@@ -93,11 +102,18 @@ def _installed() -> Iterator[tuple[str, bytes]]:
             inner = entry.as_posix()
             about = ".dist-info/" in inner and any(word in inner.lower() for word in _ABOUT)
             if about or (inner.endswith(".py") and not inner.startswith(_NOT_USED)):
-                yield inner, Path(str(entry.locate())).read_bytes()
+                data = Path(str(entry.locate())).read_bytes()
+                yield inner, _head(data) if inner.endswith(_METADATA) else data
 
 
 def _in_wheel(wheel: Path) -> Iterator[tuple[str, bytes]]:
     with zipfile.ZipFile(wheel) as archive:
         for name in archive.namelist():
-            if not name.endswith(("/", ".pyi", "/RECORD")):
-                yield name, archive.read(name)
+            if not name.endswith(("/", ".pyi", "/RECORD")) and "/sboms/" not in name:
+                data = archive.read(name)
+                yield name, _head(data) if name.endswith(_METADATA) else data
+
+
+def _head(metadata: bytes) -> bytes:
+    """Names and versions; not the description, which is as long as a book."""
+    return re.split(rb"\r?\n\r?\n", metadata, maxsplit=1)[0] + b"\n"

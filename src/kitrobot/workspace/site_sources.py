@@ -19,15 +19,20 @@ _DOC: Final = "Doc"
 _OF_CODE: Final = ("co_name", "co_names", "co_varnames", "co_freevars", "co_cellvars", "co_flags", "co_firstlineno")
 
 _NAMES: Final = """
-    _aix_support _android_support _apple_support _ios_support _osx_support _pyio _pyrepl __phello__ antigravity
-    bdb cProfile cmd compileall ctypes curses dbm doctest ensurepip fileinput filecmp ftplib getpass imaplib
-    lib2to3 mailbox modulefinder msilib netrc nntplib nturl2path optparse pdb pickletools pipes plistlib poplib
-    profile profiling pstats pty pyclbr pydoc pydoc_data rlcompleter sched shelve smtplib sqlite3 symtable
-    tabnanny telnetlib test this tkinter trace tty turtle turtledemo unittest venv wsgiref xdrlib xmlrpc zipapp
+    __phello__ _aix_support _android_support _apple_support _ios_support _osx_support _pydatetime _pyio
+    _pyrepl antigravity argparse bdb cProfile cmd compileall configparser ctypes curses dbm doctest
+    ensurepip filecmp fileinput ftplib getopt getpass imaplib lib2to3 mailbox modulefinder msilib
+    multiprocessing netrc nntplib nturl2path optparse pdb pickletools pipes plistlib poplib profile
+    profiling pstats pty pyclbr pydoc pydoc_data rlcompleter sched shelve smtplib socketserver sqlite3
+    symtable tabnanny telnetlib test this tkinter tomllib trace tracemalloc tty turtle turtledemo
+    unittest venv wave wsgiref xdrlib xmlrpc zipapp
 """
 NOT_IMPORTED: Final = frozenset(_NAMES.split())
 """Modules of the standard library that are left out."""
-_LEFT_OUT: Final = ("xml/dom/", "xml/sax/", "asyncio/windows_", "asyncio/proactor_")
+_LEFT_OUT: Final = (
+    *("xml/dom/", "xml/sax/", "asyncio/windows_", "asyncio/proactor_", "concurrent/futures/process.py"),
+    *("concurrent/interpreters/", "http/cookiejar.py", "http/server.py", "logging/config.py", "logging/handlers.py"),
+)
 _ENCODINGS: Final = (
     *("big5", "cp", "euc_", "gb", "hp_", "hz", "iso", "johab", "koi8", "kz1048", "mac_", "ptcp", "shift_", "tis_"),
 )

@@ -157,8 +157,9 @@ function Studio() {
   useKeys();
   const menus = useMenus();
   const { sizes, folded } = useLayout();
-  const ready = useDocument((document) => document.ready);
-  const opening = useDocument((document) => document.opening);
+  const ahead = useDocument((document) => document.ahead);
+  const ready = useDocument((document) => document.ready) || ahead;
+  const opening = useDocument((document) => document.opening) || ahead;
   const covered = useDocument((document) => document.overlay === "new");
   const room = useNarrow((narrow) => narrow.room);
   const team = useTeam((state) => state.open || state.world);
@@ -182,7 +183,7 @@ function Studio() {
         for (const { takeFiles } of FEATURES) takeFiles?.(files);
       }}
     >
-      <header className="head">
+      <header className="head" inert={ahead}>
         <div className="head-menu">
           <Brand />
           <MenuBar menus={menus} />
@@ -193,7 +194,7 @@ function Studio() {
       </header>
       <Banner />
       <Slot name="banner" />
-      <div className="middle" inert={covered}>
+      <div className="middle" inert={covered || ahead}>
         {folded.palette ? null : (
           <nav className="parts-frame" aria-label={t("app.parts")}>
             <div className="parts" style={{ width: sizes.palette }}>
@@ -226,7 +227,7 @@ function Studio() {
           </aside>
         ) : null}
       </div>
-      <footer className="bottom-bar" inert={covered}>
+      <footer className="bottom-bar" inert={covered || ahead}>
         <Slot name="bottom" />
       </footer>
       <Slot name="over-page" />

@@ -35,7 +35,7 @@ export function keyMeaning(event: KeyboardEvent): (() => void) | null {
 export function useKeys(): void {
   useEffect(() => {
     const onKeyDown = (event: KeyboardEvent) => {
-      if (event.defaultPrevented) return;
+      if (event.defaultPrevented || useDocument.getState().ahead) return;
       const meaning = keyMeaning(event);
       if (meaning === null) return;
       event.preventDefault();

@@ -31,6 +31,8 @@ interface DocumentState {
   session: Session | null;
   /** False until the first mission is there. */
   ready: boolean;
+  /** Whether a mission is drawn that is still on its way: it can be looked at, and nothing is done to it. */
+  ahead: boolean;
   saving: boolean;
   /** Whether another mission is on its way. */
   opening: boolean;
@@ -43,6 +45,7 @@ interface DocumentState {
 export const useDocument = create<DocumentState>(() => ({
   session: null,
   ready: false,
+  ahead: false,
   saving: false,
   opening: false,
   banner: null,

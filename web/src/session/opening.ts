@@ -17,6 +17,14 @@ export async function take(file: MissionFile, journal = ""): Promise<void> {
   resume(file, await claim(file.path, journal));
 }
 
+/** Draws the mission that will be open, where there is none yet: what follows from opening it comes with `take`. */
+export function drawAhead(file: MissionFile): void {
+  if (useDocument.getState().ready) return;
+  useStudio.getState().openMission(file);
+  holdParts(file.parts ?? "");
+  useDocument.setState({ ahead: true });
+}
+
 /** Opens a mission with what its journal holds, as far as that is still of use. */
 function resume(file: MissionFile, claimed: Claimed | null): void {
   const found = recover(claimed?.records ?? []);
@@ -26,7 +34,7 @@ function resume(file: MissionFile, claimed: Claimed | null): void {
   useRun.getState().reset();
   useStudio.getState().openMission(back === null ? file : { ...file, revision: back.revision }, back?.history);
   holdParts(file.parts ?? "");
-  useDocument.setState({ ready: true, banner: null, overlay: null, fileProblems: file.problems });
+  useDocument.setState({ ready: true, ahead: false, banner: null, overlay: null, fileProblems: file.problems });
   if (!unsaved) return;
   const help = t(
     found.lost === "steps"

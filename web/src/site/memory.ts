@@ -14,6 +14,7 @@ const TABLE = "X-Table";
 const LENGTH = "X-Length";
 /** It takes at most this share of what the browser would still keep. */
 const SHARE = 0.25;
+const PIECE = 1_000_000;
 
 /** The name of its place among the browser's caches. */
 const placeOf = (base: string) => `kitrobot memory ${base}`;
@@ -49,17 +50,36 @@ export class KeptMemory {
     }
   }
 
-  /** Keeps it in the place of others, if there is much room; that it cannot be kept is no fault. */
+  /** Keeps it in the place of others, if there is much room, and gives back its bytes; that it cannot be kept is no fault. */
   async keep({ bytes, table }: Memory): Promise<void> {
-    if (!("caches" in self)) return;
     try {
+      if (!("caches" in self)) return;
       await forgetMemory(this.#base);
       const { quota = 0, usage = 0 } = await navigator.storage.estimate();
       if (bytes.length > SHARE * (quota - usage)) return;
       const headers = { [TABLE]: String(table), [LENGTH]: String(bytes.length) };
-      await (await caches.open(placeOf(this.#base))).put(this.#address, new Response(bytes, { headers }));
+      await (await caches.open(placeOf(this.#base))).put(this.#address, new Response(inPieces(bytes), { headers }));
     } catch {
       await forgetMemory(this.#base);
+    } finally {
+      giveBack(bytes);
     }
   }
+}
+
+/** Piece by piece: a response has a copy of its own of what it is made of, until the browser looks for garbage. */
+function inPieces(bytes: Uint8Array<ArrayBuffer>): ReadableStream<Uint8Array<ArrayBuffer>> {
+  let at = 0;
+  return new ReadableStream({
+    pull(controller) {
+      if (at < bytes.length) controller.enqueue(bytes.slice(at, at + PIECE));
+      else controller.close();
+      at += PIECE;
+    },
+  });
+}
+
+/** At once, where the browser can: it looks for garbage seldom where there is much room. The bytes are empty then. */
+export function giveBack({ buffer }: Uint8Array<ArrayBuffer>): void {
+  (buffer as { transfer?: (length: number) => unknown }).transfer?.(0);
 }

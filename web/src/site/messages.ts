@@ -1,11 +1,12 @@
 /** What the page and the worker with Python in it tell each other. */
+import type { Parts } from "../api/site-parts";
 
 /**
  * From the page: `begin` comes first, and once; the rest waits until Python is there. `pupil`: whose files they are, "" outside
  * of a class.
  */
 export type ToWorker =
-  | { kind: "begin"; base: string; pupil: string }
+  | { kind: "begin"; base: string; parts: Parts; unpacker: MessagePort; pupil: string }
   | {
       kind: "fetch";
       id: number;

@@ -8,11 +8,13 @@ import { createElement } from "react";
 import { createRoot } from "react-dom/client";
 
 import { talkThrough } from "../api/line";
+import { PARTS, type Parts, siteParts } from "../api/site-parts";
 import { pageRole, pupilName } from "../api/token";
 import { moreWords } from "../i18n/words";
 import { features, install } from "../session/features";
 import { flush, useLink } from "../session/journal";
 import { alone } from "./alone";
+import { drawFirst } from "./first";
 import { links, openLinked } from "./links";
 import { forgetMemory } from "./memory";
 import type { FromWorker, ToWorker } from "./messages";
@@ -39,8 +41,9 @@ export function openSite(spoken: Promise<unknown>): Promise<void> {
   alone(`kitrobot ${path}`, {
     begin: () => {
       set({ phase: "fetching" });
+      void spoken.then(() => drawFirst(base));
       try {
-        give(begun(line, base));
+        begun(line, base, give);
       } catch (cause) {
         broke(base, String(cause));
       }
@@ -61,15 +64,25 @@ function draw(): void {
   createRoot(place).render(createElement(SiteStrip));
 }
 
-function begun(line: WorkerLine, base: string): Worker {
+/** `give` takes the worker once it knows what it begins with: nothing may come before that. */
+function begun(line: WorkerLine, base: string, give: (worker: Worker) => void): void {
   const worker = new Worker(new URL("./worker.ts", import.meta.url), { type: "module" });
   worker.addEventListener("message", ({ data }: MessageEvent<FromWorker>) => {
     if (!line.hear(data)) follow(base, data);
   });
   worker.addEventListener("error", (event) => broke(base, event.message || ""));
-  const first: ToWorker = { kind: "begin", base, pupil: pupilName() };
-  worker.postMessage(first);
-  return worker;
+  const unpacker = new Worker(new URL("./unpacker.ts", import.meta.url), { type: "module" });
+  unpacker.addEventListener("error", (event) => broke(base, event.message || ""));
+  const { port1, port2 } = new MessageChannel();
+  unpacker.postMessage(port1, [port1]);
+  const first = (parts: Parts): ToWorker => ({ kind: "begin", base, parts, unpacker: port2, pupil: pupilName() });
+  siteParts().then(
+    (parts) => {
+      worker.postMessage(first(parts), [port2]);
+      give(worker);
+    },
+    () => set({ phase: "unfetched", reason: PARTS }),
+  );
 }
 
 /** The next try begins with nothing that was kept of this one. */
@@ -133,8 +146,7 @@ async function keepFiles(base: string): Promise<void> {
  * came over `http://` from another machine have no service worker.
  */
 async function fetchPage(base: string): Promise<void> {
-  const said = await fetch(new URL("site.json", base));
-  const { page } = (await said.json()) as { page: string[] };
+  const { page } = await siteParts();
   for (const name of page) await (await fetch(new URL(name, base), { priority: "low" })).arrayBuffer();
 }
 

@@ -8,9 +8,10 @@
  */
 import type { loadPyodide as Load, PyodideConfig, PyodideInterface } from "pyodide";
 
+import type { Parts } from "../api/site-parts";
 import { filesOf } from "./archive";
-import type { Parts } from "./fetching";
-import type { Memory } from "./memory";
+import type { Fetching } from "./fetching";
+import { giveBack, type Memory } from "./memory";
 
 type Bytes = Uint8Array<ArrayBuffer>;
 
@@ -24,7 +25,7 @@ interface Module {
     writeFile: (path: string, bytes: Bytes, options: { canOwn: boolean }) => void;
   };
   newDSO: (name: string, handle: undefined, exports: unknown) => { global: boolean; exports: unknown };
-  loadWebAssemblyModule: (bytes: Bytes, flags: object, name: string, local: object) => Promise<unknown>;
+  loadWebAssemblyModule: (made: WebAssembly.Module, flags: object, name: string, local: object) => Promise<unknown>;
   wasmTable: { length: number };
   _emscripten_resize_heap: (bytes: number) => unknown;
 }
@@ -54,8 +55,8 @@ export interface Started {
 /** In `memory`, `modules` were imported; they are, if it is null. */
 export async function startPython(
   base: string,
-  { pyodide: place, place: into }: Parts,
-  packages: Promise<Bytes>,
+  { pyodide: place, place: into, libraries, packages }: Parts,
+  fetching: Pick<Fetching, "bytes" | "module">,
   env: Record<string, string>,
   modules: string,
   memory: Memory | null,
@@ -72,8 +73,8 @@ export async function startPython(
   });
   failed.catch(() => undefined);
   const prepare = async (module: Module) => {
-    for (const [name, bytes] of filesOf(await packages)) {
-      if (name.endsWith(".so")) await library(module, `${into}/${name}`, bytes);
+    for (const [name, file] of Object.entries(libraries)) {
+      await library(module, `${into}/${name}`, await fetching.module(file));
     }
     table = module.wasmTable.length;
     if (memory === null) return;
@@ -94,10 +95,18 @@ export async function startPython(
   };
   const pyodide = await Promise.race([loadPyodide(config as unknown as PyodideConfig), failed]);
   // Not earlier: Pyodide makes a list of the packages that are there when it begins, which no memory can hold.
-  write((pyodide as unknown as Hidden)._module, await packages, into);
+  const { _module } = pyodide as unknown as Hidden;
+  write(_module, filesOf(await fetching.bytes(packages)), into);
+  // Python looks for them as files, and finds them loaded.
+  write(
+    _module,
+    Object.keys(libraries).map((name) => [name, new Uint8Array()]),
+    into,
+  );
   if (memory !== null) {
     // It is in use now, and need not be there twice.
     delete (pyodide as unknown as Hidden)._api.config._loadSnapshot;
+    giveBack(memory.bytes);
     return { pyodide, memory: null };
   }
   pyodide.runPython(`import ${modules}`);
@@ -114,9 +123,9 @@ function memoryOf(pyodide: Hidden, table: number): Memory | null {
   }
 }
 
-function write({ FS }: Module, archive: Bytes, into: string): void {
+function write({ FS }: Module, files: Iterable<[name: string, bytes: Bytes]>, into: string): void {
   const folders = new Set<string>();
-  for (const [name, bytes] of filesOf(archive)) {
+  for (const [name, bytes] of files) {
     const path = `${into}/${name}`;
     const folder = path.slice(0, path.lastIndexOf("/"));
     if (!folders.has(folder)) FS.mkdirTree(folder);
@@ -126,9 +135,9 @@ function write({ FS }: Module, archive: Bytes, into: string): void {
 }
 
 /** Loads a compiled library under the name by which Python will ask for it. */
-async function library(module: Module, path: string, bytes: Bytes): Promise<void> {
+async function library(module: Module, path: string, compiled: WebAssembly.Module): Promise<void> {
   const flags = { loadAsync: true, global: false, nodelete: true };
   const made = module.newDSO(path, undefined, "loading");
   made.global = false;
-  made.exports = await module.loadWebAssemblyModule(bytes, flags, path, {});
+  made.exports = await module.loadWebAssemblyModule(compiled, flags, path, {});
 }

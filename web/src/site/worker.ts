@@ -6,8 +6,8 @@
  *
  * Left to others: fetching (`fetching`), starting Python (`python`, `memory`), the storage (`kept`).
  */
-import { Fetching, partsOf, UnfetchedError } from "./fetching";
 import { homeOf } from "../api/home";
+import { Fetching, UnfetchedError } from "./fetching";
 import { Kept } from "./kept";
 import { forgetMemory, KeptMemory, type Memory } from "./memory";
 import type { FromWorker, ToWorker } from "./messages";
@@ -29,6 +29,8 @@ interface Studio {
   open: (address: string, heard: (words: string | Uint8Array<ArrayBuffer> | undefined) => void) => Socket;
 }
 
+type Beginning = ToWorker & { kind: "begin" };
+
 /** What is imported before the folder of missions is there. */
 const MODULES = "kitrobot.server.in_worker";
 /** Requests that only ask, though they are no GET. */
@@ -40,43 +42,40 @@ const scope = self as unknown as {
 };
 const tell = (message: FromWorker, transfer: Transferable[] = []) => scope.postMessage(message, transfer);
 
-async function load(base: string, pupil: string): Promise<Studio> {
-  const parts = await partsOf(base);
-  const fetching = new Fetching(base, parts.files, (fetched, total) => tell({ kind: "progress", fetched, total }));
-  fetching.answerFetch();
-  const packages = fetching.bytes(parts.packages);
-  // Whoever waits for Pyodide first hears of it too.
-  packages.catch(() => undefined);
-  void packages.then(() => tell({ kind: "starting" })).catch(() => undefined);
+async function load({ base, parts, unpacker, pupil }: Beginning): Promise<Studio> {
+  const fetching = new Fetching(base, parts, unpacker, (fetched, total) => tell({ kind: "progress", fetched, total }));
+  fetching.answerPyodide();
+  const started = () => tell({ kind: "starting" });
+  void fetching.bytes(parts.packages).then(started, () => undefined);
   const home = homeOf(base, pupil);
   const env = { HOME: home, KITROBOT_STATE: `${home}/state`, KITROBOT_COMPILE: "no", PYTHONDONTWRITEBYTECODE: "1" };
+  const kept = new KeptMemory(base, parts.version);
   const enter = async (memory: Memory | null) => {
     try {
-      const started = await startPython(base, parts, packages, env, MODULES, memory);
+      const started = await startPython(base, parts, fetching, env, MODULES, memory);
+      // Before Python does more: what is kept is given back then, a third of what a run would have beside it.
+      if (started.memory !== null) await kept.keep(started.memory);
       keep = new Kept(started.pyodide, home, tell, () => forgetMemory(base));
       await keep.read();
       const { begin_here } = started.pyodide.pyimport(MODULES) as {
         begin_here: (folder: string, inClass: boolean) => Promise<Studio>;
       };
-      return { studio: await begin_here(`${home}/missions`, pupil !== ""), memory: started.memory };
+      return await begin_here(`${home}/missions`, pupil !== "");
     } catch (cause) {
       throw fetching.missing ?? cause;
     }
   };
-  const kept = new KeptMemory(base, parts.version);
   const memory = await kept.find();
   if (memory !== null) {
     try {
-      return (await enter(memory)).studio;
+      return await enter(memory);
     } catch (cause) {
       if (cause instanceof UnfetchedError) throw cause;
       console.warn("read again, because the memory cannot be used:", cause);
       await forgetMemory(base);
     }
   }
-  const made = await enter(null);
-  if (made.memory !== null) void kept.keep(made.memory);
-  return made.studio;
+  return enter(null);
 }
 
 let keep: Kept | null = null;
@@ -119,8 +118,8 @@ async function open({ id, address }: ToWorker & { kind: "open" }): Promise<void>
   }
 }
 
-async function begin(base: string, pupil: string): Promise<void> {
-  studio = load(base, pupil);
+async function begin(beginning: Beginning): Promise<void> {
+  studio = load(beginning);
   // Each who asks is told by itself.
   studio.catch(() => undefined);
   try {
@@ -138,7 +137,7 @@ let opening: Promise<void> = Promise.resolve();
 scope.addEventListener("message", ({ data }) => {
   switch (data.kind) {
     case "begin":
-      void begin(data.base, data.pupil);
+      void begin(data);
       break;
     case "fetch":
       void answer(data);

@@ -1,0 +1,86 @@
+/** When the first mission is drawn before Python is there, and when not. */
+import { afterEach, beforeEach, expect, test, vi } from "vitest";
+
+import { useStudio } from "../model/studio";
+import type { MissionFile } from "../model/types";
+import { useDocument } from "../session/document";
+import { drawFirst } from "./first";
+
+const BASE = "http://localhost/school/";
+
+const file = (path: string): MissionFile => ({
+  path,
+  name: path,
+  revision: "1",
+  mission: { version: 1, programs: [], agents: [], goals: [], world: "" },
+  problems: [],
+  world: null,
+  catalogue: { groups: [], robots: [], problems: [] },
+});
+
+const asked = vi.fn(() => Promise.resolve(Response.json(file("example:a.krt"))));
+
+beforeEach(() => {
+  asked.mockClear();
+  vi.stubGlobal("fetch", asked);
+  useDocument.setState({ ready: false, ahead: false });
+  localStorage.clear();
+});
+
+afterEach(() => {
+  vi.unstubAllGlobals();
+  window.history.replaceState(null, "", "/");
+  useDocument.setState({ ready: false, ahead: false });
+  localStorage.clear();
+});
+
+const isDrawn = () => useDocument.getState().ahead;
+
+test("is drawn in a browser in which nothing was done yet, also when the page is loaded again", async () => {
+  await drawFirst(BASE);
+  expect(asked).toHaveBeenCalledWith(new URL("http://localhost/school/first/en.json"));
+  expect(isDrawn()).toBe(true);
+  expect(useStudio.getState().file.path).toBe("example:a.krt");
+  useDocument.setState({ ready: false, ahead: false });
+  // The same mission opens when Python is there.
+  useStudio.getState().openMission(file("example:a.krt"));
+  await drawFirst(BASE);
+  expect(isDrawn()).toBe(true);
+});
+
+test.each([
+  ["another mission was opened", () => useStudio.getState().openMission(file("mine.krt"))],
+  [
+    "it was changed",
+    () => useStudio.getState().execute({ label: "world", execute: (mission) => ({ ...mission, world: "other" }) }),
+  ],
+])("is not drawn once %s", async (_, act) => {
+  await drawFirst(BASE);
+  act();
+  useDocument.setState({ ready: false, ahead: false });
+  await drawFirst(BASE);
+  expect(isDrawn()).toBe(false);
+});
+
+test.each(["/#mission=abc&name=x", "/?open=mine.krt"])("is not drawn at %s, and not later", async (address) => {
+  window.history.replaceState(null, "", address);
+  await drawFirst(BASE);
+  window.history.replaceState(null, "", "/");
+  await drawFirst(BASE);
+  expect(asked).not.toHaveBeenCalled();
+  expect(isDrawn()).toBe(false);
+});
+
+test("is not drawn over what is open already", async () => {
+  useStudio.getState().openMission(file("example:b.krt"));
+  useDocument.setState({ ready: true });
+  await drawFirst(BASE);
+  expect(isDrawn()).toBe(false);
+  expect(useStudio.getState().file.path).toBe("example:b.krt");
+});
+
+test("a site without it waits for Python", async () => {
+  asked.mockResolvedValueOnce(new Response(null, { status: 404 }));
+  await drawFirst(BASE);
+  expect(isDrawn()).toBe(false);
+});
