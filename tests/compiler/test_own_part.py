@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import random
+from copy import deepcopy
 from dataclasses import replace
 
 import pytest
@@ -24,7 +25,7 @@ from kitrobot.compiler import (
 )
 from kitrobot.compiler.selection import chain_behind
 from kitrobot.graph import NEXT, Note, Program
-from kitrobot.lll import parse, print_program
+from kitrobot.lll import Seq, nodes, parse, print_program
 from kitrobot.primitives import Catalogue, Role
 from tests.compiler.graphs import graph, noted, shipped, text_of
 from tests.strategies import Shape, random_program, shipped_robots
@@ -103,9 +104,14 @@ def test_a_program_means_the_same_with_a_part_in_the_selection_s_place(rng: rand
         assert any(note.text in other.text for vertex in part.program.vertices for other in vertex.notes)
 
 
-def _without_notes(seq: object) -> str:
-    lines = print_program(seq).splitlines()  # type: ignore[arg-type]
-    return " ".join(" ".join(line.partition("#")[0] for line in lines).split())
+def _without_notes(seq: Seq) -> str:
+    bare = deepcopy(seq)
+    for node in nodes(bare):
+        for name in ("above", "below"):
+            getattr(node, name, []).clear()
+        if hasattr(node, "after"):
+            node.after = None
+    return print_program(bare)
 
 
 def test_a_stretch_offers_its_numbers_bodies_conditions_and_actions() -> None:

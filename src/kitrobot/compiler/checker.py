@@ -129,13 +129,14 @@ class _Checker:
             if not found:
                 return
             line, column = self.source.position(node.start)
-            if column == known[1][1]:
+            # Elsewhere in its line, or longer, its parts may stand in other lines.
+            if (column, node.end - node.start) == known[1][1:]:
                 self.found += [_further_down(item, line - known[1][0]) for item in found]
                 return
         count = len(self.found)
         self.instruction(node, in_loop, in_parallel)
         found = tuple(self.found[count:])
-        at = self.source.position(node.start) if found else (0, 0)
+        at = (*self.source.position(node.start), node.end - node.start) if found else (0, 0, 0)
         self.known[id(node)] = (node, (around, at, found))
 
     def instruction(self, node: Instr, in_loop: bool, in_parallel: bool) -> None:

@@ -41,6 +41,7 @@ def _again(before: Translation, program: Program) -> Translation | None:
     for one in (before.wiring, wiring):
         if one.start is not None and one.start.notes and (first := one.out.get((one.start.id, NEXT))) is not None:
             dirty |= _with_owners([first.target], one)
+    dirty |= _with_noted_nodes(dirty, before)
     kept = {name: piece for name, piece in before.pieces.items() if name not in dirty}
     if not kept:
         return None
@@ -53,6 +54,19 @@ def _again(before: Translation, program: Program) -> Translation | None:
     stretches = {name: row for name, row in before.stretches.items() if name not in dirty} | walk.stretches
     taken = {id(node) for name in walk.taken for node in kept[name].row}
     return Translation(seq, wiring, stretches, [], pieces, before.lineage.grown(), before.program, taken)
+
+
+def _with_noted_nodes(dirty: set[str], before: Translation) -> set[str]:
+    """Those whose nodes have the notes of a longer template around them, which is translated anew: its ends."""
+    rows = [before.pieces[name].row for name in dirty & before.stretches.keys() if name in before.pieces]
+    noted = {id(node) for row in rows for node in (*row[:1], *row[-1:])}
+    if not noted:
+        return set()
+    return {
+        name
+        for name, (row, *_) in before.pieces.items()
+        if not noted.isdisjoint((*map(id, row[:1]), *map(id, row[-1:])))
+    }
 
 
 # -- the wiring

@@ -57,17 +57,17 @@ class _Places:
     def kept(self, node: Any) -> None:
         """As `node`, for an instruction that another state of the program may share."""
         _, known = self.known.get(id(node), (None, None))
-        if known is None:
+        # At another depth its lines are longer, and more of them may be needed.
+        if known is None or known[0] != node.end - node.start:
             # As if nothing were around it: what is in the stretch of a vertex around is left out each time.
             inner, self.ends = self.ends, {}
             outer, self.found = self.found, []
             self.node(node)
-            known = (node.start, self.position(node.start)[0], self.found)
+            known = (node.end - node.start, node.start, self.position(node.start)[0], self.found)
             self.known[id(node)] = (node, known)
             self.ends, self.found = inner, outer
-        start, line, places = known
-        ends, by = self.ends, node.start - start
-        down = self.position(node.start)[0] - line if by else 0
+        _, start, line, places = known
+        ends, by, down = self.ends, node.start - start, self.position(node.start)[0] - line
         for vertex, begin, end, at in places:
             if begin + by >= ends.get(vertex, 0):
                 ends[vertex] = end + by
