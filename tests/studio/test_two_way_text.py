@@ -260,8 +260,7 @@ def test_graph_and_text_follow_each_other_with_mistakes_and_without(open_studio:
     an_edit_of_the_text_leaves_the_selected_vertex_selected(studio)
     leave(studio)
     studio.take_back()
-    first = studio.page.locator('[data-testid="code"] .cm-line').first
-    expect(first).to_have_text(before.split("\n")[0])
+    studio.expect_whole_code(before)
     for text in cases([RUBBISH["marks"]], [RUBBISH["deep"], RUBBISH["file"]]):
         rubbish_gets_a_sentence_and_leaves_the_document_alone(studio, text)
     undo_of_unfinished_text_goes_back_to_the_last_text_without_mistakes(studio)
