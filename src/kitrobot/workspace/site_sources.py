@@ -24,7 +24,7 @@ _NAMES: Final = """
     ensurepip filecmp fileinput ftplib getopt getpass imaplib lib2to3 mailbox modulefinder msilib
     multiprocessing netrc nntplib nturl2path optparse pdb pickletools pipes plistlib poplib profile
     profiling pstats pty pyclbr pydoc pydoc_data rlcompleter sched shelve smtplib socketserver sqlite3
-    symtable tabnanny telnetlib test this tkinter tomllib trace tracemalloc tty turtle turtledemo
+    symtable tabnanny telnetlib test this tkinter trace tracemalloc tty turtle turtledemo
     unittest venv wave wsgiref xdrlib xmlrpc zipapp
 """
 NOT_IMPORTED: Final = frozenset(_NAMES.split())
