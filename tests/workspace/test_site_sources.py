@@ -28,7 +28,7 @@ says.""")]:  # \xc3\xa9
 
 IMPORTED = re.compile(r"^\s*(?:import|from)\s+([a-zA-Z_][\w.]*)", re.MULTILINE)
 OF_PROCESSES = {"multiprocessing", "multiprocessing.connection", "concurrent.futures.process"}
-"""What is imported where there are processes only, which a page has none of (`server/in_page_scenario.py` holds that)."""
+"""Imported where there are processes only; a page has none (`server/in_page_scenario.py` holds that)."""
 
 
 def test_docstrings_and_lines_of_comments_go_and_every_statement_keeps_its_line() -> None:
