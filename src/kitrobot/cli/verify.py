@@ -18,7 +18,7 @@ if TYPE_CHECKING:
     from kitrobot.verifier import Cut, Timing
     from kitrobot.workspace.verification import Finding, Progress, Verification
 
-MEGA = 1_000_000
+_MEGA = 1_000_000
 _FIRST, _LAST = 6, 24
 """Events of one run that are shown: the first and the last ones."""
 
@@ -95,7 +95,7 @@ def verify_mission(
     show(prepared.problems, prepared.sources)
     wanted = tuple(one for name, one in befalls.items() if name in kinds) if kinds else USUAL_KINDS
     options = VerificationOptions(
-        tuple(properties or ()), chosen, failures, wanted, most_states, seconds, memory=most_memory * MEGA
+        tuple(properties or ()), chosen, failures, wanted, most_states, seconds, memory=most_memory * _MEGA
     )
     with _progress() as progress:
         made = verify(prepared, options, progress)

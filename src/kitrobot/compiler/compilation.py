@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field, replace
+from functools import cached_property
 
 from kitrobot.compiler.checker import check
 from kitrobot.compiler.graph_rules import UNKNOWN_ELEMENT
@@ -34,7 +35,7 @@ class Compiled:
     diagnostics: list[Diagnostic] = field(default_factory=list)
     shared: bool = field(default=False, compare=False)
 
-    @property
+    @cached_property
     def placed(self) -> Seq:
         """The tree, its nodes with their places in the text."""
         if not self.shared:

@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import NamedTuple
 
-from kitrobot.compiler.lineage import Table
+from kitrobot.compiler.lineage import Table, remembered
 from kitrobot.compiler.slots import is_marked
 from kitrobot.lll import (
     Break,
@@ -69,11 +69,7 @@ class FlowAnalysis:
 
     def seq(self, seq: Seq) -> Flow:
         """The flow of a body."""
-        known = self._known.get(id(seq))
-        if known is None:
-            known = self._known[id(seq)] = (seq, self._sequence(seq))
-        flow: Flow = known[1]
-        return flow
+        return remembered(self._known, seq, self._sequence)
 
     def back_edge_is_free(self, body: Seq) -> bool:
         """Whether every way round through a loop's body surely blocks."""

@@ -10,17 +10,29 @@ What passes find out about a node is kept here with it: who meets the very node 
 from __future__ import annotations
 
 import threading
-from collections.abc import Hashable
+from collections.abc import Callable, Hashable
 from dataclasses import dataclass, field
-from typing import Any
+from typing import Any, TypeVar
 
 from kitrobot.lll import Node, Seq, nodes
+
+Thing = TypeVar("Thing", bound=Node)
+Found = TypeVar("Found")
 
 _SWEPT = 64
 """States after which what is known of nodes that are gone is forgotten."""
 
 Table = dict[int, tuple[Node, Any]]
 """By the `id` of a node, that node, which so stays the only one of that `id`, and what a pass found out about it."""
+
+
+def remembered(table: Table, node: Thing, find: Callable[[Thing], Found]) -> Found:
+    """What a table knows of a node; found out, and kept there, where it knows nothing."""
+    known = table.get(id(node))
+    if known is None:
+        known = table[id(node)] = (node, find(node))
+    found: Found = known[1]
+    return found
 
 
 @dataclass(eq=False)

@@ -254,8 +254,6 @@ class _Lowering:
         code = self.code
         if not call.params:
             return FAULT
-        if len(call.params) == 1 and isinstance(only := call.params[0], Number):
-            return code.constant(only.value)
         literals = tuple(param.value for param in call.params if isinstance(param, Number))
         if len(literals) == len(call.params):
             return code.constant_run(literals)

@@ -7,7 +7,7 @@ last wins. What only some ways do is not told: a command that a choice takes bac
 from __future__ import annotations
 
 from kitrobot.compiler.flow import FlowAnalysis
-from kitrobot.compiler.lineage import Lineage, Table
+from kitrobot.compiler.lineage import Lineage, Table, remembered
 from kitrobot.lll import Call, Conditional, Instr, Interrupt, Repeat, Seq, SeqOfPar, Wait, While, bodies
 from kitrobot.primitives import Category, Kind, Robot
 
@@ -45,18 +45,11 @@ class _Ways:
             found += [pair for pair in more if id(pair[0]) in last - told and pair[0] is not pair[1]]
         for node in seq.items:
             if not isinstance(node, _SHORT):
-                found += self.inside(node)
+                found += remembered(self.known, node, self.inside)
         return found
 
     def inside(self, node: Instr) -> Pairs:
         """Those in an instruction."""
-        known = self.known.get(id(node))
-        if known is None:
-            known = self.known[id(node)] = (node, self.all_inside(node))
-        found: Pairs = known[1]
-        return found
-
-    def all_inside(self, node: Instr) -> Pairs:
         if isinstance(node, SeqOfPar):  # its members meet between two lines
             return [pair for item in node.body.items for pair in self.body(Seq([item]), False)]
         endless = isinstance(node, While) and node.condition is None and self.flow.back_edge_is_free(node.body)

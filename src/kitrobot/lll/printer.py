@@ -55,13 +55,7 @@ _SIMPLE = (Call, Interrupt, Wait, Break, ProgramCall, Move)
 
 def print_program(program: Seq) -> str:
     """The text of a program. Sets the places of its nodes. Ends with a line break unless the program is empty."""
-    printer = _Printer()
-    printer.seq(program, 0)
-    for comment in program.below:
-        printer.comment(comment, 0)
-    text = "".join(printer.parts)
-    program.start, program.end = 0, len(text)
-    return text
+    return print_again(program, "", frozenset())
 
 
 def print_lines(body: Seq, level: int) -> str:
@@ -164,7 +158,7 @@ class _Printer:
         moved = self.at - node.start
         self.write(self.before[node.start : node.end])
         if moved:
-            move(node, moved)
+            _move(node, moved)
         return True
 
     def instruction(self, node: Instr, level: int) -> None:
@@ -372,7 +366,7 @@ class _Printer:
         node.end = self.at
 
 
-def move(root: Node, by: int) -> None:
+def _move(root: Node, by: int) -> None:
     """Moves the places of a node and of all in it by so many characters."""
     for node in nodes(root):
         node.start += by

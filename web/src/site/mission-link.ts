@@ -4,6 +4,8 @@
  * What stands in a link may come from anybody: it is as long as it may be, unpacks to as much as it may, or is refused; what
  * is in it is then read as any file is.
  */
+import { joinBytes } from "../model/bytes";
+
 export const MOST_LETTERS = 1_000_000;
 /** Of the text, unpacked: a mission of some ten thousand parts, which Python in the page reads and checks in seconds. */
 export const MOST_BYTES = 2 * 1024 * 1024;
@@ -78,13 +80,7 @@ async function through(bytes: Bytes, stream: CompressionStream | DecompressionSt
     void reader.cancel().catch(() => undefined);
     throw cause instanceof LinkError ? cause : new LinkError("site.link-damaged");
   }
-  const whole = new Uint8Array(size);
-  let at = 0;
-  for (const piece of pieces) {
-    whole.set(piece, at);
-    at += piece.length;
-  }
-  return whole;
+  return joinBytes(pieces);
 }
 
 const PORTION = 0x8000;

@@ -1,6 +1,8 @@
 /** What is said between the worker with Python in it and the worker that fetches and unpacks its files. */
 import { XzReadableStream } from "xz-decompress";
 
+import { joinBytes } from "../model/bytes";
+
 type Bytes = Uint8Array<ArrayBuffer>;
 
 /** A packed file of so many bytes; `module`: it is WebAssembly, and wanted compiled. */
@@ -23,16 +25,6 @@ export type FromUnpacker =
 export async function unpacked(packed: ReadableStream<Bytes>): Promise<Bytes> {
   const reader = new XzReadableStream(packed).getReader();
   const pieces: Uint8Array[] = [];
-  let length = 0;
-  for (let next = await reader.read(); !next.done; next = await reader.read()) {
-    pieces.push(next.value);
-    length += next.value.length;
-  }
-  const whole = new Uint8Array(length);
-  let at = 0;
-  for (const piece of pieces) {
-    whole.set(piece, at);
-    at += piece.length;
-  }
-  return whole;
+  for (let next = await reader.read(); !next.done; next = await reader.read()) pieces.push(next.value);
+  return joinBytes(pieces);
 }

@@ -6,7 +6,7 @@ import { useStudio } from "../../model/studio";
 
 /** The listing of the newest report; "" while there is none, or nobody looks. */
 export function useListing(looks: boolean): string {
-  const [listing, setListing] = useState("");
+  const [made, setMade] = useState({ name: "", listing: "" });
   const name = useStudio((studio) => studio.activeProgram);
   const found = useStudio((studio) => studio.report?.programs.find((one) => one.name === studio.activeProgram));
   const empty = (found?.instructions ?? 0) === 0;
@@ -15,8 +15,8 @@ export function useListing(looks: boolean): string {
     let wanted = true;
     const { mission, file } = useStudio.getState();
     api.image(mission, file.path, name).then(
-      (made) => {
-        if (wanted) setListing(made.listing);
+      ({ listing }) => {
+        if (wanted) setMade({ name, listing });
       },
       // The mission is another one by now, or the server is away: the next report, or the banner, says so.
       () => undefined,
@@ -25,5 +25,6 @@ export function useListing(looks: boolean): string {
       wanted = false;
     };
   }, [looks, empty, found, name]);
-  return looks && !empty ? listing : "";
+  // Never that of another program, which was in view before.
+  return looks && !empty && made.name === name ? made.listing : "";
 }

@@ -4,6 +4,7 @@
  * Nothing that the clock or chance decides is in it: the same drawing gives the same bytes. Left to others: what the
  * objects mean.
  */
+import { joinBytes } from "../../../model/bytes";
 
 /** How one object speaks of another: "7 0 R". */
 export type Ref = `${number} 0 R`;
@@ -104,12 +105,6 @@ export class PdfFile {
         `${table}trailer\n<< /Size ${count} /Root ${root} /Info ${info} >>\nstartxref\n${String(at)}\n%%EOF\n`,
       ),
     );
-    const whole = new Uint8Array(at);
-    let to = 0;
-    for (const part of parts) {
-      whole.set(part, to);
-      to += part.length;
-    }
-    return whole;
+    return joinBytes(parts);
   }
 }
