@@ -32,11 +32,11 @@ from kitrobot.server.shapes import (
     world_shape,
 )
 from kitrobot.server.shapes.gallery import RunPreviewShape
-from kitrobot.server.shapes.sent import SentMissionShape, sent_mission
+from kitrobot.server.shapes.sent import sent_mission, sent_reports
 from kitrobot.server.studio import Studio
 from kitrobot.sim import expect_run
 from kitrobot.text import Sentence, collection_paused
-from kitrobot.workspace import OpenMission, ProgramReport, new_mission
+from kitrobot.workspace import OpenMission, new_mission
 from kitrobot.workspace.first_team import first_team
 
 _FAILURES: dict[int | str, dict[str, object]] = {
@@ -153,16 +153,10 @@ def check(studio: ThisStudio, wanted: CheckShape) -> Response:
     """Looks a mission through: LLL and three-address code of each program, and every problem."""
     with collection_paused():
         opened = studio.open(sent_mission(wanted.mission, studio.programs.named), wanted.path)
-        bases = reports_of(studio, wanted.mission)
+        bases = sent_reports(wanted.mission, studio.programs.report_of)
         answer = report_answer(opened.check(), bases)
     expect_run(len(opened.mission.team.agents))
     return answer
-
-
-def reports_of(studio: Studio, mission: SentMissionShape) -> dict[str, ProgramReport]:
-    """By the names of programs, the reports of those that were named in a question, as far as they are kept."""
-    found = {one.name: studio.programs.report_of(one.of) for one in mission.programs if one.of}
-    return {name: report for name, report in found.items() if report is not None}
 
 
 @routes.post("/mission/team")

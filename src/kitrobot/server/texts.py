@@ -7,9 +7,8 @@ from fastapi import Response
 from kitrobot.compiler import follow_text
 from kitrobot.diagnostics import KitRobotError
 from kitrobot.server.fast_json import followed_answer
-from kitrobot.server.routes import reports_of
 from kitrobot.server.routing import ThisStudio, api_router
-from kitrobot.server.shapes.sent import sent_mission
+from kitrobot.server.shapes.sent import sent_mission, sent_reports
 from kitrobot.server.shapes.text import FollowedShape, TextEditShape
 from kitrobot.text import Sentence, collection_paused
 from kitrobot.workspace import NoProgramError
@@ -46,7 +45,7 @@ def text_follow(studio: ThisStudio, wanted: TextEditShape) -> Response:
         )
     with collection_paused():
         parts = studio.parts_of(mission, wanted.path)
-        bases = reports_of(studio, wanted.mission)
+        bases = sent_reports(wanted.mission, studio.programs.report_of)
         followed = follow_text(studio.programs.of(program, parts).translation, wanted.text, parts)
         report = None
         if followed.program is not None:

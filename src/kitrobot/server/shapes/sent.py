@@ -27,6 +27,7 @@ from kitrobot.server.shapes.mission import (
 )
 from kitrobot.server.shapes.values import ArcValue, VertexValue
 from kitrobot.text import Sentence
+from kitrobot.workspace import ProgramReport
 
 Place = Annotated[int, Field(ge=0)]
 VertexRow = Annotated[VertexValue | tuple[Place, Place], Field(union_mode="left_to_right")]
@@ -73,6 +74,12 @@ def sent_mission(shape: SentMissionShape, known: Callable[[str], Program | None]
         OwnPartError: as `mission_from_shape`.
     """
     return mission_from_shape(shape, [_program(one, known) for one in shape.programs])
+
+
+def sent_reports(shape: SentMissionShape, known: Callable[[str], ProgramReport | None]) -> dict[str, ProgramReport]:
+    """By the names of programs, the reports of those that were named so, as far as they are `known`."""
+    found = {one.name: known(one.of) for one in shape.programs if one.of}
+    return {name: report for name, report in found.items() if report is not None}
 
 
 def _program(shape: SentProgramShape, known: Callable[[str], Program | None]) -> Program:
