@@ -17,6 +17,7 @@ from pathlib import Path
 
 from kitrobot.primitives import Kit, Tried
 from kitrobot.workspace import kits_at_hand, mission_on_kit, open_mission, wiring_picture
+from kitrobot.workspace.kit_pictures import pin_name
 from tools.kit_texts import WORDS, page_in
 
 REPOSITORY = Path(__file__).resolve().parents[1]
@@ -47,26 +48,36 @@ _HEAD = """# Kits
 
 One robot definition runs on many kits: `NAME.board.xml` says how the parts of robots are wired on one. `kitrobot
 deploy MISSION --board NAME` sends a program to it, `kitrobot check MISSION --board NAME` says part by part what it has.
-How such a file is written stands in [robots' XML](xml.md#kits). This page is made by `python -m tools.kit_pages`.
+[Robots' XML](xml.md#kits) explains how to write such a file. `python -m tools.kit_pages` makes this page. What the kits
+say of themselves is also there [in French](kits.fr.md) and [in Urdu](kits.ur.md).
 
-Of each kit it is said how it is known to work. No kit was at hand when this was written; pins and addresses are from
-the documents that are named; what is not in a document stands in no file, but for figures that are called a guess.
-What the kits say of themselves is also there [in French](kits.fr.md) and [in Urdu](kits.ur.md).
+Each kit says how it is known to work. None of them has been tried on a physical board yet. Pins, addresses and
+protocols come from the documents that the kit names. These figures have no document; they are **guesses** until you
+look at your own robot with *Try the parts* or [`kitrobot calibrate`](boards.md#measured):
 
-The motors and sensors of an Arduino Alvik are at a second chip, an STM32, with the firmware that it comes with. It is
-started anew when a program starts, and must answer within six seconds; a robot that is switched off or falls silent is
-a fault. A turn by an angle is done by the STM32, at its own speed. Where its eyes for the ground see a dark line
-(`threshold`) no document says: 512, the middle of what they read, is a guess until you look at yours with *Try the
-parts*. There are two kinds of its colour sensor: for a robot whose board has the revision 1.6 write `revision="1.6"`
-into a copy of the file. A servo cannot be left without force: after STOP it goes to where it was told last.
+| figure | of which kits | the guess |
+|---|---|---|
+| `rate`, degrees a second of a turn by the clock at full speed | all without a gyroscope or encoders | 150 or 180 |
+| `open`, `closed`, `time` of a servo | all with a servo | 90°, 0°, 1000 to 2000 ms (pen: 300 ms) |
+| `threshold` of an eye for the ground | alvik, pololu-3pi, move-motor, xrp, xrp-beta | the middle of what it reads |
+| `dark="high"` of eyes for the ground that you choose yourself | pico, esp32 | high on a dark line |
+| pins that the builder is free to choose | pico, cardboard, esp32, microbit | as listed |
 
-Nor does one say it for the eyes of a Pololu 3pi+ (512 µs) and of a Kitronik :MOVE Motor (512 of 1023). The bumper of a
-3pi+ is told by light too: nothing may press it while a program starts. Its Hyper Edition has motors that turn the other
-way: write `left-flipped="yes"` and `right-flipped="yes"` into a copy of the file.
+An eye of a Maqueen (ROB0148) reads 0 on a dark line, according to Zephyr's line follower for it. A later Maqueen with
+a key to calibrate its eyes reads 1, according to a course for it: write `dark="high"` into a copy of the file for that.
+
+The motors and sensors of an Arduino Alvik are connected to a second chip, an STM32, with its own firmware. A program
+restarts that chip at its start and waits up to six seconds for its answer; a robot that is switched off or falls silent
+is a fault. The STM32 turns by an angle at its own speed. Its colour sensor exists in two versions: for a robot whose
+board has the revision 1.6 write `revision="1.6"` into a copy of the file. A servo of an Alvik cannot be released: after
+STOP it goes to its last angle.
+
+The bumper of a Pololu 3pi+ works with light: nothing may press it while a program starts. The motors of its Hyper
+Edition turn the other way: write `left-flipped="yes"` and `right-flipped="yes"` into a copy of the file.
 
 The encoders of an XRP keep it straight: while it turns once around on the spot, one channel of both together gives 1511
-edges, from the figures that its sources give. Those of a 3pi+ are not used: its maker says what they count, and not how
-far apart its wheels are. The STM32 of an Alvik keeps its wheels at their rates by its own encoders.
+edges, computed from the figures of its sources. The encoders of a 3pi+ are not used: its maker says what they count,
+but not how far apart its wheels are. The STM32 of an Alvik keeps its wheels at their rates by its own encoders.
 
 None of these kits has its motors behind an I²C chip at a board with `machine`; a file of your own may, with
 `motors="pca9685"` in the place of pins, as for the motor boards of Adafruit and Waveshare
@@ -75,11 +86,10 @@ None of these kits has its motors behind an I²C chip at a board with `machine`;
 A `sign` may be read from patches of colour (`patches`) in the place of bars beside the road (`marks`), by the colour
 sensor of a kit that has one.
 
-The rate of a turn by the clock (`rate`, degrees a second at full speed) is a guess until you measure it:
-[`kitrobot calibrate`](boards.md#measured) asks, and writes a file of your own. The kits of a micro:bit are for a V2,
-which was not tried, and for that of 2016, whose firmware was tried in QEMU: it has 16 kB of memory. What is
-sure not to fit there is said before it is sent, what nearly fits when the board has tried it; both leave what the board
-had, but for `--fresh` ([figures](benchmarks.md#the-gallery-on-boards)).
+The kits of a micro:bit are for a V2, which has not been tried, and for the one of 2016, whose firmware runs in QEMU in
+the tests: it has 16 kB of memory. KitRobot says before sending what certainly does not fit there, and after the board
+has tried it what nearly fits; in both cases the board keeps what it had, except with `--fresh`
+([figures](benchmarks.md#the-gallery-on-boards)).
 """
 
 
@@ -208,6 +218,7 @@ def _kit(kit: Kit) -> Iterator[str]:
         yield ""
         yield f"![How the parts are wired](pictures/wiring-{kit.name}.svg)"
         yield ""
+        yield from _wires(kit)
         yield from (f"{number}. {text['']}" for number, text in enumerate(kit.steps, 1))
         yield ""
     yield from _ticks(kit)
@@ -223,6 +234,21 @@ def _kit(kit: Kit) -> Iterator[str]:
             settings = " ".join(f"{name}={value}" for name, value in part.board.settings.items())
             told = f"{settings}: {part.help['']}".removeprefix(": ") if part.help else settings
             yield f"| {which} | {part.board.driver or 'as the device'} | {told} |"
+    yield ""
+
+
+def _wires(kit: Kit) -> Iterator[str]:
+    """The picture in words: a row for each wire of the modules."""
+    if not kit.modules:
+        return
+    names = {module.name: module.label[""] for module in kit.modules}
+    yield "| from | terminal | to |"
+    yield "|---|---|---|"
+    for module in kit.modules:
+        for wire in module.wires:
+            other, _, terminal = wire.to.partition(" ")
+            target = f"{names[other]}, {terminal}" if other in names else pin_name(wire.to)
+            yield f"| {module.label['']} | {wire.terminal} | {target} |"
     yield ""
 
 

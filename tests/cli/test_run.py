@@ -269,3 +269,11 @@ def test_a_mission_is_set_up_once(kitrobot, short, monkeypatch):
     monkeypatch.setattr(Setup, "_build", counted)
     assert kitrobot("run", short).status == 0
     assert len(built) == 1
+
+
+def test_an_example_is_run_checked_and_opened_by_its_name(kitrobot):
+    assert kitrobot("run", "square").status == 0
+    assert kitrobot("check", "examples/square/square.krt").status == 0
+    opened = []
+    kitrobot("square", studio=lambda opening: opened.append(opening.target))
+    assert [path.name for path in opened] == ["square.krt"]

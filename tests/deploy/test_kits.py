@@ -32,6 +32,35 @@ def test_the_wiring_of_a_shipped_kit_is_right(path: Path) -> None:
     assert [str(problem) for _, problem in kit_problems(kit, Package())] == []
 
 
+@pytest.mark.parametrize("name", ["cardboard"])
+def test_modules_are_wired_to_pins_of_drivers_and_each_pin_once(name: str) -> None:
+    kit, _ = read_kit((SHIPPED / f"{name}.board.xml").read_bytes(), name)
+    assert kit is not None
+    modules = {module.name: {wire.terminal for wire in module.wires} for module in kit.modules}
+    pins = [wire.to for module in kit.modules for wire in module.wires if wire.to.isdigit()]
+    assert len(set(pins)) == len(pins)
+    package = Package()
+    driven: set[str] = set()
+    for part in kit.parts:
+        for device in part.devices if not part.is_missing else ():
+            known = package.declared(part.board.driver or device, kit.family).known(part.board.settings)
+            driven |= {value for key, value in part.board.settings.items() if key in known and known[key].is_pin}
+    assert set(pins) <= driven
+    motors = next(part for part in kit.parts if "drive" in part.devices).board.settings
+    assert {value for key, value in motors.items() if key.endswith(("forward", "backward", "power"))} <= set(pins)
+    for module in kit.modules:
+        for wire in module.wires:
+            other = wire.to.partition(" ")[0]
+            assert wire.to in (*pins, "3V3", "GND", "VSYS") or other in modules
+
+
+def test_an_eye_of_a_maqueen_reads_0_on_a_dark_line() -> None:
+    kit, _ = read_kit((SHIPPED / "maqueen.board.xml").read_bytes(), "maqueen")
+    assert kit is not None
+    eyes = [part for part in kit.parts if part.board.driver == "line"]
+    assert [part.board.settings["dark"] for part in eyes] == ["low", "low"]
+
+
 @pytest.mark.parametrize(
     ("parts", "says"),
     [

@@ -50,3 +50,13 @@ def test_the_wiring_is_drawn_with_the_pins_of_the_file():
     words = [one.text for one in ElementTree.fromstring(drawn).iter() if one.tag.endswith("text")]
     wheels = ["drive", "left-forward", "GP2", "left-backward", "GP3", "right-forward", "GP4", "right-backward", "GP5"]
     assert words[1:] == [*wheels, "range", "trigger", "GP6", "echo", "GP7"]
+
+
+def test_modules_are_drawn_with_their_terminals_and_what_each_is_wired_to():
+    modules = (
+        '<module name="cells"><label>Three cells</label><wire terminal="+" to="board VM"/></module>'
+        '<module name="board"><wire terminal="AIN1" to="2"/><wire terminal="VCC" to="3V3"/></module>'
+    )
+    drawn = wiring_picture(kit(WHEELS + modules))
+    words = [one.text for one in ElementTree.fromstring(drawn).iter() if one.tag.endswith("text")]
+    assert words[1:] == ["Three cells", "+", "→ board VM", "board", "AIN1", "GP2", "VCC", "3V3"]

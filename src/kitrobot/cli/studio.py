@@ -69,7 +69,9 @@ def _commands(context: typer.Context) -> list[str]:
 
 
 def _existing(target: str, commands: list[str]) -> Path:
-    path = Path(target)
+    from kitrobot.files import find_mission
+
+    path = find_mission(Path(target))
     if path.is_dir() or (path.is_file() and path.suffix.lower() == ".krt"):
         return path
     from kitrobot.files import is_picture, read_carried

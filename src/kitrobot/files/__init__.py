@@ -29,7 +29,7 @@ if TYPE_CHECKING:
         write_atomic,
     )
     from kitrobot.files.embedded_mission import CarriedError, carried_mission, is_picture, read_carried
-    from kitrobot.files.examples import examples_folder, first_example
+    from kitrobot.files.examples import examples_folder, find_mission, first_example
     from kitrobot.files.file_lock import FileLock
     from kitrobot.files.folder import (
         EXAMPLE,
@@ -76,7 +76,7 @@ else:
                 "write_atomic",
             ),
             "embedded_mission": ("CarriedError", "carried_mission", "is_picture", "read_carried"),
-            "examples": ("examples_folder", "first_example"),
+            "examples": ("examples_folder", "find_mission", "first_example"),
             "file_lock": ("FileLock",),
             "folder": (
                 "NAME_NO_TEXT",
@@ -135,6 +135,7 @@ __all__ = [
     "decode",
     "examples_folder",
     "expect_unchanged",
+    "find_mission",
     "first_example",
     "form_of",
     "is_picture",

@@ -6,7 +6,7 @@ from kitrobot.primitives.catalogue import SHIPPED, Catalogue, load_catalogue
 from kitrobot.primitives.constructors import Constructor, ConstructorTable, Group, Role, Slot, SlotKind
 from kitrobot.primitives.constructors_xml import read_constructors
 from kitrobot.primitives.crew import Crew, CrewProgram, declaring, team_robot
-from kitrobot.primitives.kit import Kit, KitPart, Measured, Source, Tried, as_measured, lacks, on_kit
+from kitrobot.primitives.kit import Kit, KitPart, Measured, Module, Source, Tried, Wire, as_measured, lacks, on_kit
 from kitrobot.primitives.kit_xml import KIT_SUFFIX, read_kit, write_kit
 from kitrobot.primitives.levels import Level
 from kitrobot.primitives.match_template import Bound, fill_with, unfill, unfill_all, unfill_row
@@ -72,6 +72,7 @@ __all__ = [
     "Meaning",
     "Measured",
     "Method",
+    "Module",
     "OwnVariable",
     "Parameter",
     "Robot",
@@ -85,6 +86,7 @@ __all__ = [
     "Texts",
     "Tried",
     "ValueType",
+    "Wire",
     "as_measured",
     "declaring",
     "fill_with",

@@ -75,6 +75,25 @@ class Measured:
 
 
 @dataclass(frozen=True)
+class Wire:
+    """A wire of a module: from its terminal, named as printed on it, to a pin of the board (`14`, `3V3`) or to a
+    terminal of another module (`batteries +`).
+    """
+
+    terminal: str
+    to: str
+
+
+@dataclass(frozen=True)
+class Module:
+    """A thing that a person holds and wires, such as a motor board; `label` is its name by language."""
+
+    name: str
+    wires: tuple[Wire, ...]
+    label: Texts = field(default_factory=dict)
+
+
+@dataclass(frozen=True)
 class Kit:
     """A kit.
 
@@ -89,6 +108,7 @@ class Kit:
         tried: how it is known to work; `tried_by`: who reported it.
         sources: the documents that it is made from.
         supplies: what is needed to build it, and `steps`: what is done then; by language each.
+        modules: what is wired to its board, for whoever builds it.
         measured: how its parts were measured.
         place: where its name stands in its file.
     """
@@ -103,6 +123,7 @@ class Kit:
     sources: tuple[Source, ...] = ()
     supplies: tuple[Texts, ...] = ()
     steps: tuple[Texts, ...] = ()
+    modules: tuple[Module, ...] = ()
     measured: tuple[Measured, ...] = ()
     firmware: str = ""
     chip: str = ""

@@ -12,7 +12,18 @@ from kitrobot.diagnostics import Diagnostic
 from kitrobot.primitives import rules
 from kitrobot.primitives.attribute_kinds import ROBOT_NAME
 from kitrobot.primitives.board_xml import BOARD, driver_told
-from kitrobot.primitives.kit import CHIPS, FAMILIES_OF_BOARDS, LARGEST_PIN, Kit, KitPart, Measured, Source, Tried
+from kitrobot.primitives.kit import (
+    CHIPS,
+    FAMILIES_OF_BOARDS,
+    LARGEST_PIN,
+    Kit,
+    KitPart,
+    Measured,
+    Module,
+    Source,
+    Tried,
+    Wire,
+)
 from kitrobot.primitives.robot import Category, Texts
 from kitrobot.text import Sentence, shown
 from kitrobot.xml import (
@@ -131,6 +142,14 @@ def _measured(element: Element) -> Measured:
     return Measured(_devices(element), settings)
 
 
+def _wire(element: Element) -> Wire:
+    return Wire(element.matching("terminal"), element.matching("to"))
+
+
+def _module(element: Element) -> Module:
+    return Module(element.matching("name"), tuple(element.found(Wire)), element.texts.get("label", {}))
+
+
 def _line(element: Element) -> _Line:
     return _Line(element.name, *told_text(element))
 
@@ -204,6 +223,7 @@ def _kit(element: Element) -> Kit:
         tuple(element.found(Source)),
         _lines(element, "supply"),
         _lines(element, "step"),
+        tuple(element.distinct(Module, lambda module: module.name, Sentence("module"))),
         tuple(element.found(Measured)),
         element.matching("firmware", ""),
         element.choice("chip", ""),
@@ -214,12 +234,18 @@ def _kit(element: Element) -> Kit:
 
 
 _HELP = {"help": replace(TEXTS["help"], longest=LONGEST_TEXT)}
-_LABEL = {"label": replace(TEXTS["label"], longest=LONGEST_LABEL)}
+_LABEL = {"label": replace(TEXTS["label"], longest=LONGEST_LABEL, type_name="label")}
 _WHICH = {
     "device": needed(_WORDS, about="Names of devices of robots, with spaces between them."),
     "when": optional(_SETTING, about="A setting of the robot's part, as guide=road; without it, whatever they are."),
     "part": optional(_WORDS, about="Names of parts of robots; without any it stands for every part of these devices."),
 }
+_TERMINAL = Kind(
+    longest=40,
+    pattern=r"[^\s]+( [^\s]+)*",
+    fits=re.compile(r"[^\s]+( [^\s]+)*").fullmatch,
+    words=Sentence("a terminal as printed on it, such as AIN1,"),
+)
 _TEXT_LINE = {LANGUAGE: optional()}
 _WIRED = Tag(
     _part,
@@ -270,6 +296,22 @@ KIT = {
             "step": Tag(
                 _line, _TEXT_LINE, text=True, longest=LONGEST_TEXT, about="What is done to build it, in its order."
             ),
+            "module": Tag(
+                _module,
+                {"name": needed(ROBOT_NAME)},
+                {
+                    **_LABEL,
+                    "wire": Tag(
+                        _wire,
+                        {
+                            "terminal": needed(_TERMINAL, about="The terminal of the module, as printed on it."),
+                            "to": needed(_TERMINAL, about="A pin of the board, or a module's name and its terminal."),
+                        },
+                        about="A wire from the module.",
+                    ),
+                },
+                about="What is wired to the board, for whoever builds the kit.",
+            ),
         },
         open=lambda element: element.version(VERSION),
         about="A kit: how the parts of robots are wired on a board, and what is missing.",
@@ -297,6 +339,11 @@ def write_kit(kit: Kit) -> str:
         lines.append(f"<source{attributes(('href', source.href))}>{escape_text(source.text)}</source>")
     for name, texts in (("supply", kit.supplies), ("step", kit.steps)):
         lines += [text_element(name, language, text) for each in texts for language, text in each.items()]
+    for module in kit.modules:
+        lines.append(f"<module{attributes(('name', module.name))}>")
+        lines += [f"  {text_element('label', language, text)}" for language, text in module.label.items()]
+        lines += [f"  <wire{attributes(('terminal', wire.terminal), ('to', wire.to))}/>" for wire in module.wires]
+        lines.append("</module>")
     for part in kit.parts:
         lines += _part_written(part)
     for known in kit.measured:

@@ -21,7 +21,7 @@ Choose = Callable[[str, Any, Any, Any], Any]
 
 _TEXTS = ("label", "help")
 _LINES = ("supplies", "steps")
-_PARTED = ("parts", "measured", "sources", "place")
+_PARTED = ("parts", "measured", "sources", "modules", "place")
 """Fields of a kit that are merged piece by piece, as its texts are, or not at all."""
 
 
@@ -56,7 +56,9 @@ def _merged(base: Kit, ours: Kit, theirs: Kit, choose: Choose) -> Kit:
     values["measured"] = tuple(_measured(base.measured, ours.measured, theirs.measured, choose))
     word = Sentence("the source")
     sources = merged_by_name(base.sources, ours.sources, theirs.sources, lambda one: one.href, word, choose)
-    return replace(ours, **values, sources=tuple(sources))
+    word = Sentence("the module")
+    modules = merged_by_name(base.modules, ours.modules, theirs.modules, lambda one: one.name, word, choose)
+    return replace(ours, **values, sources=tuple(sources), modules=tuple(modules))
 
 
 def _parts(

@@ -14,7 +14,7 @@ from pathlib import Path
 from kitrobot.compiler import compile_text
 from kitrobot.diagnostics import Diagnostic, KitRobotError, Place, ProblemsError, Severity, Source, rule
 from kitrobot.exercise import read_exercise
-from kitrobot.files import FileError, decode, read_bytes
+from kitrobot.files import FileError, decode, find_mission, read_bytes
 from kitrobot.lll import parse_any
 from kitrobot.primitives import KIT_SUFFIX, Robot, load_catalogue, read_constructors, read_kit, read_robot
 from kitrobot.text import Sentence
@@ -77,6 +77,7 @@ def check_file(path: Path, robot: Robot | None = None) -> FileReport:
 
 
 def _check(path: Path, robot: Robot | None) -> FileReport:
+    path = find_mission(path)
     match path.suffix.lower():
         case ".krt" | ".svg" | ".png" | ".pdf":
             return _mission(path)

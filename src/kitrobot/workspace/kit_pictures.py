@@ -6,58 +6,30 @@ file says, so each kind of part has its place.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from dataclasses import dataclass
+from collections.abc import Iterator, Mapping
 
 from kitrobot.deploy import Package
-from kitrobot.primitives import Kit, KitPart
+from kitrobot.primitives import Kit, KitPart, Module, Wire
 from kitrobot.xml import escape_text
 
-ROW, WIDTH, BOARD, PART = 26, 640, 150, 210
+ROW, WIDTH, BOARD, PART, OTHER = 26, 820, 150, 250, 290
 _COLOURS = ("#b3261e", "#1565c0", "#2e7d32", "#6a1b9a", "#8d5a00", "#00695c")
 
 
-@dataclass(frozen=True)
-class Wired:
-    """A part of a kit that is wired to pins: names of settings, each with its pin."""
-
-    part: KitPart
-    wires: tuple[tuple[str, str], ...]
-
-
-def wiring_of(kit: Kit) -> list[Wired]:
-    """The parts that have pins, in the order of the file."""
-    package = Package()
-    found = (Wired(part, _wires(part, kit, package)) for part in kit.parts if not part.is_missing)
-    return [one for one in found if one.wires]
-
-
-def _wires(part: KitPart, kit: Kit, package: Package) -> tuple[tuple[str, str], ...]:
-    """The settings of a part that are pins."""
-    settings = part.board.settings
-    asked = {
-        name: setting
-        for device in part.devices
-        for name, setting in package.declared(part.board.driver or device, kit.family).known(settings).items()
-    }
-    return tuple((name, value) for name, value in settings.items() if name in asked and asked[name].is_pin)
-
-
 def wiring_picture(kit: Kit) -> str:
-    """The wiring: parts on the left, the board on the right, a line for each wire."""
+    """The wiring: a box for each thing with its terminals on the left, the board on the right, a line for each wire.
+
+    The things are the kit's modules; without any, its parts with the settings that name pins.
+    """
     drawn: list[str] = []
     y = 56
-    for number, wired in enumerate(wiring_of(kit)):
+    for number, (title, wires) in enumerate(_boxes(kit)):
         colour = _COLOURS[number % len(_COLOURS)]
-        height = ROW * (len(wired.wires) + 1)
-        title = " ".join(wired.part.names or wired.part.devices)
+        height = ROW * (len(wires) + 1)
         drawn.append(f'<rect x="16" y="{y}" width="{PART}" height="{height}" rx="8" class="part" stroke="{colour}"/>')
         drawn.append(f'<text x="28" y="{y + 19}" class="title">{escape_text(title)}</text>')
-        for at, (name, pin) in enumerate(wired.wires, 1):
-            middle = y + ROW * at + 13
-            drawn.append(f'<text x="28" y="{middle + 5}">{escape_text(name)}</text>')
-            drawn.append(f'<path d="M{PART + 16} {middle}H{WIDTH - BOARD - 16}" stroke="{colour}" class="wire"/>')
-            drawn.append(f'<text x="{WIDTH - BOARD}" y="{middle + 5}" class="pin">{escape_text(_pin(pin))}</text>')
+        for at, wire in enumerate(wires, 1):
+            drawn += _wire(wire, y + ROW * at + 13, colour, {module.name: module for module in kit.modules})
         y += height + 12
     board = f'<rect x="{WIDTH - BOARD - 16}" y="16" width="{BOARD}" height="{y - 28}" rx="8" class="board"/>'
     label = f'<text x="{WIDTH - BOARD}" y="40" class="title pin">Raspberry Pi Pico</text>'
@@ -71,7 +43,41 @@ def wiring_picture(kit: Kit) -> str:
     return "\n".join([head, words, ground, board, label, *drawn, "</svg>"]) + "\n"
 
 
-def _pin(pin: str) -> str:
+def _boxes(kit: Kit) -> list[tuple[str, tuple[Wire, ...]]]:
+    """Titles of what is wired, each with its wires."""
+    if kit.modules:
+        return [(module.label.get("", module.name), module.wires) for module in kit.modules]
+    package = Package()
+    parts = [(part, _wires(part, kit, package)) for part in kit.parts if not part.is_missing]
+    return [(" ".join(part.names or part.devices), wires) for part, wires in parts if wires]
+
+
+def _wires(part: KitPart, kit: Kit, package: Package) -> tuple[Wire, ...]:
+    """The settings of a part that are pins."""
+    settings = part.board.settings
+    known = {
+        name: setting
+        for device in part.devices
+        for name, setting in package.declared(part.board.driver or device, kit.family).known(settings).items()
+    }
+    return tuple(Wire(name, pin) for name, pin in settings.items() if name in known and known[name].is_pin)
+
+
+def _wire(wire: Wire, middle: int, colour: str, modules: Mapping[str, Module]) -> Iterator[str]:
+    """A row of a box: a terminal, and the pin or the other module that it is wired to."""
+    yield f'<text x="28" y="{middle + 5}">{escape_text(wire.terminal)}</text>'
+    name, _, terminal = wire.to.partition(" ")
+    if name in modules:
+        end, target = WIDTH - BOARD - 16 - OTHER, f"{modules[name].label.get('', name)} {terminal}"
+        yield f'<path d="M{PART + 16} {middle}H{end}" stroke="{colour}" class="wire"/>'
+        yield f'<text x="{end + 6}" y="{middle + 5}">→ {escape_text(target)}</text>'
+        return
+    yield f'<path d="M{PART + 16} {middle}H{WIDTH - BOARD - 16}" stroke="{colour}" class="wire"/>'
+    yield f'<text x="{WIDTH - BOARD}" y="{middle + 5}" class="pin">{escape_text(pin_name(wire.to))}</text>'
+
+
+def pin_name(pin: str) -> str:
+    """A pin as it is printed on a Pico."""
     return f"GP{pin}" if pin.isdigit() else pin
 
 

@@ -17,7 +17,7 @@ from typing import TYPE_CHECKING
 
 from kitrobot.compiler import Compiled, CompiledTeam, compile_program, program_circles
 from kitrobot.diagnostics import Diagnostic, KitRobotError, Place, ProblemsError, Severity, Source, rule
-from kitrobot.files import Places, read_bytes, read_carried
+from kitrobot.files import Places, find_mission, read_bytes, read_carried
 from kitrobot.graph import Program, empty_program
 from kitrobot.mission import Agent, Mission, Team, image_name, read_mission
 from kitrobot.primitives import Catalogue, Robot
@@ -249,7 +249,8 @@ def open_mission(path: Path, *, robot: str | None = None) -> OpenMission:
     """Opens a `.krt`, or a picture that carries one, with what lies beside it.
 
     Args:
-        path: the file. Places in the mission of a picture count in the `.krt` that it carries.
+        path: the file, or the name of an example. Places in the mission of a picture count in the `.krt` that it
+            carries.
         robot: a robot's name or file, in place of the ones that the programs are for.
 
     Raises:
@@ -257,6 +258,7 @@ def open_mission(path: Path, *, robot: str | None = None) -> OpenMission:
         ProblemsError: nothing of the file can be used.
         KitRobotError: there is no such robot.
     """
+    path = find_mission(path)
     opened = read_mission_data(read_carried(path), str(path), SearchPath(path.parent))
     opened = replace(opened, path=path)
     if robot is not None:

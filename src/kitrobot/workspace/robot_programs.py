@@ -9,7 +9,7 @@ from pathlib import Path
 from kitrobot import robots
 from kitrobot.compiler import Compiled, compile_program, compile_text, robot_of
 from kitrobot.diagnostics import Diagnostic, KitRobotError, ProblemsError, Source
-from kitrobot.files import Form, form_of, is_picture, read_text
+from kitrobot.files import Form, find_mission, form_of, is_picture, read_text
 from kitrobot.primitives import Kit, Robot
 from kitrobot.robots import (
     BoardProgram,
@@ -44,7 +44,7 @@ def load_board_program(
     """A program of a file, made ready to be sent.
 
     Args:
-        path: a `.krt`, a picture that carries one, or an `.lll`.
+        path: a `.krt`, a picture that carries one, an `.lll`, or the name of an example.
         robot: the robot's name or file; needed unless a mission names it.
         program: which program of a mission with several.
         kit: the name or the file of the kit that its robot is built of; None as the robot's XML says.
@@ -53,8 +53,10 @@ def load_board_program(
         ProblemsError: the program has errors, with all that is to be said of it.
         KitRobotError: a file cannot be read, the robot or the program is not there, a driver is missing.
     """
+    beside = path.parent
+    path = find_mission(path)
     form = Form.MISSION if is_picture(path.name) else form_of(path, _FORMS)
-    built_of = find_kit(kit, path.parent) if kit is not None else None
+    built_of = find_kit(kit, beside) if kit is not None else None
     if form is Form.MISSION:
         return board_program(open_mission(path, robot=robot), program, path.parent, built_of)
     if robot is None:

@@ -8,7 +8,9 @@
 
 from machine import Pin
 
-from kitrobot_onboard.drivers.machine.pins import Wave, pin
+from kitrobot_onboard.drivers.machine.pins import FULL, Wave, pin
+
+NEARLY_FULL = FULL - 1  # a wave that is always on brakes an XRP Beta (motor.py of its maker's XRPLib)
 
 
 class Bridge:
@@ -39,7 +41,7 @@ class Bridge:
         else:
             self.levels[not back].value(0)
             self.levels[back].value(1 if part else 0)
-        self.power.give(part)
+        self.power.give(min(part, NEARLY_FULL) if len(self.levels) == 1 else part)
 
 
 class Pins:
