@@ -18,8 +18,8 @@ from kitrobot.files import lay_out_file
 from kitrobot.primitives import Catalogue, Robot, load_catalogue
 from kitrobot.text import Suggestions
 from kitrobot.text.suggestions import MOST_COMPARISONS
-from kitrobot.versions import compare_files, merge_files
-from kitrobot.workspace import check_file, convert
+from kitrobot.versions import compare_files
+from kitrobot.workspace import check_file, convert, merge_files
 from kitrobot.workspace.inputs import read_inputs
 from tests.counting import MOST, growth
 from tests.effort import THOROUGH

@@ -8,7 +8,8 @@ import pytest
 
 from kitrobot.diagnostics import ProblemsError
 from kitrobot.primitives import Kit, read_kit, write_kit
-from kitrobot.versions import CompareError, merge_files, merge_kits
+from kitrobot.versions import CompareError, merge_kits
+from kitrobot.workspace import merge_files
 
 BASE = """<board name="k" version="1" micropython="1.20" pins="0..5">
   <label>Tank</label>

@@ -20,6 +20,7 @@ from kitrobot.lll.reading import (
     parse_team,
     parse_template,
 )
+from kitrobot.lll.renaming import renamed_text
 from kitrobot.lll.tokens import is_name, team_name
 from kitrobot.lll.tree import (
     FAILURES,
@@ -128,6 +129,7 @@ __all__ = [
     "print_program",
     "print_team_program",
     "print_template",
+    "renamed_text",
     "team_name",
     "without_comments",
 ]

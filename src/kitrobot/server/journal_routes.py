@@ -12,6 +12,7 @@ import contextlib
 from fastapi import WebSocket, WebSocketDisconnect
 
 from kitrobot.files import Journal, MissionNameError
+from kitrobot.mission import write_mission
 from kitrobot.server.beside_loop import beside_loop
 from kitrobot.server.routing import ThisStudio, api_router, studio_of
 from kitrobot.server.shapes import (
@@ -31,7 +32,8 @@ from kitrobot.server.shapes.journal import ConflictedShape, LeftShape, MergeAskS
 from kitrobot.server.shapes.values import ClaimedValue
 from kitrobot.server.studio import Studio
 from kitrobot.translation import said
-from kitrobot.versions import Difference, differences, merge_missions
+from kitrobot.versions import Difference, differences
+from kitrobot.workspace import merge_checked
 
 LOOK_S = 0.5
 """How often a tab's files are looked at."""
@@ -90,7 +92,13 @@ def merge(studio: ThisStudio, wanted: MergeAskShape) -> MergedShape:
     data, revision = studio.folder.read(wanted.path)
     theirs = studio.read(data, wanted.path, wanted.path).mission
     base, ours = mission_from_shape(wanted.base), mission_from_shape(wanted.mission)
-    merged = merge_missions(base, ours, theirs, frozenset(wanted.taken))
+    merged = merge_checked(
+        base,
+        ours,
+        theirs,
+        lambda mission: studio.read(write_mission(mission), wanted.path, wanted.path),
+        frozenset(wanted.taken),
+    )
     return MergedShape(
         revision=revision,
         mission=mission_shape(merged.mission),

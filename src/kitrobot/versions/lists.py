@@ -17,17 +17,28 @@ def merged_by_name(
     name_of: Callable[[T], Hashable],
     what: str,
     choose: Callable[[str, Any, Any, Any], Any],
+    title_of: Callable[[T], Sentence] | None = None,
 ) -> list[T]:
-    """Lists of things with names; as a whole where a name stands twice."""
+    """Lists of things with names; as a whole where a name stands twice.
+
+    Args:
+        base: what both began with.
+        ours: our list.
+        theirs: theirs.
+        name_of: by what a thing is found again.
+        what: what the things are, such as *the agent*.
+        choose: decides between the three of a thing, None where it is not there.
+        title_of: what a thing is called in a sentence; without it, `what` and its name.
+    """
     sides = [{name_of(item): item for item in side} for side in (base, ours, theirs)]
     if any(len(side) != len(list_) for side, list_ in zip(sides, (base, ours, theirs), strict=True)):
         found: list[T] = choose(Sentence("the list with {what} …", what), list(base), list(ours), list(theirs))
         return found
     old, mine, other = sides
-    kept = {
-        name: choose(Sentence("{what} {name}", what, str(name)), old.get(name), mine.get(name), other.get(name))
-        for name in {**mine, **other}
-    }
+    kept: dict[Hashable, Any] = {}
+    for name, one in {**other, **mine}.items():
+        title = title_of(one) if title_of is not None else Sentence("{what} {name}", what, str(name))
+        kept[name] = choose(title, old.get(name), mine.get(name), other.get(name))
     return [kept[name] for name in merged_order(old, mine, other) if kept[name] is not None]
 
 

@@ -42,25 +42,24 @@ def _variables(own: Sequence[OwnVariable]) -> dict[str, RobotObject]:
 
 
 def _breakpoints(mission: Mission) -> dict[str, Breakpoint]:
-    return {
-        (
-            Sentence(
-                "the breakpoint at {vertex} of {program} for {agents}",
-                one.vertex,
-                one.program,
-                Series(COMMA, one.agents),
-            )
-            if one.agents
-            else Sentence("the breakpoint at {vertex} of {program}", one.vertex, one.program)
-        ): one
-        for one in mission.breakpoints
-    }
+    return {breakpoint_title(one): one for one in mission.breakpoints}
+
+
+def breakpoint_title(one: Breakpoint) -> Sentence:
+    """A breakpoint as sentences call it."""
+    if not one.agents:
+        return Sentence("the breakpoint at {vertex} of {program}", one.vertex, one.program)
+    agents = Series(COMMA, one.agents)
+    return Sentence("the breakpoint at {vertex} of {program} for {agents}", one.vertex, one.program, agents)
+
+
+def failure_title(one: Failure) -> Sentence:
+    """A failure as sentences call it."""
+    return Sentence("the failure of {agent} at {seconds} s", one.agent, f"{one.at_s:g}")
 
 
 def _failures(mission: Mission) -> dict[str, Failure]:
-    return {
-        Sentence("the failure of {agent} at {seconds} s", one.agent, f"{one.at_s:g}"): one for one in mission.failures
-    }
+    return {failure_title(one): one for one in mission.failures}
 
 
 def _properties(mission: Mission) -> dict[str, AskedProperty]:

@@ -25,6 +25,7 @@ if TYPE_CHECKING:
     from kitrobot.workspace.kit_files import find_kit, kit_named, kits_at_hand
     from kitrobot.workspace.kit_pictures import body_picture, wiring_picture
     from kitrobot.workspace.kits import KitFit, ProgramOnKit, mission_on_kit, program_on_kits
+    from kitrobot.workspace.merging import merge_checked, merge_files
     from kitrobot.workspace.opening import (
         NoProgramError,
         OpenMission,
@@ -63,6 +64,7 @@ else:
             "kit_files": ("find_kit", "kit_named", "kits_at_hand"),
             "kit_pictures": ("body_picture", "wiring_picture"),
             "kits": ("KitFit", "ProgramOnKit", "mission_on_kit", "program_on_kits"),
+            "merging": ("merge_checked", "merge_files"),
             "opening": (
                 "NoProgramError",
                 "OpenMission",
@@ -151,6 +153,8 @@ __all__ = [
     "load_executable",
     "look_at_boards",
     "make_variable",
+    "merge_checked",
+    "merge_files",
     "mission_on_kit",
     "new_mission",
     "open_mission",

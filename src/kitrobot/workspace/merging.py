@@ -1,0 +1,111 @@
+"""Edits of two people brought together, and looked through: missions, and files of missions and kits.
+
+A merge of two missions that are right each can be wrong where one took away what the other uses. What is wrong with
+the result and was with neither of them is a conflict, so that nobody takes it for a clean merge. What a file is its
+first bytes say: git names it anyhow.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Collection
+from dataclasses import replace
+from pathlib import Path
+
+from kitrobot.files import expect_unchanged, read_bytes, replace_file, same_file, saving_in
+from kitrobot.mission import Mission, save, write_mission
+from kitrobot.primitives import write_kit
+from kitrobot.text import Sentence
+from kitrobot.versions import CompareError, Conflict, Merged, kit_whole, merge_kits, merge_missions, mission_whole
+from kitrobot.workspace.opening import OpenMission, read_mission_data
+from kitrobot.workspace.search_path import SearchPath
+
+_KIT = re.compile(rb"(?:\xef\xbb\xbf)?(?:\s|(?><\?.*?\?>)|(?><!--.*?-->))*+<board(?![\w.-])", re.DOTALL)
+_BEGINNING = 100_000
+
+
+def merge_checked(
+    base: Mission,
+    ours: Mission,
+    theirs: Mission,
+    opened: Callable[[Mission], OpenMission],
+    taken: Collection[str] = (),
+) -> Merged:
+    """The mission with both sides' edits, and what is wrong with it that is wrong with neither side as a conflict.
+
+    Args:
+        base: what both began with.
+        ours: our mission.
+        theirs: theirs.
+        opened: a mission among the robots, parts and worlds that it is to be used with.
+        taken: names of conflicts in which theirs is taken.
+    """
+    merged = merge_missions(base, ours, theirs, taken)
+    if merged.mission in (ours, theirs):
+        return merged
+    found = _errors(opened(merged.mission))
+    if not found:
+        return merged
+    known = {*_errors(opened(ours)), *_errors(opened(theirs))}
+    clashes = tuple(
+        Conflict(message, message, Sentence("the two do not fit together: {problem}", message), open=False)
+        for code, message in dict.fromkeys(found)
+        if (code, message) not in known
+    )
+    return replace(merged, clashes=(*merged.clashes, *clashes))
+
+
+def _errors(opened: OpenMission) -> list[tuple[str, str]]:
+    """Code and sentence of each error."""
+    return [(item.code, item.message) for item in opened.check().problems if item.is_error]
+
+
+def merge_files(base: Path, ours: Path, theirs: Path, out: Path) -> tuple[Conflict, ...]:
+    """Merges three `.krt`, or three `.board.xml`, into `out`; an empty base is none (both sides added the file).
+
+    Returns:
+        What both changed differently.
+
+    Raises:
+        CompareError: some are kits and some are not; nothing is written.
+        ProblemsError: one of them cannot be used; nothing is written.
+        FileError: one of them cannot be read, or `out` is one of them and was changed meanwhile; nothing is written.
+        SaveError: the result could not be written.
+    """
+    paths = (base, ours, theirs)
+    data = [read_bytes(path) for path in paths]
+    kits = [_KIT.match(one[:_BEGINNING]) is not None for one in data if one.strip()]
+    if any(kits) and not all(kits):
+        raise CompareError(
+            Sentence("expected three kits, found one or two and something else"),
+            Sentence("name three files that end in .board.xml"),
+        )
+    if any(kits):
+        old = kit_whole(data[0], base) if data[0].strip() else None
+        one, other = kit_whole(data[1], ours), kit_whole(data[2], theirs)
+        kit, conflicts = merge_kits(old, one, other)
+        # A file that says all of it stays as its person wrote it.
+        text = data[1] if kit == one else data[2] if kit == other else write_kit(kit).encode()
+        with saving_in(out):
+            _expect_unchanged(paths, data, out)
+            replace_file(out, text)
+        return conflicts
+    ancestor = mission_whole(data[0], base) if data[0].strip() else Mission()
+    search = SearchPath(out.parent)
+    search = replace(search, known=search.catalogue())
+    merged = merge_checked(
+        ancestor,
+        mission_whole(data[1], ours),
+        mission_whole(data[2], theirs),
+        lambda mission: read_mission_data(write_mission(mission), str(out), search),
+    )
+    with saving_in(out):
+        _expect_unchanged(paths, data, out)
+        save(out, merged.mission)
+    return merged.clashes
+
+
+def _expect_unchanged(paths: tuple[Path, ...], data: list[bytes], out: Path) -> None:
+    for path, before in zip(paths, data, strict=True):
+        if same_file(path, out):
+            expect_unchanged(path, before)
