@@ -118,13 +118,13 @@ def test_files_are_known_by_what_they_hold_and_one_that_says_it_all_stays_as_it_
     base.write_text(BASE)
     ours.write_text(BASE)
     theirs.write_text(THEIRS)
-    assert merge_files(base, ours, theirs, out) == ()
+    assert merge_files(base, ours, theirs, out).conflicts == ()
     assert out.read_text() == THEIRS
     ours.write_text(OURS)
-    assert merge_files(base, ours, theirs, ours) == ()
+    assert merge_files(base, ours, theirs, ours).conflicts == ()
     assert kit(ours.read_text()) == merge_kits(kit(BASE), kit(OURS), kit(THEIRS))[0]
     base.write_text("")
-    assert merge_files(base, theirs, theirs, out) == ()
+    assert merge_files(base, theirs, theirs, out).conflicts == ()
 
 
 @pytest.mark.parametrize("text", ["<board", "<board/>", BASE[:-20], BASE.replace('pin="4"', 'pin="4" pin="5"')])

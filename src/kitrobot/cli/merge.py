@@ -7,7 +7,7 @@ from typing import Annotated
 
 import typer
 
-from kitrobot.cli.output import tell
+from kitrobot.cli.output import show, tell
 
 CONFLICT = 1
 
@@ -28,8 +28,9 @@ def merge_missions_of_files(
     """
     from kitrobot.workspace import merge_files
 
-    conflicts = merge_files(base, ours, theirs, output or ours)
-    for one in conflicts:
+    merged = merge_files(base, ours, theirs, output or ours)
+    show(merged.left_out, merged.sources)
+    for one in merged.conflicts:
         tell(f"conflict: {one.sentence}")
-    if conflicts:
+    if merged.conflicts:
         raise typer.Exit(CONFLICT)

@@ -5,8 +5,9 @@ when they say the usual (`out="next"`, `at="in"`), so that the same program give
 reads well. Reading what was written gives the same program. Characters that XML cannot hold become U+FFFD when
 written.
 
-Nothing is lost: XML inside a vertex that we do not know is kept word for word, and a vertex whose id is missing or
-taken gets a new one. Left to others: the rest of the `.krt` (mission), and whether the graph makes sense (compiler).
+Nothing is lost: XML inside a vertex that we do not know is kept word for word, a comment goes into the vertex that
+follows it, and a vertex whose id is missing or taken gets a new one. Left to others: the rest of the `.krt` (mission),
+and whether the graph makes sense (compiler).
 """
 
 from __future__ import annotations
@@ -17,7 +18,7 @@ from typing import NamedTuple
 from kitrobot.graph.model import IN, NEXT, Arc, Note, Program, Vertex
 from kitrobot.primitives import LEVEL, Level
 from kitrobot.text import Sentence, shown
-from kitrobot.xml import NAME, Element, Kind, Tag, attributes, escape_text, needed, optional
+from kitrobot.xml import NAME, Element, Kind, Tag, attributes, escape_text, fragment, needed, optional
 from kitrobot.xml.rules import DUPLICATE, MISSING, UNKNOWN_ATTRIBUTE
 
 
@@ -50,6 +51,10 @@ def _program(element: Element) -> Program:
         seen.add(vertex.id)
         program.vertices.append(vertex)
     program.arcs = element.found(Arc)
+    if program.vertices:
+        for before, raw in element.take_remarks():
+            following = (value for value, _ in element.values[before:] if isinstance(value, Vertex))
+            next(following, program.vertices[-1]).unknown += raw
     return program
 
 
@@ -161,7 +166,8 @@ def _vertex_line(vertex: Vertex) -> str:
     start = f"<vertex{attributes(('id', vertex.id), ('element', vertex.element))}"
     inside = [f"<set{attributes(('name', name))}>{escape_text(value)}</set>" for name, value in vertex.settings.items()]
     inside += [f"<note{attributes(('at', note.at or None))}>{escape_text(note.text)}</note>" for note in vertex.notes]
-    inside.append(vertex.unknown)
+    if vertex.unknown:
+        inside.append(fragment(vertex.unknown))
     content = "".join(inside)
     return f"{start}>{content}</vertex>" if content else f"{start}/>"
 

@@ -81,6 +81,7 @@ class Team:
 @dataclass(slots=True)
 class Mission:
     """A whole mission. `world_href` names a world's file, "" means the empty world; `unknown` is XML kept as it is.
+    `prolog` is what stands before the first element, and `attributes` are those of the first element with a prefix.
 
     `own_world` is the world that it brings along instead, as its author left it: parts of it may not fit together.
 
@@ -105,6 +106,8 @@ class Mission:
     radio: Radio | None = None
     breakdown: Breakdown = field(default_factory=Breakdown)
     properties: list[AskedProperty] = field(default_factory=list)
+    prolog: list[str] = field(default_factory=list)
+    attributes: dict[str, str] = field(default_factory=dict)
 
     @property
     def crew(self) -> Crew | None:

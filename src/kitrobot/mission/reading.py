@@ -111,6 +111,7 @@ _WORLD = Tag(
     {**TEXTS, **PARTS},
     keep=keep_unknown,
     kept_whole=True,
+    keeps_foreign=True,
     about="The name of a world's file in href, or a world of this mission's own.",
 )
 MISSION = {
@@ -129,6 +130,7 @@ MISSION = {
         },
         open=_open,
         keep=_keep,
+        keeps_foreign=True,
         unique=("program",),
         about="A mission, the .krt file: programs as graphs, the team that runs them, and where.",
     )
@@ -171,7 +173,8 @@ def read_mission(data: bytes, name: str) -> tuple[Mission | None, list[Diagnosti
         element.report(rules.RADIO, message, help=Sentence("take one away"))
     mission.breakdown = the_breakdown(root)
     mission.properties = root.distinct(AskedProperty, lambda asked: asked.name, "property")
-    mission.unknown = [str(raw) for raw in root.found(_Unknown)]
+    mission.unknown = [*(str(raw) for raw in root.found(_Unknown)), *reader.epilog]
+    mission.prolog, mission.attributes = reader.prolog, root.foreign
     _check(mission, root)
     diagnostics = reader.diagnostics
     for where, element in places[:1]:

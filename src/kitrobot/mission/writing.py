@@ -20,12 +20,15 @@ from kitrobot.mission.trial import write_breakpoint, write_failure
 from kitrobot.primitives import Texts, write_constructor, write_variable
 from kitrobot.text import Sentence, Word
 from kitrobot.world import world_lines
-from kitrobot.xml import attributes, text_element
+from kitrobot.xml import attributes, fragment, head, remark, text_element
 
 
 def write_mission(mission: Mission) -> bytes:
     """The `.krt` file: one vertex, arc or agent a line. The same mission gives the same bytes."""
-    lines = [f"<kitrobot{attributes(('version', mission.version))}>"]
+    vertices = (vertex for program in mission.programs for vertex in program.vertices)
+    raws = [*mission.unknown, *(vertex.unknown for vertex in vertices if vertex.unknown)]
+    foreign, remarks = head(mission.attributes, raws)
+    lines = [*map(remark, mission.prolog), f"<kitrobot{attributes(('version', mission.version))}{foreign}>"]
     lines += [*_texts("label", mission.label), *_texts("help", mission.help)]
     for constructor in mission.constructors:
         lines += write_constructor(constructor)
@@ -44,7 +47,8 @@ def write_mission(mission: Mission) -> bytes:
         lines += [f"  {line}" for line in world_lines(mission.own_world)]
     elif mission.world_href:
         lines.append(f"  <world{attributes(('href', mission.world_href))}/>")
-    lines += [f"  {raw}" for raw in mission.unknown]
+    lines += [f"  {fragment(raw)}" for raw in mission.unknown]
+    lines += [f"  {raw}" for raw in remarks]
     lines.append("</kitrobot>")
     return ("\n".join(lines) + "\n").encode()
 
@@ -71,13 +75,18 @@ class SaveError(KitRobotError):
     """A mission could not be saved; what was there before is still there."""
 
 
-def save(path: Path, mission: Mission) -> bytes:
+def save(path: Path, mission: Mission, data: bytes | None = None) -> bytes:
     """Writes a mission to `path`, keeps what was there as `path~`, and gives the bytes written.
+
+    Args:
+        path: the file.
+        mission: what is written.
+        data: a file of that mission as somebody wrote it, which counts then.
 
     Raises:
         SaveError: the operating system refused; the old file is untouched.
     """
-    data = write_mission(mission)
+    data = write_mission(mission) if data is None else data
     try:
         replace_whole(path, data, keep_old=True)
     except OSError as error:

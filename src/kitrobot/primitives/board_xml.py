@@ -27,11 +27,7 @@ def driver_told(element: Element, ours: frozenset[str] = frozenset({"driver"})) 
     if driver is not None and not (_DRIVER.fullmatch(driver) and len(driver) <= LONGEST_SETTING):
         expected = Sentence("1 to {longest} of the letters a to z, digits, _ and -, a letter first", LONGEST_SETTING)
         element.bad_value("driver", expected, Sentence("without it, the driver is the one with the name of the device"))
-    settings = {
-        name: value
-        for name, value in element.attributes.items()
-        if name not in ours and not name.startswith(("xmlns", "xsi:"))
-    }
+    settings = {name: value for name, value in element.attributes.items() if name not in ours}
     if len(settings) > MOST_SETTINGS:
         message = Sentence(
             "expected at most {most} settings on <{element}>, found {count}", MOST_SETTINGS, element.name, len(settings)

@@ -110,6 +110,9 @@ class Kit:
         supplies: what is needed to build it, and `steps`: what is done then; by language each.
         modules: what is wired to its board, for whoever builds it.
         measured: how its parts were measured.
+        unknown: XML of its file that nobody knows, comments among it, kept word for word.
+        prolog: what stands before the first element of its file.
+        attributes: those of the first element with a prefix.
         place: where its name stands in its file.
     """
 
@@ -130,6 +133,9 @@ class Kit:
     label: Texts = field(default_factory=dict)
     help: Texts = field(default_factory=dict)
     place: Place | None = field(default=None, compare=False, repr=False)
+    unknown: tuple[str, ...] = ()
+    prolog: tuple[str, ...] = ()
+    attributes: Mapping[str, str] = field(default_factory=dict)
 
     def part_for(self, part: RobotObject) -> KitPart | None:
         """What it says of a robot's part; None when it says nothing."""

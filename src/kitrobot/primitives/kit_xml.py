@@ -35,9 +35,12 @@ from kitrobot.xml import (
     Tag,
     attributes,
     escape_text,
+    fragment,
+    head,
     needed,
     one,
     optional,
+    remark,
     text_element,
     told_text,
     told_twice,
@@ -92,6 +95,12 @@ class _Line:
     text: str
 
 
+class _Unknown(str):
+    """XML of a kit that nobody knows."""
+
+    __slots__ = ()
+
+
 @dataclass(frozen=True)
 class _Trial:
     tried: Tried
@@ -103,7 +112,10 @@ def read_kit(data: bytes, name: str) -> tuple[Kit | None, list[Diagnostic]]:
     reader = Reader(data, name)
     root = reader.read(KIT)
     kits = root.found(Kit) if root is not None and not root.faulty else []
-    return (kits[0] if kits else None), reader.diagnostics
+    if not kits:
+        return None, reader.diagnostics
+    unknown = (*kits[0].unknown, *reader.epilog)
+    return replace(kits[0], unknown=unknown, prolog=tuple(reader.prolog)), reader.diagnostics
 
 
 def _devices(element: Element) -> tuple[str, ...]:
@@ -230,7 +242,13 @@ def _kit(element: Element) -> Kit:
         element.texts.get("label", {}),
         element.texts.get("help", {}),
         element.place("name"),
+        tuple(str(raw) for raw in element.found(_Unknown)),
+        attributes=element.foreign,
     )
+
+
+def _keep(element: Element, raw: str) -> None:
+    element.values.append((_Unknown(raw), element))
 
 
 _HELP = {"help": replace(TEXTS["help"], longest=LONGEST_TEXT)}
@@ -314,6 +332,8 @@ KIT = {
             ),
         },
         open=lambda element: element.version(VERSION),
+        keep=_keep,
+        keeps_foreign=True,
         about="A kit: how the parts of robots are wired on a board, and what is missing.",
     )
 }
@@ -322,7 +342,8 @@ KIT = {
 
 def write_kit(kit: Kit) -> str:
     """A kit's file; reading it gives the kit."""
-    head = attributes(
+    foreign, remarks = head(kit.attributes, kit.unknown)
+    ours = attributes(
         ("name", kit.name),
         ("version", VERSION),
         ("family", kit.family),
@@ -331,7 +352,7 @@ def write_kit(kit: Kit) -> str:
         ("firmware", kit.firmware or None),
         ("pins", _pins_written(kit.pins) or None),
     )
-    lines = [f"<board{head}>"]
+    lines = [f"<board{ours}{foreign}>"]
     lines += [text_element("label", language, text) for language, text in kit.label.items()]
     lines += [text_element("help", language, text) for language, text in kit.help.items()]
     lines.append(f"<tried{attributes(('how', kit.tried), ('by', kit.tried_by or None))}/>")
@@ -348,8 +369,9 @@ def write_kit(kit: Kit) -> str:
         lines += _part_written(part)
     for known in kit.measured:
         lines.append(f"<measured{attributes(('device', ' '.join(known.devices)), *known.settings.items())}/>")
+    lines += [*map(fragment, kit.unknown), *remarks]
     inside = [f"  {line}" for line in lines[1:]]
-    return "\n".join([lines[0], *inside, "</board>"]) + "\n"
+    return "\n".join([*map(remark, kit.prolog), lines[0], *inside, "</board>"]) + "\n"
 
 
 def _part_written(part: KitPart) -> list[str]:

@@ -248,4 +248,4 @@ class Broadcast:
 
 def _what_runs(mission: Mission) -> Mission:
     """A mission without what makes no difference to its run."""
-    return replace(mission, breakpoints=[], label={}, help={}, unknown=[])
+    return replace(mission, breakpoints=[], label={}, help={}, unknown=[], prolog=[], attributes={})

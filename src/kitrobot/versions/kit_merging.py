@@ -2,12 +2,12 @@
 
 What only one side changed is taken from it; where both changed the same thing differently ours stays, and a sentence
 says so. A result that would be no kit (both wired the same part, each in an element of its own) is ours as a whole,
-and that is said too. Left to others: files (merged_files), comments in them, which reading leaves out.
+and that is said too. Left to others: files.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import fields, replace
 from typing import Any
 
@@ -15,11 +15,12 @@ from kitrobot.primitives import Board, Kit, KitPart, Measured, Texts, read_kit, 
 from kitrobot.text import Sentence, Word
 from kitrobot.versions.conflicts import Conflict, Decisions
 from kitrobot.versions.kits import named_part
-from kitrobot.versions.lists import merged_by_name, merged_order
+from kitrobot.versions.lists import merged_by_name, merged_nameless, merged_order, merged_values
 
 Choose = Callable[[str, Any, Any, Any], Any]
 
-_TEXTS = ("label", "help")
+_TEXTS = ("label", "help", "attributes")
+_UNKNOWN = ("unknown", "prolog")
 _LINES = ("supplies", "steps")
 _PARTED = ("parts", "measured", "sources", "modules", "place")
 """Fields of a kit that are merged piece by piece, as its texts are, or not at all."""
@@ -47,7 +48,9 @@ def _merged(base: Kit, ours: Kit, theirs: Kit, choose: Choose) -> Kit:
         what = Sentence("the {field} of the kit", Word(field.name))
         one, two, three = (getattr(side, field.name) for side in (base, ours, theirs))
         if field.name in _TEXTS:
-            values[field.name] = _settings(what, one, two, three, choose)
+            values[field.name] = merged_values(what, one, two, three, choose)
+        elif field.name in _UNKNOWN:
+            values[field.name] = merged_nameless(one, two, three)
         elif field.name in _LINES:
             values[field.name] = _lines(what, one, two, three, choose)
         elif field.name not in _PARTED:
@@ -84,8 +87,10 @@ def _part(name: str, one: KitPart, two: KitPart, three: KitPart, choose: Choose)
     old, mine, other = one.board, two.board, three.board
     words = Sentence("the {setting} of {vertex}", Word("driver"), name)
     driver = choose(words, old.driver, mine.driver, other.driver)
-    settings = _settings(name, old.settings, mine.settings, other.settings, choose)
-    help = _settings(Sentence("the {setting} of {vertex}", Word("help"), name), one.help, two.help, three.help, choose)
+    settings = merged_values(name, old.settings, mine.settings, other.settings, choose)
+    help = merged_values(
+        Sentence("the {setting} of {vertex}", Word("help"), name), one.help, two.help, three.help, choose
+    )
     return replace(two, board=Board(driver, settings), help=help)
 
 
@@ -103,7 +108,7 @@ def _lines(
         if two is None or three is None:
             line = choose(what, one, two, three)
         else:
-            line = _settings(what, one or {}, two, three, choose)
+            line = merged_values(what, one or {}, two, three, choose)
         if line is not None:
             found.append(line)
     return tuple(found)
@@ -116,18 +121,6 @@ def _measured(
     found = []
     for devices in merged_order(old, mine, other):
         one, two, three = (side.get(devices, {}) for side in (old, mine, other))
-        if settings := _settings(" ".join(devices), one, two, three, choose):
+        if settings := merged_values(" ".join(devices), one, two, three, choose):
             found.append(Measured(devices, settings))
-    return found
-
-
-def _settings(
-    what: str, one: Mapping[str, str], two: Mapping[str, str], three: Mapping[str, str], choose: Choose
-) -> dict[str, str]:
-    found = {}
-    for name in merged_order(one, two, three):
-        values = (one.get(name), two.get(name), three.get(name))
-        value = choose(Sentence("the {setting} of {vertex}", Word(name), what) if name else what, *values)
-        if value is not None:
-            found[name] = value
     return found

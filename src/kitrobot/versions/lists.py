@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Hashable, Iterable, Sequence
+from collections.abc import Callable, Hashable, Iterable, Mapping, Sequence
 from typing import Any, TypeVar
 
-from kitrobot.text import Sentence
+from kitrobot.text import Sentence, Word
 
 T = TypeVar("T")
 
@@ -40,6 +40,30 @@ def merged_by_name(
         title = title_of(one) if title_of is not None else Sentence("{what} {name}", what, str(name))
         kept[name] = choose(title, old.get(name), mine.get(name), other.get(name))
     return [kept[name] for name in merged_order(old, mine, other) if kept[name] is not None]
+
+
+def merged_values(
+    what: str,
+    base: Mapping[str, T],
+    ours: Mapping[str, T],
+    theirs: Mapping[str, T],
+    choose: Callable[[str, Any, Any, Any], Any],
+) -> dict[str, T]:
+    """Values by name, each merged by itself; the one without a name is what `what` says."""
+    found: dict[str, T] = {}
+    for name in merged_order(base, ours, theirs):
+        title = Sentence("the {setting} of {vertex}", Word(name), what) if name else what
+        value = choose(title, base.get(name), ours.get(name), theirs.get(name))
+        if value is not None:
+            found[name] = value
+    return found
+
+
+def merged_nameless(base: Sequence[T], ours: Sequence[T], theirs: Sequence[T]) -> tuple[T, ...]:
+    """Ours without what they took away, and with what they brought."""
+    before, here, there = set(base), set(ours), set(theirs)
+    kept = [part for part in ours if part not in before or part in there]
+    return (*kept, *(part for part in theirs if part not in before and part not in here))
 
 
 def merged_order(base: Iterable[Any], ours: Iterable[Any], theirs: Iterable[Any]) -> list[Any]:

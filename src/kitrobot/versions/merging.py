@@ -17,7 +17,7 @@ from kitrobot.mission import Agent, Breakpoint, Failure, Goal, Mission, Team
 from kitrobot.primitives import Constructor, OwnVariable
 from kitrobot.text import Sentence, Word
 from kitrobot.versions.conflicts import Conflict, Decisions
-from kitrobot.versions.lists import merged_by_name, merged_order
+from kitrobot.versions.lists import merged_by_name, merged_nameless, merged_order, merged_values
 from kitrobot.versions.own_parts import breakpoint_title, failure_title
 from kitrobot.versions.own_worlds import merge_places
 from kitrobot.versions.program_merging import merge_programs
@@ -85,6 +85,11 @@ def merge_missions(base: Mission, ours: Mission, theirs: Mission, taken: Collect
             base.variables, ours.variables, theirs.variables, _own_name, Sentence("the variable"), choose
         ),
     }
+    for what in ("unknown", "prolog"):
+        own[what] = list(merged_nameless(*(getattr(side, what) for side in (base, ours, theirs))))
+    own["attributes"] = merged_values(
+        Sentence("the mission"), base.attributes, ours.attributes, theirs.attributes, choose
+    )
     rest = {
         field.name: choose(
             Sentence("the {field} of the mission", Word(field.name)),
@@ -95,7 +100,7 @@ def merge_missions(base: Mission, ours: Mission, theirs: Mission, taken: Collect
         for field in fields(Mission)
         if field.name not in ("programs", "team", "world_href", "own_world", *own)
     }
-    href, own["own_world"] = merge_places(base, ours, theirs, merged_by_name, choose)
+    href, own["own_world"] = merge_places(base, ours, theirs, choose)
     team = Team(agents, goals)
     for what, word in (
         ("roles", Sentence("the role")),

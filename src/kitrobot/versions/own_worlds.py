@@ -13,10 +13,10 @@ from typing import Any
 
 from kitrobot.mission import Mission
 from kitrobot.text import COMMA, Sentence, Series, Word
+from kitrobot.versions.lists import merged_by_name, merged_nameless, merged_values
 from kitrobot.world import KINDS, World
 
 Choose = Callable[[str, Any, Any, Any], Any]
-Merge = Callable[[Sequence[Any], Sequence[Any], Sequence[Any], Callable[[Any], Any], str, Choose], list[Any]]
 
 _NAMELESS = ("wall", "floor", "line", "box", "ball", "zone")
 _UNITS = ("_mm", "_rad")
@@ -106,12 +106,10 @@ def _word(field: str) -> Word:
     return Word(field.replace("_", " "))
 
 
-def merge_places(
-    base: Mission, ours: Mission, theirs: Mission, merge: Merge, choose: Choose
-) -> tuple[str, World | None]:
+def merge_places(base: Mission, ours: Mission, theirs: Mission, choose: Choose) -> tuple[str, World | None]:
     """Where the merged mission takes place: the name of a world's file, and the world of its own.
 
-    Worlds of their own are merged thing by thing, by `merge` (lists of things with names) and `choose` (single values).
+    Worlds of their own are merged thing by thing, a value that both changed by `choose`.
     """
     one, mine, other = base.own_world, ours.own_world, theirs.own_world
     if one is None or mine is None or other is None:
@@ -123,19 +121,14 @@ def merge_places(
     for field in fields(World):
         old, first, second = (getattr(side, field.name) for side in (one, mine, other))
         kind = kinds.get(field.name)
-        if kind is None:
+        if field.name in ("unknown", "prolog") or kind in _NAMELESS:
+            values[field.name] = merged_nameless(old, first, second)
+        elif field.name == "attributes":
+            values[field.name] = merged_values(Sentence("the world"), old, first, second, choose)
+        elif kind is None:
             values[field.name] = choose(Sentence("the {word} of the world", _word(field.name)), old, first, second)
-        elif kind in _NAMELESS:
-            values[field.name] = _merged(old, first, second)
         else:
             values[field.name] = tuple(
-                merge(old, first, second, lambda part: part.name, Sentence("the {kind}", Word(kind)), choose)
+                merged_by_name(old, first, second, lambda part: part.name, Sentence("the {kind}", Word(kind)), choose)
             )
     return "", replace(mine, **values)
-
-
-def _merged(old: Sequence[Any], mine: Sequence[Any], other: Sequence[Any]) -> tuple[Any, ...]:
-    """Ours without what they took away, and with what they brought."""
-    before, here, there = set(old), set(mine), set(other)
-    kept = [part for part in mine if part not in before or part in there]
-    return (*kept, *(part for part in other if part not in before and part not in here))

@@ -281,7 +281,8 @@ def starter_mission(starters: tuple[Starter, ...], name: str, robot_set: str) ->
 
 def _untitled(mission: Mission) -> Mission:
     """Without what belongs to the example alone: its title, its place, what was tried with it."""
-    return replace(mission, own_world=None, label={}, help={}, unknown=[], breakpoints=[], failures=[])
+    bare = replace(mission, own_world=None, label={}, help={}, breakpoints=[], failures=[])
+    return replace(bare, unknown=[], prolog=[], attributes={})
 
 
 def _emptied(program: Program) -> Program:

@@ -8,13 +8,15 @@ first bytes say: git names it anyhow.
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Collection
+from collections.abc import Callable, Collection, Sequence
 from dataclasses import replace
 from pathlib import Path
+from typing import Any, NamedTuple
 
+from kitrobot.diagnostics import Diagnostic, Source
 from kitrobot.files import expect_unchanged, read_bytes, replace_file, same_file, saving_in
-from kitrobot.mission import Mission, save, write_mission
-from kitrobot.primitives import write_kit
+from kitrobot.mission import Mission, read_mission, save, write_mission
+from kitrobot.primitives import read_kit, write_kit
 from kitrobot.text import Sentence
 from kitrobot.versions import CompareError, Conflict, Merged, kit_whole, merge_kits, merge_missions, mission_whole
 from kitrobot.workspace.opening import OpenMission, read_mission_data
@@ -60,11 +62,16 @@ def _errors(opened: OpenMission) -> list[tuple[str, str]]:
     return [(item.code, item.message) for item in opened.check().problems if item.is_error]
 
 
-def merge_files(base: Path, ours: Path, theirs: Path, out: Path) -> tuple[Conflict, ...]:
-    """Merges three `.krt`, or three `.board.xml`, into `out`; an empty base is none (both sides added the file).
+class FileMerge(NamedTuple):
+    """What became of files: the conflicts, and where the result is neither of the two, what reading them left out."""
 
-    Returns:
-        What both changed differently.
+    conflicts: tuple[Conflict, ...]
+    left_out: tuple[Diagnostic, ...] = ()
+    sources: tuple[Source, ...] = ()
+
+
+def merge_files(base: Path, ours: Path, theirs: Path, out: Path) -> FileMerge:
+    """Merges three `.krt`, or three `.board.xml`, into `out`; an empty base is none (both sides added the file).
 
     Raises:
         CompareError: some are kits and some are not; nothing is written.
@@ -85,24 +92,38 @@ def merge_files(base: Path, ours: Path, theirs: Path, out: Path) -> tuple[Confli
         one, other = kit_whole(data[1], ours), kit_whole(data[2], theirs)
         kit, conflicts = merge_kits(old, one, other)
         # A file that says all of it stays as its person wrote it.
-        text = data[1] if kit == one else data[2] if kit == other else write_kit(kit).encode()
+        text = data[1] if kit == one else data[2] if kit == other else None
         with saving_in(out):
             _expect_unchanged(paths, data, out)
-            replace_file(out, text)
-        return conflicts
+            replace_file(out, write_kit(kit).encode() if text is None else text)
+        return FileMerge(conflicts) if text is not None else _with_warnings(conflicts, paths, data, read_kit)
     ancestor = mission_whole(data[0], base) if data[0].strip() else Mission()
     search = SearchPath(out.parent)
     search = replace(search, known=search.catalogue())
+    our_mission, their_mission = mission_whole(data[1], ours), mission_whole(data[2], theirs)
     merged = merge_checked(
         ancestor,
-        mission_whole(data[1], ours),
-        mission_whole(data[2], theirs),
+        our_mission,
+        their_mission,
         lambda mission: read_mission_data(write_mission(mission), str(out), search),
     )
+    text = data[1] if merged.mission == our_mission else data[2] if merged.mission == their_mission else None
     with saving_in(out):
         _expect_unchanged(paths, data, out)
-        save(out, merged.mission)
-    return merged.clashes
+        save(out, merged.mission, text)
+    return FileMerge(merged.clashes) if text is not None else _with_warnings(merged.clashes, paths, data, read_mission)
+
+
+def _with_warnings(
+    conflicts: tuple[Conflict, ...],
+    paths: Sequence[Path],
+    data: Sequence[bytes],
+    read: Callable[[bytes, str], tuple[Any, list[Diagnostic]]],
+) -> FileMerge:
+    """The conflicts, and what reading the two sides left out."""
+    found = [item for one, path in zip(data[1:], paths[1:], strict=True) for item in read(one, str(path))[1]]
+    sources = [Source(str(path), one.decode("utf-8-sig", "replace")) for one, path in zip(data, paths, strict=True)]
+    return FileMerge(conflicts, tuple(item for item in found if item.code.startswith("xml-")), tuple(sources))
 
 
 def _expect_unchanged(paths: tuple[Path, ...], data: list[bytes], out: Path) -> None:

@@ -11,6 +11,7 @@ Left to others: motion, and what the stock becomes during a run (sim).
 from __future__ import annotations
 
 import math
+from collections.abc import Mapping
 from dataclasses import dataclass, field
 from functools import cached_property
 
@@ -206,7 +207,10 @@ class Zone:
 
 @dataclass(frozen=True)
 class World:
-    """A whole world; `unknown` is XML of its file that nobody knows, kept word for word."""
+    """A whole world; `unknown` is XML of its file that nobody knows, kept word for word.
+
+    `prolog` is what stands before the first element of its file, `attributes` are those of `<world>` with a prefix.
+    """
 
     name: str
     width_mm: float
@@ -224,6 +228,8 @@ class World:
     unknown: tuple[str, ...] = ()
     label: Texts = field(default_factory=dict)
     help: Texts = field(default_factory=dict)
+    prolog: tuple[str, ...] = ()
+    attributes: Mapping[str, str] = field(default_factory=dict)
 
     # What is looked up by its name: the first one of a name.
 

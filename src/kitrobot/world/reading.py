@@ -77,6 +77,7 @@ WORLD = {
         children={**TEXTS, **PARTS},
         open=_open,
         keep=keep_unknown,
+        keeps_foreign=True,
         unique=("road", "storehouse", "dock", "start"),
         about="A world, in mm and degrees: x to the right, y up, heading 0 looks right and grows counter-clockwise.",
     )
@@ -98,6 +99,7 @@ def read_world(data: bytes, name: str) -> tuple[World | None, list[Diagnostic]]:
     frame = _frame(root)
     if frame is None:
         return None, reader.diagnostics
+    frame = replace(frame, prolog=tuple(reader.prolog), unknown=(*frame.unknown, *reader.epilog))
     world = _Whole(root, frame).world()
     return world, with_things(root, reader.diagnostics)
 
@@ -109,7 +111,8 @@ def _frame(root: Element) -> World | None:
     if len(root.reader.diagnostics) > found_before:
         return None
     texts, unknown = root.texts, tuple(str(raw) for raw in root.found(_Unknown))
-    return World(world_name, width, height, unknown=unknown, help=texts.get("help", {}), label=texts.get("label", {}))
+    label, help = texts.get("label", {}), texts.get("help", {})
+    return World(world_name, width, height, unknown=unknown, help=help, label=label, attributes=root.foreign)
 
 
 def read_plan(root: Element) -> World | None:

@@ -4,11 +4,12 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
+from dataclasses import replace
 
 from kitrobot.primitives import Texts
 from kitrobot.world.geometry import Corner
 from kitrobot.world.model import LEFT, ColouredLine, Dock, Floor, Road, Start, World, Zone
-from kitrobot.xml import attributes, text_element
+from kitrobot.xml import attributes, fragment, head, remark, text_element
 
 
 def number(value: float) -> str:
@@ -19,13 +20,15 @@ def number(value: float) -> str:
 
 def write_world(world: World) -> bytes:
     """The file of a world; reading it gives the world back, lengths to a thousandth of a mm."""
-    return ("\n".join(world_lines(world)) + "\n").encode()
+    lines = [*map(remark, world.prolog), *world_lines(replace(world, prolog=()))]
+    return ("\n".join(lines) + "\n").encode()
 
 
 def world_lines(world: World) -> Iterator[str]:
     """The lines of a world without their breaks; XML that is kept word for word is one of them, whatever it holds."""
     size = (("width", number(world.width_mm)), ("height", number(world.height_mm)))
-    yield f"<world{attributes(('version', 1), ('name', world.name), *size)}>"
+    foreign, remarks = head(world.attributes, world.unknown)
+    yield f"<world{attributes(('version', 1), ('name', world.name), *size)}{foreign}>"
     yield from _texts("label", world.label)
     yield from _texts("help", world.help)
     for wall in world.walls:
@@ -52,7 +55,9 @@ def world_lines(world: World) -> Iterator[str]:
         yield f"  <ball{sides}{_numbers(mass=ball.mass_g, friction=ball.friction)}/>"
     for zone in world.zones:
         yield f"  <zone{_zone(zone)}/>"
-    for raw in world.unknown:
+    for raw in (*world.prolog, *world.unknown):
+        yield f"  {fragment(raw)}"
+    for raw in remarks:
         yield f"  {raw}"
     yield "</world>"
 

@@ -16,6 +16,7 @@ from kitrobot.xml.attributes import (
 )
 from kitrobot.xml.decoding import MAX_BYTES
 from kitrobot.xml.element import LONGEST_NAME, Element, Tag
+from kitrobot.xml.foreign import fragment, head, remark
 from kitrobot.xml.lessons import lesson_tag, require_label
 from kitrobot.xml.parsing import DoctypeError, ExpatError, new_parser
 from kitrobot.xml.reading import MAX_DEPTH, Reader
@@ -44,11 +45,14 @@ __all__ = [
     "decimal",
     "escape_text",
     "escape_value",
+    "fragment",
+    "head",
     "lesson_tag",
     "needed",
     "new_parser",
     "one",
     "optional",
+    "remark",
     "require_label",
     "text_element",
     "told_text",

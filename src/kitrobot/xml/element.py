@@ -35,9 +35,11 @@ class Tag:
     """What one kind of element may hold, and what becomes of it.
 
     `open` is called at the start tag, with all attributes; `close` at the end tag, and its result (unless None) is
-    added to the `values` of the element around. With `free_attributes` any attribute is allowed. `keep` is given each
-    unknown element word for word; without it they are left out. An element with `kept_whole` that has an error is given
-    to the `keep` of the element around it in the same way.
+    added to the `values` of the element around. With `free_attributes` any attribute without a prefix is allowed.
+    `keep` is given each unknown element word for word; without it they are left out. An element with `kept_whole` that
+    has an error is given to the `keep` of the element around it in the same way. Comments and instructions go to the
+    nearest `keep` around them, unless `close` took them (`Element.take_remarks`). With `keeps_foreign`, attributes with
+    a prefix are in `Element.foreign`; without it they are left out.
 
     A text is at most `longest` characters long, spaces in a row counted as one; 0: as long as the file.
 
@@ -53,6 +55,7 @@ class Tag:
     open: Callable[[Element], object] | None = None
     keep: Callable[[Element, str], None] | None = None
     kept_whole: bool = False
+    keeps_foreign: bool = False
     least: int = 0
     unique: tuple[str, ...] = ()
     longest: int = 0
@@ -67,10 +70,12 @@ class Element:
         "attributes",
         "end",
         "faulty",
+        "foreign",
         "name",
         "parent",
         "pieces",
         "reader",
+        "remarks",
         "start",
         "starts",
         "tag",
@@ -102,8 +107,17 @@ class Element:
         self.values: list[tuple[object, Element]] = []
         self.texts: dict[str, dict[str, str]] = {}
         self.faulty = False
+        self.foreign: dict[str, str] = {}
+        """Attributes with a prefix and declarations of namespaces, where its tag keeps them."""
+        self.remarks: list[tuple[int, str]] = []
+        """Comments and instructions inside, each with how many values there were before it."""
 
     # -- what is inside
+
+    def take_remarks(self) -> list[tuple[int, str]]:
+        """The comments and instructions inside, which nobody else gets then; see `remarks`."""
+        taken, self.remarks = self.remarks, []
+        return taken
 
     @property
     def text(self) -> str:

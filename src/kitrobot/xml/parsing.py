@@ -15,12 +15,14 @@ class DoctypeError(Exception):
     """The document has a document type."""
 
 
-def new_parser(encoding: str | None = None) -> XMLParserType:
+def new_parser(encoding: str | None = None, *, namespaces: bool = False) -> XMLParserType:
     """A parser without handlers of elements and text; `encoding` overrules what the document declares.
+
+    With `namespaces` it refuses prefixes that nobody declares, as most programs do.
 
     Its `Parse` raises `ExpatError` for what is not well-formed and `DoctypeError` for a document type.
     """
-    parser = ParserCreate(encoding)
+    parser = ParserCreate(encoding, " ") if namespaces else ParserCreate(encoding)
     parser.StartDoctypeDeclHandler = _refuse
     return parser
 

@@ -23,6 +23,7 @@ from kitrobot.text import BytePositions, Sentence, Suggestions, collection_pause
 from kitrobot.xml import rules
 from kitrobot.xml.decoding import decode
 from kitrobot.xml.element import Element, Tag
+from kitrobot.xml.foreign import bound, declares, in_scope, is_foreign
 from kitrobot.xml.mistakes import explain
 from kitrobot.xml.parsing import DoctypeError, ExpatError, error_text, new_parser
 
@@ -37,6 +38,7 @@ _WINDOW = 65_536
 
 _ATTRIBUTE = re.compile(rb"""\s([^\s=<>"']+)\s*=\s*("[^"]*"|'[^']*')""")
 _DOCTYPE = b"<!DOCTYPE"
+COMMENT_END, INSTRUCTION_END = b"-->", b"?>"
 
 
 class _Stop(Exception):
@@ -51,6 +53,10 @@ class Reader:
         self.suggestions = Suggestions()
         self.own: dict[str, set[Hashable]] = {}
         """What tells a mission's own parts apart, by the name of their element, as far as they were read."""
+        self.prolog: list[str] = []
+        """Comments and instructions before the first element, word for word."""
+        self.epilog: list[str] = []
+        """The same behind it."""
         self._data = data
         self._positions = BytePositions(b"")
         self._problems: list[Diagnostic] = []
@@ -139,6 +145,11 @@ class Reader:
             end = self._data.index(b">", end) + 1
         return self._data[start:end].decode()
 
+    def raw_remark(self, start: int, closing: bytes) -> str:
+        """A comment or an instruction word for word, by where it starts and what it ends with."""
+        end = self._data.index(closing, start + len(b"<!--" if closing == COMMENT_END else b"<?")) + len(closing)
+        return self._data[start:end].decode()
+
 
 class _Events:
     """The parser's events, walked through the table of tags."""
@@ -154,7 +165,11 @@ class _Events:
         """How many elements are open around what is skipped, itself counted."""
         self.started = 0
         """Where the element began that was opened last."""
+        self.scopes: list[Mapping[str, str]] = [{}]
+        """Prefix → namespace around and in each element that is open."""
         self.parser = new_parser("utf-8")
+        self.parser.CommentHandler = lambda _: self.remark(COMMENT_END)
+        self.parser.ProcessingInstructionHandler = lambda *_: self.remark(INSTRUCTION_END)
         self.parser.StartElementHandler = self.start
         self.parser.EndElementHandler = self.end
         self.parser.CharacterDataHandler = self.characters
@@ -191,6 +206,7 @@ class _Events:
                     self.reader.place(start, len(name) + 1),
                 )
             )
+        self.scopes.append(in_scope(self.scopes[-1], attributes))
         if self.skipping is not None:
             return
         parent = self.open[-1] if self.open else None
@@ -200,17 +216,45 @@ class _Events:
             self.unknown(name, parent, start)
             return
         element = Element(self.reader, tag, name, attributes, parent, start)
-        if not tag.free_attributes:
-            for attribute in attributes:
-                if attribute not in tag.attributes and not attribute.startswith(("xmlns", "xsi:")):
-                    help = element.did_you_mean(attribute, tag.attributes)
-                    message = Sentence(
-                        "<{element}> has no attribute {attribute}; it is left out", name, shown(attribute)
-                    )
-                    element.report(rules.UNKNOWN_ATTRIBUTE, message, attribute, help)
+        for attribute in [one for one in attributes if one not in tag.attributes]:
+            self.attribute(element, attribute)
         self.open.append(element)
         if tag.open is not None:
             tag.open(element)
+
+    def attribute(self, element: Element, attribute: str) -> None:
+        """An attribute that the table does not know."""
+        tag = element.tag
+        if is_foreign(attribute) and tag.keeps_foreign:
+            element.foreign[attribute] = element.attributes.pop(attribute)
+        elif declares(attribute) or (attribute.startswith("xsi:") and element.parent is None):
+            # What is kept inside takes its namespaces along; a file that nobody writes again loses no schema.
+            del element.attributes[attribute]
+        elif is_foreign(attribute) or not tag.free_attributes:
+            help = element.did_you_mean(attribute, tag.attributes)
+            message = Sentence(
+                "<{element}> has no attribute {attribute}; it is left out", element.name, shown(attribute)
+            )
+            element.report(rules.UNKNOWN_ATTRIBUTE, message, attribute, help)
+            if is_foreign(attribute):
+                del element.attributes[attribute]
+
+    def remark(self, closing: bytes) -> None:
+        """A comment or an instruction."""
+        if self.skipping is not None:
+            return
+        raw = self.reader.raw_remark(self.parser.CurrentByteIndex, closing)
+        if self.open:
+            self.hand_on(self.open[-1], raw)
+        else:
+            (self.reader.prolog if self.root is None else self.reader.epilog).append(raw)
+
+    def hand_on(self, element: Element, raw: str) -> None:
+        """Gives a comment or an instruction to an element that may keep it."""
+        if element.tag.keep is not None:
+            element.tag.keep(element, raw)
+        else:
+            element.remarks.append((len(element.values), raw))
 
     def unknown(self, name: str, parent: Element | None, start: int) -> None:
         place = self.reader.place(start, len(name) + 1)
@@ -230,6 +274,7 @@ class _Events:
     def end(self, name: str) -> None:
         depth = len(self.names)
         _, start = self.names.pop()
+        self.scopes.pop()
         if self.skipping is not None:
             if depth == self.skipping:
                 self.skipping = None
@@ -240,16 +285,21 @@ class _Events:
         value = element.tag.close(element) if element.tag.close is not None else None
         if element.parent is None:
             self.root = element
+        if value is None and element.faulty and element.tag.kept_whole and element.parent is not None:
+            self.keep(element.parent, start)
+            return
+        if element.parent is not None:
+            for _, raw in element.remarks:
+                self.hand_on(element.parent, raw)
         if value is not None:
             (element.parent or element).values.append((value, element))
-        elif element.faulty and element.tag.kept_whole and element.parent is not None:
-            self.keep(element.parent, start)
 
     def keep(self, parent: Element, start: int) -> None:
         """Gives the element that ends here, word for word, to the `keep` of the one around it."""
         if parent.tag.keep is not None:
             end = self.parser.CurrentByteIndex
-            parent.tag.keep(parent, self.reader.raw(start, end, holds_more=start != self.started))
+            raw = self.reader.raw(start, end, holds_more=start != self.started)
+            parent.tag.keep(parent, bound(raw, self.scopes[-1]))
 
     def characters(self, content: str) -> None:
         if self.skipping is not None or not self.open:

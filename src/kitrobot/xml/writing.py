@@ -15,14 +15,19 @@ _SPECIAL_IN_VALUE = re.compile('[&<>"\n\r\t]')
 _WRITTEN = {"&": "&amp;", "<": "&lt;", ">": "&gt;", '"': "&quot;", "\n": "&#10;", "\r": "&#13;", "\t": "&#9;"}
 
 
+def plain_characters(text: str) -> str:
+    """A text with U+FFFD for each character that XML cannot hold."""
+    return _CANNOT.sub("\ufffd", text)
+
+
 def escape_text(text: str) -> str:
     """Text between tags."""
-    return _SPECIAL.sub(lambda match: _WRITTEN[match.group()], _CANNOT.sub("\ufffd", text))
+    return _SPECIAL.sub(lambda match: _WRITTEN[match.group()], plain_characters(text))
 
 
 def escape_value(text: str) -> str:
     """Text between the double quotes of an attribute."""
-    return _SPECIAL_IN_VALUE.sub(lambda match: _WRITTEN[match.group()], _CANNOT.sub("\ufffd", text))
+    return _SPECIAL_IN_VALUE.sub(lambda match: _WRITTEN[match.group()], plain_characters(text))
 
 
 def attributes(*pairs: tuple[str, str | int | None]) -> str:

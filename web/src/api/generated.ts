@@ -1054,7 +1054,8 @@ export interface Method {
 
 /**
  * All of a `.krt`; `world` is the name of a world's file, "" for the empty world; `own_world` counts instead. `unknown`
- * is XML of the file that nobody knows, kept word for word; `label` and `help` are the title and what happens, by
+ * is XML of the file that nobody knows, kept word for word; `prolog` are comments and instructions before its first
+ * element, whose attributes with a prefix are in `attributes`; `label` and `help` are the title and what happens, by
  * language.
  */
 export interface Mission {
@@ -1077,6 +1078,8 @@ export interface Mission {
   roles?: Role[];
   groups?: TeamGroup[];
   works?: Work[];
+  prolog?: string[];
+  attributes?: Record<string, string>;
 }
 
 /**
@@ -1275,7 +1278,7 @@ export interface OwnWall {
   y2: number;
 }
 
-/** All of a world; `unknown` is XML that nobody knows, kept word for word. */
+/** All of a world; `unknown` is XML that nobody knows, kept; `attributes` are those with a prefix. */
 export interface OwnWorld {
   name: string;
   width_mm: number;
@@ -1293,6 +1296,7 @@ export interface OwnWorld {
   unknown: string[];
   label: Record<string, string>;
   help: Record<string, string>;
+  attributes?: Record<string, string>;
 }
 
 /** Where it is warm, loud or bright, around its middle: a circle, or a rectangle where its radius is 0. */
@@ -1829,6 +1833,8 @@ export interface SentMission {
   roles?: Role[];
   groups?: TeamGroup[];
   works?: Work[];
+  prolog?: string[];
+  attributes?: Record<string, string>;
 }
 
 /** A program as what became of the one that the studio knows as `of`; "" for one that is sent whole. */

@@ -136,7 +136,8 @@ class DeclaredShape(View):
 class MissionShape(BaseModel):
     """All of a `.krt`; `world` is the name of a world's file, "" for the empty world; `own_world` counts instead.
 
-    `unknown` is XML of the file that nobody knows, kept word for word; `label` and `help` are the title and what
+    `unknown` is XML of the file that nobody knows, kept word for word; `prolog` are comments and instructions before
+    its first element, whose attributes with a prefix are in `attributes`; `label` and `help` are the title and what
     happens, by language.
     """
 
@@ -159,6 +160,8 @@ class MissionShape(BaseModel):
     roles: Annotated[list[RoleShape], Field(max_length=MOST_AGENTS)] = []
     groups: Annotated[list[TeamGroupShape], Field(max_length=MOST_AGENTS)] = []
     works: Annotated[list[WorkShape], Field(max_length=MOST_AGENTS)] = []
+    prolog: list[str] = []
+    attributes: dict[str, str] = {}
 
 
 def mission_shape(mission: Mission) -> MissionShape:
@@ -183,6 +186,8 @@ def mission_shape(mission: Mission) -> MissionShape:
         roles=[RoleShape.model_validate(one) for one in mission.team.roles],
         groups=[TeamGroupShape.model_validate(one) for one in mission.team.groups],
         works=[WorkShape.model_validate(one) for one in mission.team.works],
+        prolog=mission.prolog,
+        attributes=mission.attributes,
     )
 
 
@@ -216,6 +221,8 @@ def mission_from_shape(shape: MissionShape, programs: list[Program] | None = Non
         if shape.breakdown is None
         else Breakdown(BreakdownRule(shape.breakdown.rule), round(shape.breakdown.after_s, 3)),
         [AskedProperty(one.name, Form(one.form), one.first, one.second) for one in shape.properties],
+        shape.prolog,
+        shape.attributes,
     )
 
 

@@ -166,7 +166,7 @@ class OwnZoneShape(BaseModel):
 
 
 class OwnWorldShape(BaseModel):
-    """All of a world; `unknown` is XML that nobody knows, kept word for word."""
+    """All of a world; `unknown` is XML that nobody knows, kept; `attributes` are those with a prefix."""
 
     name: str
     width_mm: Length
@@ -184,6 +184,7 @@ class OwnWorldShape(BaseModel):
     unknown: list[str]
     label: dict[str, str]
     help: dict[str, str]
+    attributes: dict[str, str] = {}
 
 
 def own_world_shape(world: World) -> OwnWorldShape:
@@ -235,9 +236,10 @@ def own_world_shape(world: World) -> OwnWorldShape:
         boxes=[OwnBoxShape(**vars(one)) for one in world.boxes],
         balls=[OwnBallShape(**vars(one)) for one in world.balls],
         zones=[OwnZoneShape(**vars(one)) for one in world.zones],
-        unknown=list(world.unknown),
+        unknown=[*world.prolog, *world.unknown],
         label=dict(world.label),
         help=dict(world.help),
+        attributes=dict(world.attributes),
     )
 
 
@@ -263,6 +265,7 @@ def own_world(shape: OwnWorldShape) -> World:
         balls=tuple(Ball(**one.model_dump()) for one in shape.balls),
         zones=tuple(Zone(**one.model_dump()) for one in shape.zones),
         unknown=tuple(shape.unknown),
+        attributes=shape.attributes,
         label=dict(shape.label),
         help=dict(shape.help),
     )
