@@ -113,13 +113,6 @@ def test_calls_that_double_again_and_again_end_within_the_bounds(tmp_path: Path)
     assert row.problem is not None or all(goal.why["en"] for goal in row.goals if not goal.reached)
 
 
-def test_a_table_is_never_written_over_what_is_read(kitrobot, classroom: Path) -> None:
-    before = (classroom / "ada.krt").read_bytes()
-    for option in ("--csv", "--html"):
-        assert kitrobot("grade", classroom / "ada.krt", "--exercise", SQUARE, option, classroom / "ada.krt").status == 2
-    assert (classroom / "ada.krt").read_bytes() == before
-
-
 def test_an_exercise_with_a_mistake_is_said_with_its_place_before_anything_is_graded(kitrobot, tmp_path: Path) -> None:
     bad = tmp_path / "bad.exercise.xml"
     bad.write_text('<exercise version="1" start="x.krt">\n  <done/>\n</exercise>\n')

@@ -88,7 +88,6 @@ def test_what_is_not_done_gives_the_status_1_and_a_reason(kitrobot, here):
         (("--fail-sweep", "--trace", "t.krtrace"), "not recorded"),
         (("--fail-sweep", "-1"), "--fail-sweep"),
         (("--fail-sweep", "--jobs", "0"), "--jobs"),
-        (("--fail-sweep", "1", "-o", "exchange.krt"), "over the mission"),
     ],
 )
 def test_what_does_not_go_together_is_refused(kitrobot, exchange, arguments, word):

@@ -14,7 +14,7 @@ import signal
 import sys
 import threading
 from collections.abc import Callable, Iterator, Sequence
-from contextlib import contextmanager
+from contextlib import contextmanager, nullcontext
 from copy import copy
 from functools import cache
 from typing import Annotated, Any, Final
@@ -49,7 +49,7 @@ from kitrobot.cli.sweep import with_moments
 from kitrobot.cli.team import run_team
 from kitrobot.cli.verify import verify_mission
 from kitrobot.cli.watch import watch_board
-from kitrobot.diagnostics import KitRobotError
+from kitrobot.diagnostics import KitRobotError, recording_reads
 from kitrobot.text import Sentence
 
 DEBUG_VARIABLE = "KITROBOT_DEBUG"
@@ -61,6 +61,8 @@ TERMINATED: Final = 143
 FAILED: Final = 1
 TROUBLE: Final = {"diff": 2, "merge": 2}
 """Of commands whose 1 means something else, as it does in the tools of the same name."""
+LASTING: Final = ("studio", "class")
+"""Commands that read and write the same files as long as they are open."""
 
 # Typer brings its own Click, whose errors it does not name.
 _ClickError: Any = next(base for base in typer.BadParameter.__mro__ if base.__name__ == "ClickException")
@@ -138,7 +140,7 @@ def main(
     given = list(sys.argv[1:] if arguments is None else arguments)
     words = with_moments(_with_command(given))
     failed = TROUBLE.get(words[0], FAILED)
-    with _termination():
+    with _termination(), nullcontext() if words[0] in LASTING else recording_reads():
         status = _status(lambda: _obey(words, {"class": classroom, "site": first}.get(words[0], studio)), failed)
         if status not in (0, INTERRUPTED, NOBODY_READS) and _wants_json(given):
             status = _status(lambda: _give_failure(status), failed) or status

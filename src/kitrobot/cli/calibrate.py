@@ -56,13 +56,14 @@ def calibrate_robot(
     """
     from kitrobot.robots import chosen_boards
     from kitrobot.workspace.bench_run import BenchRun
-    from kitrobot.workspace.calibration import calibrated, measuring_steps, own_place, write_kit_file
+    from kitrobot.workspace.calibration import calibrated, expect_kit_place, measuring_steps, own_place, write_kit_file
     from kitrobot.workspace.kit_files import find_kit
 
     folder = Path.cwd()
     kit = find_kit(board, folder)
     bench, steps = measuring_steps(kit, folder)
     target = output if output is not None else own_place(board, kit, folder)
+    expect_kit_place(kit, target)
     (address,) = chosen_boards([port] if port else [])
     with BenchRun(address, bench, send_progress(), replace=replace) as run:
         answers = _answers(run, steps, times)

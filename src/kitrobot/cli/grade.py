@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from kitrobot.cli.output import clean, give, json_text, tell
+from kitrobot.diagnostics import expect_outputs, note_read
 
 if TYPE_CHECKING:
     from kitrobot.workspace.grades import Grade
@@ -38,19 +39,20 @@ def grade_submissions(
     Each submission is judged in a process of its own, with bounds on memory and work; only the file that is named is
     read. The exit status is 0 when every submission reached every goal, and 1 when one did not or cannot be judged.
     """
-    from kitrobot.files import same_file
     from kitrobot.workspace.child_processes import cores
     from kitrobot.workspace.grading import grade
-    from kitrobot.workspace.grading_process import ready_exercise
+    from kitrobot.workspace.grading_process import ready_exercise, shipped_exercises
 
-    read = submissions if exercise is None else [*submissions, exercise]
-    for target, option in ((csv, "--csv"), (html, "--html")):
-        if target is not None and any(same_file(target, one) for one in read):
-            raise typer.BadParameter("the table would be written over a file that is read", param_hint=f"'{option}'")
-    if csv is not None and html is not None and same_file(csv, html):
-        raise typer.BadParameter("one file cannot be both", param_hint="'--html'")
+    # Each is read by a process of its own, those of KitRobot too.
+    for one in submissions:
+        note_read(one)
     if exercise is not None:
         ready_exercise(exercise)
+    else:
+        for shipped in shipped_exercises():
+            for one in (shipped, *shipped.parent.glob("*.krt")):
+                note_read(one)
+    expect_outputs(csv, html)
     with _progress(len(submissions)) as progress:
         found = list(grade(submissions, exercise, jobs or cores(), progress))
     places = {str(path): place for place, path in enumerate(submissions)}

@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from kitrobot.cli.output import give, json_text, show, tell
+from kitrobot.diagnostics import expect_outputs
 
 if TYPE_CHECKING:
     from kitrobot.primitives import Kit
@@ -72,7 +73,7 @@ def run_mission(
     """
     if not math.isfinite(fail_rate):
         raise typer.BadParameter("a probability is a number from 0 to 1", param_hint="'--fail-rate'")
-    from kitrobot.files import replace_whole, same_file
+    from kitrobot.files import replace_whole
     from kitrobot.sim import MAX_SECONDS, MAX_SEED
     from kitrobot.trace import drawing_svg
     from kitrobot.workspace import RunOptions, open_mission
@@ -99,8 +100,7 @@ def run_mission(
 
     kit = _measured_kit(board, file) if board is not None else None
     prepared = open_mission(file).prepare(RunOptions(seed, seconds, fail_rate, trace, kit))
-    if drawing is not None and prepared.opened.path is not None and same_file(drawing, prepared.opened.path):
-        raise typer.BadParameter("the drawing would be written over the mission", param_hint="'--drawing'")
+    expect_outputs(trace, drawing, picture)
     show(prepared.problems, prepared.sources)
     if fail_sweep is not None:
         from kitrobot.cli.sweep import MOMENTS, MOMENTS_OF_PAIRS, sweep_mission

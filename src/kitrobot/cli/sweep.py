@@ -39,13 +39,11 @@ def with_moments(arguments: Sequence[str]) -> list[str]:
 
 def sweep_mission(prepared: PreparedRun, options: SweepOptions, picture: Path | None, as_json: bool) -> None:
     """Runs a sweep, gives what came of it, and ends with its status."""
-    from kitrobot.files import replace_whole, same_file
+    from kitrobot.files import replace_whole
     from kitrobot.workspace.run_hints import FASTER
     from kitrobot.workspace.sweep import run_sweep
     from kitrobot.workspace.sweep_map import heat_map
 
-    if picture is not None and prepared.opened.path is not None and same_file(picture, prepared.opened.path):
-        raise typer.BadParameter("the map would be written over the mission", param_hint="'--output'")
     with _progress() as progress:
         sweep = run_sweep(prepared, options, progress)
     if picture is not None:

@@ -14,7 +14,7 @@ import typer
 
 from kitrobot.cli.agent import Boards, FleetName, KeyFile, Listen, Router, Tls, prepare, say
 from kitrobot.cli.output import give, json_text, show
-from kitrobot.diagnostics import KitRobotError
+from kitrobot.diagnostics import KitRobotError, note_read
 from kitrobot.text import Sentence, did_you_mean, listed
 
 if TYPE_CHECKING:
@@ -63,6 +63,9 @@ def run_team(
     if not LEAST_LEASE_MS <= lease <= MOST_LEASE_MS:
         words = f"a lease is {LEAST_LEASE_MS} to {MOST_LEASE_MS} ms"
         raise typer.BadParameter(words, param_hint="'--lease'")
+    for secret in (key, *(tls.glob("*.pem") if tls is not None else ())):
+        if secret is not None:
+            note_read(secret)
     prepared = prepare(file, RunOptions(seed, seconds, 0.0, trace))
     show(prepared.problems, prepared.sources)
     simulation = prepared.simulation

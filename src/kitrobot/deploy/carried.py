@@ -19,6 +19,7 @@ from kitrobot.deploy.errors import PackageError
 from kitrobot.deploy.flash_code import Frozen, WithNames, frozen, literals_of
 from kitrobot.deploy.naming import renamed, short_names
 from kitrobot.deploy.shortening import parsed, shortened
+from kitrobot.diagnostics import note_read
 from kitrobot.text import Sentence, Word
 from kitrobot_onboard.requests import BY_FAMILY, REQUESTS
 
@@ -208,6 +209,7 @@ def read_source(path: Path) -> str:
         PackageError: it cannot be read, is too large, or no UTF-8.
     """
     try:
+        note_read(path)
         data = path.read_bytes()
         if len(data) > _MOST_BYTES:
             raise PackageError(

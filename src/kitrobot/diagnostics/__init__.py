@@ -15,6 +15,13 @@ from kitrobot.diagnostics.model import (
     rules,
 )
 from kitrobot.diagnostics.problems import ProblemsError, with_help, written_out
+from kitrobot.diagnostics.read_files import (
+    OutputPlaceError,
+    expect_output,
+    expect_outputs,
+    note_read,
+    recording_reads,
+)
 from kitrobot.diagnostics.regular import expect_regular, lock_handle, open_regular
 from kitrobot.diagnostics.rendering import render, render_one, to_json, to_page_json
 
@@ -24,15 +31,20 @@ __all__ = [
     "Fix",
     "FixKind",
     "KitRobotError",
+    "OutputPlaceError",
     "Place",
     "ProblemsError",
     "Rule",
     "Severity",
     "Source",
+    "expect_output",
+    "expect_outputs",
     "expect_regular",
     "in_reading_order",
     "lock_handle",
+    "note_read",
     "open_regular",
+    "recording_reads",
     "render",
     "render_one",
     "rule",

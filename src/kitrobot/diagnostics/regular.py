@@ -12,6 +12,7 @@ import sys
 from pathlib import Path
 from typing import BinaryIO
 
+from kitrobot.diagnostics.read_files import note_read
 from kitrobot.text import Sentence
 
 _FLAGS = os.O_RDONLY | sum(getattr(os, name, 0) for name in ("O_BINARY", "O_CLOEXEC", "O_NOCTTY", "O_NONBLOCK"))
@@ -38,6 +39,7 @@ def open_regular(path: Path, *, follow: bool = True) -> BinaryIO:
     handle = os.open(path, _FLAGS if follow else _FLAGS | getattr(os, "O_NOFOLLOW", 0))
     try:
         _look(os.fstat(handle), path)
+        note_read(path, handle)
         return os.fdopen(handle, "rb")
     except BaseException:
         os.close(handle)

@@ -16,7 +16,16 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
 
-from kitrobot.diagnostics import Diagnostic, KitRobotError, Place, Severity, expect_regular, open_regular, rule
+from kitrobot.diagnostics import (
+    Diagnostic,
+    KitRobotError,
+    Place,
+    Severity,
+    expect_output,
+    expect_regular,
+    open_regular,
+    rule,
+)
 from kitrobot.files.file_lock import FileLock
 from kitrobot.text import Help, Sentence, Word
 
@@ -134,21 +143,23 @@ def write_atomic(path: Path, data: bytes, before: bytes | None = None) -> None:
 
     Raises:
         FileError: the folder is missing or may not be written to, the disk is full, or somebody changed the file.
+        OutputPlaceError: it is a file that this command has read, and `before` is not said.
     """
     with saving_in(path):
         if before is not None:
             expect_unchanged(path, before)
-        replace_file(path, data)
+        replace_file(path, data, over_input=before is not None)
 
 
-def replace_file(path: Path, data: bytes) -> None:
-    """`write_atomic` for who holds the folder's lock already.
+def replace_file(path: Path, data: bytes, *, over_input: bool = False) -> None:
+    """`write_atomic` for who holds the folder's lock already; `over_input` as for `replace_whole`.
 
     Raises:
         FileError: the folder is missing or may not be written to, or the disk is full.
+        OutputPlaceError: it is a file that this command has read.
     """
     try:
-        replace_whole(path, data)
+        replace_whole(path, data, over_input=over_input)
     except FileNotFoundError:
         raise _unreadable(
             path, Sentence("there is no folder `{folder}`", path.parent), Sentence("make the folder first")
@@ -157,19 +168,22 @@ def replace_file(path: Path, data: bytes) -> None:
         raise _unreadable(path, Sentence("`{path}` could not be written: {reason}", path, _reason(error)), "") from None
 
 
-def replace_whole(path: Path, data: bytes, *, keep_old: bool = False) -> None:
+def replace_whole(path: Path, data: bytes, *, keep_old: bool = False, over_input: bool = False) -> None:
     """Puts a new file in the place of an old one, for who holds the folder's lock; a link is followed.
 
     The bytes are on the disk before the old file is gone. The new one has the old one's mode. With `keep_old` what was
-    there before is kept with a `~` behind its name.
+    there before is kept with a `~` behind its name. With `over_input` it may be a file that this command has read.
 
     Raises:
+        OutputPlaceError: it is a file that this command has read.
         OSError: the operating system refused; the old file is untouched.
         ValueError: the path is none.
     """
     # Not before: most who read files write none.
     import tempfile
 
+    if not over_input:
+        expect_output(path)
     target = Path(os.path.realpath(path))
     expect_regular(target)
     handle, name = tempfile.mkstemp(prefix=f".{target.name[:50]}.", suffix=_ENDING, dir=target.parent)

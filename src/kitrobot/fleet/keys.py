@@ -8,6 +8,7 @@ from collections.abc import Mapping
 from hashlib import blake2b
 from pathlib import Path
 
+from kitrobot.diagnostics import note_read
 from kitrobot.fleet.charter import FleetError
 from kitrobot.text import Sentence
 
@@ -54,6 +55,7 @@ def find_key(file: Path | None, environment: Mapping[str, str] = os.environ) -> 
         return None if text is None else key_of(text, VARIABLE)
     try:
         with file.open(encoding="utf-8") as stream:
+            note_read(file, stream.fileno())
             return key_of(stream.read(2 * MOST_LETTERS), f"`{file}`")
     except (OSError, UnicodeDecodeError) as error:
         why = getattr(error, "strerror", None) or Sentence("it is no text")

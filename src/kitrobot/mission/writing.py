@@ -75,20 +75,22 @@ class SaveError(KitRobotError):
     """A mission could not be saved; what was there before is still there."""
 
 
-def save(path: Path, mission: Mission, data: bytes | None = None) -> bytes:
+def save(path: Path, mission: Mission, data: bytes | None = None, *, over_input: bool = False) -> bytes:
     """Writes a mission to `path`, keeps what was there as `path~`, and gives the bytes written.
 
     Args:
         path: the file.
         mission: what is written.
         data: a file of that mission as somebody wrote it, which counts then.
+        over_input: whether it may be a file that this command has read.
 
     Raises:
         SaveError: the operating system refused; the old file is untouched.
+        OutputPlaceError: it is a file that this command has read.
     """
     data = write_mission(mission) if data is None else data
     try:
-        replace_whole(path, data, keep_old=True)
+        replace_whole(path, data, keep_old=True, over_input=over_input)
     except OSError as error:
         raise SaveError(
             Sentence("{path} cannot be saved: {reason}", path.name, Word(error.strerror or error)),

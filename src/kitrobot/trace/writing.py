@@ -9,7 +9,7 @@ from pathlib import Path
 from types import TracebackType
 from typing import Any, BinaryIO
 
-from kitrobot.diagnostics import expect_regular, lock_handle
+from kitrobot.diagnostics import expect_output, expect_regular, lock_handle
 from kitrobot.text import Sentence, Word
 from kitrobot.trace import layout
 from kitrobot.trace.coding import Encoder
@@ -24,6 +24,7 @@ class TraceWriter:
 
     Raises:
         TraceError: the file cannot be made or written, or another run is writing it.
+        OutputPlaceError: it is a file that this command has read.
     """
 
     def __init__(self, path: Path, header: TraceHeader) -> None:
@@ -35,6 +36,7 @@ class TraceWriter:
         text = layout.as_json(header_to_json(header))
         packed = zlib.compress(text, 6)
         head = layout.VERSION_HEAD.pack(layout.VERSION) + layout.HEAD.pack(len(text), len(packed), zlib.crc32(packed))
+        expect_output(path)
         try:
             expect_regular(path)
             self._file: BinaryIO = path.open("ab", buffering=0)

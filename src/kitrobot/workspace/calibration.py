@@ -15,9 +15,9 @@ from functools import cache
 from pathlib import Path
 from statistics import fmean, stdev
 
-from kitrobot.diagnostics import KitRobotError
-from kitrobot.files import write_atomic
-from kitrobot.primitives import SHIPPED, Category, Kit, KitPart, Measured, Robot, read_robot, write_kit
+from kitrobot.diagnostics import KitRobotError, expect_output
+from kitrobot.files import FileError, read_bytes, replace_file, saving_in
+from kitrobot.primitives import SHIPPED, Category, Kit, KitPart, Measured, Robot, read_kit, read_robot, write_kit
 from kitrobot.text import Sentence
 from kitrobot.user_folders import config_folder
 from kitrobot.workspace.bench import Bench, BenchStep, bench_of
@@ -213,10 +213,31 @@ def own_place(word: str, kit: Kit, folder: Path) -> Path:
     return folder / f"{kit.name}.board.xml"
 
 
+def expect_kit_place(kit: Kit, path: Path) -> None:
+    """That a kit may be written to a path: to a new file, or over the kit of its name.
+
+    Raises:
+        OutputPlaceError: it is another file that was read.
+    """
+    if not _is_of_kit(kit, path):
+        expect_output(path)
+
+
 def write_kit_file(kit: Kit, path: Path) -> None:
     """Writes a kit's file.
 
     Raises:
         FileError: it cannot be written.
+        OutputPlaceError: as for `expect_kit_place`.
     """
-    write_atomic(path, write_kit(kit).encode())
+    expect_kit_place(kit, path)
+    with saving_in(path):
+        replace_file(path, write_kit(kit).encode(), over_input=True)
+
+
+def _is_of_kit(kit: Kit, path: Path) -> bool:
+    try:
+        found, _ = read_kit(read_bytes(path), path.name)
+    except FileError:
+        return False
+    return found is not None and found.name == kit.name

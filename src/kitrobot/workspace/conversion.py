@@ -25,8 +25,8 @@ from kitrobot.compiler import (
     robot_of,
     target_of,
 )
-from kitrobot.diagnostics import Diagnostic, KitRobotError, Place, Severity, Source, rule
-from kitrobot.files import Form, form_of, is_picture, read_text, same_file, saving_in, write_atomic
+from kitrobot.diagnostics import Diagnostic, KitRobotError, Place, Severity, Source, expect_output, rule
+from kitrobot.files import Form, form_of, is_picture, read_text, saving_in, write_atomic
 from kitrobot.graph import Program
 from kitrobot.image import Image, disassemble
 from kitrobot.lll import is_name, parse
@@ -119,10 +119,7 @@ def convert(source: Path, target: Path, *, program: str | None = None, robot: st
                 "convert the `.krt` or `.lll` that it was made from; `{form}` goes to {ways}", form.value, _ways(form)
             ),
         )
-    if same_file(source, target):
-        raise ConversionError(
-            Sentence("`{target}` is the file that would be read", target), Sentence("choose another name for B")
-        )
+    expect_output(target, source)
     if form is wanted:
         made = _out_of_picture(source)
     elif form is Form.MISSION:

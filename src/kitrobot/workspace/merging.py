@@ -13,7 +13,7 @@ from dataclasses import replace
 from pathlib import Path
 from typing import Any, NamedTuple
 
-from kitrobot.diagnostics import Diagnostic, Source
+from kitrobot.diagnostics import Diagnostic, Source, expect_output
 from kitrobot.files import expect_unchanged, read_bytes, replace_file, same_file, saving_in
 from kitrobot.mission import Mission, read_mission, save, write_mission
 from kitrobot.primitives import read_kit, write_kit
@@ -74,11 +74,15 @@ def merge_files(base: Path, ours: Path, theirs: Path, out: Path) -> FileMerge:
     """Merges three `.krt`, or three `.board.xml`, into `out`; an empty base is none (both sides added the file).
 
     Raises:
+        OutputPlaceError: `out` is a file that is read, and not `ours`; nothing is written.
         CompareError: some are kits and some are not; nothing is written.
         ProblemsError: one of them cannot be used; nothing is written.
         FileError: one of them cannot be read, or `out` is one of them and was changed meanwhile; nothing is written.
         SaveError: the result could not be written.
     """
+    over = same_file(ours, out)
+    if not over:
+        expect_output(out, base, theirs)
     paths = (base, ours, theirs)
     data = [read_bytes(path) for path in paths]
     kits = [_KIT.match(one[:_BEGINNING]) is not None for one in data if one.strip()]
@@ -95,7 +99,7 @@ def merge_files(base: Path, ours: Path, theirs: Path, out: Path) -> FileMerge:
         text = data[1] if kit == one else data[2] if kit == other else None
         with saving_in(out):
             _expect_unchanged(paths, data, out)
-            replace_file(out, write_kit(kit).encode() if text is None else text)
+            replace_file(out, write_kit(kit).encode() if text is None else text, over_input=over)
         return FileMerge(conflicts) if text is not None else _with_warnings(conflicts, paths, data, read_kit)
     ancestor = mission_whole(data[0], base) if data[0].strip() else Mission()
     search = SearchPath(out.parent)
@@ -110,7 +114,7 @@ def merge_files(base: Path, ours: Path, theirs: Path, out: Path) -> FileMerge:
     text = data[1] if merged.mission == our_mission else data[2] if merged.mission == their_mission else None
     with saving_in(out):
         _expect_unchanged(paths, data, out)
-        save(out, merged.mission, text)
+        save(out, merged.mission, text, over_input=over)
     return FileMerge(merged.clashes) if text is not None else _with_warnings(merged.clashes, paths, data, read_mission)
 
 

@@ -81,8 +81,16 @@ class OpenMission:
     sources: tuple[Source, ...] = ()
     text: Source | None = None
     path: Path | None = None
+    world_file: Path | None = None
+    """Where its world was read from; None for one that it brings along, or that is not there."""
     kept: KeptPrograms | None = field(default=None, repr=False, compare=False)
     """Where programs that were compiled already are found, in the studio."""
+
+    @property
+    def files(self) -> tuple[Path, ...]:
+        """The files that it was read from: itself, its world, and the robots at hand."""
+        own = (one for one in (self.path, self.world_file) if one is not None)
+        return (*own, *self.catalogue.robot_files.values())
 
     @cached_property
     def places(self) -> Places | None:
@@ -207,7 +215,7 @@ class OpenMission:
         Raises:
             ProblemsError: the mission has errors; all are told.
             SimulationError: a number of the options makes no sense.
-            TracePlaceError: the recording would be written over the mission.
+            OutputPlaceError: the recording would be written over a file that was read.
         """
         from kitrobot.workspace.running import RunOptions, prepare
 
@@ -325,4 +333,4 @@ def _open(
     data = read_bytes(path)
     world, diagnostics = read_world(data, path.name)
     source = Source(path.name, data.decode("utf-8-sig", errors="replace"))
-    return OpenMission(name, mission, known, world, (*own, *diagnostics), (source,), kept=kept)
+    return OpenMission(name, mission, known, world, (*own, *diagnostics), (source,), world_file=path, kept=kept)

@@ -9,8 +9,7 @@ from pathlib import Path
 from typing import Any, Literal
 
 from kitrobot.compiler import TeamPlan
-from kitrobot.diagnostics import Diagnostic, KitRobotError, Place, ProblemsError, Source
-from kitrobot.files import same_file
+from kitrobot.diagnostics import Diagnostic, Place, ProblemsError, Source, expect_output
 from kitrobot.primitives import Catalogue, Kit, as_measured
 from kitrobot.sim import Simulation, SimulationError, check_limits, look_over, pens_of, simulate, strokes_now
 from kitrobot.text import Sentence
@@ -21,10 +20,6 @@ from kitrobot.workspace.traces import parts_of
 
 Progress = Callable[[float], None]
 """Told the simulated seconds so far, now and then."""
-
-
-class TracePlaceError(KitRobotError):
-    """The trace would be written over the mission."""
 
 
 @dataclass(frozen=True)
@@ -160,10 +155,8 @@ class PreparedRun:
 def prepare(opened: OpenMission, options: RunOptions) -> PreparedRun:
     """Sets a mission up in its world; see `OpenMission.prepare`."""
     trace = options.trace
-    if trace is not None and opened.path is not None and same_file(trace, opened.path):
-        raise TracePlaceError(
-            Sentence("the trace would be written over `{trace}`", trace), Sentence("give it a name of its own")
-        )
+    if trace is not None:
+        expect_output(trace, *opened.files)
     # The report would set the mission up once more.
     if not any(item.is_error for item in opened.before_setup):
         try:

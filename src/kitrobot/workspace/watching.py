@@ -8,12 +8,11 @@ from functools import partial
 from pathlib import Path
 
 from kitrobot.deploy import Hello, connect
-from kitrobot.files import same_file
+from kitrobot.diagnostics import expect_output
 from kitrobot.robots import Known, NoBoardError, NoRecordingError, RecordedBoard, RobotRecorder, WatchedRobot
 from kitrobot.text import Sentence
 from kitrobot.workspace.kept_programs import kept_program
 from kitrobot.workspace.robot_programs import load_board_program
-from kitrobot.workspace.running import TracePlaceError
 
 
 def known_program(
@@ -64,13 +63,10 @@ def record_robots(path: Path, watched: Sequence[WatchedRobot], mission: Path | N
 
     Raises:
         NoRecordingError: of a robot it is not known which mission it runs, or they are of different ones.
-        TracePlaceError: the recording would be written over the mission.
+        OutputPlaceError: the recording would be written over a file that was read.
         TraceError: the file cannot be made.
     """
-    if mission is not None and same_file(path, mission):
-        raise TracePlaceError(
-            Sentence("the trace would be written over `{path}`", path), Sentence("give it a name of its own")
-        )
+    expect_output(path, mission)
     boards = []
     for one in watched:
         if one.known is None or one.known.carried is None:
