@@ -44,6 +44,7 @@ def classroom(tmp_path: Path) -> Path:
     handed_in_file("03-square", WRONG["03-square"][0], tmp_path / "ben.krt")
     handed_in_file("03-square", FOR_EVER, tmp_path / "for-ever.krt")
     handed_in_file("12-no-jam", {}, tmp_path / "another.krt")
+    handed_in_file("03-square", {}, tmp_path / "untouched.krt")
     (tmp_path / "secret.txt").write_text("the teacher's")
     (tmp_path / "hostile.krt").write_text(DOCTYPE)
     (tmp_path / "cut.krt").write_bytes((tmp_path / "ada.krt").read_bytes()[:300])
@@ -65,6 +66,7 @@ def test_every_submission_gets_a_row_and_the_file_that_was_named_is_all_that_is_
         os.mkfifo(classroom / "pipe.krt")
         links = ["link.krt", "pipe.krt"]
     names = ["ada", "ben", "for-ever", "another", "hostile", "cut", "empty", "huge", "folder", "own-world", "none"]
+    names.append("untouched")
     files = [classroom / f"{name}.krt" for name in names] + [classroom / name for name in links]
     table, page = classroom / "table.csv", classroom / "table.html"
     said = kitrobot("grade", *files, "--exercise", SQUARE, "--json", "--csv", table, "--html", page)
@@ -74,7 +76,11 @@ def test_every_submission_gets_a_row_and_the_file_that_was_named_is_all_that_is_
     assert (rows["ada.krt"]["points"], rows["ada.krt"]["of"], rows["ada.krt"]["problem"]) == (4, 4, None)
     assert [goal["reached"] for goal in rows["ben.krt"]["goals"]] == [True, False, True, True]
     assert (rows["ben.krt"]["goals"][1]["seed"], rows["ben.krt"]["goals"][1]["seconds"]) == (1, 7.52)
-    assert rows["for-ever.krt"]["points"] == 1
+    # What the exercise begins with is no merit by itself.
+    assert rows["for-ever.krt"]["points"] == rows["untouched.krt"]["points"] == 0
+    assert [goal["condition"] for goal in rows["ada.krt"]["goals"]] == [True, False, False, True]
+    assert [goal["earned"] for goal in rows["ben.krt"]["goals"]] == [1, 0, 1, 1]
+    assert [goal["reached"] for goal in rows["untouched.krt"]["goals"]] == [True, False, False, True]
     assert rows["own-world.krt"]["points"] == 4
     problems = {name: row["problem"] for name, row in rows.items() if row["problem"]}
     assert problems["another.krt"] == "this is another mission: it has no program `a-square`"
@@ -88,7 +94,13 @@ def test_every_submission_gets_a_row_and_the_file_that_was_named_is_all_that_is_
     assert "teacher's" not in said.out
     told = list(csv.reader(io.StringIO(table.read_text(encoding="utf-8-sig"))))
     assert {len(line) for line in told} == {9}
-    assert [line[4:6] for line in told if line[2] == "all"] == [["4", "4"], ["3", "4"], ["1", "4"], ["4", "4"]]
+    assert [line[4:6] for line in told if line[2] == "all"] == [
+        ["4", "4"],
+        ["3", "4"],
+        ["0", "4"],
+        ["4", "4"],
+        ["0", "4"],
+    ]
     html = page.read_text(encoding="utf-8")
     assert "Un carré" in html
     assert "چوکور" in html

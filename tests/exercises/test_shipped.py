@@ -2,13 +2,16 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import pytest
 
 from kitrobot.exercise.evidence import ProgramsSeen
 from kitrobot.translation.rendering import translated
 from kitrobot.workspace import SearchPath, open_mission
 from kitrobot.workspace.exercises import programs_of
-from kitrobot.workspace.grading_process import ready_exercise, shipped_exercises
+from kitrobot.workspace.grades import Grade
+from kitrobot.workspace.grading_process import goal_grade, ready_exercise, shipped_exercises
 from kitrobot.workspace.judging import Judgement, JudgingOptions, judge, open_handed_in
 from tests.exercises.handing_in import FOLDER, exercise_file, submission
 from tests.exercises.solutions import SOLVED, WRONG, Programs
@@ -28,21 +31,25 @@ def missed(made: Judgement) -> list[int]:
 
 @pytest.mark.parametrize("name", NAMES)
 def test_a_model_solution_reaches_every_goal_and_a_wrong_one_is_told_which_it_misses(name: str) -> None:
-    solved = judged(name, SOLVED[name])
+    begun, solved = judged(name, {}), judged(name, SOLVED[name])
     assert missed(solved) == [], [verdict.why for verdict in solved.verdicts]
-    assert (solved.points, solved.full) == (solved.of, True)
+    assert solved.full
     programs, wanted = WRONG[name]
-    wrong = judged(name, programs)
+    wrong = judged(name, programs) if programs else begun  # the last exercise begins with its wrong solution
     assert missed(wrong) == wanted
     assert all(verdict.why for verdict in wrong.verdicts if not verdict.reached)
     assert not wrong.full
+    assert not begun.full
+    # What is handed in as it was earns nothing, and what is solved all there is.
+    assert graded(begun, begun).points == 0
+    assert graded(solved, begun).points == graded(solved, begun).of
+    assert graded(wrong, begun).points < graded(wrong, begun).of
 
 
-@pytest.mark.parametrize("name", NAMES)
-def test_what_an_exercise_begins_with_does_not_reach_its_goals(name: str) -> None:
-    # The last one is told above: it begins with its wrong solution.
-    if WRONG[name][0]:
-        assert not judged(name, {}).full
+def graded(made: Judgement, begun: Judgement) -> Grade:
+    """The row of a submission, of an exercise whose beginning was judged so."""
+    pairs = zip(map(goal_grade, made.verdicts), begun.verdicts, strict=True)
+    return Grade("x", {}, tuple(replace(goal, condition=bool(start.reached)) for goal, start in pairs))
 
 
 def test_there_are_twelve_in_three_languages_and_their_programs_tell_them_apart() -> None:

@@ -116,7 +116,8 @@ def _table(rows: Sequence[Grade]) -> list[str]:
     width = max(len(name) for name in names)
     lines = [rows[0].exercise["en"], ""]
     for number, goal in enumerate(goals, 1):
-        lines.append(f"  {number:>2}  {_line(goal.label['en'])}{' (hidden)' if goal.hidden else ''}")
+        remark = " (hidden)" * goal.hidden + " (counts once another goal is reached)" * goal.condition
+        lines.append(f"  {number:>2}  {_line(goal.label['en'])}{remark}")
     heads = "".join(f"{number:>4}" for number in range(1, len(goals) + 1))
     lines += ["", f"  {'':<{width}}{heads}  points"]
     for name, row in zip(names, rows, strict=True):

@@ -3,6 +3,7 @@
 from kitrobot.exercise.evidence import CheckSeen, Contact, PathPoint, ProgramsSeen, RunSeen
 from kitrobot.exercise.figures import figure_fault
 from kitrobot.exercise.goals import CheckGoal, Fault, Goal, ProgramGoal, RunGoal
+from kitrobot.exercise.handing_out import without_hidden
 from kitrobot.exercise.model import Exercise, Seed
 from kitrobot.exercise.reading import read_exercise
 
@@ -21,4 +22,5 @@ __all__ = [
     "Seed",
     "figure_fault",
     "read_exercise",
+    "without_hidden",
 ]

@@ -48,8 +48,9 @@ class RunSeen:
 
 @dataclass(frozen=True)
 class ProgramsSeen:
-    """For each program, how many vertices of each element hang on its Start (Start and Stop are not counted); `own` is
-    how many parts the own blocks stand for that it uses, each block once. `labels` is what elements are called on the
+    """For each program, how many vertices of each element hang on its Start (Start and Stop are not counted), and how
+    many the own blocks stand for that it uses, each block once. `own` is how many of its vertices are own blocks, which
+    count under no name. `labels` is what elements are called on the
     page, where the program's robots and the catalogue know them.
     """
 

@@ -11,6 +11,7 @@ from pathlib import Path, PurePosixPath
 
 from kitrobot.classroom import ClassError, ClassRoom
 from kitrobot.classroom.names import as_file_name
+from kitrobot.exercise import without_hidden
 from kitrobot.files import EXAMPLE, EXERCISE_ENDING, HANDED_OUT, TUTORIAL_ENDING
 from kitrobot.server.handed_out import read_files, write_files
 from kitrobot.server.studio import Studio
@@ -47,7 +48,8 @@ def hand_out_exercise(room: ClassRoom, studio: Studio, name: str) -> str:
 
 
 def files_of_exercise(room: ClassRoom) -> tuple[PurePosixPath, dict[str, bytes]]:
-    """The files of the exercise of the class, and the folder that they are in; none where it comes with KitRobot.
+    """The files of the exercise of the class as pupils get them, and the folder that they are in; none where it comes
+    with KitRobot. What is hidden is not in them: grading reads the folder.
 
     Raises:
         HandedOutError: there is too much.
@@ -57,7 +59,13 @@ def files_of_exercise(room: ClassRoom) -> tuple[PurePosixPath, dict[str, bytes]]
     if folder.parent != PurePosixPath(HANDED_OUT) or folder.name == ".." or not (room.folder / folder).is_dir():
         return folder, {}
     found = {path.name: path for path in sorted((room.folder / folder).iterdir()) if path.is_file()}
-    return folder, read_files(found)
+    files = read_files(found)
+    for name in [name for name in files if name.endswith(EXERCISE_ENDING)]:
+        try:
+            files[name] = without_hidden(files[name], name)
+        except ValueError:
+            del files[name]
+    return folder, files
 
 
 def copy_exercise(room: ClassRoom, studio: Path) -> None:

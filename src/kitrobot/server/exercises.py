@@ -42,7 +42,8 @@ def exercise_judge(studio: ThisStudio, wanted: JudgeShape) -> JudgedShape:
     seeds = () if wanted.seed is None else (wanted.seed,)
     stop = studio.judging.setdefault(wanted.judging, Stop()) if wanted.judging else Stop()
     try:
-        made = judge(exercise, opened, JudgingOptions(seeds=seeds, runs=not checks, checks=checks, stop=stop.is_set))
+        options = JudgingOptions(seeds=seeds, runs=not checks, checks=checks, stop=stop.is_set)
+        made = judge(exercise, opened, options, given=start.mission.constructors)
     finally:
         studio.judging.pop(wanted.judging, None)
     return JudgedShape(goals=goal_verdict_shapes(made), mission=mission_shape(mission))

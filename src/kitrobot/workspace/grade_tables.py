@@ -40,18 +40,17 @@ def as_csv(grades: Sequence[Grade]) -> str:
         if one.problem is not None:
             lines.writerow(map(as_cell, [one.submission, "", "", "no", 0, "", "", "", one.problem["en"]]))
             continue
-        for goal in one.goals:
-            lines.writerow(map(as_cell, _line(one, goal)))
+        for goal, earned in zip(one.goals, one.earned, strict=True):
+            lines.writerow(map(as_cell, _line(one, goal, earned)))
         lines.writerow(
             map(as_cell, [one.submission, one.exercise["en"], "all", _yes(one.full), one.points, one.of, "", "", ""])
         )
     return "\ufeff" + out.getvalue()
 
 
-def _line(one: Grade, goal: GoalGrade) -> list[object]:
-    points = goal.points if goal.reached else 0
+def _line(one: Grade, goal: GoalGrade, earned: int) -> list[object]:
     return [
-        *(one.submission, one.exercise["en"], goal.label["en"], _yes(goal.reached), points, goal.points),
+        *(one.submission, one.exercise["en"], goal.label["en"], _yes(goal.reached), earned, goal.points),
         *("" if value is None else value for value in (goal.seed, goal.seconds)),
         goal.why["en"],
     ]
@@ -97,11 +96,7 @@ def as_html(grades: Sequence[Grade]) -> str:
 
 def _table(rows: Sequence[Grade]) -> str:
     heads = "".join(f"<th>{number}</th>" for number in range(1, len(rows[0].goals) + 1))
-    hidden = told(Sentence("hidden"))
-    goals = "".join(
-        f"<li>{_said(goal.label)}{f' <small>({_said(hidden)})</small>' if goal.hidden else ''}</li>"
-        for goal in rows[0].goals
-    )
+    goals = "".join(f"<li>{_said(goal.label)}{_remarks(goal)}</li>" for goal in rows[0].goals)
     body = "\n".join(
         f'<tr><th scope="row" dir="auto">{escape(one.submission)}</th>{"".join(map(_mark, one.goals))}'
         f"<td>{one.points} / {one.of}</td></tr>"
@@ -119,6 +114,12 @@ def _table(rows: Sequence[Grade]) -> str:
 </table></div>
 {f"<h3>{_said(told(Sentence('What went wrong')))}</h3><ul>{wrong}</ul>" if wrong else ""}
 </section>"""
+
+
+def _remarks(goal: GoalGrade) -> str:
+    """What is to be known of a goal besides: that it is hidden, and that it counts only beside others."""
+    words = [Sentence("hidden")] * goal.hidden + [Sentence("counts once another goal is reached")] * goal.condition
+    return "".join(f" <small>({_said(told(one))})</small>" for one in words)
 
 
 def _mark(goal: GoalGrade) -> str:

@@ -17,7 +17,10 @@ Told = dict[str, str]
 
 @dataclass(frozen=True)
 class GoalGrade:
-    """What came of one goal: as `GoalVerdict`, in plain values."""
+    """What came of one goal: as `GoalVerdict`, in plain values.
+
+    `condition`: the mission that the exercise begins with reaches it.
+    """
 
     label: Told
     points: int
@@ -28,6 +31,7 @@ class GoalGrade:
     seconds: float | None
     runs: int
     of: int
+    condition: bool = False
 
 
 @dataclass(frozen=True)
@@ -40,9 +44,20 @@ class Grade:
     problem: Told | None = None
 
     @property
+    def earned(self) -> tuple[int, ...]:
+        """The points of each goal: all of them where it is reached, else none.
+
+        A goal that is reached from the beginning is a condition of the others: it counts once one of those is reached
+        that are none. So a mission that was handed in as it was earns nothing.
+        """
+        others = [goal for goal in self.goals if not goal.condition]
+        counts = not others or any(goal.reached for goal in others)
+        return tuple(goal.points if goal.reached and (counts or not goal.condition) else 0 for goal in self.goals)
+
+    @property
     def points(self) -> int:
-        """Points that were reached."""
-        return sum(goal.points for goal in self.goals if goal.reached)
+        """Points that were earned."""
+        return sum(self.earned)
 
     @property
     def of(self) -> int:
@@ -64,8 +79,9 @@ class Grade:
             "problem": None if self.problem is None else self.problem["en"],
             "goals": [],
         }
-        for goal in self.goals:
-            made["goals"].append({**asdict(goal), "label": goal.label["en"], "why": goal.why["en"]})
+        for goal, earned in zip(self.goals, self.earned, strict=True):
+            texts = {"label": goal.label["en"], "why": goal.why["en"]}
+            made["goals"].append({**asdict(goal), **texts, "earned": earned})
         return made
 
 

@@ -17,10 +17,11 @@ from pathlib import Path
 from typing import Any, Final
 
 from kitrobot.diagnostics import KitRobotError, open_regular
+from kitrobot.mission import write_mission
 from kitrobot.text import Sentence, Word
 from kitrobot.workspace.child_processes import MOST_JOBS
 from kitrobot.workspace.grades import GoalGrade, Grade, told
-from kitrobot.workspace.grading_process import MOST_CPU_S, serve
+from kitrobot.workspace.grading_process import MOST_CPU_S, ready_exercise, serve
 
 MOST_BYTES: Final = 1024 * 1024
 """Bytes of a submission: some hundred times what a large exercise takes."""
@@ -65,9 +66,10 @@ def grade(
     stop = stop or threading.Event()
     context = _context()
     chosen = None if exercise is None else str(exercise.resolve())
+    beginnings = _Beginnings(context, stop)
     done = 0
     with ThreadPoolExecutor(min(jobs, max(1, len(submissions)))) as pool:
-        left = {pool.submit(_grade_one, context, path, chosen, stop) for path in submissions}
+        left = {pool.submit(_grade_one, context, path, chosen, stop, beginnings) for path in submissions}
         try:
             while left:
                 over, left = wait(left, _LOOK_S, FIRST_COMPLETED)
@@ -92,17 +94,50 @@ def _context() -> Any:
     return multiprocessing.get_context("spawn")
 
 
-def _grade_one(context: Any, path: Path, exercise: str | None, stop: threading.Event) -> Grade | None:
+class _Beginnings:
+    """Which goals of exercises are reached by the missions that they begin with; each is judged once."""
+
+    def __init__(self, context: Any, stop: threading.Event) -> None:
+        self._context = context
+        self._stop = stop
+        self._lock = threading.Lock()
+        self._found: dict[str, tuple[bool, ...]] = {}
+
+    def reached(self, exercise: str) -> tuple[bool, ...]:
+        """For each goal; none where the mission cannot be judged. Whoever asks meanwhile waits."""
+        with self._lock:
+            found = self._found.get(exercise)
+            if found is None:
+                start = ready_exercise(Path(exercise)).start
+                answer = _judged(self._context, write_mission(start.mission), start.name, exercise, self._stop)
+                goals = answer["goals"] if isinstance(answer, dict) else []
+                found = self._found[exercise] = tuple(bool(goal["reached"]) for goal in goals)
+            return found
+
+
+def _grade_one(
+    context: Any, path: Path, exercise: str | None, stop: threading.Event, beginnings: _Beginnings
+) -> Grade | None:
     """In a thread: one submission, from its file to its row; None when it was broken off."""
-    if stop.is_set():
-        return None
     name = str(path)
     try:
-        data = read_submission(path)
+        answer = None if stop.is_set() else _judged(context, read_submission(path), path.name, exercise, stop)
+        if isinstance(answer, Sentence):
+            return Grade(name, {}, problem=told(answer))
+        if answer is None:
+            return None
+        reached = beginnings.reached(answer["file"]) if answer["file"] else ()
     except KitRobotError as error:
         return Grade(name, {}, problem=told(error.message))
+    return None if stop.is_set() else _row(name, answer, reached)
+
+
+def _judged(
+    context: Any, data: bytes, name: str, exercise: str | None, stop: threading.Event
+) -> dict[str, Any] | Sentence | None:
+    """What a process of its own says of a mission, or how it died; None when it was broken off."""
     ours, theirs = context.Pipe(duplex=False)
-    process = context.Process(target=serve, args=(theirs, data, path.name, exercise), daemon=True)
+    process = context.Process(target=serve, args=(theirs, data, name, exercise), daemon=True)
     try:
         process.start()
         theirs.close()
@@ -110,9 +145,7 @@ def _grade_one(context: Any, path: Path, exercise: str | None, stop: threading.E
         if answer is None and stop.is_set():
             return None
         process.join(_LOOK_S * 5)
-        if answer is None:
-            return Grade(name, {}, problem=told(_how_it_died(process.exitcode)))
-        return _row(name, answer)
+        return answer if answer is not None else _how_it_died(process.exitcode)
     finally:
         ours.close()
         if process.is_alive():
@@ -163,6 +196,9 @@ def _how_it_died(status: int | None) -> Sentence:
     return Sentence("judging it ended without an answer, perhaps for want of memory")
 
 
-def _row(name: str, answer: dict[str, Any]) -> Grade:
-    goals = tuple(GoalGrade(**goal) for goal in answer["goals"])
+def _row(name: str, answer: dict[str, Any], reached: Sequence[bool]) -> Grade:
+    conditions = reached or [False] * len(answer["goals"])
+    goals = tuple(
+        GoalGrade(**{**goal, "condition": one}) for goal, one in zip(answer["goals"], conditions, strict=True)
+    )
     return Grade(name, answer["exercise"], goals, answer["problem"])

@@ -43,9 +43,14 @@ class ExerciseUnknownError(KitRobotError):
 class ReadyExercise:
     """An exercise with its mission opened."""
 
+    path: Path
     exercise: Exercise
     start: OpenMission
-    folder: Path
+
+    @property
+    def folder(self) -> Path:
+        """The folder that both are in."""
+        return self.path.parent
 
 
 def ready_exercise(path: Path) -> ReadyExercise:
@@ -66,7 +71,7 @@ def ready_exercise(path: Path) -> ReadyExercise:
         message = Sentence("there is no mission `{mission}` beside this exercise", exercise.start)
         help = Sentence("put the mission that it begins with there")
         raise ProblemsError(words, "", (*problems, START(message, source.place(0, 1), help=help)), (source,))
-    return ReadyExercise(exercise, open_mission(beside), path.parent)
+    return ReadyExercise(path, exercise, open_mission(beside))
 
 
 def shipped_exercises() -> list[Path]:
@@ -119,10 +124,11 @@ def _judged(data: bytes, name: str, exercise: str | None) -> dict[str, Any]:
         raise KitRobotError(next(one.message for one in problems if one.is_error))
     ready = ready_exercise(Path(exercise)) if exercise is not None else _exercise_of(mission)
     opened = open_handed_in(ready.start, mission, SearchPath(ready.folder))
-    made = judge(ready.exercise, opened, JudgingOptions(hidden=True))
+    made = judge(ready.exercise, opened, JudgingOptions(hidden=True), given=ready.start.mission.constructors)
     return {
         "exercise": texts_of(ready.exercise.label),
-        "goals": [asdict(_goal_grade(verdict)) for verdict in made.verdicts],
+        "file": str(ready.path),
+        "goals": [asdict(goal_grade(verdict)) for verdict in made.verdicts],
         "problem": None,
     }
 
@@ -144,7 +150,8 @@ def _exercise_of(mission: Mission) -> ReadyExercise:
     return found[0]
 
 
-def _goal_grade(verdict: GoalVerdict) -> GoalGrade:
+def goal_grade(verdict: GoalVerdict) -> GoalGrade:
+    """A verdict in plain values; whether the goal is a condition is not known here."""
     goal = verdict.goal
     return GoalGrade(
         texts_of(goal.label),
@@ -160,4 +167,4 @@ def _goal_grade(verdict: GoalVerdict) -> GoalGrade:
 
 
 def _no(why: str) -> dict[str, Any]:
-    return {"exercise": {}, "goals": [], "problem": told(why)}
+    return {"exercise": {}, "file": "", "goals": [], "problem": told(why)}

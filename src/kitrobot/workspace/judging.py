@@ -12,7 +12,8 @@ from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass, replace
 from typing import Final, Literal
 
-from kitrobot.diagnostics import Diagnostic, ProblemsError
+from kitrobot.compiler import draw_template, target_of
+from kitrobot.diagnostics import Diagnostic, KitRobotError, ProblemsError
 from kitrobot.exercise import (
     CheckGoal,
     CheckSeen,
@@ -27,8 +28,9 @@ from kitrobot.exercise import (
     RunSeen,
 )
 from kitrobot.graph import IN, RETURN, START, STOP, Program
-from kitrobot.lll import Call, Hole, Number, Seq, nodes
+from kitrobot.lll import Call, nodes
 from kitrobot.mission import Mission
+from kitrobot.primitives import Constructor
 from kitrobot.sim import Simulation, pens_of, strokes_now
 from kitrobot.text import Label, Sentence
 from kitrobot.trace import Drawing
@@ -92,16 +94,6 @@ class Judgement:
     problems: tuple[Diagnostic, ...] = ()
 
     @property
-    def points(self) -> int:
-        """Points of the goals that are reached."""
-        return sum(verdict.goal.points for verdict in self.verdicts if verdict.reached)
-
-    @property
-    def of(self) -> int:
-        """Points of all goals."""
-        return sum(verdict.goal.points for verdict in self.verdicts)
-
-    @property
     def full(self) -> bool:
         """Whether every goal is reached."""
         return all(verdict.reached for verdict in self.verdicts)
@@ -136,9 +128,13 @@ def open_handed_in(start: OpenMission, submission: Mission, search: SearchPath) 
 
 
 def judge(
-    exercise: Exercise, opened: OpenMission, options: JudgingOptions | None = None, progress: Progress | None = None
+    exercise: Exercise,
+    opened: OpenMission,
+    options: JudgingOptions | None = None,
+    progress: Progress | None = None,
+    given: Sequence[Constructor] = (),
 ) -> Judgement:
-    """Judges a submission that was put into the mission of its exercise."""
+    """Judges a submission that was put into the mission of its exercise; `given` are the own blocks of that mission."""
     options = options or JudgingOptions()
     goals = exercise.goals_for(options.hidden)
     seeds = options.seeds or exercise.seeds_for(options.hidden)
@@ -158,7 +154,7 @@ def judge(
     except ProblemsError as error:
         return _unusable(goals, [one for one in error.diagnostics if one.is_error])
     found: dict[int, GoalVerdict] = {}
-    seen = programs_seen(opened)
+    seen = programs_seen(opened, given)
     for goal in goals:
         if isinstance(goal, ProgramGoal):
             fault = goal.fault(seen)
@@ -211,26 +207,50 @@ def _of_runs(goal: RunGoal, found: list[tuple[int, Fault | None]], wanted: int) 
 # -- what is seen of programs
 
 
-def programs_seen(opened: OpenMission) -> ProgramsSeen:
-    """The elements that hang on the Start of each program, and what own blocks stand for."""
+def programs_seen(opened: OpenMission, given: Sequence[Constructor] = ()) -> ProgramsSeen:
+    """The elements that hang on the Start of each program, and those that its own blocks would be drawn as.
+
+    A part is what it does: an own block counts by its name only as far as it is one of `given`, and as what stands in
+    it in any case, once for each program.
+    """
     blocks = {block.name: block for block in opened.mission.constructors}
+    named = {block.name for block in given if block.name in blocks and _is_same(block, blocks[block.name])}
     elements: dict[str, Counter[str]] = {}
     own: dict[str, int] = {}
     for program in opened.mission.programs:
         counts = Counter(attached(program))
         own[program.name] = 0
-        for name in set(counts) & set(blocks):
-            template = blocks[name].template
-            inner = [node for node in nodes(template) if not isinstance(node, Seq | Hole | Number)] if template else []
-            own[program.name] += len(inner)
-            counts.update(f"{node.object}.{node.method}" for node in inner if isinstance(node, Call))
+        for name in sorted(set(counts) & set(blocks)):
+            if name not in named:
+                own[program.name] += counts.pop(name)
+            counts.update(_drawn(blocks[name], program, opened))
         elements[program.name] = counts
     return ProgramsSeen(elements, own, _labels(opened))
 
 
+def _is_same(one: Constructor, other: Constructor) -> bool:
+    return (one.template, one.slots, one.adds) == (other.template, other.slots, other.adds)
+
+
+def _drawn(block: Constructor, program: Program, opened: OpenMission) -> list[str]:
+    """The elements that an own block would be drawn as if it stood in the program itself."""
+    if block.template is None:
+        return []
+    common = opened.common if opened.common is not None else opened.catalogue
+    # Under no name: one that is called as a part of the files is not to keep that from being drawn.
+    bare = replace(block, name="")
+    try:
+        drawn = draw_template(bare, target_of(program, opened.catalogue), common)
+    except KitRobotError:
+        return [f"{node.object}.{node.method}" for node in nodes(block.template) if isinstance(node, Call)]
+    elements = (vertex.element for vertex in drawn.vertices)
+    return [element for element in elements if element not in (START, STOP) and not element.startswith("{")]
+
+
 def _labels(opened: OpenMission) -> dict[str, Sentence]:
     """What elements are called on the page, of the constructors and of the robots of all programs."""
-    found: dict[str, Sentence] = {name: Label(name, one.label) for name, one in opened.catalogue.constructors.items()}
+    known = {**opened.catalogue.constructors, **(opened.common.constructors if opened.common is not None else {})}
+    found: dict[str, Sentence] = {name: Label(name, one.label) for name, one in known.items()}
     for program in opened.mission.programs:
         robot = opened.catalogue.robots.get(program.target)
         for (part, name), (of, method) in (robot.calls if robot is not None else {}).items():

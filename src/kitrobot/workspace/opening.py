@@ -83,6 +83,8 @@ class OpenMission:
     path: Path | None = None
     world_file: Path | None = None
     """Where its world was read from; None for one that it brings along, or that is not there."""
+    common: Catalogue | None = field(default=None, repr=False, compare=False)
+    """What the files hold, without the parts that the mission brings along."""
     kept: KeptPrograms | None = field(default=None, repr=False, compare=False)
     """Where programs that were compiled already are found, in the studio."""
 
@@ -323,14 +325,16 @@ def _open(
     if mission.own_world is not None:
         world, told = check_plan(mission.own_world)
         # What was read from a file has said with its lines what is wrong with its world.
-        return OpenMission(name, mission, known, world, own if places is not None else (*own, *told), kept=kept)
+        told = own if places is not None else (*own, *told)
+        return OpenMission(name, mission, known, world, told, common=common, kept=kept)
     path = search.world_file(mission.world_href)
     if path is None:
         place = (places.world or Place(name)) if places is not None else None
         help = Sentence("put its file into `{folder}`", search.folder.name)
         found = NO_WORLD(Sentence("there is no world `{world}`", mission.world_href), place, help=help)
-        return OpenMission(name, mission, known, None, (*own, found), kept=kept)
+        return OpenMission(name, mission, known, None, (*own, found), common=common, kept=kept)
     data = read_bytes(path)
     world, diagnostics = read_world(data, path.name)
     source = Source(path.name, data.decode("utf-8-sig", errors="replace"))
-    return OpenMission(name, mission, known, world, (*own, *diagnostics), (source,), world_file=path, kept=kept)
+    told = (*own, *diagnostics)
+    return OpenMission(name, mission, known, world, told, (source,), world_file=path, common=common, kept=kept)

@@ -14,7 +14,7 @@ from kitrobot.xml.attributes import (
     version,
     whole,
 )
-from kitrobot.xml.decoding import MAX_BYTES
+from kitrobot.xml.decoding import MAX_BYTES, decode
 from kitrobot.xml.element import LONGEST_NAME, Element, Tag
 from kitrobot.xml.foreign import fragment, head, remark
 from kitrobot.xml.lessons import lesson_tag, require_label
@@ -43,6 +43,7 @@ __all__ = [
     "Tag",
     "attributes",
     "decimal",
+    "decode",
     "escape_text",
     "escape_value",
     "fragment",
