@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from kitrobot.server.handed_out import unpack
 from tests.patience import PATIENCE_S
 from tests.server.classes.conftest import KEY, SOCKET, SQUARE, hand_in, told
 
@@ -98,3 +99,36 @@ def test_the_class_is_graded_with_its_exercise(school):
             pass
     assert "Ada" in teacher.get("/api/class/teacher/grades").text
     assert (school.room.folder / "grades.csv").read_text("utf-8-sig").splitlines()[1].startswith("Ada,")
+
+
+def test_pupils_get_nothing_of_an_exercise_that_is_hidden(school):
+    """Neither a page with Python in it, nor the studio of a pupil on the teacher's computer; grading has it all."""
+    put_own_exercise(school)
+    own = school.room.folder / "mine.exercise.xml"
+    hidden = '<!-- a secret --><seed value="1"/><seed value="4711" hidden="yes"/>'
+    hidden += '<uses part="Repetition" hidden="yes"><label>A secret repetition</label></uses></exercise>'
+    own.write_text(own.read_text().replace("</exercise>", hidden))
+    teacher = school.teacher()
+    ada, _ = school.join("Ada")
+    assert teacher.post("/api/class/teacher/exercise", json={"exercise": "mine.exercise.xml"}).status_code == 200
+    files = unpack(ada.get("/api/class/exercise").content)
+    assert set(files) == {"mine.exercise.xml", "mine.krt", "yard.world.xml"}
+    ada.get("/api/exercises")
+    beside = school.room.folder / ".studios" / "Ada" / "Handed out" / "mine" / "mine.exercise.xml"
+    for text in (files["mine.exercise.xml"], beside.read_bytes()):
+        assert b"It ends" in text
+        for word in (b"secret", b"4711", b"hidden", b"Repetition"):
+            assert word not in text
+    judged = ada.post(
+        "/api/exercise/judge",
+        json={
+            "exercise": "Handed out/mine/mine.exercise.xml",
+            "mission": ada.get("/api/mission", params={"path": "Handed out/mine/mine.krt"}).json()["mission"],
+            "seed": 1,
+        },
+    )
+    assert len(judged.json()["goals"]) == 1
+    hand_in(ada, judged.json()["mission"], "mine")
+    teacher.post("/api/class/teacher/grade", json={})
+    school.app.grading.wait(PATIENCE_S)
+    assert "A secret repetition" in (school.room.folder / "grades.csv").read_text("utf-8-sig")
