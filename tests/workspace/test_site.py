@@ -94,6 +94,10 @@ def test_the_folder_is_whole_and_no_order_date_or_owner_of_the_machine_is_in_it(
         assert not name.endswith(".packed") or data.startswith(b"\xfd7zXZ\0"), name
     with tarfile.open(fileobj=io.BytesIO(files["python.packed"]), mode="r:xz") as archive:
         entries = archive.getmembers()
+        exercises = [archive.extractfile(one) for one in entries if one.name.endswith(".exercise.xml")]
+        texts = [one.read() for one in exercises if one is not None]
+    assert len(texts) == 12
+    assert not any(b"hidden" in one for one in texts)
     assert [one.name for one in entries] == sorted(one.name for one in entries)
     assert {(one.mtime, one.uid, one.gid, one.uname, one.gname, one.mode) for one in entries} == {
         (0, 0, 0, "", "", 0o644)

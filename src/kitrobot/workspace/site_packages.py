@@ -15,7 +15,8 @@ from importlib.metadata import PackageNotFoundError, distribution
 from pathlib import Path
 from typing import Final
 
-from kitrobot.files import examples_folder
+from kitrobot.exercise import without_hidden
+from kitrobot.files import EXERCISE_ENDING, examples_folder
 from kitrobot.workspace.site_sources import without_texts
 
 USED: Final = ("fastapi", "mpremote", "python-minifier")
@@ -56,6 +57,9 @@ def packages(wheel: Path) -> tuple[bytes, dict[str, bytes]]:
             # What is put onto boards goes there as it is.
             if name.endswith(".py") and not name.startswith(_ONBOARD):
                 data = without_texts(data)
+            elif name.endswith(EXERCISE_ENDING):
+                # Whoever grades has the exercises; a page is for pupils.
+                data = without_hidden(data, name)
             about = tarfile.TarInfo(name)
             about.size = len(data)
             archive.addfile(about, io.BytesIO(data))
