@@ -16,6 +16,7 @@ from kitrobot.workspace.calibration import (
     MeasureError,
     Turned,
     calibrated,
+    left_out,
     measuring_steps,
     own_place,
     write_kit_file,
@@ -120,6 +121,20 @@ def test_what_was_measured_is_written_read_and_put_beside_the_missions_and_never
     assert own_place(str(own), kit, tmp_path) == own
     write_kit_file(made, own)
     assert read_kit(read_text(own).encode(), "x")[0] == made
+
+
+def test_a_kit_of_ones_own_keeps_its_comments_and_what_it_loses_is_told(tmp_path: Path) -> None:
+    path = tmp_path / "mine.board.xml"
+    text = write_kit(replace(kit_named("pico"), name="mine"))
+    path.write_text("<!-- Red wire to the left. -->\n" + text.replace("<tried", "<!-- by Ada --><tried to='me'", 1))
+    kit, _ = read_kit(path.read_bytes(), path.name)
+    assert kit is not None
+    found, _ = left_out(path)
+    assert [one.message for one in found] == ["<tried> has no attribute “to”; it is left out"]
+    write_kit_file(calibrated(kit, Answers({"left": Turned("left", False)})), path)
+    for words in ("<!-- Red wire to the left. -->", "<!-- by Ada -->", "left-flipped"):
+        assert words in path.read_text()
+    assert left_out(path)[0] == left_out(tmp_path / "none")[0] == ()
 
 
 @pytest.mark.parametrize(

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 import typer
 
 from kitrobot.cli.bench import Port, Replace, send_progress
-from kitrobot.cli.output import clean, give, json_text, tell
+from kitrobot.cli.output import clean, give, json_text, show, tell
 from kitrobot.diagnostics import KitRobotError
 from kitrobot.text import Sentence
 
@@ -56,7 +56,14 @@ def calibrate_robot(
     """
     from kitrobot.robots import chosen_boards
     from kitrobot.workspace.bench_run import BenchRun
-    from kitrobot.workspace.calibration import calibrated, expect_kit_place, measuring_steps, own_place, write_kit_file
+    from kitrobot.workspace.calibration import (
+        calibrated,
+        expect_kit_place,
+        left_out,
+        measuring_steps,
+        own_place,
+        write_kit_file,
+    )
     from kitrobot.workspace.kit_files import find_kit
 
     folder = Path.cwd()
@@ -71,6 +78,7 @@ def calibrate_robot(
     if made == kit:
         tell("nothing was changed: what was measured is what the kit's file says")
     else:
+        show(*left_out(target))
         write_kit_file(made, target)
         tell(f"written into {target}")
     if as_json:

@@ -15,7 +15,7 @@ from functools import cache
 from pathlib import Path
 from statistics import fmean, stdev
 
-from kitrobot.diagnostics import KitRobotError, expect_output
+from kitrobot.diagnostics import Diagnostic, KitRobotError, Source, expect_output
 from kitrobot.files import FileError, read_bytes, replace_file, saving_in
 from kitrobot.primitives import SHIPPED, Category, Kit, KitPart, Measured, Robot, read_kit, read_robot, write_kit
 from kitrobot.text import Sentence
@@ -221,6 +221,17 @@ def expect_kit_place(kit: Kit, path: Path) -> None:
     """
     if not _is_of_kit(kit, path):
         expect_output(path)
+
+
+def left_out(path: Path) -> tuple[tuple[Diagnostic, ...], tuple[Source, ...]]:
+    """What of a kit's file is lost once it is written anew, and the file's text; nothing where there is none."""
+    try:
+        data = read_bytes(path)
+    except FileError:
+        return (), ()
+    _, found = read_kit(data, str(path))
+    source = Source(str(path), data.decode("utf-8-sig", errors="replace"))
+    return tuple(one for one in found if one.code.startswith("xml-")), (source,)
 
 
 def write_kit_file(kit: Kit, path: Path) -> None:
