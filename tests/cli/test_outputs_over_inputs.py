@@ -155,6 +155,15 @@ def test_an_output_over_a_file_that_is_read_is_refused(kitrobot, project, which,
     assert not list(project.glob("*~"))
 
 
+def test_a_copy_of_what_was_there_takes_no_input_s_place_either(kitrobot, project):
+    (project / "m.krt~").write_text(MISSION.replace(">1<", ">7<"))
+    before = {path: path.read_bytes() for path in project.iterdir()}
+    said = kitrobot("merge", "base.krt", "m.krt", "m.krt~")
+    assert said.status == 2
+    assert "m.krt~` would be written over, and it is a file that is read" in said.err
+    assert {path: path.read_bytes() for path in before} == before
+
+
 def test_a_name_of_its_own_is_written(kitrobot, project):
     assert kitrobot(*RUN, "--trace", "t.krtrace", "--drawing", "d.svg").status == 0
     assert kitrobot(*GRADE, "--csv", "c.csv", "--html", "h.html").err.startswith("1 of 1")

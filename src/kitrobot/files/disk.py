@@ -186,6 +186,8 @@ def replace_whole(path: Path, data: bytes, *, keep_old: bool = False, over_input
         expect_output(path)
     target = Path(os.path.realpath(path))
     expect_regular(target)
+    if keep_old and target.exists():
+        expect_output(target.with_name(target.name + "~"))
     handle, name = tempfile.mkstemp(prefix=f".{target.name[:50]}.", suffix=_ENDING, dir=target.parent)
     fresh, copy = Path(name), Path(name + "~")
     try:
