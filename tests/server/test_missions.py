@@ -332,10 +332,19 @@ def test_characters_that_no_file_can_hold_are_no_mistake_of_ours(page, folder, t
     assert page.get("/api/mission", params={"path": "x.krt"}).status_code == 200
 
 
-@pytest.mark.parametrize("unknown", ["</vertex><", "<", "<a>", "&nothing;", "<!DOCTYPE x>"])
-def test_what_would_not_open_again_is_not_saved(page, folder, unknown):
+def test_what_would_not_open_again_is_not_saved(page, folder):
     file = opened(page)
-    file["mission"]["programs"][0]["vertices"][1]["unknown"] = unknown
+    file["mission"]["programs"][0]["vertices"][1]["unknown"] = "<a>" * 70 + "</a>" * 70
     sent = {"path": "blink.krt", "revision": file["revision"], "mission": file["mission"]}
     assert page.put("/api/mission", json=sent).status_code == 422
     assert (folder / "blink.krt").read_text() == SHORT
+
+
+@pytest.mark.parametrize("unknown", ["</vertex><", "<", "<a>", "&nothing;", "<!DOCTYPE x>"])
+def test_what_is_no_xml_is_saved_in_a_comment(page, folder, unknown):
+    file = opened(page)
+    file["mission"]["programs"][0]["vertices"][1]["unknown"] = unknown
+    sent = {"path": "blink.krt", "revision": file["revision"], "mission": file["mission"]}
+    assert page.put("/api/mission", json=sent).status_code == 200
+    assert f"<!-- {unknown} -->" in (folder / "blink.krt").read_text()
+    assert opened(page)["mission"]["programs"][0]["vertices"][1]["unknown"] == f"<!-- {unknown} -->"
