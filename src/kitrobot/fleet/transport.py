@@ -12,18 +12,22 @@ import json
 import time
 from collections import Counter, deque
 from collections.abc import Callable
+from contextlib import suppress
 from dataclasses import dataclass
 from pathlib import Path
-from threading import Condition
+from threading import Condition, Thread
 from typing import Any
 
 from kitrobot.fleet.charter import FleetError
 from kitrobot.fleet.envelopes import EVERYBODY, STOP, TEAM_PROCESS, Envelope, EnvelopeError, opened, sealed
+from kitrobot.fleet.link_sockets import set_up_links
 from kitrobot.text import Sentence
 
 MOST_OF_ONE = 1024
 """Messages of one sender that may wait."""
 MOST_WAITING = 16_384
+CLOSED_WITHIN_S = 1.0
+"""How long closing a channel is waited for; what is still to be sent then is lost."""
 TOLD_EVERY_S = 5.0
 """How often the same reason to refuse messages is told."""
 MOST_REASONS = 16
@@ -78,6 +82,7 @@ class Channel:
         remote = zenoh.Locality.REMOTE
         mine = [f"{self._root}/t"] if me == TEAM_PROCESS else [f"{self._root}/a", f"{self._root}/m/{me}"]
         self._subscribers = [self._session.declare_subscriber(name, self._came, allowed_origin=remote) for name in mine]
+        self._links = self._session.info.declare_link_events_listener(lambda event: set_up_links(), history=True)
         self._drop = zenoh.CongestionControl.DROP
         self._priority = zenoh.Priority.REAL_TIME
 
@@ -156,8 +161,17 @@ class Channel:
         )
 
     def close(self) -> None:
-        """Ends it; nothing comes any more."""
-        self._session.close()
+        """Ends it; nothing comes any more.
+
+        Zenoh waits for connections whose other ends are out of reach, and then fails; nobody waits for that here.
+        """
+        closing = Thread(target=self._close, daemon=True, name="closes a channel")
+        closing.start()
+        closing.join(CLOSED_WITHIN_S)
+
+    def _close(self) -> None:
+        with suppress(Exception):  # Zenoh's own errors have no class that all versions share.
+            self._session.close()
 
 
 def _open(network: Network) -> tuple[Any, Any]:
