@@ -44,16 +44,28 @@ class Heard(Channel):
 
     def __init__(self, me: int) -> None:
         super().__init__(Network("here", ("tcp/127.0.0.1:0",)), me, KEY)
+        self.run = RUN
         self.sent: list[int] = []
         self.on_send: Callable[[int], None] = lambda kind: None
 
-    def send(self, to: int, kind: int, body: bytes = b"") -> None:
+    def send(self, to: int, kind: int, body: bytes = b"", process: int = 0) -> None:
         self.sent.append(kind)
-        super().send(to, kind, body)
+        super().send(to, kind, body, process)
         self.on_send(kind)
 
-    def come(self, kind: int, body: bytes = b"", sender: int = TEAM_PROCESS, run: int = RUN) -> None:
-        envelope = Envelope(kind, run, sender, self.me if kind != kinds.STOP else EVERYBODY, 1, body)
+    def come(
+        self,
+        kind: int,
+        body: bytes = b"",
+        sender: int = TEAM_PROCESS,
+        run: int | None = None,
+        process: int | None = None,
+    ) -> None:
+        """From the team to this process, or from the first process of an agent, in the run that is known."""
+        to = self.me if kind != kinds.STOP else EVERYBODY
+        run = self.run if run is None else run
+        process = (self.process if sender == TEAM_PROCESS else 1000 + sender) if process is None else process
+        envelope = Envelope(kind, run, sender, to, 1, body, process)
         self._came(SimpleNamespace(payload=sealed(envelope, KEY)))
 
 
@@ -84,8 +96,8 @@ def frame(serial: int) -> bytes:
 
 def begun(channel: Heard, said: list[str], over: Event, board: AgentBoard | None = None) -> AgentProcess:
     """An agent that was welcome, and whose run begins with the first thing that it reads."""
-    channel.come(kinds.WELCOME, json.dumps(["", 0, LEASE]).encode(), run=0)
-    channel.come(kinds.BEGIN)
+    channel.come(kinds.WELCOME, json.dumps(["", LEASE, []]).encode())
+    channel.come(kinds.BEGIN, b"0")
     return AgentProcess(anew(), 0, channel, said.append, over.is_set, board)
 
 
@@ -101,7 +113,6 @@ def test_a_stop_overtakes_what_waits_and_is_not_dropped_by_a_flood(opened: Calla
 
 def test_a_stop_of_another_run_or_key_is_refused_like_everything_of_it(opened: Callable[[int], Heard]) -> None:
     channel = opened(0)
-    channel.run = RUN
     channel.come(kinds.STOP, run=8)
     other = sealed(Envelope(kinds.STOP, RUN, TEAM_PROCESS, EVERYBODY, 1, b""), bytes(32))
     channel._came(SimpleNamespace(payload=other))
@@ -138,7 +149,7 @@ def test_an_agent_with_much_to_read_stops_before_it_reads_on(opened: Callable[[i
 
 def test_a_stop_ends_a_run_that_did_not_begin_for_an_agent(opened: Callable[[int], Heard]) -> None:
     channel, said, over = opened(0), list[str](), Event()
-    channel.come(kinds.STOP, run=0)
+    channel.come(kinds.STOP)
     channel.on_send = lambda kind: over.set() if kind == kinds.STOP else None
     agent = AgentProcess(anew(), 0, channel, said.append, over.is_set)
     assert agent.run().stopped
@@ -167,18 +178,18 @@ def test_the_teams_process_sends_the_stop_before_it_reads_on(opened: Callable[[i
     simulation = anew()
     team = TeamProcess(simulation, channel, LEASE, 1.0, dict, told)
     for i, name in enumerate(NAMES):
-        channel.come(kinds.HELLO, json.dumps([name, identity_of(simulation)]).encode(), sender=i, run=0)
+        channel.come(kinds.HELLO, json.dumps([name, identity_of(simulation)]).encode(), sender=i)
     team.gather(1)
     # All four are welcome; there is much to read, and while it is read somebody presses.
     for _ in range(50):
         for i, name in enumerate(NAMES):
-            channel.come(kinds.HELLO, json.dumps([name, identity_of(simulation)]).encode(), sender=i, run=0)
+            channel.come(kinds.HELLO, json.dumps([name, identity_of(simulation)]).encode(), sender=i)
     since = len(channel.sent)
 
     def sent(kind: int) -> None:
         if kind == kinds.STOP and not team.stopped_ms:
             for i in range(4):
-                channel.come(kinds.STOP, sender=i, run=0)
+                channel.come(kinds.STOP, sender=i)
         elif kind == kinds.WELCOME:
             pressed.set()
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import sys
 from collections.abc import Callable, Iterator
 from contextlib import ExitStack, contextmanager, suppress
@@ -62,6 +63,10 @@ def run_agent(
             "--board", metavar="PORT|URL", help="A real robot that has its program: `kitrobot deploy --team`."
         ),
     ] = None,
+    wait: Annotated[
+        float | None,
+        typer.Option(metavar="SECONDS", help="How long it waits for the run to begin; without it, until you end it."),
+    ] = None,
     with_input: Annotated[
         bool, typer.Option("--with-input", hidden=True, help="Ends when its standard input does.")
     ] = False,
@@ -85,6 +90,7 @@ def run_agent(
     )
     from kitrobot.workspace import RunOptions, agent_program
 
+    check_wait(wait)
     over = end_of_input() if with_input else None
     with ExitStack() as stack:
         say_so = stack.enter_context(_saying(name, told))
@@ -122,6 +128,8 @@ def run_agent(
             body = AgentBoard(line, program.file.used_actuators)
         channel = Channel(network, names.index(name), secret)
         stack.callback(channel.close)
+        if not with_input:
+            say_so(Sentence("looks for its team at {endpoints}", ", ".join(network.connect)))
         ended = AgentProcess(
             simulation,
             names.index(name),
@@ -129,6 +137,8 @@ def run_agent(
             say_so,
             lambda: over is not None and over.is_set(),
             body,
+            wait,
+            (lambda sentence: None) if with_input else say_so,
         ).run()
     if as_json:
         give(json_text({"agent": name, "outcome": ended.outcome, "sentence": ended.sentence}) + "\n")
@@ -136,6 +146,12 @@ def run_agent(
         sys.stdout.write(f"{ended.sentence}\n")
     if ended.outcome != "done" and not with_input:
         raise typer.Exit(1)
+
+
+def check_wait(wait: float | None) -> None:
+    """Refuses a limit that is none."""
+    if wait is not None and not (math.isfinite(wait) and wait >= 0):
+        raise typer.BadParameter("a limit is a number of seconds from 0", param_hint="'--wait'")
 
 
 def say(name: str, sentence: str) -> None:

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from kitrobot.cli.agent import Boards, FleetName, KeyFile, Listen, Router, Tls, prepare, say
+from kitrobot.cli.agent import Boards, FleetName, KeyFile, Listen, Router, Tls, check_wait, prepare, say
 from kitrobot.cli.output import give, json_text, show
 from kitrobot.diagnostics import KitRobotError, note_read
 from kitrobot.text import Sentence, did_you_mean, listed
@@ -43,6 +43,10 @@ def run_team(
     lease: Annotated[
         int, typer.Option(metavar="MS", help="Silence after which an agent is missed; more than a network's delay.")
     ] = 500,
+    wait: Annotated[
+        float | None,
+        typer.Option(metavar="SECONDS", help="How long agents may take to come; without it, until you end it."),
+    ] = None,
     trace: Annotated[Path | None, typer.Option(metavar="FILE.krtrace", help="Record the run.")] = None,
     as_json: Annotated[bool, typer.Option("--json", help="Give the result as one JSON object.")] = False,
 ) -> None:
@@ -60,6 +64,7 @@ def run_team(
         raise typer.BadParameter(words, param_hint="'--seconds' or '--seed'")
     if not (math.isfinite(pace) and 0 <= pace <= 1000):
         raise typer.BadParameter("a pace is a number from 0 to 1000", param_hint="'--pace'")
+    check_wait(wait)
     if not LEAST_LEASE_MS <= lease <= MOST_LEASE_MS:
         words = f"a lease is {LEAST_LEASE_MS} to {MOST_LEASE_MS} ms"
         raise typer.BadParameter(words, param_hint="'--lease'")
@@ -91,7 +96,7 @@ def run_team(
         fleet or identity_of(simulation), () if router else endpoints, endpoints if router else (), bool(router), tls
     )
     here = [name for name in names if name not in (elsewhere or ())]
-    plan = FleetPlan(file, here, network, key, boards, lease, pace)
+    plan = FleetPlan(file, here, network, key, boards, lease, pace, wait)
     with Agents() as agents, emergency_stop() as pressed, recording(prepared) as on_step:
         run = run_fleet(simulation, plan, agents, FleetTold(say, pressed.is_set, on_step))
     result = result_of(simulation, run)

@@ -1,6 +1,8 @@
 """The process of one agent: an `AgentHost`, its channel and the clock.
 
-It ends when the team says so, when nobody has anything to say to it for `PATIENCE_S`, or with whoever started it.
+It looks for its team until there is one, however long that takes, unless a limit was set; a team that is not heard any
+more before the run has begun is looked for anew. It ends when the team says so, when nobody has anything to say to it
+for `PATIENCE_S` in a run, or with whoever started it.
 """
 
 from __future__ import annotations
@@ -17,19 +19,20 @@ from kitrobot.fleet.charter import LEAST_LEASE_MS, MOST_LEASE_MS, FleetError, ch
 from kitrobot.fleet.envelopes import EVERYBODY, TEAM_PROCESS, Envelope, EnvelopeError
 from kitrobot.fleet.host import AgentHost
 from kitrobot.fleet.identity import identity_of
+from kitrobot.fleet.refusals import Refusals
 from kitrobot.fleet.transport import Channel, milliseconds
 from kitrobot.sim import Simulation
 from kitrobot.team import MessageError, decode
-from kitrobot.text import Sentence
+from kitrobot.text import Sentence, listed
 
 HELLO_EVERY_MS = 200
 ASK_EVERY_MS = 100
 TURN_MS = 20
 """How often the host is told the time, which looks at every member."""
 PATIENCE_S = 30.0
-"""How long an agent goes on without a word from its world."""
-NO_BODY_S = 20.0
-"""How long it looks for its team."""
+"""How long an agent goes on in a run without a word from its world."""
+LOST_MS = 3000
+"""A team that is not heard for so long before the run is looked for anew; in the run, that is told then."""
 
 
 @dataclass
@@ -66,6 +69,8 @@ class AgentProcess:
         say: told each sentence of its log.
         is_over: asked now and then whether it is to end by itself.
         board: the board that is its body and interpreter; None: its body is simulated.
+        wait_s: how long it waits for the run to begin; None: for ever.
+        progress: told what it waits for.
     """
 
     def __init__(
@@ -76,6 +81,8 @@ class AgentProcess:
         say: Callable[[str], None],
         is_over: Callable[[], bool],
         board: AgentBoard | None = None,
+        wait_s: float | None = None,
+        progress: Callable[[str], None] = lambda sentence: None,
     ) -> None:
         self.simulation = simulation
         self.me = me
@@ -87,54 +94,81 @@ class AgentProcess:
             board.line.wake = channel.wake
         self.host: AgentHost | None = None
         self.ended: Ended | None = None
-        self.looking = True
-        self.heard_at = milliseconds()
-        self.asked_at = self.timed_at = 0
-        self.life, self.lease = 0, 0
+        self.wait_s = wait_s
+        self.progress = progress
+        self.identity = identity_of(simulation)
+        self.began_at = self.heard_at = milliseconds()
+        self.asked_at = self.timed_at = self.spoke_at = 0
+        self.lease = 0
+        self._refusals = Refusals()
+        self._waits_for = ""
+        self._silent = False
 
     def run(self) -> Ended:
         """Takes part in the run to its end.
 
         Raises:
-            FleetError: there is no team, it does not want this agent, or it was lost.
+            FleetError: there is no team within the limit, it does not want this agent, or it was lost.
             KitRobotError: its board is lost.
         """
         while self.ended is None:
-            now = milliseconds()
             if self.is_over():
                 return Ended("stopped", Sentence("whoever started this agent has ended"), True)
-            self._look_for_team(now)
-            came = self.channel.receive(TURN_MS / 1000)
-            last = max((n for n, envelope in enumerate(came) if envelope.kind == kinds.MEMBER), default=-1)
-            for number, envelope in enumerate(came):
-                for stop in self.channel.stops():
-                    self._take(milliseconds(), stop, False)
-                    self._post()
-                self._take(milliseconds(), envelope, number < last)
-                self._post()
-            if self.host is not None:
-                self._hear_board(milliseconds(), self.host)
-                if (now := milliseconds()) - self.timed_at >= TURN_MS:
-                    self.timed_at = now
-                    self.host.time(now)
-                self._post()
-            self._tell()
+            self.turn()
         return self.ended
 
+    def turn(self) -> None:
+        """Takes in what came, or waits a little for it, and says what there is to say.
+
+        Raises:
+            FleetError, KitRobotError: as `run`.
+        """
+        self._look_for_team(milliseconds())
+        came = self.channel.receive(TURN_MS / 1000)
+        last = max((n for n, envelope in enumerate(came) if envelope.kind == kinds.MEMBER), default=-1)
+        for number, envelope in enumerate(came):
+            for stop in self.channel.stops():
+                self._take(milliseconds(), stop, False)
+                self._post()
+            self._take(milliseconds(), envelope, number < last)
+            self._post()
+        if self.host is not None:
+            self._hear_board(milliseconds(), self.host)
+            if (now := milliseconds()) - self.timed_at >= TURN_MS:
+                self.timed_at = now
+                self.host.time(now)
+            self._post()
+        self._tell()
+
     def _look_for_team(self, now: int) -> None:
-        """Says hello until it is welcome; gives up after a time in which nobody answers."""
-        silence = (now - self.heard_at) / 1000
-        if self.looking and now - self.asked_at >= HELLO_EVERY_MS:
-            self.asked_at = now
-            hello = [self.simulation.members[self.me].name, identity_of(self.simulation)]
-            self.channel.send(TEAM_PROCESS, kinds.HELLO, json.dumps(hello).encode())
-        if self.looking and silence >= NO_BODY_S:
-            raise FleetError(
-                Sentence("no team answers within {seconds} s", round(NO_BODY_S)),
-                Sentence("start `kitrobot team` with this mission and this key, and --connect to where it listens"),
-            )
-        if not self.looking and silence >= PATIENCE_S:
+        """Says hello whenever there is nothing else to say to the team; gives up where there is a limit."""
+        silence = now - self.heard_at
+        if self.host is None:
+            if self.wait_s is not None and now - self.began_at >= self.wait_s * 1000:
+                raise FleetError(
+                    Sentence("the run did not begin within {seconds} s", self.wait_s),
+                    Sentence("start `kitrobot team` with this mission and this key, and --connect to where it listens"),
+                )
+            if self.channel.run and silence >= LOST_MS:
+                self.channel.draw_number()
+                self._wait_for(Sentence("its team is not heard any more; looks for it"))
+        elif silence >= PATIENCE_S * 1000:
             raise FleetError(Sentence("the team has not been heard for {seconds} s", round(PATIENCE_S)))
+        elif self._silent != (silence >= LOST_MS):
+            self._silent = not self._silent
+            if self._silent:
+                self.say(
+                    Sentence("does not hear the team's process; ends after {seconds} s of that", round(PATIENCE_S))
+                )
+        if now - self.spoke_at >= HELLO_EVERY_MS:
+            self.spoke_at = now
+            hello = [self.simulation.members[self.me].name, self.identity]
+            self.channel.send(TEAM_PROCESS, kinds.HELLO, json.dumps(hello).encode())
+
+    def _wait_for(self, what: str) -> None:
+        if what != self._waits_for:
+            self._waits_for = what
+            self.progress(what)
 
     def _take(self, now: int, envelope: Envelope, more: bool) -> None:
         """Takes in an envelope; `more`: messages of the protocol follow."""
@@ -146,19 +180,15 @@ class AgentProcess:
 
     def _ordered(self, now: int, envelope: Envelope) -> None:
         """What the team's process says."""
-        if envelope.kind == kinds.WELCOME and self.looking:
+        if envelope.kind == kinds.WELCOME:
             self._welcome(envelope)
-        elif envelope.kind == kinds.BEGIN and self.host is None and not self.looking:
-            self.channel.run = envelope.run
-            charter = charter_of(self.simulation, self.lease)
-            actuators = self.board.actuators if self.board is not None else None
-            self.host = AgentHost(self.simulation, self.me, charter, self.life, now, actuators)
-            self.say(Sentence("takes part"))
+        elif envelope.kind == kinds.BEGIN and self.host is None:
+            self._begin(now, envelope)
         elif envelope.kind == kinds.FRAME and self.host is not None:
             try:
                 replies = self.host.frame(now, read_frame(envelope.body))
             except FrameError as error:
-                self.say(Sentence("refused: {why}", error.args[0]))
+                self._refuse(envelope, error.args[0])
                 return
             self._post()
             self._reply(replies)
@@ -166,6 +196,11 @@ class AgentProcess:
             self._stop()
         elif envelope.kind == kinds.BYE:
             outcome, sentence = _two_texts(envelope.body)
+            if self.host is None and outcome != "stopped":
+                raise FleetError(
+                    Sentence("this agent took no part in the run, which is over: {sentence}", sentence),
+                    Sentence("start it again, and it waits for the next run"),
+                )
             self.ended = Ended(outcome, sentence, outcome == "stopped")
 
     def _stop(self) -> None:
@@ -197,21 +232,45 @@ class AgentProcess:
 
     def _reply(self, replies: Sequence[Reply]) -> None:
         for reply in replies:
+            self.spoke_at = milliseconds()
             self.channel.send(TEAM_PROCESS, kinds.REPLY, write_reply(reply))
 
     def _welcome(self, envelope: Envelope) -> None:
-        """The answer to hello: a life and a lease, or why not."""
+        """The answer to hello: the run, the lease and who is missing yet; or why this agent is not wanted."""
         try:
-            refusal, life, lease = json.loads(envelope.body)
-            life, lease = int(life), int(lease)
+            refusal, lease, missing = json.loads(envelope.body)
+            lease, missing = int(lease), [str(name)[:100] for name in missing]
         except (ValueError, TypeError):
             return
         if refusal:
             raise FleetError(Sentence("the team refused this agent: {why}", str(refusal)[:300]))
-        if LEAST_LEASE_MS <= lease <= MOST_LEASE_MS and 0 <= life < 1 << 20:
-            self.looking, self.life, self.lease = False, life, lease
-            if self.board is not None:
-                self.board.line.bear(lease)
+        if self.host is not None or not LEAST_LEASE_MS <= lease <= MOST_LEASE_MS:
+            return
+        if not self.channel.run:
+            self.channel.run = envelope.run
+            self.spoke_at = 0
+        self.lease = lease
+        if self.board is not None:
+            self.board.line.bear(lease)
+        if missing:
+            self._wait_for(Sentence("is there; the team waits for {names}", listed(missing)))
+
+    def _begin(self, now: int, envelope: Envelope) -> None:
+        """The run begins; `life`: how many processes of this name took part in it before."""
+        try:
+            life = int(json.loads(envelope.body))
+        except (ValueError, TypeError):
+            return
+        if self.lease and 0 <= life < 1 << 20:
+            charter = charter_of(self.simulation, self.lease)
+            actuators = self.board.actuators if self.board is not None else None
+            self.host = AgentHost(self.simulation, self.me, charter, life, now, actuators)
+            self.say(Sentence("takes part"))
+
+    def _refuse(self, envelope: Envelope, why: Sentence) -> None:
+        told = self._refusals.tell(envelope.sender, why)
+        if told is not None:
+            self.say(told)
 
     def _of_member(self, now: int, envelope: Envelope, host: AgentHost, more: bool) -> None:
         """What another agent says."""
@@ -228,7 +287,7 @@ class AgentProcess:
             elif envelope.kind == kinds.WHOLE:
                 host.adopt(now, read_whole(envelope.body))
         except (MessageError, EnvelopeError, FrameError) as error:
-            self.say(Sentence("refused: {why}", error.args[0]))
+            self._refuse(envelope, error.args[0])
 
     def _post(self) -> None:
         """Sends what the host has to say."""

@@ -19,10 +19,12 @@ from kitrobot.fleet.bodies import FrameError, read_reply, write_frame
 from kitrobot.fleet.charter import FleetError, charter_of
 from kitrobot.fleet.envelopes import EVERYBODY, Envelope
 from kitrobot.fleet.identity import identity_of
+from kitrobot.fleet.refusals import Refusals
+from kitrobot.fleet.roster import Answer, Roster
 from kitrobot.fleet.transport import Channel, milliseconds
 from kitrobot.fleet.world import WorldHost
 from kitrobot.sim import Outcome, Simulation
-from kitrobot.text import COMMA, Sentence, Series
+from kitrobot.text import Sentence, listed
 
 TURN_MS = 10
 """How often the world is told the time when nothing comes."""
@@ -30,6 +32,8 @@ STOP_AGAIN_MS = 20
 STOP_WITHIN_MS = 2000
 """How long the emergency stop is repeated to agents that have not answered it."""
 STOPPED = "stopped"
+LEAST_SILENCE_MS = 1000
+"""How long an agent that says hello may be silent at least; it does so each 200 ms."""
 
 
 @dataclass(frozen=True)
@@ -98,38 +102,56 @@ class TeamProcess:
         self.has_ended, self.told = has_ended, told
         self.identity = identity_of(simulation)
         self.names = [agent.name for agent in simulation.members]
-        self.lives: dict[int, int] = {}
+        self.roster = Roster(len(self.names), max(lease_ms, LEAST_SILENCE_MS))
+        self.channel.run = 1 + secrets.randbelow((1 << 63) - 1)
         self.world: WorldHost | None = None
         self.stopped_ms: dict[str, int] = {}
         self._stop_at: int | None = None
+        self.begun: set[int] = set()
+        """The agents that know that the run has begun."""
         self._gone: set[str] = set()
+        self._refusals = Refusals()
 
     # -- the beginning
 
-    def gather(self, seconds: float) -> None:
-        """Waits until all agents have said hello.
+    def gather(self, seconds: float | None) -> None:
+        """Waits until all agents are there at the same time, and says who is missing; None: for ever.
 
         Raises:
-            FleetError: somebody has not, in that time.
+            FleetError: somebody is missing after that time, or one that this process started has ended.
         """
-        end = milliseconds() + round(seconds * 1000)
-        while len(self.lives) < len(self.names) and not self.told.is_over():
+        end = None if seconds is None else milliseconds() + round(seconds * 1000)
+        said: list[int] | None = None
+        while (missing := self.roster.missing(milliseconds())) and not self.told.is_over():
+            names = [self.names[i] for i in missing]
+            if missing != said:
+                said = missing
+                self.told.say("", self._waiting(missing))
+            if ended := [name for name in names if name in self._gone]:
+                raise FleetError(
+                    Sentence("these agents did not come: {names}", listed(ended)),
+                    Sentence("what they said of it is above"),
+                )
+            if end is not None and milliseconds() >= end:
+                raise FleetError(
+                    Sentence("these agents did not come within {seconds} s: {names}", seconds, listed(names)),
+                    Sentence("start them with `kitrobot agent`, with this mission, this key and --connect"),
+                )
             for envelope in self.channel.receive(TURN_MS / 1000):
                 self._take(milliseconds(), envelope)
             self._watch_processes()
             self._tell()
-            missing = [name for i, name in enumerate(self.names) if i not in self.lives]
-            ended = [name for name in missing if name in self._gone]
-            if ended or (missing and milliseconds() >= end):
-                raise FleetError(
-                    Sentence("these agents did not come: {names}", Series(COMMA, (ended or missing)[:10])),
-                    Sentence("what they said of it is above")
-                    if ended
-                    else Sentence("start them with `kitrobot agent`, with this mission, this key and --connect"),
-                )
+
+    def _waiting(self, missing: list[int]) -> Sentence:
+        """Who is there, and who is missing."""
+        there = [name for i, name in enumerate(self.names) if i not in missing]
+        absent = listed(self.names[i] for i in missing)
+        if not there:
+            return Sentence("waits for {names}", absent)
+        return Sentence("waits for {names}; there: {others}", absent, listed(there))
 
     def _hello(self, now: int, envelope: Envelope) -> None:
-        """An agent comes, or comes again: it is told which life it has."""
+        """An agent comes, or comes again: it is told the run; with that in its hello, it has a place in it."""
         i = envelope.sender
         try:
             name, identity = json.loads(envelope.body)
@@ -137,41 +159,52 @@ class TeamProcess:
             return
         if i >= len(self.names) or name != self.names[i] or identity != self.identity:
             why = Sentence("its mission, its world or its programs are others than those of this team")
-            self.told.say("", Sentence("refused {agent}: {why}", str(name)[:100], why))
-            self.channel.send(i, kinds.WELCOME, json.dumps([why, 0, 0]).encode())
+            self._refuse_agent(envelope, str(name)[:100], why)
             return
-        known = self.lives.get(i)
-        if known is None:
-            self.lives[i] = 0
+        if envelope.run == 0:
+            self._welcome(now, envelope)
+            return
+        answer = self.roster.hello(now, i, envelope.process, self.world is not None)
+        if answer is Answer.REFUSED:
+            why = Sentence("another process takes part as `{agent}`; one name is one process", name)
+            self._refuse_agent(envelope, name, why)
+            return
+        if answer is Answer.COMES:
             self.told.on_there(name)
-        elif self.world is not None and self.world.links[i].heard_at + self.lease < now:
-            self.lives[i] = known + 1
-            self.world.restarted(now, i)
+        elif answer is Answer.REPLACES:
             self.told.say(name, Sentence("comes anew"))
-        elif self.world is not None and now - self._began_at > self.lease:
-            return
-        self.channel.send(i, kinds.WELCOME, json.dumps(["", self.lives[i], self.lease]).encode())
-        if self.world is not None:
-            self.channel.send(i, kinds.BEGIN)
+            if self.world is not None:
+                self.world.restarted(now, i)
+                self.begun.discard(i)
+        self._welcome(now, envelope)
+
+    def _welcome(self, now: int, envelope: Envelope) -> None:
+        missing = [] if self.world is not None else [self.names[k] for k in self.roster.missing(now)]
+        body = json.dumps(["", self.lease, missing]).encode()
+        self.channel.send(envelope.sender, kinds.WELCOME, body, envelope.process)
+
+    def _refuse_agent(self, envelope: Envelope, name: str, why: Sentence) -> None:
+        self._say_refused(envelope.sender, Sentence("agent {agent}: {why}", name, why))
+        self.channel.send(envelope.sender, kinds.WELCOME, json.dumps([why, 0, []]).encode(), envelope.process)
+
+    def _send_to(self, i: int, kind: int, body: bytes) -> None:
+        """To the process that takes part as agent `i`."""
+        self.channel.send(i, kind, body, self.roster.places[i].process)
 
     # -- the run
 
     def run(self) -> FleetRun:
         """Lets the run go on to its end, and tells all agents that it is over."""
         simulation = self.simulation
-        self.channel.run = 1 + secrets.randbelow(1 << 48)
-        self._began_at = now = milliseconds()
+        now = milliseconds()
         self.world = world = WorldHost(simulation, self.lease, now, self.pace)
         self.told.on_step(simulation)
-        begun: set[int] = set()
         while simulation.outcome is None and not self._has_stopped():
             now = milliseconds()
             waited = min(TURN_MS, max(0.0, world.due_at(now) - now)) / 1000
             for envelope in self.channel.receive(waited):
                 self._press_stop(milliseconds())
                 self._take(milliseconds(), envelope)
-                if envelope.kind == kinds.REPLY:
-                    begun.add(envelope.sender)
             now = milliseconds()
             self._press_stop(now)
             world.time(now)
@@ -181,9 +214,9 @@ class TeamProcess:
                 self._tell_events()
             frames, world.frames = world.frames, []
             for i, frame in frames:
-                if i not in begun:
-                    self.channel.send(i, kinds.BEGIN)
-                self.channel.send(i, kinds.FRAME, write_frame(frame))
+                if i not in self.begun:
+                    self._send_to(i, kinds.BEGIN, json.dumps(self.roster.places[i].life).encode())
+                self._send_to(i, kinds.FRAME, write_frame(frame))
             self._watch_processes()
             self._tell()
         outcome = simulation.outcome or STOPPED
@@ -198,12 +231,15 @@ class TeamProcess:
         i = envelope.sender
         if envelope.kind == kinds.HELLO:
             self._hello(now, envelope)
-        elif envelope.kind == kinds.REPLY and self.world is not None and i < len(self.names):
+        elif not self.roster.heard(now, i, envelope.process):
+            return
+        elif envelope.kind == kinds.REPLY and self.world is not None:
+            self.begun.add(i)
             try:
                 self.world.answer(now, i, read_reply(envelope.body))
             except FrameError as error:
-                self.told.say(self.names[i], Sentence("refused: {why}", error.args[0]))
-        elif envelope.kind == kinds.STOP and self._stop_at is not None and i < len(self.names):
+                self._say_refused(i, error.args[0])
+        elif envelope.kind == kinds.STOP and self._stop_at is not None:
             self.stopped_ms.setdefault(self.names[i], now - self._stop_at)
 
     # -- the emergency stop
@@ -242,7 +278,16 @@ class TeamProcess:
             if event.kind not in ("load", "unload", "collision"):
                 self.told.say(event.agent, event.text)
 
+    def _say_refused(self, sender: int, why: Sentence) -> None:
+        told = self._refusals.tell(sender, why)
+        if told is not None:
+            self.told.say(self.names[sender] if sender < len(self.names) else "", told)
+
     def _tell(self) -> None:
+        for stranger in self.channel.strangers:
+            # Of another version, it cannot read this, and says so to whoever started it.
+            self.channel.send(stranger, kinds.WELCOME)
+        self.channel.strangers.clear()
         told: list[Any] = self.channel.refused
         self.channel.refused = []
         if self.world is not None:

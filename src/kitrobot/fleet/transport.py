@@ -2,13 +2,17 @@
 
 An agent hears what is for all agents and what is for it; the team's process hears what is for it. Zenoh's own threads
 look at the seal of what comes, and put it into a queue, of which each sender may fill a part: who has not the key uses
-up nobody's. Whoever has the channel takes envelopes out. What is no envelope of this team is refused and told, each
-kind of reason once in a while.
+up nobody's, nor who recorded another run. Whoever has the channel takes envelopes out. What is no envelope of this team
+is refused and told, once of each sender and reason, then counted (`refusals`).
+
+An agent that knows no run takes nothing but the answer to its own process (`WELCOME`), which says the run; after that,
+nothing but what is of this run. So what somebody recorded of another run begins and ends nothing.
 """
 
 from __future__ import annotations
 
 import json
+import secrets
 import time
 from collections import Counter, deque
 from collections.abc import Callable
@@ -19,8 +23,21 @@ from threading import Condition, Thread
 from typing import Any
 
 from kitrobot.fleet.charter import FleetError
-from kitrobot.fleet.envelopes import EVERYBODY, STOP, TEAM_PROCESS, Envelope, EnvelopeError, opened, sealed
+from kitrobot.fleet.envelopes import (
+    EVERYBODY,
+    HELLO,
+    STOP,
+    TEAM_PROCESS,
+    WELCOME,
+    Envelope,
+    EnvelopeError,
+    VersionError,
+    opened,
+    sealed,
+)
 from kitrobot.fleet.link_sockets import set_up_links
+from kitrobot.fleet.refusals import NOBODY, Refusals
+from kitrobot.team.charter import MOST_MEMBERS
 from kitrobot.text import Sentence
 
 MOST_OF_ONE = 1024
@@ -28,10 +45,8 @@ MOST_OF_ONE = 1024
 MOST_WAITING = 16_384
 CLOSED_WITHIN_S = 1.0
 """How long closing a channel is waited for; what is still to be sent then is lost."""
-TOLD_EVERY_S = 5.0
-"""How often the same reason to refuse messages is told."""
-MOST_REASONS = 16
-"""Reasons to refuse messages that are kept until they are told."""
+MOST_REASONS = 128
+"""Senders and reasons to refuse messages that are kept until they are told."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -56,8 +71,10 @@ class Channel:
     """An open way to the others. `me` is the number of the agent, or `TEAM_PROCESS`.
 
     Attributes:
-        run: the number of the run; what is of another one is refused, but for 0.
+        run: the number of the run; 0: not known yet.
+        process: the number of this process, where it is an agent's.
         refused: what is to be told, since somebody took it out.
+        strangers: the senders of messages of another version, likewise.
 
     Raises:
         FleetError: Zenoh is not installed, or cannot be opened as the network says.
@@ -65,7 +82,7 @@ class Channel:
 
     def __init__(self, network: Network, me: int, key: bytes) -> None:
         self.me = me
-        self.run = 0
+        self.run = self.process = 0
         self.refused: list[Sentence] = []
         self._key = key
         self._serial = 0
@@ -73,10 +90,14 @@ class Channel:
         self._stops: dict[int, Envelope] = {}
         """The latest emergency stop, or answer to it, of each sender: never dropped, and ahead of all that waits."""
         self._of: Counter[int] = Counter()
-        self._forged: set[Sentence] = set()
+        self._unwanted: dict[tuple[int, str], tuple[Sentence, int]] = {}
+        """What was refused unread: of each sender and reason, the last sentence and how often."""
+        self.strangers: set[int] = set()
         self._dropped = 0
         self._arrived = Condition()
-        self._told: dict[str, float] = {}
+        self._refusals = Refusals()
+        if me != TEAM_PROCESS:
+            self.draw_number()
         zenoh, self._session = _open(network)
         self._root = f"kitrobot/{network.fleet}"
         remote = zenoh.Locality.REMOTE
@@ -91,10 +112,10 @@ class Channel:
         try:
             envelope = opened(bytes(sample.payload), self._key)
         except EnvelopeError as error:
-            with self._arrived:
-                if len(self._forged) < MOST_REASONS:
-                    self._forged.add(error.args[0])
-                    self._arrived.notify()
+            self._leave_unread(error.args[1] if isinstance(error, VersionError) else NOBODY, error.args[0])
+            return
+        if self.run and envelope.run not in (0, self.run):
+            self._leave_unread(envelope.sender, Sentence("a message of another run"))
             return
         with self._arrived:
             if envelope.kind == STOP:
@@ -107,6 +128,17 @@ class Channel:
             self._of[envelope.sender] += 1
             self._waiting.append(envelope)
             self._arrived.notify()
+
+    def _leave_unread(self, sender: int, why: Sentence) -> None:
+        key = sender if sender < MOST_MEMBERS else NOBODY, why.template
+        with self._arrived:
+            if key in self._unwanted or len(self._unwanted) < MOST_REASONS:
+                self._unwanted[key] = why, self._unwanted.get(key, (why, 0))[1] + 1
+                self._arrived.notify()
+
+    def draw_number(self) -> None:
+        """This process takes part as another one from now on, in whatever run."""
+        self.run, self.process = 0, 1 + secrets.randbelow(1 << 63)
 
     def wake(self) -> None:
         """Ends the waiting of `receive`; from any thread."""
@@ -122,11 +154,12 @@ class Channel:
             for envelope in taken:
                 self._of[envelope.sender] -= 1
             dropped, self._dropped = self._dropped, 0
-            forged, self._forged = self._forged, set()
-        for why in forged:
-            self._refuse(why)
+            unwanted, self._unwanted = self._unwanted, {}
+        for (sender, _), (why, times) in unwanted.items():
+            if self._refuse(sender, why, times) and sender != NOBODY:
+                self.strangers.add(sender)
         if dropped:
-            self._refuse(Sentence("messages that come faster than they can be read are dropped"))
+            self._refuse(NOBODY, Sentence("messages that come faster than they can be read are dropped"), dropped)
         return [*self.stops(), *(envelope for envelope in taken if self._is_mine(envelope))]
 
     def stops(self) -> list[Envelope]:
@@ -136,25 +169,35 @@ class Channel:
         return [envelope for envelope in stops.values() if self._is_mine(envelope)]
 
     def _is_mine(self, envelope: Envelope) -> bool:
-        """Whether it is for this process and of this run; else that is told."""
-        if envelope.to not in (self.me, EVERYBODY) or envelope.sender == self.me:
-            self._refuse(Sentence("a message for somebody else"))
+        """Whether it is for this process and of this run; else that is told, but for what is usual."""
+        sender = envelope.sender
+        if envelope.to not in (self.me, EVERYBODY) or sender == self.me:
+            self._refuse(sender, Sentence("a message for somebody else"))
             return False
-        if self.run and envelope.run not in (0, self.run):
-            self._refuse(Sentence("a message of another run"))
-            return False
-        return True
+        if self.me == TEAM_PROCESS:
+            known = envelope.run == self.run or (envelope.run == 0 and envelope.kind == HELLO)
+        elif sender == TEAM_PROCESS and envelope.to == self.me and envelope.process != self.process:
+            return False  # for another process of this name
+        elif self.run == 0:
+            return sender == TEAM_PROCESS and envelope.kind == WELCOME and envelope.to == self.me
+        else:
+            known = envelope.run == self.run
+        if not known:
+            self._refuse(sender, Sentence("a message of another run"))
+        return known
 
-    def _refuse(self, why: Sentence) -> None:
-        now = time.monotonic()
-        if now - self._told.get(why, -TOLD_EVERY_S) >= TOLD_EVERY_S:
-            self._told[why] = now
-            self.refused.append(Sentence("refused: {why}", why))
+    def _refuse(self, sender: int, why: Sentence, times: int = 1) -> bool:
+        """Counts it; gives whether that is to be told."""
+        told = self._refusals.tell(sender, why, times)
+        if told is not None:
+            self.refused.append(told)
+        return told is not None
 
-    def send(self, to: int, kind: int, body: bytes = b"") -> None:
-        """Brings a message on its way; it may be lost."""
+    def send(self, to: int, kind: int, body: bytes = b"", process: int = 0) -> None:
+        """Brings a message on its way; it may be lost. `process`: which one of the addressee it is for."""
         self._serial += 1
-        data = sealed(Envelope(kind, self.run, self.me, to, self._serial, body), self._key)
+        envelope = Envelope(kind, self.run, self.me, to, self._serial, body, process or self.process)
+        data = sealed(envelope, self._key)
         name = "t" if to == TEAM_PROCESS else "a" if to == EVERYBODY else f"m/{to}"
         self._session.put(
             f"{self._root}/{name}", data, congestion_control=self._drop, priority=self._priority, express=True

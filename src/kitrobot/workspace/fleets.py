@@ -28,8 +28,6 @@ from kitrobot.trace import TraceHeader
 from kitrobot.workspace.opening import OpenMission
 from kitrobot.workspace.traces import lay_out
 
-GATHER_S = 120.0
-"""How long agents may take to come."""
 DRIVERS = "*.driver.py"
 
 
@@ -45,6 +43,7 @@ class FleetPlan:
         boards: the ports of agents that are real robots.
         lease_ms: how long silence is borne.
         pace: simulated time against real time; 0: as fast as agents answer.
+        wait_s: how long agents may take to come; None: as long as they need.
     """
 
     file: Path
@@ -54,6 +53,7 @@ class FleetPlan:
     boards: Mapping[str, str] = field(default_factory=dict)
     lease_ms: int = 500
     pace: float = 1.0
+    wait_s: float | None = None
 
     def words(self, name: str) -> list[str]:
         """The command line of an agent."""
@@ -84,7 +84,7 @@ def run_fleet(simulation: Simulation, plan: FleetPlan, agents: Agents, told: Fle
         for name in plan.names:
             agents.start(name, plan.words(name), {VARIABLE: made} if plan.key is None else {})
         team = TeamProcess(simulation, channel, plan.lease_ms, plan.pace, agents.ended, told)
-        team.gather(GATHER_S)
+        team.gather(plan.wait_s)
         if not told.is_over():
             told.say("", Sentence("all agents are there"))
         return team.run()

@@ -1,0 +1,36 @@
+"""`Refusals`: what was refused, told without filling the log: once of each sender and reason, then as a count.
+
+A reason is the template of its sentence: what stands in its holes makes no other one. The count is told when it has
+another digit, so that a million messages are seven lines.
+"""
+
+from __future__ import annotations
+
+from collections import Counter
+
+from kitrobot.text import Sentence
+
+MOST_KINDS = 512
+"""Senders and reasons that are told apart; what goes beyond is counted together."""
+NOBODY = -1
+"""The sender of what has no seal."""
+
+
+class Refusals:
+    """What one process refused."""
+
+    def __init__(self) -> None:
+        self._counts: Counter[tuple[int, str]] = Counter()
+
+    def tell(self, sender: int, why: Sentence, times: int = 1) -> Sentence | None:
+        """What is to be told when messages of a sender were refused so many times more for a reason; mostly nothing."""
+        key = sender, why.template
+        if key not in self._counts and len(self._counts) >= MOST_KINDS:
+            key = NOBODY, ""
+        before = self._counts[key]
+        count = self._counts[key] = before + times
+        if count == 1:
+            return Sentence("refused: {why}", why)
+        if before == 0 or len(str(count)) > len(str(before)):
+            return Sentence("refused {count} messages, the last one because: {why}", count, why)
+        return None
