@@ -91,9 +91,9 @@ def clean(text: str) -> str:
 
 
 def tell(text: str) -> None:
-    """Talk, on standard error, cleaned."""
+    """Talk, on standard error, cleaned; in one piece with its line feed, since other processes write there too."""
     if sys.stderr is not None:
-        print(clean(text), file=sys.stderr)
+        sys.stderr.write(f"{clean(text)}\n")
 
 
 def tell_of_waiting(address: str) -> None:
