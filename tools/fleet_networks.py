@@ -258,11 +258,12 @@ class Fleet:
         router.stdout.readline()
         return router
 
-    def start_agent(self, n: int) -> subprocess.Popen[str]:
-        place = str(n)
+    def start_agent(self, n: int, place: str = "") -> subprocess.Popen[str]:
+        """The process of an agent, in its own namespace or in another one."""
+        place = place or str(n)
         way = ("--router", self.endpoint(BROKER)) if self.router else ("--connect", self.endpoint(TEAM))
         own = () if self.router else ("--listen", self.endpoint(place, 7400))
-        words = ("-m", "kitrobot", "agent", self.file, "--as", self.names[n], *way, *own, *self.common())
+        words = ("-m", "kitrobot", "agent", self.file, "--as", self.names[n], *way, *own, *self.common(), "--json")
         if n == 0 and self.board is not None:
             words += ("--board", self.board.address)
         return self.lab.start(place, *words, quiet=True)
@@ -331,6 +332,26 @@ def partition(fleet: Fleet, lab: Lab) -> None:
     lab.switch.side = set()
 
 
+def gone(fleet: Fleet, lab: Lab) -> None:
+    """two agents cut off for good"""
+    lab.switch.side = {0, 1}
+
+
+def late_heal(fleet: Fleet, lab: Lab) -> None:
+    """two agents cut off for 15 s, longer than Zenoh bears a silent link"""
+    lab.switch.side = {0, 1}
+    time.sleep(15)
+    lab.switch.side = set()
+
+
+def doubled(fleet: Fleet, lab: Lab) -> None:
+    """a second process under the name of an agent that takes part"""
+    second = fleet.start_agent(2, TEAM)
+    out, _ = second.communicate(timeout=60)
+    fleet.lines.append(out)
+    assert second.returncode == 1 and "one name is one process" in out, out
+
+
 def halves(fleet: Fleet, lab: Lab) -> None:
     """a partition while a view changes: kill -9, 0.8 s later three others are cut off for 4 s"""
     fleet.signal(7, signal.SIGKILL)
@@ -373,6 +394,9 @@ SCENARIOS = {
     "loss": Setting(lossy, 2000),
     "delay": Setting(slow, 1500),
     "partition": Setting(partition),
+    "gone": Setting(gone),
+    "heal": Setting(late_heal),
+    "double": Setting(doubled),
     "view": Setting(halves),
     "router": Setting(dead_router, router=True),
     "board": Setting(cable, 2000, board=True),

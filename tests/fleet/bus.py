@@ -1,7 +1,7 @@
 """Processes of a fleet in one thread: their channels meet on a bus in memory, their clocks go as the test says.
 
-Everything but Zenoh and the clock is what ships: `TeamProcess`, `AgentProcess`, `Channel` and sealed envelopes. The loop
-of the team's process waits for messages in each turn; meanwhile time passes, and the agents have their turns.
+Everything but Zenoh and the clock is what ships: `TeamProcess`, `AgentProcess`, `Channel` and sealed envelopes. The
+loop of the team's process waits for messages in each turn; meanwhile time passes, and the agents have their turns.
 """
 
 from __future__ import annotations

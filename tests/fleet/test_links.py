@@ -23,7 +23,7 @@ LINGERS = struct.pack("ii", 1, 10)
 
 
 def lingers(one: socket.socket) -> bool:
-    return struct.unpack("ii", one.getsockopt(socket.SOL_SOCKET, socket.SO_LINGER, 8))[0] != 0
+    return bool(struct.unpack("ii", one.getsockopt(socket.SOL_SOCKET, socket.SO_LINGER, 8))[0])
 
 
 def lingering() -> set[int]:

@@ -118,7 +118,7 @@ def test_an_agent_elsewhere_needs_the_key_and_the_mission_of_the_team(tmp_path: 
             status, out, _ = other.end()
             assert status == 1
             assert "its mission, its world or its programs are others" in json.loads(out)["error"]["message"]
-        team.until("refused strong")
+        team.until("refused: agent strong")
 
 
 @pytest.mark.parametrize(
@@ -134,6 +134,9 @@ def test_an_agent_elsewhere_needs_the_key_and_the_mission_of_the_team(tmp_path: 
         (("team", CONVOY, "--lease", "5"), "100 to 60000 ms"),
         (("team", CONVOY, "--pace", "nan"), "0 to 1000"),
         (("team", CONVOY, "--seconds", "0"), "at most"),
+        (("team", CONVOY, "--pace", "0.01"), "at a pace of 0.01 a step takes 2000 ms"),
+        (("team", CONVOY, "--wait", "nan"), "seconds from 0"),
+        (("agent", CONVOY, "--as", "robot-1", "--wait", "-1"), "seconds from 0"),
     ],
 )
 def test_what_cannot_be_is_told(words: tuple[str, ...], said: str, tmp_path: Path, kitrobot: Any) -> None:

@@ -41,6 +41,9 @@ def run_and_stop(record: Callable[[str, object], None], where: str, *words: str)
     record("stopped_ms", result["stopped_ms"])
 
 
+RUN = 7
+
+
 @linux
 def test_a_team_meets_with_tls(tmp_path: Path, record_property: Callable[[str, object], None]) -> None:
     run_and_stop(record_property, "tls/127.0.0.1:", "--tls", str(by_authority(tmp_path)))
@@ -64,6 +67,7 @@ def test_members_hear_each_other_and_the_team_through_a_router(router: str) -> N
         one, other, team = (Channel(network, me, key) for me in (0, 1, TEAM_PROCESS))
         for channel in (one, other, team):
             stack.callback(channel.close)
+            channel.run = RUN
         heard = set[tuple[int, int]]()
         end = time.monotonic() + 20
         while len(heard) < 3 and time.monotonic() < end:
@@ -87,6 +91,7 @@ def test_who_has_not_the_key_uses_up_no_members_share() -> None:
     key = bytes(32)
     where, name = free_endpoint(), "kitrobot/here/m/0"
     channel = Channel(Network("here", (where,)), 0, key)
+    channel.run = RUN
     config = zenoh.Config()
     for setting, value in (("connect/endpoints", [where]), ("scouting/multicast/enabled", False)):
         config.insert_json5(setting, json.dumps(value))
@@ -96,9 +101,9 @@ def test_who_has_not_the_key_uses_up_no_members_share() -> None:
             while not getattr(way.matching_status, "matching", way.matching_status):
                 time.sleep(0.01)
             for serial in range(MOST_OF_ONE + 50):
-                forged = sealed(Envelope(MEMBER, 0, 1, 0, serial, b""), bytes(range(32)))
+                forged = sealed(Envelope(MEMBER, RUN, 1, 0, serial, b""), bytes(range(32)))
                 way.put(forged)
-            way.put(sealed(Envelope(MEMBER, 0, 1, 0, 1, b"of the member"), key))
+            way.put(sealed(Envelope(MEMBER, RUN, 1, 0, 1, b"of the member"), key))
             # Nothing is read until all has come.
             time.sleep(0.3)
             end, found = time.monotonic() + 20, list[Envelope]()

@@ -74,6 +74,16 @@ def run_team(
     prepared = prepare(file, RunOptions(seed, seconds, 0.0, trace))
     show(prepared.problems, prepared.sources)
     simulation = prepared.simulation
+    if pace and simulation.tick_ms / pace > lease / 2:
+        raise FleetError(
+            Sentence(
+                "at a pace of {pace} a step takes {ms} ms, and silence is borne for {lease} ms only",
+                pace,
+                round(simulation.tick_ms / pace),
+                lease,
+            ),
+            Sentence("take a greater --pace, or a --lease of twice the step or more"),
+        )
     names = [agent.name for agent in simulation.members]
     for name in elsewhere or ():
         if name not in names:

@@ -17,6 +17,7 @@ from kitrobot.fleet.board_body import BoardBody
 from kitrobot.fleet.bodies import MOST_SLOTS, WINDOW, Frame, Reply, Whole
 from kitrobot.fleet.following import Following
 from kitrobot.fleet.links import TeamLinks
+from kitrobot.fleet.refusals import Refusals
 from kitrobot.fleet.replica import Replica
 from kitrobot.fleet.ticking import Tick, Ticking
 from kitrobot.sim import Event, Simulation
@@ -104,6 +105,7 @@ class AgentHost:
         self.board = BoardBody(self.machine, board) if board is not None else None
         self._ticking = Ticking(self.links, self.following)
         self._tick: Tick | None = None
+        self._refusals = Refusals()
 
     # -- the protocol
 
@@ -186,7 +188,8 @@ class AgentHost:
                     Sentence("hears its team") if heard else Sentence("hears too few of its team, and waits")
                 )
             case Refused(member=member, why=why):
-                self.log.append(Sentence("refused a message of member {member}: {why}", member, why))
+                if (told := self._refusals.tell(member, why)) is not None:
+                    self.log.append(told)
 
     def adopt(self, now: int, whole: Whole) -> None:
         """Another member's replica came, for one that missed slots."""
@@ -288,7 +291,7 @@ class AgentHost:
         written = self._ticking.written()
         for variable, value in written:
             self._step(now, Write(variable, value))
-        made, quiet = self._ticking.ticked(out, tick)
+        made, quiet = self._ticking.ticked(out, written, tick)
         tick.made = made, written, quiet
 
     def _reply(self, now: int, frame: Frame, held: bool, tick: Tick | None = None) -> Reply:

@@ -184,7 +184,8 @@ class TeamProcess:
         self.channel.send(envelope.sender, kinds.WELCOME, body, envelope.process)
 
     def _refuse_agent(self, envelope: Envelope, name: str, why: Sentence) -> None:
-        self._say_refused(envelope.sender, Sentence("agent {agent}: {why}", name, why))
+        if (told := self._refusals.tell(envelope.sender, Sentence("agent {agent}: {why}", name, why))) is not None:
+            self.told.say("", told)
         self.channel.send(envelope.sender, kinds.WELCOME, json.dumps([why, 0, []]).encode(), envelope.process)
 
     def _send_to(self, i: int, kind: int, body: bytes) -> None:
@@ -238,7 +239,8 @@ class TeamProcess:
             try:
                 self.world.answer(now, i, read_reply(envelope.body))
             except FrameError as error:
-                self._say_refused(i, error.args[0])
+                if (told := self._refusals.tell(i, error.args[0])) is not None:
+                    self.told.say(self.names[i], told)
         elif envelope.kind == kinds.STOP and self._stop_at is not None:
             self.stopped_ms.setdefault(self.names[i], now - self._stop_at)
 
@@ -277,11 +279,6 @@ class TeamProcess:
         for event in self.world.events:
             if event.kind not in ("load", "unload", "collision"):
                 self.told.say(event.agent, event.text)
-
-    def _say_refused(self, sender: int, why: Sentence) -> None:
-        told = self._refusals.tell(sender, why)
-        if told is not None:
-            self.told.say(self.names[sender] if sender < len(self.names) else "", told)
 
     def _tell(self) -> None:
         for stranger in self.channel.strangers:

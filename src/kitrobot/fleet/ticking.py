@@ -8,6 +8,7 @@ from dataclasses import dataclass
 from kitrobot.fleet.bodies import Frame
 from kitrobot.fleet.following import Following
 from kitrobot.fleet.links import TeamLinks, Wish
+from kitrobot.fleet.recurrence import Recurrence, Snapshot
 from kitrobot.sim import Ticked
 from kitrobot.sim.actuation import COMMAND
 from kitrobot.sim.columns import A_CELL, ACTUATOR_INDEX, PROGRAM, S_CELL, S_ROBOT
@@ -37,7 +38,7 @@ class Tick:
     epoch: int
     beginning: int
     at: int
-    before: tuple[list[int], list[int], list[int]]
+    before: Snapshot
     made: tuple[Ticked, Writes, bool] | None = None
     over: bool = False
     late: bool = False
@@ -67,6 +68,7 @@ class Ticking:
             if ints[S_ROBOT][k] == self._me
         } | {state.actuators.ints[A_CELL][k] for k in links.actuators}
         self._first = self.machine.snapshot()
+        self._recurrence = Recurrence()
 
     def begin_anew(self) -> None:
         """The program begins anew."""
@@ -129,8 +131,13 @@ class Ticking:
             values[variable] = value
         return tuple(written)
 
-    def ticked(self, out: Rows, tick: Tick) -> tuple[Ticked, bool]:
-        """What came of a tick for the tables of the world, and whether it changed nothing."""
+    def ticked(self, out: Rows, writes: Writes, tick: Tick) -> tuple[Ticked, bool]:
+        """What came of a tick for the tables of the world, and whether it changed nothing, or only goes round."""
         machine = self.machine
         cells, threads = machine.cells[: machine.layout.cells], machine.threads[: 2 * len(machine.image.slots)]
-        return Ticked(tuple(cells), tuple(threads), out), not out and machine.snapshot() == tick.before
+        made = Ticked(tuple(cells), tuple(threads), out)
+        if out or writes:
+            self._recurrence.reset()
+            return made, False
+        after = machine.snapshot()
+        return made, self._recurrence.repeats(after) or after == tick.before

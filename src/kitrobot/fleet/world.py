@@ -15,9 +15,23 @@ from dataclasses import dataclass, field, replace
 from kitrobot.fleet.bodies import WINDOW, Frame, Reply
 from kitrobot.fleet.following import Following
 from kitrobot.fleet.replica import Replica
+from kitrobot.fleet.stillness import Stillness
 from kitrobot.mission import FailureKind
 from kitrobot.sim import Event, Simulation, Ticked, fits, hosted_step, readings, say_written
-from kitrobot.sim.columns import DOWN, ENDED, EVENTS, MUTED, PERIOD, REVIVALS, STUCK, TICK, TOLD, WELL
+from kitrobot.sim.columns import (
+    CAUSE,
+    DOWN,
+    ENDED,
+    EVENTS,
+    MUTED,
+    PERIOD,
+    REVIVALS,
+    STUCK,
+    TICK,
+    TOLD,
+    WELL,
+)
+from kitrobot.sim.faults import AWAY, HELD
 from kitrobot.text import Sentence
 
 AGAIN_MS = 40
@@ -26,8 +40,6 @@ PATIENCE_MS = 60
 """How long a step waits for the slowest agent."""
 START_MS = 5000
 """How long the first step waits for agents that do not hear enough of their team yet."""
-STILL_MS = 10_000
-"""A fleet in which nothing stirs for so long is stuck."""
 
 
 @dataclass(slots=True)
@@ -35,6 +47,7 @@ class Link:
     """An agent as its body knows it.
 
     Attributes:
+        asked_at: since when an answer is waited for without one.
         serial: the number of the last frame.
         waiting: frames without an answer that was taken, in their order; early: answers to others than the first.
         sent: when each of these was sent last, and again: those that were sent more than once.
@@ -43,10 +56,12 @@ class Link:
         answered: the last frame whose answer was taken.
         taken: the last frame of which the commands are in the tables.
         lost, harmed: whether its agent is away or may not act, and whether the body was stopped for that.
+        cause: which of both (`AWAY`, `HELD`).
         beginning: how often its program had been begun anew before.
     """
 
     heard_at: int
+    asked_at: int = 0
     serial: int = 0
     waiting: dict[int, Frame] = field(default_factory=dict)
     early: dict[int, Reply] = field(default_factory=dict)
@@ -59,6 +74,7 @@ class Link:
     quiet: bool = False
     lost: bool = False
     harmed: bool = False
+    cause: int = AWAY
     beginning: int = 0
 
     @property
@@ -108,8 +124,7 @@ class WorldHost:
         self.log: list[Sentence] = []
         self._happened: list[Event] = []
         self._due: set[int] = set()
-        self._stirred_at = now
-        self._slots = 0
+        self._stillness = Stillness(self.replica, now)
         self._expected = 0
         self._step_ms = simulation.tick_ms / pace if pace > 0 else 0.0
         self._stepped_at = float(now)
@@ -145,7 +160,7 @@ class WorldHost:
             link.sent, link.again = {link.serial: now}, set()
             return False
         if reply.held:
-            self._lose(robot, Sentence("may not act now"))
+            self._lose(robot, HELD)
             return True
         if self.replica.epochs[robot] != reply.epoch:
             return True
@@ -193,12 +208,19 @@ class WorldHost:
         simulation.events = self.events = [*simulation.happened(), *self._happened]
         simulation.state.clock[EVENTS] = 0
         self._happened = []
-        if self._stirs():
-            self._stirred_at = now
-        elif now - self._stirred_at >= STILL_MS:
-            simulation.state.clock[STUCK] = 1
         self._expect_back()
+        self._look_whether_stuck(now)
         simulation.look_for_an_end()
+
+    def _look_whether_stuck(self, now: int) -> None:
+        state = self.simulation.state
+        ended, down = (state.robots.ints[row] for row in (ENDED, DOWN))
+        quiet = [None if link.lost or ended[i] or down[i] != WELL else link.quiet for i, link in enumerate(self.links)]
+        told = self._stillness.look(now, bool(self.events), quiet, self._expected)
+        if told is not None:
+            self.log.append(told)
+        if self._stillness.is_stuck:
+            state.clock[STUCK] = 1
 
     def _expect_back(self) -> None:
         """The run goes on for robots that are away as long as their team has not missed them."""
@@ -206,16 +228,6 @@ class WorldHost:
         expected = sum(link.lost and lives[i] >= 0 for i, link in enumerate(self.links))
         self.simulation.state.clock[REVIVALS] += expected - self._expected
         self._expected = expected
-
-    def _stirs(self) -> bool:
-        """Whether anything happened, moves, is on its way, or is to be revived on schedule."""
-        slots, self._slots = self._slots, self.replica.slot
-        if self.events or slots != self.replica.slot or any(agent.busy for agent in self.simulation.members):
-            return True
-        if self.simulation.state.clock[REVIVALS] > self._expected:
-            return True
-        ended, down = (self.simulation.state.robots.ints[row] for row in (ENDED, DOWN))
-        return not all(link.quiet or link.lost or ended[i] or down[i] != WELL for i, link in enumerate(self.links))
 
     def _sense(self, now: int) -> None:
         """What sensors measure, and a frame for each agent whose tick it is and that has answered its last one."""
@@ -233,6 +245,8 @@ class WorldHost:
             down = ints[DOWN][i] != WELL and not link.harmed and not ints[ENDED][i]
             radio = bool(ints[MUTED][i]) or down
             first = link.first
+            if not link.waiting:
+                link.asked_at = now
             link.serial += 1
             link.sent[link.serial] = now
             link.waiting[link.serial] = frame = Frame(
@@ -253,18 +267,25 @@ class WorldHost:
                     self.frames.append((i, replace(frame, first=first)))
                 if link.lost:
                     break
-            if not link.lost and now - link.heard_at >= self.lease:
-                self._lose(i, Sentence("does not answer"))
+            if now - max(link.heard_at, link.asked_at) >= self.lease:
+                self._lose(i, AWAY)
 
-    def _lose(self, robot: int, why: Sentence) -> None:
-        """The body stops until its agent is back."""
+    def _lose(self, robot: int, cause: int) -> None:
+        """The body stops until its agent is back and may act: which of both is missing may change meanwhile."""
         link = self.links[robot]
+        if link.lost and link.cause == cause:
+            return
+        link.cause = cause
+        why = Sentence("does not answer") if cause == AWAY else Sentence("hears too few of its team")
+        self.log.append(Sentence("{agent}: {what}; its body stands still", self._name(robot), why))
+        ints = self.simulation.state.robots.ints
         if not link.lost:
             link.lost, link.beginning = True, self.replica.beginnings[robot]
-            self.log.append(Sentence("{agent}: {what}; its body stands still", self._name(robot), why))
-            link.harmed = self.simulation.state.robots.ints[DOWN][robot] == WELL
+            link.harmed = ints[DOWN][robot] == WELL
             if link.harmed:
                 self._harm(robot, FailureKind.FAIL)
+        elif link.harmed:
+            ints[CAUSE][robot] = cause
 
     def _regain(self, robot: int) -> None:
         link = self.links[robot]
@@ -279,7 +300,7 @@ class WorldHost:
 
     def _harm(self, robot: int, kind: FailureKind) -> None:
         self._expect_back()
-        self.simulation.harm(self._name(robot), kind, away=True)
+        self.simulation.harm(self._name(robot), kind, self.links[robot].cause)
 
     def restarted(self, now: int, robot: int) -> None:
         """The agent has a new process, which begins with the next frame."""

@@ -29,6 +29,7 @@ from kitrobot.sim.columns import (
 from kitrobot.sim.devices import actuators
 from kitrobot.sim.dispatch import KINDS
 from kitrobot.sim.failures import CAUSES
+from kitrobot.sim.faults import HELD
 from kitrobot.sim.state import State, numbers
 from kitrobot.text import Recorded
 from kitrobot.trace import Threads
@@ -119,7 +120,10 @@ class Agent:
         if self.down == WELL:
             return Recorded("{robot} has no radio", self.name) if state.robots.ints[MUTED][i] else ""
         seconds = state.robots.ints[SINCE][i] * state.fixed_floats[DT]
-        cause = CAUSES[state.robots.ints[CAUSE][i]]
+        number = state.robots.ints[CAUSE][i]
+        cause = CAUSES[number]
+        if number == HELD:
+            return Recorded("{robot} stands still since {seconds} s ({cause})", self.name, f"{seconds:.1f}", cause)
         if self.down == FAILED:
             return Recorded("{robot} failed after {seconds} s ({cause})", self.name, f"{seconds:.1f}", cause)
         return Recorded("{robot} stalled after {seconds} s ({cause})", self.name, f"{seconds:.1f}", cause)

@@ -18,7 +18,7 @@ from kitrobot.world import World
 
 Cause = Literal["program", "world", "person", "mission", "chance"]
 
-_CAUSES: tuple[Cause, ...] = ("person", "mission", "chance", "world")
+_CAUSES: tuple[Cause, ...] = ("person", "mission", "chance", "world", "world")
 """Of the faults of a robot, in the order of their numbers in `faults`."""
 
 

@@ -10,14 +10,20 @@ from dataclasses import dataclass, field
 from kitrobot.mission import Failure, FailureKind
 from kitrobot.sim import columns as c
 from kitrobot.sim.chance import keys
-from kitrobot.sim.faults import APART, AWAY, BY_HAND, FAIL, MUTE, PLAN_ROWS, REVIVE, STALL, harm
+from kitrobot.sim.faults import APART, AWAY, BY_HAND, FAIL, HELD, MUTE, PLAN_ROWS, REVIVE, STALL, harm
 from kitrobot.sim.state import State
 from kitrobot.text import Recorded
 
 KINDS = tuple(FailureKind)
 """The kinds in the order of their numbers in `faults`."""
 
-CAUSES = (Recorded("by hand"), Recorded("on schedule"), Recorded("by chance"), Recorded("its agent is away"))
+CAUSES = (
+    Recorded("by hand"),
+    Recorded("on schedule"),
+    Recorded("by chance"),
+    Recorded("its agent is away"),
+    Recorded("it hears too few of its team"),
+)
 """How it comes about, in the order of their numbers in `faults`."""
 
 MINUTE_MS = 60_000
@@ -104,6 +110,12 @@ def plan_more(plan: FaultPlan, more: Sequence[tuple[int, int]], state: State) ->
 def said_of(kind: int, cause: int) -> str:
     """What befalls a robot and how that comes about, in words."""
     why = CAUSES[cause]
+    if cause == HELD:
+        return (
+            Recorded("stands still ({why})", why) if kind == FAIL else Recorded("goes on, as it hears its team again")
+        )
+    if cause == AWAY and kind != FAIL:
+        return Recorded("goes on, as its agent is back")
     if kind == FAIL:
         return Recorded("fails ({why})", why)
     if kind == STALL:
@@ -128,6 +140,6 @@ def keep_untold(state: State) -> None:
     clock[c.EVENTS] = (end - first) // c.EVENT
 
 
-def harm_by_hand(state: State, robot: int, kind: FailureKind, away: bool = False) -> None:
-    """Does it to a robot between two steps, by hand or because its agent is `away`; there must be room to tell it."""
-    harm(robot, KINDS.index(kind), AWAY if away else BY_HAND, state)
+def harm_by_hand(state: State, robot: int, kind: FailureKind, cause: int = BY_HAND) -> None:
+    """Does it to a robot between two steps, by hand or because of its agent; there must be room to tell it."""
+    harm(robot, KINDS.index(kind), cause, state)

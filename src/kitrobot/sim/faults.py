@@ -48,7 +48,7 @@ from kitrobot.sim.state import State
 FAIL, STALL, MUTE, REVIVE, APART = range(5)
 """What befalls a robot; the order of `FailureKind`."""
 
-BY_HAND, ON_SCHEDULE, BY_CHANCE, AWAY = range(4)
+BY_HAND, ON_SCHEDULE, BY_CHANCE, AWAY, HELD = range(5)
 
 PLAN_STEP, PLAN_ROBOT, PLAN_KIND = range(3)
 PLAN_ROWS = 3

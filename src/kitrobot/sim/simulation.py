@@ -32,6 +32,7 @@ from kitrobot.sim.deadlock_detection import stirred
 from kitrobot.sim.endings import Goals, is_at_once, say_done, say_failed, say_stuck, say_team_over, say_time
 from kitrobot.sim.event_text import Event, EventText, sensor_names
 from kitrobot.sim.failures import harm_by_hand, keep_untold, plan_more, room_to_tell
+from kitrobot.sim.faults import BY_HAND
 from kitrobot.sim.forcing import force_sensor, stop_motors
 from kitrobot.sim.jit_policy import JitPolicy
 from kitrobot.sim.limits import check_limits
@@ -277,11 +278,11 @@ class Simulation:
         stirred(self.state.clock)
         self.look_for_an_end()
 
-    def harm(self, agent: str, kind: FailureKind | str, away: bool = False) -> bool:
+    def harm(self, agent: str, kind: FailureKind | str, cause: int = BY_HAND) -> bool:
         """Lets an agent fail, stall or lose its radio, or makes it well again (see faults); told with the next step.
 
         Who fails stops its motors at once. A run that ended because nobody could go on does when somebody is revived.
-        Gives whether that changed anything. `away`: its cause is not a hand, but that the agent elsewhere is away.
+        Gives whether that changed anything. `cause`: by hand, or what became of an agent that is elsewhere (faults).
 
         Raises:
             KitRobotError: there is no such agent, or too much was done to this run between two steps.
@@ -295,7 +296,7 @@ class Simulation:
                 Sentence("too much was done to this run between two steps"), Sentence("let it go on for a step")
             )
         before = self.state.clock[EVENTS]
-        harm_by_hand(self.state, member.index, FailureKind(kind), away)
+        harm_by_hand(self.state, member.index, FailureKind(kind), cause)
         if self.state.clock[EVENTS] == before:
             return False
         self.look_for_an_end()
