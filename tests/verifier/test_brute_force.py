@@ -2,7 +2,7 @@
 
 Two robots with a button each, which may be pressed at any tick, share two variables. In lockstep the second explorer
 steps the simulator itself, from snapshots, with every choice of buttons; in free timing it ticks one real `Machine`
-after another. It knows nothing of tables, liveness of cells, classes of readings or masks.
+after another, or both at once. It knows nothing of tables, liveness of cells, classes of readings or masks.
 """
 
 from __future__ import annotations
@@ -55,8 +55,9 @@ def explored(first: State, after: Callable[[State], Iterator[State]]) -> dict[St
 
 @dataclass(frozen=True)
 class Standstill:
-    """Whether nothing can stir any more before both programs have ended: `strictly`, when there is a state that nothing
-    leaves; `as_seen`, when what can follow differs in temporary cells only, which a later tick may or may not read.
+    """Whether nothing can come any more before both programs have ended, but that they go round: `strictly`, when no
+    button makes any difference; `as_seen`, when it makes one in temporary cells only, which a later tick may or may not
+    read.
     """
 
     strictly: bool
@@ -64,14 +65,35 @@ class Standstill:
 
 
 def standstill(
-    found: dict[State, set[State]], seen: Callable[[State], State], ended: Callable[[State], bool]
+    found: dict[State, set[State]],
+    ways: Callable[[State], list[set[State]]],
+    seen: Callable[[State], State],
+    values: Callable[[State], State],
+    ended: Callable[[State], bool],
 ) -> Standstill:
-    """Looks for states that nothing leaves, and for those of which all that may ever follow looks alike."""
-    still = {state for state, following in found.items() if all(seen(one) == seen(state) for one in following)}
-    while left := {state for state in still if not found[state] <= still}:
-        still -= left
-    going_on = [state for state in still if not ended(state)]
-    return Standstill(any(found[state] == {state} for state in going_on), bool(going_on))
+    """Looks for states that are never left, in which no shared variable changes and buttons make no difference.
+
+    Args:
+        found: the states that may follow each.
+        ways: the same, apart for each that may tick next.
+        seen: a state without its temporary cells.
+        values: the shared variables of a state.
+        ended: whether both programs have ended in it.
+    """
+
+    def is_there(looks: Callable[[State], State]) -> bool:
+        still = {
+            state
+            for state, following in found.items()
+            if not ended(state)
+            and all(values(one) == values(state) for one in following)
+            and all(len({looks(one) for one in way}) < 2 for way in ways(state))
+        }
+        while left := {state for state in still if not found[state] <= still}:
+            still -= left
+        return bool(still)
+
+    return Standstill(is_there(lambda state: state), is_there(seen))
 
 
 def without_temporaries(machine: Machine, cells: Sequence[int]) -> tuple[int, ...]:
@@ -124,15 +146,15 @@ def in_lockstep(run: Simulation) -> Standstill | None:
             (without_temporaries(m, one[0]), one[1:]) for m, one in zip(machines, state[1:], strict=True)
         )
 
-    return standstill(found, looks, lambda state: ends[state])
+    return standstill(found, lambda state: [found[state]], looks, lambda state: state[0], lambda state: ends[state])
 
 
 DOWNS = ("well", "stalled", "failed")
 
 
 class Free:
-    """Machines of which any may tick next, and tells what it wrote at once; so many may fail for good, or stall and
-    perhaps go on. A state is their snapshots, what befell each, and how many failures may still come.
+    """Machines of which any may tick next, or all, and tell what they wrote at once; so many may fail for good, or
+    stall and perhaps go on. A state is their snapshots, what befell each, and how many failures may still come.
     """
 
     def __init__(self, run: Simulation, failures: int = 0) -> None:
@@ -149,17 +171,33 @@ class Free:
             machine.set_input("Button", 0)
         return *(tuple(map(tuple, machine.snapshot())) for machine in self.machines), downs, left
 
+    def ways(self, state: State) -> list[set[State]]:
+        """What may follow where these tick next: one alone, or both at once, which read what was there before."""
+        *_, downs, _ = state
+        well = [n for n, down in enumerate(downs) if DOWNS[down] == "well"]
+        return [
+            {self.ticked(state, dict(zip(who, pressed, strict=True))) for pressed in product((0, 1), repeat=len(who))}
+            for who in (*((n,) for n in well), *([tuple(well)] if len(well) > 1 else []))
+        ]
+
+    def ticked(self, state: State, pressed: dict[int, int]) -> State:
+        """After a tick of these machines, each with its button so; of what several write the last one's holds."""
+        *_, downs, left = state
+        self.put(state)
+        before = dict(self.machines[0].variables())
+        after = dict(before)
+        for n, value in pressed.items():
+            self.machines[n].set_input("Button", value)
+            self.machines[n].tick()
+            after.update({name: one for name, one in self.machines[n].variables().items() if one != before[name]})
+        for machine, (name, one) in product(self.machines, after.items()):
+            machine.set_variable(name, one)
+        return self.seen(downs, left)
+
     def after(self, state: State) -> Iterator[State]:
         *snapshots, downs, left = state
-        for (n, ticking), pressed in product(enumerate(self.machines), (0, 1)):
-            if DOWNS[downs[n]] == "well":
-                self.put(state)
-                ticking.set_input("Button", pressed)
-                ticking.tick()
-                for name, value in ticking.variables().items():
-                    for machine in self.machines:
-                        machine.set_variable(name, value)
-                yield self.seen(downs, left)
+        for way in self.ways(state):
+            yield from way
         for n, ended in enumerate(self.ended(state)):
             if left and not ended:
                 for what in range(downs[n] + 1, len(DOWNS)):
@@ -187,7 +225,11 @@ def in_free_timing(run: Simulation) -> Standstill | None:
     """Whether robots that lag as they like can come to stand still; None when there are too many states."""
     free = Free(run)
     found = explored(free.first, free.after)
-    return None if found is None else standstill(found, free.looks, lambda state: all(free.ended(state)))
+    if found is None:
+        return None
+    return standstill(
+        found, free.ways, free.looks, lambda state: free.shown(state)[0], lambda state: all(free.ended(state))
+    )
 
 
 @pytest.mark.parametrize(

@@ -67,6 +67,7 @@ def samples() -> dict[str, tuple[Any, ...]]:
         "mark": (t, g, 1, 1, True, words, words, marks),
         "observe": (t, g, 1, 1, True, 1, words),
         "crossing": (g, 1, 1, marks, marks),
+        "prune": (g, numbers, 1, marks, marks),
         "search": (t, g, s, 1),
         "reach": (g, marks, marks, numbers, numbers, numbers, words, 1),
         "sample": (g, numbers, marks, numbers),

@@ -21,7 +21,7 @@ class Engine(NamedTuple):
 
     Attributes:
         advance, expand, rehash, repack: of `visiting`.
-        mark, observe, crossing: of `marking`.
+        mark, observe, crossing, prune: of `marking`.
         search, reach, sample, way: of `fairness`.
         row: a list of numbers as the functions take it.
         zeros, bytes, words: so many zeros, of 32 bits, of 8 or of 64.
@@ -35,6 +35,7 @@ class Engine(NamedTuple):
     mark: Callable[..., int]
     observe: Callable[..., int]
     crossing: Callable[..., int]
+    prune: Callable[..., int]
     search: Callable[..., int]
     reach: Callable[..., int]
     sample: Callable[..., None]
@@ -54,6 +55,7 @@ FUNCTIONS: dict[str, Callable[..., Any]] = {
     "mark": marking.mark,
     "observe": marking.observe,
     "crossing": marking.crossing,
+    "prune": marking.prune,
     "search": fairness.search,
     "reach": fairness.reach,
     "sample": fairness.sample,

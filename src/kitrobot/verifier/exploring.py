@@ -77,7 +77,7 @@ class Explored:
         states = len(self) * (8 * self.model.layout.words + 4)
         steps = int(regs[v.EDGES]) * 6 + (self.expanded + 1) * 4 if regs[v.KEEPS] else 0
         tables = sum(8 * len(table) for table in self.model.t)
-        return states + steps + 4 * len(graph.slots) + 4 * int(regs[v.DEAD]) + tables
+        return states + steps + 4 * len(graph.slots) + 4 * int(regs[v.CALMS]) + tables
 
     def state(self, number: int) -> State:
         """A state."""
@@ -139,8 +139,8 @@ class Explored:
             self._grow("targets", "taken")
             if int(regs[v.AT]) + 2 > len(self.graph.first_edge):
                 self._grow("first_edge")
-        elif code == v.ROOM_DEAD:
-            self._grow("dead")
+        elif code == v.ROOM_CALM:
+            self._grow("calm")
         else:
             self.model.fill(code)
         if self.model.layout is not before:
@@ -215,7 +215,7 @@ def fresh_graph() -> Graph:
         first_edge=numbers(4096),
         targets=numbers(8192),
         taken=array("H", bytes(2 * 8192)),
-        dead=numbers(4096),
+        calm=numbers(4096),
     )
 
 

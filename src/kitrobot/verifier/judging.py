@@ -13,7 +13,8 @@ from kitrobot.verifier.events import Event
 from kitrobot.verifier.exploring import Explored, explore
 from kitrobot.verifier.model import Model, State
 from kitrobot.verifier.properties import Property
-from kitrobot.verifier.rounds import fair_round, first_crossing, first_marked, first_where, holds_somewhere
+from kitrobot.verifier.rounds import fair_round, first_crossing, first_where, holds_somewhere
+from kitrobot.verifier.standstill import first_standstill
 from kitrobot.verifier.timing import Timing
 
 
@@ -36,7 +37,7 @@ class Step(NamedTuple):
 @dataclass(frozen=True)
 class Way:
     """A run of the model: the states in order, the steps between them, and the state from which on it repeats (-1: it
-    does not).
+    does not). After the last one nothing happens any more, at most programs go round (see `standstill`).
     """
 
     states: tuple[State, ...]
@@ -91,7 +92,7 @@ _SHARE = 0.75
 
 def judge(model: Model, properties: Sequence[Property], budget: Budget, engine: Engine | None = None) -> Judged:
     """Explores a model, of which nothing was explored yet, and judges properties by it."""
-    keeps_steps = any(one.waits is not None or one.breaks is not None for one in properties)
+    keeps_steps = any(one.keeps_steps for one in properties)
     began = budget.clock()
     share = None if budget.seconds is None else budget.seconds * (_SHARE if keeps_steps else 1.0)
     made = explore(model, replace(budget, seconds=share), keeps_steps, engine)
@@ -158,7 +159,7 @@ def _sudden(made: Explored, one: Property) -> Way | None:
 def _endless(made: Explored, one: Property) -> Way | None:
     """A run that breaks a property by standing still or by waiting for ever."""
     if one.is_wrong is not None:
-        number = first_marked(made, one.is_wrong)
+        number = first_standstill(made, one.is_wrong)
         return None if number < 0 else _way_to(made, made.path(number), repeats=True)
     if one.waits is None:
         return None

@@ -1,4 +1,4 @@
-"""Conditions of states, decided for all states at once by what their components are."""
+"""Conditions of states, decided for all states at once by what their components are, and what follows of steps."""
 
 from __future__ import annotations
 
@@ -46,3 +46,27 @@ def crossing(g: Graph, first: int, end: int, before: Row, after: Row) -> int:
                 if after[g.targets[e]]:
                     return state
     return -1
+
+
+def prune(g: Graph, states: Row, count: int, marks: Row, inside: Row) -> int:
+    """Of so many states those that are marked and that no step leads out of into another one than these, or nearly: it
+    is to be called until it leaves as many as before. They stay in `states`, in order; how many are left.
+
+    States are in the order in which they were reached, and looked at from the last one on: most steps lead onwards.
+    `inside` has no marks before the first call.
+    """
+    for n in range(count):
+        inside[states[n]] = marks[states[n]]
+    for n in range(count - 1, -1, -1):
+        state = states[n]
+        e, end = g.first_edge[state], g.first_edge[state + 1]
+        while inside[state] and e < end:
+            if not inside[g.targets[e]]:
+                inside[state] = 0
+            e += 1
+    left = 0
+    for n in range(count):
+        if inside[states[n]]:
+            states[left] = states[n]
+            left += 1
+    return left

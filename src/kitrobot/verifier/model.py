@@ -21,6 +21,7 @@ from kitrobot.verifier.events import TooManyError
 from kitrobot.verifier.growing import find_confs_again, put
 from kitrobot.verifier.looking import decode, sensed
 from kitrobot.verifier.missing import ENDS
+from kitrobot.verifier.programs import Reaction
 from kitrobot.verifier.stepping import due_in
 from kitrobot.verifier.timing import Timing
 from kitrobot.verifier.traffic import intern_conf
@@ -110,18 +111,25 @@ class Model(Components):
             over = self.inside_number(i, inside._replace(is_over=True))
             self._put_reactions(key, [(over, 0, v.NO_WRITE)])
             return
-        sensed, shared = self._sensed(i, key)
-        choices = {at: sense.choices for at, sense in enumerate(part.senses)}
         found: dict[tuple[int, int, int], None] = {}
-        for reaction in part.table.react(inside.local, sensed, shared, choices):
+        for reaction, change in self.reactions_to(i, key):
             want, after = reactions.after_reaction(part, inside, reaction)
             number = self.inside_number(i, after)
             ticks = after.down == RUNS and not self.has_ended(i, after)
-            change = reactions.change_by(part, inside, shared, reaction)
             if self.watch is not None and part.is_member and reaction.ended:
                 change = change[0], (*change[1], Told(ENDS, part.agent.index, 0, 0))
             found[number, 2 * (want + 2) + ticks, self._write_number(change)] = None
         self._put_reactions(key, found)
+
+    def reactions_to(self, i: int, key: int) -> list[tuple[Reaction, reactions.Change]]:
+        """All reactions that a tick of agent i can have where it senses this (`looking.sensed`), each with what it
+        makes of what is shared.
+        """
+        part, inside = self.parts[i], self._insides[i][key & v.MOST_INSIDES - 1]
+        choices = {at: sense.choices for at, sense in enumerate(part.senses)}
+        sensed, shared = self._sensed(i, key)
+        found = part.table.react(inside.local, sensed, shared, choices)
+        return [(one, reactions.change_by(part, inside, shared, one)) for one in found]
 
     def sensed(self, i: int, state: State) -> tuple[tuple[int | None, ...], tuple[int, ...]]:
         """What agent i reads in a state, None of an input that may read anything; and its shared variables."""

@@ -38,6 +38,7 @@ class Reaction:
         local: the number of the local state after the tick.
         commands: (actuator, command, first argument) in the order of the actuators; 0 where there is no argument.
         seconds: of each command its second argument; 0 where there is none.
+        more: of each command the arguments behind these.
         shared: the values of the robot's shared variables after the tick, in the order of its XML.
         ended: whether the program has ended.
         stops: the bits of actuators that were told to stop, and of those that go on although a marked action's parallel
@@ -50,6 +51,7 @@ class Reaction:
     ended: bool
     seconds: tuple[int, ...] = ()
     stops: tuple[int, int] = (0, 0)
+    more: tuple[tuple[int, ...], ...] = ()
 
 
 class ProgramTable:
@@ -193,13 +195,17 @@ class ProgramTable:
         if read is None:
             read = self._read_by[ran] = frozenset[int]().union(*compress(self._reads, ran))
         after = tuple(int(cells[cell]) for cell in self.shared)
-        return Reaction(self.current(), commands, after, machine.ended, seconds, stops), read
+        more = tuple(tuple(machine.out[at + 5 : at + 3 + self._arguments(at)]) for at in told)
+        return Reaction(self.current(), commands, after, machine.ended, seconds, stops, more), read
 
-    def _argument(self, at: int, number: int) -> int:
+    def _arguments(self, at: int) -> int:
+        """How many arguments the command has that begins there in `out`."""
         machine = self.machine
         _, actuator, procedure = machine.layout.commands[machine.out[at + 2]]
-        has_it = len(machine.robot.calls[actuator, procedure][1].parameters) > number
-        return int(machine.out[at + 3 + number]) if has_it else 0
+        return len(machine.robot.calls[actuator, procedure][1].parameters)
+
+    def _argument(self, at: int, number: int) -> int:
+        return int(self.machine.out[at + 3 + number]) if self._arguments(at) > number else 0
 
     @staticmethod
     def _told(machine: Machine) -> list[int]:

@@ -69,7 +69,8 @@ class Property:
         name: its name on the command line, in lower-case letters with hyphens.
         sentence: what it demands.
         broken_by: the events that break it.
-        is_wrong: whether a state, which nothing leaves, breaks it; None for one that no state breaks.
+        is_wrong: whether a state breaks it that nothing leaves, or from which on nothing happens (see `standstill`);
+            None for one that no state breaks.
         waits: whether a state waits for what is to come; of liveness only. A run that waits for ever breaks it.
         from_start: whether only waiting since the first state counts.
         about, concerned: the events, or states, that the property is about; where none comes up, it is vacuous. Without
@@ -99,6 +100,11 @@ class Property:
     seen_as: tuple[int, ...] = ()
     ends_as: tuple[str, ...] = ()
     spares_teams: bool = False
+
+    @property
+    def keeps_steps(self) -> bool:
+        """Whether judging it needs the steps between states."""
+        return self.waits is not None or self.breaks is not None or self.is_wrong is not None
 
 
 def ready_properties(model: Model) -> list[Property]:

@@ -14,18 +14,19 @@ from kitrobot.verifier.properties import Condition, Fact, OfAgent, OfShared, Pro
 
 _STEPS, _PLAIN_STEPS = 500_000, 20_000
 """Steps of a search, compiled or not, until it is asked whether to break off: a quarter of a second."""
-_CHUNK = 20_000
+CHUNK = 20_000
+"""States that conditions are decided of at once."""
 
 
 def holds_somewhere(made: Explored, condition: Condition) -> bool:
     """Whether a condition holds in a state that was reached."""
-    return sum(_mark(made, condition)[1]) > 0
+    return sum(mark(made, condition)[1]) > 0
 
 
 def first_where(made: Explored, condition: Condition) -> int:
     """The first state in which a condition holds; -1 for none."""
-    marks, counts = _mark(made, condition)
-    first = next((_CHUNK * n for n, count in enumerate(counts) if count), len(made))
+    marks, counts = mark(made, condition)
+    first = next((CHUNK * n for n, count in enumerate(counts) if count), len(made))
     return next((number for number in range(first, len(made)) if marks[number]), -1)
 
 
@@ -33,14 +34,14 @@ def first_crossing(made: Explored, before: Condition, after: Condition) -> tuple
     """The first state in which a condition holds and out of which a step leads into one in which another does, and
     which of its steps that is; -1, -1 for none. Where time is up, not all states are looked at.
     """
-    was, _ = _mark(made, before)
-    now, _ = _mark(made, after)
+    was, _ = mark(made, before)
+    now, _ = mark(made, after)
     state = -1
-    for at in range(0, made.expanded, _CHUNK):
+    for at in range(0, made.expanded, CHUNK):
         if at and (cut := made.breaks_off()):
             made.unseen = cut
             break
-        state = int(made.engine.crossing(made.graph, at, min(at + _CHUNK, made.expanded), was, now))
+        state = int(made.engine.crossing(made.graph, at, min(at + CHUNK, made.expanded), was, now))
         if state >= 0:
             break
     if state < 0:
@@ -51,14 +52,7 @@ def first_crossing(made: Explored, before: Condition, after: Condition) -> tuple
     return state, next(n for n, (one, _, _) in enumerate(made.steps(state)) if one == wanted)
 
 
-def first_marked(made: Explored, condition: Condition) -> int:
-    """The first state that nothing leaves and for which a condition holds; -1 for none."""
-    marks, _ = _mark(made, condition)
-    dead = made.graph.dead[: int(made.model.t.regs[v.DEAD])]
-    return next((int(number) for number in dead if marks[int(number)]), -1)
-
-
-def _mark(made: Explored, condition: Condition) -> tuple[Any, list[int]]:
+def mark(made: Explored, condition: Condition) -> tuple[Any, list[int]]:
     """A mark for each state for which a condition holds, and how many there are in each part of the states."""
     if isinstance(condition, Sensed):
         return _mark_sensed(made, condition)
@@ -73,8 +67,8 @@ def _mark(made: Explored, condition: Condition) -> tuple[Any, list[int]]:
     marks = engine.bytes(max(1, len(made)))
     rows, table, two = engine.row(facts), engine.row(truths), made.model.layout.words == 2
     counts = []
-    for first in range(0, len(made), _CHUNK):
-        end = min(first + _CHUNK, len(made))
+    for first in range(0, len(made), CHUNK):
+        end = min(first + CHUNK, len(made))
         counts.append(int(engine.mark(made.model.t, made.graph, first, end, two, rows, table, marks)))
     return marks, counts
 
@@ -83,19 +77,19 @@ def _mark_sensed(made: Explored, condition: Sensed) -> tuple[Any, list[int]]:
     """The same of what agents sense; where time is up, the states that were not looked at are left unmarked."""
     engine, two, model = made.engine, made.model.layout.words == 2, made.model
     marks, counts = engine.bytes(max(1, len(made))), []
-    columns = [engine.words(_CHUNK) for _ in condition.agents]
+    columns = [engine.words(CHUNK) for _ in condition.agents]
     known: dict[tuple[int, ...], bool] = {}
-    for first in range(0, len(made), _CHUNK):
+    for first in range(0, len(made), CHUNK):
         if cut := made.breaks_off():
             made.unseen = cut
             break
-        end = min(first + _CHUNK, len(made))
+        end = min(first + CHUNK, len(made))
         for i, keys in zip(condition.agents, columns, strict=True):
             engine.observe(model.t, made.graph, first, end, two, i, keys)
         count = 0
         asked = [keys.tolist() for keys in columns]
         if condition.asks_shared:
-            asked.append(_shared_numbers(made, first, first + _CHUNK))
+            asked.append(_shared_numbers(made, first, first + CHUNK))
         rows = zip(*asked, strict=False)
         for number, row in zip(range(first, end), rows, strict=False):
             holds = known.get(row)
@@ -142,13 +136,13 @@ def fair_round(made: Explored, one: Property) -> tuple[list[int], list[int]]:
     made.unseen = made.unseen or made.breaks_off()
     if not len(made) or made.unseen:
         return [], []
-    marks, counts = _mark(made, one.waits)
+    marks, counts = mark(made, one.waits)
     engine = made.engine
     steps = _PLAIN_STEPS if engine is PLAIN else _STEPS
     size = len(made) + 1
     colour, found, before = engine.zeros(size), engine.zeros(size), engine.zeros(size)
     reached = engine.row([0, (1 if one.from_start else len(made)) if sum(counts) else 0, 0, 0, made.expanded])
-    since = marks if one.since is None else _mark(made, one.since)[0]
+    since = marks if one.since is None else mark(made, one.since)[0]
     while not engine.reach(made.graph, marks, since, colour, found, before, reached, steps):
         if cut := made.breaks_off():
             made.unseen = cut

@@ -88,7 +88,7 @@ class Graph(NamedTuple):
         first_edge: steps out of state n are `first_edge[n]` … `first_edge[n + 1]` - 1, where they are kept. Of ticks
             that change nothing none is kept, but in lockstep.
         targets, taken: of each step the state after it and its progress classes, by number.
-        dead: states out of which no step leads into another one.
+        calm: states out of which no step leads into another one, or only such as may mean nothing (`visiting.CALM`).
     """
 
     x: Row
@@ -98,7 +98,7 @@ class Graph(NamedTuple):
     first_edge: Row
     targets: Row
     taken: Row
-    dead: Row
+    calm: Row
 
 
 def find(keys: Row, key: int) -> int:

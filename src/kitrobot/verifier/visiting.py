@@ -9,10 +9,10 @@ from __future__ import annotations
 from kitrobot.verifier.columns import (
     ALL_BITS,
     AT,
+    CALMS,
     CODE,
     COUNT,
     CUT,
-    DEAD,
     DEPTH,
     EDGES,
     FIRST_OF,
@@ -24,7 +24,7 @@ from kitrobot.verifier.columns import (
     MOST,
     MULTIPLIER,
     OTHER_MULTIPLIER,
-    ROOM_DEAD,
+    ROOM_CALM,
     ROOM_EDGES,
     ROOM_STATES,
     SEEN_KINDS,
@@ -32,10 +32,16 @@ from kitrobot.verifier.columns import (
     TOUCHED,
     WORDS,
 )
+from kitrobot.verifier.events import TICK
 from kitrobot.verifier.lockstep import expand_lockstep
+from kitrobot.verifier.motion import BEGIN, HALT
 from kitrobot.verifier.stepping import expand_interleaved
 from kitrobot.verifier.tables import Graph, Row, Tables
 
+CALM = 1 << TICK | 1 << BEGIN | 1 << HALT
+"""Kinds of events that may come for ever while nothing happens: at the end of an open road a robot that is told to go
+on begins to roll and stands, and gets nowhere.
+"""
 FAR = 4_000_000
 """States from which on waiting for memory takes longer than asking for it twice."""
 
@@ -73,13 +79,14 @@ def visit(t: Tables, g: Graph, at: int, steps: int, two: bool) -> int:
         return ROOM_STATES
     if keeps and (edges + steps > len(g.targets) or at + 2 > len(g.first_edge)):
         return ROOM_EDGES
-    if regs[DEAD] >= len(g.dead):
-        return ROOM_DEAD
+    if regs[CALMS] >= len(g.calm):
+        return ROOM_CALM
     if count > FAR:
         touch(t, g, steps)
-    seen, is_dead = regs[SEEN_KINDS], True
+    seen, came, is_dead = regs[SEEN_KINDS], 0, True
     for n in range(steps):
         x, y, kinds = t.next_x[n], t.next_y[n], t.next_kinds[n]
+        came |= kinds
         if kinds & ~seen:
             for kind in range(KINDS):
                 if kinds & ~seen & 1 << kind:
@@ -111,9 +118,9 @@ def visit(t: Tables, g: Graph, at: int, steps: int, two: bool) -> int:
     if keeps:
         g.first_edge[at + 1] = edges
         regs[EDGES] = edges
-    if is_dead:
-        g.dead[regs[DEAD]] = at
-        regs[DEAD] += 1
+    if is_dead or came & ~CALM == 0:
+        g.calm[regs[CALMS]] = at
+        regs[CALMS] += 1
     regs[COUNT] = count
     return GOES_ON
 

@@ -1,0 +1,128 @@
+"""States in which a mission stands still: nothing happens any more but that programs go round, and say nothing new.
+
+As in `sim.deadlock_detection`: robots that only poll come to the same places in their programs, and to the same values
+of their own variables, again and again. Who changes a shared variable says something new. A device that is told the
+same once more does nothing new, but for what takes longer; and at the end of an open road a robot gets nowhere. Where a
+reading that may be anything makes a difference, something may still happen, and nothing stands still.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import Any
+
+from kitrobot.verifier import columns as v
+from kitrobot.verifier.bodies import RUNS
+from kitrobot.verifier.exploring import Explored
+from kitrobot.verifier.model import Model
+from kitrobot.verifier.properties import Condition
+from kitrobot.verifier.rounds import CHUNK, mark
+
+_STIRS = 1
+"""The bit of what keeps a mission from standing still; each command has one of its own above."""
+
+
+def first_standstill(made: Explored, condition: Condition) -> int:
+    """The first state that nothing leaves, or, where there is none, from which on programs only go round, and say
+    nothing new; the condition holds in it, and in all that follow. -1 for none.
+    """
+    marks, _ = mark(made, condition)
+    states = _closed(made, marks)
+    graph = made.graph
+    begins = [(int(graph.first_edge[state]), int(graph.first_edge[state + 1])) for state in states]
+    for state, (first, end) in zip(states, begins, strict=True):
+        if all(target == state for target in graph.targets[first:end]):
+            return state
+    places = {state: n for n, state in enumerate(states)}
+    following = [[places[int(target)] for target in graph.targets[first:end]] for first, end in begins]
+    said = _Said(made.model)
+    out = _reached(following, list(said.by(made, states)), made)
+    return next((state for state, all_of in zip(states, out, strict=False) if not said.stirs(all_of)), -1)
+
+
+def _closed(made: Explored, marks: Any) -> list[int]:
+    """The marked states that are calm, and out of which all steps lead to others of them."""
+    graph, engine = made.graph, made.engine
+    count = int(made.model.t.regs[v.CALMS])
+    states, inside = engine.zeros(count), engine.bytes(max(1, len(made)))
+    states[:] = graph.calm[:count]
+    left = -1
+    while left != count:
+        if cut := made.breaks_off():
+            made.unseen = cut
+            return []
+        count, left = int(engine.prune(graph, states, count, marks, inside)), count
+    return [int(state) for state in states[:count]]
+
+
+def _reached(following: list[list[int]], out: list[int], made: Explored) -> list[int]:
+    """Of each state the bits of all states that can be reached from it; empty where it was broken off."""
+    changed = True
+    while changed:
+        changed = False
+        if cut := made.breaks_off():
+            made.unseen = cut
+            return []
+        for n in range(len(following) - 1, -1, -1):
+            now = out[n]
+            for other in following[n]:
+                now |= out[other]
+            changed = changed or now != out[n]
+            out[n] = now
+    return out
+
+
+class _Said:
+    """What agents tell their devices, as bits: of a device that is told two things in turn each is something new."""
+
+    def __init__(self, model: Model) -> None:
+        self._model = model
+        self._bits: dict[tuple[object, ...], int] = {}
+        self._of_device: dict[tuple[int, int], int] = {}
+        self._known: list[dict[int, int]] = [{} for _ in model.parts]
+
+    def by(self, made: Explored, states: list[int]) -> Iterator[int]:
+        """The bits of the next ticks in each of these states."""
+        engine, two = made.engine, made.model.layout.words == 2
+        keys = engine.words(CHUNK)
+        at = 0
+        while at < len(states):
+            first = states[at]
+            end = at
+            while end < len(states) and states[end] < first + CHUNK:
+                end += 1
+            here = [state - first for state in states[at:end]]
+            bits = [0] * len(here)
+            for i, known in enumerate(self._known):
+                engine.observe(made.model.t, made.graph, first, first + here[-1] + 1, two, i, keys)
+                for n, offset in enumerate(here):
+                    key = int(keys[offset])
+                    if key not in known:
+                        known[key] = self._of_tick(i, key)
+                    bits[n] |= known[key]
+            yield from bits
+            at = end
+
+    def stirs(self, bits: int) -> bool:
+        """Whether among what these bits say there is something new, again and again."""
+        return bool(bits & _STIRS) or any((bits & device).bit_count() > 1 for device in self._of_device.values())
+
+    def _of_tick(self, i: int, key: int) -> int:
+        model, part = self._model, self._model.parts[i]
+        inside = model.inside(i, key & v.MOST_INSIDES - 1)
+        if inside.down != RUNS or model.has_ended(i, inside):
+            return 0
+        (first, (written, _)), *others = model.reactions_to(i, key)
+        if others or written:
+            return _STIRS
+        bits = 0
+        for (actuator, command, argument), second, more in zip(first.commands, first.seconds, first.more, strict=True):
+            if part.acts[actuator].agrees >= 0:
+                continue
+            if command in part.acts[actuator].later:
+                return _STIRS
+            said = i, actuator, command, argument, second, more
+            bit = self._bits.setdefault(said, 2 << len(self._bits))
+            self._of_device[i, actuator] = self._of_device.get((i, actuator), 0) | bit
+            bits |= bit
+        return bits
