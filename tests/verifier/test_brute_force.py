@@ -10,18 +10,28 @@ from __future__ import annotations
 import random
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
-from itertools import product
+from itertools import chain, combinations, product
 from typing import Any
 
 import pytest
 
 from kitrobot.image import Machine
 from kitrobot.lll import print_program
+from kitrobot.mission import AskedProperty, Form
 from kitrobot.sim import Simulation
 from kitrobot.sim.sharing import SHARED_VALUE
 from kitrobot.sim.state import numbers
-from kitrobot.verifier import Budget, Model, Timing, judge, ready_properties, take_apart
-from kitrobot.verifier.exploring import explore
+from kitrobot.verifier import (
+    Budget,
+    Model,
+    Timing,
+    asked_properties,
+    judge,
+    ready_properties,
+    take_apart,
+    variables_asked,
+)
+from kitrobot.verifier.exploring import Explored, explore
 from tests.effort import examples
 from tests.sim.building import avatar, empty_world, run_of
 from tests.strategies.programs import Shape, random_program
@@ -101,11 +111,12 @@ def without_temporaries(machine: Machine, cells: Sequence[int]) -> tuple[int, ..
     return (cells[0], *(cells[cell] for cell in machine.layout.variables.values()))
 
 
-def random_run(rng: random.Random) -> tuple[Simulation, list[str]]:
-    """Two robots with random programs in an empty room."""
-    texts = [print_program(random_program(rng, ROBOT, Shape(instructions=5, depth=3))) for _ in range(2)]
-    world = empty_world(a=(200, 200, 0), b=(600, 600, 0))
-    return run_of({"a": (ROBOT, texts[0]), "b": (ROBOT, texts[1])}, world, seconds=None), texts
+def random_run(rng: random.Random, robots: int = 2) -> tuple[Simulation, list[str]]:
+    """Robots with random programs in an empty room."""
+    texts = [print_program(random_program(rng, ROBOT, Shape(instructions=5, depth=3))) for _ in range(robots)]
+    names = "abc"[:robots]
+    world = empty_world(**{name: (200.0 + 300 * n, 600, 0) for n, name in enumerate(names)})
+    return run_of({name: (ROBOT, text) for name, text in zip(names, texts, strict=True)}, world, seconds=None), texts
 
 
 def in_lockstep(run: Simulation) -> Standstill | None:
@@ -172,12 +183,12 @@ class Free:
         return *(tuple(map(tuple, machine.snapshot())) for machine in self.machines), downs, left
 
     def ways(self, state: State) -> list[set[State]]:
-        """What may follow where these tick next: one alone, or both at once, which read what was there before."""
+        """What may follow where these tick next: one alone, or several at once, which read what was there before."""
         *_, downs, _ = state
         well = [n for n, down in enumerate(downs) if DOWNS[down] == "well"]
         return [
             {self.ticked(state, dict(zip(who, pressed, strict=True))) for pressed in product((0, 1), repeat=len(who))}
-            for who in (*((n,) for n in well), *([tuple(well)] if len(well) > 1 else []))
+            for who in chain.from_iterable(combinations(well, size + 1) for size in range(len(well)))
         ]
 
     def ticked(self, state: State, pressed: dict[int, int]) -> State:
@@ -254,11 +265,25 @@ def test_random_missions_stand_still_where_brute_force_says_so(
     assert min(said.values()) > 5
 
 
-@pytest.mark.parametrize("failures", [0, 1, 2])
-def test_random_missions_with_failures_come_where_brute_force_comes_and_nowhere_else(failures: int) -> None:
+def shown(made: Explored) -> set[State]:
+    """What `Free.shown` shows, of the states of a model."""
+    model, found = made.model, set()
+    for number in range(len(made)):
+        shared, *agents = made.state(number)[: 1 + model.count]
+        left, flag, count = model.shareds()[shared]
+        insides = [model.inside(i, inside) for i, inside in enumerate(agents)]
+        ended = tuple(model.has_ended(i, inside) for i, inside in enumerate(insides))
+        found.add(((flag, count), ended, tuple(inside.down for inside in insides), left))
+    return found
+
+
+@pytest.mark.parametrize(("robots", "failures"), [(2, 0), (2, 1), (2, 2), (3, 0)])
+def test_random_missions_with_failures_come_where_brute_force_comes_and_nowhere_else(
+    robots: int, failures: int
+) -> None:
     compared = 0
-    for seed in range(examples(15, 500)):
-        run, texts = random_run(random.Random(seed))
+    for seed in range(examples(15 if robots == 2 else 25, 500)):
+        run, texts = random_run(random.Random(seed), robots)
         free = Free(run, failures)
         found = explored(free.first, free.after)
         if found is None:
@@ -266,13 +291,45 @@ def test_random_missions_with_failures_come_where_brute_force_comes_and_nowhere_
         model = Model(run, take_apart(run), failures, Timing.FREE)
         made = explore(model, Budget(10 * MOST_STATES), False)
         assert made.complete, texts
-        ours = set()
-        for number in range(len(made)):
-            shared, *agents = made.state(number)[: 1 + model.count]
-            left, flag, count = model.shareds()[shared]
-            insides = [model.inside(i, inside) for i, inside in enumerate(agents)]
-            ended = tuple(model.has_ended(i, inside) for i, inside in enumerate(insides))
-            ours.add(((flag, count), ended, tuple(inside.down for inside in insides), left))
-        assert ours == {free.shown(state) for state in found}, (seed, texts)
+        assert shown(made) == {free.shown(state) for state in found}, (seed, texts)
         compared += 1
     assert compared > 5
+
+
+def test_whoever_lags_as_he_likes_comes_wherever_he_comes_in_step() -> None:
+    """Each state of lockstep is one of free timing, and of prompt where the world has no events."""
+    compared = more = 0
+    for seed in range(examples(25, 2000)):
+        run, texts = random_run(random.Random(seed), 3)
+        models = {timing: Model(run, take_apart(run), 0, timing) for timing in Timing}
+        made = {timing: explore(model, Budget(10 * MOST_STATES), False) for timing, model in models.items()}
+        if all(one.complete for one in made.values()):
+            seen = {timing: shown(one) for timing, one in made.items()}
+            assert seen[Timing.LOCKSTEP] <= seen[Timing.PROMPT] == seen[Timing.FREE], (seed, texts)
+            compared += 1
+            more += seen[Timing.LOCKSTEP] < seen[Timing.FREE]
+    assert min(compared, more) > 5
+
+
+ENTERS = """*( {own}.Set(1); Last.Set({number}); <{other}.EqualTo(0) | Last.EqualTo({turn})>(
+    In{own}.Set(1); WAIT(20); In{own}.Set(0); {own}.Set(0); WAIT(20);
+); );"""
+
+
+@pytest.mark.parametrize("timing", list(Timing))
+def test_two_that_ask_in_the_same_moment_enter_together_in_every_timing(timing: Timing) -> None:
+    """Peterson's algorithm needs one write after another: it is no good for robots that tick in the same moment."""
+    robot = avatar(
+        *(
+            f'<variable name="{name}" type="integer" min="0" max="2" initial="0" shared="yes"/>'
+            for name in ("A", "B", "Last", "InA", "InB")
+        )
+    )
+    a, b = ENTERS.format(own="A", number=1, other="B", turn=2), ENTERS.format(own="B", number=2, other="A", turn=1)
+    run = run_of({"a": (robot, a), "b": (robot, b)}, empty_world(a=(200, 200, 0), b=(600, 600, 0)))
+    asked = [AskedProperty("mutex", Form.NEVER, "any a (InA.EqualTo(1)) & any b (InB.EqualTo(1))")]
+    model = Model(run, take_apart(run, variables_asked(run, asked)), 0, timing)
+    properties, left_out = asked_properties(model, asked)
+    assert left_out == []
+    (verdict,) = judge(model, properties, Budget(10_000)).verdicts
+    assert verdict.answer.value == "broken"

@@ -9,7 +9,7 @@ each set of motors that are done again and again. On roads it is the plain model
 from __future__ import annotations
 
 import random
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, field, replace
 from itertools import chain, combinations, pairwise, product
 from typing import Any
@@ -95,6 +95,19 @@ class Machines:
         turns = any(command.actuator == "Motor" for command in machine.tick())
         return tuple(one or (turns and k == n) for k, one in enumerate(busy))
 
+    def tick_at_once(self, who: Sequence[int], pressed: Sequence[int], busy: tuple[bool, ...]) -> tuple[bool, ...]:
+        """A tick of these machines, which read what was there before, and share what they write; of what several write
+        the last one's holds. Whose motors turn after it.
+        """
+        values = dict(self.machines[0].variables())
+        changed = dict(values)
+        for n, value in zip(who, pressed, strict=True):
+            busy = self.tick(n, value, busy)
+            its = self.machines[n].variables()
+            changed.update({name: value for name, value in its.items() if value != values[name]})
+        self.share(changed)
+        return busy
+
     def share(self, values: dict[str, int]) -> None:
         for machine, (name, value) in product(self.machines, values.items()):
             machine.set_variable(name, value)
@@ -110,26 +123,22 @@ class Machines:
                 ended = self.ended(state)
                 self.put(state)
                 busy = tuple(one and n not in ends for n, one in enumerate(state[1]))
-                values = dict(self.machines[0].variables())
-                changed = dict(values)
-                for n in self.agents:
-                    if not ended[n]:
-                        busy = self.tick(n, pressed[n], busy)
-                        its = self.machines[n].variables()
-                        changed.update({name: value for name, value in its.items() if value != values[name]})
-                self.share(changed)
+                going_on = [n for n in self.agents if not ended[n]]
+                busy = self.tick_at_once(going_on, [pressed[n] for n in going_on], busy)
                 came = {("tick", n) for n in self.agents} | {("end", n) for n in ends}
                 yield self.seen(busy, frozenset()), frozenset(came)
 
     def one_by_one(self, state: State) -> Iterator[tuple[State, frozenset[Class]]]:
         _, busy, due = state
         ended = self.ended(state)
-        for n, pressed in product(self.agents, (0, 1)):
-            if not ended[n]:
+        going_on = [n for n in self.agents if not ended[n]]
+        for who in chain.from_iterable(combinations(going_on, k + 1) for k in range(len(going_on))):
+            for pressed in product((0, 1), repeat=len(who)):
                 self.put(state)
-                after = self.tick(n, pressed, busy)
-                self.share(self.machines[n].variables())
-                yield self.seen(after, due - {n}), frozenset({("tick", n)})
+                yield (
+                    self.seen(self.tick_at_once(who, pressed, busy), due - set(who)),
+                    frozenset(("tick", n) for n in who),
+                )
         for n in self.agents:
             if busy[n] and not due:
                 self.put(state)
@@ -321,7 +330,11 @@ def test_random_missions_on_a_road_have_the_states_and_answers_of_the_plain_mode
             0,
             plain_exploring.Budget(10 * MOST_STATES),
         )
-        assert (ours.states, ours.depth) == (theirs.states, theirs.depth), (seed, texts)
+        assert ours.states == theirs.states, (seed, texts)
+        assert ours.depth == theirs.depth or (timing is not Timing.LOCKSTEP and ours.depth < theirs.depth), (
+            seed,
+            texts,
+        )
         found = {one.property.name: one.answer.value for one in ours.verdicts}
         for other in theirs.verdicts:
             assert found[other.property.name] == other.answer.value, (seed, other.property.name, texts)

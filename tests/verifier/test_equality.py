@@ -37,13 +37,21 @@ def agrees(run: Simulation, timing: Timing, failures: int = 0, kinds: Sequence[F
         plain_exploring.Budget(200_000),
     )
     assert ours.complete
-    assert (ours.states, ours.depth, ours.complete) == (theirs.states, theirs.depth, theirs.complete)
+    assert (ours.states, ours.complete) == (theirs.states, theirs.complete)
+    is_as_short(ours.depth, theirs.depth, timing)
     verdicts = {one.property.name: one for one in ours.verdicts}
     for other in theirs.verdicts:
         one = verdicts[other.property.name]
         assert one.answer.value == other.answer.value
         if one.way is not None and other.way is not None and one.property.waits is None:
-            assert len(one.way.steps) == len(other.way.steps)
+            is_as_short(len(one.way.steps), len(other.way.steps), timing)
+
+
+def is_as_short(ours: int, theirs: int, timing: Timing) -> None:
+    """In lockstep so many steps as in the plain model; else there may be fewer: of three agents and more the tables
+    have ticks in one moment that one after another come to the same.
+    """
+    assert ours == theirs if timing is Timing.LOCKSTEP else 0 < ours <= theirs
 
 
 @pytest.mark.parametrize(

@@ -21,6 +21,7 @@ from kitrobot.verifier.programs import AbstractionError
 from kitrobot.verifier.roads import Gaps, Zones, possible_everywhere
 from kitrobot.verifier.tables import Tables
 from kitrobot.verifier.timing import Timing
+from kitrobot.verifier.together import MOST_TOGETHER
 
 _TIMINGS = {Timing.LOCKSTEP: v.LOCKSTEP, Timing.PROMPT: v.PROMPT, Timing.FREE: v.FREE}
 MOST_TAKEN = 65_535
@@ -92,7 +93,7 @@ def build(
     fixed[v.SETTLES] = int(run.team_plan is not None)
     agents, geo, visits, act_rows = _static(run, parts, roads, docks, watched > 0)
     taken: list[int] = [0] * (
-        MOST_TAKEN * v.TAKEN_WIDTH if timing is Timing.LOCKSTEP else v.TAKEN_WIDTH * (1 + v.TAKEN_WIDTH * v.MOST_AGENTS)
+        v.TAKEN_WIDTH * (MOST_TAKEN if timing is Timing.LOCKSTEP else 1 + v.TAKEN_WIDTH * v.MOST_AGENTS + MOST_TOGETHER)
     )
     regs = [0] * v.REGS
     if timing is not Timing.LOCKSTEP:

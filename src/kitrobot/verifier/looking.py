@@ -1,4 +1,4 @@
-"""A state taken apart, and what its agents can do in it: by look-ups.
+"""A state taken apart, and what its agents can do in it, by look-ups; and steps out of it, put together.
 
 A tick is found in `reaction_at` by what the agent is and a few bits of what it senses. What is not in the tables yet is
 asked for: -1 says so (`regs[CODE]`), and that it is to be tried again. What is here is in the part of Python that Numba
@@ -20,6 +20,7 @@ from kitrobot.verifier.columns import (
     CODE,
     CONF_WIDTH,
     DOCKS,
+    E_KIND,
     FIELDS,
     G_STOCK,
     HOUSES,
@@ -31,8 +32,10 @@ from kitrobot.verifier.columns import (
     MISS_REACTION,
     MISS_SHARED,
     MULTIPLIER,
+    NEXTS,
     OUTCOME,
     ROAD_FIELD,
+    ROOM_NEXT,
     S_AGENT,
     S_COUNT,
     S_MUTE,
@@ -139,3 +142,15 @@ def stays(t: Tables, i: int) -> int:
             if to == conf:
                 return 1
     return 0
+
+
+def emit(t: Tables, x: int, y: int, event: int, taken: int) -> bool:
+    """Adds a step of one event; False where there is no room."""
+    count = t.regs[NEXTS]
+    if count >= len(t.next_x):
+        t.regs[CODE] = ROOM_NEXT
+        return False
+    t.next_x[count], t.next_y[count], t.next_event[count], t.next_taken[count] = x, y, event, taken
+    t.next_kinds[count] = 1 << (event & E_KIND)
+    t.regs[NEXTS] = count + 1
+    return True

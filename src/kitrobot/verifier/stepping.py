@@ -16,7 +16,6 @@ from kitrobot.verifier.columns import (
     C_MOVES,
     C_STAND,
     CHOICES,
-    CODE,
     CONF_WIDTH,
     DOCKS,
     DUE_FIELD,
@@ -35,29 +34,18 @@ from kitrobot.verifier.columns import (
     PROMPT,
     ROAD_FIELD,
     ROADS,
-    ROOM_NEXT,
     S_COUNT,
+    TAKEN_WIDTH,
     TIMING,
     WATCHED,
 )
 from kitrobot.verifier.events import FAIL, MUTE, TICK
 from kitrobot.verifier.happening import RESUMES, ends_of, harms_of
-from kitrobot.verifier.looking import changed, decode, react, stays
+from kitrobot.verifier.looking import changed, decode, emit, react, stays
 from kitrobot.verifier.tables import Tables
+from kitrobot.verifier.together import tick_together
 from kitrobot.verifier.traffic import after_tick, fill_moves
 from kitrobot.verifier.watching import is_over, watch
-
-
-def emit(t: Tables, x: int, y: int, event: int, taken: int) -> bool:
-    """Adds a step of one event; False where there is no room."""
-    count = t.regs[NEXTS]
-    if count >= len(t.next_x):
-        t.regs[CODE] = ROOM_NEXT
-        return False
-    t.next_x[count], t.next_y[count], t.next_event[count], t.next_taken[count] = x, y, event, taken
-    t.next_kinds[count] = 1 << (event & E_KIND)
-    t.regs[NEXTS] = count + 1
-    return True
 
 
 def expand_interleaved(t: Tables, x: int, y: int) -> int:
@@ -94,11 +82,14 @@ def expand_interleaved(t: Tables, x: int, y: int) -> int:
 
 
 def tick_each(t: Tables, x: int, y: int, keeps: bool) -> bool:
-    """Adds the ticks of all agents, one each; where nothing `keeps` them, without those that change nothing."""
+    """Adds the ticks of all agents, one each, and those in one moment that come to anything else; where nothing `keeps`
+    them, without those that change nothing.
+    """
     fixed, now, agents, insides, outcomes = t.fixed, t.now, t.agents, t.insides, t.outcomes
     shift, word, confs = t.shift, t.word, t.confs
     stride, width, conf_width = fixed[INSIDE_STRIDE], fixed[INSIDE_WIDTH], fixed[CONF_WIDTH]
     ticks_at = C_STAND + fixed[DOCKS] + 2 * fixed[PLACES]
+    writers = 0
     for i in range(fixed[AGENTS]):
         inside = now[1 + i]
         if not insides[(i * stride + inside) * width + I_TICKS]:
@@ -131,13 +122,14 @@ def tick_each(t: Tables, x: int, y: int, keeps: bool) -> bool:
                     else:
                         nx ^= d << shift[f]
             if outcomes[o * OUTCOME + 2]:
+                writers |= 1 << i
                 after = changed(t, now[0], outcomes[o * OUTCOME + 2])
                 if after < 0:
                     return False
                 nx ^= (now[0] ^ after) << shift[0]
             if (keeps or nx != x or ny != y) and not emit(t, nx, ny, TICK | i << E_AGENT, 1 + i):
                 return False
-    return True
+    return writers & writers - 1 == 0 or tick_together(t, x, y, writers)
 
 
 def happen(t: Tables, x: int, y: int) -> bool:
@@ -198,7 +190,7 @@ def make_due(t: Tables, x: int, y: int, due: int) -> int:
         kind = event & E_KIND
         wanted = t.mask[f]
         if kind == TICK:
-            wanted = due & ~(1 << t.next_taken[n] - 1)
+            wanted = due & ~t.taken[t.next_taken[n] * TAKEN_WIDTH]
         elif FAIL <= kind <= MUTE:
             wanted = due
         left = due_in(t, nx, ny, wanted)

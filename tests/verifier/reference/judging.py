@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from enum import Enum
 from itertools import pairwise
@@ -117,7 +117,8 @@ def _endless(clock: Clock, made: Explored, one: Property) -> Way | None:
         for number in range(expanded):
             if one.is_wrong(made.states[number]) and all(to == number for to in targets(made, number)):
                 return _way_to(clock, made, made.path(number), None, repeats=True)
-        return None
+        number = _standstill(clock, made, one.is_wrong)
+        return None if number < 0 else _way_to(clock, made, made.path(number), None, repeats=True)
     if one.waits is None:
         return None
     waiting = [one.waits(state) for state in made.states]
@@ -128,6 +129,38 @@ def _endless(clock: Clock, made: Explored, one: Property) -> Way | None:
     begin = min(part)
     path = made.path(begin)
     return _way_to(clock, made, [*path, *_round(made, set(part), begin)], None, repeats=True, first=len(path) - 1)
+
+
+def _standstill(clock: Clock, made: Explored, is_wrong: Callable[[State], bool]) -> int:
+    """The first state from which on nothing happens but that programs go round and say nothing new; -1 for none."""
+    calm = {What.TICK, Move.BEGIN, Move.HALT}
+    still = {
+        number
+        for number, state in enumerate(made.states[: len(made.first_edge) - 1])
+        if is_wrong(state) and all(event.what in calm for step in clock.steps(state) for event in step.events)
+    }
+    while left := {number for number in still if not still.issuperset(targets(made, number))}:
+        still -= left
+    return next((number for number in sorted(still) if not _hears_news(clock.model, made, number)), -1)
+
+
+def _hears_news(model: Model, made: Explored, number: int) -> bool:
+    """Whether a device is told two things in turn in the states that can be reached, or anything else is new."""
+    reached, waiting = {number}, [number]
+    heard: dict[tuple[int, int], object] = {}
+    while waiting:
+        one = waiting.pop()
+        for i in range(model.count):
+            said = model.said(made.states[one], i)
+            if said is None:
+                return True
+            for (actuator, command, first), second in said:
+                if heard.setdefault((i, actuator), (command, first, second)) != (command, first, second):
+                    return True
+        new = set(targets(made, one)) - reached
+        reached |= new
+        waiting += new
+    return False
 
 
 def _round(made: Explored, part: set[int], begin: int) -> list[int]:

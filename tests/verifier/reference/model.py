@@ -136,6 +136,23 @@ class Model:
         self._met[i][seen] = found
         return found
 
+    def said(self, state: State, i: int) -> tuple[tuple[tuple[int, int, int], int], ...] | None:
+        """What agent i tells its devices in its next tick; None where it may do one thing or another, or changes a
+        shared variable, or begins something that takes longer.
+        """
+        part, road, inside = self.parts[i], self._road_of[i], self.inside(state, i)
+        if not self.ticks(state, i):
+            return ()
+        around = [self._there(state, i, road, sense) for sense in part.senses]
+        sensed = tuple(_reads(inside, sense, there) for sense, there in zip(part.senses, around, strict=True))
+        shared = inside.own or tuple(state[self.shared_at + v] for v in part.shared)
+        choices = {at: sense.choices for at, sense in enumerate(part.senses)}
+        (first, *others) = part.table.react(inside.local, sensed, shared, choices)
+        is_later = any(command in part.acts[actuator].later for actuator, command, _ in first.commands)
+        if others or is_later or (first.shared != shared and not inside.own):
+            return None
+        return tuple(zip(first.commands, first.seconds, strict=True))
+
     def _places(self, i: int) -> list[int]:
         """The places of a state that a tick of agent i depends on; at least two."""
         part = self.parts[i]
@@ -165,6 +182,12 @@ class Model:
             outcome[0] == state[i] and outcome[2] == shared and self._keeps_motion(state, i, outcome[1])
             for outcome in self.react(state, i)
         )
+
+    def writes(self, state: State, i: int) -> bool:
+        """Whether a tick of agent i may change a shared variable."""
+        own = self.inside(state, i).own
+        shared = tuple(state[self.shared_at + v] for v in self.parts[i].shared)
+        return not own and any(outcome[2] != shared for outcome in self.react(state, i))
 
     def _keeps_motion(self, state: State, i: int, want: int) -> bool:
         road = self._road_of[i]

@@ -4,7 +4,9 @@
 - *prompt*: every agent ticks at least once between two events of the world;
 - *free*: an agent may lag behind the others for as long as it likes.
 
-In each of them a robot that drives has a tick of its own in each zone and at each class of gap (see `bodies`).
+In the last two any agents may tick in the same moment, too: they read what was there before it. Such a step is made
+where no order of their ticks comes to the same. In each of them a robot that drives has a tick of its own in each zone
+and at each class of gap (see `bodies`).
 
 A *step* is an edge of the graph that is explored: events, and the progress classes they belong to, as bits. The classes
 of agent i of n are its ticks (bit i), that it begins to roll (n + i), the end of what takes it longer (2 n + i), and
@@ -14,9 +16,9 @@ again and again comes into another zone again and again.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Collection, Iterator
 from enum import Enum
-from itertools import islice, product
+from itertools import chain, combinations, islice, product
 from typing import NamedTuple
 
 from tests.verifier.reference.bodies import FAILED
@@ -165,6 +167,13 @@ class Clock:
                     if prompt:
                         after = self._waiting(after, after[-1] & ~(1 << i))
                     yield Step((Event(i, What.TICK),), 1 << i, after)
+        writing = [i for i in self._everyone if model.ticks(state, i) and model.writes(state, i)]
+        for who in chain.from_iterable(combinations(writing, size) for size in range(2, len(writing) + 1)):
+            bits = sum(1 << i for i in who)
+            for after in self._at_once(state, who) - self._in_parts(state, who):
+                if prompt:
+                    after = self._waiting(after, after[-1] & ~bits)
+                yield Step((Event(who[0], What.TICK),), bits, after)
         if not prompt or state[-1] == 0:
             for event, after in model.ends(state):
                 yield Step((event,), progress(event, self.count), self._due(after))
@@ -176,6 +185,20 @@ class Clock:
                     )
         for event, after in model.failures(state):
             yield Step((event,), 0, self._waiting(after, after[-1]) if prompt else after)
+
+    def _at_once(self, state: State, who: Collection[int]) -> set[State]:
+        """After a tick of these in one moment."""
+        return set(self.model.after_all(state, set(self._everyone) - set(who)))
+
+    def _in_parts(self, state: State, who: Collection[int]) -> set[State]:
+        """After ticks of some of these in one moment, then of the others."""
+        parts = chain.from_iterable(combinations(who, size) for size in range(1, len(who)))
+        return {
+            after
+            for part in parts
+            for between in self._at_once(state, part)
+            for after in self._at_once(between, set(who) - set(part))
+        }
 
     def _due(self, state: State) -> State:
         """After an event of the world: everyone has a tick to make."""

@@ -1,0 +1,238 @@
+"""Ticks of several agents in one moment, of *prompt* and *free*: only those that no order of single ticks comes to.
+
+Who ticks in the same moment reads what was there before, and of what several write, the write of the one that stands
+later in the team holds. Where what agent i writes changes nothing of what agent j does, i and then j is the same; so is
+j and then i, where it is the other way round and the order of what they write makes no difference. What is left are
+agents of which each reads what another one writes in this very moment, as Peterson's two do that want to enter at once.
+
+A set of agents is left out where it can be cut in two, one part after the other. What is here is in the part of Python
+that Numba takes; False says as -1 in `stepping`.
+"""
+
+from __future__ import annotations
+
+from kitrobot.verifier.columns import (
+    A_PLACE,
+    A_ROAD,
+    AGENT,
+    AGENTS,
+    CODE,
+    E_AGENT,
+    G_STOCK,
+    HOUSES,
+    OUTCOME,
+    ROAD_FIELD,
+    ROADS,
+    S_COUNT,
+    S_SHARED,
+    S_VIEW,
+    SHARED_WIDTH,
+    TAKEN,
+    TAKEN_WIDTH,
+    TOO_MANY,
+)
+from kitrobot.verifier.events import MOST_AT_ONCE, TICK
+from kitrobot.verifier.looking import changed, emit, react, reaction, sensed
+from kitrobot.verifier.tables import Tables
+from kitrobot.verifier.traffic import after_tick
+
+MOST_WRITERS = 14
+"""Agents that may write something in one moment that others read in it."""
+MOST_TOGETHER = 4096
+"""Sets of agents that tick in one moment, in one mission."""
+_SEEN = (1 << S_VIEW) - (1 << S_SHARED)
+"""The bits of the key of a reaction that say what an agent sees of what is shared."""
+
+
+def tick_together(t: Tables, x: int, y: int, writers: int) -> bool:
+    """Adds the ticks in one moment of sets of these agents, as bits, whose ticks may write something.
+
+    `seen` has, for each agent, the row of `outcomes` that is chosen.
+    """
+    met = meet(t, writers)
+    if met < 0:
+        return False
+    if met == 0:
+        return True
+    count = 0
+    for i in range(t.fixed[AGENTS]):
+        count += writers >> i & 1
+    if count > MOST_WRITERS:
+        t.regs[CODE] = TOO_MANY
+        return False
+    tried = 0
+    who = writers
+    while who > 0:
+        if who & who - 1:
+            more = first_choice(t, who)
+            while more:
+                tried += 1
+                if tried > MOST_AT_ONCE:
+                    t.regs[CODE] = TOO_MANY
+                    return False
+                apart = falls_apart(t, who)
+                if apart < 0 or (apart == 0 and not emit_together(t, x, y, who)):
+                    return False
+                more = next_choice(t, who)
+        who = who - 1 & writers
+    return True
+
+
+def meet(t: Tables, writers: int) -> int:
+    """Whether one of these agents may write what one that stands later in the team sees: else no tick in one moment is
+    anything new.
+    """
+    for i in range(t.fixed[AGENTS]):
+        if writers >> i & 1 == 0:
+            continue
+        got = react(t, i)
+        first = got >> S_COUNT
+        for o in range(first, first + (got & (1 << S_COUNT) - 1)):
+            if t.outcomes[o * OUTCOME + 2]:
+                after = changed(t, t.now[0], t.outcomes[o * OUTCOME + 2])
+                if after < 0:
+                    return -1
+                for j in range(i + 1, t.fixed[AGENTS]):
+                    if writers >> j & 1 and seen_by(t, j, after) != seen_by(t, j, t.now[0]):
+                        return 1
+    return 0
+
+
+def seen_by(t: Tables, i: int, shared: int) -> int:
+    """What agent i sees of what is shared, by its number."""
+    return t.shared[shared * t.fixed[SHARED_WIDTH] + G_STOCK + t.fixed[HOUSES] + i]
+
+
+def first_choice(t: Tables, who: int) -> bool:
+    """Chooses the first outcome that writes something of each of these agents."""
+    for i in range(t.fixed[AGENTS]):
+        if who >> i & 1:
+            t.seen[i] = react(t, i) >> S_COUNT
+            while not t.outcomes[t.seen[i] * OUTCOME + 2]:
+                t.seen[i] += 1
+    return True
+
+
+def next_choice(t: Tables, who: int) -> bool:
+    """Chooses what comes next; False where all was chosen."""
+    for i in range(t.fixed[AGENTS]):
+        if who >> i & 1:
+            got = react(t, i)
+            end = (got >> S_COUNT) + (got & (1 << S_COUNT) - 1)
+            t.seen[i] += 1
+            while t.seen[i] < end and not t.outcomes[t.seen[i] * OUTCOME + 2]:
+                t.seen[i] += 1
+            if t.seen[i] < end:
+                return True
+            t.seen[i] = got >> S_COUNT
+            while not t.outcomes[t.seen[i] * OUTCOME + 2]:
+                t.seen[i] += 1
+    return False
+
+
+def falls_apart(t: Tables, who: int) -> int:
+    """Whether the chosen ticks come to what these agents come to one after another, in parts.
+
+    Of two it is known; of more a part is taken to come first only where nothing of it is seen by those that follow.
+    """
+    n, count, first, last = t.fixed[AGENTS], 0, -1, -1
+    for i in range(n):
+        if who >> i & 1:
+            first, last = (i, last) if first < 0 else (first, i)
+            count += 1
+    if count == 2:
+        return two_fall_apart(t, first, last)
+    furthest = -1
+    for i in range(n):
+        if who >> i & 1 == 0:
+            continue
+        after = changed(t, t.now[0], t.outcomes[t.seen[i] * OUTCOME + 2])
+        if after < 0:
+            return -1
+        for j in range(i + 1, n):
+            if who >> j & 1 and j > furthest and seen_by(t, j, after) != seen_by(t, j, t.now[0]):
+                furthest = j
+        if i != last and furthest <= i:
+            return 1
+    return 0
+
+
+def two_fall_apart(t: Tables, i: int, j: int) -> int:
+    """The same of two, of which i comes first in the team."""
+    first, second = t.outcomes[t.seen[i] * OUTCOME + 2], t.outcomes[t.seen[j] * OUTCOME + 2]
+    after_first, after_second = changed(t, t.now[0], first), changed(t, t.now[0], second)
+    if after_first < 0 or after_second < 0:
+        return -1
+    does_the_same = acts_alike(t, j, after_first)
+    if does_the_same:
+        return does_the_same
+    does_the_same = acts_alike(t, i, after_second)
+    if does_the_same <= 0:
+        return does_the_same
+    both, other = changed(t, after_first, second), changed(t, after_second, first)
+    if both < 0 or other < 0:
+        return -1
+    return 1 if both == other else 0
+
+
+def acts_alike(t: Tables, i: int, shared: int) -> int:
+    """Whether the chosen outcome of agent i is one of those that it has where this is shared."""
+    outcomes = t.outcomes
+    key = sensed(t, i) & ~_SEEN | seen_by(t, i, shared)
+    got = reaction(t, i, key)
+    if got < 0:
+        return -1
+    chosen = t.seen[i] * OUTCOME
+    for o in range(got >> S_COUNT, (got >> S_COUNT) + (got & (1 << S_COUNT) - 1)):
+        row = o * OUTCOME
+        is_same = outcomes[row] == outcomes[chosen] and outcomes[row + 1] == outcomes[chosen + 1]
+        if is_same and outcomes[row + 2] == outcomes[chosen + 2]:
+            return 1
+    return 0
+
+
+def emit_together(t: Tables, x: int, y: int, who: int) -> bool:
+    """Adds the step in which these agents have the ticks that are chosen."""
+    fixed, now, seen = t.fixed, t.now, t.seen
+    n, shared, first = fixed[AGENTS], now[0], -1
+    confs = 3 * n
+    for road in range(fixed[ROADS]):
+        seen[confs + road] = now[fixed[ROAD_FIELD] + road]
+    for i in range(n):
+        if who >> i & 1 == 0:
+            continue
+        first = i if first < 0 else first
+        o = seen[i] * OUTCOME
+        d = (now[1 + i] ^ t.outcomes[o]) << t.shift[1 + i]
+        x, y = (x, y ^ d) if t.word[1 + i] else (x ^ d, y)
+        shared = changed(t, shared, t.outcomes[o + 2])
+        if shared < 0:
+            return False
+        road = t.agents[i * AGENT + A_ROAD]
+        if road >= 0:
+            to = after_tick(t, seen[confs + road], t.agents[i * AGENT + A_PLACE], t.outcomes[o + 1])
+            if to < 0:
+                return False
+            seen[confs + road] = to
+    x ^= (now[0] ^ shared) << t.shift[0]
+    for road in range(fixed[ROADS]):
+        f = fixed[ROAD_FIELD] + road
+        d = (now[f] ^ seen[confs + road]) << t.shift[f]
+        x, y = (x, y ^ d) if t.word[f] else (x ^ d, y)
+    taken = taken_by(t, who)
+    return taken >= 0 and emit(t, x, y, TICK | first << E_AGENT, taken)
+
+
+def taken_by(t: Tables, who: int) -> int:
+    """The number of the progress of these agents' ticks."""
+    regs, taken = t.regs, t.taken
+    number = 1 + TAKEN_WIDTH * t.fixed[AGENTS]
+    while number < regs[TAKEN] and taken[number * TAKEN_WIDTH] != who:
+        number += 1
+    if (number + 1) * TAKEN_WIDTH > len(taken):
+        regs[CODE] = TOO_MANY
+        return -1
+    if number == regs[TAKEN]:
+        taken[number * TAKEN_WIDTH] = who
+        regs[TAKEN] = number + 1
+    return number
