@@ -17,7 +17,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from kitrobot.mission import Failure, FailureKind, Radio
-from kitrobot.sim import Simulation, compiling, expect_run, jit_cache, simulate
+from kitrobot.sim import Simulation, compiling, expect_run, jit_cache, jit_policy, simulate
 from tests.effort import examples
 from tests.patience import PATIENCE_S
 from tests.sim.building import transport
@@ -253,6 +253,77 @@ def test_what_is_not_kept_yet_is_compiled_in_a_process_of_its_own(tmp_path: Path
     assert [path.name for path in tmp_path.glob(f"*/{jit_cache.READY}")] == [jit_cache.READY]
     elsewhere, first, second = (tmp_path / "compiled-by").read_text().split()
     assert len({elsewhere, first, second}) == 3, "once more by each who asked, from what was compiled elsewhere"
+
+
+SLOW = QUICK.replace(
+    """    return lambda function: lambda tables, steps: 0
+""",
+    """    if "make_alone" in " ".join(sys.orig_argv):
+        folder = os.environ["KITROBOT_CACHE"]
+        said = os.open(os.path.join(folder, "said"), os.O_WRONLY)
+        os.write(said, b"begun")
+        open(os.path.join(folder, "go-on"), "rb").read()
+    return lambda function: lambda tables, steps: 0
+""",
+)
+"""The same, but that compiling takes until somebody says `go-on`; `said` ends with its process."""
+
+LEFT = """
+import os, sys
+from kitrobot.sim.compiling import step
+step.ask()
+sys.stdin.read()
+os._exit(0)
+"""
+
+
+@pytest.mark.skipif(not hasattr(os, "mkfifo"), reason="the stand-in waits at a pipe with a name")
+def test_what_is_begun_is_compiled_to_the_end_though_the_one_that_asked_has_ended(tmp_path: Path) -> None:
+    """Meanwhile nobody else compiles: a second one that asks is refused."""
+    (tmp_path / "numba.py").write_text(SLOW)
+    os.mkfifo(tmp_path / "said")
+    os.mkfifo(tmp_path / "go-on")
+    path = os.pathsep.join(map(str, (tmp_path, ROOT, ROOT / "src")))
+    environment = {**os.environ, "PYTHONPATH": path, "KITROBOT_CACHE": str(tmp_path)}
+    with (
+        subprocess.Popen([sys.executable, "-c", LEFT], env=environment, stdin=subprocess.PIPE) as first,
+        open(tmp_path / "said", "rb", buffering=0) as said,
+    ):
+        assert said.read(5) == b"begun"
+        first.communicate()
+        subprocess.run([sys.executable, "-c", REFUSED], env=environment, check=True, timeout=PATIENCE_S)
+        assert not list(tmp_path.glob(f"*/{jit_cache.READY}"))
+        (tmp_path / "go-on").write_bytes(b"")
+        assert said.read() == b"", "its process ends"
+    assert len(list(tmp_path.glob(f"*/{jit_cache.READY}"))) == 1
+    assert not (tmp_path / jit_cache.LOCK).exists()
+    assert len((tmp_path / "compiled-by").read_text().split()) == 1
+    subprocess.run([sys.executable, "-c", ASKED], env=environment, check=True, timeout=PATIENCE_S)
+
+
+REFUSED = """
+from kitrobot.sim.compiling import step
+step.ask()
+thread = step.asked
+thread.join()
+assert step.made is None
+step.ask()
+assert step.asked is thread, "nothing is begun as long as another process compiles"
+"""
+
+
+def test_many_short_runs_ask_for_the_compiled_step_together(monkeypatch: pytest.MonkeyPatch) -> None:
+    asked: list[bool] = []
+    monkeypatch.setattr(compiling.step, "ask", lambda: asked.append(True))
+    monkeypatch.setattr(jit_policy, "WORTH", 3000)
+    monkeypatch.setattr(jit_policy, "done", jit_policy.Work())
+    for _ in range(3):
+        policy = jit_policy.JitPolicy(5)
+        assert policy.compiled() is None
+        assert asked == []
+        policy.worked(200)
+    assert jit_policy.JitPolicy(1).compiled() is compiling.step.made is not None
+    assert asked == [True]
 
 
 @pytest.mark.slow

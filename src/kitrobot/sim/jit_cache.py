@@ -1,7 +1,10 @@
 """What Numba compiles: once for a machine, kept in the user's cache folder, made beside everything else.
 
 Compiling takes a minute or more, so nobody waits for it: `Compilation.ask` begins it in a process of its own with low
-priority, or, when it was done before, loads what is kept in a thread beside; then it is in `Compilation.made`.
+priority, or, when it was done before, loads what is kept in a thread beside; then it is in `Compilation.made`. That
+process goes on when the one that asked has ended, or short runs and checks would never have anything compiled. Each
+function is kept as soon as it is done, one process at a time compiles (a lock in the cache folder says which), and it
+ends by itself.
 Numba works on the very functions that CPython runs: they are told to it here, and nothing is decorated.
 
 Everything works without Numba, slower; the environment's KITROBOT_COMPILE=no says to do without it.
@@ -9,7 +12,6 @@ Everything works without Numba, slower; the environment's KITROBOT_COMPILE=no sa
 
 from __future__ import annotations
 
-import atexit
 import hashlib
 import importlib.util
 import inspect
@@ -25,6 +27,7 @@ from importlib.metadata import PackageNotFoundError, version
 from pathlib import Path
 from typing import Any, Generic, TypeVar
 
+from kitrobot.files import FileLock
 from kitrobot.user_folders import cache_folder
 
 Made = TypeVar("Made")
@@ -38,6 +41,15 @@ CALLED: dict[str, Any] = {**_OPTIONS, "no_cpython_wrapper": True, "no_cfunc_wrap
 
 READY = "ready"
 """The file in the cache folder that says that all of it is there."""
+
+LOCK = "compiling.lock"
+"""The file in the cache folder that is locked while a process compiles."""
+
+LONGEST_S = 3600.0
+"""After so many seconds a process that compiles gives up; what it has compiled until then is kept."""
+
+_BUSY = 3
+"""The status of a process that compiles nothing, since another one does."""
 
 MONTH_S = 30 * 24 * 3600
 
@@ -81,6 +93,7 @@ class Compilation(Generic[Made]):
             build: makes it from what is in the folder, or anew.
         """
         self.made: Made | None = None
+        self._is_refused = False
         self.asked: threading.Thread | None = None
         self._name = name
         self._folder = folder
@@ -89,9 +102,14 @@ class Compilation(Generic[Made]):
         self._making = threading.Lock()
 
     def ask(self) -> None:
-        """Begins to make it beside everything else, unless that was begun before."""
+        """Begins to make it beside everything else, unless that was begun before, or another process compiles; where
+        one did, and is done, asking again begins anew.
+        """
         with self._asking:
-            if self.asked is None and self.made is None and available():
+            if self.made is not None or not available():
+                return
+            if self.asked is None or (self._is_refused and not FileLock.is_taken(_lock())):
+                self._is_refused = False
                 self.asked = threading.Thread(target=self._make_in_peace, name="compiling", daemon=True)
                 self.asked.start()
 
@@ -123,6 +141,28 @@ class Compilation(Generic[Made]):
                 self.made = made
             return self.made
 
+    def make_alone(self) -> None:
+        """Makes it in this process, which is there for nothing else; it ends where another one compiles already.
+
+        Raises:
+            SystemExit: another one does.
+        """
+        deadline = threading.Timer(LONGEST_S, os._exit, [1])
+        deadline.daemon = True
+        deadline.start()
+        lock = None
+        # Where files cannot be locked, two may compile the same.
+        with suppress(OSError):
+            cache_folder().mkdir(parents=True, exist_ok=True)
+            lock = FileLock.take(_lock())
+            if lock is None:
+                sys.exit(_BUSY)
+        try:
+            self.make()
+        finally:
+            if lock is not None:
+                lock.release()
+
     def _is_ready(self) -> bool:
         return (self._folder() / READY).is_file()
 
@@ -130,8 +170,10 @@ class Compilation(Generic[Made]):
         """What `ask` does in its thread: a machine where it cannot be done goes on plain."""
         # Numba may fail in any way on a machine we do not know; plain functions are as right as compiled ones.
         with suppress(Exception):
-            if self._is_ready() or _make_elsewhere(*self._name.split(":")):
+            status = 0 if self._is_ready() else _make_elsewhere(*self._name.split(":"))
+            if status == 0:
                 self.make()
+            self._is_refused = status == _BUSY
 
 
 def functions_called(roots: Iterable[Callable[..., Any]]) -> dict[str, Callable[..., Any]]:
@@ -198,20 +240,23 @@ def _used(folder: Path) -> float:
     return ready.stat().st_mtime if ready.exists() else 0.0
 
 
-def _make_elsewhere(module: str, name: str) -> bool:
-    """Compiles in a process of its own, which has no part in our threads; whether it did."""
-    command = [sys.executable, "-c", f"from {module} import {name}; {name}.make()"]
-    environment = {**os.environ, "PYTHONPATH": os.pathsep.join(path for path in sys.path if path)}
-    nice: dict[str, Any] = {}
+def _lock() -> Path:
+    return cache_folder() / LOCK
+
+
+def _make_elsewhere(module: str, name: str) -> int:
+    """Compiles in a process of its own, which has no part in our threads, and goes on without us; its status."""
+    command = [sys.executable, "-c", f"from {module} import {name}; {name}.make_alone()"]
+    # The folder that we are in may be taken away while it goes on.
+    environment = {**os.environ, "PYTHONPATH": os.pathsep.join(map(os.path.abspath, sys.path))}
+    apart: dict[str, Any] = {"start_new_session": True}
     if sys.platform == "win32":
-        nice["creationflags"] = subprocess.BELOW_NORMAL_PRIORITY_CLASS | subprocess.CREATE_NO_WINDOW
+        flags = subprocess.BELOW_NORMAL_PRIORITY_CLASS | subprocess.CREATE_NO_WINDOW
+        apart = {"creationflags": flags | subprocess.CREATE_NEW_PROCESS_GROUP}
     elif hasattr(os, "nice"):
         command = ["nice", "-n", "10", *command]
-    with subprocess.Popen(
-        command, stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, env=environment, **nice
-    ) as child:
-        atexit.register(child.kill)
-        try:
-            return child.wait() == 0
-        finally:
-            atexit.unregister(child.kill)
+    nothing = subprocess.DEVNULL
+    child = subprocess.Popen(
+        command, stdin=nothing, stdout=nothing, stderr=nothing, env=environment, cwd=os.path.abspath(os.sep), **apart
+    )
+    return child.wait()

@@ -6,11 +6,14 @@ same numbers. For a large team it is worth it from the first steps, and `expect_
 
 from __future__ import annotations
 
+from dataclasses import dataclass
+
 from kitrobot.sim.compiling import Advance, step
 from kitrobot.sim.jit_cache import is_missed
 
 WORTH = 100_000
-"""Steps of one robot in a run after which it asks for the compiled step: a second or two of plain work."""
+"""Steps of one robot after which a run asks for the compiled step, its own and those of the runs before it in this
+process together: a second or two of plain work."""
 
 CROWD = 100
 """Robots of a run that is worth it nearly at once: plain, some hundreds are slower than real time."""
@@ -47,26 +50,35 @@ def would_gain(work: int) -> bool:
     return work >= GAIN and is_missed()
 
 
+@dataclass
+class Work:
+    """Plain steps of one robot."""
+
+    steps: int = 0
+
+
+done = Work()
+"""Those of all runs of this process."""
+
+
 class JitPolicy:
-    """Counts the work of one run. `most` is how many steps to run plain at once."""
+    """Counts the work of one run, and of all. `most` is how many steps to run plain at once."""
 
     def __init__(self, robots: int) -> None:
         self._robots = max(1, robots)
         self._work = 0
-        self._asked = False
         self._advance: Advance | None = None
         self.most = max(1, AT_ONCE // self._robots)
 
     def worked(self, steps: int) -> None:
         """So many steps were run plain."""
         self._work += steps * self._robots
+        done.steps += steps * self._robots
 
     def compiled(self) -> Advance | None:
         """The compiled step, if it is worth it and there; None: go on plain."""
-        if self._advance is None and self._work >= (WORTH if self._robots < CROWD else CROWD_WORTH):
-            if not self._asked:
-                self._asked = True
-                step.ask()
+        if self._advance is None and (done.steps >= WORTH or (self._robots >= CROWD and self._work >= CROWD_WORTH)):
+            step.ask()
             self._advance = step.made
         return self._advance
 
