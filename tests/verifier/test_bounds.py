@@ -3,13 +3,24 @@
 from __future__ import annotations
 
 import itertools
+import tracemalloc
 
 import pytest
 
 from kitrobot.exercise.reading import PROPERTIES
 from kitrobot.mission.asked import READY, READY_OF_AGENTS, is_ready
 from kitrobot.sim import Simulation
-from kitrobot.verifier import AbstractionError, Budget, Cut, Model, Timing, judge, ready_properties, take_apart
+from kitrobot.verifier import (
+    AbstractionError,
+    Budget,
+    Cut,
+    Model,
+    Timing,
+    exploring,
+    judge,
+    ready_properties,
+    take_apart,
+)
 from kitrobot.verifier.engines import PLAIN
 from kitrobot.verifier.events import TooManyError
 from tests.sim.building import avatar, empty_world, run_of, transport
@@ -64,6 +75,25 @@ def test_why_a_search_ended_is_known(monkeypatch: pytest.MonkeyPatch, budget: Bu
     made = judge(model, ready_properties(model), budget, PLAIN)
     assert (made.cut, made.complete) == (cut, False)
     assert "holds" not in {verdict.answer.value for verdict in made.verdicts}
+
+
+def test_a_check_takes_no_more_memory_than_it_may_growing_and_judging_included(monkeypatch: pytest.MonkeyPatch) -> None:
+    """What Python allocates stands for what the process takes; a system gives pages, and not as exactly."""
+    run = transport(stock=12, carriers=3)
+    parts = take_apart(run)
+    tracemalloc.start()
+    try:
+        monkeypatch.setattr(exploring, "resident", lambda: tracemalloc.get_traced_memory()[0])
+        model = Model(run, parts, 0, Timing.FREE)
+        most = tracemalloc.get_traced_memory()[0] + 1_200_000
+        ready = [one for one in ready_properties(model) if one.name in ("deadlock", "delivered")]
+        made = judge(model, ready, Budget(None, memory=most), PLAIN)
+        _, peak = tracemalloc.get_traced_memory()
+    finally:
+        tracemalloc.stop()
+    assert made.cut is Cut.MEMORY
+    assert made.states > 1_000
+    assert peak < most + 250_000
 
 
 def test_of_what_is_seen_whole_nothing_is_cut() -> None:

@@ -97,7 +97,7 @@ def test_what_is_waited_for_has_a_share_of_the_time_and_is_not_searched_for_with
 def test_what_goes_through_all_states_is_broken_off_in_its_midst(monkeypatch: pytest.MonkeyPatch, which: str) -> None:
     """Without a clock: it is asked whether to break off after each piece, and says so after the third one."""
     monkeypatch.setattr(rounds, "_STEPS", 50)
-    monkeypatch.setattr(rounds, "_CHUNK", 50)
+    monkeypatch.setattr(rounds, "CHUNK", 50)
     run, calls, most = transport(stock=1, carriers=1), 0, 10_000
 
     def counting(*arguments: Any) -> int:

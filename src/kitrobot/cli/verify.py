@@ -61,8 +61,8 @@ def verify_mission(
     ] = None,
     most_memory: Annotated[
         int,
-        typer.Option("--max-memory", metavar="MB", min=1, help="Keep the states of each in at most so much memory."),
-    ] = 1_000,
+        typer.Option("--max-memory", metavar="MB", min=1, help="Let its process take at most so much memory."),
+    ] = 2_000,
     seconds: Annotated[float, typer.Option(metavar="S", help="Take at most so long, together.")] = 60.0,
     as_json: Annotated[bool, typer.Option("--json", help="Give the result as one JSON object.")] = False,
 ) -> None:

@@ -29,7 +29,7 @@ class Budget:
     Attributes:
         states: at most so many; None for as many as there is time and memory for.
         seconds: at most so long, on the clock on the wall; None for no limit.
-        memory: at most about so many bytes; None for no limit.
+        memory: at most so many bytes of the whole process, about (see `memory`); None for no limit.
         stop: asked now and then whether to break off.
         progress: told now and then how many states there are and how deep.
         clock: what tells the time, in seconds.

@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from array import array
 from collections.abc import Callable
+from dataclasses import dataclass
 from functools import cached_property
 from typing import Any, NamedTuple
 
@@ -142,9 +143,22 @@ def arrays(functions: dict[str, Callable[..., Any]]) -> Engine:
 
 
 WORTH_STATES, WORTH_S = 50_000, 5.0
-"""States, or seconds of plain work, after which the compiled functions are made."""
+"""States, or seconds of plain work, of all that this process has explored, after which the compiled functions are made.
+"""
 LOADED_S = 1.0
 """Seconds after which they are loaded where they are kept on this machine."""
+
+
+@dataclass
+class Work:
+    """States that were explored plain, and the seconds that it took."""
+
+    states: int = 0
+    seconds: float = 0.0
+
+
+done = Work()
+"""All that this process has done and is over."""
 
 
 def would_gain(states: int) -> bool:
@@ -153,7 +167,10 @@ def would_gain(states: int) -> bool:
 
 
 def worth(states: int, seconds: float) -> Engine | None:
-    """The compiled engine, where it is there and worth it after so many states and so many seconds of plain work."""
+    """The compiled engine, where it is there and worth it after so many states and so many seconds of plain work, and
+    what was `done` before.
+    """
+    states, seconds = done.states + states, done.seconds + seconds
     if states < WORTH_STATES and seconds < LOADED_S:
         return None
     from kitrobot.verifier.compiling import engine

@@ -14,6 +14,7 @@ from kitrobot.verifier.budget import Budget, Cut
 from kitrobot.verifier.engines import Engine
 from kitrobot.verifier.events import Event, TooManyError, event_of
 from kitrobot.verifier.growing import longer
+from kitrobot.verifier.memory import USUAL, resident
 from kitrobot.verifier.model import Model, State
 from kitrobot.verifier.tables import Graph
 
@@ -37,6 +38,7 @@ class Explored:
         seconds: how long it took.
         breaks_off: asked whether time is up or it is stopped.
         unseen: why not all was looked through for a property; None where it was.
+        reserve: bytes for each state that are to be left for what comes after exploring.
     """
 
     model: Model
@@ -46,6 +48,7 @@ class Explored:
     seconds: float = 0.0
     breaks_off: Callable[[], Cut | None] = field(default=lambda: None)
     unseen: Cut | None = None
+    reserve: int = 0
 
     @property
     def complete(self) -> bool:
@@ -78,6 +81,23 @@ class Explored:
         steps = int(regs[v.EDGES]) * 6 + (self.expanded + 1) * 4 if regs[v.KEEPS] else 0
         tables = sum(8 * len(table) for table in self.model.t)
         return states + steps + 4 * len(graph.slots) + 4 * int(regs[v.CALMS]) + tables
+
+    @property
+    def process_memory(self) -> int:
+        """Bytes that the process will have taken once judging is over."""
+        return (resident() or USUAL + self.memory) + self.reserve * len(self)
+
+    def growth(self, code: int) -> int:
+        """Bytes that the process takes for a while, or for good, when what exploring asked for is put there."""
+        # Arrays grow one after another; of what is not used yet nothing is taken.
+        if code == v.ROOM_STATES:
+            return max(8 * len(self) if self._needs_states() else 0, 4 * len(self.graph.slots))
+        if code == v.ROOM_EDGES:
+            return 4 * max(int(self.model.t.regs[v.EDGES]), self.expanded)
+        if code == v.ROOM_CALM:
+            return 4 * int(self.model.t.regs[v.CALMS])
+        # Keys may come to need a second word.
+        return 8 * len(self) if self.model.layout.words == 1 else 0
 
     def state(self, number: int) -> State:
         """A state."""
@@ -151,9 +171,12 @@ class Explored:
             table = getattr(self.graph, name)
             self.graph = self.graph._replace(**{name: longer(table, 2 * len(table))})
 
+    def _needs_states(self) -> bool:
+        return len(self.graph.x) - len(self) < 2 * len(self.model.t.next_x)
+
     def _grow_states(self) -> None:
         count, words = len(self), self.model.layout.words
-        if len(self.graph.x) - count < 2 * len(self.model.t.next_x):
+        if self._needs_states():
             self._grow("x", "parents", *(("y",) if words == 2 else ()))
         if (count + len(self.model.t.next_x)) * 10 > len(self.graph.slots) * 7:
             self._find_again(2 * len(self.graph.slots))
@@ -177,7 +200,9 @@ class Explored:
         self._find_again(len(self.graph.slots))
 
 
-def explore(model: Model, budget: Budget, keeps_steps: bool, engine: Engine | None = None) -> Explored:
+def explore(
+    model: Model, budget: Budget, keeps_steps: bool, engine: Engine | None = None, reserve: int = 0
+) -> Explored:
     """Explores the states of a model.
 
     Args:
@@ -185,15 +210,19 @@ def explore(model: Model, budget: Budget, keeps_steps: bool, engine: Engine | No
         budget: how far.
         keeps_steps: whether steps are kept, as judging what happens in the end needs them.
         engine: what goes through the states; None for the plain one until the compiled one is worth it and there.
+        reserve: bytes of memory for each state that are to be left.
     """
     began = budget.clock()
-    made = Explored(model, fresh_graph(), engines.PLAIN, breaks_off=budget.breaks_off(began))
+    made = Explored(model, fresh_graph(), engines.PLAIN, breaks_off=budget.breaks_off(began), reserve=reserve)
     with suppress(TooManyError):
         _begin(made, MOST_STATES if budget.states is None else min(budget.states, MOST_STATES), keeps_steps)
         if engine is not None:
             _use(made, engine)
         made.cut = _explore(made, budget, engine is None)
     made.seconds = budget.clock() - began
+    if made.engine is engines.PLAIN:
+        engines.done.states += len(made)
+        engines.done.seconds += made.seconds
     budget.progress(len(made), made.depth)
     return made
 
@@ -242,11 +271,12 @@ def _explore(made: Explored, budget: Budget, may_change: bool) -> Cut | None:
     while made.expanded < len(made):
         if cut := made.breaks_off():
             return cut
-        if budget.memory is not None and made.memory > budget.memory:
+        if budget.memory is not None and made.process_memory > budget.memory:
             return Cut.MEMORY
         if may_change and made.engine is engines.PLAIN:
             better = engines.worth(len(made), budget.clock() - begun)
-            if better is not None:
+            # Both kinds are there for a moment.
+            if better is not None and (budget.memory is None or made.process_memory + made.memory < budget.memory):
                 _use(made, better)
         began = budget.clock()
         t = made.model.t
@@ -254,6 +284,8 @@ def _explore(made: Explored, budget: Budget, may_change: bool) -> Cut | None:
         if code == v.CUT:
             return Cut.STATES
         if code != v.GOES_ON:
+            if budget.memory is not None and made.process_memory + made.growth(code) > budget.memory:
+                return Cut.MEMORY
             made.fill(code)
             continue
         now = budget.clock()

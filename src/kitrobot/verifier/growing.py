@@ -9,13 +9,21 @@ from kitrobot.verifier import columns as v
 from kitrobot.verifier.tables import Tables, find
 from kitrobot.verifier.traffic import find_again
 
+_AT_ONCE = 100_000
+"""Numbers that an array of Python's grows by at once."""
+
 
 def longer(table: Any, size: int, free: int = 0) -> Any:
-    """A table of this size, which begins with what it held; a list or an array as before."""
+    """A table of this size, which begins with what it held; a list or an array as before.
+
+    An array of Python's is the same one: a large one is moved without a second copy of it.
+    """
     if isinstance(table, list):
         return table + [free] * (size - len(table))
     if isinstance(table, array):
-        return table + array(table.typecode, bytes(table.itemsize * (size - len(table))))
+        while len(table) < size:
+            table.frombytes(bytes(table.itemsize * min(_AT_ONCE, size - len(table))))
+        return table
     import numpy as np
 
     made = np.full(size, free, table.dtype) if free else np.zeros(size, table.dtype)

@@ -86,6 +86,10 @@ class Judged:
     cut: Cut | None = None
 
 
+_PLAIN_JUDGING, _JUDGING = 12, 48
+"""Bytes for each state that judging takes: marks, and the states that are calm; and where something is waited for what
+a search through all of them keeps.
+"""
 _SHARE = 0.75
 """Of the time, for exploring where steps are kept; the rest is for what happens in the end."""
 
@@ -95,7 +99,8 @@ def judge(model: Model, properties: Sequence[Property], budget: Budget, engine: 
     keeps_steps = any(one.keeps_steps for one in properties)
     began = budget.clock()
     share = None if budget.seconds is None else budget.seconds * (_SHARE if keeps_steps else 1.0)
-    made = explore(model, replace(budget, seconds=share), keeps_steps, engine)
+    reserve = _JUDGING if any(one.waits is not None for one in properties) else _PLAIN_JUDGING
+    made = explore(model, replace(budget, seconds=share), keeps_steps, engine, reserve)
     made.breaks_off = budget.breaks_off(began)
     first = made.came_first()
     # What one state or event breaks is found at once; what is waited for takes the time that is left.

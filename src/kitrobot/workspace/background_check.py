@@ -36,7 +36,7 @@ _LOOK_S = 0.1
 """How long nobody looks whether a check is to be broken off, in seconds."""
 _EACH_S = 0.1
 """Seconds between two words of progress."""
-_MEMORY_HERE = 300_000_000
+_MEMORY_HERE = 600_000_000
 """Bytes that a check may take at most where there are no processes, about: the page itself runs there."""
 _PATIENCE_S = 5.0
 """How long a check that is broken off may take to judge what it has; then its process is ended."""

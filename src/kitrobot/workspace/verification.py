@@ -38,9 +38,9 @@ from kitrobot.workspace.running import PreparedRun
 
 MOST_FAILURES = 3
 """Failures in one run at most."""
-MEMORY = 1_000_000_000
-"""Bytes that states, steps and tables under one assumption may take, where nothing else is said; looking through them
-for what is waited for takes about as much again."""
+MEMORY = 2_000_000_000
+"""Bytes that the process of a check may take, where nothing else is said: half of them are for states and steps, the
+rest for looking through them for what is waited for."""
 _SHARE = 0.5
 """Of the time that is left for each assumption that others follow."""
 
@@ -72,7 +72,7 @@ class VerificationOptions:
         seconds: at most so long for all of them; None for no limit.
         confirms: whether broken properties are looked for in the simulator.
         stop: asked now and then whether to break off.
-        memory: at most about so many bytes under each assumption; None for no limit.
+        memory: at most so many bytes of the whole process, about; None for no limit.
         draws: whether runs that break a property are wanted as scenes.
         clock: what tells the time, in seconds.
     """
