@@ -65,6 +65,16 @@ def test_the_example_opens_and_is_free_of_errors(page):
     assert [problem for problem in report["problems"] if problem["severity"] == "error"] == []
 
 
+@pytest.mark.parametrize("stock", ["x", "", "-1", "65536", "1.5", "٣", "9" * 5000])
+def test_a_goal_that_asks_for_no_number_of_boxes_is_told_in_a_sentence(page, stock):
+    file = opened(page, "example:transport/transport.krt")
+    file["mission"]["goals"][0]["stock"] = stock
+    answer = page.post("/api/check", json={"mission": file["mission"], "path": file["path"]})
+    assert answer.status_code == 422
+    assert 'expected a whole number from 0 to 65535 or "all" in stock, found' in answer.json()["message"]
+    assert "goals.0" in answer.json()["message"]
+
+
 def test_a_new_mission_is_start_and_stop_and_can_run(page):
     file = page.get("/api/mission/new").json()
     assert (file["path"], file["revision"]) == ("", "")

@@ -47,13 +47,20 @@ def _agent(element: Element) -> Agent:
     return Agent(element.required("name"), element.required("program"), start, robot)
 
 
+def is_goal_stock(stock: str) -> bool:
+    """Whether a goal may ask for this stock: a whole number up to `LARGEST_GOAL`, or all."""
+    return stock == ALL or (stock.isascii() and stock.isdigit() and len(stock) < 9 and int(stock) <= LARGEST_GOAL)
+
+
+def say_goal_stock(stock: str) -> Sentence:
+    """What is wrong with another one."""
+    return Sentence('expected a whole number from 0 to 65535 or "{all}" in stock, found {stock}', ALL, shown(stock))
+
+
 def _goal(element: Element) -> Goal | None:
     stock = element.optional("stock", ALL)
-    if stock != ALL and not (stock.isascii() and stock.isdigit() and int(stock[:9]) <= LARGEST_GOAL and len(stock) < 9):
-        message = Sentence(
-            'expected a whole number from 0 to 65535 or "{all}" in stock, found {stock}', ALL, shown(stock)
-        )
-        element.report(rules.GOAL, message, "stock")
+    if not is_goal_stock(stock):
+        element.report(rules.GOAL, say_goal_stock(stock), "stock")
         return None
     storehouse = element.required("storehouse")
     return Goal(storehouse, stock) if storehouse else None

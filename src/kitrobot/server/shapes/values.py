@@ -7,13 +7,14 @@ from __future__ import annotations
 
 from typing import Annotated, Any, TypeVar
 
-from pydantic import AliasChoices, BaseModel, ConfigDict, Field, GetJsonSchemaHandler
+from pydantic import AfterValidator, AliasChoices, BaseModel, ConfigDict, Field, GetJsonSchemaHandler
 from pydantic.json_schema import JsonSchemaValue
 from pydantic_core import CoreSchema
 
 from kitrobot.files import Claimed
 from kitrobot.graph import Arc, Vertex
 from kitrobot.mission import Agent, Goal
+from kitrobot.mission.reading import is_goal_stock, say_goal_stock
 from kitrobot.sim.breakpoints import Hit
 from kitrobot.tutorial import Point
 from kitrobot.world import Section, Storehouse
@@ -53,10 +54,16 @@ class Sent:
         return made
 
 
+def _goal(goal: Goal) -> Goal:
+    if not is_goal_stock(goal.stock):
+        raise ValueError(say_goal_stock(goal.stock))
+    return goal
+
+
 VertexValue = Annotated[Vertex, Sent("unknown")]
 ArcValue = Annotated[Arc, Sent()]
 AgentValue = Annotated[Agent, Sent("robot")]
-GoalValue = Annotated[Goal, Sent()]
+GoalValue = Annotated[Goal, Sent(), AfterValidator(_goal)]
 HitValue = Annotated[Hit, Sent()]
 ClaimedValue = Annotated[Claimed, Sent()]
 PointValue = Annotated[Point, Sent()]
