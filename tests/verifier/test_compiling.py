@@ -2,13 +2,17 @@
 
 from __future__ import annotations
 
+import gc
+import weakref
+
 import pytest
 
 from kitrobot.sim.table_pointer import TablePointer
 from kitrobot.verifier import Model, take_apart
 from kitrobot.verifier.compiling import samples
-from kitrobot.verifier.engines import FUNCTIONS, arrays
+from kitrobot.verifier.engines import FUNCTIONS, ArrayGraph, ArrayTables, arrays
 from kitrobot.verifier.exploring import fresh_graph
+from kitrobot.verifier.growing import longer
 from tests.sim.building import transport
 
 
@@ -18,5 +22,27 @@ def test_functions_are_compiled_for_the_tables_that_they_are_given() -> None:
     run = transport(stock=1, carriers=1)
     taken = arrays(FUNCTIONS).take(Model(run, take_apart(run)).t, fresh_graph(), 100)
     given = {one.layout for arguments in samples().values() for one in arguments if isinstance(one, TablePointer)}
-    assert {TablePointer(tables).layout for tables in taken} < given
+    assert all(isinstance(tables, ArrayTables | ArrayGraph) for tables in taken)
+    assert {tables.pointer.layout for tables in taken if isinstance(tables, ArrayTables | ArrayGraph)} < given
     assert len(given) == 3  # and what a search keeps
+
+
+def test_arrays_that_were_replaced_by_longer_ones_are_gone_at_once() -> None:
+    """The collector may come by long after: a check has few objects, and large ones."""
+    pytest.importorskip("numpy")
+    run = transport(stock=1, carriers=1)
+    tables, graph = arrays(FUNCTIONS).take(Model(run, take_apart(run)).t, fresh_graph(), 100)
+    assert isinstance(tables, ArrayTables)
+    assert isinstance(graph, ArrayGraph)
+    old = [weakref.ref(tables.outcomes), weakref.ref(graph.slots)]
+    gc.disable()
+    try:
+        assert tables.pointer.address != graph.pointer.address
+        longer_tables = tables._replace(outcomes=longer(tables.outcomes, 2 * len(tables.outcomes)))
+        longer_graph = graph._replace(slots=longer(graph.slots, 2 * len(graph.slots)))
+        del tables, graph
+        assert all(one() is None for one in old)
+    finally:
+        gc.enable()
+    assert isinstance(longer_tables, ArrayTables)
+    assert isinstance(longer_graph, ArrayGraph)

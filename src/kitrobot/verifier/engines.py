@@ -88,8 +88,10 @@ class ArrayTables(Tables):
 
     @cached_property
     def pointer(self) -> TablePointer:
-        """What compiled code is given."""
-        return TablePointer(self)
+        """What compiled code is given. It knows nothing of this value, or both would stay, with all arrays, until the
+        collector comes by.
+        """
+        return TablePointer(Tables(*self))
 
 
 class ArrayGraph(Graph):
@@ -97,8 +99,8 @@ class ArrayGraph(Graph):
 
     @cached_property
     def pointer(self) -> TablePointer:
-        """What compiled code is given."""
-        return TablePointer(self)
+        """What compiled code is given; see `ArrayTables`."""
+        return TablePointer(Graph(*self))
 
 
 def _given(argument: Any) -> Any:
