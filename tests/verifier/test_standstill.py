@@ -1,4 +1,4 @@
-"""A run that the simulator ends as *stuck* breaks `deadlock`, and where nothing is left to chance nothing else does."""
+"""A run that the simulator ends as *stuck* breaks `deadlock`; where nothing is left to chance, nothing else does."""
 
 from __future__ import annotations
 
