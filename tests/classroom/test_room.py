@@ -18,6 +18,7 @@ from kitrobot.classroom import (
     TakenNameError,
     read_record,
     state_of,
+    unread_sentence,
 )
 from kitrobot.diagnostics import KitRobotError
 from kitrobot.files import FileError
@@ -40,6 +41,21 @@ from tests.classroom.conftest import join
         ("\u202eada\u0000", "ada"),
         ("Handed out", "Handed out 2"),
         ("class.toml", "class.toml 2"),
+        ("Con. Smith", "Con-. Smith"),
+        ("Con.B", "Con-.B"),
+        ("Aux. Bo", "Aux-. Bo"),
+        ("Nul.1", "Nul-.1"),
+        ("com1.Kim", "com1-.Kim"),
+        ("conin$", "conin$-"),
+        (". .Ada", "Ada"),
+        ("~ .studios", "studios"),
+        ("Ada~ .", "Ada"),
+        ("grades.html", "grades.html 2"),
+        ("Grades.CSV", "Grades.CSV 2"),
+        ("log.txt", "log.txt 2"),
+        ("tower.robot.xml", "tower.robot.xml 2"),
+        ("a.krt", "a.krt 2"),
+        ("😀" * 39 + "a", "😀" * 39 + "a"),
     ],
 )
 def test_a_name_in_any_script_gets_a_folder_that_leads_nowhere_else(room, entrance, name, folder):
@@ -49,11 +65,53 @@ def test_a_name_in_any_script_gets_a_folder_that_leads_nowhere_else(room, entran
     assert (room.folder / folder).resolve().parent == room.folder
 
 
-@pytest.mark.parametrize("name", ["", "   ", "...", "\u202e", "-/-", "x" * 41, "😀😀", "a" * 2000])
+@pytest.mark.parametrize(
+    "name", ["", "   ", "...", "\u202e", "-/-", "x" * 41, "😀😀", "a" * 2000, "\u3164\uffa0", "\u2800"]
+)
 def test_a_name_that_nobody_can_have_is_a_sentence(room, entrance, name):
     with pytest.raises(KitRobotError, match="this name"):
         join(room, entrance, name)
     assert room.pupils == {}
+
+
+@pytest.mark.parametrize(
+    ("name", "other"),
+    [
+        ("Ada", "A\u200dda"),
+        ("Ada", "Ada\ufe0f"),
+        ("Ada", "\u3164Ada"),
+        ("Ada", "Аda"),  # the first letter is Cyrillic
+        ("Ada", "Αda"),  # and Greek
+        ("ADA", "АДА".replace("Д", "D")),
+        ("Ben", "Веn"),
+        ("Sofia", "Ѕоfіа"),
+        ("Jo", "Ｊｏ"),
+        ("Jo", "𝐉𝐨"),
+        ("Al", "AI"),
+        ("Bo", "B0"),
+        ("O'Brien", "O’Brien"),
+        ("Anne-Marie", "Anne‐Marie"),
+        ("José", "Jose\u0301"),
+        ("علی", "علي"),
+        ("کمال", "كمال"),
+        ("محمد", "محـمد"),
+        ("گروہ ۲", "گروه ٢"),
+    ],
+)
+def test_names_that_look_the_same_are_one_name(room, entrance, name, other):
+    pupil, _ = join(room, entrance, name)
+    with pytest.raises(TakenNameError):
+        join(room, entrance, other)
+    with pytest.raises(TakenNameError):
+        Desk(room).add(other)
+    assert entrance.join(room.record.code, other, pupil.record.word, "x")[0] is pupil
+
+
+def test_names_that_look_different_are_two(room, entrance):
+    names = ["Ada", "Ida", "Ad", "Adа A", "Али", "Али А", "Iris", "Irís", "علی", "علیا", "Bob", "B-b", "Σ", "李", "李小"]
+    for name in names:
+        join(room, entrance, name)
+    assert len(room.pupils) == len(names)
 
 
 def test_a_key_leads_to_its_pupil_and_only_its_digest_is_kept(room, entrance):
@@ -94,12 +152,9 @@ def test_one_folder_is_one_class_at_a_time(room):
     "text",
     [
         "name = 3",
-        "[[pupil]]\nname = 'a'\nfolder = '../a'",
-        "[[pupil]]\nname = 'a'\nfolder = 'a'\n[[pupil]]\nname = 'A'\nfolder = 'b'",
         "pupil = 3",
         "\x00",
         "[" * 100_000,
-        "[[pupil]]\nname = 'a'\nfolder = 'a'\nhanded_file = '../../x'",
     ],
 )
 def test_a_class_file_that_makes_no_sense_is_a_sentence(tmp_path, text):
@@ -108,6 +163,43 @@ def test_a_class_file_that_makes_no_sense_is_a_sentence(tmp_path, text):
         ClassRoom(tmp_path)
     assert "mend it" in raised.value.help
     assert (tmp_path / "class.toml").read_text() == text
+
+
+@pytest.mark.parametrize(
+    "wrong",
+    [
+        "[[pupil]]\nname = 'Ben'\nfolder = '../Ben'",
+        "[[pupil]]\nname = 'Ben'\nfolder = '.studios'",
+        "[[pupil]]\nname = 'Ben'\nfolder = 'Ada'",
+        "[[pupil]]\nname = 'Ada'\nfolder = 'Ben'",
+        "[[pupil]]\nname = 'Ben'\nfolder = 'Ben'\nhanded_file = '../../x'",
+        "[[pupil]]\nname = 'Ben'\nfolder = 'Ben",
+        "[[pupil]]\nname = 3\nfolder = 'Ben'\nhanded = 1\n# said by hand",
+        "[[pupil]]",
+    ],
+)
+def test_a_pupil_whose_lines_make_no_sense_is_left_out_and_the_others_are_there(tmp_path, wrong):
+    def row(name: str) -> str:
+        return f"[[pupil]]\nname = '{name}'\nfolder = '{name}'\nword = 'BADOBA'\n"
+
+    head = "name = 'Class 5b'\ncode = 'BADOBA'\n"
+    (tmp_path / "class.toml").write_text(head + row("Ada") + wrong + "\n" + row("Cem"))
+    for _ in range(2):  # what is written then is read again
+        room = ClassRoom(tmp_path)
+        room.close()
+        assert list(room.pupils) == ["Ada", "Cem"]
+        assert wrong in (tmp_path / "class.toml").read_text()
+        assert "is not in the class: from line" in (tmp_path / "log.txt").read_text()
+        assert str(unread_sentence(room.record.unread[0])) in room.log.last()[0]
+
+
+@pytest.mark.parametrize("end", ["\r\n", "\r"])
+def test_a_class_file_may_have_the_line_ends_of_any_system(tmp_path, end):
+    lines = ["name = 'Class 5b'", "code = 'BADOBA'", "# by hand", "[[pupil]]", "name = 'Ada'", "folder = 'Ada'"]
+    (tmp_path / "class.toml").write_bytes(end.join(lines).encode())
+    found = read_record(tmp_path)
+    assert found is not None
+    assert [one.name for one in found.pupils] == ["Ada"]
 
 
 def test_a_class_file_cut_off_before_its_first_line_is_a_new_class(tmp_path):

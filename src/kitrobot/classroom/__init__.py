@@ -5,12 +5,14 @@ from kitrobot.classroom.desk import Desk
 from kitrobot.classroom.entrance import Entrance, NotLetInError, TakenNameError
 from kitrobot.classroom.names import WrongNameError
 from kitrobot.classroom.pupil import Goal, Pupil, Report, State, met, state_of
-from kitrobot.classroom.record import ClassRecord, PupilRecord, read_record, write_record
-from kitrobot.classroom.room import MOST_PUPILS, SITE, ClassError, ClassRoom
+from kitrobot.classroom.record import ClassRecord, PupilRecord, UnreadPupil, read_record, unread_sentence, write_record
+from kitrobot.classroom.room import GRADES_PAGE, GRADES_TABLE, MOST_PUPILS, SITE, ClassError, ClassRoom
 from kitrobot.classroom.told import Handed, HandIn, Told, Turn
 from kitrobot.classroom.work import QuotaError, Work
 
 __all__ = [
+    "GRADES_PAGE",
+    "GRADES_TABLE",
     "MOST_PUPILS",
     "SITE",
     "Allowance",
@@ -32,10 +34,12 @@ __all__ = [
     "TakenNameError",
     "Told",
     "Turn",
+    "UnreadPupil",
     "Work",
     "WrongNameError",
     "met",
     "read_record",
     "state_of",
+    "unread_sentence",
     "write_record",
 ]

@@ -1,7 +1,8 @@
 """Names of pupils and of what they hand in, codes and words that can be said aloud.
 
-A name may be in any script. It is kept as it was typed (NFC, one space between words); two names are the same when they
-are alike whatever their case and form (`key_of`). A folder or a file gets the nearest name that every system takes.
+A name may be in any script. It is stored as it was typed (NFC, one space between words); two names are the same when
+they are alike whatever their case and form (`key_of`), or look alike (`same_name`). A folder or a file gets the nearest
+name that every system takes (`as_file_name`), which is then its own nearest name.
 """
 
 from __future__ import annotations
@@ -12,6 +13,7 @@ import unicodedata
 from collections.abc import Iterable
 from typing import Final
 
+from kitrobot.classroom.confusables import INVISIBLE, visible_form
 from kitrobot.diagnostics import KitRobotError
 from kitrobot.text import Sentence
 
@@ -20,11 +22,15 @@ LONGEST_NAME: Final = 40
 ENDING: Final = ".krt"
 _CONSONANTS: Final = "BDFGHJKLMNPRSTVWZ"
 _VOWELS: Final = "AEIOU"
-# What Windows takes in no name, and the names that are its devices.
+# What Windows takes in no name, and the names that are its devices, whatever follows behind a dot.
 _NEVER = re.compile(r'[\\/:*?"<>|]')
-_DEVICES = re.compile(r"(con|prn|aux|nul|com[0-9¹²³]|lpt[0-9¹²³])(\..*)?", re.IGNORECASE)
+_DEVICE = re.compile(r"^(con|prn|aux|nul|conin\$|conout\$|com[0-9¹²³]|lpt[0-9¹²³])\s*(?=\.|$)", re.IGNORECASE)
+_EDGE = r"[\s.~\u200c\u200d]+"
+"""What no name begins or ends with: hidden files, copies of older ones, what Windows leaves off."""
+_EDGES = re.compile(rf"^{_EDGE}|{_EDGE}$")
 _BYTES: Final = 160
 """Of a folder's name in UTF-8; systems take 255, and a temporary file's name is longer."""
+_MOST_BYTES: Final = 255
 
 
 class WrongNameError(KitRobotError):
@@ -37,11 +43,11 @@ def clean_name(given: str) -> str:
     Raises:
         WrongNameError: nothing of it can be read, or it is too long.
     """
-    # Marks that turn the direction of what follows would turn the teacher's list, too.
+    # Marks that turn the direction of what follows would turn the teacher's list, too; joiners belong to some scripts.
     shown = "".join(" " if unicodedata.category(one) in ("Zs", "Zl", "Zp", "Cc") else one for one in given[:1000])
-    kept = "".join(one for one in shown if not unicodedata.category(one).startswith("C") or one in "\u200c\u200d")
-    name = unicodedata.normalize("NFC", " ".join(kept.split()))
-    if not any(unicodedata.category(one)[0] in "LN" for one in name):
+    clean = "".join(one for one in shown if not unicodedata.category(one).startswith("C") or one in "\u200c\u200d")
+    name = unicodedata.normalize("NFC", " ".join(word for word in clean.split() if INVISIBLE.sub("", word)))
+    if not any(unicodedata.category(one)[0] in "LN" for one in INVISIBLE.sub("", name)):
         raise WrongNameError(
             Sentence("this name has no letters"), Sentence("type the name that your teacher knows you by")
         )
@@ -57,14 +63,40 @@ def key_of(name: str) -> str:
     return unicodedata.normalize("NFKC", unicodedata.normalize("NFKC", name).casefold())
 
 
+def same_name(one: str, other: str) -> bool:
+    """Whether a person takes both for one name: written the same whatever their case and form, or looking the same."""
+    return key_of(one) == key_of(other) or visible_form(one) == visible_form(other)
+
+
 def as_file_name(name: str) -> str:
-    """The nearest name that every file system takes; never empty, never hidden, never one that leads elsewhere."""
-    kept = _NEVER.sub("-", "".join(one for one in name if unicodedata.category(one) not in ("Cc", "Cs", "Cn", "Co")))
-    kept = kept.strip().strip(".~").strip()
-    while len(kept.encode()) > _BYTES:
-        kept = kept[:-1]
-    kept = kept.rstrip(". ") or "-"
-    return f"{kept}-" if _DEVICES.fullmatch(kept) else kept
+    """The nearest name that every file system takes; never empty, never hidden, never one that leads elsewhere.
+
+    What it gives is its own nearest name.
+    """
+    # Surrogates, private and unknown characters, and marks that turn the direction or are not seen, but for joiners.
+    clean = "".join(one for one in name if unicodedata.category(one)[0] != "C" or one in "\u200c\u200d")
+    inner = _EDGES.sub("", _NEVER.sub("-", unicodedata.normalize("NFC", clean)))
+    # Short first: what is cut off may leave the name of a device.
+    short = _shortened(inner, _BYTES)
+    return _shortened(_DEVICE.sub(r"\1-", short), _BYTES)
+
+
+def _shortened(name: str, most: int) -> str:
+    """The first bytes of a file's name as whole characters, without what no name ends with."""
+    return _EDGES.sub("", name.encode()[:most].decode(errors="ignore")) or "-"
+
+
+def is_file_name(name: str) -> bool:
+    """Whether a name leads to something in the same folder that is not hidden; more than `as_file_name` gives.
+
+    What was written once is read again, also where another KitRobot, another Unicode or a person has named it.
+    """
+    return (
+        bool(name.strip())
+        and not name.startswith(".")
+        and not any(one in '/\\:"<>|*?' or unicodedata.category(one) in ("Cc", "Cs") for one in name)
+        and len(name.encode(errors="replace")) <= _MOST_BYTES
+    )
 
 
 def free_name(wanted: str, taken: Iterable[str]) -> str:
@@ -73,13 +105,13 @@ def free_name(wanted: str, taken: Iterable[str]) -> str:
     found, number = wanted, 1
     while key_of(found) in keys:
         number += 1
-        found = f"{wanted} {number}"
+        found = f"{_shortened(wanted, _BYTES - len(f' {number}'))} {number}"
     return found
 
 
 def work_name(shown: str) -> str:
     """The name of a file that is handed in, without its ending: of a mission as its page shows it."""
-    name = unicodedata.normalize("NFC", shown[:1000].replace("\\", "/").split("/")[-1])
+    name = shown[:1000].replace("\\", "/").split("/")[-1]
     if name.lower().endswith(ENDING):
         name = name[: -len(ENDING)]
     return as_file_name(name[: 2 * LONGEST_NAME])

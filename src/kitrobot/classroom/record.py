@@ -2,6 +2,9 @@
 
 Of secrets it holds digests only; the words by which pupils come back stand there in plain letters, so that a teacher
 can tell a forgetful pupil. Writing puts a whole file in the old one's place, so a kill leaves the old or the new one.
+
+A pupil whose lines cannot be read is left out of the class, and the others are there: the lines stay in the file word
+for word (`UnreadPupil`), until a person mends them.
 """
 
 from __future__ import annotations
@@ -9,12 +12,13 @@ from __future__ import annotations
 import contextlib
 import json
 import os
+import re
 import tomllib
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any, Final
 
-from kitrobot.classroom.names import as_file_name, clean_code, key_of
+from kitrobot.classroom.names import clean_code, is_file_name, key_of
 from kitrobot.files import FileError, read_text, write_atomic
 from kitrobot.text import Sentence
 
@@ -44,6 +48,18 @@ class PupilRecord:
         self.keys = [*self.keys, key][-MOST_KEYS:]
 
 
+@dataclass(frozen=True)
+class UnreadPupil:
+    """The lines of a pupil that cannot be read, the number of the first one, from 1, and why; `name` as far as it is
+    known.
+    """
+
+    text: str
+    line: int
+    name: str
+    reason: str
+
+
 @dataclass
 class ClassRecord:
     """A class. `code` lets pupils in; "" while nobody can join. `frozen` counts for all, those who come later too."""
@@ -53,6 +69,10 @@ class ClassRecord:
     exercise: str = ""
     frozen: bool = False
     pupils: list[PupilRecord] = field(default_factory=list)
+    unread: list[UnreadPupil] = field(default_factory=list)
+
+
+_PUPIL = re.compile(r"^[ \t]*\[\[[ \t]*pupil[ \t]*\]\]", re.MULTILINE)
 
 
 def read_record(folder: Path) -> ClassRecord | None:
@@ -64,21 +84,63 @@ def read_record(folder: Path) -> ClassRecord | None:
     path = folder / NAME
     if not path.exists():
         return None
+    text = read_text(path)
+    starts = [found.start() for found in _PUPIL.finditer(text)]
+    head, *parts = (text[a:b] for a, b in zip([0, *starts], [*starts, len(text)], strict=True))
     try:
-        found = tomllib.loads(read_text(path))
-        if not found:
+        found = tomllib.loads(head)
+        if not found and not parts:
             return None  # ended before its first line
-        pupils = [_pupil(one) for one in _list(found.get("pupil", []))]
+        if "pupil" in found:
+            raise TypeError(Sentence("`{key}` is no list", "pupil"))
         name, code, exercise = (_text(found, key) for key in ("name", "code", "exercise"))
-        record = ClassRecord(
-            name or folder.resolve().name, clean_code(code), exercise, found.get("frozen") is True, pupils
-        )
     except (tomllib.TOMLDecodeError, ValueError, TypeError, RecursionError) as error:
-        raise _no_class(path, str(error)) from None
-    for seen in ({key_of(one.name) for one in pupils}, {key_of(one.folder) for one in pupils}):
-        if len(seen) < len(pupils):
-            raise _no_class(path, Sentence("two pupils have one name or one folder"))
+        raise _no_class(path, _reason(error)) from None
+    record = ClassRecord(name or folder.resolve().name, clean_code(code), exercise, found.get("frozen") is True)
+    for start, part in zip(starts, parts, strict=True):
+        _read_pupil(record, part, text.count("\n", 0, start) + 1)
     return record
+
+
+def unread_sentence(one: UnreadPupil) -> Sentence:
+    """What the teacher is to know of a pupil who was left out."""
+    if not one.name:
+        return Sentence(
+            "a pupil is not in the class: from line {line} on `{file}` makes no sense ({reason}); mend it while the class"
+            " is closed",
+            one.line,
+            NAME,
+            one.reason,
+        )
+    return Sentence(
+        "`{name}` is not in the class: from line {line} on `{file}` makes no sense ({reason}); mend it while the class is"
+        " closed",
+        one.name,
+        one.line,
+        NAME,
+        one.reason,
+    )
+
+
+def _read_pupil(record: ClassRecord, text: str, line: int) -> None:
+    """Adds the pupil of those lines to the record, or the lines where they cannot be read."""
+    name = ""
+    try:
+        table = tomllib.loads(text)["pupil"][0]
+        name = _text(table, "name")
+        pupil = _pupil(table)
+        folders = {key_of(one.folder) for one in record.pupils}
+        if any(one.name == name for one in record.pupils) or key_of(pupil.folder) in folders:
+            raise ValueError(Sentence("two pupils have one name or one folder"))
+    except (tomllib.TOMLDecodeError, ValueError, TypeError, RecursionError) as error:
+        record.unread.append(UnreadPupil(text, line, name, _reason(error)))
+    else:
+        record.pupils.append(pupil)
+
+
+def _reason(error: Exception) -> str:
+    """The sentence that an error was raised with, or the reader's own words."""
+    return error.args[0] if error.args and isinstance(error.args[0], Sentence) else str(error)
 
 
 def write_record(folder: Path, record: ClassRecord) -> None:
@@ -107,6 +169,7 @@ def write_record(folder: Path, record: ClassRecord) -> None:
             f"handed_file = {_string(pupil.handed_file)}",
             *(["frozen = true"] if pupil.frozen else []),
         ]
+    lines += ["", *(one.text.strip("\n") for one in record.unread)]
     path = folder / NAME
     if not path.exists():
         # Words and digests are the teacher's alone; a file that is there keeps its mode.
@@ -133,15 +196,13 @@ def _list(value: Any) -> list[Any]:
     return value
 
 
-def _pupil(table: Any) -> PupilRecord:
-    if not isinstance(table, dict):
-        raise TypeError(Sentence("`{key}` is no list", "pupil"))
+def _pupil(table: dict[str, Any]) -> PupilRecord:
     name, folder = _text(table, "name"), _text(table, "folder")
-    if not name or as_file_name(folder) != folder:
+    if not name or not is_file_name(folder):
         raise ValueError(Sentence("a pupil's folder is missing, or leads out of the class"))
     keys = [str(key) for key in _list(table.get("keys", []))]
     handed, file = table.get("handed", 0), _text(table, "handed_file")
-    if not isinstance(handed, int) or (file and as_file_name(file) != file):
+    if not isinstance(handed, int) or (file and not is_file_name(file)):
         raise ValueError(Sentence("`{key}` makes no sense", "handed"))
     return PupilRecord(
         name, folder, clean_code(_text(table, "word")), keys[-MOST_KEYS:], handed, file, table.get("frozen") is True

@@ -17,10 +17,12 @@ from contextlib import suppress
 from pathlib import Path
 from typing import Final
 
+from kitrobot.classroom.log import NAME as LOG
 from kitrobot.classroom.log import Log
-from kitrobot.classroom.names import as_file_name, free_name, key_of, new_code
+from kitrobot.classroom.names import as_file_name, free_name, new_code, same_name
 from kitrobot.classroom.pupil import Pupil, Report
-from kitrobot.classroom.record import ClassRecord, PupilRecord, read_record, write_record
+from kitrobot.classroom.record import NAME as RECORD
+from kitrobot.classroom.record import ClassRecord, PupilRecord, read_record, unread_sentence, write_record
 from kitrobot.classroom.told import Handed, HandIn, Told
 from kitrobot.classroom.work import Work, keep_work, read_work, works
 from kitrobot.diagnostics import KitRobotError
@@ -31,7 +33,12 @@ MOST_PUPILS: Final = 100
 LOCK: Final = ".class.lock"
 SITE: Final = "Site"
 """The folder with a static site, from which pupils' pages get their own Python."""
-_RESERVED: Final = (HANDED_OUT, SITE, "grades", "class", "log")
+GRADES_PAGE: Final = "grades.html"
+GRADES_TABLE: Final = "grades.csv"
+_RESERVED: Final = (HANDED_OUT, SITE, "grades", "class", "log", RECORD, LOG, GRADES_PAGE, GRADES_TABLE)
+"""Names in the folder that are no pupil's: what the class itself writes there."""
+_FILES: Final = (".xml", ".krt", ".kri", ".kra", ".lll", ".krtrace", ".html", ".csv", ".toml", ".txt")
+"""Endings of files that the class and the teacher's studio read and write there: no pupil's folder has one."""
 
 
 class ClassError(KitRobotError):
@@ -76,6 +83,8 @@ class ClassRoom:
         self._keeping = {one: threading.Lock() for one in self.pupils}
         self._heard: list[Callable[[], None]] = []
         self.last_kept: float | None = None
+        for one in self.record.unread:
+            self.log.say(str(unread_sentence(one)))
         write_record(self.folder, self.record)
 
     def close(self) -> None:
@@ -114,9 +123,8 @@ class ClassRoom:
             changed()
 
     def named(self, name: str) -> Pupil | None:
-        """The pupil of that name."""
-        key = key_of(name)
-        return next((one for one in self.pupils.values() if key_of(one.record.name) == key), None)
+        """The pupil of that name, or of one that looks the same."""
+        return next((one for one in self.pupils.values() if same_name(one.record.name, name)), None)
 
     def enter(self, name: str, key: str) -> Pupil:
         """A new pupil with a folder; `key` is what a browser keeps, "" for none. For who holds the lock.
@@ -129,7 +137,9 @@ class ClassRoom:
                 Sentence("this class has {most} pupils already", MOST_PUPILS),
                 Sentence("the teacher can begin a second class in another folder"),
             )
-        folder = free_name(as_file_name(name), [*_RESERVED, *(entry.name for entry in self.folder.iterdir())])
+        wanted = as_file_name(name)
+        files = [wanted] if wanted.lower().endswith(_FILES) else []
+        folder = free_name(wanted, [*_RESERVED, *files, *(entry.name for entry in self.folder.iterdir())])
         record = PupilRecord(name, folder, new_code(), [digest(key)] if key else [])
         (self.folder / folder).mkdir()
         self.record.pupils.append(record)

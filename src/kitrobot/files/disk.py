@@ -27,7 +27,7 @@ from kitrobot.diagnostics import (
     rule,
 )
 from kitrobot.files.file_lock import FileLock
-from kitrobot.text import Help, Sentence, Word
+from kitrobot.text import Help, Sentence, Word, line_feeds
 
 LARGEST_FILE_BYTES = 64 * 1024 * 1024
 """More than any mission, world or image; a device or a film given by mistake is refused instead of filling memory."""
@@ -96,15 +96,15 @@ def read_text(path: Path) -> str:
 
 
 def decode(data: bytes, path: Path) -> str:
-    """Bytes of a file as text.
+    """Bytes of a file as text, whose lines end with a line feed.
 
     Raises:
         FileError: they are not UTF-8.
     """
     try:
-        return data.decode("utf-8-sig")
+        return line_feeds(data.decode("utf-8-sig"))
     except UnicodeDecodeError as error:
-        before = data[: error.start].decode("utf-8", errors="replace")
+        before = line_feeds(data[: error.start].decode("utf-8", errors="replace"))
         line, column = before.count("\n") + 1, len(before) - before.rfind("\n")
         place = Place(str(path), line, column, line, column + 1)
         byte = data[error.start]

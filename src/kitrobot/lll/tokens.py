@@ -54,14 +54,14 @@ class Tokens(NamedTuple):
 def _pattern(name: str, part: str, *, team: bool) -> re.Pattern[str]:
     """`part` is what a name goes on with behind a hyphen."""
     joined = rf"(?:(?:-(?:{part})++)++(?!\s*\.))?" if team else ""
-    more = r"""| (?P<quoted>"(?:[^"\n]|"")*") | (?P<sign>[=:](?!=))""" if team else ""
+    more = r"""| (?P<quoted>"(?:[^"\r\n]|"")*") | (?P<sign>[=:](?!=))""" if team else ""
     return re.compile(
         rf"""\s*+(?:
           (?P<call>({name})\s*\.\s*({name})\s*\(\s*([0-9]+(?:\s*,\s*[0-9]+)*)?\s*\))
         | (?P<name>{name}{joined})
         | (?P<symbol>//|[;,()\[\]<>!&|*.])
         | (?P<number>[0-9]+)
-        | (?P<comment>\#[^\n]*)
+        | (?P<comment>\#[^\r\n]*)
         | (?P<mark>[{_MARKS_READ}])
         | (?P<hole>\{{\s*{name}\s*\}})
         {more}

@@ -12,7 +12,7 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Final
 
-from kitrobot.classroom import ClassError, ClassRoom
+from kitrobot.classroom import GRADES_PAGE, GRADES_TABLE, ClassError, ClassRoom
 from kitrobot.diagnostics import KitRobotError
 from kitrobot.files import EXERCISE_ENDING, FileError, read_bytes, write_atomic
 from kitrobot.server.studio import Studio
@@ -21,8 +21,6 @@ from kitrobot.workspace.grade_tables import as_csv, as_html
 from kitrobot.workspace.grades import Grade
 from kitrobot.workspace.grading import grade
 
-PAGE: Final = "grades.html"
-TABLE: Final = "grades.csv"
 JOBS: Final = 1
 """The class goes on meanwhile."""
 
@@ -92,7 +90,7 @@ class Grading:
         Raises:
             FileError: nothing was.
         """
-        return read_bytes(self._room.folder / PAGE)
+        return read_bytes(self._room.folder / GRADES_PAGE)
 
     def _run(self, names: dict[str, str], exercise: Path) -> None:
         made: list[Grade] = []
@@ -103,10 +101,10 @@ class Grading:
             if self._stop.is_set() and len(made) < len(names):
                 return
             made.sort(key=lambda one: one.submission)
-            write_atomic(self._room.folder / TABLE, as_csv(made).encode(errors="replace"))
-            write_atomic(self._room.folder / PAGE, as_html(made).encode(errors="replace"))
-            self.state = GradingState(len(made), len(names), PAGE)
-            self._room.log.say(f"{len(made)} were graded: {PAGE}")
+            write_atomic(self._room.folder / GRADES_TABLE, as_csv(made).encode(errors="replace"))
+            write_atomic(self._room.folder / GRADES_PAGE, as_html(made).encode(errors="replace"))
+            self.state = GradingState(len(made), len(names), GRADES_PAGE)
+            self._room.log.say(f"{len(made)} were graded: {GRADES_PAGE}")
         except (KitRobotError, FileError, OSError) as error:
             _log.warning("grading ended: %s", error)
             self._room.log.say(f"grading ended: {error}")

@@ -12,7 +12,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Final
 
-from kitrobot.classroom import SITE, ClassRoom, Desk
+from kitrobot.classroom import SITE, ClassRoom, Desk, unread_sentence
 from kitrobot.server.class_certificate import usable_certificate
 from kitrobot.server.presence import Presence
 from kitrobot.server.start import ServerError, has_screen, listen
@@ -135,6 +135,7 @@ def _welcome(room: ClassRoom, reach: Reach, site: Path | None) -> list[str]:
         said(reach.sentence),
         said(runs),
         said(Sentence("The work of the class is in the folder {folder}. Ctrl-C ends the class.", room.folder)),
+        *(said(unread_sentence(one)) for one in room.record.unread),
     ]
 
 

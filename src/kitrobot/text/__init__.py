@@ -2,6 +2,7 @@
 
 from kitrobot.text.collection import collection_paused
 from kitrobot.text.comparing import same_ends
+from kitrobot.text.forms import line_feeds, name_form
 from kitrobot.text.positions import BytePositions, TextPositions
 from kitrobot.text.sentences import COMMA, HOLE, SEMICOLON, Help, Label, Recorded, Sentence, Series, Word, clipped
 from kitrobot.text.suggestions import Suggestions, did_you_mean, nearest
@@ -24,7 +25,9 @@ __all__ = [
     "clipped",
     "collection_paused",
     "did_you_mean",
+    "line_feeds",
     "listed",
+    "name_form",
     "nearest",
     "one_of",
     "same_ends",

@@ -9,7 +9,7 @@ import codecs
 import re
 
 from kitrobot.diagnostics import Diagnostic, Place
-from kitrobot.text import Sentence
+from kitrobot.text import Sentence, line_feeds
 from kitrobot.xml import rules
 
 MAX_BYTES = 64 * 1024 * 1024
@@ -42,18 +42,14 @@ def decode(data: bytes, name: str) -> str | Diagnostic:
 
 def _decoded(data: bytes, encoding: str, name: str) -> str | Diagnostic:
     try:
-        return _line_feeds(data.decode(encoding))
+        return line_feeds(data.decode(encoding))
     except UnicodeDecodeError as error:
-        before = _line_feeds(data[: error.start].decode(encoding, "replace"))
+        before = line_feeds(data[: error.start].decode(encoding, "replace"))
         line, column = before.count("\n") + 1, len(before) - before.rfind("\n")
         wanted = encoding.removesuffix("-sig").upper()
         return _refusal(
             Sentence("expected {wanted}, found bytes that are not", wanted), Place(name, line, column, line, column + 1)
         )
-
-
-def _line_feeds(text: str) -> str:
-    return text.replace("\r\n", "\n").replace("\r", "\n")
 
 
 def _refusal(message: Sentence, place: Place) -> Diagnostic:
