@@ -108,7 +108,23 @@ def test_names_that_look_the_same_are_one_name(room, entrance, name, other):
 
 
 def test_names_that_look_different_are_two(room, entrance):
-    names = ["Ada", "Ida", "Ad", "Adа A", "Али", "Али А", "Iris", "Irís", "علی", "علیا", "Bob", "B-b", "Σ", "李", "李小"]
+    names = [
+        "Ada",
+        "Ida",
+        "Ad",
+        "Adа A",
+        "Али",
+        "Али А",
+        "Iris",
+        "Irís",
+        "علی",
+        "علیا",
+        "Bob",
+        "B-b",
+        "Σ",
+        "李",
+        "李小",
+    ]
     for name in names:
         join(room, entrance, name)
     assert len(room.pupils) == len(names)

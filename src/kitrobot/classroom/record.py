@@ -106,15 +106,15 @@ def unread_sentence(one: UnreadPupil) -> Sentence:
     """What the teacher is to know of a pupil who was left out."""
     if not one.name:
         return Sentence(
-            "a pupil is not in the class: from line {line} on `{file}` makes no sense ({reason}); mend it while the class"
-            " is closed",
+            "a pupil is not in the class: from line {line} on `{file}` makes no sense ({reason}); mend it while"
+            " the class is closed",
             one.line,
             NAME,
             one.reason,
         )
     return Sentence(
-        "`{name}` is not in the class: from line {line} on `{file}` makes no sense ({reason}); mend it while the class is"
-        " closed",
+        "`{name}` is not in the class: from line {line} on `{file}` makes no sense ({reason}); mend it while the"
+        " class is closed",
         one.name,
         one.line,
         NAME,

@@ -4,14 +4,13 @@ from __future__ import annotations
 
 import contextlib
 from dataclasses import dataclass
-from datetime import UTC, datetime
 from pathlib import Path
 from typing import Final
 
 from kitrobot.classroom.names import ENDING, free_name, key_of, work_name
 from kitrobot.classroom.told import HandIn
 from kitrobot.diagnostics import KitRobotError
-from kitrobot.files import FileError, read_bytes, revision_of, write_atomic
+from kitrobot.files import FileError, read_bytes, revision_of, utc_moment, write_atomic
 from kitrobot.text import Sentence
 
 MOST_FILES: Final = 100
@@ -42,7 +41,7 @@ def works(folder: Path) -> list[Work]:
             with contextlib.suppress(OSError):
                 if path.suffix.lower() == ENDING and not path.name.startswith(".") and path.is_file():
                     state = path.stat()
-                    found.append((state.st_mtime, Work(path.name, state.st_size, _moment(state.st_mtime))))
+                    found.append((state.st_mtime, Work(path.name, state.st_size, utc_moment(state.st_mtime))))
     return [work for _, work in sorted(found, key=lambda one: (-one[0], one[1].name))]
 
 
@@ -107,7 +106,3 @@ def _place(folder: Path, stem: str, there: dict[str, int], data: bytes, base: st
 
 def _full(why: Sentence) -> QuotaError:
     return QuotaError(why, Sentence("ask your teacher to make room; your work is kept here"))
-
-
-def _moment(seconds: float) -> str:
-    return datetime.fromtimestamp(seconds, UTC).isoformat(timespec="seconds")

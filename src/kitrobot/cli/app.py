@@ -50,7 +50,7 @@ from kitrobot.cli.team import run_team
 from kitrobot.cli.verify import verify_mission
 from kitrobot.cli.watch import watch_board
 from kitrobot.diagnostics import KitRobotError, recording_reads
-from kitrobot.text import Sentence
+from kitrobot.text import Sentence, name_form
 
 DEBUG_VARIABLE = "KITROBOT_DEBUG"
 COMPLETION_VARIABLE = "_KITROBOT_COMPLETE"
@@ -137,7 +137,7 @@ def main(
     """
     use_utf8()
     begin()
-    given = list(sys.argv[1:] if arguments is None else arguments)
+    given = [_in_one_form(one) for one in (sys.argv[1:] if arguments is None else arguments)]
     words = with_moments(_with_command(given))
     failed = TROUBLE.get(words[0], FAILED)
     with _termination(), nullcontext() if words[0] in LASTING else recording_reads():
@@ -145,6 +145,16 @@ def main(
         if status not in (0, INTERRUPTED, NOBODY_READS) and _wants_json(given):
             status = _status(lambda: _give_failure(status), failed) or status
     sys.exit(status)
+
+
+def _in_one_form(argument: str) -> str:
+    """An argument in the one form of names; the name of a file that is there stays as it is.
+
+    Terminals type é in one form, and file systems give it back in another.
+    """
+    if argument.isascii() or any(os.path.lexists(one) for one in (argument, argument.partition("=")[2]) if one):
+        return argument
+    return name_form(argument)
 
 
 def _status(act: Callable[[], int], failed: int) -> int:

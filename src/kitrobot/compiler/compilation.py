@@ -6,7 +6,7 @@ from dataclasses import dataclass, field, replace
 from functools import cached_property
 
 from kitrobot.compiler.checker import check
-from kitrobot.compiler.graph_rules import UNKNOWN_ELEMENT
+from kitrobot.compiler.graph_rules import NOT_A_NUMBER, UNKNOWN_ELEMENT
 from kitrobot.compiler.graph_to_lll import Translation, graph_to_lll
 from kitrobot.compiler.lineage import Lineage
 from kitrobot.compiler.lowering import lower
@@ -130,7 +130,11 @@ def text_of(translation: Translation, catalogue: Catalogue) -> str:
 
 
 def _news(found: list[Diagnostic], told: list[Diagnostic]) -> list[Diagnostic]:
-    """What the checker found, without calls that the graph's translation has named as unknown already."""
+    """What the checker found, without calls that the graph's translation has named as unknown already, and without
+    remarks on loops while a number is none: they would speak of the one that was put in its place.
+    """
+    if any(item.code == NOT_A_NUMBER.code for item in told):
+        found = [item for item in found if item.is_error]
     unknown = {vertex for item in told if item.code == UNKNOWN_ELEMENT.code for vertex in item.vertices}
     codes = (UNKNOWN_OBJECT.code, UNKNOWN_METHOD.code)
     return [item for item in found if item.code not in codes or unknown.isdisjoint(item.vertices)]

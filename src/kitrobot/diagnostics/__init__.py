@@ -22,7 +22,7 @@ from kitrobot.diagnostics.read_files import (
     note_read,
     recording_reads,
 )
-from kitrobot.diagnostics.regular import expect_regular, lock_handle, open_regular
+from kitrobot.diagnostics.regular import expect_regular, lock_handle, named_file, open_regular
 from kitrobot.diagnostics.rendering import render, render_one, to_json, to_page_json
 
 __all__ = [
@@ -42,6 +42,7 @@ __all__ = [
     "expect_regular",
     "in_reading_order",
     "lock_handle",
+    "named_file",
     "note_read",
     "open_regular",
     "recording_reads",

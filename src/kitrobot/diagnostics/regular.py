@@ -13,7 +13,7 @@ from pathlib import Path
 from typing import BinaryIO
 
 from kitrobot.diagnostics.read_files import note_read
-from kitrobot.text import Sentence
+from kitrobot.text import Sentence, name_form
 
 _FLAGS = os.O_RDONLY | sum(getattr(os, name, 0) for name in ("O_BINARY", "O_CLOEXEC", "O_NOCTTY", "O_NONBLOCK"))
 _KINDS = (
@@ -93,3 +93,18 @@ def _look(state: os.stat_result, path: Path) -> None:
         if is_kind(state.st_mode):
             raise OSError(number, sentence, str(path))
     raise OSError(errno.EINVAL, _DEVICE, str(path))
+
+
+def named_file(folder: Path, name: str) -> Path | None:
+    """The file of a folder that another file names; None where there is none, also where no system can have one.
+
+    The same name in another form of Unicode is the same file: file systems and archives change the form.
+    """
+    try:
+        path = folder / name
+        if path.is_file() or name.isascii():
+            return path if path.is_file() else None
+        wanted = name_form(path.name)
+        return next((one for one in path.parent.iterdir() if name_form(one.name) == wanted and one.is_file()), None)
+    except (OSError, ValueError):
+        return None

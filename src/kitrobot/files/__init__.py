@@ -46,6 +46,7 @@ if TYPE_CHECKING:
         ReadOnlyError,
         name_as_text,
         revision_of,
+        utc_moment,
     )
     from kitrobot.files.forms import Form, FormError, form_of
     from kitrobot.files.journal_file import Journal, JournalError, read_journal, write_journal
@@ -93,6 +94,7 @@ else:
                 "ReadOnlyError",
                 "name_as_text",
                 "revision_of",
+                "utc_moment",
             ),
             "forms": ("Form", "FormError", "form_of"),
             "journal_file": ("Journal", "JournalError", "read_journal", "write_journal"),
@@ -154,6 +156,7 @@ __all__ = [
     "same_file",
     "saving_in",
     "sweep",
+    "utc_moment",
     "write_atomic",
     "write_journal",
 ]

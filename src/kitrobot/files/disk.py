@@ -9,6 +9,7 @@ at the old content and the write nobody else replaces it. Left to others: what t
 from __future__ import annotations
 
 import contextlib
+import errno
 import os
 import re
 import shutil
@@ -38,6 +39,9 @@ LONGEST_WAIT_S = 10.0
 _ENDING = ".kitrobot-part"
 _TEMPORARY = re.compile(rf"\..{{1,50}}\.[a-z0-9_]{{8}}{re.escape(_ENDING)}~?", re.DOTALL)
 """The names of what is being written."""
+
+_TOO_LONG = (errno.ENAMETOOLONG, errno.ENOENT, errno.EINVAL)
+"""What systems say of a name that is too long, in a folder that is there."""
 
 UNREADABLE = rule(
     "file-unreadable",
@@ -172,7 +176,8 @@ def replace_whole(path: Path, data: bytes, *, keep_old: bool = False, over_input
     """Puts a new file in the place of an old one, for who holds the folder's lock; a link is followed.
 
     The bytes are on the disk before the old file is gone. The new one has the old one's mode. With `keep_old` what was
-    there before is kept with a `~` behind its name. With `over_input` it may be a file that this command has read.
+    there before stays with a `~` behind its name, but where that name is too long for the file system. With
+    `over_input` it may be a file that this command has read.
 
     Raises:
         OutputPlaceError: it is a file that this command has read.
@@ -199,7 +204,12 @@ def replace_whole(path: Path, data: bytes, *, keep_old: bool = False, over_input
             shutil.copymode(target, fresh)
             if keep_old:
                 shutil.copy2(target, copy)
-                os.replace(copy, target.with_name(target.name + "~"))
+                try:
+                    os.replace(copy, target.with_name(target.name + "~"))
+                except OSError as error:
+                    if error.errno not in _TOO_LONG:
+                        raise
+                    copy.unlink()
         else:
             fresh.chmod(_new_file_mode())
         os.replace(fresh, target)

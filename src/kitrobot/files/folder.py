@@ -41,6 +41,9 @@ MOST_LISTED = 500
 MOST_LOOKED_AT = 20_000
 """Entries of folders that a listing looks at: the folder may be somebody's whole home."""
 
+_LONGEST_BYTES = 255
+"""Of one name in UTF-8."""
+
 NAME_NO_TEXT = Sentence("its name is not text in UTF-8")
 RENAME = Sentence("give the file another name")
 
@@ -141,7 +144,7 @@ class MissionFolder:
         elif name.startswith(RECORDING):
             root, inner = self.recordings, name.removeprefix(RECORDING)
         pure = PurePosixPath(inner)
-        wrong = not inner or pure.is_absolute() or ".." in pure.parts or _ON_WINDOWS.search(inner) or len(inner) > 1000
+        wrong = not inner or pure.is_absolute() or ".." in pure.parts or _ON_WINDOWS.search(inner) or _too_long(pure)
         stem = pure.name[: -len(ending)] if pure.name.lower().endswith(ending) else ""
         if wrong or not stem.strip("."):
             known = {
@@ -284,6 +287,11 @@ class _Hold:
         self._within.close()
 
 
+def _too_long(pure: PurePosixPath) -> bool:
+    """Whether no system has such a name."""
+    return len(str(pure)) > 1000 or any(len(part.encode(errors="replace")) > _LONGEST_BYTES for part in pure.parts)
+
+
 def revision_of(data: bytes) -> str:
     """The name of a content: the same for the same bytes."""
     return hashlib.sha256(data).hexdigest()[:20]
@@ -359,6 +367,14 @@ def _problem(path: Path, root: Path) -> str:
     return ""
 
 
+def utc_moment(seconds: float) -> str:
+    """A file's time as a moment in UTC (ISO 8601); the nearest one that a calendar has, of the years 1 to 9999."""
+    try:
+        return datetime.fromtimestamp(seconds, UTC).isoformat(timespec="seconds")
+    except (OverflowError, ValueError, OSError):
+        return (datetime.max if seconds > 0 else datetime.min).replace(tzinfo=UTC).isoformat(timespec="seconds")
+
+
 def _entry(path: Path, root: Path, prefix: str) -> MissionEntry:
     stem = name_as_text(path.stem)
     words = stem.replace("-", " ").replace("_", " ").strip()
@@ -366,7 +382,7 @@ def _entry(path: Path, root: Path, prefix: str) -> MissionEntry:
         seconds = path.stat().st_mtime
     except OSError:
         seconds = 0.0
-    modified = datetime.fromtimestamp(seconds, UTC).isoformat(timespec="seconds")
+    modified = utc_moment(seconds)
     name = prefix + name_as_text(path.relative_to(root).as_posix())
     title = words[:1].upper() + words[1:]
     return MissionEntry(name, stem, title, bool(prefix), modified, _problem(path, root))

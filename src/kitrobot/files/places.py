@@ -13,10 +13,11 @@ from dataclasses import replace
 
 from kitrobot.diagnostics import ArcName, Diagnostic, Place, Source
 from kitrobot.graph import IN, NEXT
+from kitrobot.text import name_form
 
 _TAG = re.compile(
     r"<!--.*?(?:-->|\Z)|<!\[CDATA\[.*?(?:\]\]>|\Z)|<\?.*?(?:\?>|\Z)"
-    r"""|<(?P<name>program|vertex|arc|agent|goal|role|group|work|world|property)(?P<attributes>(?:\s+[^\s=/>]+\s*=\s*(?:"[^"]*"|'[^']*'))*)\s*/?>""",
+    r"""|<(?P<name>program|vertex|arc|agent|goal|role|group|work|world|start|breakpoint|property)(?P<attributes>(?:\s+[^\s=/>]+\s*=\s*(?:"[^"]*"|'[^']*'))*)\s*/?>""",
     re.DOTALL,
 )
 _ATTRIBUTE = re.compile(r"""([^\s=]+)\s*=\s*(?:"([^"]*)"|'([^']*)')""")
@@ -41,6 +42,8 @@ class Places:
         self._agents: dict[str, Place] = {}
         self._declarations: dict[str, Place] = {}
         self._goals: list[Place] = []
+        self._starts: list[Place] = []
+        self._breakpoints: list[Place] = []
         self._properties: dict[str, tuple[Place, dict[str, Place]]] = {}
         self.world: Place | None = None
         program = ""
@@ -48,7 +51,10 @@ class Places:
             name = match.group("name")
             if not name:
                 continue
-            words = {key: _unescaped(one or other) for key, one, other in _ATTRIBUTE.findall(match["attributes"])}
+            words = {
+                name_form(key): name_form(_unescaped(one or other))
+                for key, one, other in _ATTRIBUTE.findall(match["attributes"])
+            }
             place = source.place(match.start(), match.end())
             match name:
                 case "program":
@@ -63,6 +69,10 @@ class Places:
                     self._agents.setdefault(words.get("name", ""), place)
                 case "role" | "group" | "work":
                     self._declarations.setdefault(words.get("name", ""), place)
+                case "start":
+                    self._starts.append(place)
+                case "breakpoint":
+                    self._breakpoints.append(place)
                 case "goal":
                     self._goals.append(place)
                 case "property":
@@ -90,6 +100,14 @@ class Places:
     def goal(self, index: int) -> Place | None:
         """Where the goal of that number, from 0, stands."""
         return self._goals[index] if index < len(self._goals) else None
+
+    def start(self, index: int) -> Place | None:
+        """Where the start of that number, from 0, of the mission's own world stands."""
+        return self._starts[index] if index < len(self._starts) else None
+
+    def breakpoint(self, index: int) -> Place | None:
+        """Where the breakpoint of that number, from 0, stands."""
+        return self._breakpoints[index] if index < len(self._breakpoints) else None
 
     def asked(self, name: str, attribute: str) -> Place | None:
         """Where an attribute of a property stands; the property itself where it has none of that name."""

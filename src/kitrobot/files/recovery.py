@@ -18,12 +18,11 @@ import secrets
 import threading
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
-from datetime import UTC, datetime
 from pathlib import Path
 
 from kitrobot.files.disk import FileError
 from kitrobot.files.file_lock import FileLock
-from kitrobot.files.folder import EXAMPLE, RECORDING, MissionFolder
+from kitrobot.files.folder import EXAMPLE, RECORDING, MissionFolder, utc_moment
 from kitrobot.files.journal_file import Journal, JournalError, append_records, read_journal, write_journal
 from kitrobot.text import Sentence
 from kitrobot.user_folders import state_folder
@@ -322,4 +321,4 @@ def _age(file: Path) -> float:
 
 
 def _moment(file: Path) -> str:
-    return datetime.fromtimestamp(-_age(file), UTC).isoformat(timespec="seconds")
+    return utc_moment(-_age(file))

@@ -6,7 +6,7 @@ from kitrobot.diagnostics import Diagnostic, Fix, Rule, Source
 from kitrobot.lll import rules
 from kitrobot.lll.tokens import CALL, END, HOLE, NAME, NUMBER, OTHER, QUOTED, SYMBOL, Comment, Token, tokenise
 from kitrobot.lll.tree import MAX_NESTING, Declaration, Instr
-from kitrobot.text import Help, Sentence
+from kitrobot.text import Help, Sentence, line_feeds
 
 PARTNER = {"(": ")", "[": "]", "<": ">"}
 _NAMES = {
@@ -32,6 +32,7 @@ class Cursor:
     """Where the reader stands in a text, how deep, and what it has found wrong so far."""
 
     def __init__(self, text: str, name: str, *, template: bool, team: bool | None = None) -> None:
+        text = line_feeds(text)
         self.source = Source(name, text)
         self.text = text
         self.template = template

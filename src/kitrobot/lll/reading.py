@@ -10,7 +10,7 @@ from kitrobot.lll import rules
 from kitrobot.lll.parser import Parser
 from kitrobot.lll.tokens import NAME, QUOTED, SYMBOL, tokenise
 from kitrobot.lll.tree import Call, Condition, Instr, Members, Seq, TeamProgram
-from kitrobot.text import Sentence, collection_paused
+from kitrobot.text import FINISH_MERGE, UNFINISHED_MERGE, Sentence, collection_paused, conflict_mark
 
 ProgramRead = TypeVar("ProgramRead", Seq, TeamProgram)
 
@@ -41,7 +41,7 @@ def parse(text: str, name: str = "program.lll") -> Parsed:
     """Reads an LLL program. `name` is the file name that diagnostics show. Never raises for a mistake in the text."""
     with collection_paused():
         parser = Parser(text, name, template=False)
-        return Parsed(parser.program(), parser.diagnostics, parser.source)
+        return Parsed(parser.program(), _mistakes(parser), parser.source)
 
 
 def parse_team(text: str, name: str = "team.lll") -> ParsedTeam:
@@ -53,7 +53,15 @@ def parse_team(text: str, name: str = "team.lll") -> ParsedTeam:
         start = parser.tokens[parser.at][1]
         parser.team.seq = parser.program()
         parser.team.seq.start = start
-        return ParsedTeam(parser.team, parser.diagnostics, parser.source)
+        return ParsedTeam(parser.team, _mistakes(parser), parser.source)
+
+
+def _mistakes(parser: Parser) -> list[Diagnostic]:
+    """What is wrong; where a merge was not finished, that alone."""
+    mark = conflict_mark(parser.text) if parser.diagnostics else None
+    if mark is None:
+        return parser.diagnostics
+    return [rules.SYNTAX(UNFINISHED_MERGE, parser.source.place(mark, mark + 7), help=FINISH_MERGE)]
 
 
 def parse_any(text: str, name: str = "program.lll") -> Parsed | ParsedTeam:

@@ -5,7 +5,8 @@ A token is a tuple (kind, start, end, text): a kind is one of the constants belo
 it has (object, method, where the method starts, numbers or None, where they start). Comments are kept apart, each with
 the index of the token that follows it.
 
-What only looks like signs and digits (`lookalikes`) is read as what it looks like, and listed. A brace is a token.
+Names are in their one form (`kitrobot.text.name_form`): é is one name, however a keyboard has typed it. What only looks
+like signs and digits (`lookalikes`) is read as what it looks like, and listed. A brace is a token.
 
 A text with a word of the team's language has two tokens more: a NAME whose parts are joined by single hyphens
 (`carrier-2`; not before a dot, since no object has such a name), and QUOTED, any name between double quotes, in which
@@ -23,6 +24,7 @@ from typing import Any, NamedTuple
 
 from kitrobot.lll.lookalikes import plain
 from kitrobot.lll.tree import QUANTIFIERS
+from kitrobot.text import name_form
 
 CALL, NAME, NUMBER, HOLE, SYMBOL, OTHER, END, QUOTED = range(8)
 
@@ -139,17 +141,18 @@ def tokenise(text: str, *, team: bool | None = None) -> Tokens:
             add((SYMBOL, start, end, match[group]))
         elif group == "call":
             start, end = match.span(group)
-            add((CALL, start, end, (match[2], match[3], match.start(3), match[4], match.start(4))))
+            names = name_form(match[2]), name_form(match[3])
+            add((CALL, start, end, (*names, match.start(3), match[4], match.start(4))))
         elif group == "comment":
             start, body = match.start(group), match[group][1:].rstrip()
             comments.append(Comment(start, body[1:] if body[:1] == " " else body, len(tokens)))
         elif group == "mark":
             add((SYMBOL, match.start(group), match.end(), MARK))
         elif group == "hole":
-            add((HOLE, match.start(group), match.end(), match[group][1:-1].strip()))
+            add((HOLE, match.start(group), match.end(), name_form(match[group][1:-1].strip())))
         elif group == "quoted":
             start, end = match.span(group)
-            add((QUOTED, start, end, match[group][1:-1].replace('""', '"')))
+            add((QUOTED, start, end, name_form(match[group][1:-1].replace('""', '"'))))
         elif group == "other" and (meant := plain(match[group])) != match[group]:
             start, end = match.span(group)
             lookalikes.append((start, end, meant))
@@ -159,6 +162,7 @@ def tokenise(text: str, *, team: bool | None = None) -> Tokens:
         elif group == "name" and team is None and match[group] in TEAM_WORDS:
             return tokenise(text, team=True)
         elif group is not None:
-            add((kinds[group], match.start(group), match.end(), match[group]))
+            found = name_form(match[group]) if group == "name" else match[group]
+            add((kinds[group], match.start(group), match.end(), found))
     add((END, len(text), len(text), ""))
     return Tokens(tokens, comments, lookalikes)

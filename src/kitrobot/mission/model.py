@@ -7,6 +7,7 @@ world itself.
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable
 from dataclasses import dataclass, field
 
@@ -78,6 +79,9 @@ class Team:
         return [start for start in starts if start not in taken]
 
 
+_WORLD = re.compile(r"<world[\s/>]")
+
+
 @dataclass(slots=True)
 class Mission:
     """A whole mission. `world_href` names a world's file, "" means the empty world; `unknown` is XML kept as it is.
@@ -108,6 +112,11 @@ class Mission:
     properties: list[AskedProperty] = field(default_factory=list)
     prolog: list[str] = field(default_factory=list)
     attributes: dict[str, str] = field(default_factory=dict)
+
+    @property
+    def has_unread_world(self) -> bool:
+        """Whether its own world has a mistake for which it is left as it is, among `unknown`."""
+        return self.own_world is None and any(_WORLD.match(raw) for raw in self.unknown)
 
     @property
     def crew(self) -> Crew | None:

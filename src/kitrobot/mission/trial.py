@@ -2,7 +2,8 @@
 
 A `<breakpoint>` pauses a run when an agent comes to a vertex; a `<failure>` makes an agent fail, stall, lose its radio
 or come back at a moment of simulated time. Both are kept in the `.krt`, so they are there before the run starts and
-travel with it. A breakpoint of a vertex that is gone stays in the file and does nothing.
+travel with it. A breakpoint of a vertex that is gone stays in the file and
+does nothing; whoever checks the mission says so.
 
 Left to others: doing it (sim and whoever steers a run).
 """

@@ -91,9 +91,14 @@ def save(path: Path, mission: Mission, data: bytes | None = None, *, over_input:
     data = write_mission(mission) if data is None else data
     try:
         replace_whole(path, data, keep_old=True, over_input=over_input)
+    except FileNotFoundError as error:
+        raise SaveError(
+            Sentence("`{path}` cannot be saved: there is no folder `{folder}`", path.name, path.parent.name),
+            Sentence("make the folder first"),
+        ) from error
     except OSError as error:
         raise SaveError(
-            Sentence("{path} cannot be saved: {reason}", path.name, Word(error.strerror or error)),
+            Sentence("`{path}` cannot be saved: {reason}", path.name, Word(error.strerror or error)),
             Sentence("The file is as it was."),
         ) from error
     return data

@@ -56,8 +56,8 @@ def collect(room: ClassRoom, studio: Studio, folders: list[str] | None) -> Colle
 
 def _info(name: str, work: Work) -> zipfile.ZipInfo:
     year, month, day, hour, minute, second = (int(work.modified[a:b]) for a, b in _PLACES)
-    # A ZIP file knows no moment before 1980.
-    return zipfile.ZipInfo(name, (max(1980, year), month, day, hour, minute, second))
+    # A ZIP file knows the years from 1980 to 2107 only.
+    return zipfile.ZipInfo(name, (min(max(1980, year), 2107), month, day, hour, minute, second))
 
 
 _PLACES: Final = ((0, 4), (5, 7), (8, 10), (11, 13), (14, 16), (17, 19))

@@ -9,6 +9,7 @@ from __future__ import annotations
 import math
 from collections import Counter, defaultdict
 from collections.abc import Collection, Mapping, Sequence
+from dataclasses import replace
 from functools import reduce
 
 from kitrobot.compiler import Compiled, TeamPlan
@@ -313,7 +314,8 @@ class Setup:
                 away, _ = distance_to_stretch(x, y, *(row[wall] for row in walls))
                 if away < floats[RADIUS][robot]:
                     message = Sentence("{agent} starts in a wall", self.agents[robot].name)
-                    self.problems.append(rules.START(message, help=Sentence("move its start away from the wall")))
+                    help = Sentence("move its start away from the wall")
+                    self.problems.append(self._at_start(robot, rules.START(message, help=help)))
                     break
         size = max((floats[LENGTH][robot] for robot in solid), default=0.0)
         cells: defaultdict[tuple[int, int], list[int]] = defaultdict(list)
@@ -328,13 +330,29 @@ class Setup:
                             self.agents[other].name,
                             self.agents[robot].name,
                         )
-                        self.problems.append(rules.START(message, help=self._apart()))
+                        self.problems.append(
+                            self._at_start(robot, rules.START(message, help=self._apart(other, robot)))
+                        )
                         found += 1
                         if found == MAX_OVERLAPS:
                             return
             cells[column, row].append(robot)
 
-    def _apart(self) -> Help:
+    def _start_of(self, robot: int) -> str:
+        """The name of the start at which a robot stands."""
+        name = self.agents[robot].name
+        return next((one.start_name for one in self.mission.team.agents if one.name == name), name)
+
+    def _at_start(self, robot: int, item: Diagnostic) -> Diagnostic:
+        """The same, about the start of that robot."""
+        name = self._start_of(robot)
+        at = next((at for at, start in enumerate(self.world.starts) if start.name == name), None)
+        return item if at is None else replace(item, thing=f"start:{at}")
+
+    def _apart(self, one: int, other: int) -> Help:
+        first, second = self._start_of(one), self._start_of(other)
+        if first != second:
+            return Sentence("move one of the two: their starts are {first} and {second}", first, second)
         free = self._free_starts
         if not free:
             return Sentence("every start of this world is taken: add one to it, or take an agent out of the team")

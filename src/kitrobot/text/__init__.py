@@ -2,7 +2,7 @@
 
 from kitrobot.text.collection import collection_paused
 from kitrobot.text.comparing import same_ends
-from kitrobot.text.forms import line_feeds, name_form
+from kitrobot.text.forms import FINISH_MERGE, UNFINISHED_MERGE, conflict_mark, line_feeds, name_form
 from kitrobot.text.positions import BytePositions, TextPositions
 from kitrobot.text.sentences import COMMA, HOLE, SEMICOLON, Help, Label, Recorded, Sentence, Series, Word, clipped
 from kitrobot.text.suggestions import Suggestions, did_you_mean, nearest
@@ -10,8 +10,10 @@ from kitrobot.text.wording import all_of, listed, one_of, shown
 
 __all__ = [
     "COMMA",
+    "FINISH_MERGE",
     "HOLE",
     "SEMICOLON",
+    "UNFINISHED_MERGE",
     "BytePositions",
     "Help",
     "Label",
@@ -24,6 +26,7 @@ __all__ = [
     "all_of",
     "clipped",
     "collection_paused",
+    "conflict_mark",
     "did_you_mean",
     "line_feeds",
     "listed",

@@ -6,7 +6,18 @@ any system: LF, CR LF or CR, and nothing else (neither U+0085 nor U+2028, which 
 
 from __future__ import annotations
 
+import re
 import unicodedata
+
+from kitrobot.text.sentences import Sentence
+
+_CONFLICT = re.compile(r"^(?:<{7}|>{7})(?=[ \r\n]|\Z)", re.MULTILINE)
+
+UNFINISHED_MERGE = Sentence("a merge was not finished here")
+FINISH_MERGE = Sentence(
+    "leave what is right and take the lines with `<<<<<<<`, `=======` and `>>>>>>>` away; `kitrobot merge` is git's"
+    " driver for missions and leaves none"
+)
 
 
 def name_form(name: str) -> str:
@@ -17,3 +28,9 @@ def name_form(name: str) -> str:
 def line_feeds(text: str) -> str:
     """The text with a line feed at the end of each line."""
     return text.replace("\r\n", "\n").replace("\r", "\n") if "\r" in text else text
+
+
+def conflict_mark(text: str) -> int | None:
+    """Where a text has a mark of a merge that was not finished, as git leaves it; None without."""
+    found = _CONFLICT.search(text)
+    return None if found is None else found.start()

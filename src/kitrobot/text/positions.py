@@ -1,9 +1,9 @@
-"""From offsets to lines and columns, which count from 1; columns count characters. Lines end as `forms` says."""
+"""From offsets to lines and columns, which count from 1; columns count characters. Lines end with a line feed."""
 
 from __future__ import annotations
 
 from bisect import bisect_right
-from collections.abc import Iterator
+from collections.abc import Callable
 from functools import cached_property
 from typing import TypeVar
 
@@ -19,7 +19,7 @@ class TextPositions:
     @cached_property
     def line_starts(self) -> list[int]:
         """The offset of each line's first character."""
-        return _line_starts(self._text, "\n", "\r")
+        return _line_starts(self._text.find, "\n")
 
     def position(self, offset: int) -> tuple[int, int]:
         """Line and column of an offset."""
@@ -40,7 +40,7 @@ class BytePositions:
 
     @cached_property
     def _starts(self) -> list[int]:
-        return _line_starts(self._data, b"\n", b"\r")
+        return _line_starts(self._data.find, b"\n")
 
     @cached_property
     def _is_ascii(self) -> bool:
@@ -60,18 +60,10 @@ class BytePositions:
         return line, column
 
 
-def _line_starts(text: T, line_feed: T, carriage_return: T) -> list[int]:
-    starts = [0, *_ends(text, line_feed)]
-    if carriage_return in text:
-        # A carriage return ends a line where no line feed follows, which ends it then.
-        starts += [end for end in _ends(text, carriage_return) if text[end : end + 1] != line_feed]
-        starts.sort()
-    return starts
-
-
-def _ends(text: T, sign: T) -> Iterator[int]:
-    """The offset behind each of these signs."""
-    at = text.find(sign)
+def _line_starts(find: Callable[[T, int], int], line_feed: T) -> list[int]:
+    starts = [0]
+    at = find(line_feed, 0)
     while at >= 0:
-        yield at + 1
-        at = text.find(sign, at + 1)
+        starts.append(at + 1)
+        at = find(line_feed, at + 1)
+    return starts

@@ -14,7 +14,7 @@ from multiprocessing.connection import Connection
 from pathlib import Path
 from typing import Any, Final
 
-from kitrobot.diagnostics import KitRobotError, ProblemsError, Source
+from kitrobot.diagnostics import KitRobotError, ProblemsError, Source, named_file
 from kitrobot.exercise import Exercise, read_exercise
 from kitrobot.exercise.rules import START
 from kitrobot.files import carried_mission, examples_folder, read_bytes
@@ -66,8 +66,8 @@ def ready_exercise(path: Path) -> ReadyExercise:
     words = Sentence("the exercise `{exercise}` cannot be used", path)
     if exercise is None:
         raise ProblemsError(words, "", tuple(problems), (source,))
-    beside = path.parent / exercise.start
-    if not beside.is_file():
+    beside = named_file(path.parent, exercise.start)
+    if beside is None:
         message = Sentence("there is no mission `{mission}` beside this exercise", exercise.start)
         help = Sentence("put the mission that it begins with there")
         raise ProblemsError(words, "", (*problems, START(message, source.place(0, 1), help=help)), (source,))

@@ -327,6 +327,11 @@ def _open(
         # What was read from a file has said with its lines what is wrong with its world.
         told = own if places is not None else (*own, *told)
         return OpenMission(name, mission, known, world, told, common=common, kept=kept)
+    if mission.has_unread_world:
+        # Not the empty world instead: nothing could be said about places in it. A file has told what is wrong.
+        lost = NO_WORLD(Sentence("the mission's own world has a mistake"), help=Sentence("mend <world> in its file"))
+        told = own if places is not None else (*own, lost)
+        return OpenMission(name, mission, known, None, told, common=common, kept=kept)
     path = search.world_file(mission.world_href)
     if path is None:
         place = (places.world or Place(name)) if places is not None else None

@@ -218,4 +218,9 @@ def _placed(opened: OpenMission, item: Diagnostic) -> Diagnostic:
     """What the stage found, with the mission's file as its place where it has none."""
     if item.place is not None or opened.text is None:
         return item
-    return opened.placed([item])[0] if item.program else replace(item, place=Place(opened.name))
+    if item.program:
+        return opened.placed([item])[0]
+    kind, _, number = item.thing.partition(":")
+    own = opened.mission.own_world is not None and opened.places is not None and kind == "start"
+    start = opened.places.start(int(number)) if own and opened.places is not None else None
+    return replace(item, place=start or Place(opened.name))

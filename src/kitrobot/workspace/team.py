@@ -39,6 +39,13 @@ NO_STOREHOUSE = rule(
     "A goal names a storehouse that is not in the world",
     "A goal says what a storehouse of the world holds in the end.",
 )
+LOST_BREAKPOINT = rule(
+    "mission-lost-breakpoint",
+    Severity.WARNING,
+    "A breakpoint that no run comes to",
+    "A breakpoint names a vertex of a program of the mission, and perhaps agents of its team. One that names what is"
+    " not there pauses no run; it is kept as it is.",
+)
 
 
 def team_problems(
@@ -46,7 +53,7 @@ def team_problems(
 ) -> list[Diagnostic]:
     """What is wrong between the parts of a mission; without a world nothing is said about places in it."""
     look = _Look(mission, catalogue, world, places)
-    return [*look.programs(), *look.agents(), *look.goals(), *look.declarations()]
+    return [*look.programs(), *look.agents(), *look.goals(), *look.declarations(), *look.breakpoints()]
 
 
 class _Look:
@@ -113,6 +120,32 @@ class _Look:
                 )
                 start = free_start(agent.start_name, free, self.suggestions)
                 yield NO_START(message, self._agent(agent.name), help=start)
+
+    def breakpoints(self) -> Iterable[Diagnostic]:
+        vertices = {
+            program.name: dict.fromkeys(vertex.id for vertex in program.vertices)
+            for program in reversed(self.mission.programs if self.mission.breakpoints else ())
+        }
+        agents = dict.fromkeys(agent.name for agent in self.mission.team.agents)
+        for number, one in enumerate(self.mission.breakpoints):
+            place = self.places.breakpoint(number) if self.places is not None else None
+            known = vertices.get(one.program)
+            if known is None:
+                message = Sentence(
+                    "a breakpoint stands in the program `{program}`, which is not in this mission", one.program
+                )
+                yield LOST_BREAKPOINT(message, place, help=self._help(one.program, vertices))
+            elif one.vertex not in known:
+                message = Sentence(
+                    "a breakpoint stands at `{vertex}`, which is not in the program `{program}`",
+                    one.vertex,
+                    one.program,
+                )
+                yield LOST_BREAKPOINT(message, place, help=self._help(one.vertex, known), program=one.program)
+            for agent in one.agents:
+                if agent not in agents:
+                    message = Sentence("a breakpoint watches `{agent}`, which is not in the team", agent)
+                    yield LOST_BREAKPOINT(message, place, help=self._help(agent, agents))
 
     def _robot(self, agent: Agent) -> Iterable[Diagnostic]:
         """Whether it is clear of which kind an agent is."""

@@ -5,6 +5,8 @@ from __future__ import annotations
 from collections.abc import Sequence
 from pathlib import Path
 
+from kitrobot.diagnostics import named_file
+
 SUFFIX = ".world.xml"
 
 SHIPPED = Path(__file__).parent / "shipped"
@@ -26,7 +28,7 @@ def find_world(href: str, folders: Sequence[Path] = ()) -> Path | None:
     if "\\" in name or "\0" in name or name.startswith("/") or ".." in name.split("/"):
         return None
     for folder in [*folders, SHIPPED]:
-        path = folder / name
-        if path.is_file():
+        path = named_file(folder, name)
+        if path is not None:
             return path
     return None

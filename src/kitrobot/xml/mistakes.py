@@ -6,18 +6,23 @@ import re
 from collections.abc import Sequence
 from typing import NamedTuple
 
-from kitrobot.text import Help, Sentence
+from kitrobot.text import FINISH_MERGE, UNFINISHED_MERGE, Help, Sentence, conflict_mark
 
 _CLOSING = re.compile(r"</\s*([^\s>]{1,40})")
 _ENTITY = re.compile(r"&([^;\s]{1,40});?")
 _CUT_OFF = ("no element found", "unclosed token", "unclosed CDATA section", "partial character")
+OLDER_COPY = Sentence(
+    "the file was not written to its end, as when the power goes; an older one may lie beside it with `~` behind its"
+    " name"
+)
+TWICE = (Sentence("an attribute is given twice in this tag"), Sentence("keep one of the two"))
 _SENTENCES = {
     "junk after document element": (
         Sentence("expected the end of the file after the first element, found more"),
         Sentence("a file holds one element; everything else goes inside it"),
     ),
     "syntax error": (Sentence("expected an XML element, found text"), Sentence("a file of ours begins with `<`")),
-    "duplicate attribute": (Sentence("an attribute is given twice in this tag"), Sentence("keep one of the two")),
+    "duplicate attribute": TWICE,
     "XML or text declaration not at start of entity": (
         Sentence("expected `<?xml …?>` only at the very start of the file, found it here"),
         Sentence("take away what stands before it"),
@@ -42,6 +47,9 @@ def explain(said: str, text: str, offset: int, opened: Sequence[tuple[str, int]]
         offset: where in it the parser stopped.
         opened: name and line of every element that is open there, outermost first.
     """
+    mark = conflict_mark(text)
+    if mark is not None:
+        return Mistake(UNFINISHED_MERGE, FINISH_MERGE, mark)
     start = offset
     if said == "mismatched tag" and opened:
         start = max(0, text.rfind("<", 0, offset + 1))
@@ -70,6 +78,8 @@ def _words(said: str, text: str, offset: int, opened: Sequence[tuple[str, int]])
         )
     character = text[offset : offset + 1]
     if said.startswith("not well-formed") and character:
+        if character == "\0":
+            return Sentence("found the character U+{number}, which XML cannot hold", "0000"), OLDER_COPY
         if not character.isprintable() and character not in "\n\t":
             return Sentence("found the character U+{number}, which XML cannot hold", f"{ord(character):04X}"), Sentence(
                 "take it away"
@@ -86,7 +96,7 @@ def _words(said: str, text: str, offset: int, opened: Sequence[tuple[str, int]])
 
 def _cut_off(text: str, opened: Sequence[tuple[str, int]]) -> tuple[Sentence, Help]:
     if not text.strip():
-        return Sentence("expected an XML element, found an empty file"), ""
+        return Sentence("expected an XML element, found an empty file"), OLDER_COPY
     if not opened:
         return Sentence("expected an XML element, found the end of the file"), Sentence(
             "the file may have been cut off"

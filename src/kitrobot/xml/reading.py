@@ -8,6 +8,7 @@ usable.
 
 What is parsed is UTF-8 with line feeds only as line breaks, as XML asks of every reader. Places are kept as offsets of
 bytes into it, where the parser says that an event begins; they become lines and columns when something is reported.
+Attributes are names, numbers and words: they are read in the one form of names (`kitrobot.text.name_form`).
 Only an attribute's place is searched for, in its start tag, because the parser does not tell it. Left to others: what
 a file means.
 """
@@ -19,12 +20,12 @@ from collections.abc import Hashable, Mapping
 from typing import NoReturn
 
 from kitrobot.diagnostics import Diagnostic, Place, Source
-from kitrobot.text import BytePositions, Sentence, Suggestions, collection_paused, one_of, shown
+from kitrobot.text import BytePositions, Sentence, Suggestions, collection_paused, name_form, one_of, shown
 from kitrobot.xml import rules
 from kitrobot.xml.decoding import decode
 from kitrobot.xml.element import Element, Tag
 from kitrobot.xml.foreign import bound, declares, in_scope, is_foreign
-from kitrobot.xml.mistakes import explain
+from kitrobot.xml.mistakes import TWICE, explain
 from kitrobot.xml.parsing import DoctypeError, ExpatError, error_text, new_parser
 
 MAX_DEPTH = 64
@@ -58,6 +59,8 @@ class Reader:
         self.epilog: list[str] = []
         """The same behind it."""
         self._data = data
+        self.in_one_form = True
+        """Whether no attribute can be in another form than that of names: there is ASCII alone."""
         self._positions = BytePositions(b"")
         self._problems: list[Diagnostic] = []
         self._left_out = 0
@@ -97,6 +100,7 @@ class Reader:
             if isinstance(text, Diagnostic):
                 self.stop(text)
             self._data = text.encode()
+            self.in_one_form = self._data.isascii() and b"&#" not in self._data
             self._positions = BytePositions(self._data)
             events = _Events(self, roots)
             with collection_paused():
@@ -119,9 +123,9 @@ class Reader:
     def place_of(self, element: Element, attribute: str | None = None) -> Place:
         """The start of an element's start tag, or the value of one of its attributes."""
         if attribute in element.attributes and len(self._problems) < MAX_PROBLEMS:
-            wanted = attribute.encode()
+            wanted = str(attribute)
             for found in _ATTRIBUTE.finditer(self._data, element.start, element.start + _WINDOW):
-                if found.group(1) == wanted:
+                if name_form(found.group(1).decode(errors="replace")) == wanted:
                     value = found.start(2) + 1
                     return self.span(value, max(found.end(2) - 1, value + 1))
         return self.place(element.start, len(element.name) + 1)
@@ -215,6 +219,8 @@ class _Events:
         if tag is None:
             self.unknown(name, parent, start)
             return
+        if not self.reader.in_one_form:
+            attributes = self.one_form(attributes, start, name)
         element = Element(self.reader, tag, name, attributes, parent, start)
         for attribute in [one for one in attributes if one not in tag.attributes]:
             self.attribute(element, attribute)
@@ -255,6 +261,17 @@ class _Events:
             element.tag.keep(element, raw)
         else:
             element.remarks.append((len(element.values), raw))
+
+    def one_form(self, attributes: dict[str, str], start: int, name: str) -> dict[str, str]:
+        """The attributes, which are names mostly, in the one form of names."""
+        made = {
+            key if is_foreign(key) else name_form(key): value if is_foreign(key) else name_form(value)
+            for key, value in attributes.items()
+        }
+        if len(made) < len(attributes):
+            message, help = TWICE
+            self.reader.stop(rules.NOT_WELL_FORMED(message, self.reader.place(start, len(name) + 1), help=help))
+        return made
 
     def unknown(self, name: str, parent: Element | None, start: int) -> None:
         place = self.reader.place(start, len(name) + 1)
