@@ -209,6 +209,17 @@ def test_a_pupil_whose_lines_make_no_sense_is_left_out_and_the_others_are_there(
         assert str(unread_sentence(room.record.unread[0])) in room.log.last()[0]
 
 
+def test_a_pupil_in_another_encoding_is_left_out_byte_for_byte(tmp_path):
+    head = b"name = 'Class 5b'\n[[pupil]]\nname = 'Ada'\nfolder = 'Ada'\n"
+    zoe = "[[pupil]]\nname = 'Zoë'\nfolder = 'Zoë'\n".encode("latin-1")
+    (tmp_path / "class.toml").write_bytes(head + zoe)
+    room = ClassRoom(tmp_path)
+    room.close()
+    assert list(room.pupils) == ["Ada"]
+    assert zoe.strip() in (tmp_path / "class.toml").read_bytes()
+    assert "not text in UTF-8" in (tmp_path / "log.txt").read_text()
+
+
 @pytest.mark.parametrize("end", ["\r\n", "\r"])
 def test_a_class_file_may_have_the_line_ends_of_any_system(tmp_path, end):
     lines = ["name = 'Class 5b'", "code = 'BADOBA'", "# by hand", "[[pupil]]", "name = 'Ada'", "folder = 'Ada'"]

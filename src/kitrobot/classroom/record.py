@@ -19,8 +19,8 @@ from pathlib import Path
 from typing import Any, Final
 
 from kitrobot.classroom.names import clean_code, is_file_name, key_of
-from kitrobot.files import FileError, read_text, write_atomic
-from kitrobot.text import Sentence
+from kitrobot.files import FileError, read_bytes, write_atomic
+from kitrobot.text import Sentence, line_feeds
 
 NAME: Final = "class.toml"
 MOST_KEYS: Final = 4
@@ -84,7 +84,8 @@ def read_record(folder: Path) -> ClassRecord | None:
     path = folder / NAME
     if not path.exists():
         return None
-    text = read_text(path)
+    # A pupil's lines in another encoding are that pupil's loss alone: they stay as they are.
+    text = line_feeds(read_bytes(path).decode("utf-8-sig", "surrogateescape"))
     starts = [found.start() for found in _PUPIL.finditer(text)]
     head, *parts = (text[a:b] for a, b in zip([0, *starts], [*starts, len(text)], strict=True))
     try:
@@ -126,12 +127,15 @@ def _read_pupil(record: ClassRecord, text: str, line: int) -> None:
     """Adds the pupil of those lines to the record, or the lines where they cannot be read."""
     name = ""
     try:
+        text.encode()
         table = tomllib.loads(text)["pupil"][0]
         name = _text(table, "name")
         pupil = _pupil(table)
         folders = {key_of(one.folder) for one in record.pupils}
         if any(one.name == name for one in record.pupils) or key_of(pupil.folder) in folders:
             raise ValueError(Sentence("two pupils have one name or one folder"))
+    except UnicodeEncodeError:
+        record.unread.append(UnreadPupil(text, line, name, Sentence("it is not text in UTF-8")))
     except (tomllib.TOMLDecodeError, ValueError, TypeError, RecursionError) as error:
         record.unread.append(UnreadPupil(text, line, name, _reason(error)))
     else:
@@ -175,11 +179,12 @@ def write_record(folder: Path, record: ClassRecord) -> None:
         # Words and digests are the teacher's alone; a file that is there keeps its mode.
         with contextlib.suppress(OSError):
             os.close(os.open(path, os.O_WRONLY | os.O_CREAT, 0o600))
-    write_atomic(path, ("\n".join(lines) + "\n").encode(errors="replace"))
+    write_atomic(path, ("\n".join(lines) + "\n").encode(errors="surrogateescape"))
 
 
 def _string(text: str) -> str:
     """A basic string of TOML: JSON's, but for the one sign that JSON lets stand."""
+    text = text.encode(errors="replace").decode()
     return json.dumps(text, ensure_ascii=False).replace("\x7f", "\\u007f")
 
 

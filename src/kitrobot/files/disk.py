@@ -28,7 +28,7 @@ from kitrobot.diagnostics import (
     rule,
 )
 from kitrobot.files.file_lock import FileLock
-from kitrobot.text import Help, Sentence, Word, line_feeds
+from kitrobot.text import Help, Sentence, Word, line_feeds, no_text, older_copy
 
 LARGEST_FILE_BYTES = 64 * 1024 * 1024
 """More than any mission, world or image; a device or a film given by mistake is refused instead of filling memory."""
@@ -103,8 +103,10 @@ def decode(data: bytes, path: Path) -> str:
     """Bytes of a file as text, whose lines end with a line feed.
 
     Raises:
-        FileError: they are not UTF-8.
+        FileError: they are not UTF-8, or nothing but zero bytes.
     """
+    if data and not data.strip(b"\0"):
+        raise FileError(no_text(len(data)), older_copy(path), path=path, place=Place(str(path), 1, 1, 1, 1))
     try:
         return line_feeds(data.decode("utf-8-sig"))
     except UnicodeDecodeError as error:

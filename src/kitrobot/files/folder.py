@@ -16,7 +16,7 @@ import os
 import re
 import sys
 import threading
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from datetime import UTC, datetime
 from pathlib import Path, PurePosixPath
@@ -94,9 +94,9 @@ class MissionFolder:
         self._saving = threading.Lock()
 
     def missions(self) -> list[MissionEntry]:
-        """The missions of the folder by path, then the examples."""
+        """The missions of the folder by path, then the examples; of very many, the first ones and how many more."""
         # Examples that lie below the folder, as in a checkout, are listed once: as examples.
-        own = [_entry(path, self.root, "") for path in _missions_below(self.root, self.examples)]
+        own = _entries(_walk(self.root, self.examples, ENDING), self.root)
         return own + [_entry(path, self.examples, EXAMPLE) for path in _missions_below(self.examples)]
 
     def name_of(self, path: Path) -> str:
@@ -213,8 +213,8 @@ class MissionFolder:
         return data, revision_of(data)
 
     def traces(self) -> list[MissionEntry]:
-        """The recordings of the folder by path."""
-        return [_entry(path, self.root, "") for path in _found_below(self.root, self.examples, TRACE_ENDING)]
+        """The recordings of the folder by path; of very many, the first ones and how many more."""
+        return _entries(_walk(self.root, self.examples, TRACE_ENDING), self.root)
 
     def sweep(self) -> int:
         """Removes what killed saves left below the folder, and gives how many files that were."""
@@ -321,8 +321,26 @@ def _missions_below(root: Path, without: Path | None = None) -> list[Path]:
 
 
 def _found_below(root: Path, without: Path | None, ending: str) -> list[Path]:
-    found = _walk(root, without, ending)
-    return sorted(found, key=lambda path: path.relative_to(root).as_posix().casefold())[:MOST_LISTED]
+    return _by_path(_walk(root, without, ending), root)[:MOST_LISTED]
+
+
+def _by_path(found: Iterable[Path], root: Path) -> list[Path]:
+    return sorted(found, key=lambda path: path.relative_to(root).as_posix().casefold())
+
+
+def _entries(found: Iterable[Path], root: Path) -> list[MissionEntry]:
+    """The first ones by path; behind them one without a path says how many are not listed."""
+    paths = _by_path(found, root)
+    entries = [_entry(path, root, "") for path in paths[:MOST_LISTED]]
+    more = len(paths) - len(entries)
+    if more == 0:
+        return entries
+    problem = Sentence.counted(
+        "{count} more file is not listed: open the folder that it is in",
+        "{count} more files are not listed: open the folder that they are in, or put fewer into one",
+        more,
+    )
+    return [*entries, MissionEntry("", "…", "", False, entries[-1].modified, problem)]
 
 
 def _walk(root: Path, without: Path | None, ending: str) -> Iterator[Path]:

@@ -11,11 +11,11 @@ from fastapi import Depends, Query, Request, Response
 from starlette.requests import HTTPConnection
 
 from kitrobot.classroom import ClassRoom, Entrance, NotLetInError, Pupil, TakenNameError
-from kitrobot.mission import write_mission
 from kitrobot.server.class_exercises import files_of_exercise
 from kitrobot.server.class_pictures import Pictures
 from kitrobot.server.handed_out import pack
 from kitrobot.server.routing import api_router
+from kitrobot.server.saving import mission_bytes
 from kitrobot.server.shapes.classroom import (
     ClassAnsweredShape,
     ClassAskedShape,
@@ -108,8 +108,9 @@ def asked(entrance: Door, wanted: ClassAskedShape) -> ClassAnsweredShape:
 
 @class_routes.put("/work")
 def hand_in(room: ThisRoom, pupil: ThisPupil, request: Request, wanted: HandInShape) -> HandedInShape:
-    """Keeps a mission; once this is answered it is on the disk."""
-    kept = room.hand_in(pupil, wanted.name, write_mission(mission_from_shape(wanted.mission)), wanted.base)
+    """Keeps a mission; once this is answered it is on the disk. One that would not open for the teacher is refused."""
+    data = mission_bytes(mission_from_shape(wanted.mission), wanted.name)
+    kept = room.hand_in(pupil, wanted.name, data, wanted.base)
     _pictures(request).take(pupil, wanted.mission)
     return HandedInShape(name=kept.name, revision=kept.revision)
 

@@ -7,11 +7,12 @@ from typing import Annotated
 from fastapi import Depends, Query, Request, Response
 
 import kitrobot
-from kitrobot.diagnostics import KitRobotError, ProblemsError
+from kitrobot.diagnostics import ProblemsError
 from kitrobot.files import carried_mission, is_picture, revision_of
-from kitrobot.mission import read_mission, save, write_mission
+from kitrobot.mission import save, write_mission
 from kitrobot.server.fast_json import report_answer
 from kitrobot.server.routing import ThisStudio, api_router
+from kitrobot.server.saving import mission_bytes
 from kitrobot.server.shapes import (
     CheckShape,
     ConflictShape,
@@ -47,10 +48,6 @@ _CONFLICT: dict[int | str, dict[str, object]] = {
     **_FAILURES,
 }
 LONGEST_NAME = 1000
-
-
-class UnsavableError(KitRobotError):
-    """What would be written is no mission."""
 
 
 routes = api_router()
@@ -130,12 +127,7 @@ def _read(studio: Studio, data: bytes, name: str, path: str) -> OpenMission:
 def mission_save(studio: ThisStudio, wanted: SaveShape) -> SavedShape:
     """Saves a mission, unless its file is not what the page last saw."""
     made = mission_from_shape(wanted.mission)
-    data = write_mission(made)
-    if read_mission(data, wanted.path)[0] is None:
-        # Only XML that is kept word for word can do that; what is on the disk is worth more.
-        raise UnsavableError(
-            Sentence("this mission would not open again, so it was not saved"), Sentence("load the page again")
-        )
+    data = mission_bytes(made, wanted.path)
     hold = studio.folder.hold(wanted.path, wanted.revision)
     with hold as path:
         save(path, made)

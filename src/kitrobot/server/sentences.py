@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from typing import Annotated
 
 from pydantic import PlainSerializer, SkipValidation, ValidationError
@@ -9,7 +10,7 @@ from starlette.datastructures import Headers, QueryParams
 from starlette.types import ASGIApp, Receive, Scope, Send
 
 from kitrobot.diagnostics import KitRobotError
-from kitrobot.text import Sentence
+from kitrobot.text import Sentence, Series
 from kitrobot.translation import STOPS, best_language, reading_in, said, said_in
 
 
@@ -24,9 +25,22 @@ def clause(words: str) -> str:
 
 
 def spoken(words: str) -> str:
-    """A message in the reader's language as a sentence of its own: a capital letter and a full stop."""
+    """A message in the reader's language as a sentence of its own: a capital letter and a full stop.
+
+    A name with which it begins keeps its first letter: `square.krt` is no `Square.krt`.
+    """
     text = clause(words)
-    return text and text[0].upper() + text[1:] + ("" if text[-1] in _ENDS else STOPS[said_in()])
+    first = text[:1] if _begins_with_name(text, words) else text[:1].upper()
+    return text and first + text[1:] + ("" if text[-1] in _ENDS else STOPS[said_in()])
+
+
+def _begins_with_name(text: str, words: str) -> bool:
+    """Whether a text begins with one of the values of its sentence that are no sentences: names, numbers, code."""
+    if isinstance(words, Series):
+        return any(_begins_with_name(text, part) for part in words.parts)
+    if isinstance(words, Sentence):
+        return any(_begins_with_name(text, one) for one in words.values.values() if isinstance(one, str))
+    return words != "" and re.match(rf"{re.escape(words)}(?!\w)", text) is not None
 
 
 _ENDS = (*STOPS.values(), "?", "!", "؟")

@@ -2,7 +2,15 @@
 
 from kitrobot.text.collection import collection_paused
 from kitrobot.text.comparing import same_ends
-from kitrobot.text.forms import FINISH_MERGE, UNFINISHED_MERGE, conflict_mark, line_feeds, name_form
+from kitrobot.text.forms import (
+    FINISH_MERGE,
+    UNFINISHED_MERGE,
+    conflict_mark,
+    line_feeds,
+    name_form,
+    no_text,
+    older_copy,
+)
 from kitrobot.text.positions import BytePositions, TextPositions
 from kitrobot.text.sentences import COMMA, HOLE, SEMICOLON, Help, Label, Recorded, Sentence, Series, Word, clipped
 from kitrobot.text.suggestions import Suggestions, did_you_mean, nearest
@@ -32,6 +40,8 @@ __all__ = [
     "listed",
     "name_form",
     "nearest",
+    "no_text",
+    "older_copy",
     "one_of",
     "same_ends",
     "shown",

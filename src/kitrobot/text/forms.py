@@ -20,6 +20,19 @@ FINISH_MERGE = Sentence(
 )
 
 
+def no_text(count: int) -> Sentence:
+    """What is said of a file of zero bytes alone, so many."""
+    return Sentence("this file holds no text, only {count} bytes that are zero", count)
+
+
+def older_copy(name: object) -> Sentence:
+    """A way out for a file of that name which was not written to its end."""
+    return Sentence(
+        "as the power leaves it when it goes while a file is written; the one before is `{copy}`, if there is one",
+        f"{name}~",
+    )
+
+
 def name_form(name: str) -> str:
     """The form of a name in which two that are the same text are equal."""
     return name if name.isascii() else unicodedata.normalize("NFC", name)

@@ -17,7 +17,8 @@ from kitrobot.text import Sentence
 from kitrobot.translation import DIRECTIONS, LANGUAGES
 from kitrobot.workspace.grades import GoalGrade, Grade, Told, told
 
-_FORMULA: Final = tuple("=+-@\t\r\n")
+_FORMULA: Final = re.compile(r"""(^|[;,|\t\r\n])([\s"']*)(?=[=+\-@＝＋－＠])""")
+"""Where a formula would begin: in a cell, or behind any sign at which a spreadsheet may part it into more."""
 _QUOTED: Final = re.compile("`([^`]*)`")
 _NAMES: Final = {"en": "English", "fr": "Français", "ur": "اردو"}
 
@@ -61,8 +62,8 @@ def _yes(value: bool) -> str:
 
 
 def as_cell(value: object) -> object:
-    """A cell that no spreadsheet takes for a formula."""
-    return f"'{value}" if isinstance(value, str) and value.startswith(_FORMULA) else value
+    """A cell that no spreadsheet takes for a formula, nor what it makes of it: many part lines at semicolons."""
+    return _FORMULA.sub(r"\1\2'", value) if isinstance(value, str) else value
 
 
 def as_html(grades: Sequence[Grade]) -> str:

@@ -9,7 +9,7 @@ import codecs
 import re
 
 from kitrobot.diagnostics import Diagnostic, Place
-from kitrobot.text import Sentence, line_feeds
+from kitrobot.text import Sentence, line_feeds, no_text, older_copy
 from kitrobot.xml import rules
 
 MAX_BYTES = 64 * 1024 * 1024
@@ -28,11 +28,7 @@ def decode(data: bytes, name: str) -> str | Diagnostic:
     if data.startswith((codecs.BOM_UTF16_LE, codecs.BOM_UTF16_BE)):
         return _decoded(data, "utf-16", name)
     if data and not data.strip(b"\0"):
-        message = Sentence("this file holds no text, only {count} bytes that are zero", len(data))
-        help = Sentence(
-            "as the power leaves it when it goes while a file is written; the one before is `{copy}`", f"{name}~"
-        )
-        return rules.NOT_WELL_FORMED(message, Place(name), help=help)
+        return rules.NOT_WELL_FORMED(no_text(len(data)), Place(name), help=older_copy(name))
     if b"\0" in data[:2]:
         return _refusal(
             Sentence("expected UTF-8, found what looks like UTF-16 without its byte order mark"), Place(name)

@@ -6,7 +6,7 @@ export const CLASS_EN = {
   "class.your-name": "Your name",
   "class.join": "Join",
   "class.no-joining": "Nobody can join now. Ask your teacher for a code.",
-  "class.taken": "There is a {name} in this class already.",
+  "class.taken": "{name} is in this class already.",
   "class.taken-help":
     "Is that you? Then type your word, or ask your teacher. Else change your name, for example to {name} K.",
   "class.word": "Your word",
