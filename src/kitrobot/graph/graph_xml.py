@@ -17,7 +17,7 @@ from typing import NamedTuple
 
 from kitrobot.graph.model import IN, NEXT, Arc, Note, Program, Vertex
 from kitrobot.primitives import LEVEL, Level
-from kitrobot.text import Sentence, shown
+from kitrobot.text import Sentence, name_form, shown
 from kitrobot.xml import NAME, Element, Kind, Tag, attributes, escape_text, fragment, needed, optional
 from kitrobot.xml.rules import DUPLICATE, MISSING, UNKNOWN_ATTRIBUTE
 
@@ -99,7 +99,7 @@ def _vertex(element: Element) -> Vertex:
 
 def _setting(element: Element) -> _Setting | None:
     name = element.required("name")
-    return _Setting(name, element.text) if name else None
+    return _Setting(name, name_form(element.text)) if name else None
 
 
 def _note(element: Element) -> Note:

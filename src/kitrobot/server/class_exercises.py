@@ -13,7 +13,7 @@ from kitrobot.classroom import ClassError, ClassRoom
 from kitrobot.classroom.names import as_file_name
 from kitrobot.exercise import without_hidden
 from kitrobot.files import EXAMPLE, EXERCISE_ENDING, HANDED_OUT, TUTORIAL_ENDING
-from kitrobot.server.handed_out import read_files, write_files
+from kitrobot.server.handed_out import is_plain, read_files, write_files
 from kitrobot.server.studio import Studio
 from kitrobot.text import Sentence
 
@@ -40,7 +40,7 @@ def hand_out_exercise(room: ClassRoom, studio: Studio, name: str) -> str:
     path = studio.folder.path_of(name, EXERCISE_ENDING)
     files = {pure.name: path, exercise.start: studio.folder.path_of(start)}
     for beside in sorted(path.parent.glob("*.xml")):
-        if not beside.name.endswith((EXERCISE_ENDING, TUTORIAL_ENDING)):
+        if is_plain(beside.name) and beside.is_file() and not beside.name.endswith((EXERCISE_ENDING, TUTORIAL_ENDING)):
             files.setdefault(beside.name, beside)
     folder = PurePosixPath(HANDED_OUT) / as_file_name(str(pure)[: -len(EXERCISE_ENDING)].replace("/", " - "))
     write_files(room.folder / folder, read_files(files))
@@ -58,8 +58,8 @@ def files_of_exercise(room: ClassRoom) -> tuple[PurePosixPath, dict[str, bytes]]
     folder = PurePosixPath(room.record.exercise).parent
     if folder.parent != PurePosixPath(HANDED_OUT) or folder.name == ".." or not (room.folder / folder).is_dir():
         return folder, {}
-    found = {path.name: path for path in sorted((room.folder / folder).iterdir()) if path.is_file()}
-    files = read_files(found)
+    beside = sorted((room.folder / folder).iterdir())
+    files = read_files({path.name: path for path in beside if is_plain(path.name) and path.is_file()})
     for name in [name for name in files if name.endswith(EXERCISE_ENDING)]:
         try:
             files[name] = without_hidden(files[name], name)

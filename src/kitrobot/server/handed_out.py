@@ -89,8 +89,13 @@ def unpack(data: bytes) -> dict[str, bytes]:
         raise _not_handed_out() from None
 
 
+def is_plain(name: str) -> bool:
+    """Whether a file of that name can be handed out: every page takes it, and it leads nowhere else."""
+    return PurePosixPath(name).name == name and "\\" not in name and ":" not in name and not name.startswith(".")
+
+
 def _plain(name: str) -> str:
-    if PurePosixPath(name).name != name or "\\" in name or ":" in name or name.startswith("."):
+    if not is_plain(name):
         raise _not_handed_out()
     return name
 

@@ -76,7 +76,7 @@ def differences(before: Mission, after: Mission) -> list[Difference]:
 
 def text_differences(before: str, after: str) -> list[Difference]:
     """What is different between two LLL texts, both in the true layout, by their lines."""
-    old, new = before.splitlines(), after.splitlines()
+    old, new = before.removesuffix("\n").split("\n"), after.removesuffix("\n").split("\n")
     found = []
     i = k = 0
     for j, m in (*common_order(old, new), (len(old), len(new))):

@@ -24,15 +24,23 @@ def read_map(name: str) -> dict[str, Any]:
 
 
 def write_map(name: str, found: Mapping[str, Any], most: int) -> None:
-    """Keeps the last `most` entries.
+    """Keeps the last `most` entries, as far as they are no larger than what is read.
 
     Raises:
         FileError: it cannot be written.
     """
     path = _path(name)
     make_folder(path.parent)
-    kept = dict([*found.items()][-most:])
-    write_atomic(path, json.dumps(kept, ensure_ascii=False, indent=1).encode(errors="replace"))
+    entries = [*found.items()][-most:]
+    data = _bytes(entries)
+    while len(data) > _MOST_BYTES:
+        entries = entries[len(entries) // 10 + 1 :]
+        data = _bytes(entries)
+    write_atomic(path, data)
+
+
+def _bytes(entries: list[tuple[str, Any]]) -> bytes:
+    return json.dumps(dict(entries), ensure_ascii=False, indent=1).encode(errors="replace")
 
 
 def _path(name: str) -> Path:

@@ -232,7 +232,7 @@ def preview_from(text: str) -> Preview | None:
 def read_previews(path: Path) -> dict[str, str]:
     """The lines of a file of previews by their keys; none of a file that is not there."""
     try:
-        lines = path.read_text(encoding="utf-8").splitlines()
+        lines = path.read_text(encoding="utf-8").split("\n")
     except (OSError, UnicodeError):
         return {}
     return {key: text for key, _, text in (line.partition(" ") for line in lines) if text}
