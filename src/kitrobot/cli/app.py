@@ -10,6 +10,7 @@ done, 2 for a command that cannot be read, 70 for a mistake of ours, 130 for Ctr
 from __future__ import annotations
 
 import os
+import re
 import signal
 import sys
 import threading
@@ -50,7 +51,7 @@ from kitrobot.cli.team import run_team
 from kitrobot.cli.verify import verify_mission
 from kitrobot.cli.watch import watch_board
 from kitrobot.diagnostics import KitRobotError, recording_reads
-from kitrobot.text import Sentence, name_form
+from kitrobot.text import Sentence, name_form, number_form
 
 DEBUG_VARIABLE = "KITROBOT_DEBUG"
 COMPLETION_VARIABLE = "_KITROBOT_COMPLETE"
@@ -147,6 +148,10 @@ def main(
     sys.exit(status)
 
 
+_NUMBER = re.compile(r"[+-]?\d+\u066b\d+")
+"""With the decimal sign of an Urdu keyboard, which Python does not read; it reads the digits."""
+
+
 def _in_one_form(argument: str) -> str:
     """An argument in the one form of names; the name of a file that is there stays as it is.
 
@@ -154,7 +159,7 @@ def _in_one_form(argument: str) -> str:
     """
     if argument.isascii() or any(os.path.lexists(one) for one in (argument, argument.partition("=")[2]) if one):
         return argument
-    return name_form(argument)
+    return number_form(argument) if _NUMBER.fullmatch(argument) else name_form(argument)
 
 
 def _status(act: Callable[[], int], failed: int) -> int:

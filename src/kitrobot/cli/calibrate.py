@@ -11,7 +11,7 @@ import typer
 from kitrobot.cli.bench import Port, Replace, send_progress
 from kitrobot.cli.output import clean, give, json_text, show, tell
 from kitrobot.diagnostics import KitRobotError
-from kitrobot.text import Sentence
+from kitrobot.text import Sentence, number_form
 
 if TYPE_CHECKING:
     from kitrobot.primitives import Kit
@@ -135,7 +135,7 @@ def _which_wheel(step: BenchStep) -> Turned | None:
 
 def _number(step: BenchStep) -> float | None:
     while True:
-        text = _asked(f"{step.seen.get('', '')}: ").replace(",", ".")
+        text = number_form(_asked(f"{step.seen.get('', '')}: ").replace(",", "."))
         if not text:
             return None
         try:

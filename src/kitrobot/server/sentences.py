@@ -20,27 +20,27 @@ def readable(words: str) -> str:
 
 
 def clause(words: str) -> str:
-    """A message in the reader's language."""
-    return readable(said(words))
+    """A message in the reader's language. A name that it begins with stands between back quotes: the page begins its
+    sentences large, and `square.krt` is no `Square.krt`.
+    """
+    text = readable(said(words))
+    name = _first_name(text, words) if isinstance(words, Sentence) else ""
+    return f"`{name}`{text[len(name) :]}" if name[:1].islower() else text
+
+
+def _first_name(text: str, words: str) -> str:
+    """The value with which the text of a sentence begins, where that is no sentence but a name, a number, code; else ""."""
+    if isinstance(words, Sentence):
+        inner = words.parts if isinstance(words, Series) else words.values.values()
+        found = (_first_name(text, one) for one in inner if isinstance(one, str))
+        return next((one for one in found if one), "")
+    return words if words and re.match(rf"{re.escape(words)}(?!\w)", text) else ""
 
 
 def spoken(words: str) -> str:
-    """A message in the reader's language as a sentence of its own: a capital letter and a full stop.
-
-    A name with which it begins keeps its first letter: `square.krt` is no `Square.krt`.
-    """
+    """A message in the reader's language as a sentence of its own: a capital letter and a full stop."""
     text = clause(words)
-    first = text[:1] if _begins_with_name(text, words) else text[:1].upper()
-    return text and first + text[1:] + ("" if text[-1] in _ENDS else STOPS[said_in()])
-
-
-def _begins_with_name(text: str, words: str) -> bool:
-    """Whether a text begins with one of the values of its sentence that are no sentences: names, numbers, code."""
-    if isinstance(words, Series):
-        return any(_begins_with_name(text, part) for part in words.parts)
-    if isinstance(words, Sentence):
-        return any(_begins_with_name(text, one) for one in words.values.values() if isinstance(one, str))
-    return words != "" and re.match(rf"{re.escape(words)}(?!\w)", text) is not None
+    return text and text[0].upper() + text[1:] + ("" if text[-1] in _ENDS else STOPS[said_in()])
 
 
 _ENDS = (*STOPS.values(), "?", "!", "؟")

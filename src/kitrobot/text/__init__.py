@@ -9,6 +9,7 @@ from kitrobot.text.forms import (
     line_feeds,
     name_form,
     no_text,
+    number_form,
     older_copy,
 )
 from kitrobot.text.positions import BytePositions, TextPositions
@@ -41,6 +42,7 @@ __all__ = [
     "name_form",
     "nearest",
     "no_text",
+    "number_form",
     "older_copy",
     "one_of",
     "same_ends",

@@ -38,6 +38,16 @@ def name_form(name: str) -> str:
     return name if name.isascii() else unicodedata.normalize("NFC", name)
 
 
+def number_form(text: str) -> str:
+    """A number as a person types it, in ASCII: digits of any script, and the decimal sign of Urdu and Arabic keyboards.
+
+    What is no digit stays as it is.
+    """
+    if text.isascii():
+        return text
+    return "".join("." if one == "\u066b" else str(unicodedata.decimal(one, one)) for one in text)
+
+
 def line_feeds(text: str) -> str:
     """The text with a line feed at the end of each line."""
     return text.replace("\r\n", "\n").replace("\r", "\n") if "\r" in text else text

@@ -19,7 +19,7 @@ from kitrobot.deploy import list_ports
 from kitrobot.diagnostics import KitRobotError, Place
 from kitrobot.files import read_text
 from kitrobot.robots import BoardProgram, Progress, Sent
-from kitrobot.text import COMMA, Sentence, Series, did_you_mean, listed
+from kitrobot.text import COMMA, Sentence, Series, did_you_mean, listed, name_form
 from kitrobot.workspace.board_labels import LabelError, clean_label, label_key, labels_of
 from kitrobot.workspace.kept_firmware import keep_firmware
 from kitrobot.workspace.kept_programs import keep_program
@@ -214,7 +214,7 @@ def _table(path: Path) -> tuple[list[Wanted], list[Place | None]]:
             raise SetError(Sentence("this line names no mission"), _example(), place=at)
         mission = path.parent / said["mission"]
         label = _label(said.get("label", ""), at)
-        found.append(Wanted(label, mission, *(said.get(name, "") for name in ("program", "kit", "port"))))
+        found.append(Wanted(label, mission, *(name_form(said.get(name, "")) for name in ("program", "kit", "port"))))
         places.append(at)
     return found, places
 

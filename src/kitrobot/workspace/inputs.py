@@ -8,7 +8,7 @@ The header names the columns: `tick`, then sensors (`Captor`) and devices' done 
 its tick on; an empty cell changes nothing. Representation: the changes of each tick, in the order of the rows;
 nothing in them is unknown or out of order. Numbers are kept as written: the machine clamps them to the sensor's
 range. A tolerant reader of the format itself: byte order mark, any line ends, quoted cells, spaces around cells and
-blank lines are fine.
+blank lines are fine, and so are digits of another keyboard (`٣`).
 """
 
 from __future__ import annotations
@@ -19,7 +19,7 @@ from dataclasses import dataclass, field
 
 from kitrobot.diagnostics import Diagnostic, Severity, Source, rule
 from kitrobot.primitives import Robot
-from kitrobot.text import Sentence, Suggestions, listed
+from kitrobot.text import Sentence, Suggestions, listed, name_form, number_form
 
 HEADER = rule(
     "inputs-header",
@@ -164,7 +164,7 @@ def _rows(text: str) -> Iterator[list[_Cell]]:
             # The place of a cell is what it shows, without the spaces around it.
             shown = text[at:end]
             start = at + len(shown) - len(shown.lstrip())
-            cells.append(_Cell(raw.strip(), start, max(start, at + len(shown.rstrip()))))
+            cells.append(_Cell(name_form(raw.strip()), start, max(start, at + len(shown.rstrip()))))
             if end >= line.end():
                 break
             at = end + 1
@@ -221,8 +221,9 @@ def _bounds(done: bool) -> tuple[int | None, int | None]:
 def _number(
     source: Source, cell: _Cell, what: str, least: int | None, most: int | None, problems: list[Diagnostic]
 ) -> int | None:
-    if _NUMBER.fullmatch(cell.text):
-        value = int(cell.text)
+    figures = number_form(cell.text)
+    if _NUMBER.fullmatch(figures):
+        value = int(figures)
         if (least is None or value >= least) and (most is None or value <= most):
             return value
     found = f"`{cell.text[:40]}`" if cell.text else Sentence("an empty cell")

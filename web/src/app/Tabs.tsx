@@ -14,6 +14,7 @@ import { t } from "../i18n/words";
 import { renameProgram } from "../model/commands/changePrograms";
 import { useStudio } from "../model/studio";
 import { TEAM_ROBOT } from "../model/team-robot";
+import { typedName } from "../model/typed-name";
 import { removeProgramNamed } from "../session/actions";
 import { complain } from "../session/document";
 import type { FeatureTab } from "../session/features";
@@ -37,7 +38,7 @@ function NameField({ name }: { name: string }) {
   const [left] = useState(() => document.getElementById(`tab-${name}`)?.offsetLeft ?? 0);
   const stop = () => useRenaming.setState({ program: null });
   const { mission, catalogue, execute } = useStudio.getState();
-  const wanted = text.trim();
+  const wanted = typedName(text);
   const command = wanted === name ? null : renameProgram(mission, name, wanted, catalogue);
   const refused = command === null && wanted !== name;
   const keep = () => {

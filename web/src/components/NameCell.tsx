@@ -1,6 +1,7 @@
 /** A name that can be typed over: kept with Enter or when it is left, as before with Escape; why not is said under it. */
 import { useEffect, useId, useRef, useState } from "react";
 
+import { typedName } from "../model/typed-name";
 import { Icon } from "../theme";
 
 interface NameCellProps {
@@ -24,7 +25,7 @@ export function NameCell({ name, label, testId, wrong, keep }: NameCellProps) {
   useEffect(() => {
     given.current = false;
   }, [name]);
-  const wanted = text.trim();
+  const wanted = typedName(text);
   const why = wanted === name ? "" : wrong(wanted);
   const done = () => {
     if (wanted === name || why !== "") setText(name);

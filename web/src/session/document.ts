@@ -9,6 +9,7 @@ import { ApiError } from "../api/client";
 import type { Session } from "../api/generated";
 import { type Key, sentence, t } from "../i18n/words";
 import { useStudio } from "../model/studio";
+import { typedName } from "../model/typed-name";
 import type { Problem } from "../model/types";
 
 export interface BannerAction {
@@ -101,7 +102,7 @@ export function ask(message: string, choices: [Key, () => void][], help = "") {
 
 /** Always a .krt, whatever was typed. */
 export function asMissionPath(text: string): string {
-  const name = text.trim();
+  const name = typedName(text);
   return name === "" || name.toLowerCase().endsWith(".krt") ? name : `${name}.krt`;
 }
 

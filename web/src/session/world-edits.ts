@@ -6,6 +6,7 @@ import { bringWorld, changeOwnWorld, isFreeName, isNamed, removeThings } from ".
 import { startOf } from "../model/starts";
 import { changeWorld } from "../model/commands/changeWorld";
 import { useStudio } from "../model/studio";
+import { typedName } from "../model/typed-name";
 import type { OwnWorld } from "../model/types";
 import { withStartsFor } from "../model/world/begun";
 import { drawNew, type Spot } from "../model/world/make";
@@ -142,7 +143,7 @@ export async function saveWorldFile(name: string): Promise<string> {
   const world = ownWorld();
   if (world === null) return "";
   const { path } = useStudio.getState().file;
-  const stem = name.trim().replace(/(\.world)?\.xml$/i, "");
+  const stem = typedName(name).replace(/(\.world)?\.xml$/i, "");
   if (stem === "") return t("world.file-empty");
   try {
     const text = await partsApi.worldText({ ...world, name: stem });

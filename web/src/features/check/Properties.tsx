@@ -3,6 +3,7 @@ import { Said } from "../../i18n/Said";
 import { type Key, t } from "../../i18n/words";
 import { freePropertyName, setProperties } from "../../model/commands/changeProperties";
 import { useStudio } from "../../model/studio";
+import { typedName } from "../../model/typed-name";
 import type { AskedProperty } from "../../model/types";
 import { Icon } from "../../theme";
 import { Tool } from "../../ui/Tool";
@@ -41,7 +42,7 @@ function Row({ one, at }: { one: AskedProperty; at: number }) {
         data-testid={`property-name-${String(at)}`}
         defaultValue={one.name}
         onBlur={(event) => {
-          const name = event.target.value.trim();
+          const name = typedName(event.target.value);
           if (name === "") event.target.value = one.name;
           else change({ name });
         }}

@@ -1,6 +1,7 @@
 /** Names of parts: which are free, and what is wrong with one. */
 import { t } from "../../i18n/words";
 import { ownConstructors } from "../../model/own";
+import { typedName } from "../../model/typed-name";
 import type { Catalogue, Constructor, Mission } from "../../model/types";
 
 function takenIn(catalogue: Catalogue): Set<string> {
@@ -16,7 +17,7 @@ export function wrongWith(name: string, catalogue: Catalogue, own = ""): string 
 }
 
 export function plainName(name: string): string {
-  return name.trim().replace(/\s+/g, " ");
+  return typedName(name).replace(/\s+/g, " ");
 }
 
 /** "My part", "My part 2", …: the first that is free. */

@@ -4,6 +4,7 @@ import { useEffect, useId, useRef, useState } from "react";
 import { ApiError } from "../../api/client";
 import { Said } from "../../i18n/Said";
 import { t } from "../../i18n/words";
+import { typedName } from "../../model/typed-name";
 import { keepVariable, type Named, ownVariable, useVariables, wantedLike } from "../../session/variables";
 import "./variables.css";
 
@@ -27,7 +28,7 @@ export function VariableName({ of, done }: { of: Named; done: (name: string) => 
   };
   const keep = async () => {
     const own = ownVariable(of);
-    const name = text.trim();
+    const name = typedName(text);
     if (own === undefined || name === of.name) return stop(of.name);
     if (busy.current) return;
     busy.current = true;
