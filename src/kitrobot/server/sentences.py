@@ -34,7 +34,7 @@ def _first_name(text: str, words: str) -> str:
         inner = words.parts if isinstance(words, Series) else words.values.values()
         found = (_first_name(text, one) for one in inner if isinstance(one, str))
         return next((one for one in found if one), "")
-    return words if words and re.match(rf"{re.escape(words)}(?!\w)", text) else ""
+    return words if words and re.match(rf"{re.escape(words)}(?![\w:])", text) else ""
 
 
 def spoken(words: str) -> str:

@@ -8,7 +8,7 @@ The header names the columns: `tick`, then sensors (`Captor`) and devices' done 
 its tick on; an empty cell changes nothing. Representation: the changes of each tick, in the order of the rows;
 nothing in them is unknown or out of order. Numbers are kept as written: the machine clamps them to the sensor's
 range. A tolerant reader of the format itself: byte order mark, any line ends, quoted cells, spaces around cells and
-blank lines are fine, and so are digits of another keyboard (`٣`).
+blank lines are fine.
 """
 
 from __future__ import annotations
@@ -19,7 +19,7 @@ from dataclasses import dataclass, field
 
 from kitrobot.diagnostics import Diagnostic, Severity, Source, rule
 from kitrobot.primitives import Robot
-from kitrobot.text import Sentence, Suggestions, listed, name_form, number_form
+from kitrobot.text import Help, Sentence, Suggestions, listed, name_form, number_form
 
 HEADER = rule(
     "inputs-header",
@@ -221,11 +221,15 @@ def _bounds(done: bool) -> tuple[int | None, int | None]:
 def _number(
     source: Source, cell: _Cell, what: str, least: int | None, most: int | None, problems: list[Diagnostic]
 ) -> int | None:
-    figures = number_form(cell.text)
-    if _NUMBER.fullmatch(figures):
-        value = int(figures)
+    if _NUMBER.fullmatch(cell.text):
+        value = int(cell.text)
         if (least is None or value >= least) and (most is None or value <= most):
             return value
     found = f"`{cell.text[:40]}`" if cell.text else Sentence("an empty cell")
-    problems.append(NUMBER(Sentence("expected {what}, found {found}", what, found), source.place(cell.start, cell.end)))
+    figures = number_form(cell.text)
+    help: Help = ""
+    if figures != cell.text and _NUMBER.fullmatch(figures):
+        help = Sentence("files have their numbers in the digits 0 to 9: write {number}", figures)
+    place = source.place(cell.start, cell.end)
+    problems.append(NUMBER(Sentence("expected {what}, found {found}", what, found), place, help=help))
     return None
