@@ -29,7 +29,7 @@ def clause(words: str) -> str:
 
 
 def _first_name(text: str, words: str) -> str:
-    """The value with which the text of a sentence begins, where that is no sentence but a name, a number, code; else ""."""
+    """The value with which a sentence begins: a name, a number or code; "" for none, and before a colon."""
     if isinstance(words, Sentence):
         inner = words.parts if isinstance(words, Series) else words.values.values()
         found = (_first_name(text, one) for one in inner if isinstance(one, str))
