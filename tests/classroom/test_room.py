@@ -107,6 +107,18 @@ def test_names_that_look_the_same_are_one_name(room, entrance, name, other):
     assert entrance.join(room.record.code, other, pupil.record.word, "x")[0] is pupil
 
 
+def test_of_two_of_before_whose_names_look_the_same_each_comes_back(tmp_path):
+    rows = [
+        f"[[pupil]]\nname = '{name}'\nfolder = '{name}'\nword = '{word}'"
+        for name, word in (("Al", "BADOBA"), ("AI", "LIMOLI"))
+    ]
+    (tmp_path / "class.toml").write_text("\n".join(["name = 'c'", "code = 'BADOBA'", *rows]))
+    room = ClassRoom(tmp_path)
+    for name, word in (("Al", "BADOBA"), ("ai", "LIMOLI")):
+        assert Entrance(room).join("BADOBA", name, word, "x")[0].record.word == word
+    room.close()
+
+
 def test_names_that_look_different_are_two(room, entrance):
     names = [
         "Ada",

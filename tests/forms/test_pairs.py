@@ -326,7 +326,7 @@ def test_a_map_that_is_too_large_to_be_read_loses_its_oldest_entries_and_no_more
 def test_labels_come_back(tmp_path_factory: pytest.TempPathFactory, labels: list[str]) -> None:
     with pytest.MonkeyPatch.context() as patch:
         in_state(tmp_path_factory, patch)
-        expected = {}
+        expected: dict[str, str] = {}
         for number, label in enumerate(labels):
             address = f"socket://board-{number}"
             try:

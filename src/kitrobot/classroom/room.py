@@ -19,7 +19,7 @@ from typing import Final
 
 from kitrobot.classroom.log import NAME as LOG
 from kitrobot.classroom.log import Log
-from kitrobot.classroom.names import as_file_name, free_name, new_code, same_name
+from kitrobot.classroom.names import as_file_name, free_name, key_of, new_code, same_name
 from kitrobot.classroom.pupil import Pupil, Report
 from kitrobot.classroom.record import NAME as RECORD
 from kitrobot.classroom.record import ClassRecord, PupilRecord, read_record, unread_sentence, write_record
@@ -124,7 +124,9 @@ class ClassRoom:
 
     def named(self, name: str) -> Pupil | None:
         """The pupil of that name, or of one that looks the same."""
-        return next((one for one in self.pupils.values() if same_name(one.record.name, name)), None)
+        alike = [one for one in self.pupils.values() if same_name(one.record.name, name)]
+        # A class of before may have two whose names look the same: each comes back as typed.
+        return next((one for one in alike if key_of(one.record.name) == key_of(name)), alike[0] if alike else None)
 
     def enter(self, name: str, key: str) -> Pupil:
         """A new pupil with a folder; `key` is what a browser keeps, "" for none. For who holds the lock.

@@ -21,7 +21,7 @@ from kitrobot.files import Places, find_mission, read_bytes, read_carried
 from kitrobot.graph import Program, empty_program
 from kitrobot.mission import Agent, Mission, Team, image_name, read_mission
 from kitrobot.primitives import Catalogue, Robot
-from kitrobot.text import COMMA, Sentence, Series
+from kitrobot.text import COMMA, Sentence, Series, name_form
 from kitrobot.workspace.program_report import ProgramReport, ProjectionReport, program_report, projection_report
 from kitrobot.workspace.property_check import property_problems
 from kitrobot.workspace.robots import find_robot
@@ -128,7 +128,7 @@ class OpenMission:
                 ),
                 Sentence("choose one with --program"),
             )
-        found = self.mission.program(name)
+        found = self.mission.program(name_form(name))
         if found is None:
             raise NoProgramError(
                 Sentence("`{mission}` holds no program `{program}`", self.name, name),

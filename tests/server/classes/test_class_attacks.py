@@ -4,15 +4,17 @@ from __future__ import annotations
 
 import contextlib
 import json
+import os
 from typing import Any
 
 import pytest
 from fastapi.routing import APIRoute, APIWebSocketRoute
 from starlette.websockets import WebSocketDisconnect
 
+from kitrobot.classroom import ClassRoom
 from kitrobot.server import class_door, class_sockets, class_studios, create_app
 from kitrobot.server.class_app import class_api
-from tests.server.classes.conftest import KEY, SOCKET, WORLD, told
+from tests.server.classes.conftest import KEY, SOCKET, SQUARE, WORLD, hand_in, told
 
 ROUTES = [route for route in class_api().routes if isinstance(route, APIRoute)]
 
@@ -322,3 +324,50 @@ def test_a_socket_that_floods_is_closed(school):
             socket.send_json(report)
         with pytest.raises(WebSocketDisconnect):
             socket.receive_json()
+
+
+@pytest.mark.parametrize(
+    "change",
+    [{"programs": []}, {"unknown": ["<broken"]}, {"unknown": ["</kitrobot>"]}],
+    ids=["nothing", "cut", "closed"],
+)
+def test_a_hand_in_that_would_not_open_is_refused_with_a_sentence_and_nothing_is_written(school, mission, change):
+    ada, _ = school.join("Ada")
+    said = hand_in(ada, mission | change)
+    assert said.status_code in (400, 422)
+    assert "would not open" in said.json()["message"]
+    assert ada.get("/api/class/work").json() == []
+    assert hand_in(ada, mission).status_code == 200
+
+
+@pytest.mark.parametrize("name", ["grades.html", "GRADES.csv", "class.csv", "log.txt", "Site", "Handed out", "a.krt"])
+def test_no_name_of_a_pupil_takes_the_place_of_what_the_class_writes(school, mission, name):
+    pupil, _ = school.join(name)
+    assert hand_in(pupil, mission).status_code == 200
+    teacher = school.teacher()
+    assert teacher.post("/api/class/teacher/exercise", json={"exercise": SQUARE}).status_code == 200
+    assert teacher.post("/api/class/teacher/grade", json={}).json() == 1
+    school.app.grading.wait(60)
+    assert school.app.grading.state is not None
+    assert school.app.grading.state.page == "grades.html"
+    assert (school.room.folder / "grades.html").is_file()
+    assert (school.room.folder / "grades.csv").is_file()
+
+
+def test_a_file_of_a_moment_beyond_calendars_stops_no_class(school, mission):
+    ada, _ = school.join("Ada")
+    assert hand_in(ada, mission).status_code == 200
+    work = school.room.folder / "Ada" / "blink.krt"
+    plan = school.room.folder / "plan.krt"
+    plan.write_bytes(work.read_bytes())
+    for path in (work, plan):
+        os.utime(path, (10**12, 10**12))
+    assert ada.get("/api/class/work").json()[0]["name"] == "blink.krt"
+    teacher = school.teacher()
+    assert "plan.krt" in [one["path"] for one in teacher.get("/api/missions").json()]
+    assert teacher.get("/api/class/teacher/collect").status_code == 200
+    school.app.close()
+    school.room.close()
+    again = ClassRoom(school.room.folder)
+    assert again.pupils["Ada"].work == "blink.krt"
+    again.close()
