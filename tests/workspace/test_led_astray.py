@@ -8,12 +8,12 @@ from pathlib import Path
 import pytest
 
 from kitrobot.diagnostics import Diagnostic
-from kitrobot.files import MissionFolder
-from kitrobot.files.folder import MOST_LISTED
+from kitrobot.files import MissionFolder, listing
+from kitrobot.files.listing import MOST_LISTED
 from kitrobot.mission import Mission, SaveError, read_mission, save
 from kitrobot.server.saving import UnsavableError, mission_bytes
 from kitrobot.server.sentences import clause, spoken
-from kitrobot.text import COMMA, Sentence, Series
+from kitrobot.text import COMMA, Sentence, Series, conflict_mark
 from kitrobot.workspace import check_file, new_mission, open_mission, with_mission
 from kitrobot.workspace.grade_tables import as_cell
 from kitrobot.workspace.search_path import SearchPath
@@ -89,6 +89,21 @@ def test_a_merge_that_was_not_finished_in_a_text(tmp_path: Path) -> None:
     text = "WAIT(1);\n" + MARKS.format("WAIT(2);\n", "WAIT(3);\n")
     message, _, line = only(found_in(tmp_path, text.encode(), "m.lll"))
     assert ("a merge was not finished here" in message, line) == (True, 2)
+
+
+@pytest.mark.parametrize(
+    ("text", "line"),
+    [
+        ("a;\n<<<<<<< HEAD\nb;\n", 2),
+        ("a;\n=======\nb;\n>>>>>>> theirs\n", 2),
+        ("a;\n>>>>>>> said somebody\n", None),
+        ("a;\n=======\n", None),
+        ("a <<<<<<< b\n<<<<<<<<<<\n", None),
+    ],
+)
+def test_marks_of_a_merge_are_those_that_git_leaves(text: str, line: int | None) -> None:
+    mark = conflict_mark(text)
+    assert (None if mark is None else text.count("\n", 0, mark) + 1) == line
 
 
 @pytest.mark.parametrize("number", ["2.5", "abc", "-1", ""])
@@ -250,3 +265,15 @@ def test_of_very_many_files_it_is_said_how_many_are_not_listed(tmp_path: Path) -
     assert len(own) == MOST_LISTED + 1
     assert (own[-1].path, own[-2].path) == ("", f"{MOST_LISTED - 1:04}.krt")
     assert own[-1].problem.startswith("3 more files are not listed")
+
+
+def test_of_a_folder_with_very_much_it_is_said_from_where_on_nothing_was_looked_at(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    for name in "abc":
+        (tmp_path / name / "inner").mkdir(parents=True)
+        (tmp_path / name / "inner" / "m.krt").touch()
+    monkeypatch.setattr(listing, "MOST_LOOKED_AT", 6)
+    own = [one for one in MissionFolder(tmp_path).missions() if not one.example]
+    assert [one.path for one in own] == ["a/inner/m.krt", "b/inner/m.krt", ""]
+    assert "folders from `c/inner` on were not looked through" in own[-1].problem

@@ -35,22 +35,19 @@ if TYPE_CHECKING:
         EXAMPLE,
         EXERCISE_ENDING,
         HANDED_OUT,
-        NAME_NO_TEXT,
         RECORDING,
         RENAME,
         TUTORIAL_ENDING,
         ConflictError,
-        MissionEntry,
         MissionFolder,
         MissionNameError,
         ReadOnlyError,
-        name_as_text,
         revision_of,
-        utc_moment,
     )
     from kitrobot.files.forms import Form, FormError, form_of
     from kitrobot.files.journal_file import Journal, JournalError, read_journal, write_journal
     from kitrobot.files.layout import Layout, lay_out, lay_out_file
+    from kitrobot.files.listing import NAME_NO_TEXT, MissionEntry, name_as_text, utc_moment
     from kitrobot.files.places import Places
     from kitrobot.files.recovery import Claimed, Journals, Left, News
 else:
@@ -80,7 +77,6 @@ else:
             "examples": ("examples_folder", "find_mission", "first_example"),
             "file_lock": ("FileLock",),
             "folder": (
-                "NAME_NO_TEXT",
                 "EXAMPLE",
                 "HANDED_OUT",
                 "RECORDING",
@@ -88,17 +84,15 @@ else:
                 "EXERCISE_ENDING",
                 "TUTORIAL_ENDING",
                 "ConflictError",
-                "MissionEntry",
                 "MissionFolder",
                 "MissionNameError",
                 "ReadOnlyError",
-                "name_as_text",
                 "revision_of",
-                "utc_moment",
             ),
             "forms": ("Form", "FormError", "form_of"),
             "journal_file": ("Journal", "JournalError", "read_journal", "write_journal"),
             "layout": ("Layout", "lay_out", "lay_out_file"),
+            "listing": ("NAME_NO_TEXT", "MissionEntry", "name_as_text", "utc_moment"),
             "places": ("Places",),
             "recovery": ("Claimed", "Journals", "Left", "News"),
         },

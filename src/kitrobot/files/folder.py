@@ -16,16 +16,15 @@ import os
 import re
 import sys
 import threading
-from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
-from datetime import UTC, datetime
 from pathlib import Path, PurePosixPath
 
-from kitrobot.diagnostics import KitRobotError, open_regular
+from kitrobot.diagnostics import KitRobotError
 from kitrobot.files.disk import read_bytes, saving_in, sweep
 from kitrobot.files.embedded_mission import is_picture
 from kitrobot.files.examples import examples_folder
-from kitrobot.text import Sentence, Word
+from kitrobot.files.listing import MissionEntry, entry_of, folders_below, found_below, listed_files
+from kitrobot.text import Sentence
 from kitrobot.trace import ENDING as TRACE_ENDING
 
 ENDING = ".krt"
@@ -36,15 +35,9 @@ HANDED_OUT = "Handed out"
 """The folder of what a class hands out, in its own folder and in that of a pupil's studio."""
 RECORDING = "recording:"
 """How the name of a mission that a recording brought along begins; the recording's name follows."""
-DEEPEST = 5
-MOST_LISTED = 500
-MOST_LOOKED_AT = 20_000
-"""Entries of folders that a listing looks at: the folder may be somebody's whole home."""
-
 _LONGEST_BYTES = 255
 """Of one name in UTF-8."""
 
-NAME_NO_TEXT = Sentence("its name is not text in UTF-8")
 RENAME = Sentence("give the file another name")
 
 _DEVICES = re.compile(r"(con|prn|aux|nul|com[0-9¹²³]|lpt[0-9¹²³])\s*(\..*)?", re.IGNORECASE)
@@ -67,20 +60,6 @@ class ConflictError(KitRobotError):
     revision: str = ""
 
 
-@dataclass(frozen=True)
-class MissionEntry:
-    """A mission of the folder, or an example; `modified` is a moment in UTC (ISO 8601), `problem` why it cannot be
-    opened, "" where nothing is known against it.
-    """
-
-    path: str
-    name: str
-    title: str
-    example: bool
-    modified: str
-    problem: str = ""
-
-
 class MissionFolder:
     """The missions of `root`. Safe to use from many threads: one save at a time."""
 
@@ -96,8 +75,8 @@ class MissionFolder:
     def missions(self) -> list[MissionEntry]:
         """The missions of the folder by path, then the examples; of very many, the first ones and how many more."""
         # Examples that lie below the folder, as in a checkout, are listed once: as examples.
-        own = _entries(_walk(self.root, self.examples, ENDING), self.root)
-        return own + [_entry(path, self.examples, EXAMPLE) for path in _missions_below(self.examples)]
+        own = listed_files(self.root, self.examples, ENDING)
+        return own + [entry_of(path, self.examples, EXAMPLE) for path in found_below(self.examples, None, ENDING)]
 
     def name_of(self, path: Path) -> str:
         """The name of a file in the folder or among the examples.
@@ -125,8 +104,8 @@ class MissionFolder:
         return self._shipped_and_own(EXERCISE_ENDING)
 
     def _shipped_and_own(self, ending: str) -> list[str]:
-        shipped = _found_below(self.examples, None, ending)
-        own = _found_below(self.root, self.examples, ending)
+        shipped = found_below(self.examples, None, ending)
+        own = found_below(self.root, self.examples, ending)
         return [
             *(EXAMPLE + path.relative_to(self.examples).as_posix() for path in shipped),
             *(path.relative_to(self.root).as_posix() for path in own),
@@ -214,11 +193,11 @@ class MissionFolder:
 
     def traces(self) -> list[MissionEntry]:
         """The recordings of the folder by path; of very many, the first ones and how many more."""
-        return _entries(_walk(self.root, self.examples, TRACE_ENDING), self.root)
+        return listed_files(self.root, self.examples, TRACE_ENDING)
 
     def sweep(self) -> int:
         """Removes what killed saves left below the folder, and gives how many files that were."""
-        return sum(sweep(folder) for folder in _folders_below(self.root, self.examples))
+        return sum(sweep(folder) for folder in folders_below(self.root, self.examples))
 
     def hold(self, name: str, revision: str) -> _Hold:
         """For saving: a context in which nobody else saves, entered only when the file still has that revision.
@@ -314,93 +293,3 @@ def _conflict(what: str, name: str, before: str, now: str) -> ConflictError:
             Sentence("open it again, or save again to replace it"),
         )
     return ConflictError(sentence, help, revision=now)
-
-
-def _missions_below(root: Path, without: Path | None = None) -> list[Path]:
-    return _found_below(root, without, ENDING)
-
-
-def _found_below(root: Path, without: Path | None, ending: str) -> list[Path]:
-    return _by_path(_walk(root, without, ending), root)[:MOST_LISTED]
-
-
-def _by_path(found: Iterable[Path], root: Path) -> list[Path]:
-    return sorted(found, key=lambda path: path.relative_to(root).as_posix().casefold())
-
-
-def _entries(found: Iterable[Path], root: Path) -> list[MissionEntry]:
-    """The first ones by path; behind them one without a path says how many are not listed."""
-    paths = _by_path(found, root)
-    entries = [_entry(path, root, "") for path in paths[:MOST_LISTED]]
-    more = len(paths) - len(entries)
-    if more == 0:
-        return entries
-    problem = Sentence.counted(
-        "{count} more file is not listed: open the folder that it is in",
-        "{count} more files are not listed: open the folder that they are in, or put fewer into one",
-        more,
-    )
-    return [*entries, MissionEntry("", "…", "", False, entries[-1].modified, problem)]
-
-
-def _walk(root: Path, without: Path | None, ending: str) -> Iterator[Path]:
-    for folder, files in _looked_through(root, without):
-        yield from (folder / name for name in files if name.lower().endswith(ending) and not name.startswith("."))
-
-
-def _folders_below(root: Path, without: Path | None) -> list[Path]:
-    return [folder for folder, _ in _looked_through(root, without)] + [root / ".kitrobot" / "journal"]
-
-
-def _looked_through(root: Path, without: Path | None) -> Iterator[tuple[Path, list[str]]]:
-    """Each folder that missions are looked for in, and its files."""
-    looked_at = 0
-    for folder, folders, files in os.walk(root):
-        looked_at += len(folders) + len(files)
-        depth = len(Path(folder).relative_to(root).parts)
-        hidden = looked_at > MOST_LOOKED_AT or depth >= DEEPEST
-        inner = [name for name in folders if not name.startswith(".") and name != "node_modules"]
-        folders[:] = [] if hidden else sorted(name for name in inner if Path(folder, name) != without)
-        yield Path(folder), files
-
-
-def name_as_text(name: str) -> str:
-    """A file's name as text; what in it is no UTF-8 is replaced."""
-    return os.fsencode(name).decode(errors="replace")
-
-
-def _problem(path: Path, root: Path) -> str:
-    """Why a file of the folder cannot be opened; "" where nothing is known against it."""
-    try:
-        path.name.encode()
-        path.relative_to(root).as_posix().encode()
-        if root not in path.resolve().parents:
-            return Sentence("it is a link that leads out of the folder")
-        open_regular(path).close()
-    except UnicodeEncodeError:
-        return NAME_NO_TEXT
-    except (OSError, RuntimeError) as error:
-        reason = getattr(error, "strerror", None)
-        return Word(reason.lower()) if reason else Sentence("it leads nowhere")
-    return ""
-
-
-def utc_moment(seconds: float) -> str:
-    """A file's time as a moment in UTC (ISO 8601); the nearest one that a calendar has, of the years 1 to 9999."""
-    try:
-        return datetime.fromtimestamp(seconds, UTC).isoformat(timespec="seconds")
-    except (OverflowError, ValueError, OSError):
-        return (datetime.max if seconds > 0 else datetime.min).replace(tzinfo=UTC).isoformat(timespec="seconds")
-
-
-def _entry(path: Path, root: Path, prefix: str) -> MissionEntry:
-    stem = name_as_text(path.stem)
-    words = stem.replace("-", " ").replace("_", " ").strip()
-    try:
-        seconds = path.stat().st_mtime
-    except OSError:
-        seconds = 0.0
-    modified = utc_moment(seconds)
-    name = prefix + name_as_text(path.relative_to(root).as_posix())
-    title = words[:1].upper() + words[1:]
-    return MissionEntry(name, stem, title, bool(prefix), modified, _problem(path, root))

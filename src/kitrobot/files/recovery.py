@@ -22,8 +22,9 @@ from pathlib import Path
 
 from kitrobot.files.disk import FileError
 from kitrobot.files.file_lock import FileLock
-from kitrobot.files.folder import EXAMPLE, RECORDING, MissionFolder, utc_moment
+from kitrobot.files.folder import EXAMPLE, RECORDING, MissionFolder
 from kitrobot.files.journal_file import Journal, JournalError, append_records, read_journal, write_journal
+from kitrobot.files.listing import utc_moment
 from kitrobot.text import Sentence
 from kitrobot.user_folders import state_folder
 

@@ -36,7 +36,7 @@ from kitrobot.server.shapes.gallery import RunPreviewShape
 from kitrobot.server.shapes.sent import sent_mission, sent_reports
 from kitrobot.server.studio import Studio
 from kitrobot.sim import expect_run
-from kitrobot.text import Sentence, collection_paused
+from kitrobot.text import Sentence, collection_paused, name_form
 from kitrobot.workspace import OpenMission, new_mission
 from kitrobot.workspace.first_team import first_team
 
@@ -155,7 +155,7 @@ def check(studio: ThisStudio, wanted: CheckShape) -> Response:
 def mission_team(studio: ThisStudio, wanted: FirstTeamShape) -> MissionShape:
     """The mission with a first program of the whole team, in which each robot does what it did before."""
     opened = studio.open(sent_mission(wanted.mission, studio.programs.named), wanted.path)
-    return mission_shape(first_team(opened, wanted.name))
+    return mission_shape(first_team(opened, name_form(wanted.name)))
 
 
 def mission_file(studio: Studio, opened: OpenMission, path: str, revision: str) -> MissionFileShape:

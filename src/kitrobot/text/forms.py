@@ -11,7 +11,10 @@ import unicodedata
 
 from kitrobot.text.sentences import Sentence
 
-_CONFLICT = re.compile(r"^(?:<{7}|>{7})(?=[ \r\n]|\Z)", re.MULTILINE)
+_OURS = re.compile(r"^<{7}(?=[ \r\n]|\Z)", re.MULTILINE)
+_BETWEEN = re.compile(r"^={7}\r?$", re.MULTILINE)
+_THEIRS = re.compile(r"^>{7} ", re.MULTILINE)
+"""The lines that git leaves around the two sides of a conflict."""
 
 UNFINISHED_MERGE = Sentence("a merge was not finished here")
 FINISH_MERGE = Sentence(
@@ -54,6 +57,8 @@ def line_feeds(text: str) -> str:
 
 
 def conflict_mark(text: str) -> int | None:
-    """Where a text has a mark of a merge that was not finished, as git leaves it; None without."""
-    found = _CONFLICT.search(text)
+    """Where a text has the first mark of a merge that was not finished, as git leaves it; None without."""
+    found = _OURS.search(text)
+    if found is None and _THEIRS.search(text) is not None:
+        found = _BETWEEN.search(text)
     return None if found is None else found.start()
