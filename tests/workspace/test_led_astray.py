@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import contextlib
 import os
 from pathlib import Path
 
@@ -219,9 +220,14 @@ def test_the_file_of_a_world_is_found_in_whatever_form_its_name_is(tmp_path: Pat
 
 def test_what_would_not_open_is_not_made_a_file() -> None:
     assert mission_bytes(new_mission(), "m.krt")
-    for wrong in (Mission(), Mission(programs=new_mission().programs, unknown=["<a"])):
-        with pytest.raises(UnsavableError):
-            mission_bytes(wrong, "m.krt")
+    with pytest.raises(UnsavableError):
+        mission_bytes(Mission(), "m.krt")
+    for unknown in ("<a", "</kitrobot>", "<a></b>", "&b;"):
+        with contextlib.suppress(UnsavableError):
+            data = mission_bytes(Mission(programs=new_mission().programs, unknown=[unknown]), "m.krt")
+            found, _ = read_mission(data, "m.krt")
+            assert found is not None
+            assert found.programs == new_mission().programs
 
 
 @pytest.mark.parametrize(

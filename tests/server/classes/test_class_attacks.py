@@ -326,15 +326,25 @@ def test_a_socket_that_floods_is_closed(school):
             socket.receive_json()
 
 
-@pytest.mark.parametrize(
-    "change",
-    [{"programs": []}, {"unknown": ["<broken"]}, {"unknown": ["</kitrobot>"]}],
-    ids=["nothing", "cut", "closed"],
-)
-def test_a_hand_in_that_would_not_open_is_refused_with_a_sentence_and_nothing_is_written(school, mission, change):
+@pytest.mark.parametrize("unknown", ["<broken", "</kitrobot>", "<a></b>", "&b;"])
+def test_what_is_handed_in_opens_or_is_refused(school, mission, unknown):
     ada, _ = school.join("Ada")
-    said = hand_in(ada, mission | change)
-    assert said.status_code in (400, 422)
+    said = hand_in(ada, mission | {"unknown": [unknown]})
+    files = ada.get("/api/class/work").json()
+    if said.status_code == 200:
+        data = ada.get("/api/class/work/file", params={"name": said.json()["name"]}).content
+        read = school.teacher().post("/api/mission/read?name=a.krt", content=data)
+        assert read.status_code == 200
+        assert read.json()["mission"]["programs"] == mission["programs"]
+    else:
+        assert "would not open" in said.json()["message"]
+        assert files == []
+
+
+def test_a_hand_in_that_would_not_open_is_refused_with_a_sentence_and_nothing_is_written(school, mission):
+    ada, _ = school.join("Ada")
+    said = hand_in(ada, mission | {"programs": []})
+    assert said.status_code == 422
     assert "would not open" in said.json()["message"]
     assert ada.get("/api/class/work").json() == []
     assert hand_in(ada, mission).status_code == 200
