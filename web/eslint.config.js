@@ -22,6 +22,37 @@ export default defineConfig([
     },
   },
   {
+    // People type numbers with the digits of their keyboard: `readNumber` (i18n/numbers.ts) reads them, in the same way in
+    // every field. What is left out reads what programs wrote: settings, XML, pictures, attributes of its own.
+    files: ["src/**/*.{ts,tsx}"],
+    ignores: [
+      "src/i18n/{numbers,words}.ts",
+      "src/{model,site,testing}/**",
+      "src/components/scene/**",
+      "src/features/export/**",
+      "src/features/arena/stage/**",
+      "src/features/canvas/{active.ts,Badges.tsx,Lines.tsx}",
+      "src/features/robots/shown.ts",
+      "src/features/run/speed.ts",
+      "src/ui/folding.ts",
+      "src/**/*.test.{ts,tsx}",
+    ],
+    rules: {
+      "no-restricted-syntax": [
+        "error",
+        ...[
+          "CallExpression[callee.name=/^(Number|parseInt|parseFloat)$/]",
+          "CallExpression[callee.object.name='Number'][callee.property.name=/^parse/]",
+          "UnaryExpression[operator='+'][argument.type!='Literal']",
+          "JSXAttribute[name.name='type'][value.value='number']",
+        ].map((selector) => ({
+          selector,
+          message: "Read a typed number with readNumber (i18n/numbers.ts), in a NumberInput.",
+        })),
+      ],
+    },
+  },
+  {
     // The model is the page's meaning: it runs and is tested without React.
     // studio.ts is its door to the page: the store that components subscribe to.
     files: ["src/model/**/*.ts"],

@@ -1,4 +1,7 @@
-/** Numbers and times as the page writes them: digits of code (0–9) in every language, the reader's decimal sign. */
+/**
+ * Numbers and times as the page writes them, digits of code (0–9) in every language and the reader's decimal sign; and the
+ * one way in which it reads a number that a person types. `eslint.config.js` keeps others out.
+ */
 import { languageInUse } from "./words";
 
 /** Times of a run in words: "00:42.6". */
@@ -28,6 +31,32 @@ export function grouped(number: number): string {
 /** 4.25 → "4.25", in French "4,25"; `least` to `most` digits behind the sign. */
 export function decimal(number: number, least = 0, most = 2): string {
   return format({ minimumFractionDigits: least, maximumFractionDigits: most, useGrouping: false }).format(number);
+}
+
+/** Digits that Urdu and Arabic keyboards type. */
+const OTHER_DIGITS = /[٠-٩۰-۹]/g;
+/** Marks of direction, which `Intl` writes beside a minus in Urdu, and which come along with what is copied. */
+const DIRECTION = /[\u061c\u200e\u200f\u202a-\u202e\u2066-\u2069]/g;
+const NUMBER = /^[-+]?(?:[0-9]{1,9}(?:\.[0-9]{0,6})?|\.[0-9]{1,6})$/;
+
+/** The words with digits of Urdu and Arabic as 0–9. */
+export function plainDigits(typed: string): string {
+  return typed.replace(OTHER_DIGITS, (digit) => String((digit.codePointAt(0) ?? 0) & 15));
+}
+
+/**
+ * The number that was typed, in digits of English, Urdu or Arabic: up to nine of them, and six behind a point, a comma, `،`
+ * or `٫`. null for anything else, such as "", "0x10" and "1e3".
+ */
+export function readNumber(typed: string): number | null {
+  const plain = plainDigits(typed).replace(DIRECTION, "").trim().replace("−", "-").replace(/[,،٫]/, ".");
+  return NUMBER.test(plain) ? Number(plain) : null;
+}
+
+/** The whole number that was typed; null for anything else. */
+export function readWhole(typed: string): number | null {
+  const number = readNumber(typed);
+  return Number.isInteger(number) ? number : null;
 }
 
 const made = new Map<string, Intl.NumberFormat>();

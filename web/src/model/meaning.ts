@@ -26,6 +26,11 @@ export function measureOf({ unit = "", meaning = null }: Said, robot: Robot | nu
   return { unit, meaning, scale: scale === "wait-unit" ? (robot?.wait_unit_ms ?? 100) / 1000 : Number(scale) };
 }
 
+/** The number of a setting, as programs hold it: digits of code. null for what is none. */
+export function storedNumber(setting: string): number | null {
+  return /^-?[0-9]{1,9}$/.test(setting.trim()) ? Number(setting) : null;
+}
+
 export function unitOf({ unit, meaning }: Measure): string {
   return text({ "": unit, ...meaning?.units });
 }

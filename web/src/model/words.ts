@@ -5,7 +5,7 @@
  * more) or stands in front by the name of its slot (one). Empty slots stay visible as holes.
  */
 import { t } from "../i18n/words";
-import { choiceOf, inWords, measureOf } from "./meaning";
+import { choiceOf, inWords, measureOf, storedNumber } from "./meaning";
 import { shortTitle, title } from "./parts";
 import type { Block } from "./structure";
 import { text } from "./texts";
@@ -77,7 +77,8 @@ export function fieldWords(block: Block, name: string): string {
   if (filler != null) return wordsOf(filler);
   const typed = block.vertex.settings[name] ?? "";
   const field = block.shape.fields.find((one) => one.name === name);
-  if (field?.kind === "integer" && /^-?[0-9]+$/.test(typed)) return inWords(field, Number(typed));
+  const number = field?.kind === "integer" ? storedNumber(typed) : null;
+  if (field !== undefined && number !== null) return inWords(field, number);
   if (field?.kind !== "boolean") return typed;
   return t(isOn(typed) ? "parts.on" : "parts.off");
 }

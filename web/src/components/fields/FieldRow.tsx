@@ -10,7 +10,7 @@ import { type KeyboardEvent, useEffect, useId, useRef, useState } from "react";
 
 import { t } from "../../i18n/words";
 import { setField, stepsSince } from "../../model/commands/setField";
-import { figures, inWords, unitOf } from "../../model/meaning";
+import { figures, inWords, storedNumber, unitOf } from "../../model/meaning";
 import type { Field } from "../../model/parts";
 import { useStudio } from "../../model/studio";
 import { text } from "../../model/texts";
@@ -99,9 +99,10 @@ function NumberRow(props: FieldProps) {
   /** What is being typed, with the setting that it was typed over or became. */
   const { typed: first } = props;
   const [draft, setDraft] = useState(() => (first ? { typed: first, over: setting } : null));
-  const kept = /^-?[0-9]+$/.test(setting) ? figures(field, Number(setting)) : setting;
+  const stored = storedNumber(setting);
+  const kept = stored === null ? setting : figures(field, stored);
   const typed = draft?.over === setting ? draft.typed : kept;
-  const meant = draft?.over === setting ? numberTyped(typed, field) : settingOf(setting);
+  const meant = draft?.over === setting ? numberTyped(typed, field) : stored;
   const value = meant === null ? null : within(meant, field);
   const wrong = meant === null || value !== meant;
   const label = text(field.label, field.name);
@@ -183,10 +184,6 @@ function NumberRow(props: FieldProps) {
 /** Whether each number of the range has a name, so that none has to be typed. */
 function isNamed({ min, max, meaning }: Field): boolean {
   return (meaning?.choices?.length ?? 0) === max - min + 1;
-}
-
-function settingOf(setting: string): number | null {
-  return /^-?[0-9]{1,9}$/.test(setting.trim()) ? Number(setting) : null;
 }
 
 interface SaysProps {

@@ -55,7 +55,7 @@ export function Slider(props: ControlProps) {
         value={value}
         style={{ "--share": share } as CSSProperties}
         onChange={(event) => {
-          set(Number(event.target.value));
+          set(event.target.valueAsNumber);
         }}
       />
     );
@@ -71,7 +71,7 @@ export function Slider(props: ControlProps) {
         value={Math.round(place * FINE)}
         style={{ "--share": place / (MARKS.length - 1) } as CSSProperties}
         onChange={(event) => {
-          set(numberOfTime(Number(event.target.value) / FINE, field));
+          set(numberOfTime(event.target.valueAsNumber / FINE, field));
         }}
       />
       <span className="field-marks" id={marks} aria-hidden="true">

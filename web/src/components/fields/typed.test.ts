@@ -47,6 +47,7 @@ describe("what is typed", () => {
 
   it("may have digits of Urdu and Arabic, and the name of a choice", () => {
     expect(["۹۰", "٩٠°"].map((typed) => numberTyped(typed, ANGLE))).toEqual([25, 25]);
+    expect(["۲٫۵", "۲،۵ s"].map((typed) => numberTyped(typed, TIME))).toEqual([25, 25]);
     expect(["heart", "Small Heart", "1"].map((typed) => numberTyped(typed, PICTURE))).toEqual([0, 1, 1]);
   });
 
@@ -60,6 +61,7 @@ describe("what is typed", () => {
     expect([400, -1, 25].map((one) => within(one, ANGLE))).toEqual([100, 0, 25]);
     expect(isRounded("45°", 13, ANGLE)).toBe(true);
     expect(isRounded("90°", 25, ANGLE)).toBe(false);
+    expect(["۴۵", "۹۰°"].map((typed, at) => isRounded(typed, [13, 25][at] ?? 0, ANGLE))).toEqual([true, false]);
   });
 });
 

@@ -1,4 +1,5 @@
 /** What the words of a text mean, in the words of the XML: a call's object, method and parameters, or a construct. */
+import { readWhole } from "../../i18n/numbers";
 import { t } from "../../i18n/words";
 import { inWords, measureOf } from "../../model/meaning";
 import { type Shape, title } from "../../model/parts";
@@ -49,7 +50,7 @@ export function callHelp(line: string, at: number, robot: Robot | undefined): He
 
 /** What the number at an offset of a line means, and where it stands: "25 means 90°", "angle of “Turn by”". */
 export function numberHelp(line: string, at: number, shape: Shape | null): HelpWords | null {
-  const found = [...line.matchAll(/[0-9]+/g)].find(
+  const found = [...line.matchAll(/\p{Nd}+/gu)].find(
     ({ index, 0: digits }) => at >= index && at <= index + digits.length,
   );
   const comment = line.indexOf("#");
@@ -59,7 +60,7 @@ export function numberHelp(line: string, at: number, shape: Shape | null): HelpW
   const place = open < 0 || shape.kind !== "method" ? 0 : line.slice(open, from).split(",").length - 1;
   const numbers = shape.fields.filter((one) => one.kind === "integer");
   const field = shape.kind === "method" ? shape.fields[place] : numbers.length === 1 ? numbers[0] : undefined;
-  const words = field?.kind === "integer" ? inWords(field, Number(found[0])) : found[0];
+  const words = field?.kind === "integer" ? inWords(field, readWhole(found[0]) ?? 0) : found[0];
   if (field === undefined || words === found[0]) return null;
   return {
     from,

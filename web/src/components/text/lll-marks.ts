@@ -22,7 +22,7 @@ interface Open {
   condition: boolean;
 }
 
-const TOKEN = /#[^\n]*|\d+|[\p{L}_][\p{L}\p{N}_]*|\/\/|[^\s]/gu;
+const TOKEN = /#[^\n]*|\p{Nd}+|[\p{L}_][\p{L}\p{N}_]*|\/\/|[^\s]/gu;
 const IDENT = /^[\p{L}_]/u;
 const MARKS = /^[°º˚]$/;
 
@@ -58,7 +58,7 @@ export function lllMarks(text: string): Mark[] {
     number = null;
     afterBody = false;
 
-    if (/^\d/.test(word)) {
+    if (/^\p{Nd}/u.test(word)) {
       number = add(from, to, "number");
     } else if (IDENT.test(word)) {
       if (word === "WAIT") {

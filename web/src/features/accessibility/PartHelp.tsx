@@ -2,7 +2,7 @@
 import { useEffect, useRef } from "react";
 
 import { t } from "../../i18n/words";
-import { inWords } from "../../model/meaning";
+import { inWords, storedNumber } from "../../model/meaning";
 import { type Field, partsOf, type Shape, title } from "../../model/parts";
 import { programInView, useStudio } from "../../model/studio";
 import { text } from "../../model/texts";
@@ -59,7 +59,7 @@ function helpOf(shape: Shape): string {
 function rangeOf(field: Field): string {
   if (field.kind === "text") return t("part-help.text");
   if (field.kind === "boolean") return t("part-help.switch");
-  const [min, max, first] = [field.min, field.max, Number(field.default)].map((one) => inWords(field, one));
+  const [min, max, first] = [field.min, field.max, storedNumber(field.default) ?? 0].map((one) => inWords(field, one));
   return t("part-help.range", { min: min ?? "", max: max ?? "", first: first ?? "" });
 }
 

@@ -42,7 +42,7 @@ function Range({ agent, of: { sensor, label, value, min, max }, live }: { agent:
         data-testid={`hand-${sensor}`}
         {...{ min, max, value: shown, disabled: !live }}
         onChange={(event) => {
-          const to = Number(event.target.value);
+          const to = event.target.valueAsNumber;
           setSet({ from: value, to });
           force(agent, sensor, to);
         }}

@@ -5,8 +5,7 @@
  */
 import "./seed.css";
 
-import { useState } from "react";
-
+import { NumberInput } from "../../components/fields/NumberInput";
 import { decimal } from "../../i18n/numbers";
 import { t } from "../../i18n/words";
 import { areReal, isLive, useRun } from "../../session/run";
@@ -15,46 +14,22 @@ import { Tool } from "../../ui/Tool";
 
 const LARGEST = 999_999;
 
+function put(seed: number): void {
+  useRun.setState({ seed });
+}
+
 export function Seed() {
   const seed = useRun((run) => run.seed);
   const failRate = useRun((run) => run.failRate);
   const live = useRun((run) => isLive(run.status));
   // Chance has no seed where real robots run.
   const real = useRun((run) => (run.recording || isLive(run.status)) && areReal(run.agents));
-  const [typed, setTyped] = useState<string | null>(null);
-  const put = (wanted: number) => {
-    if (Number.isInteger(wanted) && wanted >= 0 && wanted <= LARGEST) useRun.setState({ seed: wanted });
-  };
-  const keep = () => {
-    if (typed !== null && typed.trim() !== "") put(Number(typed));
-    setTyped(null);
-  };
   if (real) return null;
   return (
     <span className="seed">
       <label title={t("run.seed-help")}>
         {t("run.seed")}
-        <input
-          type="text"
-          inputMode="numeric"
-          data-testid="seed"
-          maxLength={6}
-          disabled={live}
-          value={typed ?? String(seed)}
-          onFocus={(event) => {
-            setTyped(String(seed));
-            event.target.select();
-          }}
-          onChange={(event) => setTyped(event.target.value.replace(/\D/g, ""))}
-          onBlur={keep}
-          onKeyDown={(event) => {
-            if (event.key === "Enter") event.currentTarget.blur();
-            else if (event.key === "Escape") setTyped(null);
-            // The page's own keys, such as F7, are the page's here too.
-            else return;
-            event.stopPropagation();
-          }}
-        />
+        <NumberInput className="" testId="seed" min={0} max={LARGEST} whole disabled={live} value={seed} keep={put} />
       </label>
       <Tool
         small

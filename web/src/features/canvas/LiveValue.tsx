@@ -3,6 +3,7 @@ import "./live-value.css";
 
 import { t } from "../../i18n/words";
 import type { LayoutNode } from "../../model/layout";
+import { storedNumber } from "../../model/meaning";
 import { textWidth } from "../../model/measure";
 import type { Block } from "../../model/structure";
 import { useStudio } from "../../model/studio";
@@ -21,8 +22,8 @@ export function isTrue({ shape, vertex, plugs }: Block, value: number): boolean 
   const { test, to } = shape.method ?? {};
   const [field] = shape.fields;
   const filled = plugs.some((plug) => plug.block !== null);
-  const limit = to ?? (field === undefined || filled ? NaN : Number(vertex.settings[field.name]));
-  if (Number.isNaN(limit) || test === undefined || test === "") return null;
+  const limit = to ?? (field === undefined || filled ? null : storedNumber(vertex.settings[field.name] ?? ""));
+  if (limit === null || test === undefined || test === "") return null;
   return test === "equal" ? value === limit : test === "less" ? value < limit : value > limit;
 }
 

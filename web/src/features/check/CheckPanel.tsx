@@ -2,7 +2,7 @@
 import { useState } from "react";
 
 import { Refused } from "../../components/Refused";
-import { decimal, grouped } from "../../i18n/numbers";
+import { decimal, grouped, readWhole } from "../../i18n/numbers";
 import { t } from "../../i18n/words";
 import { useStudio } from "../../model/studio";
 import { closeBelow, useAlone } from "../../session/below-alone";
@@ -75,7 +75,7 @@ function Asking() {
       className="check-asking"
       onSubmit={(event) => {
         event.preventDefault();
-        begin(Number(failures), kindsOf(kinds), Number(seconds));
+        begin(readWhole(failures) ?? 0, kindsOf(kinds), readWhole(seconds) ?? 0);
       }}
     >
       <label>
@@ -100,7 +100,7 @@ function Asking() {
           label={t("check.seconds")}
           testId="check-seconds"
           value={seconds}
-          options={SECONDS.map((one) => [one, t("check.seconds-of", { seconds: grouped(Number(one)) })])}
+          options={SECONDS.map((one) => [one, t("check.seconds-of", { seconds: grouped(readWhole(one) ?? 0) })])}
           keep={setSeconds}
         />
       </label>

@@ -2,6 +2,7 @@
 import { t } from "../../i18n/words";
 import { inWords, measureOf } from "../../model/meaning";
 import type { Meaning } from "../../model/types";
+import { whole } from "./openings";
 
 export interface Range {
   min: string;
@@ -43,7 +44,10 @@ export function NumberRange({ of, means, what, onChange }: NumberRangeProps) {
       {measure === null ? null : (
         <span className="own-aside">
           {[of.min, of.max, of.first]
-            .map((one) => (/^[0-9]+$/.test(one) ? inWords(measure, Number(one)) : "…"))
+            .map((one) => {
+              const number = whole(one);
+              return number === null ? "…" : inWords(measure, number);
+            })
             .join(" · ")}
         </span>
       )}

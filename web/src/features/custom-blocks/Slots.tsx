@@ -2,6 +2,7 @@
 import { languageInUse, type Key, t } from "../../i18n/words";
 import { text } from "../../model/texts";
 import type { Slot } from "../../model/types";
+import { defaultOf, whole } from "./openings";
 import { NumberRange, type Range } from "./NumberRange";
 
 interface SlotsProps {
@@ -9,16 +10,12 @@ interface SlotsProps {
   onChange: (slots: Slot[]) => void;
 }
 
-function whole(words: string): number | null {
-  return /^[0-9]{1,9}$/.test(words.trim()) ? Number(words.trim()) : null;
-}
-
 function ranged(slot: Slot, to: Partial<Range>): Slot {
   return {
     ...slot,
     ...(to.min === undefined ? {} : { min: whole(to.min) }),
     ...(to.max === undefined ? {} : { max: whole(to.max) }),
-    ...(to.first === undefined ? {} : { default: to.first.trim() }),
+    ...(to.first === undefined ? {} : { default: defaultOf(slot.kind, to.first) }),
     ...(to.unit === undefined ? {} : { unit: to.unit }),
   };
 }

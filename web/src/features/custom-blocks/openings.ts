@@ -1,4 +1,5 @@
 /** What is left open in a part that is made from a selection: the server's offers, and what the person chose of them. */
+import { readWhole } from "../../i18n/numbers";
 import type { Chosen, Offer } from "../../api/generated";
 
 export interface Opening {
@@ -49,8 +50,16 @@ function depthOf(opening: Opening, byKey: ReadonlyMap<string, Opening>): number 
   return depth;
 }
 
-function whole(text: string): number | null {
-  return /^[0-9]{1,9}$/.test(text.trim()) ? Number(text.trim()) : null;
+/** A number of a range, which begins at 0 at the least. */
+export function whole(text: string): number | null {
+  const number = readWhole(text);
+  return number !== null && number >= 0 ? number : null;
+}
+
+/** The value at first: a number in the digits of a program. */
+export function defaultOf(kind: string, first: string): string {
+  const number = kind === "text" ? null : readWhole(first);
+  return number === null ? first.trim() : String(number);
 }
 
 /** What is sent to the server. */
@@ -60,7 +69,15 @@ export function chosenOf(openings: readonly Opening[]): Chosen[] {
     .filter((one, at) => one.on && (depths[at] ?? 0) >= 0)
     .map(({ offer: { vertex, slot, kind }, name, min, max, first, unit }) =>
       TYPED.includes(kind)
-        ? { vertex, slot, name, min: whole(min), max: whole(max), default: first.trim() || null, unit: unit.trim() }
+        ? {
+            vertex,
+            slot,
+            name,
+            min: whole(min),
+            max: whole(max),
+            default: defaultOf(kind, first) || null,
+            unit: unit.trim(),
+          }
         : { vertex, slot, name },
     );
 }

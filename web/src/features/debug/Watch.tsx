@@ -128,7 +128,7 @@ function Row({ object, agent, sensor }: { object: RobotObject; agent: RunAgent; 
             aria-label={label}
             disabled={!live}
             value={value}
-            onChange={(event) => put(Number(event.target.value))}
+            onChange={(event) => put(event.target.value === "1" ? 1 : 0)}
           >
             <option value={1}>{valueWords(object, 1)}</option>
             <option value={0}>{valueWords(object, 0)}</option>

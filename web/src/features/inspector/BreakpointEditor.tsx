@@ -3,6 +3,8 @@ import "./breakpoint-editor.css";
 
 import { useState } from "react";
 
+import { Switch } from "../../components/fields/FieldRow";
+import { NumberInput } from "../../components/fields/NumberInput";
 import { t } from "../../i18n/words";
 import { breakpointAt, removeBreakpoint, setBreakpoint } from "../../model/commands/changeBreakpoints";
 import { useStudio } from "../../model/studio";
@@ -10,7 +12,6 @@ import type { Breakpoint } from "../../model/types";
 import { instructionOf } from "../../session/breakpoints";
 import { type Drawing, useDrawing } from "../../session/drawing";
 import { keyFor } from "../../session/key-table";
-import { Switch } from "../../components/fields/FieldRow";
 
 const MOST_HITS = 1_000_000;
 
@@ -110,18 +111,14 @@ function Hits({ breakpoint, put }: Part) {
   return (
     <label className="breakpoint-row">
       <span className="breakpoint-name">{t("debug.hits")}</span>
-      <input
-        type="number"
+      <NumberInput
         className="breakpoint-hits"
-        data-testid="breakpoint-hits"
+        testId="breakpoint-hits"
         min={1}
         max={MOST_HITS}
-        step={1}
+        whole
         value={hits}
-        onChange={(event) => {
-          const wanted = Math.round(event.target.valueAsNumber);
-          if (wanted >= 1 && wanted <= MOST_HITS) put({ ...breakpoint, hits: wanted });
-        }}
+        keep={(wanted) => put({ ...breakpoint, hits: wanted })}
       />
     </label>
   );

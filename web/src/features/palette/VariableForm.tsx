@@ -2,6 +2,7 @@
 import { type FormEvent, useEffect, useId, useRef, useState } from "react";
 
 import { ApiError } from "../../api/client";
+import { readWhole } from "../../i18n/numbers";
 import { Said } from "../../i18n/Said";
 import { t } from "../../i18n/words";
 import { useStudio } from "../../model/studio";
@@ -52,12 +53,14 @@ export function VariableForm({ robot, was, name }: { robot: string; was: string;
     setTyped((before) => ({ ...before, ...part }));
   };
   const keep = async () => {
-    const numbers = [typed.min, typed.max, typed.initial].map((one) => one.trim());
-    if (isNumber && !numbers.every((one) => /^[-+]?\d{1,9}$/.test(one))) {
+    const numbers = [typed.min, typed.max, typed.initial].map(readWhole);
+    if (isNumber && numbers.includes(null)) {
       setWhy(t("variable.whole"));
       return;
     }
-    const [min = 0, max = 1, initial = 0] = isNumber ? numbers.map(Number) : [0, 1, typed.initial === "0" ? 0 : 1];
+    const [min = 0, max = 1, initial = 0] = isNumber
+      ? numbers.map((one) => one ?? 0)
+      : [0, 1, typed.initial === "0" ? 0 : 1];
     try {
       await keepVariable({ robot, was, name: typed.name, type: typed.type, min, max, initial, shared: typed.shared });
       if (was === "") useVariables.setState({ form: null });

@@ -7,6 +7,7 @@
  */
 import { create } from "zustand";
 
+import { plainDigits, readWhole } from "../../i18n/numbers";
 import type { Mission, Problem } from "../../model/types";
 import type { Board, BoardsMessage, Port, Steps, Team } from "./wire";
 
@@ -59,9 +60,9 @@ const NETWORK = /^(?:socket|rfc2217):\/\/(?:\[[0-9a-f:.]+\]|[^\s/:@?#[\]]+):(\d{
 
 /** An address on the network as it is asked for, or null when it is none: `host:port` is a socket. */
 export function networkAddress(text: string): string | null {
-  const trimmed = text.trim();
+  const trimmed = plainDigits(text).trim();
   const whole = trimmed.includes("://") ? trimmed : `socket://${trimmed}`;
-  const port = Number(NETWORK.exec(whole)?.[1] ?? 0);
+  const port = readWhole(NETWORK.exec(whole)?.[1] ?? "") ?? 0;
   return port >= 1 && port <= 65535 && whole.length <= MOST_ADDRESS ? whole : null;
 }
 

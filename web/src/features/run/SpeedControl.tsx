@@ -30,7 +30,7 @@ export function SpeedControl() {
         aria-label={t("run.speed")}
         aria-valuetext={speed === 0 ? t("run.as-fast") : speedWords(speed)}
         data-testid="speed"
-        onChange={(event) => setSpeed(speedAt(Number(event.target.value)))}
+        onChange={(event) => setSpeed(speedAt(event.target.valueAsNumber))}
         onKeyDown={(event) => {
           // One key press is one round speed: a notch of the slider is less than the eye or the run can tell.
           const faster = mirrored() ? "ArrowLeft" : "ArrowRight";

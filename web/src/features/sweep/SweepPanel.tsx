@@ -2,7 +2,7 @@
 import { useState } from "react";
 
 import { Refused } from "../../components/Refused";
-import { grouped } from "../../i18n/numbers";
+import { grouped, readNumber, readWhole } from "../../i18n/numbers";
 import { Said } from "../../i18n/Said";
 import { t } from "../../i18n/words";
 import { useStudio } from "../../model/studio";
@@ -44,8 +44,8 @@ function Asking() {
   const swept = useSweep((sweep) => sweep.swept);
   const [moments, setMoments] = useState(() => String(swept?.map.moments.length ?? 25));
   const [typed, setTyped] = useState(() => String(swept?.asked.seconds ?? 600));
-  const seconds = Number(typed.trim().replace(",", "."));
-  const wrong = typed.trim() === "" || !(seconds > 0 && seconds <= LONGEST_S);
+  const seconds = readNumber(typed) ?? 0;
+  const wrong = !(seconds > 0 && seconds <= LONGEST_S);
   if (agents === 0 && swept === null) return <p className="sweep-note">{t("sweep.nobody")}</p>;
   if (busy !== null) return <Progress {...busy} />;
   return (
@@ -59,7 +59,7 @@ function Asking() {
         className="sweep-asking"
         onSubmit={(event) => {
           event.preventDefault();
-          if (!wrong) begin(Number(moments), seconds);
+          if (!wrong) begin(readWhole(moments) ?? 0, seconds);
         }}
       >
         <label>
@@ -88,7 +88,7 @@ function Asking() {
         </label>
         <button type="submit" className="button" data-testid="sweep-begin" disabled={wrong || agents === 0}>
           <Icon name="play" size={16} />
-          {t("sweep.begin", { count: agents * Number(moments) })}
+          {t("sweep.begin", { count: agents * (readWhole(moments) ?? 0) })}
         </button>
         {wrong ? (
           <p className="sweep-wrong" id="sweep-seconds-wrong" role="alert">

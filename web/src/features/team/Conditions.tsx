@@ -1,6 +1,7 @@
 /** Under what conditions the mission is tried out: how robots hear each other, and what becomes of failed ones on roads. */
-import { useState } from "react";
+import type { ComponentProps } from "react";
 
+import { NumberInput } from "../../components/fields/NumberInput";
 import { t } from "../../i18n/words";
 import { setBreakdown, setRadio } from "../../model/commands/changeTrial";
 import { useStudio } from "../../model/studio";
@@ -13,56 +14,21 @@ const LATEST_S = 1_000_000;
 const RULES = ["stay", "tow", "pass"] as const;
 const STAY: Breakdown = { rule: "stay", after_s: 0 };
 
-interface AmountProps {
-  label: string;
-  unit: string;
-  testId: string;
-  /** null: nothing is said, where that is possible. */
-  value: number | null;
-  least: number;
-  most: number;
-  optional?: boolean;
-  keep: (value: number | null) => void;
-}
+type AmountProps = ComponentProps<typeof NumberInput> & { label: string; unit: string };
 
-/** A number with its unit, kept when it is left or by Enter; what is none is taken back. */
-function Amount({ label, unit, testId, value, least, most, optional = false, keep }: AmountProps) {
-  const shown = value === null ? "" : String(value);
-  const [typed, setTyped] = useState<string | null>(null);
-  const read = (text: string): number | null | undefined => {
-    if (text.trim() === "") return optional ? null : undefined;
-    const number = Number(text.trim().replace(",", "."));
-    return number >= least && number <= most ? Math.round(number * 1000) / 1000 : undefined;
-  };
-  const wrong = typed !== null && read(typed) === undefined;
+/** A number with its unit. */
+function Amount({ label, unit, ...number }: AmountProps) {
   return (
     <label className="team-amount">
       <span>{label}</span>
-      <input
-        className="field"
-        type="text"
-        inputMode="decimal"
-        maxLength={12}
-        data-testid={testId}
-        aria-invalid={wrong}
-        placeholder={optional ? t("team.radio-everywhere") : undefined}
-        value={typed ?? shown}
-        onChange={(event) => setTyped(event.target.value)}
-        onBlur={() => {
-          const wanted = typed === null ? undefined : read(typed);
-          if (wanted !== undefined && wanted !== value) keep(wanted);
-          setTyped(null);
-        }}
-        onKeyDown={(event) => {
-          if (event.key === "Enter") event.currentTarget.blur();
-          else if (event.key === "Escape") setTyped(null);
-          else return;
-          event.stopPropagation();
-        }}
-      />
+      <NumberInput {...number} />
       <span>{unit}</span>
     </label>
   );
+}
+
+function thousandths(value: number): number {
+  return Math.round(value * 1000) / 1000;
 }
 
 function putRadio(radio: Radio | null): void {
@@ -103,28 +69,30 @@ export function Conditions() {
             unit="mm"
             testId="radio-range"
             value={radio.range_mm ?? null}
-            least={1}
-            most={MOST_RANGE_MM}
+            min={1}
+            max={MOST_RANGE_MM}
             optional
-            keep={(range_mm) => putRadio({ ...radio, range_mm })}
+            placeholder={t("team.radio-everywhere")}
+            keep={(range) => putRadio({ ...radio, range_mm: range === null ? null : thousandths(range) })}
           />
           <Amount
             label={t("team.radio-delay")}
             unit="ms"
             testId="radio-delay"
             value={radio.delay_ms ?? 0}
-            least={0}
-            most={MOST_DELAY_MS}
-            keep={(delay) => putRadio({ ...radio, delay_ms: Math.round(delay ?? 0) })}
+            min={0}
+            max={MOST_DELAY_MS}
+            whole
+            keep={(delay_ms) => putRadio({ ...radio, delay_ms })}
           />
           <Amount
             label={t("team.radio-loss")}
             unit="%"
             testId="radio-loss"
             value={radio.loss ?? 0}
-            least={0}
-            most={100}
-            keep={(loss) => putRadio({ ...radio, loss: loss ?? 0 })}
+            min={0}
+            max={100}
+            keep={(loss) => putRadio({ ...radio, loss: thousandths(loss) })}
           />
         </div>
       )}
@@ -145,9 +113,9 @@ export function Conditions() {
             unit="s"
             testId="breakdown-after"
             value={breakdown.after_s ?? 0}
-            least={0}
-            most={LATEST_S}
-            keep={(after_s) => putBreakdown({ ...breakdown, after_s: after_s ?? 0 })}
+            min={0}
+            max={LATEST_S}
+            keep={(after) => putBreakdown({ ...breakdown, after_s: thousandths(after) })}
           />
         ) : null}
       </div>

@@ -1,4 +1,5 @@
 /** What goes wrong in every run, and when: the schedule of failures. */
+import { NumberInput } from "../../components/fields/NumberInput";
 import { t } from "../../i18n/words";
 import { setFailures } from "../../model/commands/changeTrial";
 import { useStudio } from "../../model/studio";
@@ -27,11 +28,6 @@ function Row({ item: failure, at, removed }: RowProps<ScheduledFailure>) {
     put(failures.map((one, index) => (index === at ? { ...one, ...what } : one)));
   };
   const time = String(failure.at_s);
-  const changeTime = (written: string) => {
-    const wanted = Number(written);
-    if (written.trim() === "" || !Number.isFinite(wanted)) return;
-    change({ at_s: Math.round(Math.min(Math.max(wanted, 0), LATEST_S) * 1000) / 1000 });
-  };
   return (
     <li className="team-row team-failure" data-testid={`failure-${String(at)}`}>
       <Select
@@ -52,21 +48,15 @@ function Row({ item: failure, at, removed }: RowProps<ScheduledFailure>) {
         ])}
         keep={(wanted) => change({ kind: KINDS.find((kind) => kind === wanted) ?? "fail" })}
       />
-      <input
+      <NumberInput
         // Sorted by time once it is left, so that a row does not run away under the fingers.
         key={time}
-        className="field"
-        type="number"
-        min="0"
+        testId={`failure-at-${String(at)}`}
+        label={`${t("team.failure-when")}: ${failure.agent}`}
+        min={0}
         max={LATEST_S}
-        step="any"
-        data-testid={`failure-at-${String(at)}`}
-        aria-label={`${t("team.failure-when")}: ${failure.agent}`}
-        defaultValue={time}
-        onBlur={(event) => changeTime(event.target.value)}
-        onKeyDown={(event) => {
-          if (event.key === "Enter") changeTime(event.currentTarget.value);
-        }}
+        value={failure.at_s}
+        keep={(at_s) => change({ at_s: Math.round(at_s * 1000) / 1000 })}
       />
       <RemoveTool
         testId={`failure-remove-${String(at)}`}

@@ -1,4 +1,6 @@
 /** What ends the mission as done: how many boxes a storehouse holds then, or all there are. */
+import { NumberInput } from "../../components/fields/NumberInput";
+import { readWhole } from "../../i18n/numbers";
 import { t } from "../../i18n/words";
 import type { Command } from "../../model/command";
 import { addGoal, ALL, changeGoal, removeGoal } from "../../model/commands/changeGoals";
@@ -46,19 +48,14 @@ function Row({ item: goal, at, removed }: RowProps<Goal>) {
       {all ? (
         <span />
       ) : (
-        <input
-          className="field"
-          type="number"
-          min="0"
+        <NumberInput
+          testId={`goal-stock-${String(at)}`}
+          label={`${t("team.count")}: ${storehouse}`}
+          min={0}
           max={MOST_BOXES}
-          step="1"
-          data-testid={`goal-stock-${String(at)}`}
-          aria-label={`${t("team.count")}: ${storehouse}`}
-          value={stock}
-          onChange={(event) => {
-            const digits = /^\d{1,5}$/.exec(event.target.value)?.[0];
-            if (digits !== undefined) change(at, { ...goal, stock: String(Math.min(Number(digits), MOST_BOXES)) });
-          }}
+          whole
+          value={readWhole(stock) ?? 0}
+          keep={(count) => change(at, { ...goal, stock: String(count) })}
         />
       )}
       <RemoveTool

@@ -91,8 +91,9 @@ export function Count({
       min={0}
       max={MOST}
       step={1}
+      whole
       testId={`world-${name}`}
-      keep={(one) => keep(Math.round(one))}
+      keep={keep}
     />
   );
 }

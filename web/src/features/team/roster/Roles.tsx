@@ -8,7 +8,7 @@ import { text } from "../../../model/texts";
 import type { Mission, Role } from "../../../model/types";
 import { Select } from "../../../ui/Select";
 import { Chip, useOver } from "./Chip";
-import { Card, Count, execute, freeDeclared } from "./parts";
+import { Card, Count, execute, freeDeclared, MOST } from "./parts";
 
 export function wantedOf({ least, most }: Pick<Role, "least" | "most">): string {
   return least === most ? String(most) : t("roster.or-more", { least: String(least), most: String(most) });
@@ -53,14 +53,17 @@ function RoleCard({ role, at, players }: { role: Role; at: number; players: read
               label={t("roster.least")}
               testId={`least-${name}`}
               value={role.least}
-              keep={(least) => change({ least: least ?? 1 })}
+              min={0}
+              max={MOST}
+              keep={(least) => change({ least })}
             />
             <Count
               label={t("roster.most")}
               testId={`most-${name}`}
               value={role.most}
-              least={1}
-              keep={(most) => change({ most: most ?? 1 })}
+              min={1}
+              max={MOST}
+              keep={(most) => change({ most })}
             />
           </div>
         </>

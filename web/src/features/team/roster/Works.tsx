@@ -3,7 +3,7 @@ import { t } from "../../../i18n/words";
 import { addWork, changeWork, worksOf } from "../../../model/commands/changeDeclared";
 import { useStudio } from "../../../model/studio";
 import type { Work } from "../../../model/types";
-import { Card, Count, execute, freeDeclared } from "./parts";
+import { Card, Count, execute, freeDeclared, MOST } from "./parts";
 
 /** More units than this are said in words only. */
 const DRAWN = 24;
@@ -30,13 +30,18 @@ function WorkCard({ work, at }: { work: Work; at: number }) {
             label={t("roster.units")}
             testId={`units-${name}`}
             value={units}
-            keep={(wanted) => change({ units: wanted ?? units })}
+            min={0}
+            max={MOST}
+            keep={(wanted) => change({ units: wanted })}
           />
           <Count
             label={t("roster.lease")}
             title={t("roster.lease-help")}
             testId={`lease-${name}`}
             value={lease}
+            min={0}
+            max={MOST}
+            optional
             keep={(wanted) => change({ lease: wanted })}
           />
         </div>

@@ -1,6 +1,7 @@
 /** What the cards of roles, groups and work have in common. */
-import { type ReactNode, useState } from "react";
+import { type ComponentProps, type ReactNode, useState } from "react";
 
+import { NumberInput } from "../../../components/fields/NumberInput";
 import { NameCell } from "../../../components/NameCell";
 import { Said } from "../../../i18n/Said";
 import { sentence, t } from "../../../i18n/words";
@@ -25,6 +26,9 @@ export function wrongName(name: string, work = false): string {
   if (work && !/^[\p{L}_][\p{L}\p{M}\p{N}_]*$/u.test(name)) return t("roster.name-work");
   return declaredNames(useStudio.getState().mission).includes(name) ? t("roster.name-taken", { name }) : "";
 }
+
+/** The largest count of anything declared. */
+export const MOST = 65_535;
 
 /** A name like the given one that nothing declared has. */
 export function freeDeclared(name: string): string {
@@ -131,39 +135,12 @@ export function Card({ name, note, icon, work = false, goal, fields, children }:
   );
 }
 
-interface CountProps {
-  label: string;
-  testId: string;
-  value: number | null;
-  least?: number;
-  title?: string;
-  keep: (value: number | null) => void;
-}
-
-/** A whole number; with `value` null it may be empty. */
-export function Count({ label, testId, value, least = 0, title, keep }: CountProps) {
-  const shown = value === null ? "" : String(value);
-  const done = (text: string) => {
-    if (text.trim() === "") keep(null);
-    else if (Number.isFinite(Number(text))) keep(Math.min(Math.max(Math.round(Number(text)), least), 65_535));
-  };
+/** A whole number of a declaration. */
+export function Count({ label, title, ...number }: ComponentProps<typeof NumberInput> & { title?: string }) {
   return (
     <label className="card-count" title={title}>
       {label}
-      <input
-        key={shown}
-        className="field"
-        type="number"
-        min={least}
-        max={65_535}
-        step={1}
-        data-testid={testId}
-        defaultValue={shown}
-        onBlur={(event) => done(event.target.value)}
-        onKeyDown={(event) => {
-          if (event.key === "Enter") done(event.currentTarget.value);
-        }}
-      />
+      <NumberInput {...number} whole />
     </label>
   );
 }
