@@ -103,6 +103,65 @@ def a_tap_on_a_part_adds_it(studio: Studio) -> None:
     expect(studio.page.locator(".vertex-name", has_text="Wait")).to_be_in_viewport()
 
 
+def a_swipe_over_parts_scrolls_them_and_drags_none(studio: Studio) -> None:
+    hand = RobotSession(studio)
+    x, y = middle(studio.at("part-Wait"))
+    hand.put("touchStart", (x, y))
+    hand.move(((x, y), (x + 4, y - 160)), steps=8)
+    expect(studio.page.locator(".ghost")).to_have_count(0)
+    hand.put("touchEnd")
+    studio.page.wait_for_function("document.querySelector('.parts').scrollTop > 60")
+    expect(studio.at("saved-state")).to_have_text("saved")
+
+
+PIXELS = """(canvas) => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(() => done(
+    [...canvas.getContext('2d').getImageData(0, 0, canvas.width, canvas.height).data]))))"""
+
+
+def spread(at: tuple[float, float], far: float) -> tuple[tuple[float, float], tuple[float, float]]:
+    """Two fingers so far apart, around a place."""
+    return (at[0] - far / 2, at[1]), (at[0] + far / 2, at[1])
+
+
+def pinch(studio: Studio, at: tuple[float, float], begin: float, end: float) -> None:
+    hand = RobotSession(studio)
+    a, b = spread(at, begin), spread(at, end)
+    # One after the other, as fingers come.
+    hand.put("touchStart", a[0])
+    hand.put("touchStart", *a)
+    hand.move((a[0], b[0]), (a[1], b[1]))
+    hand.put("touchEnd")
+
+
+def two_fingers_zoom_the_arena_as_its_keys_do(studio: Studio) -> None:
+    arena = studio.at("arena-canvas")
+    arena.focus()
+    arena.press("+")
+    arena.press("+")
+    zoomed = arena.evaluate(PIXELS)
+    arena.press("0")
+    expect_same(arena.evaluate(PIXELS), zoomed, same=False)
+    pinch(studio, middle(arena), 60, 60 * 1.4 * 1.4)
+    expect_same(arena.evaluate(PIXELS), zoomed, same=True)
+
+
+def expect_same(found: list[int], wanted: list[int], *, same: bool) -> None:
+    """Whether two pictures are the same, but for rounded edges."""
+    assert len(found) == len(wanted)
+    other = sum(abs(a - b) > 16 for a, b in zip(found, wanted, strict=True)) / len(found)
+    assert (other < 0.002) is same, other
+
+
+def two_fingers_zoom_the_world_and_move_nothing_in_it(studio: Studio) -> None:
+    studio.at("tab-of-world").tap()
+    studio.at("edit-world").tap()
+    stage = middle(studio.at("world-stage"))
+    studio.page.touchscreen.tap(*stage)
+    studio.at("world-tool-wall").tap()
+    pinch(studio, stage, 60, 120)
+    expect(studio.page.locator(".world-chosen")).not_to_contain_text("Wall")
+
+
 def two_fingers_zoom_and_move_even_on_vertices(studio: Studio) -> None:
     hand = RobotSession(studio)
     x, y = middle(studio.page.locator(".vertex", has_text="While").first)
@@ -144,8 +203,11 @@ def test_fingers_select_drag_a_part_move_the_canvas_and_open_a_menu_on_a_tablet(
     a_tap_selects_and_a_tap_beside_selects_nothing(studio)
     a_part_is_dragged_from_the_palette_onto_an_arc(studio)
     studio.take_back()
+    a_swipe_over_parts_scrolls_them_and_drags_none(studio)
+    two_fingers_zoom_the_arena_as_its_keys_do(studio)
     one_finger_moves_the_canvas(studio)
     a_finger_that_rests_opens_the_menu_and_an_entry_is_tapped(studio)
+    two_fingers_zoom_the_world_and_move_nothing_in_it(studio)
 
 
 TOO_SMALL = """() => {

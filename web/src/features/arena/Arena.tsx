@@ -1,5 +1,13 @@
 /** The place where the robots are: before a run as the mission starts, during a run as it goes. */
-import { type KeyboardEvent, type MouseEvent, type PointerEvent, useEffect, useRef, useState } from "react";
+import {
+  type KeyboardEvent,
+  type MouseEvent,
+  type PointerEvent,
+  useCallback,
+  useEffect,
+  useRef,
+  useState,
+} from "react";
 
 import { startOf } from "../../model/starts";
 import { useStudio } from "../../model/studio";
@@ -21,6 +29,7 @@ import { choose, follow, openRobotMenu, useRobots } from "./robots";
 import type { Scene } from "../../components/scene/scene";
 import { complain } from "../../session/document";
 import { later } from "../../ui/later";
+import { watchPinch } from "../../ui/pinch";
 import { useScene, useSelected, useSummary } from "./use-scene";
 import { Tool } from "../../ui/Tool";
 
@@ -97,6 +106,11 @@ function Heading({ scene, painter, stage }: HeadingProps) {
   );
 }
 
+/** Who takes the world into the hand follows nobody any more. */
+function letRobotGo(): void {
+  if (useRobots.getState().followed !== "") useRobots.setState({ followed: "" });
+}
+
 export function Arena() {
   const scene = useScene();
   const selected = useSelected(scene);
@@ -106,7 +120,8 @@ export function Arena() {
   const canvas = useRef<HTMLCanvasElement>(null);
   const [painter, setPainter] = useState<Painter | null>(null);
   const [near, setNear] = useState(false);
-  const holding = useRef<{ agent: string; sensor: string } | null>(null);
+  /** Keys of drawn boards that pointers hold, by the pointer. */
+  const holding = useRef(new Map<number, { agent: string; sensor: string }>());
   const grip = useRef<{ x: number; y: number; moved: boolean; actor: string } | null>(null);
   const resting = useRef<ReturnType<typeof setTimeout>>(undefined);
   const { program, followed } = useRobots();
@@ -172,9 +187,10 @@ export function Arena() {
     const place = event.currentTarget.getBoundingClientRect();
     const key = painter?.keyAt(x - place.left, y - place.top) ?? null;
     if (key !== null && painter?.boards?.press(key.agent, key.sensor) === true) {
-      holding.current = key;
+      holding.current.set(event.pointerId, key);
       return;
     }
+    if (!event.isPrimary) return;
     // Before a run a robot can be taken to another place; during one it is where it is.
     const found = scene?.running === false ? painter?.actorAt(x - place.left, y - place.top) : null;
     grip.current = { x, y, moved: false, actor: found?.actor.name ?? "" };
@@ -206,8 +222,7 @@ export function Arena() {
       grip.current = { ...held, moved: true };
       return;
     }
-    // Who takes the world into the hand follows nobody any more.
-    if (useRobots.getState().followed !== "") useRobots.setState({ followed: "" });
+    letRobotGo();
     painter?.pan(dx, dy);
     grip.current = { ...held, x: event.clientX, y: event.clientY, moved: true };
   };
@@ -221,12 +236,36 @@ export function Arena() {
       .then(({ moveStart }) => moveStart(startOf(agent), Math.round(x / grid) * grid, Math.round(y / grid) * grid))
       .finally(() => painter?.putDown());
   };
-  const letGo = () => {
-    if (holding.current !== null) painter?.boards?.release(holding.current.agent, holding.current.sensor);
-    holding.current = null;
+  const letGo = ({ pointerId }: PointerEvent) => {
+    const key = holding.current.get(pointerId);
+    if (key !== undefined) painter?.boards?.release(key.agent, key.sensor);
+    holding.current.delete(pointerId);
   };
+  /** What one finger or the mouse began, without an effect. */
+  const dropGrip = useCallback(() => {
+    painter?.putDown();
+    clearTimeout(resting.current);
+    grip.current = null;
+  }, [painter]);
+  useEffect(() => {
+    const drawn = canvas.current;
+    if (drawn === null || painter === null) return;
+    return watchPinch(drawn, {
+      begin: () => {
+        // Two fingers press two keys of a board.
+        if (holding.current.size > 0) return false;
+        dropGrip();
+        return true;
+      },
+      move: (before, now) => {
+        letRobotGo();
+        painter.pan(now.x - before.x, now.y - before.y);
+        painter.zoom(now.far / before.far, now.x, now.y);
+      },
+    });
+  }, [painter, dropGrip]);
   const onPointerUp = (event: PointerEvent<HTMLCanvasElement>) => {
-    letGo();
+    letGo(event);
     const held = grip.current;
     grip.current = null;
     clearTimeout(resting.current);
@@ -307,11 +346,9 @@ export function Arena() {
           onPointerDown={onPointerDown}
           onPointerMove={onPointerMove}
           onPointerUp={onPointerUp}
-          onPointerCancel={() => {
-            letGo();
-            painter?.putDown();
-            clearTimeout(resting.current);
-            grip.current = null;
+          onPointerCancel={(event) => {
+            letGo(event);
+            dropGrip();
           }}
         />
         <EmptyArena scene={scene} />

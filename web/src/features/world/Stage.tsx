@@ -23,6 +23,7 @@ import { keyIn, WORLD_KEYS } from "../../session/key-table";
 import { called, change, duplicateChosen, nudge, put, removeChosen } from "../../session/world-edits";
 import { choose, chosenIn, useWorld } from "../../session/world-view";
 import { Icon, useTheme } from "../../theme";
+import { watchPinch } from "../../ui/pinch";
 import { Overlay } from "./Overlay";
 
 const MARGIN_PX = 40;
@@ -89,6 +90,21 @@ export function Stage() {
   useEffect(() => {
     painter?.themeChanged();
   }, [painter, theme]);
+  useEffect(() => {
+    const box = frame.current;
+    if (box === null || painter === null) return;
+    return watchPinch(box, {
+      begin: () => {
+        drag.current = null;
+        useWorld.setState({ draft: null });
+        return true;
+      },
+      move: (before, now) => {
+        painter.pan(now.x - before.x, now.y - before.y);
+        painter.zoom(now.far / before.far, now.x, now.y);
+      },
+    });
+  }, [painter]);
   // A draft belongs to a drag of this stage.
   useEffect(() => () => useWorld.setState({ draft: null, tool: null }), []);
 
@@ -105,7 +121,7 @@ export function Stage() {
   };
 
   const onPointerDown = (event: PointerEvent<HTMLDivElement>) => {
-    if (event.button !== 0) return;
+    if (event.button !== 0 || !event.isPrimary) return;
     event.currentTarget.setPointerCapture(event.pointerId);
     event.currentTarget.focus();
     event.preventDefault();

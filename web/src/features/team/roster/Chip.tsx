@@ -9,9 +9,8 @@ import { useStudio } from "../../../model/studio";
 import { isLive, useRun } from "../../../session/run";
 import { Tile } from "../../../theme";
 import { FloatingMenu } from "../../../ui/FloatingMenu";
+import { followPointer } from "../../../ui/pointer-drag";
 import { type Goal, goalKey, placesOf, put, type Thing, whyNot } from "./moving";
-
-const FAR_ENOUGH = 5;
 
 interface Dragged {
   thing: Thing | null;
@@ -29,44 +28,20 @@ function goalAt(x: number, y: number): Goal | null {
   return { kind: goal, name: name ?? "" };
 }
 
-/** Follows a pointer that went down on a chip; true from `moved` once it drags. */
+/** Follows a pointer that went down on a chip; `moved` is called while it drags. */
 function drag(event: ReactPointerEvent, thing: Thing, moved: () => void): void {
-  if (event.button !== 0 || !event.isPrimary) return;
-  const from = { x: event.clientX, y: event.clientY };
-  const pointer = event.pointerId;
-  let active = false;
-  const move = (next: PointerEvent) => {
-    if (next.pointerId !== pointer) return;
-    const at = { x: next.clientX, y: next.clientY };
-    if (!active && Math.hypot(at.x - from.x, at.y - from.y) < FAR_ENOUGH) return;
-    active = true;
-    moved();
-    next.preventDefault();
-    useDragged.setState({ thing, at, goal: goalAt(at.x, at.y) });
-  };
-  const finish = () => {
-    window.removeEventListener("pointermove", move);
-    window.removeEventListener("pointerup", up);
-    window.removeEventListener("pointercancel", finish);
-    window.removeEventListener("keydown", key, true);
-    useDragged.setState({ thing: null, goal: null });
-  };
-  const up = (next: PointerEvent) => {
-    if (next.pointerId !== pointer) return;
-    const goal = active ? goalAt(next.clientX, next.clientY) : null;
-    finish();
-    if (goal !== null) put(thing, goal);
-  };
-  const key = (next: globalThis.KeyboardEvent) => {
-    if (!active || next.key !== "Escape") return;
-    next.preventDefault();
-    next.stopPropagation();
-    finish();
-  };
-  window.addEventListener("pointermove", move);
-  window.addEventListener("pointerup", up);
-  window.addEventListener("pointercancel", finish);
-  window.addEventListener("keydown", key, true);
+  followPointer(event, {
+    move: (at) => {
+      moved();
+      useDragged.setState({ thing, at, goal: goalAt(at.x, at.y) });
+    },
+    drop: (at) => {
+      const goal = goalAt(at.x, at.y);
+      useDragged.setState({ thing: null, goal: null });
+      if (goal !== null) put(thing, goal);
+    },
+    end: () => useDragged.setState({ thing: null, goal: null }),
+  });
 }
 
 /** What follows the pointer. */
