@@ -8,6 +8,7 @@ import { App, Journal } from "./app/App";
 import { installLanguage, useLanguage } from "./i18n/language";
 import { installTheme } from "./theme";
 import "./theme/styles";
+import { guardRemoving } from "./ui/second-click";
 
 const found = document.getElementById("root");
 if (found === null) throw new Error("index.html has no #root");
@@ -26,6 +27,7 @@ function Spoken() {
 
 token();
 installTheme();
+guardRemoving();
 const spoken = installLanguage();
 // A static site has Python in a worker of the page, and says so.
 const site = inPage() && !isJoining() ? import("./site/open").then(({ openSite }) => openSite(spoken)) : null;

@@ -34,6 +34,7 @@ export function Tool({
       aria-label={label}
       {...(titled ? { title: keys === undefined ? label : `${label} (${keys})` } : {})}
       data-testid={testId}
+      data-removes={icon === "trash-2" ? "" : undefined}
       {...rest}
     >
       <Icon name={icon} size={iconSize} />

@@ -59,6 +59,7 @@ export function Corners({ world, thing, part }: PartProps<Part<"line"> | Part<"f
           <Tool
             small
             icon="x"
+            data-removes=""
             iconSize={14}
             label={t("world.corner-remove", { number: at + 1 })}
             testId={`world-corner-${String(at)}-remove`}

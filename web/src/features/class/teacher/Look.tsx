@@ -240,7 +240,7 @@ export function Look({ now }: { now: number }) {
         {removing === folder ? (
           <p role="alert" className="class-look-sure">
             {t("teacher.remove-sure", { name })}{" "}
-            <button type="button" className="button" onClick={() => act(classApi.remove(folder))}>
+            <button type="button" className="button" data-removes="" onClick={() => act(classApi.remove(folder))}>
               {t("teacher.remove-yes")}
             </button>
           </p>
