@@ -20,6 +20,7 @@ from kitrobot.server.beside_loop import beside_loop
 from kitrobot.server.class_overview import Overview
 from kitrobot.server.class_routes import pupil_of, room_of
 from kitrobot.server.routing import api_router
+from kitrobot.server.shapes import HereMessage
 from kitrobot.server.shapes.classroom import (
     ArenaMessage,
     ClassArenaShape,
@@ -160,6 +161,9 @@ async def _hear(socket: WebSocket, take: Callable[[str], None]) -> None:
                 return
             if len(text) > LONGEST_MESSAGE or not allowance.take(now()):
                 return
+            if text == "?":  # whether anybody answers
+                await socket.send_text(HereMessage().model_dump_json())
+                continue
             try:
                 take(text)
             except (ValidationError, ValueError):

@@ -21,6 +21,7 @@ from kitrobot.server.shapes import (
     DifferenceShape,
     ForgetShape,
     HelloMessage,
+    HereMessage,
     JournalAppendShape,
     JournalShape,
     JournalSizeShape,
@@ -164,7 +165,8 @@ def _news(studio: Studio, tab: str) -> NewsMessage:
 
 
 async def _until_closed(socket: WebSocket) -> None:
-    """Passes over whatever the page says: there is nothing to say."""
-    with contextlib.suppress(WebSocketDisconnect):
+    """Answers whatever the page says by the threads that answer requests: the page asks whether they do."""
+    with contextlib.suppress(WebSocketDisconnect, RuntimeError):
         while (await socket.receive())["type"] != "websocket.disconnect":
-            pass
+            await beside_loop(lambda: None)
+            await socket.send_text(HereMessage().model_dump_json())

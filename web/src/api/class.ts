@@ -6,6 +6,7 @@ import { languageInUse, t } from "../i18n/words";
 import type { Mission } from "../model/types";
 import { ApiError } from "./client";
 import type * as server from "./generated";
+import { type Silence, watchSilence } from "./silence";
 import { token } from "./token";
 
 interface Asked {
@@ -99,26 +100,38 @@ interface Hears<Heard> {
   onMessage: (message: Heard) => void;
   onOpen: () => void;
   onLost: () => void;
+  /** The connection is open, and the class does not answer; or it does again. */
+  onSilence: (silent: boolean) => void;
 }
 
 /** A socket that is sought again until it is closed here. */
-export function openClassSocket<Said, Heard>(path: string, hears: Hears<Heard>): ClassSocket<Said> {
+export function openClassSocket<Said, Heard extends { type: string }>(
+  path: string,
+  hears: Hears<Heard>,
+): ClassSocket<Said> {
   let socket: WebSocket | null = null;
   let timer: ReturnType<typeof setTimeout> | undefined;
   let over = false;
+  let listening: Silence | undefined;
   const open = () => {
     const address = new URL(`api/class/${path}`, window.location.href);
     address.protocol = address.protocol === "https:" ? "wss:" : "ws:";
     address.search = `?language=${languageInUse()}&token=${encodeURIComponent(token())}`;
     address.hash = "";
     socket = new WebSocket(address);
+    const opened = socket;
+    const silence = watchSilence(() => opened.readyState === WebSocket.OPEN && opened.send("?"), hears.onSilence);
+    listening = silence;
     socket.addEventListener("open", () => {
       if (!over) hears.onOpen();
     });
     socket.addEventListener("message", ({ data }: MessageEvent<string>) => {
-      if (!over) hears.onMessage(JSON.parse(data) as Heard);
+      silence.heard();
+      const message = JSON.parse(data) as Heard | server.HereMessage;
+      if (!over && message.type !== "here") hears.onMessage(message as Heard);
     });
     socket.addEventListener("close", () => {
+      silence.end();
       if (over) return;
       timer = setTimeout(open, AGAIN_MS);
       hears.onLost();
@@ -132,6 +145,7 @@ export function openClassSocket<Said, Heard>(path: string, hears: Hears<Heard>):
     close: () => {
       over = true;
       clearTimeout(timer);
+      listening?.end();
       socket?.close();
     },
   };

@@ -849,6 +849,11 @@ export interface HelloMessage {
   tab: string;
 }
 
+/** The answer to whatever the page says: the studio answers questions. */
+export interface HereMessage {
+  type: "here";
+}
+
 /** An agent came to the vertex of a breakpoint. `visit` counts from 1. */
 export interface Hit {
   program: string;

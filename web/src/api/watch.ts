@@ -5,8 +5,9 @@
  * started anew meanwhile is known by its proof (again.ts).
  */
 import { type Met, meetAgain } from "./again";
-import type { HelloMessage, NewsMessage } from "./generated";
-import { talk } from "./line";
+import type { HelloMessage, HereMessage, NewsMessage } from "./generated";
+import { inPage, talk } from "./line";
+import { type Silence, watchSilence } from "./silence";
 import { token } from "./token";
 
 /** What is on disk and who else has the mission open; the page keeps it without the name of the message. */
@@ -16,6 +17,8 @@ export interface Watcher {
   onHello: (tab: string) => void | Promise<void>;
   onNews: (news: News) => void;
   onLost: () => void;
+  /** The connection is open, and nobody answers; or somebody does again. */
+  onSilence: (silent: boolean) => void;
   /** After the hello of a studio that started anew. */
   onReturn: () => void;
   /** Another server answers at the studio's address. */
@@ -25,12 +28,13 @@ export interface Watcher {
 const AGAIN_MS = 2000;
 
 /** Opens the socket; the returned function closes it for good. */
-export function openWatch({ onHello, onNews, onLost, onReturn, onStranger }: Watcher): () => void {
+export function openWatch({ onHello, onNews, onLost, onSilence, onReturn, onStranger }: Watcher): () => void {
   let socket: WebSocket | null = null;
   let timer: ReturnType<typeof setTimeout> | undefined;
   let over = false;
   let warned = false;
   let known = "";
+  let silence: Silence | null = null;
   const open = (met: Met = "same") => {
     if (over) return;
     let greeted = false;
@@ -39,10 +43,15 @@ export function openWatch({ onHello, onNews, onLost, onReturn, onStranger }: Wat
     address.protocol = address.protocol === "https:" ? "wss:" : "ws:";
     address.search = `?token=${encodeURIComponent(given)}`;
     address.hash = "";
-    socket = talk().socket(address);
+    const opened = talk().socket(address);
+    socket = opened;
+    // Python in the page is busy with a run, and says so itself.
+    silence = inPage() ? null : watchSilence(() => opened.readyState === WebSocket.OPEN && opened.send("?"), onSilence);
     socket.addEventListener("message", (event: MessageEvent<string>) => {
       if (over) return;
-      const message = JSON.parse(event.data) as HelloMessage | NewsMessage;
+      silence?.heard();
+      const message = JSON.parse(event.data) as HelloMessage | HereMessage | NewsMessage;
+      if (message.type === "here") return;
       if (message.type === "news") {
         onNews(message);
         return;
@@ -54,6 +63,7 @@ export function openWatch({ onHello, onNews, onLost, onReturn, onStranger }: Wat
       });
     });
     socket.addEventListener("close", () => {
+      silence?.end();
       if (over) return;
       onLost();
       if (met === "stranger" && !greeted && !warned) {
@@ -75,6 +85,7 @@ export function openWatch({ onHello, onNews, onLost, onReturn, onStranger }: Wat
   return () => {
     over = true;
     clearTimeout(timer);
+    silence?.end();
     socket?.close();
   };
 }

@@ -12,7 +12,7 @@ import { checkAgain, keepChecking } from "../session/checking";
 import { hearOfDisk, watchDisk } from "../session/disk";
 import { useDocument } from "../session/document";
 import { flush, isKept, keepJournal } from "../session/journal";
-import { complainOfJournal, sayReturned, sayStranger } from "../session/journal-notices";
+import { complainOfJournal, sayReturned, sayStranger, sayWhenBack } from "../session/journal-notices";
 import { useLayout } from "../session/layout";
 import { useNarrow } from "../session/narrow";
 import { useStage } from "../session/stage";
@@ -44,7 +44,12 @@ export function Journal() {
       sayReturned();
       checkAgain();
     };
-    return keepJournal(complainOfJournal, hearOfDisk, undefined, { onReturn, onStranger: sayStranger });
+    const offBack = sayWhenBack();
+    const stop = keepJournal(complainOfJournal, hearOfDisk, undefined, { onReturn, onStranger: sayStranger });
+    return () => {
+      offBack();
+      stop();
+    };
   }, []);
   return null;
 }

@@ -1,15 +1,17 @@
 /** One message across the page: a failure or a question, with what can be done about it. Nothing waits for it. */
 import { useEffect, useRef } from "react";
 
+import { inPage } from "../api/line";
 import { Said } from "../i18n/Said";
 import { t } from "../i18n/words";
-import { type Banner as Message, dismissBanner, useDocument } from "../session/document";
+import { type Banner as Notice, dismissBanner, useDocument } from "../session/document";
+import { isCutOff, useLink } from "../session/journal";
 import { useRun } from "../session/run";
 import { Icon } from "../theme";
 import { borrowFocus } from "../ui/borrow-focus";
 import { Tool } from "../ui/Tool";
 
-function Strip({ said, onClose }: { said: Message; onClose: () => void }) {
+function Strip({ said, onClose }: { said: Notice; onClose: () => void }) {
   const asks = said.takesFocus === true;
   const strip = useRef<HTMLDivElement>(null);
   useEffect(() => (asks ? borrowFocus(strip.current?.querySelector("button")) : undefined), [asks]);
@@ -40,9 +42,38 @@ function Strip({ said, onClose }: { said: Message; onClose: () => void }) {
   );
 }
 
+/** Nothing that is done here reaches the server: said until it does. In a static site Python is in the page. */
+function CutOff() {
+  const silent = useLink((link) => link.silent);
+  const name = silent ? "link.silent" : "error.offline";
+  return (
+    <div className="banner banner-error" role="alert" data-testid="cut-off">
+      <Icon name="triangle-alert" size={18} />
+      <p>
+        <strong>
+          <Said text={t(name)} />
+        </strong>{" "}
+        <Said text={t(`${name}-help`)} />
+      </p>
+    </div>
+  );
+}
+
 export function Banner() {
+  const cutOff = useLink(isCutOff) && !inPage();
+  return (
+    <>
+      {cutOff ? <CutOff /> : null}
+      <Message cutOff={cutOff} />
+    </>
+  );
+}
+
+function Message({ cutOff }: { cutOff: boolean }) {
   const said = useDocument((document) => document.banner);
   const failure = useRun((run) => run.error);
+  // Said already.
+  if (cutOff && said?.message === t("error.offline")) return null;
   if (said !== null) return <Strip key={said.message} said={said} onClose={dismissBanner} />;
   if (failure !== null) {
     return <Strip said={{ kind: "error", ...failure, actions: [] }} onClose={useRun.getState().dismissError} />;

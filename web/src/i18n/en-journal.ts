@@ -21,6 +21,10 @@ export const JOURNAL_EN = {
   "file.not-kept": "not saved, not kept: no connection",
   "file.unknown": "no connection to the studio",
   "file.changed": "changed on disk",
+  "link.silent": "KitRobot does not answer at the moment.",
+  "link.silent-help":
+    "Your changes stay in this page: leave it open, and it goes on as soon as KitRobot answers. If that takes long, end KitRobot in its terminal with Ctrl+C, and start it again.",
+  "link.back": "KitRobot answers again, and this page goes on.",
   "journal.returned": "The studio started anew, and this page goes on with it.",
   "journal.returned-help": "Your changes are kept.",
   "journal.stranger": "Somebody else is where this page's studio was.",

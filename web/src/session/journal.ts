@@ -40,11 +40,18 @@ interface Keeping {
 interface Link {
   /** Whether the server that keeps the journal is there; null before it was asked. */
   connected: boolean | null;
+  /** Whether it does not answer, though the connection to it is open. */
+  silent: boolean;
   /** Whether what it writes outlasts the page: not in a browser without room for it. */
   kept: boolean;
 }
 
-export const useLink = create<Link>(() => ({ connected: null, kept: true }));
+export const useLink = create<Link>(() => ({ connected: null, silent: false, kept: true }));
+
+/** Whether nothing that is done here reaches the server at the moment. */
+export function isCutOff({ connected, silent }: Link): boolean {
+  return connected === false || silent;
+}
 
 let keeping: Keeping | null = null;
 let tab = "";
@@ -246,8 +253,9 @@ export function keepJournal(
     onStranger,
     onLost: () => {
       tab = "";
-      useLink.setState({ connected: false });
+      useLink.setState({ connected: false, silent: false });
     },
+    onSilence: (silent) => useLink.setState({ silent }),
   });
   const off = useStudio.subscribe((state, before) => {
     if (state.change !== before.change) heard(state.mission, before.mission);

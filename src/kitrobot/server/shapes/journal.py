@@ -122,6 +122,12 @@ class HelloMessage(_Message):
     tab: str
 
 
+class HereMessage(_Message):
+    """The answer to whatever the page says: the studio answers questions."""
+
+    type: Literal["here"] = "here"
+
+
 class NewsMessage(_Message):
     """What is on disk for the page's mission ("" when nothing is), and how many other pages have it open.
 
@@ -137,4 +143,4 @@ class NewsMessage(_Message):
     runs: list[str] = []
 
 
-WATCH_MESSAGE_MODELS: tuple[type[BaseModel], ...] = (HelloMessage, NewsMessage)
+WATCH_MESSAGE_MODELS: tuple[type[BaseModel], ...] = (HelloMessage, HereMessage, NewsMessage)

@@ -143,8 +143,10 @@ function KeptWords() {
 
 export function PupilKept() {
   const news = useClassroom((state) => state.news);
+  const put = useClassroom((state) => state.hand);
   if (news === null) return <KeptWords />;
-  const { name, class_name: of, word, hand, looked } = news;
+  const { name, class_name: of, word, looked } = news;
+  const hand = put ?? news.hand;
   const entries: MenuEntry[] = [
     { kind: "heading", id: "class-word", label: t("class.you-word", { word: `${word.slice(0, 3)} ${word.slice(3)}` }) },
     menuItem("class-leave", t("class.leave"), null, goAway),

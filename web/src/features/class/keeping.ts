@@ -43,6 +43,8 @@ interface Classroom {
   kept: "yes" | "waits" | "here" | "refused";
   problem: string;
   offers: readonly Offer[];
+  /** The hand as it was put here, until the class says so too; null when nothing is on its way. */
+  hand: boolean | null;
 }
 
 export const useClassroom = create<Classroom>(() => ({
@@ -51,6 +53,7 @@ export const useClassroom = create<Classroom>(() => ({
   kept: "yes",
   problem: "",
   offers: [],
+  hand: null,
 }));
 
 const set = useClassroom.setState;
@@ -213,7 +216,7 @@ let hearing: Promise<void> = Promise.resolve();
 
 function hear(news: PupilNewsMessage): void {
   const before = useClassroom.getState().news?.turn;
-  set({ news, connected: true });
+  set(({ hand }) => ({ news, connected: true, hand: hand === news.hand ? null : hand }));
   hearing = hearing
     .then(whenReady)
     .then(() => obey(news))
@@ -269,7 +272,9 @@ async function takeBack(): Promise<void> {
   useStudio.getState().execute({ label: t("class.edited"), execute: () => mission });
 }
 
+/** Without a connection it goes when the class is back. */
 export function putHand(up: boolean): void {
+  set({ hand: up });
   socket?.say({ type: "hand", up });
 }
 
@@ -327,10 +332,13 @@ export function keepClass(): () => void {
       told = "";
       set({ connected: true });
       report();
+      const { hand } = useClassroom.getState();
+      if (hand !== null) putHand(hand);
       if (waiting !== null) later(0);
       else goOnWaiting();
     },
     onMessage: hear,
+    onSilence: (silent) => set({ connected: !silent }),
     onLost: () => {
       set(({ kept }) => ({ connected: false, kept: kept === "waits" ? "here" : kept }));
       void expectIn();

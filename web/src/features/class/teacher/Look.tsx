@@ -176,6 +176,30 @@ function Turn({ folder, copy }: { folder: string; copy: string }) {
   );
 }
 
+/** The secret word of a pupil: shown when that is asked for, since a class may see the teacher's screen. */
+function Word({ name, word }: { name: string; word: string }) {
+  const [open, setOpen] = useState(false);
+  return (
+    <>
+      {open ? (
+        <span className="class-muted" data-testid="look-word">
+          {t("teacher.word", { name, word: codeWords(word) })}
+        </span>
+      ) : null}
+      <button
+        type="button"
+        className="class-plain"
+        aria-expanded={open}
+        data-testid="look-word-show"
+        onClick={() => setOpen(!open)}
+      >
+        <Icon name="eye" size={16} />
+        {t(open ? "teacher.word-hide" : "teacher.word-show")}
+      </button>
+    </>
+  );
+}
+
 export function Look({ now }: { now: number }) {
   const { looked, seen, pictures, news } = useDesk();
   const [removing, setRemoving] = useState("");
@@ -234,9 +258,7 @@ export function Look({ now }: { now: number }) {
             {t("teacher.look-large")}
           </a>
         )}
-        <span className="class-muted" data-testid="look-word">
-          {t("teacher.word", { name, word: codeWords(word) })}
-        </span>
+        <Word key={folder} name={name} word={word} />
         {removing === folder ? (
           <p role="alert" className="class-look-sure">
             {t("teacher.remove-sure", { name })}{" "}

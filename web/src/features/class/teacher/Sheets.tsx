@@ -125,7 +125,7 @@ function Add({ onClose }: SheetProps) {
       <form onSubmit={add}>
         <p className="sheet-note">{t("teacher.add-help")}</p>
         <label>
-          <span className="field-label">{t("class.your-name")}</span>
+          <span className="field-label">{t("teacher.add-name")}</span>
           <input
             className="field"
             value={name}

@@ -242,6 +242,7 @@ export function Teacher() {
         <main className="class-main" aria-label={t("teacher.cards")}>
           {pupils.length === 0 ? (
             <div className="class-empty" data-testid="class-empty">
+              <Bars change={() => setSheet("exercise")} />
               <JoinCard large />
               <p>{news === null ? "" : t("teacher.empty")}</p>
               {news === null ? null : (

@@ -151,6 +151,7 @@ export function keepDesk(): () => void {
       else if (message.type === "pupils") hearPupils(message);
       else if (message.arena !== null && message.folder === useDesk.getState().looked) set({ arena: message.arena });
     },
+    onSilence: (silent) => set(({ lost }) => ({ lost: silent ? (lost ?? Date.now()) : null })),
     onLost: () => {
       set(({ lost }) => ({ lost: lost ?? Date.now() }));
       classApi.log().catch((cause: unknown) => {
