@@ -7,8 +7,9 @@ import { startOf } from "../model/starts";
 import { changeWorld } from "../model/commands/changeWorld";
 import { useStudio } from "../model/studio";
 import { typedName } from "../model/typed-name";
-import type { OwnWorld } from "../model/types";
+import type { Mission, OwnWorld } from "../model/types";
 import { withStartsFor } from "../model/world/begun";
+import { startNear } from "../model/world/free-start";
 import { drawNew, type Spot } from "../model/world/make";
 import { moved, startMoved } from "../model/world/moving";
 import { nameOf } from "../model/world/names";
@@ -173,14 +174,42 @@ export async function moveStart(name: string, x: number, y: number): Promise<voi
   keepMoved(plan, world, t("command.move", { name }));
 }
 
+/**
+ * One more robot at a start of the kind of the start `beside`, as one step: one that is free, else one that is made near that.
+ * `add` gives the command of the robot, which may be called like a free start. False where the world cannot be read or has no
+ * room.
+ */
+export async function addStarting(
+  beside: string,
+  add: (mission: Mission, start: string, isFree: boolean) => Command | null,
+): Promise<boolean> {
+  const plan = await worldAsPlan();
+  if (plan === null) return false;
+  const { mission } = useStudio.getState();
+  const taken = new Set(mission.agents.map(startOf));
+  const near = plan.starts.find((start) => start.name === beside);
+  const free = plan.starts.find(({ name, at }) => !taken.has(name) && (near === undefined || at === near.at));
+  if (free !== undefined) return execute(add(mission, free.name, true));
+  const start = startNear(plan, beside, copyName(plan, "start", beside === "" ? "robot" : beside));
+  if (start === null) return false;
+  const world = { ...plan, starts: [...plan.starts, start] };
+  const command = add({ ...mission, world: "", own_world: world }, start.name, false);
+  if (command === null) return false;
+  if (mission.own_world == null) bring(plan, command);
+  else execute(command);
+  return true;
+}
+
 /** Keeps `plan` as `world`, in which something was moved; a world of a file is copied into the mission, which is said. */
 export function keepMoved(plan: OwnWorld, world: OwnWorld, label: string, joins?: string): void {
   const { mission } = useStudio.getState();
-  if (mission.own_world != null) {
-    change(label, world, joins);
-    return;
-  }
-  execute({ ...bringWorld(mission, world), label });
+  if (mission.own_world != null) change(label, world, joins);
+  else bring(plan, { ...bringWorld(mission, world), label });
+}
+
+/** Does what copies the world of a file into the mission, and says so. */
+function bring(plan: OwnWorld, command: Command): void {
+  execute(command);
   const message = t("world.brought", { name: plan.name });
   const back = () => {
     dismissBanner();

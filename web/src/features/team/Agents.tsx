@@ -20,10 +20,11 @@ import { useStudio } from "../../model/studio";
 import { TEAM_ROBOT } from "../../model/team-robot";
 import { text } from "../../model/texts";
 import type { Agent } from "../../model/types";
+import type { addStarting } from "../../session/world-edits";
 import { Icon } from "../../theme";
 import { Select } from "../../ui/Select";
 import { Tool } from "../../ui/Tool";
-import { freeStartOf, nameLike, withoutStart } from "./starts";
+import { nameLike, withoutStart } from "./starts";
 
 function execute(command: Command | null): boolean {
   if (command === null) return false;
@@ -38,23 +39,30 @@ function wrongName(name: string): string {
   return taken ? t("team.name-taken", { name }) : "";
 }
 
-function newAgent(): void {
-  const { mission, world, activeProgram } = useStudio.getState();
-  const free = freeStartOf(mission, world);
+/** A robot like the last one with that program, at a start of its own where the world has room for one. */
+async function newAgent(): Promise<void> {
+  const { mission, activeProgram } = useStudio.getState();
+  const last = mission.agents.findLast(({ program }) => program === activeProgram) ?? mission.agents.at(-1);
   const names = mission.agents.map((agent) => agent.name);
-  const name = free !== null && !names.includes(free) ? free : nameLike(names.at(-1) ?? "robot", names);
-  execute(addAgent(mission, name, activeProgram, free ?? world?.starts[0]?.name ?? ""));
+  await atStart(last === undefined ? "" : startOf(last), (before, start, isFree) => {
+    const name = isFree && !names.includes(start) ? start : nameLike(last?.name ?? "robot", names);
+    return addAgent(before, name, activeProgram, start);
+  });
 }
 
-function duplicate(at: number): void {
-  const { mission, world } = useStudio.getState();
+async function duplicate(at: number): Promise<void> {
+  const { mission } = useStudio.getState();
   const agent = mission.agents[at];
   if (agent === undefined) return;
-  const name = nameLike(
-    agent.name,
-    mission.agents.map((one) => one.name),
-  );
-  execute(copyAgent(mission, at, name, freeStartOf(mission, world) ?? startOf(agent)));
+  const names = mission.agents.map((one) => one.name);
+  await atStart(startOf(agent), (before, start) => copyAgent(before, at, nameLike(agent.name, names), start));
+}
+
+/** One more robot near the start `beside`; without a world, or room in it, at that start itself. */
+async function atStart(beside: string, add: Parameters<typeof addStarting>[1]): Promise<void> {
+  const { addStarting } = await import("../../session/world-edits");
+  if (useStudio.getState().world !== null && (await addStarting(beside, add))) return;
+  execute(add(useStudio.getState().mission, beside, false));
 }
 
 interface RowProps {
@@ -76,7 +84,7 @@ function Row({ agent, at, onKey, focus }: RowProps) {
   const others = new Set(agents.filter((one) => one !== agent).map(startOf));
   const now = () => useStudio.getState().mission;
   const tools: [string, string, string, boolean, () => void][] = [
-    ["copy", "copy", t("team.duplicate", { name }), false, () => duplicate(at)],
+    ["copy", "copy", t("team.duplicate", { name }), false, () => void duplicate(at)],
     ["up", "arrow-up", t("team.up", { name }), at === 0, () => move(-1)],
     ["down", "arrow-down", t("team.down", { name }), at === agents.length - 1, () => move(1)],
     ["remove", "trash-2", t("team.remove", { name }), false, remove],
@@ -218,12 +226,13 @@ export function Agents() {
         ref={button}
         data-testid="add-agent"
         onClick={() => {
-          newAgent();
-          requestAnimationFrame(() => {
-            const field = list.current?.lastElementChild?.querySelector<HTMLInputElement>("input");
-            field?.focus();
-            field?.select();
-          });
+          void newAgent().then(() =>
+            requestAnimationFrame(() => {
+              const field = list.current?.lastElementChild?.querySelector<HTMLInputElement>("input");
+              field?.focus();
+              field?.select();
+            }),
+          );
         }}
       >
         <Icon name="plus" size={16} /> {t("team.add-agent")}

@@ -1,12 +1,6 @@
-/** Which starts of the world are taken, and by whom. */
+/** Who has no start in the world, and names for new robots. */
 import { startOf } from "../../model/starts";
 import type { Mission, World } from "../../model/types";
-
-/** The first start that no agent uses, or null. */
-export function freeStartOf(mission: Mission, world: World | null): string | null {
-  const taken = new Set(mission.agents.map(startOf));
-  return world?.starts.find((start) => !taken.has(start.name))?.name ?? null;
-}
 
 /** The agents whose start the world has not, by their place in the list. */
 export function withoutStart(mission: Mission, world: World | null): number[] {
