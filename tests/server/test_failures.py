@@ -17,10 +17,11 @@ ROBOT = "carrier-1"
 
 
 def flags(frame: bytes) -> list[int]:
-    """Of every robot in a frame."""
-    count = (len(frame) // 4 - 2) // 5
+    """Of every robot in the last frame."""
     numbers = struct.unpack(f"<{len(frame) // 4}f", frame)
-    return [int(numbers[2 + 5 * robot + 4]) for robot in range(count)]
+    robots, things = int(numbers[1]), int(numbers[2])
+    head = len(numbers) - (3 + 5 * robots + 2 * things)
+    return [int(numbers[head + 3 + 5 * robot + 4]) for robot in range(robots)]
 
 
 @pytest.fixture
@@ -96,7 +97,7 @@ def test_a_schedule_of_the_mission_holds_in_the_studio(connect, ring):
 def test_stop_stands_everything_still_in_the_last_frame(connect, ring):
     with connect() as watcher:
         watcher.start(ring, speed=1)
-        while not any(one & MOVING for one in flags(watcher.frames[-1] if watcher.frames else b"\0" * 8)):
+        while not any(one & MOVING for one in flags(watcher.frames[-1] if watcher.frames else b"\0" * 12)):
             watcher.until("tick")
         watcher.send(type="stop")
         watcher.until("state", status="stopped")

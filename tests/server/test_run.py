@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import contextlib
+import itertools
 import json
 import re
 import struct
@@ -138,9 +139,23 @@ def test_a_frame_holds_the_tick_and_five_numbers_of_each_agent(connect, mission)
     with connect() as watcher:
         watcher.start(mission())
         watcher.next()
-        tick, count, x, y, heading, load, flags = struct.unpack("<7f", watcher.frames[0])
-        assert (tick, count) == (0, 1)
+        tick, robots, things, x, y, heading, load, flags = struct.unpack("<8f", watcher.frames[0])
+        assert (tick, robots, things) == (0, 1, 0)
         assert (x, y, heading, load, flags) == (2000, 1250, 0, 0, 0)
+
+
+def test_at_full_speed_the_way_between_two_frames_comes_too(connect, mission, transport):
+    with connect() as watcher:
+        watcher.start(mission(transport), path=transport)
+        watcher.until("state", status="done")
+        ticks: list[int] = []
+        for message in watcher.frames:
+            numbers = struct.unpack(f"<{len(message) // 4}f", message)
+            size = 3 + 5 * int(numbers[1]) + 2 * int(numbers[2])
+            assert len(numbers) % size == 0
+            ticks += [int(tick) for tick in numbers[::size]]
+        assert ticks == sorted(ticks)
+        assert max(after - before for before, after in itertools.pairwise(ticks)) <= 24
 
 
 def test_the_example_with_carriers_ends_as_done_with_all_stock_delivered(connect, mission, transport):

@@ -2,7 +2,7 @@
 
 Everything is told to all of them at once and encoded once: the frame as it is, the JSON once for each language that has
 words in it. Each watcher has a task of its own that sends what is newest; while it is still at it, what is told
-meanwhile is put together (the last frame, all that changed, all events), so a slow page gets fewer and larger
+meanwhile is put together (the frames, all that changed, all events), so a slow page gets fewer and larger
 messages, misses nothing that lasts, and never holds up the run or the others.
 
 Who joins is told the whole run as it stands, between two rounds of the run. Only the server's event loop touches
@@ -27,6 +27,10 @@ from kitrobot.translation import said, said_in
 
 MOST_WATCHERS = 200
 """Pages that watch one run at a time."""
+
+
+_MOST_FRAMES = 64_000
+"""Bytes of frames that wait for a slow page; of more only the newest are sent."""
 
 
 class Line(Protocol):
@@ -75,7 +79,9 @@ class Telling:
         agents = {**missed["agents"], **news["agents"]}
         again = news["again"] or missed["again"]
         drawing = _joined(missed.get("drawing"), news.get("drawing"))
-        return Telling(self.frame, {**news, "agents": agents, "events": events, "again": again, "drawing": drawing})
+        frames = before.frame + self.frame
+        frame = frames if len(frames) <= _MOST_FRAMES else self.frame
+        return Telling(frame, {**news, "agents": agents, "events": events, "again": again, "drawing": drawing})
 
 
 def _joined(missed: dict[str, Any] | None, news: dict[str, Any] | None) -> dict[str, Any] | None:

@@ -183,15 +183,16 @@ class RunEncoder:
         return {name: _bounded(record.numbers[at]) for name, at in self._stock}
 
     def frame(self, record: TickRecord) -> bytes:
-        """All poses: float32, little-endian: tick, how many, then x, y, heading, load, flags of each, and x, y of each
-        thing that can be pushed.
+        """All poses: float32, little-endian: tick, how many robots and how many things that can be pushed, then x, y,
+        heading, load, flags of each robot, and x, y of each thing.
         """
         row = record.numbers
         if row and not (min(row) >= -_MOST and max(row) <= _MOST):
             row = [_bounded(number) for number in row]
         numbers = [0.0 if at is None else row[at] * scale for at, scale in self._poses]
         numbers += [row[at] * scale for at, scale in self._things]
-        return struct.pack(f"<{2 + len(numbers)}f", record.tick, len(self._agents), *numbers)
+        head = record.tick, len(self._agents), len(self._things)
+        return struct.pack(f"<{len(head) + len(numbers)}f", *head, *numbers)
 
     def standing(self, active: Sequence[Threads], agent: str) -> list[tuple[str, tuple[str | None, ...]]]:
         """Where the agent stands, or everybody ("")."""

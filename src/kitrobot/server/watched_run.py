@@ -13,7 +13,7 @@ from typing import Any
 
 from kitrobot.diagnostics import Diagnostic
 from kitrobot.mission import Breakpoint, Mission
-from kitrobot.server.run_messages import MOST_EVENTS_TOLD, RunEncoder
+from kitrobot.server.run_messages import MOST_EVENTS_TOLD, MOST_REPORTED, RunEncoder
 from kitrobot.server.shapes import StartedMessage
 from kitrobot.sim.breakpoints import Breakpoints, Hit, Observed
 from kitrobot.trace import RunSource
@@ -22,6 +22,11 @@ from kitrobot.world import World
 _TICKS_BETWEEN_LOOKS = 8
 """Ticks run between two looks at the clock; fewer of very many robots, so that Stop is obeyed soon."""
 _ROBOT_TICKS_BETWEEN_LOOKS = 4000
+
+_WAY_TICKS = 16
+"""Ticks between two places of the way that robots went since they were told last, where more were run."""
+_MOST_WAY = 16_000
+"""Bytes of that way; a longer one has its places further apart."""
 
 
 class WatchedRun(ABC):
@@ -48,6 +53,9 @@ class WatchedRun(ABC):
         self._breakpoints = self._armed(breakpoints)
         members = len(source.header.agents)
         self._portion = max(1, min(_TICKS_BETWEEN_LOOKS, _ROBOT_TICKS_BETWEEN_LOOKS // max(1, members)))
+        self._way: list[bytes] = []
+        self._way_tick = 0
+        self._way_ticks = _WAY_TICKS
         self.hits: list[Hit] = []
         """Why `advance` came to an end before its time: who came to a breakpoint."""
 
@@ -108,10 +116,22 @@ class WatchedRun(ABC):
 
     def _advance(self, ticks: int) -> int:
         made = self._source.advance(ticks)
+        if self.tick - self._way_tick >= self._way_ticks:
+            self._keep_way()
         if self._breakpoints:
             self._observe()
             self.hits = self._breakpoints.after_step(self.tick)
         return made
+
+    def _keep_way(self) -> None:
+        """Where the robots are on the way to what is told next: of a few, as of many nobody could see it."""
+        self._way_tick = self.tick
+        if len(self._source.header.agents) > MOST_REPORTED:
+            return
+        self._way.append(self._encoder.frame(self._source.record(())))
+        if len(self._way) * len(self._way[0]) > _MOST_WAY:
+            del self._way[::2]
+            self._way_ticks *= 2
 
     def _observe(self) -> None:  # noqa: B027 (members of a simulation always stand where it does)
         """Brings the agents that breakpoints ask to the tick where the run stands."""
@@ -202,13 +222,15 @@ class WatchedRun(ABC):
         return told.model_copy(update={"fleet": self.fleet})
 
     def tell(self) -> tuple[bytes, dict[str, Any]]:
-        """All poses, as `RunEncoder.frame` gives them, and what changed since the last time, in the shape of a
-        `TickMessage`.
+        """All poses, as `RunEncoder.frame` gives them, after those of the way there where that was long, and what
+        changed since the last time, in the shape of a `TickMessage`.
         """
         again, events = self._source.new_events(MOST_EVENTS_TOLD)
         record = self._source.record(self._encoder.reported)
         drawn = self._source.drawing.news(record.tick)
-        return self._encoder.frame(record), self._encoder.news(record, self._source.latest, again, events, drawn)
+        frames = b"".join([*self._way, self._encoder.frame(record)])
+        self._way, self._way_tick, self._way_ticks = [], record.tick, _WAY_TICKS
+        return frames, self._encoder.news(record, self._source.latest, again, events, drawn)
 
     def tell_whole(self) -> tuple[bytes, dict[str, Any]]:
         """All poses and everything that `tell` has told so far, for somebody who joins now."""

@@ -3,7 +3,7 @@ import { afterEach, beforeEach, describe, expect, it, vi } from "vitest";
 import { api, ApiError } from "./client";
 import { socketAddress } from "./address";
 import { forgetToken, token } from "./token";
-import { decodeFrame } from "./wire";
+import { decodeFrames } from "./wire";
 
 function answer(status: number, body: unknown): void {
   const response = new Response(typeof body === "string" ? body : JSON.stringify(body), { status });
@@ -96,19 +96,29 @@ describe("a pose frame", () => {
   const frame = (numbers: number[]) => new Float32Array(numbers).buffer;
 
   it("is read robot by robot", () => {
-    const read = decodeFrame(frame([7, 2, 1, 2, 0.5, 1, 16, 3, 4, 0, 0, 0]));
+    const [read] = decodeFrames(frame([7, 2, 0, 1, 2, 0.5, 1, 16, 3, 4, 0, 0, 0]));
     expect(read?.tick).toBe(7);
     expect(read?.poses[0]).toEqual({ x_mm: 1, y_mm: 2, heading_rad: 0.5, load: 1, flags: 16 });
     expect(read?.poses[1]?.y_mm).toBe(4);
   });
 
+  it("comes after those of the way there, each with its things", () => {
+    const one = [1, 2, 0.5, 0, 0];
+    const read = decodeFrames(frame([16, 1, 1, ...one, 8, 9, 32, 1, 1, ...one, 10, 11]));
+    expect(read.map(({ tick, things }) => [tick, things])).toEqual([
+      [16, [[8, 9]]],
+      [32, [[10, 11]]],
+    ]);
+  });
+
   it.each([
-    ["is cut off", [7, 2, 1, 2, 0.5]],
-    ["has too many numbers", [7, 0, 1]],
-    ["has a count that is none", [7, Number.NaN]],
-    ["has a count below nought", [7, -1]],
+    ["is cut off", [7, 2, 0, 1, 2, 0.5]],
+    ["has too many numbers", [7, 0, 0, 1]],
+    ["has a count that is none", [7, Number.NaN, 0]],
+    ["has a count below nought", [7, -1, 0]],
+    ["has things below nought", [7, 1, -1, 1, 2, 3, 4, 5]],
     ["is empty", []],
   ])("that %s is dropped", (_, numbers) => {
-    expect(decodeFrame(frame(numbers))).toBeNull();
+    expect(decodeFrames(frame(numbers))).toEqual([]);
   });
 });

@@ -6,7 +6,7 @@
 import { t } from "../i18n/words";
 import { socketAddress } from "./address";
 import { talk } from "./line";
-import { decodeFrame, type PoseFrame, type RunMessage, type RunRequest } from "./wire";
+import { decodeFrames, type PoseFrame, type RunMessage, type RunRequest } from "./wire";
 
 export interface Failure {
   message: string;
@@ -21,7 +21,8 @@ export interface RunSocket {
 interface Listener {
   onOpen: (socket: RunSocket) => void;
   onMessage: (message: RunMessage) => void;
-  onFrame: (frame: PoseFrame) => void;
+  /** The last one is where the robots are, those before it the way there. */
+  onFrames: (way: readonly PoseFrame[], last: PoseFrame) => void;
   onLost: (failure: Failure) => void;
 }
 
@@ -44,8 +45,9 @@ export function openRunSocket(listener: Listener): RunSocket {
     if (typeof event.data === "string") {
       listener.onMessage(JSON.parse(event.data) as RunMessage);
     } else {
-      const frame = decodeFrame(event.data);
-      if (frame !== null) listener.onFrame(frame);
+      const way = decodeFrames(event.data);
+      const last = way.pop();
+      if (last !== undefined) listener.onFrames(way, last);
     }
   });
   socket.addEventListener("close", () => {

@@ -2,7 +2,7 @@
  * What travels over the run's WebSocket.
  *
  * Lengths in mm, angles in radians, x to the right, y up, heading 0 along +x and counter-clockwise. Poses come as binary
- * frames (see `decodeFrame`), everything else as JSON with a `type`.
+ * frames (see `decodeFrames`), everything else as JSON with a `type`.
  */
 import type { AgentReport, HarmRequest, RunEvent, StartedMessage, StateMessage } from "./generated";
 
@@ -55,29 +55,30 @@ export interface PoseFrame {
 }
 
 const FIELDS = 5;
-const HEAD = 2;
+const HEAD = 3;
 
-/** A binary frame, or null when its length does not fit what it says. */
-export function decodeFrame(data: ArrayBuffer): PoseFrame | null {
-  if (data.byteLength % 4 !== 0 || data.byteLength < HEAD * 4) return null;
+/**
+ * Binary frames, one after another: where the robots are, after the way that they went there. Empty when the length does not
+ * fit what they say.
+ */
+export function decodeFrames(data: ArrayBuffer): PoseFrame[] {
+  if (data.byteLength % 4 !== 0) return [];
   const view = new DataView(data);
-  const read = (index: number) => view.getFloat32(index * 4, true);
-  const count = read(1);
-  if (!Number.isInteger(count) || count < 0) return null;
-  const rest = data.byteLength - (HEAD + count * FIELDS) * 4;
-  if (rest < 0 || rest % 8 !== 0) return null;
-  const poses: Pose[] = [];
-  for (let robot = 0; robot < count; robot++) {
-    const at = HEAD + robot * FIELDS;
-    poses.push({
-      x_mm: read(at),
-      y_mm: read(at + 1),
-      heading_rad: read(at + 2),
-      load: read(at + 3),
-      flags: read(at + 4),
-    });
+  const [read, length] = [(index: number) => view.getFloat32(index * 4, true), data.byteLength / 4];
+  const frames: PoseFrame[] = [];
+  for (let at = 0; at < length;) {
+    const [robots, things] = at + HEAD > length ? [-1, -1] : [read(at + 1), read(at + 2)];
+    if (!(Number.isInteger(robots) && Number.isInteger(things) && robots >= 0 && things >= 0)) return [];
+    const end = at + HEAD + robots * FIELDS + things * 2;
+    if (end > length) return [];
+    const frame = { tick: read(at), poses: [] as Pose[], things: [] as [number, number][] };
+    at += HEAD;
+    for (const first = at; at < first + robots * FIELDS; at += FIELDS) {
+      const [x_mm, y_mm, heading_rad] = [read(at), read(at + 1), read(at + 2)];
+      frame.poses.push({ x_mm, y_mm, heading_rad, load: read(at + 3), flags: read(at + 4) });
+    }
+    for (; at < end; at += 2) frame.things.push([read(at), read(at + 1)]);
+    frames.push(frame);
   }
-  const things: [number, number][] = [];
-  for (let at = HEAD + count * FIELDS; (at + 2) * 4 <= data.byteLength; at += 2) things.push([read(at), read(at + 1)]);
-  return { tick: read(0), poses, things };
+  return frames;
 }

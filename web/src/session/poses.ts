@@ -16,6 +16,7 @@ const JUMP_MM = 600;
 
 let before: Arrived | null = null;
 let last: Arrived | null = null;
+let way: readonly PoseFrame[] = [];
 const watchers = new Set<() => void>();
 
 /** Calls back whenever there is something new to draw; the returned function ends it. */
@@ -24,16 +25,24 @@ export function watchFrames(callback: () => void): () => void {
   return () => watchers.delete(callback);
 }
 
-export function pushFrame(frame: PoseFrame, now: number): void {
+/** `gone`: where the robots were on the way to it, where that was long. */
+export function pushFrame(frame: PoseFrame, now: number, gone: readonly PoseFrame[] = []): void {
   before = last !== null && last.poses.length === frame.poses.length && frame.tick >= last.tick ? last : null;
   last = { ...frame, at: now };
+  way = gone;
   for (const callback of watchers) callback();
 }
 
 export function clearFrames(): void {
   before = null;
   last = null;
+  way = [];
   for (const callback of watchers) callback();
+}
+
+/** Where the robots were on the way to the last frame, from the one before; empty where that was short. */
+export function wayToLast(): readonly PoseFrame[] {
+  return way;
 }
 
 /** The last frame that came; null before the first. */

@@ -237,7 +237,7 @@ function connect(mission: Mission, request: RunRequest): void {
       )
         hangUp();
     },
-    onFrame: (frame) => pushFrame(frame, performance.now()),
+    onFrames: (way, last) => pushFrame(last, performance.now(), way),
     onLost: (failure) => {
       socket = null;
       const { status } = useRun.getState();

@@ -3,7 +3,7 @@ import { useEffect, useMemo } from "react";
 
 import type { Painter } from "../../../components/scene/painter";
 import type { Scene } from "../../../components/scene/scene";
-import { lastFrame, watchFrames } from "../../../session/poses";
+import { lastFrame, watchFrames, wayToLast } from "../../../session/poses";
 import { useRun } from "../../../session/run";
 import { useStage } from "../../../session/stage";
 import { useGamepad } from "./gamepad";
@@ -29,7 +29,7 @@ export function Shown({ scene, selected, painter }: ShownProps) {
     const record = () => {
       const frame = lastFrame();
       if (frame === null) layers.begin(run);
-      else layers.record(frame);
+      else layers.record(frame, wayToLast());
     };
     record();
     return watchFrames(record);

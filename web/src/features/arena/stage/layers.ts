@@ -74,8 +74,10 @@ export class StageLayers implements Layers {
     this.confetti.clear();
   }
 
-  record(frame: PoseFrame): void {
-    this.trails.record(frame);
+  /** `way`: the frames between the one before and this one. */
+  record(frame: PoseFrame, way: readonly PoseFrame[]): void {
+    for (const one of way) this.trails.record(one, true);
+    this.trails.record(frame, way.length > 0);
     this.motion.record(frame);
   }
 

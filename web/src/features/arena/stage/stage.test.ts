@@ -54,6 +54,13 @@ describe("trails", () => {
     expect(trails.apart).toEqual([1, 0]);
   });
 
+  it("have no gap where the way between two frames came with the second", () => {
+    const trails = new Trails();
+    trails.record(frame(0, [0, 0]));
+    for (const tick of [200, 400, 600]) trails.record(frame(tick, [tick, 0]), true);
+    expect([trails.lengths, trails.apart]).toEqual([[4], [0]]);
+  });
+
   it("stay bounded however long a run is", () => {
     const trails = new Trails();
     for (let tick = 0; tick < 12_000; tick++) trails.record(frame(tick, [(tick % 2) * 50, 0]));

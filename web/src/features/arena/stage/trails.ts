@@ -15,7 +15,7 @@ const [DOT_PX, EACH_PX] = [3, 8];
 const LEAST_MM = 10;
 /** Further than this within one frame it did not drive, in mm. */
 const JUMP_MM = 2000;
-/** Frames further apart than this are not joined, in ticks: 0.6 s, as they come at some 18 times real time. */
+/** Frames further apart than this are not joined, in ticks: 0.6 s. Of a faster run the way between two frames comes too. */
 const APART_TICKS = 30;
 /** Room of the layer around the arena, in px. */
 const MARGIN = 200;
@@ -62,13 +62,14 @@ export class Trails {
     return this.trails.map(({ seen }) => seen.filter((one) => !one).length);
   }
 
-  record({ tick, poses }: PoseFrame): void {
+  /** `joined`: it follows on the one before, however far apart they are. */
+  record({ tick, poses }: PoseFrame, joined = false): void {
     if (this.trails.length !== poses.length) {
       this.trails = poses.map(empty);
       this.stale = true;
     }
     if (tick < this.tick) this.forget(tick);
-    const close = tick - this.tick <= APART_TICKS;
+    const close = joined || tick - this.tick <= APART_TICKS;
     this.tick = tick;
     const most = Math.min(MOST, Math.max(FEWEST, Math.floor(ALL / Math.max(poses.length, 1))));
     poses.forEach(({ x_mm, y_mm }, index) => {
