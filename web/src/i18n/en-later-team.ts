@@ -192,7 +192,6 @@ export const LATER_TEAM_EN = {
   "team.chance": "By chance, each robot fails for good within a minute with a probability of",
   "team.chance-help":
     "The seed decides when, so the same seed gives the same failures. Holds for the runs of this window until another mission is opened; it is not kept in the mission.",
-  "team.chance-wrong": "A number from 0 to 100, please.",
   "team.failure-who": "Who",
   "team.failure-when": "At, in seconds",
   "team.failure-what": "What happens",
