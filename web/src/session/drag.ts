@@ -60,6 +60,8 @@ export function cancelDrag(): void {
 
 /** From a pointer that went down on something that can be dragged. */
 export function beginDrag(event: ReactPointerEvent, payload: Payload): void {
+  // A second finger begins no drag, and leaves that of the first to be ended.
+  if (!event.isPrimary) return;
   cancelCurrent = followPointer(event, {
     move: (at, copy) => {
       const found = resolver(at, payload);
