@@ -20,9 +20,9 @@ const field = () => page.place.querySelector("input") as HTMLInputElement;
 const why = () => page.place.querySelector("[role=alert]")?.textContent ?? "";
 
 function type(text: string): void {
-  const set = Object.getOwnPropertyDescriptor(HTMLInputElement.prototype, "value")?.set;
   page.act(() => {
-    set?.call(field(), text);
+    // As a person types: React keeps the value that its own setter was given.
+    Object.getOwnPropertyDescriptor(HTMLInputElement.prototype, "value")?.set?.call(field(), text);
     field().dispatchEvent(new Event("input", { bubbles: true }));
   });
 }
