@@ -11,7 +11,7 @@ from kitrobot.fleet import run_source as module
 from kitrobot.fleet.telling import read_told
 from kitrobot.sim import Simulation
 from kitrobot.text import Sentence
-from kitrobot.trace import AbilityError, TraceError, TraceReader
+from kitrobot.trace import AbilityError, TraceError, TraceReader, walk
 from kitrobot.workspace import RunOptions, open_mission
 
 
@@ -41,13 +41,13 @@ def test_it_is_gone_back_in_while_it_goes_on_and_ends_where_it_ended(
         seen.append((source.tick, source.record().numbers, source.active()))
     assert [tick for tick, _, _ in seen] == [*range(7, 100, 7), 100]
     for tick, numbers, active in reversed(seen):
-        source.seek(tick, lambda: False)
+        walk(source.seek(tick))
         assert (source.tick, source.record().numbers, list(source.active())) == (tick, numbers, list(active))
     stepped(source, run, 60)
-    source.seek(999, lambda: False)
+    walk(source.seek(999))
     assert source.tick == 160
     now = list(source.active())
-    source.seek_back(lambda: list(source.active()) != now, lambda: False)
+    walk(source.seek_back(lambda: list(source.active()) != now))
     assert source.tick < 160
     for act in (
         lambda: source.force("robot-1", "x", 1),

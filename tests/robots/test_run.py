@@ -10,7 +10,7 @@ from kitrobot.deploy import Fault, News
 from kitrobot.diagnostics import KitRobotError
 from kitrobot.robots import Known, RecordedBoard, RobotSession, RobotsRun
 from kitrobot.server.run_messages import RunEncoder
-from kitrobot.trace import AbilityError, RunSource, TickRecord
+from kitrobot.trace import AbilityError, RunSource, TickRecord, walk
 from kitrobot.translation import reading_in, said
 from kitrobot.workspace import load_board_program
 from tests.boards.host import write_pulse
@@ -122,7 +122,7 @@ def test_what_was_heard_is_kept_and_the_robots_go_on_meanwhile(made: Run) -> Non
         made.hears(0, News(number, {COUNT: number}, {0: number % 2}))
     assert made.run.advance(1000) == 250
     assert counts(made) == 5
-    made.run.seek(120, bool)
+    walk(made.run.seek(120))
     assert (made.run.tick, made.run.latest, made.run.outcome, counts(made)) == (120, 250, None, 2)
     assert made.run.active() == (((0, 0),), ())
     made.clock.now += 1
@@ -131,11 +131,11 @@ def test_what_was_heard_is_kept_and_the_robots_go_on_meanwhile(made: Run) -> Non
     assert made.run.advance(30) == 30
     assert counts(made) == 3
     before = made.run.active()
-    made.run.seek_back(lambda: made.run.active() != before, bool)
+    walk(made.run.seek_back(lambda: made.run.active() != before))
     assert (made.run.tick, counts(made)) == (149, 2)
-    made.run.seek_back(bool, bool)
+    walk(made.run.seek_back(bool))
     assert (made.run.tick, counts(made)) == (0, 0)
-    made.run.seek(10**9, bool)
+    walk(made.run.seek(10**9))
     assert (made.run.tick, counts(made)) == (300, 6)
 
 
@@ -161,7 +161,7 @@ def test_only_the_last_moments_are_kept(made: Run, monkeypatch: pytest.MonkeyPat
     for number in range(1, 31):
         made.clock.now += 1
         made.hears(0, News(number, {COUNT: number}, {}))
-    made.run.seek(0, bool)
+    walk(made.run.seek(0))
     assert 1 <= 30 - counts(made) <= 11
     assert made.run.tick == 50 * counts(made)
     assert len(made.run.records()) <= 11

@@ -16,6 +16,7 @@ from kitrobot.server.live_run import LiveRun
 from kitrobot.server.replay import Replay, ReplayError
 from kitrobot.sim import simulate
 from kitrobot.sim.breakpoints import ConditionError, Hit
+from kitrobot.trace import walk
 from kitrobot.workspace import open_trace
 from tests.effort import THOROUGH
 from tests.server.test_run import connect, mission  # noqa: F401
@@ -50,7 +51,7 @@ def vertex(element: str, number: int = 0) -> str:
 
 def hits_of(one: LiveRun | Replay, *breakpoints: Breakpoint) -> Hits:
     """Every pause on the way to the end, from the first tick."""
-    one.seek(0, lambda: False)
+    walk(one.seek(0))
     one.pause_at(breakpoints)
     found: Hits = []
     while one.outcome is None:
@@ -117,8 +118,8 @@ def test_after_going_back_it_pauses_at_the_same_places_again(replay, place):
 
 def test_a_step_ends_at_a_breakpoint(replay, place):
     first = hits_of(replay, Breakpoint("carrier", place))[0]
-    replay.seek(0, lambda: False)
-    replay.step("nobody", lambda: False)
+    walk(replay.seek(0))
+    walk(replay.step("nobody"))
     assert (replay.tick, replay.hits[0]) == first
 
 

@@ -20,7 +20,7 @@ from kitrobot.server.recordings import Recordings
 from kitrobot.server.replay import Replay
 from kitrobot.server.run_messages import MOST_REPORTED
 from kitrobot.server.security import Guard
-from kitrobot.trace import Threads, TraceReader, layout
+from kitrobot.trace import Threads, TraceReader, layout, walk
 from kitrobot.trace.header import header_to_json
 from kitrobot.workspace import RunOptions, open_trace
 from tests.patience import PATIENCE_S
@@ -50,10 +50,6 @@ def go(one: LiveRun | Replay) -> None:
     one.advance(1, 1e9, lambda: 0.0)
 
 
-def never() -> bool:
-    return False
-
-
 def told(one: LiveRun | Replay) -> tuple[bytes, dict[str, Any], float]:
     frame, news = one.tell()
     news["events"] = []
@@ -70,7 +66,7 @@ def test_the_player_shows_at_every_tick_what_the_run_showed(
     path = tmp_path_factory.mktemp("play") / "a.krtrace"
     watch.record_to(path)
     latest = watch.tick
-    watch.seek(0, never)
+    walk(watch.seek(0))
     watch._run._again = True
     # A page that has just begun to watch: nobody was told of yet.
     watch._encoder._before = [None] * len(watch._encoder._before)
@@ -90,17 +86,17 @@ def test_the_player_shows_at_every_tick_what_the_run_showed(
         match random.randrange(3):
             case 0:
                 tick = random.randrange(latest + 1)
-                replay.seek(tick, never)
-                watch.seek(tick, never)
+                walk(replay.seek(tick))
+                walk(watch.seek(tick))
             case 1:
                 agent = random.choice(["", "carrier-1", "loader"])
-                replay.step_back(agent, never)
-                watch.step_back(agent, never)
+                walk(replay.step_back(agent))
+                walk(watch.step_back(agent))
             case _:
-                replay.seek(latest // 2, never)
-                watch.seek(latest // 2, never)
-                replay.step("carrier-1", never)
-                watch.step("carrier-1", never)
+                walk(replay.seek(latest // 2))
+                walk(watch.seek(latest // 2))
+                walk(replay.step("carrier-1"))
+                walk(watch.step("carrier-1"))
                 if watch.tick > latest:
                     # A run goes on beyond what was recorded of it; the recording stands at its end.
                     assert replay.tick == latest

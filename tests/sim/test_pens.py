@@ -8,7 +8,7 @@ import random
 import pytest
 
 from kitrobot.sim import Recorder, Simulation, SimulationSource, pens_of, strokes_now
-from kitrobot.trace import Drawing, DrawingReader, Mark, Stroke, drawing_svg
+from kitrobot.trace import Drawing, DrawingReader, Mark, Stroke, drawing_svg, walk
 from kitrobot.trace.strokes import tenths
 from tests.sim.building import catalogue, empty_world, run_of
 
@@ -118,7 +118,7 @@ def test_going_back_takes_lines_away_and_going_on_draws_the_same_or_others() -> 
     assert first is not None
     assert (first.keep, list(first.marks)) == (0, whole)
     assert source.drawing.news(300) is None
-    source.seek(60, lambda: False)
+    walk(source.seek(60))
     back = source.drawing.news(60)
     assert back is not None
     assert (back.keep, list(back.marks)) == (source.drawing.count(60), [])
@@ -126,7 +126,7 @@ def test_going_back_takes_lines_away_and_going_on_draws_the_same_or_others() -> 
     on = source.drawing.news(300)
     assert on is not None
     assert whole[: on.keep] + list(on.marks) == whole == source.drawing.marks
-    source.seek(60, lambda: False)
+    walk(source.seek(60))
     source.set_variable("r0", "Level", 3)
     source.fail("r0", "fail")
     source.advance(100)

@@ -12,7 +12,8 @@ from hypothesis import strategies as st
 import kitrobot
 from kitrobot.diagnostics import KitRobotError
 from kitrobot.sim import Simulation
-from kitrobot.sim.timeline import Intervention, Timeline
+from kitrobot.sim.timeline import PIECE, Intervention, Timeline
+from kitrobot.trace import walk
 from kitrobot.translation.rendering import translated
 from tests.effort import examples
 from tests.sim.building import catalogue, empty_world, run_of
@@ -189,9 +190,11 @@ def test_the_room_for_kept_states_is_bounded() -> None:
 def test_the_way_to_a_step_can_be_stopped() -> None:
     timeline = Timeline(fresh(), room_bytes=1)
     timeline.advance(2000)
-    asked = iter([False, True])
-    timeline.go_to(1500, lambda: next(asked))
-    assert timeline.tick < 1500
+    way = timeline.walk_to(1500)
+    next(way)
+    assert timeline.tick <= PIECE
+    walk(timeline.walk_back_to(lambda: timeline.tick == 40))
+    assert timeline.tick == 40
 
 
 @pytest.mark.parametrize(("agent", "name"), [("nobody", "Sign"), ("carrier-1", "Nothing")])

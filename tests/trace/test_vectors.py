@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 
 from kitrobot.server.replay import Replay
-from kitrobot.trace import POSE_WORDS, ROBOT, TickRecord, TraceError, TraceHeader, TraceReader, TraceWriter
+from kitrobot.trace import POSE_WORDS, ROBOT, TickRecord, TraceError, TraceHeader, TraceReader, TraceWriter, walk
 from kitrobot.workspace import open_trace, state_at, summary_of
 
 VECTORS = Path(__file__).parent / "vectors"
@@ -43,7 +43,7 @@ def test_a_real_robot_that_failed() -> None:
         assert state_at(trace, 9)["agents"]["micro:bit"]["state"] == "failed"
         player = Replay(trace)
         assert not player.started("r").agents[0].placed
-        player.seek(40, lambda: False)
+        walk(player.seek(40))
         _, news = player.tell()
         assert news["agents"]["micro:bit"]["active"] == [[0, "v3"]]
         assert {event["cause"] for event in news["events"]} == {"person", "robot"}

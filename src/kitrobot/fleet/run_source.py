@@ -9,7 +9,7 @@ from __future__ import annotations
 import shutil
 import threading
 from collections import deque
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from pathlib import Path
 from typing import Any
 
@@ -29,6 +29,7 @@ from kitrobot.trace import (
     TraceReader,
     TraceWriter,
     UnchangeableSource,
+    walk,
 )
 
 MOST_RECENT_NUMBERS = 200_000
@@ -177,12 +178,12 @@ class FleetSource(UnchangeableSource):
         past.advance(tick - past.tick)
         return past.record() if past.tick > self.tick else self._newest
 
-    def seek(self, tick: int, stop: Callable[[], bool]) -> None:
-        """Goes to a tick up to that of the last step."""
+    def seek(self, tick: int) -> Iterator[None]:
+        """The way to a tick up to that of the last step."""
         found = self._at_hand(min(tick, self._newest.tick))
         if found is None:
             past = self._recorded(tick)
-            past.seek(tick, stop)
+            yield from past.seek(tick)
             found = past.record()
         self._now = found
 
@@ -193,7 +194,7 @@ class FleetSource(UnchangeableSource):
             found = self._recent[at] if 0 <= at < len(self._recent) else None
         return found if found is not None and found.tick == tick else None
 
-    def seek_back(self, wanted: Callable[[], bool], stop: Callable[[], bool]) -> None:
+    def seek_back(self, wanted: Callable[[], bool]) -> Iterator[None]:
         """As `RunSource.seek_back`."""
         past = self._recorded(self.tick)
 
@@ -201,7 +202,7 @@ class FleetSource(UnchangeableSource):
             self._now = past.record()
             return wanted()
 
-        past.seek_back(here, stop)
+        yield from past.seek_back(here)
         self._now = past.record()
 
     def _recorded(self, tick: int) -> RecordingSource:
@@ -213,7 +214,7 @@ class FleetSource(UnchangeableSource):
             self._close_past()
             self._past = RecordingSource(TraceReader(self._path))
         if self._past.tick != self.tick:
-            self._past.seek(self.tick, lambda: False)
+            walk(self._past.seek(self.tick))
         return self._past
 
     # -- from outside

@@ -14,7 +14,7 @@ import threading
 import time
 from bisect import bisect_left, bisect_right
 from collections import deque
-from collections.abc import Callable, Collection, Sequence
+from collections.abc import Callable, Collection, Iterator, Sequence
 from dataclasses import replace
 from functools import partial
 from typing import NamedTuple, Protocol
@@ -304,21 +304,25 @@ class RobotsRun:
         self._told.clear()
         self._tick = tick
 
-    def seek(self, tick: int, stop: Callable[[], bool]) -> None:
-        """Goes to a tick up to the latest, or to the first one that is kept."""
+    def seek(self, tick: int) -> Iterator[None]:
+        """The way to a tick up to the latest, or to the first one that is kept: one piece."""
         with self.lock:
             first = self._kept[0].tick if self._kept else self._tick
             self._at = min(max(tick, first), self._tick)
+        yield
 
-    def seek_back(self, wanted: Callable[[], bool], stop: Callable[[], bool]) -> None:
+    def seek_back(self, wanted: Callable[[], bool]) -> Iterator[None]:
         """As `RunSource.seek_back`."""
         with self.lock:
             end = self._at
-            for moment in reversed(self._kept[: bisect_left(self._kept, end, key=_tick_of)]):
+            earlier = self._kept[: bisect_left(self._kept, end, key=_tick_of)]
+        for moment in reversed(earlier):
+            with self.lock:
                 self._at, end = end - 1, moment.tick
-                if wanted() or stop():
+                if wanted():
                     return
-            self.seek(0, stop)
+            yield
+        yield from self.seek(0)
 
     # -- from outside
 

@@ -1,7 +1,8 @@
 """Every request is answered: an ASGI shell that refuses what takes too long, and what comes when there is too much.
 
-A request waits for a disk that does not answer, or for more work than anybody has patience for. Its answer is 504; a
-thread cannot be stopped, so what it does goes on, counts as under way until it ends, and is told to nobody. The time
+A request waits for a disk that does not answer, or for more work than anybody has patience for. Its answer is 504, and
+long work is broken off (request_work); any other thread cannot be stopped, so what it does goes on, counts as under way
+until it ends, and is told to nobody. The time
 counts from the last piece of the request that came: a large file over a slow line is no slow request. An answer that
 has begun may take as long as its reader does (connections).
 """
@@ -81,6 +82,8 @@ class Deadlines:
             raise
         late = True
         task.add_done_callback(_forget)
+        # What waits beside a thread hears of it (`request_work`).
+        task.cancel()
         _log.warning("%s %s was not answered within %g s", scope["method"], scope["path"], self._within_s)
         await self._refuse(
             scope,

@@ -7,7 +7,10 @@ steps (`workspace.judging`). Hidden goals and seeds are not told here.
 
 from __future__ import annotations
 
+from fastapi import Request
+
 from kitrobot.server.beside_loop import Stop
+from kitrobot.server.request_work import work_for
 from kitrobot.server.routing import ThisStudio, api_router
 from kitrobot.server.shapes import mission_from_shape, mission_shape
 from kitrobot.server.shapes.exercise import (
@@ -18,6 +21,7 @@ from kitrobot.server.shapes.exercise import (
     exercise_shape,
     goal_verdict_shapes,
 )
+from kitrobot.server.studio import Studio
 from kitrobot.workspace import handed_in
 from kitrobot.workspace.judging import JudgingOptions, judge
 
@@ -31,8 +35,16 @@ def exercises(studio: ThisStudio) -> list[ExerciseShape]:
 
 
 @exercise_routes.post("/exercise/judge")
-def exercise_judge(studio: ThisStudio, wanted: JudgeShape) -> JudgedShape:
+async def exercise_judge(studio: ThisStudio, request: Request, wanted: JudgeShape) -> JudgedShape:
     """Judges a mission by an exercise: its programs and the run of one seed, or what is checked."""
+    stop = studio.judging.setdefault(wanted.judging, Stop()) if wanted.judging else Stop()
+    try:
+        return await work_for(request, lambda stop: _judged(studio, wanted, stop), stop)
+    finally:
+        studio.judging.pop(wanted.judging, None)
+
+
+def _judged(studio: Studio, wanted: JudgeShape, stop: Stop) -> JudgedShape:
     exercise, start_name = studio.exercises.usable(wanted.exercise)
     data, _ = studio.folder.read(start_name)
     start = studio.read(data, start_name, start_name)
@@ -40,12 +52,8 @@ def exercise_judge(studio: ThisStudio, wanted: JudgeShape) -> JudgedShape:
     opened = studio.open(mission, start_name)
     checks = wanted.seed is None
     seeds = () if wanted.seed is None else (wanted.seed,)
-    stop = studio.judging.setdefault(wanted.judging, Stop()) if wanted.judging else Stop()
-    try:
-        options = JudgingOptions(seeds=seeds, runs=not checks, checks=checks, stop=stop.is_set)
-        made = judge(exercise, opened, options, given=start.mission.constructors)
-    finally:
-        studio.judging.pop(wanted.judging, None)
+    options = JudgingOptions(seeds=seeds, runs=not checks, checks=checks, stop=stop.is_set)
+    made = judge(exercise, opened, options, given=start.mission.constructors)
     return JudgedShape(goals=goal_verdict_shapes(made), mission=mission_shape(mission))
 
 

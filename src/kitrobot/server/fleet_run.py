@@ -12,7 +12,7 @@ import logging
 import os
 import tempfile
 import threading
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from pathlib import Path
 
 from kitrobot.diagnostics import KitRobotError
@@ -207,12 +207,12 @@ class FleetWatch(RunOfRecords):
         """What runs, as the page has it."""
         return self._mission
 
-    def follow(self) -> None:
+    def follow(self) -> Iterator[None]:
         """Shows what the team does now."""
-        super().follow()
+        yield from super().follow()
         self.follows = True
 
-    def record_to(self, path: Path) -> None:
+    def record_to(self, path: Path, stop: Callable[[], bool] = lambda: False) -> None:
         """As `FleetSource.record_to`."""
         self._running.source.record_to(path)
 

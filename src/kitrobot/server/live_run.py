@@ -36,5 +36,5 @@ class LiveRun(WatchedRun):
         return advice(self._prepared.opened, self._run.simulation)
 
     def record_to(self, path: Path, stop: Callable[[], bool] = lambda: False) -> None:
-        """Records the whole past of this run, or as much as there is until `stop` says so."""
+        """As `WatchedRun.record_to`."""
         record_again(self._run.timeline, self._prepared.again(), path, parts_of(self._prepared.opened), stop)

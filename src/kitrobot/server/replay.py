@@ -6,7 +6,7 @@ They pause at breakpoints as far as the records show who came where (recorded_ag
 from __future__ import annotations
 
 import shutil
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 from pathlib import Path
 
 from kitrobot.diagnostics import KitRobotError
@@ -69,6 +69,6 @@ class Replay(RunOfRecords):
         self._reader = trace.reader
         super().__init__(RecordingSource(self._reader), trace.world, opened)
 
-    def record_to(self, path: Path) -> None:
+    def record_to(self, path: Path, stop: Callable[[], bool] = lambda: False) -> None:
         """Copies the recording."""
         shutil.copyfile(self._reader.path, path)

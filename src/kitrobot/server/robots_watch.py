@@ -6,7 +6,7 @@ came where. From there it goes on at its pace, so nothing that they did is misse
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from pathlib import Path
 
 from kitrobot.mission import Mission
@@ -65,9 +65,9 @@ class RobotsWatch(RunOfRecords):
         """What runs."""
         return self._opened.mission
 
-    def follow(self) -> None:
+    def follow(self) -> Iterator[None]:
         """Shows what the robots do now."""
-        super().follow()
+        yield from super().follow()
         self.follows = True
 
     def begins_anew(self) -> bool:
@@ -79,7 +79,7 @@ class RobotsWatch(RunOfRecords):
         self._went()
         return True
 
-    def record_to(self, path: Path) -> None:
+    def record_to(self, path: Path, stop: Callable[[], bool] = lambda: False) -> None:
         """Writes what is kept of its past."""
         with TraceWriter(path, self._robots_run.header) as writer:
             records = self._robots_run.records()

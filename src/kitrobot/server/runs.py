@@ -45,7 +45,7 @@ from kitrobot.server.shapes import (
     WatchRequest,
     mission_from_shape,
 )
-from kitrobot.server.steering import Job, goes_back, job_of
+from kitrobot.server.steering import Job, do_until, goes_back, in_one_piece, job_of
 from kitrobot.server.studio import Studio
 from kitrobot.server.watched_run import WatchedRun
 from kitrobot.text import Sentence
@@ -88,6 +88,8 @@ class Session:
         self._steps = 0
         self._jobs: list[Job] = []
         """What is to be done to the run between two rounds, in a thread."""
+        self._breaking_off = False
+        """Whether the job that is on is to leave off."""
         self._stopping = False
         self._counts = False
         """Whether it is one of the studio's runs; one that stands at its end is not."""
@@ -193,6 +195,9 @@ class Session:
             await subscriber.leave()
 
     def _steer(self, request: Steering) -> None:
+        if isinstance(request, StopRequest):
+            # Nobody waits any more for what was asked for before; what real robots do, they are told next.
+            self._jobs, self._breaking_off = [], True
         if isinstance(request, StopRequest) and not (self._watch is not None and self._watch.real):
             self._stopping = True
         elif self._pace is None or self._watch is None:
@@ -208,8 +213,8 @@ class Session:
             pace.set_speed(speed_of(request.value), watch.tick)
         elif isinstance(request, LookRequest):
             self._looks = tuple(request.agents)
-            self._jobs.append(lambda: watch.look_at(self._looked_at()))
-        job = job_of(request, watch, self._is_stopping)
+            self._jobs.append(in_one_piece(lambda: watch.look_at(self._looked_at())))
+        job = job_of(request, watch)
         if job is not None:
             self._jobs.append(job)
         elif isinstance(request, StepRequest):
@@ -328,13 +333,14 @@ class Session:
         broadcast.welcome(self._name, watch, self._telling.state_at(watch))
 
     async def _do_jobs(self, watch: WatchedRun) -> bool:
-        """Does what was asked for meanwhile; says whether there was anything."""
+        """Does what was asked for meanwhile, until STOP; says whether there was anything."""
         jobs, self._jobs = self._jobs, []
+        self._breaking_off = False
         for job in jobs:
-            if self._stopping:
-                break
+            pieces, done = job(), False
             try:
-                await beside_loop(job)
+                while not (done or self._breaking_off):
+                    done = await beside_loop(do_until, pieces, self._clock() + FRAME_S, self._clock)
             except KitRobotError as error:
                 await self._telling.fail(error.message, error.help)
         return bool(jobs)

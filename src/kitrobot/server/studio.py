@@ -7,6 +7,7 @@ from many threads.
 
 from __future__ import annotations
 
+import asyncio
 import contextlib
 import hashlib
 import threading
@@ -18,6 +19,7 @@ from kitrobot.diagnostics import KitRobotError
 from kitrobot.files import RECORDING, Journals, MissionFolder
 from kitrobot.mission import Mission
 from kitrobot.primitives import SHIPPED, Catalogue, load_catalogue
+from kitrobot.server.beside_loop import Stop
 from kitrobot.server.broadcast import Broadcast
 from kitrobot.server.gallery import Gallery
 from kitrobot.server.recordings import Recordings
@@ -80,14 +82,14 @@ class Studio:
         self.in_page = False
         """Whether it runs in the page itself: it reaches no network, and only ports that were chosen (`in_page`)."""
         self.recordings = Recordings(self._recordings_are_in)
-        self.saving = threading.Lock()
+        self.saving = asyncio.Lock()
         """Held while a run is recorded once more: one at a time is quick enough."""
         self.gallery = Gallery()
         self.previews = Previews()
         """What missions do in their first seconds."""
         self.tutorials = Tutorials(self.folder)
         self.exercises = Exercises(self.folder)
-        self.judging: dict[str, threading.Event] = {}
+        self.judging: dict[str, Stop] = {}
         """What stops each judging that is on, by the name that its page gave it."""
         self.programs = KeptPrograms()
         self._lock = threading.Lock()

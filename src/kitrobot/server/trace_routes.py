@@ -12,6 +12,7 @@ from fastapi.responses import FileResponse
 from kitrobot.files import RECORDING, FileError, read_bytes, revision_of
 from kitrobot.server.beside_loop import beside_loop
 from kitrobot.server.recordings import RecordingError
+from kitrobot.server.request_work import work_for
 from kitrobot.server.routes import LONGEST_NAME, mission_file
 from kitrobot.server.routing import ThisStudio, api_router
 from kitrobot.server.shapes import RecordingEntryShape, RecordingShape
@@ -60,17 +61,21 @@ async def trace_read(studio: ThisStudio, request: Request, name: Name = f"record
 
 
 @trace_routes.get("/run/trace", response_class=FileResponse)
-def run_trace(studio: ThisStudio, run: Name, after: BackgroundTasks) -> FileResponse:
+async def run_trace(studio: ThisStudio, request: Request, run: Name, after: BackgroundTasks) -> FileResponse:
     """The whole past of a run that is on, or stands at its end, as a recording."""
     watch = studio.watches.get(run)
     if watch is None:
         raise RecordingError(
             Sentence("there is no such run any more"), Sentence("a run can be saved until another one begins")
         )
-    path = studio.recordings.new_file(f"run{ENDING}")
+    path = await beside_loop(studio.recordings.new_file, f"run{ENDING}")
+    try:
+        async with studio.saving:
+            await work_for(request, lambda stop: watch.record_to(path, stop.is_set))
+    except BaseException:
+        shutil.rmtree(path.parent, ignore_errors=True)
+        raise
     after.add_task(shutil.rmtree, path.parent, ignore_errors=True)
-    with studio.saving:
-        watch.record_to(path)
     return FileResponse(path, media_type="application/octet-stream", background=after)
 
 

@@ -7,15 +7,16 @@ between two messages.
 from __future__ import annotations
 
 from abc import ABC, abstractmethod
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from pathlib import Path
 from typing import Any
 
-from kitrobot.diagnostics import Diagnostic
+from kitrobot.diagnostics import Diagnostic, KitRobotError
 from kitrobot.mission import Breakpoint, Mission
 from kitrobot.server.run_messages import MOST_EVENTS_TOLD, MOST_REPORTED, RunEncoder
 from kitrobot.server.shapes import StartedMessage
 from kitrobot.sim.breakpoints import Breakpoints, Hit, Observed
+from kitrobot.text import Sentence
 from kitrobot.trace import RunSource
 from kitrobot.world import World
 
@@ -27,6 +28,12 @@ _WAY_TICKS = 16
 """Ticks between two places of the way that robots went since they were told last, where more were run."""
 _MOST_WAY = 16_000
 """Bytes of that way; a longer one has its places further apart."""
+LONGEST_STEP_S = 600
+"""How far in the run a step to another vertex goes, forward or back, where the agent stays where it is."""
+
+
+class StepError(KitRobotError):
+    """Nobody came to another vertex."""
 
 
 class WatchedRun(ABC):
@@ -52,6 +59,7 @@ class WatchedRun(ABC):
         self._encoder = RunEncoder(source.header)
         self._breakpoints = self._armed(breakpoints)
         members = len(source.header.agents)
+        self._longest_step = LONGEST_STEP_S * 1000 // source.header.tick_ms
         self._portion = max(1, min(_TICKS_BETWEEN_LOOKS, _ROBOT_TICKS_BETWEEN_LOOKS // max(1, members)))
         self._way: list[bytes] = []
         self._way_tick = 0
@@ -136,14 +144,14 @@ class WatchedRun(ABC):
     def _observe(self) -> None:  # noqa: B027 (members of a simulation always stand where it does)
         """Brings the agents that breakpoints ask to the tick where the run stands."""
 
-    def seek(self, tick: int, stop: Callable[[], bool]) -> None:
-        """Goes to a tick."""
-        self._source.seek(tick, stop)
+    def seek(self, tick: int) -> Iterator[None]:
+        """The way to a tick, in short pieces, as those of `RunSource.seek`."""
+        yield from self._source.seek(tick)
         self._went()
 
-    def follow(self) -> None:
-        """Goes to the latest tick."""
-        self.seek(self._source.latest, lambda: False)
+    def follow(self) -> Iterator[None]:
+        """The way to the latest tick."""
+        return self.seek(self._source.latest)
 
     def begins_anew(self) -> bool:
         """Whether it began anew since this was asked last, as robots do that are started again. What it stood at
@@ -155,18 +163,36 @@ class WatchedRun(ABC):
         """It is not gone on with for a while; what real robots do meanwhile is for later."""
         self.follows = False
 
-    def step(self, agent: str, stop: Callable[[], bool]) -> None:
-        """Goes on until the agent ("" for anybody) stands at another vertex, or somebody comes to a breakpoint."""
-        before = self._standing(agent)
+    def step(self, agent: str) -> Iterator[None]:
+        """The way on until the agent ("" for anybody) stands at another vertex, or somebody comes to a breakpoint.
+
+        Raises:
+            StepError: it still stands where it did after `LONGEST_STEP_S` of the run; there the run stands too.
+        """
+        before, last = self._standing(agent), self.tick + self._longest_step
         self.hits = []
-        while self.outcome is None and not self.hits and not stop():
+        while self.outcome is None and not self.hits:
             if self._advance(1) == 0 or self._standing(agent) != before:
                 return
+            if self.tick >= last:
+                raise StepError(
+                    Sentence("nobody came to another part within {minutes} minutes of the run", LONGEST_STEP_S // 60)
+                    if agent == ""
+                    else Sentence(
+                        "`{agent}` came to no other part within {minutes} minutes of the run",
+                        agent,
+                        LONGEST_STEP_S // 60,
+                    ),
+                    Sentence("step once more to go on as long again, or let the run go on"),
+                )
+            yield
 
-    def step_back(self, agent: str, stop: Callable[[], bool]) -> None:
-        """Goes back to the last tick at which the agent ("" for anybody) stood at another vertex, or to the first."""
-        before = self._standing(agent)
-        self._source.seek_back(lambda: self._standing(agent) != before, stop)
+    def step_back(self, agent: str) -> Iterator[None]:
+        """The way back to the last tick at which the agent ("" for anybody) stood at another vertex, to the first, or
+        by `LONGEST_STEP_S`.
+        """
+        before, last = self._standing(agent), self.tick - self._longest_step
+        yield from self._source.seek_back(lambda: self.tick <= last or self._standing(agent) != before)
         self._went()
 
     def _standing(self, agent: str) -> list[tuple[str, tuple[str | None, ...]]]:
@@ -242,8 +268,9 @@ class WatchedRun(ABC):
     # -- keeping
 
     @abstractmethod
-    def record_to(self, path: Path) -> None:
-        """Writes its whole past into a file. It may go on meanwhile, in another thread.
+    def record_to(self, path: Path, stop: Callable[[], bool] = lambda: False) -> None:
+        """Writes its whole past into a file, or as much as there is until `stop` says so, where that takes long. It may
+        go on meanwhile, in another thread.
 
         Raises:
             TraceError: the trace cannot be written.

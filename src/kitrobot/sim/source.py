@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Collection, Iterable, Sequence
+from collections.abc import Callable, Collection, Iterable, Iterator, Sequence
 
 from kitrobot.sim.event_text import Event
 from kitrobot.sim.recording import Recorder
@@ -83,13 +83,13 @@ class SimulationSource:
         self._early = []
         return done
 
-    def seek(self, tick: int, stop: Callable[[], bool]) -> None:
-        """Goes to a tick that was run already."""
-        self.timeline.go_to(tick, stop)
+    def seek(self, tick: int) -> Iterator[None]:
+        """The way to a tick that was run already."""
+        return self.timeline.walk_to(tick)
 
-    def seek_back(self, wanted: Callable[[], bool], stop: Callable[[], bool]) -> None:
-        """Goes back to the last tick at which `wanted` says yes."""
-        self.timeline.go_back_to(wanted, stop)
+    def seek_back(self, wanted: Callable[[], bool]) -> Iterator[None]:
+        """The way back to the last tick at which `wanted` says yes."""
+        return self.timeline.walk_back_to(wanted)
 
     def force(self, agent: str, sensor: str, value: int | None) -> None:
         """Puts a value in the place of what a sensor measures; None gives it back.

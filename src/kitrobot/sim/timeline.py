@@ -21,15 +21,15 @@ from kitrobot.primitives.reading import held_by_hand, set_by_hand
 from kitrobot.sim.event_text import Event
 from kitrobot.sim.pens import pens_of
 from kitrobot.sim.simulation import Simulation
-from kitrobot.trace import Drawing, Mark
+from kitrobot.trace import Drawing, Mark, walk
 
 ROOM_BYTES = 64 * 1024 * 1024
 OUTSIDE = "outside"
 """The kind of event that says what somebody did to the run."""
 FIRST_SPACING = 25
 """Steps between two kept states, to begin with."""
-ASKED_EVERY = 100
-"""Steps between two questions whether to go on, on the way to a step."""
+PIECE = 100
+"""Steps of a piece of the way to a step; whoever goes there may leave off after each."""
 MOST_EVENTS = 100_000
 """Events of the past that are kept to be told again; the oldest go first."""
 
@@ -84,31 +84,35 @@ class Timeline:
         self.simulation.events = events
         return done
 
-    def go_to(self, tick: int, stop: Callable[[], bool] = lambda: False) -> None:
-        """Goes to a step between the first and `latest`; nearer than asked for when `stop` says so on the way."""
+    def go_to(self, tick: int) -> None:
+        """Goes to a step between the first and `latest`."""
+        walk(self.walk_to(tick))
+
+    def walk_to(self, tick: int) -> Iterator[None]:
+        """The way to a step between the first and `latest`, in pieces of at most `PIECE` steps."""
         tick = max(self._ticks[0], min(tick, self.latest))
         if tick < self.tick or self._ticks[self._kept_before(tick)] > self.tick:
             self.simulation.restore(self._states[self._kept_before(tick)])
-        while self.tick < tick and not stop():
-            self._advance_to(min(tick, self._next_stop(), self.tick + ASKED_EVERY))
+        while self.tick < tick:
+            self._advance_to(min(tick, self._next_stop(), self.tick + PIECE))
+            yield
 
-    def go_back_to(self, wanted: Callable[[], bool], stop: Callable[[], bool] = lambda: False) -> None:
-        """Goes back to the last step before this one at which `wanted` says yes, or to the first step."""
+    def walk_back_to(self, wanted: Callable[[], bool]) -> Iterator[None]:
+        """The way back to the last step before this one at which `wanted` says yes, or to the first step, in pieces."""
         now = self.tick
         for at in range(self._kept_before(max(self._ticks[0], now - 1)), -1, -1):
             self.simulation.restore(self._states[at])
             last = self.tick if wanted() else None
             while self.tick < now - 1:
-                if stop():
-                    return
                 self._advance_to(self.tick + 1)
+                yield
                 if wanted():
                     last = self.tick
             if last is not None:
-                self.go_to(last)
+                yield from self.walk_to(last)
                 return
             now = self._ticks[at]
-        self.go_to(self._ticks[0])
+        yield from self.walk_to(self._ticks[0])
 
     def force(self, agent: str, sensor: str, value: int | None) -> None:
         """As `Simulation.force`, and part of the run from this step on.

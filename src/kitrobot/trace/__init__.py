@@ -30,7 +30,7 @@ from kitrobot.trace.model import (
     TracePoint,
 )
 from kitrobot.trace.reading import TraceReader
-from kitrobot.trace.source import Ability, AbilityError, NewEvents, RecordingSource, RunSource, UnchangeableSource
+from kitrobot.trace.source import Ability, AbilityError, NewEvents, RecordingSource, RunSource, UnchangeableSource, walk
 from kitrobot.trace.writing import TraceWriter
 
 __all__ = [
@@ -76,4 +76,5 @@ __all__ = [
     "UnchangeableSource",
     "drawing_svg",
     "marks_of",
+    "walk",
 ]

@@ -36,6 +36,12 @@ class AbilityError(TraceError):
     """Something that cannot be done to a run."""
 
 
+def walk(way: Iterator[None]) -> None:
+    """Goes a way of a source (`RunSource.seek`) to its end."""
+    for _ in way:
+        pass
+
+
 class RunSource(Protocol):
     """A run. What is not among its `abilities` raises an `AbilityError`."""
 
@@ -82,11 +88,11 @@ class RunSource(Protocol):
     def advance(self, ticks: int) -> int:
         """Goes on by up to so many ticks; by how many it did, 0 at the end."""
 
-    def seek(self, tick: int, stop: Callable[[], bool]) -> None:
-        """Goes to a tick up to the latest; nearer when `stop` says so on the way."""
+    def seek(self, tick: int) -> Iterator[None]:
+        """The way to a tick up to the latest, in short pieces: each that is taken goes on."""
 
-    def seek_back(self, wanted: Callable[[], bool], stop: Callable[[], bool]) -> None:
-        """Goes back to the last tick before this one at which `wanted` says yes, or to the first."""
+    def seek_back(self, wanted: Callable[[], bool]) -> Iterator[None]:
+        """The way back to the last tick before this one at which `wanted` says yes, or to the first; as `seek`."""
 
     def force(self, agent: str, sensor: str, value: int | None) -> None:
         """Puts a value in the place of what a sensor measures; None gives it back."""
@@ -225,20 +231,18 @@ class RecordingSource(UnchangeableSource):
             self._ahead = None
         return self.tick - began
 
-    def seek(self, tick: int, stop: Callable[[], bool]) -> None:
-        """Goes to a tick."""
+    def seek(self, tick: int) -> Iterator[None]:
+        """The way to a tick: one piece."""
         self._stand(self.reader.seek(tick))
+        yield
 
-    def seek_back(self, wanted: Callable[[], bool], stop: Callable[[], bool]) -> None:
-        """As `RunSource.seek_back`; stays where it is when `stop` says so."""
-        was = self._now
-        for record in self.reader.walk_back(was.tick):
-            if stop():
-                self._now = was
-                return
+    def seek_back(self, wanted: Callable[[], bool]) -> Iterator[None]:
+        """As `RunSource.seek_back`."""
+        for record in self.reader.walk_back(self._now.tick):
             self._stand(record)
             if wanted():
                 return
+            yield
         self._stand(self._first)
 
     def _stand(self, record: TickRecord) -> None:
