@@ -38,8 +38,8 @@ async def scenario(folder: Path, text: str) -> dict:
 
     async def paused_run():
         run = Heard(studio, "/api/run?language=en")
-        begin = {"type": "start", "mission": mission, "path": "", "seed": 1, "speed": 0}
-        run.socket.say(json.dumps(begin))
+        start = {"type": "start", "mission": mission, "path": "", "seed": 1, "speed": 0}
+        run.socket.say(json.dumps(start))
         started = await run.until(lambda one: isinstance(one, dict) and one["type"] == "started")
         await run.until(lambda one: isinstance(one, dict) and one["type"] == "tick" and one["tick"] >= FIRST)
         run.socket.say(json.dumps({"type": "pause"}))
@@ -71,16 +71,16 @@ async def scenario(folder: Path, text: str) -> dict:
         "drawing-check": {},
     }
     for name, more in works.items():
-        begin = {"type": "start", "mission": mission, "path": "", "seed": 1, **more}
+        start = {"type": "start", "mission": mission, "path": "", "seed": 1, **more}
         for closing in (True, False):
             work = Heard(studio, f"/api/{name}?language=en")
-            work.socket.say(json.dumps(begin))
+            work.socket.say(json.dumps(start))
             await ask("GET", "session")
             if closing:
                 work.socket.close()
                 while True:
                     again = Heard(studio, f"/api/{name}?language=en")
-                    again.socket.say(json.dumps({**begin, "mission": {**mission, "agents": []}}))
+                    again.socket.say(json.dumps({**start, "mission": {**mission, "agents": []}}))
                     said = await again.until(lambda one: one["type"] == "refused")
                     again.socket.close()
                     if "already" not in said["message"]:

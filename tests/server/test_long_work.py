@@ -183,7 +183,13 @@ class Page:
 
         headers = [(b"host", HOST.removeprefix("http://").encode()), (b"x-kitrobot-token", TOKEN.encode())]
         headers += [(b"content-type", b"application/json")]
-        scope = {"type": "http", "asgi": {"version": "3.0"}, "http_version": "1.1", "method": method, "path": path}
+        scope: dict[str, Any] = {
+            "type": "http",
+            "asgi": {"version": "3.0"},
+            "http_version": "1.1",
+            "method": method,
+            "path": path,
+        }
         scope |= {"raw_path": path.encode(), "query_string": query.encode(), "root_path": "", "headers": headers}
         scope |= {"scheme": "http", "server": ("127.0.0.1", 8765), "client": ("127.0.0.1", 1)}
         await self._app(scope, receive, send)

@@ -111,7 +111,8 @@ def _drawn(before: Program, after: Program) -> dict[str, Any]:
 
 # By hand: orjson takes twice as long over a dataclass with slots.
 def _vertex(one: Vertex) -> dict[str, Any]:
-    return {"id": one.id, "element": one.element, "settings": one.settings, "notes": one.notes, "unknown": one.unknown}
+    notes = [{"text": note.text, "at": note.at} for note in one.notes]
+    return {"id": one.id, "element": one.element, "settings": one.settings, "notes": notes, "unknown": one.unknown}
 
 
 def _arc(one: Arc) -> dict[str, Any]:

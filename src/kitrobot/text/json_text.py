@@ -1,7 +1,8 @@
 r"""JSON to and from bytes: through orjson, and where there is none through the standard library, with the same meaning.
 
-Either reads what RFC 8259 allows and nothing else: no NaN, no half of a character (`"\ud800"`). Left to others:
-mending what an editor sends that is no JSON by that (`json_bodies`).
+Either reads what RFC 8259 allows and nothing else: no NaN, no half of a character (`"\ud800"`). Either writes plain
+types and nothing else: what only orjson could write would fail in a page. Left to others: mending what an editor sends
+that is no JSON by that (`json_bodies`).
 """
 
 from __future__ import annotations
@@ -16,11 +17,16 @@ except ImportError:
     HAS_ORJSON = False
 else:
     HAS_ORJSON = True
+    _PLAIN_TYPES = fast.OPT_PASSTHROUGH_DATACLASS | fast.OPT_PASSTHROUGH_DATETIME
 
 
 def to_json(value: Any) -> bytes:
-    """A value of plain types as JSON in UTF-8, without spaces."""
-    return fast.dumps(value) if HAS_ORJSON else plain_to_json(value)
+    """A value of plain types as JSON in UTF-8, without spaces.
+
+    Raises:
+        TypeError: there is something else in it.
+    """
+    return fast.dumps(value, option=_PLAIN_TYPES) if HAS_ORJSON else plain_to_json(value)
 
 
 def from_json(text: bytes | str) -> Any:
