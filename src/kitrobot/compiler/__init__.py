@@ -1,7 +1,8 @@
 """Translations: graph → LLL, LLL → graph, LLL → three-address code → image; and the check of a program's names."""
 
 from kitrobot.compiler.checker import check
-from kitrobot.compiler.compilation import Compiled, compile_lll, compile_program, compile_text
+from kitrobot.compiler.compilation import Compiled, compile_lll, compile_program, compile_text, not_compiled
+from kitrobot.compiler.expansion_limit import left_out, oversize_in_mission
 from kitrobot.compiler.graph_to_lll import Translation, graph_to_lll
 from kitrobot.compiler.lineage import Lineage
 from kitrobot.compiler.lll_to_graph import lll_to_graph
@@ -53,9 +54,12 @@ __all__ = [
     "follow_text",
     "graph_to_lll",
     "graph_to_lll_again",
+    "left_out",
     "lll_to_graph",
     "make_part",
+    "not_compiled",
     "offer_part",
+    "oversize_in_mission",
     "print_for",
     "program_circles",
     "project",

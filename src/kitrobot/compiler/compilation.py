@@ -99,6 +99,11 @@ def compile_program(
         return _compile_program(program, catalogue, translation, sound)
 
 
+def not_compiled(program: Program, why: Diagnostic) -> Compiled:
+    """What stands for a program that is not even translated."""
+    return Compiled(Seq(), Source(f"{program.name}.lll", ""), None, DebugMap(), [why])
+
+
 def _compile_program(program: Program, catalogue: Catalogue, translation: Translation | None, sound: bool) -> Compiled:
     target = target_of(program, catalogue)
     if translation is None:

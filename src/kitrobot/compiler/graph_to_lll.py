@@ -15,6 +15,7 @@ from typing import Any, NamedTuple, cast
 
 from kitrobot.compiler import graph_rules as rules
 from kitrobot.compiler.expand_template import fill
+from kitrobot.compiler.expansion_limit import oversize
 from kitrobot.compiler.lineage import Lineage
 from kitrobot.compiler.target import target_of
 from kitrobot.compiler.typed_numbers import nearest_number, typed_number
@@ -83,6 +84,9 @@ def graph_to_lll(program: Program, catalogue: Catalogue, holes: Mapping[SlotName
 
     Raises KitRobotError when the catalogue has no such robot.
     """
+    found = oversize(program, catalogue)
+    if found is not None:
+        return Translation(Seq(), Wiring(program, target_of(program, catalogue), catalogue), {}, [found])
     walk = Walk(program, catalogue, holes or {})
     seq = walk.whole()
     return Translation(seq, walk.wiring, walk.stretches, walk.wiring.found, walk.pieces)

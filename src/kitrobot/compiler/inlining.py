@@ -9,11 +9,9 @@ from typing import Any, Protocol
 from kitrobot.compiler.graph_rules import TOO_DEEP
 from kitrobot.compiler.rules import TOO_LARGE
 from kitrobot.diagnostics import Rule
+from kitrobot.image import MOST_INSTRUCTIONS
 from kitrobot.lll import MAX_NESTING, Instruction, Members, Node, ProgramCall, Seq
 from kitrobot.text import Help, Sentence
-
-MOST_INSTRUCTIONS = 65536
-"""Instructions of a team's program when all programs in it are in their places, at most; an image holds no more."""
 
 
 class Report(Protocol):

@@ -28,7 +28,9 @@ from dataclasses import dataclass, field, replace
 from typing import Any, Literal
 
 from kitrobot.compiler import team_rules as rules
+from kitrobot.compiler.expansion_limit import oversize_for_kinds
 from kitrobot.compiler.inlining import Report, inlined
+from kitrobot.compiler.rules import TOO_LARGE
 from kitrobot.compiler.team_lines import Lines, answer, append, come_from, has_blocks, loose_break, team_call
 from kitrobot.compiler.team_names import Atom
 from kitrobot.compiler.team_points import ALL, ONE, NameSet, Point, PointKind, TeamPlan
@@ -105,9 +107,13 @@ def project(
         found.append(rule(message, place, help=help, program=program, vertices=vertices))
 
     whole = inlined(program, name, programs, report)
+    sets = TeamSets(crew, whole)
+    large = oversize_for_kinds(whole, len(sets.kinds(ALL)))
+    if large is not None:
+        report(TOO_LARGE, large, whole.items[0], Sentence("split the program, or let fewer kinds of robots run it"))
     if found:
         return Projection({}, TeamPlan((), {}), found)
-    projector = _Projector(TeamSets(crew, whole), report, shared or (lambda call: False))
+    projector = _Projector(sets, report, shared or (lambda call: False))
     lines = projector.seq(whole, ALL)
     made = {kind: Seq([team_call("Join"), *items]) for kind, items in sorted(lines.items())}
     return Projection(made, TeamPlan(tuple(projector.points), projector.sets.groups), found, whole)

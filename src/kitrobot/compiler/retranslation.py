@@ -14,6 +14,7 @@ from collections.abc import Iterable, Sequence
 from copy import copy
 from typing import TypeVar
 
+from kitrobot.compiler.expansion_limit import oversize
 from kitrobot.compiler.graph_to_lll import Translation, Walk, graph_to_lll
 from kitrobot.compiler.wiring import Wiring
 from kitrobot.graph import IN, NEXT, RETURN, START, STOP, Program, Vertex
@@ -32,6 +33,8 @@ def graph_to_lll_again(before: Translation, program: Program, catalogue: Catalog
 def _again(before: Translation, program: Program) -> Translation | None:
     old = before.wiring.program
     if (old.target, old.level) != (program.target, program.level):
+        return None
+    if oversize(program, before.wiring.catalogue) is not None:
         return None
     wiring, changed = _wired_again(before.wiring, program)
     if wiring is None or wiring.found:

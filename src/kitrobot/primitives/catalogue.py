@@ -74,6 +74,11 @@ class Catalogue:
         return {constructor.name: constructor for group in self.groups for constructor in group.constructors}
 
     @cached_property
+    def growth(self) -> dict[str, int]:
+        """By how many instructions and tests vertices become more than one, of constructors of which they do."""
+        return {name: made.size - 1 for name, made in self.constructors.items() if made.size > 1}
+
+    @cached_property
     def inverse(self) -> Mapping[Shape, Constructor]:
         """The constructor that an LLL construct of a shape (`templates.shape`) becomes; the first that fits."""
         table: dict[Shape, Constructor] = {}

@@ -9,9 +9,10 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from enum import StrEnum
+from functools import cached_property
 from typing import Literal
 
-from kitrobot.lll import Condition, Instr, Seq
+from kitrobot.lll import And, Condition, Instr, Or, Seq, nodes
 from kitrobot.primitives.levels import Level
 from kitrobot.primitives.meaning import Meaning
 from kitrobot.primitives.robot import Texts
@@ -82,6 +83,18 @@ class Constructor:
     def slot(self, name: str) -> Slot | None:
         """The slot of that name, or None."""
         return next((slot for slot in self.slots if slot.name == name), None)
+
+    @cached_property
+    def size(self) -> int:
+        """Instructions and tests that a vertex of it becomes, without what is in its slots: at least so many rows of an
+        image, or an eighth of the nodes of a tree.
+        """
+        if self.template is None:
+            return 0
+        made = nodes(self.template)
+        tests = sum(isinstance(node, And | Or) for node in made)
+        rows = sum(len(node.items) for node in made if isinstance(node, Seq)) + (not isinstance(self.template, Seq))
+        return max(len(made) // 8, rows + tests)
 
 
 @dataclass(frozen=True)

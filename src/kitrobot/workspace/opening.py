@@ -15,7 +15,15 @@ from functools import cached_property, partial
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from kitrobot.compiler import Compiled, CompiledTeam, compile_program, program_circles
+from kitrobot.compiler import (
+    Compiled,
+    CompiledTeam,
+    compile_program,
+    left_out,
+    not_compiled,
+    oversize_in_mission,
+    program_circles,
+)
 from kitrobot.diagnostics import Diagnostic, KitRobotError, Place, ProblemsError, Severity, Source, rule
 from kitrobot.files import Places, find_mission, read_bytes, read_carried
 from kitrobot.graph import Program, empty_program
@@ -139,14 +147,22 @@ class OpenMission:
     @cached_property
     def compiled(self) -> Mapping[str, Compiled]:
         """Each program compiled, by name, as far as its robot is at hand."""
-        robots = self.catalogue.robots
-        return {
-            program.name: compile_program(program, self.catalogue)
-            if self.kept is None
-            else self.kept.of(program, self.catalogue).compiled
-            for program in self.mission.programs
-            if program.level.is_team or program.target in robots
-        }
+        made: dict[str, Compiled] = {}
+        for program in self.mission.programs:
+            if program.name in self._oversize:
+                made[program.name] = not_compiled(program, oversize_in_mission(program))
+            elif program.level.is_team or program.target in self.catalogue.robots:
+                made[program.name] = (
+                    compile_program(program, self.catalogue)
+                    if self.kept is None
+                    else self.kept.of(program, self.catalogue).compiled
+                )
+        return made
+
+    @cached_property
+    def _oversize(self) -> set[str]:
+        """The programs before which others have grown to what all of a mission may."""
+        return {program.name for program in left_out(self.mission.programs, self.catalogue)}
 
     @cached_property
     def team(self) -> CompiledTeam | None:
@@ -207,7 +223,7 @@ class OpenMission:
         return ()
 
     def _program_reports(self) -> Iterable[ProgramReport]:
-        if self.kept is None:
+        if self.kept is None or self._oversize:
             return [program_report(one.name, self.compiled.get(one.name)) for one in self.mission.programs]
         return self.kept.reports(self.mission.programs, self.catalogue)
 
