@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import pytest
 
-import kitrobot.classroom.room as room_module
 import kitrobot.classroom.work as work_module
 from kitrobot.classroom import (
     ClassError,
@@ -13,15 +12,15 @@ from kitrobot.classroom import (
     Entrance,
     Goal,
     NotLetInError,
-    QuotaError,
     Report,
     TakenNameError,
     read_record,
     state_of,
     unread_sentence,
 )
+from kitrobot.classroom.room import MOST_NEWCOMERS
 from kitrobot.diagnostics import KitRobotError
-from kitrobot.files import FileError
+from kitrobot.files import FileError, QuotaError
 from tests.classroom.conftest import join
 
 
@@ -259,6 +258,88 @@ def test_wrong_codes_are_counted_until_nobody_may_guess(room, entrance, clock):
     entrance.join(room.record.code, "Eve", "", "10.0.0.9")
 
 
+def test_a_class_behind_one_address_is_not_held_up_by_those_who_mistype(room, entrance):
+    join(room, entrance, "Pupil 0")
+    for _ in range(100):
+        with pytest.raises(NotLetInError, match="not the code"):
+            entrance.join("AAAAAA", "Eve", "", "10.0.0.5")
+    for at in range(1, 40):
+        join(room, entrance, f"Pupil {at}")
+    # Guessing has an end there too.
+    for _ in range(20):
+        with pytest.raises(NotLetInError):
+            entrance.join("AAAAAA", "Eve", "", "10.0.0.5")
+    with pytest.raises(NotLetInError, match="too many"):
+        entrance.join("AAAAAA", "Eve", "", "10.0.0.5")
+
+
+def test_guesses_from_elsewhere_do_not_hold_up_a_class_that_comes_in(room, entrance):
+    join(room, entrance, "Ada")
+    for at in range(200):
+        with pytest.raises(NotLetInError):
+            entrance.join("AAAAAA", "Eve", "", f"10.0.1.{at}")
+    join(room, entrance, "Ben")
+
+
+def test_wrong_words_of_one_pupil_hold_up_neither_others_nor_newcomers(room, entrance, clock):
+    ada, _ = join(room, entrance, "Ada")
+    ben, _ = join(room, entrance, "Ben")
+    for _ in range(10):
+        with pytest.raises(NotLetInError, match="not the word"):
+            entrance.join(room.record.code, "Ada", "AAAAAA", "10.0.0.5")
+    with pytest.raises(NotLetInError, match="too many wrong words"):
+        entrance.join(room.record.code, "Ada", ada.record.word, "10.0.0.5")
+    entrance.join(room.record.code, "Ada", ada.record.word, "10.0.0.6")
+    entrance.join(room.record.code, "Ben", ben.record.word, "10.0.0.5")
+    join(room, entrance, "Cyd")
+    clock.now += 60
+    entrance.join(room.record.code, "Ada", ada.record.word, "10.0.0.5")
+
+
+def test_new_pupils_from_one_address_are_counted_until_the_teacher_makes_room(room, entrance, clock):
+    for at in range(MOST_NEWCOMERS):
+        join(room, entrance, f"Pupil {at}")
+    with pytest.raises(NotLetInError, match="very many new pupils"):
+        join(room, entrance, "One more")
+    entrance.join(room.record.code, "Elsewhere", "", "10.0.0.6")
+    clock.now += 60
+    join(room, entrance, "After a minute")
+    Desk(room).set_places(200)
+    join(room, entrance, "At once")
+
+
+def test_those_who_came_in_and_did_nothing_are_removed_together(room, entrance):
+    ada, _ = join(room, entrance, "Ada")
+    room.hand_in(ada, "a", b"1", "")
+    here, _ = join(room, entrance, "Here")
+    room.comes(here)
+    Desk(room).add("Later")
+    for at in range(30):
+        join(room, entrance, f"Invented {at}")
+    assert Desk(room).remove_idle() == 30
+    assert {one.record.name for one in room.pupils.values()} == {"Ada", "Here", "Later"}
+    assert not (room.folder / "Invented 0").exists()
+    again, _ = join(room, entrance, "Invented 0")
+    assert again.folder == "Invented 0"
+
+
+def test_a_raised_hand_and_what_the_teacher_wrote_are_there_after_a_restart(room, entrance, clock):
+    ada, _ = join(room, entrance, "Ada")
+    room.put_hand(ada, up=True)
+    Desk(room).write_to(ada, 'Look at "this"')
+    Desk(room).write_to(ada, "and that")
+    room.close()
+    again = ClassRoom(room.folder, clock)
+    found = again.pupils["Ada"]
+    assert (again.told(found).hand, again.told(found).note) == (True, (2, "and that"))
+    again.put_hand(found, up=False)
+    Desk(again).write_to(found, "more")
+    again.close()
+    last = ClassRoom(room.folder, clock)
+    assert (last.told(last.pupils["Ada"]).hand, last.told(last.pupils["Ada"]).note) == (False, (3, "more"))
+    last.close()
+
+
 def test_guesses_from_many_addresses_are_counted_together(room, entrance):
     for at in range(120):
         with pytest.raises(NotLetInError):
@@ -329,12 +410,15 @@ def test_a_removed_pupil_is_out_and_the_work_stays(room, entrance):
     assert again.folder == "Ada 2"
 
 
-def test_a_class_takes_so_many_pupils_and_not_one_more(room, entrance, monkeypatch):
-    monkeypatch.setattr(room_module, "MOST_PUPILS", 3)
+def test_a_class_takes_so_many_pupils_and_not_one_more_until_its_teacher_makes_room(room, entrance):
+    Desk(room).set_places(3)
     for at in range(3):
         join(room, entrance, f"Pupil {at}")
     with pytest.raises(ClassError, match="3 pupils already"):
         join(room, entrance, "One more")
+    Desk(room).set_places(4)
+    join(room, entrance, "One more")
+    assert read_record(room.folder) == room.record
 
 
 def test_work_goes_on_where_it_was_and_never_over_another(room, entrance):

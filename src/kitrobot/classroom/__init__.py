@@ -6,15 +6,15 @@ from kitrobot.classroom.entrance import Entrance, NotLetInError, TakenNameError
 from kitrobot.classroom.names import WrongNameError
 from kitrobot.classroom.pupil import Goal, Pupil, Report, State, met, state_of
 from kitrobot.classroom.record import ClassRecord, PupilRecord, UnreadPupil, read_record, unread_sentence, write_record
-from kitrobot.classroom.room import GRADES_PAGE, GRADES_TABLE, MOST_PUPILS, SITE, ClassError, ClassRoom
+from kitrobot.classroom.room import GRADES_PAGE, GRADES_TABLE, SITE, STUDIOS, ClassError, ClassRoom
 from kitrobot.classroom.told import Handed, HandIn, Told, Turn
-from kitrobot.classroom.work import QuotaError, Work
+from kitrobot.classroom.work import Work
 
 __all__ = [
     "GRADES_PAGE",
     "GRADES_TABLE",
-    "MOST_PUPILS",
     "SITE",
+    "STUDIOS",
     "Allowance",
     "ClassError",
     "ClassRecord",
@@ -28,7 +28,6 @@ __all__ = [
     "NotLetInError",
     "Pupil",
     "PupilRecord",
-    "QuotaError",
     "Report",
     "State",
     "TakenNameError",

@@ -36,24 +36,61 @@ class Allowance:
         return self._left
 
 
-class Guesses:
-    """Wrong guesses: so many from one address, and so many in all, in a minute."""
+class Allowances:
+    """An allowance for each of many, of whom those are forgotten that were there longest ago."""
 
-    def __init__(self, of_one: int = 10, of_all: int = 120) -> None:
-        self._of_one = of_one
-        self._all = Allowance(of_all / 60, of_all)
+    def __init__(self, a_second: float, burst: float) -> None:
+        self._rate = (a_second, burst)
         self._each: OrderedDict[str, Allowance] = OrderedDict()
+
+    def has(self, who: str, now: float) -> bool:
+        """Whether there is one for them now."""
+        one = self._each.get(who)
+        return one is None or one.has(now)
+
+    def take(self, who: str, now: float) -> bool:
+        """One of theirs; False when there is none now."""
+        one = self._each.setdefault(who, Allowance(*self._rate))
+        self._each.move_to_end(who)
+        while len(self._each) > MOST_KNOWN:
+            self._each.popitem(last=False)
+        return one.take(now)
+
+    def clear(self) -> None:
+        """Everybody begins anew."""
+        self._each.clear()
+
+
+class Guesses:
+    """Wrong guesses in a minute: so many from one address, and so many in all.
+
+    A class comes in from one address where it sits behind one. Once somebody has come in from an address, wrong guesses
+    from elsewhere hold it up no more, and it has `of_class` of its own: those who mistype do not keep out the others.
+    """
+
+    def __init__(self, of_one: int = 10, of_all: int = 120, of_class: int = 120) -> None:
+        self._all = Allowance(of_all / 60, of_all)
+        self._each = Allowances(of_one / 60, of_one)
+        self._of_class = Allowances(of_class / 60, of_class)
+        self._in: OrderedDict[str, None] = OrderedDict()
 
     def may(self, who: str, now: float) -> bool:
         """Whether that address may guess now."""
-        one = self._each.get(who)
-        return self._all.has(now) and (one is None or one.has(now))
+        if who in self._in:
+            return self._of_class.has(who, now)
+        return self._all.has(now) and self._each.has(who, now)
+
+    def right(self, who: str) -> None:
+        """Somebody came in from there."""
+        self._in[who] = None
+        self._in.move_to_end(who)
+        while len(self._in) > MOST_KNOWN:
+            self._in.popitem(last=False)
 
     def wrong(self, who: str, now: float) -> None:
         """It guessed wrong."""
-        self._all.take(now)
-        one = self._each.setdefault(who, Allowance(self._of_one / 60, self._of_one))
-        self._each.move_to_end(who)
-        one.take(now)
-        while len(self._each) > MOST_KNOWN:
-            self._each.popitem(last=False)
+        if who in self._in:
+            self._of_class.take(who, now)
+        else:
+            self._all.take(now)
+            self._each.take(who, now)

@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
+from contextlib import suppress
 from typing import Final
 
 from kitrobot.classroom.entrance import TakenNameError
 from kitrobot.classroom.names import clean_name, new_code, work_name
 from kitrobot.classroom.pupil import Pupil
-from kitrobot.classroom.room import ClassError, ClassRoom
+from kitrobot.classroom.room import STUDIOS, ClassError, ClassRoom
 from kitrobot.files import HANDED_OUT, write_atomic
 from kitrobot.text import Sentence
 
@@ -32,19 +33,44 @@ class Desk:
                 raise TakenNameError(Sentence("`{name}` is in this class already", name), "")
             return self._room.enter(name, "")
 
-    def remove(self, pupil: Pupil) -> None:
-        """Nobody comes in as this pupil any more; the folder stays."""
+    def remove(self, *pupils: Pupil) -> None:
+        """Nobody comes in as these pupils any more; their folders stay, but for those in which there is nothing."""
         with self._room.lock:
-            self._room.pupils.pop(pupil.folder, None)
-            pupil.record.keys = []
-            self._room.record.pupils = [one for one in self._room.record.pupils if one is not pupil.record]
+            gone = {pupil.folder for pupil in pupils}
+            for pupil in pupils:
+                self._room.pupils.pop(pupil.folder, None)
+                pupil.record.keys = []
+            self._room.record.pupils = [one for one in self._room.record.pupils if one.folder not in gone]
             self._room.changed(kept=True)
-            self._room.log.say(f"{pupil.record.name} was taken out of the class; the folder {pupil.folder} stays")
+            for pupil in pupils:
+                # Who has the same name next would get the studio with the folder.
+                if not (self._room.folder / STUDIOS / pupil.folder).exists():
+                    with suppress(OSError):
+                        (self._room.folder / pupil.folder).rmdir()
+                self._room.log.say(f"{pupil.record.name} was taken out of the class; what is in {pupil.folder} stays")
+
+    def remove_idle(self) -> int:
+        """Takes those out of the class who came in, handed nothing in and are not here; gives how many."""
+        with self._room.lock:
+            idle = [one for one in self._room.pupils.values() if one.record.keys and one.pages == 0 and one.work == ""]
+            if idle:
+                self.remove(*idle)
+            self._room.newcomers.clear()
+            return len(idle)
+
+    def set_places(self, places: int) -> None:
+        """The class takes so many pupils from now on."""
+        with self._room.lock:
+            self._room.record.places = places
+            self._room.newcomers.clear()
+            self._room.changed(kept=True)
+            self._room.log.say(f"the class has room for {places} pupils")
 
     def set_code(self, on: bool) -> None:
         """A new code; or none, and nobody can join. Who is in stays in."""
         with self._room.lock:
             self._room.record.code = new_code() if on else ""
+            self._room.newcomers.clear()
             self._room.changed(kept=True)
             self._room.log.say("the class has a new code" if on else "the code was revoked")
 
@@ -101,8 +127,9 @@ class Desk:
     def write_to(self, pupil: Pupil, text: str) -> None:
         """A few words for one pupil."""
         with self._room.lock:
-            pupil.note = (pupil.note[0] + 1, " ".join(text.split())[:LONGEST_NOTE])
-            self._room.changed()
+            pupil.record.note += 1
+            pupil.record.note_text = " ".join(text.split())[:LONGEST_NOTE]
+            self._room.changed(kept=True)
 
     def ask_turn(self, pupil: Pupil) -> None:
         """Asks a pupil to let the teacher edit.

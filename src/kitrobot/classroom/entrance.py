@@ -7,13 +7,15 @@ import secrets
 from dataclasses import dataclass
 from typing import Final
 
-from kitrobot.classroom.allowance import Guesses
+from kitrobot.classroom.allowance import Allowances, Guesses
 from kitrobot.classroom.names import clean_code, clean_name
 from kitrobot.classroom.pupil import Pupil
 from kitrobot.classroom.room import ClassError, ClassRoom
 from kitrobot.diagnostics import KitRobotError
 from kitrobot.text import Sentence
 
+WORDS_A_MINUTE: Final = 10
+"""Wrong words of one pupil, from one address."""
 MOST_ASKING: Final = 20
 ASKING_S: Final = 15 * 60
 """How long a question for the teacher's yes is kept."""
@@ -43,6 +45,7 @@ class Entrance:
     def __init__(self, room: ClassRoom) -> None:
         self._room = room
         self._guesses = Guesses()
+        self._words = Allowances(WORDS_A_MINUTE / 60, WORDS_A_MINUTE)
         self._asking: dict[str, _Asking] = {}
 
     def join(self, code: str, name: str, word: str, who: str) -> tuple[Pupil, str]:
@@ -65,14 +68,14 @@ class Entrance:
             known = self._room.named(name)
             if known is None:
                 key = secrets.token_urlsafe(24)
-                return self._room.enter(name, key), key
+                return self._enter(name, key, who), key
             if not word.strip():
                 raise TakenNameError(
                     Sentence("`{name}` is in this class already", name),
                     Sentence("if that is you, type your word or ask your teacher; else add a letter to your name"),
                 )
-            if not _same(clean_code(word), known.record.word):
-                self._wrong(Sentence("that is not the word of `{name}`", name), who)
+            self._expect_word(known, word, who)
+            self._guesses.right(who)
             return known, self._room.let_in(known, "came back with the word")
 
     def ask(self, code: str, name: str, who: str) -> str:
@@ -128,6 +131,30 @@ class Entrance:
             del self._asking[asked]
             return one.yes, self._room.pupils.get(one.pupil), one.key
 
+    def _enter(self, name: str, key: str, who: str) -> Pupil:
+        """A new pupil, as long as not too many come from one address."""
+        self._room.expect_place()
+        if not self._room.newcomers.take(who, self._room.clock()):
+            self._room.log.say(f"too many new pupils from {who}")
+            raise NotLetInError(
+                Sentence("very many new pupils came in from this computer or network"),
+                Sentence("wait a minute, or ask your teacher"),
+            )
+        made = self._room.enter(name, key)
+        self._guesses.right(who)
+        return made
+
+    def _expect_word(self, pupil: Pupil, word: str, who: str) -> None:
+        now, guesses = self._room.clock(), f"{who} {pupil.folder}"
+        if not self._words.has(guesses, now):
+            raise NotLetInError(
+                Sentence("too many wrong words of `{name}` came from here", pupil.record.name),
+                Sentence("wait a minute, or ask your teacher"),
+            )
+        if not _same(clean_code(word), pupil.record.word):
+            self._words.take(guesses, now)
+            self._wrong(Sentence("that is not the word of `{name}`", pupil.record.name), who)
+
     def _expect_code(self, code: str, who: str) -> None:
         if not self._guesses.may(who, self._room.clock()):
             self._room.log.say(f"too many wrong codes from {who}")
@@ -135,10 +162,10 @@ class Entrance:
         if not self._room.record.code:
             raise NotLetInError(Sentence("nobody can join this class now"), Sentence("ask your teacher for a code"))
         if not _same(clean_code(code), self._room.record.code):
+            self._guesses.wrong(who, self._room.clock())
             self._wrong(Sentence("that is not the code of this class"), who)
 
     def _wrong(self, message: Sentence, who: str) -> None:
-        self._guesses.wrong(who, self._room.clock())
         self._room.log.say(f"{message} (from {who})")
         raise NotLetInError(message, Sentence("look at the letters again, or ask your teacher"))
 

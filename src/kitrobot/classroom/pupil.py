@@ -57,8 +57,6 @@ class Pupil:
     kept: float | None = None
     version: int = 0
     """Another one with each picture."""
-    note: tuple[int, str] = (0, "")
-    """What the teacher wrote last, and its number."""
     turn: Turn = "pupil"
     arena: str = ""
     """What the page shows of its run while the teacher looks on, as it told that."""

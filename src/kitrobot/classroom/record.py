@@ -23,6 +23,8 @@ from kitrobot.files import FileError, read_bytes, write_atomic
 from kitrobot.text import Sentence, line_feeds
 
 NAME: Final = "class.toml"
+USUAL_PLACES: Final = 100
+"""Pupils that a class takes until its teacher says otherwise."""
 MOST_KEYS: Final = 4
 """Browsers that a pupil can be let in from; the oldest is forgotten when there are more."""
 
@@ -33,7 +35,9 @@ _HEAD = """# A class of KitRobot. While the class runs this file is written anew
 
 @dataclass
 class PupilRecord:
-    """A pupil: name, folder, the word to come back with, digests of keys, what they got last, whether to look up."""
+    """A pupil: name, folder, the word to come back with, digests of keys, what they got last, whether to look up,
+    whether the hand is up, and what the teacher wrote last with its number.
+    """
 
     name: str
     folder: str
@@ -42,6 +46,9 @@ class PupilRecord:
     handed: int = 0
     handed_file: str = ""
     frozen: bool = False
+    hand: bool = False
+    note: int = 0
+    note_text: str = ""
 
     def gets(self, key: str) -> None:
         """Another browser of the pupil."""
@@ -62,13 +69,16 @@ class UnreadPupil:
 
 @dataclass
 class ClassRecord:
-    """A class. `code` lets pupils in; "" while nobody can join. `frozen` counts for all, those who come later too."""
+    """A class. `code` lets pupils in; "" while nobody can join. `frozen` counts for all, those who come later too.
+    There is room for as many pupils as `places`.
+    """
 
     name: str
     code: str = ""
     exercise: str = ""
     frozen: bool = False
     pupils: list[PupilRecord] = field(default_factory=list)
+    places: int = USUAL_PLACES
     unread: list[UnreadPupil] = field(default_factory=list)
 
 
@@ -95,9 +105,15 @@ def read_record(folder: Path) -> ClassRecord | None:
         if "pupil" in found:
             raise TypeError(Sentence("`{key}` is no list", "pupil"))
         name, code, exercise = (_text(found, key) for key in ("name", "code", "exercise"))
+        record = ClassRecord(
+            name or folder.resolve().name,
+            clean_code(code),
+            exercise,
+            found.get("frozen") is True,
+            places=_count(found, "places", USUAL_PLACES),
+        )
     except (tomllib.TOMLDecodeError, ValueError, TypeError, RecursionError) as error:
         raise _no_class(path, _reason(error)) from None
-    record = ClassRecord(name or folder.resolve().name, clean_code(code), exercise, found.get("frozen") is True)
     for start, part in zip(starts, parts, strict=True):
         _read_pupil(record, part, text.count("\n", 0, start) + 1)
     return record
@@ -159,6 +175,7 @@ def write_record(folder: Path, record: ClassRecord) -> None:
         f"code = {_string(record.code)}",
         f"exercise = {_string(record.exercise)}",
         f"frozen = {'true' if record.frozen else 'false'}",
+        f"places = {record.places}",
     ]
     for pupil in record.pupils:
         keys = ", ".join(_string(key) for key in pupil.keys)
@@ -172,6 +189,8 @@ def write_record(folder: Path, record: ClassRecord) -> None:
             f"handed = {pupil.handed}",
             f"handed_file = {_string(pupil.handed_file)}",
             *(["frozen = true"] if pupil.frozen else []),
+            *(["hand = true"] if pupil.hand else []),
+            *([f"note = {pupil.note}", f"note_text = {_string(pupil.note_text)}"] if pupil.note else []),
         ]
     lines += ["", *(one.text.strip("\n") for one in record.unread)]
     path = folder / NAME
@@ -206,12 +225,28 @@ def _pupil(table: dict[str, Any]) -> PupilRecord:
     if not name or not is_file_name(folder):
         raise ValueError(Sentence("a pupil's folder is missing, or leads out of the class"))
     keys = [str(key) for key in _list(table.get("keys", []))]
-    handed, file = table.get("handed", 0), _text(table, "handed_file")
-    if not isinstance(handed, int) or (file and not is_file_name(file)):
+    file = _text(table, "handed_file")
+    if file and not is_file_name(file):
         raise ValueError(Sentence("`{key}` makes no sense", "handed"))
     return PupilRecord(
-        name, folder, clean_code(_text(table, "word")), keys[-MOST_KEYS:], handed, file, table.get("frozen") is True
+        name,
+        folder,
+        clean_code(_text(table, "word")),
+        keys[-MOST_KEYS:],
+        _count(table, "handed", 0),
+        file,
+        table.get("frozen") is True,
+        table.get("hand") is True,
+        _count(table, "note", 0),
+        _text(table, "note_text"),
     )
+
+
+def _count(table: dict[str, Any], key: str, usual: int) -> int:
+    found = table.get(key, usual)
+    if not isinstance(found, int) or isinstance(found, bool) or found < 0:
+        raise ValueError(Sentence("`{key}` makes no sense", key))
+    return found
 
 
 def _no_class(path: Path, reason: str) -> FileError:

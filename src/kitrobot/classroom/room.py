@@ -17,6 +17,7 @@ from contextlib import suppress
 from pathlib import Path
 from typing import Final
 
+from kitrobot.classroom.allowance import Allowances
 from kitrobot.classroom.log import NAME as LOG
 from kitrobot.classroom.log import Log
 from kitrobot.classroom.names import as_file_name, free_name, key_of, new_code, same_name
@@ -29,12 +30,15 @@ from kitrobot.diagnostics import KitRobotError
 from kitrobot.files import HANDED_OUT, FileError, FileLock, read_bytes, revision_of
 from kitrobot.text import Sentence
 
-MOST_PUPILS: Final = 100
+MOST_NEWCOMERS: Final = 50
+"""New pupils from one address at once; after them one a minute. A class may sit behind one address."""
 LOCK: Final = ".class.lock"
 SITE: Final = "Site"
 """The folder with a static site, from which pupils' pages get their own Python."""
 GRADES_PAGE: Final = "grades.html"
 GRADES_TABLE: Final = "grades.csv"
+STUDIOS: Final = ".studios"
+"""The folder with pupils' studios, where there is no site."""
 _RESERVED: Final = (HANDED_OUT, SITE, "grades", "class", "log", RECORD, LOG, GRADES_PAGE, GRADES_TABLE)
 """Names in the folder that are no pupil's: what the class itself writes there."""
 _FILES: Final = (".xml", ".krt", ".kri", ".kra", ".lll", ".krtrace", ".html", ".csv", ".toml", ".txt")
@@ -85,6 +89,8 @@ class ClassRoom:
         self.last_kept: float | None = None
         for one in self.record.unread:
             self.log.say(str(unread_sentence(one)))
+        self.newcomers = Allowances(1 / 60, MOST_NEWCOMERS)
+        """New pupils from each address."""
         write_record(self.folder, self.record)
 
     def close(self) -> None:
@@ -94,7 +100,7 @@ class ClassRoom:
             self._alone = None
 
     def _pupil(self, record: PupilRecord) -> Pupil:
-        pupil = Pupil(record, record.folder)
+        pupil = Pupil(record, record.folder, asked=self.clock() if record.hand else None)
         newest = next(iter(works(self.folder / record.folder)), None)
         if newest is not None:
             pupil.work = newest.name
@@ -134,11 +140,7 @@ class ClassRoom:
         Raises:
             ClassError: the class is full.
         """
-        if len(self.pupils) >= MOST_PUPILS:
-            raise ClassError(
-                Sentence("this class has {most} pupils already", MOST_PUPILS),
-                Sentence("the teacher can begin a second class in another folder"),
-            )
+        self.expect_place()
         wanted = as_file_name(name)
         files = [wanted] if wanted.lower().endswith(_FILES) else []
         folder = free_name(wanted, [*_RESERVED, *files, *(entry.name for entry in self.folder.iterdir())])
@@ -150,6 +152,18 @@ class ClassRoom:
         self.changed(kept=True)
         self.log.say(f"{name} joined" if key else f"{name} was added")
         return pupil
+
+    def expect_place(self) -> None:
+        """That there is room for one more. For who holds the lock.
+
+        Raises:
+            ClassError: the class is full.
+        """
+        if len(self.pupils) >= self.record.places:
+            raise ClassError(
+                Sentence("this class has {most} pupils already", self.record.places),
+                Sentence("the teacher can remove some, or make room for more, in the menu *Class*"),
+            )
 
     def let_in(self, pupil: Pupil, how: str) -> str:
         """Another browser of a pupil; gives its key. For who holds the lock."""
@@ -198,6 +212,9 @@ class ClassRoom:
         with self.lock:
             if up != (pupil.asked is not None):
                 pupil.asked = self.clock() if up else None
+                pupil.record.hand = up
+                with suppress(FileError):
+                    write_record(self.folder, self.record)
                 self.changed()
 
     def show_arena(self, pupil: Pupil, arena: str) -> None:
@@ -226,7 +243,7 @@ class ClassRoom:
                 self.record.frozen or record.frozen,
                 self.record.exercise,
                 Handed(record.handed, record.handed_file),
-                pupil.note,
+                (record.note, record.note_text),
                 self.looked == pupil.folder,
                 pupil.asked is not None,
                 pupil.turn,

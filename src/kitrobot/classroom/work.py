@@ -9,8 +9,7 @@ from typing import Final
 
 from kitrobot.classroom.names import ENDING, free_name, key_of, work_name
 from kitrobot.classroom.told import HandIn
-from kitrobot.diagnostics import KitRobotError
-from kitrobot.files import FileError, read_bytes, revision_of, utc_moment, write_atomic
+from kitrobot.files import FileError, QuotaError, read_bytes, revision_of, utc_moment, write_atomic
 from kitrobot.text import Sentence
 
 MOST_FILES: Final = 100
@@ -18,10 +17,6 @@ MOST_BYTES: Final = 16 * 1024 * 1024
 """Of all files of one pupil."""
 LARGEST_BYTES: Final = 1024 * 1024
 """Of one of them: what can be graded."""
-
-
-class QuotaError(KitRobotError):
-    """More than the folder of one pupil takes."""
 
 
 @dataclass(frozen=True)

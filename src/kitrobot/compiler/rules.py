@@ -94,6 +94,6 @@ TOO_LARGE = rule(
     Severity.ERROR,
     "The program is larger than an image can hold",
     "An image holds 256 cells (inputs, variables, counters, constants), 256 slots, 256 parallels, 256 marked actions, "
-    "256 procedures with 255 parameters each, and 65536 instructions. Parts that are used often are counted before they "
-    "are put in their places; all programs of a mission may grow by twice as many.",
+    "256 procedures with 255 parameters each, and 65536 instructions. Parts that are used often are counted before "
+    "they are put in their places; all programs of a mission may grow by twice as many.",
 )

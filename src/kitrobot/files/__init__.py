@@ -49,6 +49,7 @@ if TYPE_CHECKING:
     from kitrobot.files.layout import Layout, lay_out, lay_out_file
     from kitrobot.files.listing import NAME_NO_TEXT, MissionEntry, name_as_text, utc_moment
     from kitrobot.files.places import Places
+    from kitrobot.files.quota import Quota, QuotaError, measured, writing_within
     from kitrobot.files.recovery import Claimed, Journals, Left, News
 else:
     # Hidden from mypy, which would take every name for one that there is.
@@ -94,6 +95,7 @@ else:
             "layout": ("Layout", "lay_out", "lay_out_file"),
             "listing": ("NAME_NO_TEXT", "MissionEntry", "name_as_text", "utc_moment"),
             "places": ("Places",),
+            "quota": ("Quota", "QuotaError", "measured", "writing_within"),
             "recovery": ("Claimed", "Journals", "Left", "News"),
         },
     )
@@ -126,6 +128,8 @@ __all__ = [
     "MissionNameError",
     "News",
     "Places",
+    "Quota",
+    "QuotaError",
     "ReadOnlyError",
     "carried_mission",
     "decode",
@@ -139,6 +143,7 @@ __all__ = [
     "lay_out_file",
     "look_alike",
     "make_folder",
+    "measured",
     "name_as_text",
     "read_bytes",
     "read_carried",
@@ -153,4 +158,5 @@ __all__ = [
     "utc_moment",
     "write_atomic",
     "write_journal",
+    "writing_within",
 ]

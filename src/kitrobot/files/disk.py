@@ -28,6 +28,7 @@ from kitrobot.diagnostics import (
     rule,
 )
 from kitrobot.files.file_lock import FileLock
+from kitrobot.files.quota import expect_room, expect_room_for_folder
 from kitrobot.text import Help, Sentence, Word, line_feeds, no_text, older_copy
 
 LARGEST_FILE_BYTES = 64 * 1024 * 1024
@@ -129,7 +130,9 @@ def make_folder(folder: Path) -> None:
 
     Raises:
         FileError: it cannot be made.
+        QuotaError: there is no room for it.
     """
+    expect_room_for_folder(folder)
     try:
         folder.mkdir(parents=True, exist_ok=True)
     except OSError as error:
@@ -185,6 +188,7 @@ def replace_whole(path: Path, data: bytes, *, keep_old: bool = False, over_input
         OutputPlaceError: it is a file that this command has read.
         OSError: the operating system refused; the old file is untouched.
         ValueError: the path is none.
+        QuotaError: there is no room for it.
     """
     # Not before: most who read files write none.
     import tempfile
@@ -195,6 +199,7 @@ def replace_whole(path: Path, data: bytes, *, keep_old: bool = False, over_input
     expect_regular(target)
     if keep_old and target.exists():
         expect_output(target.with_name(target.name + "~"))
+    expect_room(target, len(data), keep_old=keep_old)
     handle, name = tempfile.mkstemp(prefix=f".{target.name[:50]}.", suffix=_ENDING, dir=target.parent)
     fresh, copy = Path(name), Path(name + "~")
     try:

@@ -24,6 +24,7 @@ from typing import Any
 
 from kitrobot.diagnostics import KitRobotError
 from kitrobot.files.disk import FileError, read_bytes, write_atomic
+from kitrobot.files.quota import expect_room_for_more
 from kitrobot.text import Sentence, Word
 
 FORMAT = b"kitrobot journal 1\n"
@@ -127,6 +128,7 @@ def append_records(file: Path, first: int, more: Journal) -> int:
         with file.open("r+b", buffering=0) as stream:
             before = stream.seek(0, os.SEEK_END)
             _expect_room(before + len(data))
+            expect_room_for_more(len(data))
             try:
                 view = memoryview(data)
                 while view:

@@ -14,7 +14,7 @@ from pydantic.json_schema import models_json_schema
 from starlette.exceptions import HTTPException
 
 from kitrobot.diagnostics import KitRobotError
-from kitrobot.files import ConflictError, FileError, MissionNameError, ReadOnlyError
+from kitrobot.files import ConflictError, FileError, MissionNameError, QuotaError, ReadOnlyError
 from kitrobot.server import pages
 from kitrobot.server.beginning_routes import beginning_routes
 from kitrobot.server.board_routes import board_routes
@@ -178,6 +178,8 @@ def _failed(request: Request, error: Exception) -> Response:
     status = 422
     if isinstance(error, (MissionNameError, ReadOnlyError, StrangerError)):
         status = 403
+    elif isinstance(error, QuotaError):
+        status = 413
     elif isinstance(error, FileError) and not error.path.exists():
         status = 404
     elif isinstance(error, ForgottenError):

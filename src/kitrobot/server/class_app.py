@@ -9,7 +9,7 @@ from typing import Final
 from fastapi import FastAPI
 from starlette.types import ASGIApp
 
-from kitrobot.classroom import ClassRoom, Entrance, NotLetInError, QuotaError, TakenNameError
+from kitrobot.classroom import ClassRoom, Entrance, NotLetInError, TakenNameError
 from kitrobot.diagnostics import KitRobotError
 from kitrobot.server.app import STATIC, create_app, install_failures
 from kitrobot.server.class_door import ClassDoor, new_key
@@ -93,4 +93,4 @@ def _status(error: KitRobotError) -> int | None:
         return 403
     if isinstance(error, TakenNameError):
         return 409
-    return 413 if isinstance(error, QuotaError) else None
+    return None

@@ -18,7 +18,7 @@ import ipaddress
 import secrets
 import socket
 import time
-from collections import OrderedDict
+from collections import Counter, OrderedDict
 from collections.abc import Callable
 from typing import Any, Final
 from urllib.parse import parse_qs
@@ -27,6 +27,7 @@ from starlette.datastructures import Headers
 from starlette.types import ASGIApp, Message, Receive, Scope, Send
 
 from kitrobot.classroom import Allowance, ClassRoom, Pupil
+from kitrobot.files import writing_within
 from kitrobot.server.class_studios import PupilStudios
 from kitrobot.server.security import TOKEN_HEADER, dress, refuse
 from kitrobot.text import Sentence
@@ -36,8 +37,14 @@ AT_ONCE: Final = 300.0
 """Requests of one pupil: loading the page takes some sixty."""
 STRANGERS_A_SECOND: Final = 20.0
 STRANGERS_AT_ONCE: Final = 200.0
+JOINS_A_SECOND: Final = 5.0
+JOINS_AT_ONCE: Final = 120.0
+"""Of those who come in from one address; loading pages and asking takes nothing from it. A class may sit behind one."""
+MOST_SOCKETS: Final = 40
+"""Sockets of one pupil at a time: six pages have as many."""
 MOST_KNOWN: Final = 2000
 TEACHER_PATH: Final = "/api/class/teacher"
+JOINING: Final = ("/api/class/join", "/api/class/ask")
 _ASK = Sentence("ask your teacher")
 
 
@@ -65,6 +72,7 @@ class ClassDoor:
         self._clock = clock
         self._names = _names_of_this_machine()
         self._allowances: OrderedDict[str, Allowance] = OrderedDict()
+        self._sockets: Counter[str] = Counter()
 
     async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
         if scope["type"] not in ("http", "websocket"):
@@ -79,9 +87,26 @@ class ClassDoor:
         is_api = path == "/api" or path.startswith("/api/")
         teacher = bool(key) and _here(scope) and hmac.compare_digest(self._key.encode(), key.encode())
         pupil = None if teacher or not is_api else self._room.pupil_of(key)
-        if is_api and not teacher and not self._may(pupil, client):
+        if is_api and not teacher and not self._may(pupil, client, path):
             await _no(scope, receive, send, 429, Sentence("that was too much at once"), Sentence("wait a moment"))
-        elif teacher and is_api and not _below(path, "/api/class"):
+        elif pupil is not None and scope["type"] == "websocket":
+            if self._sockets[pupil.folder] >= MOST_SOCKETS:
+                await _no(scope, receive, send, 429, Sentence("that was too much at once"), Sentence("wait a moment"))
+                return
+            self._sockets[pupil.folder] += 1
+            try:
+                await self._lead(path, key, False, pupil, scope, receive, send)
+            finally:
+                self._sockets[pupil.folder] -= 1
+        else:
+            await self._lead(path, key, teacher, pupil, scope, receive, send)
+
+    async def _lead(
+        self, path: str, key: str, teacher: bool, pupil: Pupil | None, scope: Scope, receive: Receive, send: Send
+    ) -> None:
+        """Leads who may come in to where the path is."""
+        is_api = path == "/api" or path.startswith("/api/")
+        if teacher and is_api and not _below(path, "/api/class"):
             await self._studio(_led(scope, key, {}, keep_client=True), receive, send)
         elif _below(path, TEACHER_PATH) and not teacher:
             await _no(scope, receive, send, 403, Sentence("this is for the teacher"), _ASK)
@@ -98,17 +123,18 @@ class ClassDoor:
         studio = studios.of(pupil.folder)
         if studios.refuses(scope["path"]):
             await _no(scope, receive, send, 403, Sentence("a class does not do this"), _NOT_HERE)
-        elif scope["type"] == "http" and studios.is_full(studio, scope["method"], scope["path"]):
-            await _no(scope, receive, send, 413, Sentence("your folder in the class is full"), _ASK)
         else:
             # Without an address: ports and processes of this machine are for those who sit at it.
-            await studio.app(_led(scope, studio.token, {}, keep_client=False), receive, send)
+            with writing_within(studio.quota):
+                await studio.app(_led(scope, studio.token, {}, keep_client=False), receive, send)
 
-    def _may(self, pupil: Pupil | None, client: str) -> bool:
-        who = f"pupil {pupil.folder}" if pupil is not None else f"address {client}"
+    def _may(self, pupil: Pupil | None, client: str, path: str) -> bool:
+        joins = pupil is None and path in JOINING
+        who = f"pupil {pupil.folder}" if pupil is not None else f"{'joining' if joins else 'address'} {client}"
         known = self._allowances.get(who)
         if known is None:
             rate = (A_SECOND, AT_ONCE) if pupil is not None else (STRANGERS_A_SECOND, STRANGERS_AT_ONCE)
+            rate = (JOINS_A_SECOND, JOINS_AT_ONCE) if joins else rate
             known = self._allowances[who] = Allowance(*rate)
         self._allowances.move_to_end(who)
         while len(self._allowances) > MOST_KNOWN:

@@ -68,6 +68,7 @@ class Overview:
             qr=list(self._reach.qr),
             reach=self._reach.sentence,
             frozen=record.frozen,
+            places=record.places,
             exercise=record.exercise,
             exercise_label=label,
             goals=goals,

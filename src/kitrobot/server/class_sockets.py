@@ -165,7 +165,8 @@ async def _hear(socket: WebSocket, take: Callable[[str], None]) -> None:
                 await socket.send_text(HereMessage().model_dump_json())
                 continue
             try:
-                take(text)
+                # It may write: a full or slow disk holds up nobody else.
+                await beside_loop(take, text)
             except (ValidationError, ValueError):
                 return
 

@@ -7,7 +7,6 @@ they would take the teacher's machine. The class itself (`class_routes`) knows n
 
 from __future__ import annotations
 
-import os
 import secrets
 import threading
 from pathlib import Path
@@ -15,21 +14,18 @@ from typing import Final
 
 from fastapi import FastAPI
 
-from kitrobot.classroom import ClassRoom
+from kitrobot.classroom import STUDIOS, ClassRoom
 from kitrobot.diagnostics import KitRobotError
+from kitrobot.files import Quota
 from kitrobot.server.app import create_app
 from kitrobot.server.class_exercises import copy_exercise
 from kitrobot.server.gallery import Gallery
 
-FOLDER: Final = ".studios"
 MOST_BYTES: Final = 64 * 1024 * 1024
 MOST_FILES: Final = 300
-"""Of one pupil's studio: missions, parts, journals."""
-LOOK_S: Final = 5.0
-"""How often a folder is measured, at most."""
+"""Of one pupil's studio: missions, parts, journals, folders."""
 NOT_HERE: Final = ("/api/board", "/api/boards", "/api/trace", "/api/run/trace", "/api/sweep", "/api/verify")
 """Beginnings of what pupils' studios do not do."""
-WRITES: Final = ("/api/mission", "/api/journal", "/api/parts")
 
 
 class PupilStudio:
@@ -44,8 +40,7 @@ class PupilStudio:
         self.app.state.studio.gallery = gallery
         self.app.state.studio.folder.in_class = True
         self._room = room
-        self._measured: float | None = None
-        self._full = False
+        self.quota = Quota(folder, MOST_BYTES, MOST_FILES)
 
     def take_exercise(self) -> None:
         """Gets the files of the exercise of the class; where that cannot be, the log says so."""
@@ -54,29 +49,13 @@ class PupilStudio:
         except (KitRobotError, OSError) as error:
             self._room.log.say(f"{self.folder.name} did not get the exercise: {error}")
 
-    def is_full(self, now: float) -> bool:
-        """Whether nothing more is written."""
-        if self._measured is None or now - self._measured >= LOOK_S:
-            self._measured = now
-            files = size = 0
-            for folder, _, names in os.walk(self.folder):
-                for name in names:
-                    files += 1
-                    try:
-                        size += os.lstat(os.path.join(folder, name)).st_size
-                    except OSError:
-                        continue
-            self._full = files > MOST_FILES or size > MOST_BYTES
-        return self._full
-
 
 class PupilStudios:
     """The studios of a class, each made when its pupil first asks for something. Safe to use from many threads."""
 
     def __init__(self, room: ClassRoom) -> None:
         self._room = room
-        self._folder = room.folder / FOLDER
-        self._clock = room.clock
+        self._folder = room.folder / STUDIOS
         self._gallery = Gallery()
         self._made: dict[str, PupilStudio] = {}
         self._lock = threading.Lock()
@@ -99,8 +78,3 @@ class PupilStudios:
     def refuses(self, path: str) -> bool:
         """Whether that is not for pupils."""
         return any(path == one or path.startswith(f"{one}/") for one in NOT_HERE)
-
-    def is_full(self, studio: PupilStudio, method: str, path: str) -> bool:
-        """Whether that would be written, and the pupil has no room left."""
-        writes = method in ("PUT", "POST") and any(path == one or path.startswith(f"{one}/") for one in WRITES)
-        return writes and path not in ("/api/mission/text", "/api/mission/read") and studio.is_full(self._clock())

@@ -30,6 +30,7 @@ from kitrobot.server.shapes.classroom import (
     TeacherHandOutShape,
     TeacherLogShape,
     TeacherNoteShape,
+    TeacherPlacesShape,
     TeacherPupilShape,
     TeacherTurnShape,
 )
@@ -152,6 +153,19 @@ def remove(desk: ThisDesk, room: ThisRoom, wanted: TeacherPupilShape) -> bool:
     """Nobody comes in as this pupil any more; the folder stays."""
     desk.remove(_one(room, wanted.folder))
     return True
+
+
+@teacher_routes.post("/remove-idle")
+def remove_idle(desk: ThisDesk) -> int:
+    """Takes those out of the class who came in, handed nothing in and are not here; gives how many."""
+    return desk.remove_idle()
+
+
+@teacher_routes.post("/places")
+def places(desk: ThisDesk, wanted: TeacherPlacesShape) -> int:
+    """The class takes so many pupils from now on."""
+    desk.set_places(wanted.places)
+    return wanted.places
 
 
 @teacher_routes.post("/answer")

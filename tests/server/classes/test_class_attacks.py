@@ -5,6 +5,8 @@ from __future__ import annotations
 import contextlib
 import json
 import os
+import random
+import shutil
 from typing import Any
 
 import pytest
@@ -12,9 +14,13 @@ from fastapi.routing import APIRoute, APIWebSocketRoute
 from starlette.websockets import WebSocketDisconnect
 
 from kitrobot.classroom import ClassRoom
+from kitrobot.files import measured
 from kitrobot.server import class_door, class_sockets, class_studios, create_app
 from kitrobot.server.class_app import class_api
+from kitrobot.server.handed_out import pack
 from tests.server.classes.conftest import KEY, SOCKET, SQUARE, WORLD, hand_in, told
+
+ROBOT = b'<robot name="NAME" version="1"><!--' + b"x" * 600 + b'--><sensor name="Sign"/></robot>'
 
 ROUTES = [route for route in class_api().routes if isinstance(route, APIRoute)]
 
@@ -107,7 +113,7 @@ def test_guessing_codes_and_words_is_held_back(school):
     code = school.room.record.code
     eve = school.client(address="192.168.4.66")
     # Half of them guess the code, half the word of another.
-    for at in range(10):
+    for at in range(20):
         guess = {"code": "AAAAAA", "name": "Eve"} if at % 2 else {"code": code, "name": "Ada", "word": "AAAAAA"}
         assert eve.post("/api/class/join", json=guess).status_code == 403
     right = eve.post("/api/class/join", json={"code": code, "name": "Eve"})
@@ -271,6 +277,115 @@ def test_a_pupil_on_the_teachers_machine_gets_neither_ports_nor_processes(school
         answer = socket.receive_json()
     assert answer["type"] == "error", answer
     assert "another machine" in answer["message"], answer
+
+
+def quota_left(school, monkeypatch, size: int, files: int = 1000):
+    """A pupil whose studio takes so much."""
+    monkeypatch.setattr(class_studios, "MOST_BYTES", size)
+    monkeypatch.setattr(class_studios, "MOST_FILES", files)
+    return school.join("Ada")[0]
+
+
+def handed_out(pupil, name: str, files: dict[str, bytes]):
+    return pupil.put(f"/api/handed-out?exercise=Handed out/{name}/a.exercise.xml", content=pack(files))
+
+
+def test_every_way_to_write_is_counted_before_it_is_written(school, mission, monkeypatch):
+    ada = quota_left(school, monkeypatch, 20_000)
+    studio = school.room.folder / ".studios" / "Ada"
+    saves = [
+        lambda at: ada.put("/api/mission", json={"path": f"a{at}.krt", "revision": "", "mission": mission}),
+        lambda at: ada.post(f"/api/parts?path=&file=r{at}.robot.xml", content=ROBOT.replace(b"NAME", b"r%d" % at)),
+        lambda at: handed_out(ada, str(at), {"a.exercise.xml": random.Random(at).randbytes(6_000)}),
+    ]
+    for save in saves:
+        answers = [save(at).status_code for at in range(90)]
+        assert answers[0] == 200, save(1000).text
+        assert set(answers) == {200, 413}
+        assert measured(studio)[0] <= 20_000
+        shutil.rmtree(studio)
+        studio.mkdir()
+
+
+def test_a_journal_is_counted_with_each_record(school, mission, monkeypatch):
+    ada = quota_left(school, monkeypatch, 50_000)
+    key = ada.headers["X-KitRobot-Token"]
+    with ada.websocket_connect(f"{SOCKET}/api/watch?token={key}") as socket:
+        tab = told(socket, "hello")["tab"]
+        assert ada.post("/api/journal/claim", json={"tab": tab, "path": "a.krt", "journal": ""}).status_code == 200
+        whole = {"tab": tab, "path": "a.krt", "name": "a", "records": ["a"], "unsaved": True}
+        assert ada.put("/api/journal", json=whole).status_code == 200
+        answers = set()
+        for at in range(100):
+            record = random.Random(at).randbytes(1000).hex()
+            more = {"tab": tab, "first": at + 1, "records": [record], "unsaved": True}
+            answers.add(ada.post("/api/journal", json=more).status_code)
+            if 413 in answers:
+                break
+    assert answers == {200, 413}
+    assert measured(school.room.folder / ".studios" / "Ada")[0] <= 50_000
+
+
+def test_folders_and_files_are_counted_and_what_becomes_smaller_is_written(school, mission, monkeypatch):
+    ada = quota_left(school, monkeypatch, 100_000, 20)
+    answers = [handed_out(ada, str(at), {}).status_code for at in range(40)]
+    assert set(answers) == {200, 413}
+    assert measured(school.room.folder / ".studios" / "Ada")[1] <= 20
+    # Who has no room left can still save what is not larger.
+    shutil.rmtree(school.room.folder / ".studios" / "Ada" / "Handed out")
+    saved = {"revision": ""}
+    for _ in range(2):
+        saved = ada.put("/api/mission", json={"path": "a.krt", **saved, "mission": mission}).json()
+        saved = {"revision": saved["revision"]}
+    for at in range(40):
+        handed_out(ada, str(at), {})
+    smaller = {**mission, "agents": []}
+    assert ada.put("/api/mission", json={"path": "a.krt", **saved, "mission": smaller}).is_success
+
+
+def test_one_pupil_has_so_many_sockets_of_every_kind(school, monkeypatch):
+    monkeypatch.setattr(class_door, "MOST_SOCKETS", 3)
+    ada, key = school.join("Ada")
+    with contextlib.ExitStack() as stack:
+        for path in ("class/pupil", "watch", "run"):
+            stack.enter_context(ada.websocket_connect(f"{SOCKET}/api/{path}?token={key}"))
+        with pytest.raises(WebSocketDisconnect), ada.websocket_connect(f"{SOCKET}/api/watch?token={key}"):
+            pass
+    with ada.websocket_connect(f"{SOCKET}/api/watch?token={key}"):
+        pass
+
+
+def test_joining_and_everything_else_do_not_hold_up_each_other(school, monkeypatch):
+    for name in ("STRANGERS_A_SECOND", "JOINS_A_SECOND"):
+        monkeypatch.setattr(class_door, name, 0.0)
+    for name in ("STRANGERS_AT_ONCE", "JOINS_AT_ONCE"):
+        monkeypatch.setattr(class_door, name, 5.0)
+    stranger = school.client()
+    answers = [stranger.get("/api/class").status_code for _ in range(6)]
+    assert answers == [200] * 5 + [429]
+    school.join("Ada")
+    tries = {"code": "AAAAAA", "name": "Eve"}
+    other = school.client(address="192.168.4.78")
+    answers = [other.post("/api/class/join", json=tries).status_code for _ in range(6)]
+    assert answers == [403] * 5 + [429]
+    assert other.get("/api/class").status_code == 200
+
+
+def test_the_teacher_makes_room_and_removes_those_who_did_nothing(school):
+    teacher = school.teacher()
+    for at in range(5):
+        school.join(f"Invented {at}")
+    assert teacher.post("/api/class/teacher/places", json={"places": 5}).json() == 5
+    full = school.client().post("/api/class/join", json={"code": school.room.record.code, "name": "Ada"})
+    assert full.status_code == 422
+    assert full.json()["message"] == "This class has 5 pupils already."
+    assert teacher.post("/api/class/teacher/remove-idle").json() == 5
+    school.join("Ada")
+    for places in (0, 1001, "x"):
+        assert teacher.post("/api/class/teacher/places", json={"places": places}).status_code == 422
+    ada, _ = school.join("Ben")
+    for path in ("places", "remove-idle"):
+        assert ada.post(f"/api/class/teacher/{path}", json={"places": 9}).status_code == 403
 
 
 def test_a_full_studio_takes_no_more(school, mission, monkeypatch):

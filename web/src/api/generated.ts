@@ -481,6 +481,7 @@ export interface ClassNewsMessage {
   qr: string[];
   reach: string;
   frozen: boolean;
+  places: number;
   exercise: string;
   exercise_label: Record<string, string>;
   goals: ClassGoalName[];
@@ -2134,6 +2135,11 @@ export interface TeacherPage {
   aim: Record<string, string>;
   troubles: Record<string, string>[];
   questions: Record<string, string>[];
+}
+
+/** How many pupils the class takes. */
+export interface TeacherPlaces {
+  places: number;
 }
 
 /** One pupil. */

@@ -120,6 +120,8 @@ export const CLASS_EN = {
   "teacher.edit": "Edit in the studio",
   "teacher.give-back": "Give back",
   "teacher.look-large": "Open a copy in the studio",
+  "teacher.more-places": "Make room for {places} pupils",
+  "teacher.remove-idle": "Remove those who handed in nothing and are away",
   "teacher.word": "Word of {name}: {word}",
   "teacher.word-show": "Show the secret word",
   "teacher.word-hide": "Hide the word",

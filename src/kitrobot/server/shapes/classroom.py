@@ -12,6 +12,7 @@ from kitrobot.server.shapes.mission import MissionShape, ProgramShape
 from kitrobot.server.shapes.world import WorldShape
 
 MOST_GOALS = 100
+MOST_PLACES = 1000
 Name = Annotated[str, Field(max_length=1000)]
 Code = Annotated[str, Field(max_length=100)]
 Count = Annotated[int, Field(ge=0, le=2**53)]
@@ -224,6 +225,7 @@ class ClassNewsMessage(BaseModel):
     qr: list[str]
     reach: Clause
     frozen: bool
+    places: int
     exercise: str
     exercise_label: dict[str, str]
     goals: list[ClassGoalNameShape]
@@ -320,6 +322,12 @@ class TeacherAddShape(BaseModel):
     """A pupil who comes later."""
 
     name: Name
+
+
+class TeacherPlacesShape(BaseModel):
+    """How many pupils the class takes."""
+
+    places: Annotated[int, Field(ge=1, le=MOST_PLACES)]
 
 
 class TeacherAnswerShape(BaseModel):

@@ -11,6 +11,10 @@ import { act, freeze, useDesk } from "./store";
 
 const THEMES: readonly ThemeChoice[] = ["light", "dark", "contrast", "system"];
 
+const MORE_PLACES = 50;
+/** As many as a class can be told to take. */
+const MOST_PLACES = 1000;
+
 interface HeadProps {
   open: (sheet: SheetName) => void;
   /** Those that the filter shows; null: all. */
@@ -25,10 +29,15 @@ function useEntries(open: (sheet: SheetName) => void): { menus: [string, string,
   const { choice, choose } = useTheme();
   const { choose: speak } = useLanguage.getState();
   const coded = news?.code !== "";
+  const places = Math.min((news?.places ?? 0) + MORE_PLACES, MOST_PLACES);
+  const full = news === null || news.places >= MOST_PLACES;
   const ofClass: MenuEntry[] = [
     menuItem("class-new-code", t("teacher.new-code"), null, () => act(classApi.setCode(true))),
     menuItem("class-revoke", t("teacher.revoke"), null, () => act(classApi.setCode(false)), !coded),
     menuItem("class-thaw", t("teacher.thaw"), null, () => freeze(false, null), news?.frozen !== true && !anyFrozen),
+    { kind: "line", id: "class-places-line" },
+    menuItem("class-places", t("teacher.more-places", { places }), null, () => act(classApi.setPlaces(places)), full),
+    menuItem("class-remove-idle", t("teacher.remove-idle"), null, () => act(classApi.removeIdle())),
     { kind: "line", id: "class-line" },
     menuItem("class-table", t("teacher.table"), null, () =>
       act(classApi.table().then(({ bytes }) => download("class.csv", new Uint8Array(bytes), "text/csv"))),
