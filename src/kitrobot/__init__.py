@@ -16,11 +16,11 @@ what is wrong, collected and never raised; `KitRobotError` for what failed. What
 
 from __future__ import annotations
 
-from importlib import import_module
-from typing import TYPE_CHECKING, Any
-
+TYPE_CHECKING = False
+"""As that of `typing`, which takes longer to import than a command may be deaf to Ctrl-C."""
 if TYPE_CHECKING:
     from os import PathLike
+    from typing import Any
 
     from kitrobot.compiler import Compiled
     from kitrobot.diagnostics import Diagnostic, KitRobotError
@@ -136,6 +136,8 @@ def __getattr__(name: str) -> Any:
     home = _HOME.get(name)
     if home is None:
         raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+    from importlib import import_module
+
     return getattr(import_module(f"{__name__}.{home}"), name)
 
 

@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+import contextlib
 import json
 import os
 import signal
+import socket
 import subprocess
 import sys
 
@@ -119,6 +121,92 @@ def test_a_closed_error_output_leaves_the_data_clean(arguments):
     ended = shell(f"$K {arguments} 2>&-")
     assert ended.returncode in (1, 2)
     assert ended.stdout == b"" or arguments.startswith("check")
+
+
+WORK = [
+    "run $1 --seconds 5 --trace made.krtrace",
+    "verify $1 --seconds 1",
+    "grade hand --exercise $2 --html made.html",
+    "check $1",
+    "replay made.krtrace",
+    "convert $1 made.lll --program carrier",
+    "nonsense",
+    "run --none",
+]
+EXERCISE = EXAMPLE.parents[1] / "exercises" / "03-square.exercise.xml"
+
+
+@posix
+def test_what_cannot_be_told_changes_no_work(tmp_path):
+    """Whatever a command does: the same status and files where standard error is closed or full."""
+
+    def done(place: str, how: str) -> tuple[list[int], dict[str, bool]]:
+        folder = tmp_path / place
+        (folder / "hand").mkdir(parents=True)
+        (folder / "hand" / "ada.krt").write_bytes((EXERCISE.parent / "03-square.krt").read_bytes())
+        line = "; ".join(f'$K {work} {how}; echo "status $?"' for work in WORK)
+        ended = shell(f'cd "$3" && {line}', EXAMPLE, EXERCISE, folder)
+        said = ended.stdout.splitlines()
+        status = [int(one.split()[1]) for one in said if one.startswith(b"status ")]
+        made = {one.name: one.stat().st_size > 0 for one in folder.iterdir() if one.is_file()}
+        return status, made
+
+    usual = done("usual", "2>/dev/null")
+    assert 70 not in usual[0]
+    assert {"made.krtrace", "made.html", "made.lll"} <= set(usual[1])
+    for number, how in enumerate(("2>&-", "2>/dev/full")):
+        assert done(str(number), how) == usual
+
+
+@posix
+@pytest.mark.parametrize("command", ["studio --no-browser", "class --no-browser"])
+@pytest.mark.parametrize("how", ["2>/dev/full >/dev/full", "2>&- >&-"])
+def test_servers_open_whatever_the_streams_are(command: str, how: str, tmp_path):
+    """A page is there, and Ctrl-C ends it."""
+    folder, probe = tmp_path / "Folder", socket.create_server(("127.0.0.1", 0))
+    folder.mkdir()
+    port = probe.getsockname()[1]
+    probe.close()
+    env = {**os.environ, "KITROBOT_STATE": str(tmp_path / "state")}
+    line = f"exec {' '.join(KITROBOT)} {command} --port {port} '{folder}' {how}"
+    with subprocess.Popen(["sh", "-c", line], env=env, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL) as server:
+        answer = b""
+        while not answer:
+            assert server.poll() is None, "it ended"
+            with contextlib.suppress(OSError), socket.create_connection(("127.0.0.1", port), PATIENCE_S) as asking:
+                asking.sendall(f"GET / HTTP/1.1\r\nHost: 127.0.0.1:{port}\r\nConnection: close\r\n\r\n".encode())
+                answer = asking.recv(100)
+        assert answer.startswith(b"HTTP/1.1 ")
+        server.send_signal(signal.SIGINT)
+        assert server.wait(PATIENCE_S) in (0, 1, 130)
+
+
+INTERRUPTED = """
+import os, signal, sys
+sys.argv = ["kitrobot", *sys.argv[2:]]
+left = int({left!r})
+class Interrupting:
+    def find_spec(self, name, path=None, target=None):
+        global left
+        left -= 1
+        if left == 0:
+            os.kill(os.getpid(), signal.SIGINT)
+        return None
+sys.meta_path.insert(0, Interrupting())
+from kitrobot.__main__ import run
+run()
+"""
+
+
+@posix
+@pytest.mark.parametrize("left", [1, 10, 200])
+def test_ctrl_c_while_a_command_is_still_being_imported_ends_it_without_a_word(left: int):
+    """Python's own start, before the first line of ours, is not ours to change."""
+    script = INTERRUPTED.replace("{left!r}", str(left + 3))
+    ended = subprocess.run(
+        [sys.executable, "-c", script, "", "run", str(EXAMPLE)], capture_output=True, timeout=PATIENCE_S, check=False
+    )
+    assert (ended.returncode, ended.stderr) == (130, b"")
 
 
 @posix

@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+import asyncio
 import contextlib
 import itertools
 import json
 import re
 import struct
+from concurrent.futures import ThreadPoolExecutor
 from typing import Any
 
 import pytest
@@ -411,3 +413,43 @@ def test_a_run_that_breaks_is_one_sentence(connect, mission, monkeypatch, caplog
         watcher.start(mission())
         assert watcher.until("error")["message"] == "Something went wrong inside KitRobot."
     assert "Traceback" not in caplog.text
+
+
+@pytest.mark.parametrize("path", ["run", "sweep", "verify", "drawing-check", "watch", "boards", "boards/port"])
+def test_a_page_that_goes_while_it_is_told_something_is_no_mistake(app, path):
+    """Whatever the socket is for: nothing is raised, so the server has no traceback to show."""
+
+    async def scenario(said: list[dict[str, Any]], breaks: bool) -> None:
+        heard = [{"type": "websocket.connect"}, *said]
+
+        async def receive() -> Any:
+            if heard:
+                return heard.pop(0)
+            return {"type": "websocket.disconnect", "code": 1006}
+
+        async def send(message: Any) -> None:
+            if breaks and message["type"] == "websocket.send":
+                raise OSError("the line is broken")
+            if message["type"] == "websocket.send" and not heard:
+                raise RuntimeError("Unexpected ASGI message 'websocket.send', after sending 'websocket.close'.")
+
+        headers = [(b"host", b"127.0.0.1:8765"), (b"x-kitrobot-token", TOKEN.encode())]
+        scope = {
+            "type": "websocket",
+            "asgi": {"version": "3.0"},
+            "path": f"/api/{path}",
+            "raw_path": b"",
+            "scheme": "ws",
+        }
+        scope |= {"query_string": b"key=x&mark=y", "root_path": "", "headers": headers, "subprotocols": []}
+        scope |= {"server": ("127.0.0.1", 8765), "client": ("127.0.0.1", 1)}
+        await app(scope, receive, send)
+
+    async def every() -> None:
+        for breaks in (False, True):
+            await scenario([], breaks)
+            await scenario([{"type": "websocket.receive", "text": "{"}], breaks)
+            await scenario([{"type": "websocket.receive", "text": '{"type": "start"}'}] * 3, breaks)
+
+    thread = ThreadPoolExecutor(1)
+    thread.submit(asyncio.run, every()).result()

@@ -40,7 +40,17 @@ from kitrobot.cli.grade import grade_submissions
 from kitrobot.cli.log import show_log
 from kitrobot.cli.maze import give_maze
 from kitrobot.cli.merge import merge_missions_of_files
-from kitrobot.cli.output import NobodyReadsError, begin, complain, failure, give, remember, tell, use_utf8
+from kitrobot.cli.output import (
+    NobodyReadsError,
+    begin,
+    complain,
+    failure,
+    give,
+    lead_nowhere,
+    remember,
+    standard_streams,
+    tell,
+)
 from kitrobot.cli.replay import replay_trace
 from kitrobot.cli.run import run_mission
 from kitrobot.cli.site import FirstMissions, write_site
@@ -136,12 +146,12 @@ def main(
     Raises:
         SystemExit: always.
     """
-    use_utf8()
     begin()
     given = [_in_one_form(one) for one in (sys.argv[1:] if arguments is None else arguments)]
     words = with_moments(_with_command(given))
     failed = TROUBLE.get(words[0], FAILED)
-    with _termination(), nullcontext() if words[0] in LASTING else recording_reads():
+    reading = nullcontext() if words[0] in LASTING else recording_reads()
+    with standard_streams(), _termination(), reading:
         status = _status(lambda: _obey(words, {"class": classroom, "site": first}.get(words[0], studio)), failed)
         if status not in (0, INTERRUPTED, NOBODY_READS) and _wants_json(given):
             status = _status(lambda: _give_failure(status), failed) or status
@@ -205,10 +215,9 @@ def _obey(arguments: list[str], door: Studio | Classroom | FirstMissions | None)
         return end.code if isinstance(end.code, int) else int(end.code is not None)
     except _ClickError as error:
         remember(error.format_message())
-        if sys.stderr is not None:
-            from typer.rich_utils import rich_format_error
+        from typer.rich_utils import rich_format_error
 
-            rich_format_error(error)
+        rich_format_error(error)
         return int(error.exit_code)
     return status if isinstance(status, int) else 0
 
@@ -256,12 +265,8 @@ def _with_command(arguments: list[str]) -> list[str]:
 
 def _stop_talking() -> None:
     """Nobody reads the output any more: nothing to complain about, and nothing more to say at the exit."""
-    nowhere = os.open(os.devnull, os.O_WRONLY)
     for stream in (sys.stdout, sys.stderr):
-        try:
-            os.dup2(nowhere, stream.fileno())
-        except (OSError, ValueError, AttributeError):
-            continue
+        lead_nowhere(stream)
 
 
 def _own_mistake(error: Exception) -> int:

@@ -1,16 +1,19 @@
 """Output of the command line: data on standard output, messages on standard error, UTF-8 on both, whatever the locale.
 
 What a command says of its failure is remembered, so that whoever asked for JSON gets it as an object when the command
-ends without data (`failure`). A stream may be closed from the start (`>&-`): then it is None.
+ends without data (`failure`). Standard output may be closed from the start (`>&-`): then it is None.
 """
 
 from __future__ import annotations
 
+import io
 import json
+import os
 import re
 import sys
-from collections.abc import Iterable
-from typing import Any, ClassVar
+from collections.abc import Callable, Iterable, Iterator
+from contextlib import contextmanager
+from typing import Any, ClassVar, TextIO
 
 from kitrobot.diagnostics import Diagnostic, KitRobotError, Place, Source
 from kitrobot.text import Sentence
@@ -77,12 +80,81 @@ def json_text(value: Any, indent: int | None = None) -> str:
     return _LONE.sub(lambda lone: f"\\u{ord(lone[0]):04x}", text)
 
 
-def use_utf8() -> None:
-    """Both streams in UTF-8 with plain line feeds; what cannot be said is escaped, never refused."""
-    for stream, errors in ((sys.stdout, "surrogateescape"), (sys.stderr, "backslashreplace")):
+class Talk(io.TextIOBase):
+    """Standard error while a command runs: where nobody can be told anything, the work goes on all the same."""
+
+    def __init__(self, stream: TextIO | None) -> None:
+        self._stream = stream
+
+    @property
+    def encoding(self) -> str:  # type: ignore[override]
+        """As of the stream."""
+        return "utf-8"
+
+    def writable(self) -> bool:
+        """It always is."""
+        return True
+
+    def isatty(self) -> bool:
+        """Whether somebody sits there."""
+        try:
+            return self._stream is not None and self._stream.isatty()
+        except (OSError, ValueError):
+            return False
+
+    def fileno(self) -> int:
+        """As of the stream.
+
+        Raises:
+            OSError: it has no number.
+        """
+        if self._stream is None:
+            raise io.UnsupportedOperation("fileno")
+        return self._stream.fileno()
+
+    def write(self, text: str) -> int:
+        """Writes it, where that can be."""
+        self._attempt(lambda stream: stream.write(text))
+        return len(text)
+
+    def flush(self) -> None:
+        """As `write`."""
+        self._attempt(lambda stream: stream.flush())
+
+    def _attempt(self, act: Callable[[TextIO], object]) -> None:
+        if self._stream is not None:
+            try:
+                act(self._stream)
+            except (OSError, ValueError):
+                lead_nowhere(self._stream)
+
+
+def lead_nowhere(stream: TextIO | None) -> None:
+    """What is written there is lost from now on, also what Python writes at its end."""
+    try:
+        if stream is not None:
+            nowhere = os.open(os.devnull, os.O_WRONLY)
+            os.dup2(nowhere, stream.fileno())
+            os.close(nowhere)
+    except (OSError, ValueError):
+        return
+
+
+@contextmanager
+def standard_streams() -> Iterator[None]:
+    """Both streams in UTF-8 with plain line feeds; what cannot be said is escaped, never refused. Standard error is a
+    `Talk` meanwhile.
+    """
+    usual = sys.stderr
+    for stream, errors in ((sys.stdout, "surrogateescape"), (usual, "backslashreplace")):
         reconfigure: Any = getattr(stream, "reconfigure", None)
         if reconfigure is not None:
             reconfigure(encoding="utf-8", errors=errors, newline="\n")
+    sys.stderr = Talk(usual)
+    try:
+        yield
+    finally:
+        sys.stderr = usual
 
 
 def clean(text: str) -> str:

@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING, Final
 from kitrobot.classroom import SITE, ClassRoom, Desk, unread_sentence
 from kitrobot.server.class_certificate import usable_certificate
 from kitrobot.server.presence import Presence
-from kitrobot.server.start import ServerError, has_screen, listen
+from kitrobot.server.start import ServerError, give_address, has_screen, listen
 from kitrobot.text import Sentence
 from kitrobot.translation import said
 
@@ -102,7 +102,7 @@ def _serve(room: ClassRoom, address: str, opening: ClassOpening, site: Path | No
     teacher = f"{home}teacher?token={key}"
 
     def ready() -> None:
-        print(teacher, flush=True)
+        give_address(teacher)
         for line in _welcome(room, reach, site):
             print(line, file=sys.stderr, flush=True)
         if opening.browser and has_screen():

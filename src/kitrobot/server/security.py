@@ -27,6 +27,7 @@ from urllib.parse import parse_qs
 
 from starlette.datastructures import Headers, MutableHeaders
 from starlette.types import ASGIApp, Message, Receive, Scope, Send
+from starlette.websockets import WebSocketDisconnect
 
 from kitrobot.server import pages
 from kitrobot.server.sentences import spoken
@@ -95,7 +96,30 @@ class Guard:
             await receive()
             await send({"type": "websocket.close", "code": 1008, "reason": "not allowed"})
             return
-        await self.app(scope, receive, send)
+        gone = False
+
+        async def heard() -> Message:
+            nonlocal gone
+            message = await receive()
+            gone = gone or message["type"] == "websocket.disconnect"
+            return message
+
+        async def said(message: Message) -> None:
+            nonlocal gone
+            try:
+                if not gone:
+                    await send(message)
+            except (OSError, RuntimeError):
+                gone = True
+            if gone and message["type"] == "websocket.send":
+                raise OSError("the page is gone")
+
+        try:
+            await self.app(scope, heard, said)
+        except (WebSocketDisconnect, OSError):
+            # A page that goes while it is told something is no mistake, whatever the socket is for.
+            if not gone:
+                raise
 
     async def _http(self, scope: Scope, receive: Receive, send: Send) -> None:
         headers = Headers(scope=scope)

@@ -37,6 +37,8 @@ def server_config(app: ASGIApp, tls: tuple[Path, Path] | None = None) -> uvicorn
         ssl_keyfile=key,
         log_level="warning",
         access_log=False,
+        # Else it asks standard output whether that is a terminal, which may be closed.
+        use_colors=False,
         server_header=False,
         # Nobody stands between: a header that says who asks is somebody's invention.
         proxy_headers=False,

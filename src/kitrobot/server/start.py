@@ -9,6 +9,7 @@ import socket
 import sys
 import threading
 import webbrowser
+from contextlib import suppress
 from dataclasses import dataclass
 from pathlib import Path
 from urllib.parse import urlencode
@@ -69,7 +70,7 @@ def _join(presence: Presence, running: Running, place: Place, browser: bool) -> 
     """Opens another page of a studio that runs."""
     wanted = MissionFolder(place.workspace).name_of(place.mission) if place.mission is not None else ""
     address = f"{running.address}?{urlencode({'token': running.token, 'open': wanted})}"
-    print(address, flush=True)
+    give_address(address)
     print(
         "The studio of this folder runs already: this is another page of it. --new starts a second one.",
         file=sys.stderr,
@@ -93,7 +94,7 @@ def _serve(place: Place, presence: Presence, bound: str, port: int | None, brows
     def ready() -> None:
         presence.listens(running, number)
         threading.Thread(target=app.state.studio.folder.sweep, daemon=True).start()
-        print(address, flush=True)
+        give_address(address)
         print("Ctrl-C ends the studio.", file=sys.stderr, flush=True)
         if browser and has_screen():
             # A browser that is slow to start must not keep the server waiting.
@@ -104,6 +105,12 @@ def _serve(place: Place, presence: Presence, bound: str, port: int | None, brows
     finally:
         app.state.studio.boards.team.end()
         listening.close()
+
+
+def give_address(address: str) -> None:
+    """Says on standard output where the server is, if that can be written: it serves all the same."""
+    with suppress(OSError):
+        print(address, flush=True)
 
 
 def _show(presence: Presence, address: str) -> None:
