@@ -157,7 +157,11 @@ def test_a_program_in_its_own_place_is_told_with_the_way_to_it() -> None:
 
 def test_lines_of_a_block_follow_a_meeting_so_none_of_them_takes_the_place_of_another() -> None:
     told("SeqOfPar carriers ( Wheel.Advance(50); Wheel.Stop(); );")
+    told("SeqOfPar carriers ( 2*( Wheel.Advance(50); Wheel.Stop(); ); );")
+    told("SeqOfPar carriers ( [any carriers (Cargo.IsPressed())]( 2*( Wheel.Advance(50); Wheel.Stop(); ); ); );")
+    told("SeqOfPar carriers ( *( Wheel.Advance(50); Wheel.Stop(); WAIT(1); ); );")
     told("ParOfSeq carriers ( Wheel.Advance(50); Wheel.Stop(); );  #! overwritten")
+    told("SeqOfPar carriers ( [Cargo.IsPressed()]( Wheel.Advance(50); Wheel.Stop(); ); );  #! overwritten")
     told("//( SeqOfPar carriers ( Wheel.Stop(); );, SeqOfPar loaders ( Wheel.Stop(); ); );")
 
 

@@ -143,6 +143,21 @@ def test_what_cannot_be_shared_out_is_told_with_its_place(text: str, code: str) 
     assert (place.file, place.line) == ("team.lll", 4)
 
 
+@pytest.mark.parametrize(
+    ("text", "loop"),
+    [
+        ("*(ParOfSeq carriers (BREAK;););", True),
+        ("2*(SeqOfPar carriers ([Arm.IsUp()](BREAK;););); ", True),
+        ("ParOfSeq carriers (Arm.Do(1); BREAK;);", False),
+        ("2*(Arm.Do(1);); ParOfSeq carriers (BREAK;);", False),
+        ("*(//(ParOfSeq carriers (BREAK;);, ParOfSeq loader (Arm.Do(1););););", False),
+    ],
+)
+def test_a_break_of_one_robot_is_said_to_leave_a_loop_only_where_there_is_one(text: str, loop: bool) -> None:
+    told = [item.message for item in projected(text).diagnostics if item.code == "team-break"]
+    assert [("out of a loop" in one, "in no loop" in one) for one in told] == [(loop, not loop)]
+
+
 def test_programs_that_double_each_other_or_nest_without_end_are_refused_soon() -> None:
     doubling = {f"p{n}": f"PROGRAM p{n + 1}; PROGRAM p{n + 1};" for n in range(60)} | {"p60": "Arm.Do(1);"}
     made = projected("ParOfSeq loader (PROGRAM p0;);", doubling)

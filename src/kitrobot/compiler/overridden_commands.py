@@ -8,7 +8,23 @@ from __future__ import annotations
 
 from kitrobot.compiler.flow import FlowAnalysis
 from kitrobot.compiler.lineage import Lineage, Table, remembered
-from kitrobot.lll import Call, Conditional, Instr, Interrupt, Repeat, Seq, SeqOfPar, Wait, While, bodies
+from kitrobot.compiler.team_lines import has_blocks
+from kitrobot.lll import (
+    Call,
+    Condition,
+    Conditional,
+    Event,
+    Instr,
+    Interrupt,
+    Joint,
+    Repeat,
+    Seq,
+    SeqOfPar,
+    Wait,
+    While,
+    bodies,
+    nodes,
+)
 from kitrobot.primitives import Category, Kind, Robot
 
 _SHORT = (Call, Interrupt, Wait)
@@ -50,10 +66,30 @@ class _Ways:
 
     def inside(self, node: Instr) -> Pairs:
         """Those in an instruction."""
-        if isinstance(node, SeqOfPar):  # its members meet between two lines
-            return [pair for item in node.body.items for pair in self.body(Seq([item]), False)]
+        if isinstance(node, SeqOfPar):
+            return self.in_step(node.body)
         endless = isinstance(node, While) and node.condition is None and self.flow.back_edge_is_free(node.body)
         return [pair for one in bodies(node) for pair in self.body(one, endless)]
+
+    def in_step(self, seq: Seq) -> Pairs:
+        """Those in lines between which the members of a SeqOfPar meet, in passes and choices of all of them too."""
+        found: Pairs = []
+        for node in seq.items:
+            joint = isinstance(node, Repeat) or (
+                isinstance(node, While | Conditional | Event) and (has_blocks(node) or self.is_joint(node.condition))
+            )
+            for part in bodies(node) if joint else ():
+                found += self.in_step(part)
+            if not joint:
+                found += self.body(Seq([node]), False)
+        return found
+
+    def is_joint(self, condition: Condition | None) -> bool:
+        """Whether a condition asks the team, or looks at what all know alike."""
+        inside = nodes(condition) if condition is not None else []
+        calls = [self.robot.calls.get((one.object, one.method)) for one in inside if isinstance(one, Call)]
+        asks = any(isinstance(one, Joint) for one in inside)
+        return asks or all(meaning is not None and meaning[0].shared for meaning in calls)
 
 
 def _row(items: list[Instr], given: dict[str, Call], robot: Robot, flow: FlowAnalysis, found: Pairs) -> dict[str, Call]:

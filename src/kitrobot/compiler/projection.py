@@ -130,6 +130,8 @@ class _Projector:
         self.shared = shared
         self.points: list[Point] = []
         self.report = report
+        self.loops = 0
+        """How many loops of the team are around, in the same branch."""
 
     # -- points
 
@@ -251,13 +253,14 @@ class _Projector:
     def leaves_no_loop(self, body: Seq) -> None:
         """What a robot does on its own leaves no loop of the team."""
         left = loose_break(body)
-        if left is not None:
-            self.report(
-                rules.ONE_LEAVES,
-                Sentence("this BREAK would take one robot out of a loop that the team goes through together"),
-                left,
-                Sentence("ask the team in the condition around it, or put it into a loop of this robot's own"),
-            )
+        if left is None:
+            return
+        message = Sentence("this BREAK would take one robot out of a loop that the team goes through together")
+        help = Sentence("ask the team in the condition around it, or put it into a loop of this robot's own")
+        if not self.loops:
+            message = Sentence("this BREAK stands in no loop, so it would take one robot out of the team's program")
+            help = Sentence("take it away, or put it into a loop of this robot's own")
+        self.report(rules.ONE_LEAVES, message, left, help)
 
     def branches(self, node: Parallel, context: NameSet) -> Lines:
         """Each branch is for the members of its blocks; who is in one is in no other."""
@@ -284,7 +287,9 @@ class _Projector:
                 continue
             taken |= first
             number = self.point(PointKind.BRANCH, names, node)
+            around, self.loops = self.loops, 0
             lines = self.seq(branch, names)
+            self.loops = around
             self.lead(number, number + 1)
             if loose_break(branch) is not None:
                 lines = {kind: [Parallel([Seq(items)])] for kind, items in lines.items()}
@@ -303,18 +308,25 @@ class _Projector:
 
     def repeat(self, node: Repeat, context: NameSet, lockstep: bool) -> Lines:
         number = self.point(PointKind.COUNT, context, node, times=node.count)
-        body = self.seq(node.body, context, lockstep=lockstep)
+        body = self.passed(node.body, context, lockstep)
         self.lead(number, number + 1)
         first, again = (self.for_each(context, node, "Ask", Number(number), Number(after)) for after in (0, 1))
         return self.passes(node, first, body, again)
 
+    def passed(self, body: Seq, context: NameSet, lockstep: bool) -> Lines:
+        """The body of a loop of the team."""
+        self.loops += 1
+        lines = self.seq(body, context, lockstep=lockstep)
+        self.loops -= 1
+        return lines
+
     def loop(self, node: While, context: NameSet, lockstep: bool) -> Lines:
         if node.condition is None:
-            body = self.seq(node.body, context, lockstep=lockstep)
+            body = self.passed(node.body, context, lockstep)
             return {kind: [come_from(node, While(None, Seq(items)))] for kind, items in body.items()}
         asked, asks = self.ask(node.condition, context, node)
         first = len(self.points)
-        body = self.seq(node.body, context, lockstep=lockstep)
+        body = self.passed(node.body, context, lockstep)
         self.lead_to(asks, first)
         return self.passes(node, asked, body, copy.deepcopy(asked))
 

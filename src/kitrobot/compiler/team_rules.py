@@ -90,9 +90,9 @@ NO_BLOCK = rule(
 ONE_LEAVES = rule(
     "team-break",
     Severity.ERROR,
-    "BREAK would take one robot out of a loop of the team",
-    "A loop around blocks, and one of a SeqOfPar, is gone through by all together. What a robot does on its own, in a "
-    "ParOfSeq or Where or behind a test of its own, can leave loops of its own only.",
+    "BREAK would take one robot out of what the team does together",
+    "A loop around blocks, and one of a SeqOfPar, is gone through by all together, and so is the team's program. What "
+    "a robot does on its own, in a ParOfSeq or Where or behind a test of its own, can leave loops of its own only.",
 )
 DONE_TWICE = rule(
     "team-done-twice",
