@@ -12,7 +12,7 @@ from kitrobot.graph import empty_program
 from kitrobot.mission import Agent, Failure, Goal, Mission, Radio, Team, read_mission
 from kitrobot.primitives import Catalogue, Robot, load_catalogue, read_robot
 from kitrobot.sim import Simulation
-from kitrobot.sim.columns import FREE, REALS, ROAD, WHOLES
+from kitrobot.sim.columns import FREE, PIECES, REALS, ROAD, WHOLES
 from kitrobot.sim.state import Robots
 from kitrobot.world import Pose, Start, World, find_world, read_world
 
@@ -81,7 +81,7 @@ def robots_with(real: Mapping[int, list[float]]) -> Robots:
     count = len(next(iter(real.values())))
     who = list(range(count))
     reals = [list(real.get(column, [0.0] * count)) for column in range(REALS)]
-    wholes = [[FREE if column == ROAD else 0] * count for column in range(WHOLES)]
+    wholes = [[{ROAD: FREE, PIECES: 1}.get(column, 0)] * count for column in range(WHOLES)]
     return Robots(reals, wholes, solid=who, guided=[], free=who, free_solid=who, carriers=[])
 
 

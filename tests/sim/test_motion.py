@@ -75,7 +75,7 @@ def test_driving_and_turning_at_once_is_an_arc_of_radius_v_by_omega(v: float, om
     robots = robots_with({HEADING: [heading], UX: [ux], UY: [uy], WAY: [v * 0.02], TURN: [omega * 0.02]})
     x, y, h = (robots.floats[column] for column in (X, Y, HEADING))
     for _ in range(50):
-        wander(1.0, robots)
+        wander(0, robots)
     assert normalised(h[0] - heading - omega) == pytest.approx(0, abs=1e-9)
     if abs(omega) > 1e-3:
         radius = v / omega

@@ -62,8 +62,10 @@ REALS = 17
     CAUSE,  # what brought that about
     LEFT,  # 1: it was beyond the edge of the world once
     ORIGIN,  # 1 + the storehouse that its last box came from; 0 before the first one, -1 when that box is lost
-) = range(23)
-WHOLES = 23
+    PIECES,  # in how many pieces it goes its way in this step
+    NUDGED,  # so many pieces of this step it is looked at, because it was pushed by who goes so many
+) = range(25)
+WHOLES = 25
 
 SIGN_LAMP, SIGN_ALARM, SIGN_ARM = 1, 4, 8
 """Lamp on, collision sensor pressed, arm out; the bits between and above are other flags of an agent (simulation)."""
@@ -135,7 +137,7 @@ CLOSED, FIRST, LAST, CUT_FIRST, CUT_LAST = range(5)
 
 # ---- what does not change in a run: state.fixed_real and state.fixed
 
-DT, WIDEST, FAILS, WIDTH, HEIGHT = range(5)
+DT, WIDEST, FAILS, WIDTH, HEIGHT, SMALLEST = range(6)
 TOGETHER, SEES, MOST_EVENTS, FAILS_EVERY, RULE, TOW_AFTER = range(6)
 
 # ---- the run as a whole: state.clock

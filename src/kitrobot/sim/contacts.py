@@ -22,10 +22,14 @@ from kitrobot.sim.columns import (
     RADIUS,
     ROAD,
     SPEED,
+    UX,
+    UY,
+    WAY,
     X,
     Y,
 )
 from kitrobot.sim.grids import cell_at
+from kitrobot.sim.motion import is_last, is_moving, nudge
 from kitrobot.sim.state import Contacts, Grid, Roads, Robots, Walls
 
 TOUCH_MM = 0.5
@@ -89,7 +93,7 @@ def measure_gaps(robots: Robots, roads: Roads) -> None:
         start = end
 
 
-def part_on_roads(robots: Robots, roads: Roads, pairs: list[int]) -> int:
+def part_on_roads(piece: int, robots: Robots, roads: Roads, pairs: list[int], count: int) -> int:
     """Robots that ran into one another on a road stand bumper to bumper; the one that came too near gives way."""
     order = robots.guided
     ints = robots.ints
@@ -101,13 +105,14 @@ def part_on_roads(robots: Robots, roads: Roads, pairs: list[int]) -> int:
     ahead = floats[GAP_AHEAD]
     road_length = roads.length
     closed = roads.ints[CLOSED]
-    count = 0
     for k in range(len(order)):
         i = order[k]
         j = leader[i]
         if j < 0 or ahead[i] > TOUCH_MM:
             continue
-        if 2 * count < len(pairs):
+        if piece > 0 and not (is_moving(i, piece, robots) or is_moving(j, piece, robots)):
+            continue
+        if is_last(i, j, piece, robots) and 2 * count < len(pairs):
             pairs[2 * count] = i
             pairs[2 * count + 1] = j
             count += 1
@@ -131,11 +136,12 @@ def part_on_roads(robots: Robots, roads: Roads, pairs: list[int]) -> int:
             s = road_length[r]
         at[moved] = s
         speed[moved] = 0.0
+        nudge(i, j, robots)
         ahead[i] = 0.0
     return count
 
 
-def part_from_walls(robots: Robots, walls: Walls, pairs: list[int], count: int) -> int:
+def part_from_walls(piece: int, robots: Robots, walls: Walls, pairs: list[int], count: int) -> int:
     """Free robots slide along walls and never through them; the wheels of one that goes straight at a wall slip.
 
     The grid's cells hold every wall that a robot with its middle in them can touch.
@@ -156,6 +162,8 @@ def part_from_walls(robots: Robots, walls: Walls, pairs: list[int], count: int) 
     y2 = ends[3]
     for n in range(len(who)):
         i = who[n]
+        if piece > 0 and not is_moving(i, piece, robots):
+            continue
         c = cell_at(x[i], y[i], walls.grid)
         if c < 0:
             continue
@@ -180,7 +188,7 @@ def part_from_walls(robots: Robots, walls: Walls, pairs: list[int], count: int) 
             distance = math.sqrt(nx * nx + ny * ny)
             if distance > near or distance == 0.0:
                 continue
-            if 2 * count < len(pairs):
+            if is_last(i, i, piece, robots) and 2 * count < len(pairs):
                 pairs[2 * count] = i
                 pairs[2 * count + 1] = -1 - w
                 count += 1
@@ -190,7 +198,7 @@ def part_from_walls(robots: Robots, walls: Walls, pairs: list[int], count: int) 
     return count
 
 
-def part_discs(robots: Robots, grid: Grid, pairs: list[int], count: int) -> int:
+def part_discs(piece: int, robots: Robots, grid: Grid, pairs: list[int], count: int) -> int:
     """Robots that are not on one road keep their discs apart; guided ones stay. The grid was filled a moment ago.
 
     Two that meet in several cells are looked at in the first of them.
@@ -202,6 +210,9 @@ def part_discs(robots: Robots, grid: Grid, pairs: list[int], count: int) -> int:
     floats = robots.floats
     x = floats[X]
     y = floats[Y]
+    way = floats[WAY]
+    ux = floats[UX]
+    uy = floats[UY]
     radius = floats[RADIUS]
     starts = grid.starts
     items = grid.items
@@ -226,18 +237,32 @@ def part_discs(robots: Robots, grid: Grid, pairs: list[int], count: int) -> int:
                 distance = math.sqrt(dx * dx + dy * dy)
                 if distance > near + TOUCH_MM:
                     continue
-                if 2 * count < len(pairs):
+                if piece > 0 and not (is_moving(i, piece, robots) or is_moving(j, piece, robots)):
+                    continue
+                if is_last(i, j, piece, robots) and 2 * count < len(pairs):
                     pairs[2 * count] = min(i, j)
                     pairs[2 * count + 1] = max(i, j)
                     count += 1
-                if distance >= near or distance == 0.0 or (road[i] >= 0 and road[j] >= 0):
+                if distance >= near or (road[i] >= 0 and road[j] >= 0):
+                    continue
+                push = near
+                if distance > 0.0:
+                    push = (near - distance) / distance
+                elif way[i] != 0.0 and road[i] < 0:
+                    # They met middle on middle: each is put back to where it came from.
+                    dx = math.copysign(ux[i], ux[i] * way[i])
+                    dy = math.copysign(uy[i], uy[i] * way[i])
+                elif way[j] != 0.0 and road[j] < 0:
+                    dx = -math.copysign(ux[j], ux[j] * way[j])
+                    dy = -math.copysign(uy[j], uy[j] * way[j])
+                else:
                     continue
                 first = 0.5
                 if road[i] >= 0:
                     first = 0.0
                 elif road[j] >= 0:
                     first = 1.0
-                push = (near - distance) / distance
+                nudge(i, j, robots)
                 x[i] -= first * push * dx
                 y[i] -= first * push * dy
                 x[j] += (1.0 - first) * push * dx

@@ -22,7 +22,7 @@ from kitrobot.sim.columns import (
     tell,
 )
 from kitrobot.sim.dispatch import AGREES, advance_all
-from kitrobot.sim.physics import move_robots
+from kitrobot.sim.physics import move
 from kitrobot.sim.sharing import SHARED_VALUE
 from kitrobot.sim.simulation import Simulation
 from kitrobot.sim.stepping import befall, measure
@@ -67,7 +67,7 @@ def hosted_step(simulation: Simulation, ticked: Mapping[int, Sequence[Ticked]]) 
     if len(state.actuators.late) > 0:
         deliver(step, state)
     advance_all(state.fixed_floats[DT], state)
-    move_robots(state)
+    move(state)
     state.clock[TICK] = step + 1
 
 

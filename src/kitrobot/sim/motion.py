@@ -19,7 +19,8 @@ from kitrobot.sim.columns import (
     FIRST,
     HEADING,
     LAST,
-    RADIUS,
+    NUDGED,
+    PIECES,
     ROAD,
     SPEED,
     STRETCH,
@@ -68,22 +69,23 @@ def roll(dt: float, robots: Robots) -> int:
     return rolling
 
 
-def follow(robots: Robots, roads: Roads) -> None:
-    """Moves the guided robots along their roads; at the end of an open road they stand."""
+def follow(piece: int, robots: Robots, roads: Roads) -> None:
+    """Moves the guided robots along their roads, by this piece of their way; at the end of an open road they stand."""
     who = robots.guided
     floats = robots.floats
     way = floats[WAY]
     speed = floats[SPEED]
     at = floats[AT]
     road = robots.ints[ROAD]
+    count = robots.ints[PIECES]
     length = roads.length
     closed = roads.ints[CLOSED]
     for k in range(len(who)):
         i = who[k]
-        if way[i] == 0.0 or road[i] < 0:
+        if way[i] == 0.0 or road[i] < 0 or piece >= count[i]:
             continue
         r = road[i]
-        s = at[i] + way[i]
+        s = at[i] + way[i] / count[i]
         if closed[r]:
             while s >= length[r]:
                 s -= length[r]
@@ -146,22 +148,28 @@ def place(robots: Robots, roads: Roads) -> None:
                 ux[i], uy[i] = direction(h)
 
 
-def pieces(robots: Robots) -> int:
-    """In how many pieces the free robots go their ways, so that none goes further than its radius at once."""
-    who = robots.free_solid
-    floats = robots.floats
-    way = floats[WAY]
-    radius = floats[RADIUS]
-    most = 1.0
-    for k in range(len(who)):
-        i = who[k]
-        if abs(way[i]) > most * radius[i]:
-            most = abs(way[i]) / radius[i]
-    return math.ceil(most)
+def is_moving(i: int, piece: int, robots: Robots) -> bool:
+    """Whether robot i goes a piece of its way in this one, or was pushed in this step by who does."""
+    return piece < robots.ints[PIECES][i] or piece < robots.ints[NUDGED][i]
 
 
-def wander(part: float, robots: Robots) -> None:
-    """Moves the free robots along this part of the arc of their way and turn; (UX, UY) is where they look."""
+def nudge(i: int, j: int, robots: Robots) -> None:
+    """One of two robots pushes the other in this step: both are looked at as long as either goes on."""
+    count = robots.ints[PIECES]
+    nudged = robots.ints[NUDGED]
+    most = max(max(count[i], nudged[i]), max(count[j], nudged[j]))
+    if most > 1:
+        nudged[i] = most
+        nudged[j] = most
+
+
+def is_last(i: int, j: int, piece: int, robots: Robots) -> bool:
+    """Whether neither of two robots goes on after this piece."""
+    return piece + 1 == max(robots.ints[PIECES][i], robots.ints[PIECES][j])
+
+
+def wander(piece: int, robots: Robots) -> None:
+    """Moves the free robots along this piece of the arc of their way and turn; (UX, UY) is where they look."""
     who = robots.free
     floats = robots.floats
     way = floats[WAY]
@@ -171,8 +179,12 @@ def wander(part: float, robots: Robots) -> None:
     heading = floats[HEADING]
     ux = floats[UX]
     uy = floats[UY]
+    count = robots.ints[PIECES]
     for k in range(len(who)):
         i = who[k]
+        if piece >= count[i]:
+            continue
+        part = 1.0 / count[i]
         d = way[i] * part
         t = turn[i] * part
         if t == 0.0:

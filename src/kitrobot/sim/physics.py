@@ -1,10 +1,13 @@
-"""One step of all robots: wheels roll, robots move along their roads or freely, what touches is parted and counted.
+"""One step of all robots and things: wheels roll, robots move along their roads or freely and push boxes and balls,
+what touches is parted and counted. Who is very fast goes its way in pieces, so that nothing is jumped over.
 
 One contact is one collision however long it lasts: the pairs that touch now are kept until the next step. A step in
 which nothing rolls or turns costs next to nothing.
 """
 
 from __future__ import annotations
+
+import math
 
 from kitrobot.sim.columns import (
     COLLISION,
@@ -14,11 +17,19 @@ from kitrobot.sim.columns import (
     HEIGHT,
     LEAVING,
     LEFT,
+    LENGTH,
     MOVED,
+    NUDGED,
+    PIECES,
+    RADIUS,
+    ROAD,
     ROLLING,
+    SMALLEST,
+    THINGS,
     TOGETHER,
     TOUCHING,
     TURN,
+    WAY,
     WIDEST,
     WIDTH,
     X,
@@ -27,8 +38,12 @@ from kitrobot.sim.columns import (
 )
 from kitrobot.sim.contacts import measure_gaps, news_first, part_discs, part_from_walls, part_on_roads, sort_along
 from kitrobot.sim.grids import fill
-from kitrobot.sim.motion import follow, pieces, place, roll, wander
+from kitrobot.sim.motion import follow, place, roll, wander
 from kitrobot.sim.state import Roads, Robots, State
+from kitrobot.sim.things import T_HIGH, T_WIDE, T_X, T_Y, begin_things, end_things, part_things
+
+LEAST_ROOM_MM = 0.1
+"""Robots go this far at once, however small what they may meet is."""
 
 
 def arrange(robots: Robots, roads: Roads) -> None:
@@ -38,12 +53,11 @@ def arrange(robots: Robots, roads: Roads) -> None:
     place(robots, roads)
 
 
-def move_robots(state: State) -> None:
-    """Moves everything by one step."""
+def move(state: State) -> None:
+    """Moves everything by one step: robots, and the things that they push."""
     robots = state.robots
-    roads = state.roads
-    pairs = state.contacts.pairs
     clock = state.clock
+    has_things = len(state.things.floats[0]) > 0
     rolling = roll(state.fixed_floats[DT], robots)
     free = robots.free
     turn = robots.floats[TURN]
@@ -52,33 +66,108 @@ def move_robots(state: State) -> None:
             rolling += 1
     clock[ROLLING] = rolling
     if rolling == 0:
+        if has_things and clock[THINGS] > 0:
+            begin_things(state)
+            end_things(part_things(0, state), state)
         return
     clock[MOVED] = 1
     count = 0
-    if len(robots.guided) > 0:
-        follow(robots, roads)
-        if len(robots.guided) > 1:
-            sort_along(robots)
-            measure_gaps(robots, roads)
-            count = part_on_roads(robots, roads, pairs)
-        if count > 0:
-            arrange(robots, roads)
-        else:
-            place(robots, roads)
-    if len(free) > 0:
-        # A wall is thin: who is very fast looks for it on the way too. The last piece tells who touches one.
-        on_roads = count
-        parts = pieces(robots)
-        for _ in range(parts):
-            wander(1.0 / parts, robots)
-            count = part_from_walls(robots, state.walls, pairs, on_roads)
-    if state.fixed[TOGETHER]:
-        fill(robots, state.fixed_floats[WIDEST], state.grid)
-        count = part_discs(robots, state.grid, pairs, count)
+    pushed = 0
+    parts = divide(state)
+    for piece in range(parts):
+        count = move_robots(piece, count, state)
+        if has_things:
+            if piece == 0:
+                begin_things(state)
+            pushed += part_things(piece, state)
+    if parts > 1:
+        forget_pieces(robots)
     if count > 0 or clock[CONTACTS] > 0:
         tell_contacts(count, state)
     if len(robots.free_solid) > 0:
         tell_leaving(state)
+    if has_things:
+        end_things(pushed, state)
+
+
+def move_robots(piece: int, count: int, state: State) -> int:
+    """Moves the robots that go so many pieces by one, and parts what touches them; gives how many pairs touch."""
+    robots = state.robots
+    roads = state.roads
+    pairs = state.contacts.pairs
+    if len(robots.guided) > 0:
+        follow(piece, robots, roads)
+        before = count
+        if len(robots.guided) > 1:
+            sort_along(robots)
+            measure_gaps(robots, roads)
+            count = part_on_roads(piece, robots, roads, pairs, count)
+        if count > before or piece > 0:
+            arrange(robots, roads)
+        else:
+            place(robots, roads)
+    if len(robots.free) > 0:
+        wander(piece, robots)
+        count = part_from_walls(piece, robots, state.walls, pairs, count)
+    if state.fixed[TOGETHER]:
+        fill(robots, state.fixed_floats[WIDEST], state.grid)
+        count = part_discs(piece, robots, state.grid, pairs, count)
+    return count
+
+
+def divide(state: State) -> int:
+    """In how many pieces robots go their ways in this step, at most; PIECES is in how many each one does.
+
+    None goes further at once than its own radius, nor than that of what is near enough to be met in the step. What is
+    far away has no say, and who goes one piece goes it first: so others change nothing for those whom they do not meet.
+    """
+    who = state.robots.solid
+    way = state.robots.floats[WAY]
+    count = state.robots.ints[PIECES]
+    smallest = state.fixed_floats[SMALLEST]
+    most = 1
+    for k in range(len(who)):
+        i = who[k]
+        if way[i] > smallest or way[i] < -smallest:
+            count[i] = math.ceil(abs(way[i]) / find_room(i, state))
+            most = max(most, count[i])
+    return most
+
+
+def forget_pieces(robots: Robots) -> None:
+    """In the next step everybody goes in one piece, unless it is fast."""
+    who = robots.solid
+    for k in range(len(who)):
+        robots.ints[PIECES][who[k]] = 1
+        robots.ints[NUDGED][who[k]] = 0
+
+
+def find_room(i: int, state: State) -> float:
+    """How far robot i may go at once: the smallest radius of it and of all that it may meet in this step."""
+    robots = state.robots
+    who = robots.solid
+    floats = robots.floats
+    x = floats[X]
+    y = floats[Y]
+    way = floats[WAY]
+    radius = floats[RADIUS]
+    length = floats[LENGTH]
+    road = robots.ints[ROAD]
+    room = radius[i]
+    if road[i] >= 0:
+        room = min(room, length[i] / 2.0)
+    for k in range(len(who)):
+        j = who[k]
+        reach = abs(way[i]) + abs(way[j]) + radius[i] + radius[j]
+        if radius[j] < room and abs(x[j] - x[i]) <= reach and abs(y[j] - y[i]) <= reach:
+            room = radius[j]
+    things = state.things
+    for k in range(len(things.floats[0])):
+        size = min(things.floats[T_WIDE][k], things.floats[T_HIGH][k])
+        reach = abs(way[i]) + radius[i] + 2.0 * max(things.floats[T_WIDE][k], things.floats[T_HIGH][k])
+        if size < room and abs(things.floats[T_X][k] - x[i]) <= reach and abs(things.floats[T_Y][k] - y[i]) <= reach:
+            room = size
+    return max(room, LEAST_ROOM_MM)
 
 
 def tell_contacts(count: int, state: State) -> None:

@@ -36,6 +36,9 @@ from kitrobot.world import LOAD, Start, World, distance_to_stretch
 MAX_AGENTS = 100_000
 """Agents in one run at most."""
 
+MOST_STEP_MS = 20
+"""A step is not longer than this, and divides it: so a robot that ticks as ours changes no run of others."""
+
 MAX_OVERLAPS = 100
 """So many robots in one another's way are told at most; there may be millions of pairs."""
 
@@ -113,7 +116,7 @@ class Setup:
             self.problems += read_conflicts(kind)
         if self.problems:
             return
-        self.step_ms = reduce(math.gcd, (robot.tick_ms for robot in robots.values() if robot is not None))
+        self.step_ms = reduce(math.gcd, (robot.tick_ms for robot in robots.values() if robot is not None), MOST_STEP_MS)
         self.tables = Tables(self.world, self.step_ms, self.seed)
         self.tables.radio = self.mission.radio
         self.tables.numbers = {agent.name: number for number, agent in enumerate(members)}

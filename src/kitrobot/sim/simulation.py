@@ -1,6 +1,6 @@
 """A run of a mission in its world, step by step.
 
-A step is the longest time that divides the ticks of all robots (20 ms for ours); what happens in one is in `stepping`,
+A step is the longest time that divides 20 ms and the ticks of all robots; what happens in one is in `stepping`,
 for all robots at once. The same mission, world and seed give the same run, number for number: all chance comes from
 the run's seed and the names of agent and device, and nothing reads a clock.
 

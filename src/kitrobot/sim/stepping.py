@@ -51,14 +51,13 @@ from kitrobot.sim.execution import react
 from kitrobot.sim.faults import harm_by_chance, harm_on_schedule
 from kitrobot.sim.grids import fill
 from kitrobot.sim.pens import draw
-from kitrobot.sim.physics import move_robots
+from kitrobot.sim.physics import move
 from kitrobot.sim.radio import exchange_by_radio, has_radio
 from kitrobot.sim.sensing import sample, sample_done
 from kitrobot.sim.sharing import exchange
 from kitrobot.sim.state import State
 from kitrobot.sim.substitution import look_for_silent, settle
 from kitrobot.sim.team_columns import TEAM_DUE, TEAM_LEASED, TEAM_OVER, TEAM_PENDING
-from kitrobot.sim.things import move_things
 
 
 def advance(state: State, steps: int) -> int:
@@ -94,9 +93,7 @@ def advance(state: State, steps: int) -> int:
         advance_all(fixed_floats[DT], state)
         if has_team:
             settle(state)
-        move_robots(state)
-        if len(state.things.floats[0]) > 0:
-            move_things(state)
+        move(state)
         if len(state.pens.actuators) > 0:
             draw(state)
         if by_radio:

@@ -104,6 +104,7 @@ class Tables:
         ints[c.ROAD][number] = c.FREE
         ints[c.LEADER][number] = -1
         ints[c.PERIOD][number] = period
+        ints[c.PIECES][number] = 1
         ints[c.PROGRAM][number] = self._program(machine, robot)
         ints[c.ACTUATOR_INDEX][number] = len(self._actuators)
         self.machines.append(machine)
@@ -159,6 +160,9 @@ class Tables:
         free = [i for i in robots if ints[c.ROAD][i] < 0 and (ints[c.SOLID][i] or i in self._turning)]
         guided.sort(key=lambda i: (ints[c.ROAD][i], floats[c.AT][i]))
         widest = max((floats[c.RADIUS][i] for i in solid), default=0.0)
+        sizes = [floats[c.RADIUS][i] for i in solid] + [floats[c.LENGTH][i] / 2 for i in guided]
+        sizes += [min(one.width_mm, one.height_mm) / 2 for one in self.world.boxes]
+        smallest = min(sizes + [one.radius_mm for one in self.world.balls], default=math.inf)
         free_solid = [i for i in free if ints[c.SOLID][i]]
         together = len(solid) > 1 and (bool(free_solid) or len({ints[c.ROAD][i] for i in guided}) > 1)
         sensor = self._sensor_tables()
@@ -205,7 +209,10 @@ class Tables:
                 *(1 if together else 0, 1 if sees else 0, most_events, self.fault_plan.every),
                 *(tuple(BreakdownRule).index(self.breakdown.rule), ticks(self.breakdown.after_s * 1000, self.dt)),
             ],
-            fixed_floats=[self.dt, widest, self.fault_plan.probability, self.world.width_mm, self.world.height_mm],
+            fixed_floats=[
+                *(self.dt, widest, self.fault_plan.probability, self.world.width_mm, self.world.height_mm),
+                smallest,
+            ],
             clock=clock,
             events=[0] * (c.EVENT * (2 * most_events + BY_HAND_AT_ONCE + variables)),
             robots=Robots(

@@ -11,8 +11,9 @@ from __future__ import annotations
 
 import math
 
-from kitrobot.sim.columns import DT, MOVED, RADIUS, ROAD, ROLLING, THINGS, WAY, X, Y
+from kitrobot.sim.columns import DT, MOVED, RADIUS, ROAD, THINGS, WAY, X, Y
 from kitrobot.sim.grids import cell_at, fixed
+from kitrobot.sim.motion import is_moving
 from kitrobot.sim.state import Grid, State, Things, Walls
 from kitrobot.world import World
 
@@ -96,23 +97,18 @@ def sort_into_cells(things: Things) -> None:
         grid.items[starts[cells[i]]] = i
 
 
-def move_things(state: State) -> None:
-    """One step of all things, after the robots moved; nothing where neither those nor these move."""
-    if state.clock[ROLLING] == 0 and state.clock[THINGS] == 0:
-        return
+def begin_things(state: State) -> None:
+    """What moves slows down and goes on."""
     things = state.things
     floats = things.floats
     xs = floats[T_X]
     ys = floats[T_Y]
     vx = floats[T_VX]
     vy = floats[T_VY]
-    was_x = floats[T_WAS_X]
-    was_y = floats[T_WAS_Y]
     slows = floats[T_SLOWS]
     awake = things.ints[T_AWAKE]
     dt = state.fixed_floats[DT]
-    count = len(xs)
-    for i in range(count):
+    for i in range(len(xs)):
         awake[i] = 0
         if vx[i] == 0.0 and vy[i] == 0.0:
             continue
@@ -122,30 +118,47 @@ def move_things(state: State) -> None:
             vy[i] = 0.0
             continue
         left = (speed - slows[i]) / speed
-        awake[i] = 1
-        was_x[i] = xs[i]
-        was_y[i] = ys[i]
+        wake(i, 0, things)
         xs[i] += vx[i] * left * dt
         ys[i] += vy[i] * left * dt
+
+
+def part_things(piece: int, state: State) -> int:
+    """Parts what overlaps after the robots went a piece of their ways, a few times; gives how often."""
+    things = state.things
+    awake = things.ints[T_AWAKE]
+    count = len(awake)
     sort_into_cells(things)
     pushed = 0
     for _ in range(ROUNDS):
-        found = part_from_robots(state)
+        found = part_from_robots(piece, state)
         for i in range(count):
-            if awake[i]:
-                found += part_from_things(i, things)
+            if awake[i] == piece + 1:
+                found += part_from_things(i, piece, things)
         for i in range(count):
-            if awake[i]:
+            if awake[i] == piece + 1:
                 found += part_from_thing_walls(i, things, state.thing_walls)
         pushed += found
         if found == 0:
             break
+    return pushed
+
+
+def end_things(pushed: int, state: State) -> None:
+    """How far each thing came is its speed. `pushed`: how often things were parted."""
+    floats = state.things.floats
+    xs = floats[T_X]
+    ys = floats[T_Y]
+    vx = floats[T_VX]
+    vy = floats[T_VY]
+    awake = state.things.ints[T_AWAKE]
+    dt = state.fixed_floats[DT]
     moving = 0
-    for i in range(count):
+    for i in range(len(xs)):
         if awake[i] == 0:
             continue
-        vx[i] = (xs[i] - was_x[i]) / dt
-        vy[i] = (ys[i] - was_y[i]) / dt
+        vx[i] = (xs[i] - floats[T_WAS_X][i]) / dt
+        vy[i] = (ys[i] - floats[T_WAS_Y][i]) / dt
         most = min(floats[T_WIDE][i], floats[T_HIGH][i]) / dt
         speed = math.sqrt(vx[i] * vx[i] + vy[i] * vy[i])
         if speed > most:
@@ -161,15 +174,15 @@ def move_things(state: State) -> None:
         state.clock[MOVED] = 1
 
 
-def wake(i: int, things: Things) -> None:
-    """From now on in this step the thing is looked at."""
+def wake(i: int, piece: int, things: Things) -> None:
+    """From now on in this piece of the step the thing is looked at."""
     if things.ints[T_AWAKE][i] == 0:
-        things.ints[T_AWAKE][i] = 1
         things.floats[T_WAS_X][i] = things.floats[T_X][i]
         things.floats[T_WAS_Y][i] = things.floats[T_Y][i]
+    things.ints[T_AWAKE][i] = piece + 1
 
 
-def part_from_robots(state: State) -> int:
+def part_from_robots(piece: int, state: State) -> int:
     """Robots push things out of their discs; one whose wheels turn gives way a little itself. Gives how often."""
     things = state.things
     grid = things.grid
@@ -188,7 +201,7 @@ def part_from_robots(state: State) -> int:
     found = 0
     for n in range(len(robots.solid)):
         r = robots.solid[n]
-        if road[r] < -1:
+        if road[r] < -1 or (piece > 0 and not is_moving(r, piece, robots)):
             continue
         reach = radius[r] + things.numbers[0] + grid.frame[2] * 0.01
         for row in range(row_of(y[r] - reach, grid), row_of(y[r] + reach, grid) + 1):
@@ -217,7 +230,7 @@ def part_from_robots(state: State) -> int:
                     mine = 0.0
                     if road[r] < 0 and way[r] != 0.0:
                         mine = ROBOT_GIVES / (ROBOT_GIVES + gives[i])
-                    wake(i, things)
+                    wake(i, piece, things)
                     found += 1
                     xs[i] += dx / away * over * (1.0 - mine)
                     ys[i] += dy / away * over * (1.0 - mine)
@@ -235,7 +248,7 @@ def beyond(away: float, half: float) -> float:
     return 0.0
 
 
-def part_from_things(i: int, things: Things) -> int:
+def part_from_things(i: int, piece: int, things: Things) -> int:
     """Parts a thing from the others."""
     grid = things.grid
     xs = things.floats[T_X]
@@ -254,7 +267,7 @@ def part_from_things(i: int, things: Things) -> int:
             c = row * grid.shape[0] + column
             for k in range(grid.starts[c], grid.starts[c + 1]):
                 j = grid.items[k]
-                if j == i or (awake[j] and j < i):
+                if j == i or (awake[j] == piece + 1 and j < i):
                     continue
                 dx = xs[j] - xs[i]
                 dy = ys[j] - ys[i]
@@ -290,7 +303,7 @@ def part_from_things(i: int, things: Things) -> int:
                 else:
                     over = over_y
                     ny = 1.0 if dy >= 0.0 else -1.0
-                wake(j, things)
+                wake(j, piece, things)
                 found += 1
                 mine = gives[i] / (gives[i] + gives[j])
                 xs[i] -= nx * over * mine
@@ -307,6 +320,8 @@ def part_from_thing_walls(i: int, things: Things, walls: Walls) -> int:
     wide = things.floats[T_WIDE][i]
     high = things.floats[T_HIGH][i]
     ball = things.ints[T_BALL][i]
+    was_x = things.floats[T_WAS_X][i]
+    was_y = things.floats[T_WAS_Y][i]
     c = cell_at(xs[i], ys[i], walls.grid)
     if c < 0 or len(walls.grid.items) == 0:
         return 0
@@ -326,7 +341,15 @@ def part_from_thing_walls(i: int, things: Things, walls: Walls) -> int:
         ay = ys[i] - ends[1][w]
         along = ax * ux + ay * uy
         across = ay * ux - ax * uy
-        if ball:
+        before = (was_y - ends[1][w]) * ux - (was_x - ends[0][w]) * uy
+        came = (was_x - ends[0][w]) * ux + (was_y - ends[1][w]) * uy
+        if before * across < 0.0 and 0.0 <= along <= length and 0.0 <= came <= length:
+            # It was pushed onto the wall with more than its half: back to where it came from.
+            side = 1.0 if before > 0.0 else -1.0
+            over = abs(across) + (wide if ball else abs(uy) * wide + abs(ux) * high)
+            nx = -uy * side
+            ny = ux * side
+        elif ball:
             past = beyond(along - length / 2.0, length / 2.0)
             away = math.sqrt(past * past + across * across)
             over = wide - away

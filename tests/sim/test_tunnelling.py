@@ -1,0 +1,146 @@
+"""Nothing goes through anything, however long a tick and however fast a robot is; who is far away changes nothing."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import replace
+from itertools import pairwise
+
+import pytest
+
+from kitrobot.primitives import Robot, read_robot
+from kitrobot.sim import Simulation
+from kitrobot.sim.columns import AT, HEADING, SPEED, X, Y
+from kitrobot.sim.things import T_X, T_Y
+from kitrobot.world import Ball, Box, Wall, World
+from tests.effort import cases
+from tests.sim.building import AVATAR, WHEEL, catalogue, empty_world, run_of, transport
+
+GO = "Wheel.Advance(100); WAIT(200);"
+
+
+def driver(speed: float = 400, tick: int = 20, length: float = 135, name: str = "avatar") -> Robot:
+    """A robot that reaches its full speed at once."""
+    settings = f'speed="{speed}" acceleration="1000000" braking="1000000" length="{length}" width="{length}"'
+    text = AVATAR.format(tick=tick, parts=WHEEL.format(settings=settings)).replace('"avatar"', f'"{name}"', 1)
+    made, problems = read_robot(text.encode(), "avatar.robot.xml")
+    assert made is not None, problems
+    return made
+
+
+def room(
+    poses: Mapping[str, tuple[float, float, float]],
+    *walls: Wall,
+    boxes: tuple[Box, ...] = (),
+    balls: tuple[Ball, ...] = (),
+) -> World:
+    return replace(empty_world(**poses), width_mm=100_000.0, height_mm=3000.0, walls=walls, boxes=boxes, balls=balls)
+
+
+def ended(run: Simulation, seconds: float = 4) -> Simulation:
+    while run.outcome is None and run.seconds < seconds:
+        run.step()
+    return run
+
+
+def rows(run: Simulation, count: int) -> list[list[float]]:
+    """Where the first robots are, to the bit."""
+    return [[float(run.state.robots.floats[column][i]) for column in (X, Y, HEADING, SPEED)] for i in range(count)]
+
+
+HEAD_ON = {"a": (2000.0, 1000.0, 0.0), "b": (4100.0, 1000.0, 3.141592653589793)}
+
+
+@pytest.mark.parametrize("tick", cases([20, 200, 1000], [40, 50, 130]))
+@pytest.mark.parametrize("speed", cases([400, 20_000], [3000, 100_000]))
+@pytest.mark.parametrize("length", [20, 135])
+def test_two_that_meet_head_on_stand_against_each_other(tick: int, speed: float, length: float) -> None:
+    run = ended(run_of(dict.fromkeys(HEAD_ON, (driver(speed, tick, length), GO)), room(HEAD_ON)))
+    (one, y, _, _), (other, z, _, _) = rows(run, 2)
+    assert other - one == pytest.approx(length, abs=1)
+    assert [y, z] == pytest.approx([1000, 1000], abs=1e-3)
+    assert run.collisions == 1
+
+
+@pytest.mark.parametrize("tick", cases([200], [40, 1000]))
+@pytest.mark.parametrize("speed", [400, 20_000])
+def test_who_is_far_away_changes_nothing(tick: int, speed: float) -> None:
+    far = {"c": (90_000.0, 2800.0, 0.0), "d": (80_000.0, 2500.0, 0.0), "e": (70_000.0, 200.0, 0.0)}
+    agents = dict.fromkeys(HEAD_ON, (driver(speed, tick), GO))
+    others = {
+        "c": (catalogue().robots["mini-robot"], "WAIT(10);"),
+        "d": (driver(90_000, tick, 4, "fast"), "WAIT(3); Wheel.Advance(3); WAIT(2); Wheel.Stop();"),
+        "e": (driver(1000, 20, 2, "tiny"), "Wheel.Advance(100); WAIT(20); Wheel.Stop();"),
+    }
+    things = (Box(2900.0, 1010.0, 60.0, 60.0, 200.0, 0.5),)
+    alone = run_of(agents, room(HEAD_ON, boxes=things))
+    beside = run_of(agents | others, room(HEAD_ON | far, boxes=(*things, Box(60_000.0, 300.0, 2.0, 2.0, 1.0, 0.5))))
+    for _ in range(150):
+        alone.step()
+        beside.step()
+        assert rows(alone, 2) == rows(beside, 2)
+        for column in (T_X, T_Y):
+            assert float(alone.state.things.floats[column][0]) == float(beside.state.things.floats[column][0])
+
+
+@pytest.mark.parametrize(("speed", "tick"), cases([(400, 1000), (20_000, 20)], [(3000, 20), (100_000, 200)]))
+@pytest.mark.parametrize(
+    "thing",
+    [
+        Box(3000.0, 1000.0, 60.0, 60.0, 100_000.0, 0.5),
+        Box(3000.0, 1000.0, 4.0, 80.0, 20.0, 0.5),
+        Ball(3000.0, 1000.0, 8.0, 20.0, 0.05),
+    ],
+)
+def test_nobody_jumps_over_a_box_or_a_ball_and_a_wall_holds_it(speed: float, tick: int, thing: Box | Ball) -> None:
+    start = {"a": (2000.0, 1000.0, 0.0)}
+    boxes = (thing,) if isinstance(thing, Box) else ()
+    balls = (thing,) if isinstance(thing, Ball) else ()
+    wall = Wall(5000.0, 0.0, 5000.0, 3000.0)
+    run = ended(run_of({"a": (driver(speed, tick), GO)}, room(start, wall, boxes=boxes, balls=balls)), 15)
+    place = float(run.state.things.floats[T_X][0])
+    robot = rows(run, 1)[0][0]
+    if isinstance(thing, Box):
+        assert robot < place < 5000
+    assert place < 5000
+    assert robot <= 5000 - 67
+
+
+@pytest.mark.parametrize(("speed", "tick"), cases([(400, 1000), (60_000, 20)], [(8000, 20), (60_000, 1000)]))
+def test_nobody_overtakes_on_a_road(speed: float, tick: int) -> None:
+    text = AVATAR.replace('"avatar"', '"{name}"')
+    robots = []
+    for name, own in (("quick", speed), ("slow", 100)):
+        settings = f'guide="road" speed="{own}" acceleration="1000000" braking="1000000"'
+        made, problems = read_robot(
+            text.format(name=name, tick=tick, parts=WHEEL.format(settings=settings)).encode(), "r"
+        )
+        assert made is not None, problems
+        robots.append(made)
+    run = run_of(
+        {"carrier-1": (robots[1], GO), "carrier-2": (robots[0], GO), "carrier-3": (robots[1], GO)}, transport(1).world
+    )
+    length = run.state.roads.length[0]
+    at = run.state.robots.floats[AT]
+    order = sorted(range(3), key=lambda i: float(at[i]))
+    for _ in range(300):
+        run.step()
+        places = [float(run.state.robots.floats[AT][i]) for i in order]
+        gaps = [(b - a) % length for a, b in pairwise([*places, places[0]])]
+        assert sum(gaps) == pytest.approx(length)
+        assert min(gaps) > 134
+
+
+@pytest.mark.usefixtures("with_numba")
+def test_what_is_very_fast_moves_alike_plain_and_compiled() -> None:
+    runs = []
+    for plain in (True, False):
+        agents = dict.fromkeys(HEAD_ON, (driver(30_000, 40), GO))
+        balls = (Ball(3000.0, 1000.0, 8.0, 20.0, 0.05), Ball(3100.0, 1020.0, 30.0, 20.0, 0.05))
+        run = run_of(agents, room(HEAD_ON, Wall(4500.0, 0.0, 4500.0, 3000.0), balls=balls))
+        run.stays_plain = plain
+        if not plain:
+            assert run.compile_step()
+        run.advance(60)
+        runs.append(run.snapshot())
+    assert runs[0] == runs[1]
