@@ -65,6 +65,21 @@ def said_or_done(field: Field, agents: tuple[str, ...]) -> None:
     assert (field.outcome == "done") or "The team cannot go on: nobody is left of " in field.sentence
 
 
+@pytest.mark.parametrize("kind", [FailureKind.STALL, FailureKind.MUTE])
+def test_all_boxes_arrive_whoever_stalls_or_loses_its_radio(kind: FailureKind) -> None:
+    simulation = opened("transport-team", 1).again()
+    first, names = simulation.snapshot(), [agent.name for agent in simulation.members]
+    for number, name in enumerate(names):
+        for moment in range(12) if THOROUGH else (number % 12, (number + 5) % 12):
+            simulation.restore(first)
+            simulation.advance(120 + 240 * moment)
+            simulation.harm(name, kind)
+            while simulation.outcome is None:
+                simulation.advance(5000)
+            assert simulation.outcome == "done", (name, moment, simulation.sentence)
+            assert "B holds all 12 boxes" in simulation.sentence
+
+
 @pytest.mark.parametrize("away", [2.0, 3.0])
 @pytest.mark.parametrize("apart", [1.5, 2.2, 4.0])
 def test_all_boxes_arrive_when_each_carrier_fails_for_a_while_and_one_is_always_left(apart: float, away: float) -> None:

@@ -9,7 +9,7 @@ from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
 from kitrobot.lll import parse_team
-from kitrobot.mission import Failure, FailureKind
+from kitrobot.mission import Failure, FailureKind, Radio
 from kitrobot.sim import Simulation
 from kitrobot.sim.team_columns import HAS_UNIT, LOST_UNIT, NO_UNIT, T_HOLDER, W_LEFT, W_TAKEN
 from tests.effort import examples
@@ -145,7 +145,9 @@ def told(run: Simulation) -> list[tuple[str, str]]:
 def test_others_go_on_without_one_that_is_dropped() -> None:
     run = ended(small(PAIR.format(failure="drop"), {"a": "scout", "b": "scout"}, [Failure("a", 0.5)]))
     assert run.outcome == "done"
-    assert run.sentence == "Done after 2.2 s, although a failed after 0.5 s (on schedule): every program has ended."
+    assert (
+        run.sentence == "Done after 2.2 s, although a failed after 0.5 s (on schedule): every other program has ended."
+    )
 
 
 def test_the_team_ends_where_a_group_says_so() -> None:
@@ -198,9 +200,10 @@ def test_who_is_back_stays_spare_where_nobody_was_to_take_over_or_nobody_else_pl
 role digger: ant;
 group scouts = scout on failure {failure};
 
-//( SeqOfPar scouts ( Arm.Do(1); WAIT(100); );, ParOfSeq digger ( WAIT(300); ); );
+SeqOfPar scouts ( Arm.Do(1); WAIT(10); );
+ParOfSeq digger ( WAIT(300); );
 """
-    failures = [Failure("a", 0.2, FailureKind.MUTE), Failure("a", 1.5, FailureKind.REVIVE)]
+    failures = [Failure("a", 0.8, FailureKind.MUTE), Failure("a", 2.1, FailureKind.REVIVE)]
     found = told(small(text, {**dict.fromkeys(agents, "scout"), "c": "digger"}, failures))
     assert ("a", "begins anew, as a spare one") in found
     assert ("a", "plays its role again") not in found
@@ -337,3 +340,113 @@ def test_who_waits_in_vain_after_the_block_of_those_who_are_missed_is_stuck() ->
     run = ended(small(BESIDE.format(most=0), {"a": "scout", "b": "porter"}, [Failure("a", 2.4)]))
     assert run.outcome == "stuck"
     assert "a failed after 2.4 s" in run.sentence
+
+
+VACANT = """role scout: ant 2;
+role digger: ant;
+group scouts = scout on failure substitute;
+
+{first} scouts ( Arm.Do(1); );
+{block} ( Arm.Do(2); WAIT(250); Arm.Do(3); );
+SeqOfPar scouts ( Arm.Do(4); );
+"""
+AWAY = [Failure("a", 0.3, FailureKind.STALL), Failure("a", 2, FailureKind.REVIVE)]
+
+
+@pytest.mark.parametrize("first", ["SeqOfPar", "ParOfSeq"])
+@pytest.mark.parametrize("block", ["ParOfSeq b", "SeqOfPar {b, digger}", "SeqOfPar b"])
+def test_who_is_back_is_led_only_into_blocks_whose_set_holds_its_place(first: str, block: str) -> None:
+    text = VACANT.format(first=first, block=block)
+    run = small(text, {"a": "scout", "b": "scout", "c": "digger"}, AWAY)
+    done = []
+    while run.outcome is None:
+        run.step()
+        done += [one.arguments[0] for one in run.members[0].commands if one.actuator == "Arm"]
+    assert run.outcome == "done", run.sentence
+    assert done == [1, 4]
+
+
+def test_who_is_back_waits_until_the_others_have_gone_the_same_way_and_then_stands_in_its_own_groups() -> None:
+    text = """role scout: ant 3;
+group first = {a} on failure substitute;
+group others = {b, c};
+
+SeqOfPar scout ( Arm.Do(1); );
+//( ParOfSeq {a, c} ( Arm.Do(2); WAIT(200); Arm.Do(3); );, ParOfSeq b ( Arm.Do(4); WAIT(250); ); );
+ParOfSeq first ( Arm.Do(5); );
+ParOfSeq others ( Arm.Do(6); );
+"""
+    run = small(text, {"a": "scout", "b": "scout", "c": "scout"}, AWAY)
+    done = []
+    while run.outcome is None:
+        run.step()
+        done += [(a.name, one.arguments[0]) for a in run.members for one in a.commands if one.actuator == "Arm"]
+    assert run.outcome == "done", run.sentence
+    assert [line for name, line in done if name == "a"] in ([1, 2, 3, 5], [1, 2, 2, 3, 5])
+    assert sorted(line for name, line in done if line > 4) == [5, 6, 6]
+
+
+BRANCHES = """role scout: ant;
+role porter: ant;
+group scouts = scout on failure {failure};
+work Boxes = 3;
+
+{before}
+//(
+  ParOfSeq scouts ( Boxes.Take(); Arm.Do(1); WAIT(50); Arm.Do(2); Boxes.Done(); );,
+  ParOfSeq porter ( {porter} );
+);
+ParOfSeq porter ( Arm.Do(4); );
+"""
+
+
+@pytest.mark.parametrize("porter", ["Arm.Do(3);", "*( Arm.Do(3); );", "WAIT(250);"])
+@pytest.mark.parametrize("before", ["", "ParOfSeq porter ( WAIT(150); );"])
+@pytest.mark.parametrize("failure", ["drop", "substitute"])
+def test_a_branch_that_nobody_is_left_of_is_not_done(porter: str, before: str, failure: str) -> None:
+    text = BRANCHES.format(failure=failure, before=before, porter=porter)
+    run = ended(small(text, {"a": "scout", "b": "porter"}, [Failure("a", 0.3)]))
+    assert run.outcome == "failed"
+    assert run.sentence.startswith("The team cannot go on: nobody is left of scouts at team; a failed")
+    assert run.seconds < 4
+
+
+def test_a_branch_whose_robots_are_lost_after_its_end_is_done() -> None:
+    text = BRANCHES.format(failure="drop", before="", porter="WAIT(150);")
+    run = ended(small(text, {"a": "scout", "b": "porter"}, [Failure("a", 2.0)]))
+    assert run.outcome == "done", run.sentence
+
+
+@pytest.mark.parametrize("revived", [0.0, 1.6])
+def test_a_silent_robot_is_given_no_unit_and_what_it_does_counts_when_it_is_heard_again(revived: float) -> None:
+    text = WORK.format(robots=2, failure="drop", units=20, lease=0, block="ParOfSeq", lines=ALONE)
+    back = [Failure("a-0", revived, FailureKind.REVIVE)] if revived else []
+    run = small(text, crowd(2), [Failure("a-0", 0.9, FailureKind.MUTE), *back])
+    holds, events, lines = run.state.team.holds[0], [], [0, 0]
+    heard, begun = True, 0
+    while run.outcome is None:
+        run.step()
+        events += [event.text for event in run.events]
+        for n, agent in enumerate(run.members):
+            lines[n] += sum(one.actuator == "Arm" for one in agent.commands)
+        if run.members[0].downfall and heard:
+            heard, begun = False, lines[0]
+        if run.members[0].downfall:
+            assert lines[0] <= begun + 1
+    late = [text for text in events if text.startswith("was too late")]
+    assert run.outcome in ("done", "stuck")
+    assert list(run.state.team.works[W_LEFT]) == [0]
+    assert 20 + len(late) <= sum(lines) <= 22 + len(late)  # without a unit each does its line once more at most
+    assert len(late) == (0 if revived else 1)
+    assert NO_UNIT in holds
+
+
+@pytest.mark.parametrize(("kind", "said"), [("mute", "has no radio"), ("apart", "hears no majority of its team")])
+def test_the_end_says_who_had_not_ended_and_that_all_others_had(kind: str, said: str) -> None:
+    parsed = parse_team(PAIR.format(failure="drop").replace("2;", "3;", 1))
+    maker = TeamMaker(random.Random(0))
+    maker.agents = dict.fromkeys("abc", ("ant", "scout"))
+    run = RunningTeam(maker, parsed.program, 1, [Failure("a", 0.5, FailureKind(kind))], Radio(None, 20, 0)).run
+    ended(run)
+    assert run.outcome == "done"
+    assert run.sentence.endswith(f"although a {said}: every other program has ended.")

@@ -106,7 +106,7 @@ class Meaning:
                 for name in self.who(node.members):
                     self.alone(node, name)
                 self.meet(robots)
-            case Parallel() if not lockstep:
+            case Parallel() if not lockstep or self.inside(node):
                 for branch in node.branches:
                     # Whoever is in a branch is in no other: one after another is the same as at the same time.
                     inside = self.inside(branch)
@@ -168,7 +168,7 @@ class Meaning:
         except _Left:
             pass
 
-    def inside(self, seq: Seq) -> set[str]:
+    def inside(self, seq: Seq | Parallel) -> set[str]:
         return {
             name
             for node in nodes(seq)

@@ -26,6 +26,7 @@ from kitrobot.verifier.model import State
 from kitrobot.verifier.replay import Harm
 from tests.effort import cases
 from tests.sim.team_building import RunningTeam, random_team_program
+from tests.team_programs.blocks import BlocksMaker
 from tests.team_programs.hosting import TooLarge
 from tests.verifier.building import EXAMPLES, answers, judged, prepared
 
@@ -147,6 +148,20 @@ def test_a_team_of_which_some_fail_does_nothing_that_the_model_does_not(seed: in
         if kind is FailureKind.STALL and chance.random() < 0.8:
             harms.append(Harm(when + chance.randint(1, 120), who, "revive"))
     follow(running.run, 200, sorted(harms, key=lambda harm: harm.tick))
+
+
+@pytest.mark.parametrize("seed", cases([0, 3], [*range(1, 3), *range(4, 200)]))
+def test_branches_that_are_lost_and_places_that_are_taken_again_are_in_the_model_too(seed: int) -> None:
+    chance = random.Random(seed)
+    maker = BlocksMaker(chance, chance.randint(0, 1), "substitute")
+    try:
+        running = RunningTeam(maker, maker.program(), seed)
+    except TooLarge:
+        return
+    first, second = chance.sample(running.names, 2)
+    harms = [Harm(chance.randint(0, 40), first, "stall"), Harm(chance.randint(80, 150), first, "revive")]
+    harms.append(Harm(chance.randint(0, 150), second, "fail"))
+    follow(running.run, 300, sorted(harms, key=lambda harm: harm.tick))
 
 
 @pytest.mark.parametrize("timing", list(Timing))

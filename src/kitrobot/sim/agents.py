@@ -31,6 +31,7 @@ from kitrobot.sim.dispatch import KINDS
 from kitrobot.sim.failures import CAUSES
 from kitrobot.sim.faults import HELD
 from kitrobot.sim.state import State, numbers
+from kitrobot.sim.team_columns import T_SILENT
 from kitrobot.text import Recorded
 from kitrobot.trace import Threads
 
@@ -118,7 +119,12 @@ class Agent:
         """In words: what befell it, when, and how that came about; "" for one that is well."""
         state, i = self.state, self.index
         if self.down == WELL:
-            return Recorded("{robot} has no radio", self.name) if state.robots.ints[MUTED][i] else ""
+            if state.robots.ints[MUTED][i]:
+                return Recorded("{robot} has no radio", self.name)
+            silent = state.team.robots[T_SILENT]
+            return (
+                Recorded("{robot} hears no majority of its team", self.name) if len(silent) and silent[i] >= 0 else ""
+            )
         seconds = state.robots.ints[SINCE][i] * state.fixed_floats[DT]
         number = state.robots.ints[CAUSE][i]
         cause = CAUSES[number]

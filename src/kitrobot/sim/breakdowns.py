@@ -1,7 +1,9 @@
-"""What becomes of robots that failed on a road, in a step, by the mission's rule.
+"""What becomes of robots that failed on a road, in a step, by the mission's rule; and of those that their team misses,
+because they stalled or lost their radio: for the others they are gone, and in the way.
 
 They *stay* in everybody's way; or they are *towed* off so many steps after they failed, with a box on them put back
-into the storehouse it came from; or the others *pass* them from the moment they stand. A robot that is off its road r
+into the storehouse it came from; or the others *pass* them from the moment they stand. Who stalled may be driving on:
+it is towed as it is. A robot that is off its road r
 has the road -2 - r: nobody touches it, no arm reaches it, no sensor notices it. One that was towed stands beside the
 world and is there for good: reviving it changes nothing. One that is passed stays where it is, with its box, and is on
 its road again when it is revived.
@@ -25,9 +27,12 @@ from kitrobot.sim.columns import (
     RULE,
     SINCE,
     SPEED,
+    STALLED,
+    TARGET,
     TOUCHING,
     TOW_AFTER,
     TOWED,
+    TURN,
     X,
     Y,
     tell,
@@ -35,6 +40,7 @@ from kitrobot.sim.columns import (
 from kitrobot.sim.contacts import measure_gaps, sort_along
 from kitrobot.sim.deadlock_detection import stirred
 from kitrobot.sim.state import Robots, State
+from kitrobot.sim.team_columns import T_MISSED, T_SILENT
 
 STAY, TOW, PASS = range(3)
 """The order of `BreakdownRule`."""
@@ -45,25 +51,38 @@ NO_BOX, BOX_BACK, BOX_LOST, PASSED = range(4)
 
 def may_be_revived(i: int, state: State) -> bool:
     """Whether robot i was not towed."""
-    return state.robots.ints[ROAD][i] >= FREE or state.fixed[RULE] != TOW
+    return not is_towed(i, state)
 
 
-def begin_breakdown(i: int, state: State) -> None:
-    """Robot i has failed just now: if it is on a road, it is to be taken off that."""
-    if state.fixed[RULE] != STAY and state.robots.ints[ROAD][i] >= 0:
-        state.clock[OFF_ROADS] += 1
+def is_broken_down(i: int, state: State) -> bool:
+    """Whether robot i failed, or is missed by its team."""
+    missed = state.team.robots[T_MISSED]
+    return state.robots.ints[DOWN][i] == FAILED or (len(missed) > 0 and missed[i] != 0)
+
+
+def is_towed(i: int, state: State) -> bool:
+    """Whether robot i stands beside the world, for good."""
+    return state.robots.ints[ROAD][i] < FREE and state.fixed[RULE] == TOW
+
+
+def count_breakdowns(state: State) -> None:
+    """Who broke down on a road, or did so no more, just now: whoever did is to be taken off it."""
+    road = state.robots.ints[ROAD]
+    count = 0
+    if state.fixed[RULE] != STAY:
+        for i in range(len(road)):
+            if road[i] >= 0 and is_broken_down(i, state):
+                count += 1
+    state.clock[OFF_ROADS] = count
 
 
 def end_breakdown(i: int, state: State) -> None:
-    """Robot i, which had failed, is revived just now."""
+    """Robot i, which had failed or was missed, is back just now: on its road, unless it was towed."""
     road = state.robots.ints[ROAD]
-    if state.fixed[RULE] == STAY or road[i] == FREE:
-        return
-    if road[i] >= 0:
-        state.clock[OFF_ROADS] -= 1
-        return
-    road[i] = -2 - road[i]
-    rearrange(state)
+    if road[i] < FREE and state.fixed[RULE] == PASS and not is_broken_down(i, state):
+        road[i] = -2 - road[i]
+        rearrange(state)
+    count_breakdowns(state)
 
 
 def clear_roads(step: int, state: State) -> None:
@@ -76,16 +95,20 @@ def clear_roads(step: int, state: State) -> None:
     after = state.fixed[TOW_AFTER]
     cleared = 0
     for i in range(len(down)):
-        if down[i] == FAILED and road[i] >= 0 and speed[i] == 0.0 and step - since[i] >= after:
+        if road[i] < 0 or not is_broken_down(i, state):
+            continue
+        begun = since[i] if down[i] == FAILED else state.team.robots[T_SILENT][i]
+        stands = speed[i] == 0.0 or (down[i] == STALLED and state.fixed[RULE] == TOW)
+        if stands and step - begun >= after:
             road[i] = -2 - road[i]
             forget_contacts(i, state)
-            state.clock[OFF_ROADS] -= 1
             cleared += 1
             if state.fixed[RULE] == TOW:
                 tow(i, state)
             else:
                 tell(state.events, state.clock, TOWED, i, -1, PASSED)
     if cleared > 0:
+        count_breakdowns(state)
         rearrange(state)
         stirred(state.clock)
 
@@ -102,6 +125,9 @@ def tow(i: int, state: State) -> None:
     radius = floats[RADIUS][i]
     floats[X][i] = (2.0 * before + 1.0) * 1.1 * radius
     floats[Y][i] = -1.5 * radius
+    floats[SPEED][i] = 0.0
+    floats[TARGET][i] = 0.0
+    floats[TURN][i] = 0.0
     house = ints[ORIGIN][i] - 1
     much = NO_BOX
     if ints[LOAD][i]:

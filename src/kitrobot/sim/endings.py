@@ -72,7 +72,7 @@ class Goals:
 
 def say_done(goals: Goals, seconds: float, agents: Sequence[Agent]) -> str:
     """All goals hold; or there are none, and every program has ended."""
-    ending = goals.say() or (_at_once(agents) if is_at_once(seconds, agents) else Recorded("every program has ended"))
+    ending = goals.say() or _all_ended(seconds, agents)
     what = _joined(ending, _lost_boxes(agents), _driving(agents), _left(agents))
     lost = _casualties(agents)
     if not lost and not all(agent.ended for agent in agents):
@@ -82,6 +82,14 @@ def say_done(goals: Goals, seconds: float, agents: Sequence[Agent]) -> str:
         if lost
         else Recorded("Done after {seconds} s: {what}.", f"{seconds:.1f}", what)
     )
+
+
+def _all_ended(seconds: float, agents: Sequence[Agent]) -> str:
+    if is_at_once(seconds, agents):
+        return _at_once(agents)
+    if all(agent.ended for agent in agents):
+        return Recorded("every program has ended")
+    return Recorded("every other program has ended")
 
 
 def say_failed(goals: Goals, agents: Sequence[Agent]) -> str:

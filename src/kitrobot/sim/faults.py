@@ -14,7 +14,7 @@ outside, between two steps, `Simulation.harm` calls `harm` here.
 
 from __future__ import annotations
 
-from kitrobot.sim.breakdowns import begin_breakdown, end_breakdown, may_be_revived
+from kitrobot.sim.breakdowns import count_breakdowns, end_breakdown, may_be_revived
 from kitrobot.sim.chance import happens
 from kitrobot.sim.columns import (
     ASLEEP,
@@ -72,7 +72,7 @@ def harm(i: int, kind: int, cause: int, state: State) -> None:
         floats[TURN][i] = 0.0
         if ints[ENDED][i] == 0:
             clock[LIVING] -= 1
-        begin_breakdown(i, state)
+        count_breakdowns(state)
     elif kind == STALL:
         if down[i] != WELL:
             return
@@ -91,12 +91,13 @@ def harm(i: int, kind: int, cause: int, state: State) -> None:
             return
         if is_apart:
             state.radio.robots[SIDE][i] = 0
-        if down[i] == FAILED:
+        had_failed = down[i] == FAILED
+        down[i] = WELL
+        if had_failed:
             end_breakdown(i, state)
             floats[TARGET][i] = floats[TOLD][i]
             if ints[ENDED][i] == 0:
                 clock[LIVING] += 1
-        down[i] = WELL
         muted[i] = 0
         ints[ASLEEP][i] = 0
     if kind != MUTE and kind != APART:

@@ -4,9 +4,12 @@ The meaning of points is in `compiler.team_points`. A robot comes to a point by 
 `team`, and waits until all who come there are there; then all of them go on with the same answer. Points are looked at
 in their order, once in a step in which somebody came or a set has changed.
 
+A branch whose robots were all missed before they came to its end is done by nobody, so the team cannot go on.
+
 Of the tables (`state.team`): set s holds the names from `set_first[s]` on; set 0 is the whole team. `members` says of
 each set who is in it, and is worked out anew when a role or a group changes. `groups` says who is in a group itself,
-`within` which groups are in which, each in itself too.
+`within` which groups are in which, each in itself too;
+`vacated` which groups belong to a place whose role is vacant.
 """
 
 from __future__ import annotations
@@ -23,15 +26,19 @@ from kitrobot.sim.team_columns import (
     BRANCH,
     COUNT,
     EVERY,
+    MEET,
     MOST,
     MOVE,
     N_WHAT,
     N_WHICH,
+    NO_PLACE,
     OVER_BLOCK,
     P_ASKED,
     P_BLOCK,
     P_DUE,
+    P_ENDED,
     P_FIRST,
+    P_JOINS,
     P_KIND,
     P_LAST,
     P_MEMBERS,
@@ -49,6 +56,7 @@ from kitrobot.sim.team_columns import (
     T_ANCHORED,
     T_ANSWER,
     T_AT,
+    T_BRANCH,
     T_GIVEN,
     T_HOLDER,
     T_LED,
@@ -87,7 +95,7 @@ def is_member(i: int, chosen: int, team: Team) -> bool:
                 return True
         elif what == AGENT:
             holder = team.robots[T_HOLDER][which]
-            if holder == i or (holder < 0 and which == i):
+            if holder == i or (holder == NO_PLACE and which == i):
                 return True
         elif in_group(i, which, team):
             return True
@@ -125,6 +133,10 @@ def come(i: int, p: int, given: int, state: State) -> None:
     elif team.points[P_KIND][p] <= BRANCH:
         release(i, p, team.members[team.points[P_MEMBERS][p]][i], state)
     else:
+        branch = robots[T_BRANCH][i]
+        if branch >= 0 and team.points[P_JOINS][branch] == p:
+            team.points[P_ENDED][branch] = 1
+            robots[T_BRANCH][i] = branch_around(branch, team)
         robots[T_AT][i] = p
         robots[T_GIVEN][i] = given
         team.points[P_WAITING][p] += 1
@@ -152,21 +164,48 @@ def release(i: int, p: int, answer: int, state: State) -> None:
     robots = team.robots
     stay_away(i, team)
     go_on(i, answer, state)
+    kind = team.points[P_KIND][p]
+    if kind == BRANCH:
+        if answer:
+            robots[T_BRANCH][i] = p
+        give_up_branches(team.points[P_JOINS][p], team)
     anchor = robots[T_ANCHOR][i]
     inside = anchor >= 0 and team.points[P_KIND][anchor] == BLOCK
-    if inside and team.points[P_FIRST][anchor] <= p <= team.points[P_LAST][anchor]:
+    inside = inside and team.points[P_FIRST][anchor] <= p <= team.points[P_LAST][anchor]
+    if inside or kind == BRANCH or (kind == BLOCK and answer == 0):
         since = robots[T_SINCE][i]
         if since < len(team.since[i]):
             team.since[i][since] = 2 * p + answer
         robots[T_SINCE][i] = since + 1
         return
-    kind = team.points[P_KIND][p]
-    if kind == BRANCH or (kind == BLOCK and answer == 0):
-        return
     robots[T_ANCHOR][i] = p
     robots[T_ANCHORED][i] = state.clock[TICK]
     robots[T_ANCHOR_ANSWER][i] = answer
     robots[T_SINCE][i] = 0
+
+
+def branch_around(branch: int, team: Team) -> int:
+    """The innermost branch in which another one is; -1 for none."""
+    points = team.points
+    p = branch - 1
+    while p >= 0 and (points[P_KIND][p] != BRANCH or branch > points[P_LAST][p]):
+        p -= 1
+    return p
+
+
+def give_up_branch(branch: int, team: Team) -> None:
+    """The team cannot go on if nobody is left of a branch, and nobody has come to its end."""
+    is_lost = team.points[P_ENDED][branch] == 0 and is_left_empty(team.points[P_MEMBERS][branch], team)
+    if is_lost and team.numbers[TEAM_OVER] == 0:
+        team.numbers[TEAM_OVER] = OVER_BLOCK
+        team.numbers[TEAM_OVER_WHO] = branch
+
+
+def give_up_branches(joins: int, team: Team) -> None:
+    """The team has come to branches, or to the meeting behind them: nobody may be left of one."""
+    for p in range(len(team.points[P_KIND])):
+        if team.points[P_KIND][p] == BRANCH and team.points[P_JOINS][p] == joins:
+            give_up_branch(p, team)
 
 
 def agree(state: State) -> None:
@@ -235,6 +274,11 @@ def decide(p: int, state: State) -> None:
     if block >= 0 and is_left_empty(team.points[P_MEMBERS][block], team):
         team.numbers[TEAM_OVER] = OVER_BLOCK
         team.numbers[TEAM_OVER_WHO] = block
+    if kind == MEET:
+        give_up_branches(p, team)
+        for branch in range(len(team.points[P_KIND])):
+            if team.points[P_KIND][branch] == BRANCH and team.points[P_JOINS][branch] == p:
+                team.points[P_ENDED][branch] = 0
 
 
 def is_left_empty(chosen: int, team: Team) -> bool:

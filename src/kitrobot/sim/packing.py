@@ -38,7 +38,7 @@ class Packing:
         team = state.team
         for row in (team.numbers, team.emptied, team.kept_passes):
             yield "q", row, len(row)
-        of_points = (team.points, team.robots, team.members, team.groups, team.since, team.kept)
+        of_points = (team.points, team.robots, team.members, team.groups, team.vacated, team.since, team.kept)
         for table in (*of_points, team.works, team.holds, team.until, team.waits):
             for row in table:
                 yield "q", row, len(row)

@@ -7,7 +7,7 @@ import zlib
 from kitrobot.sim.setup import SimulationError
 from kitrobot.text import Sentence
 
-SNAPSHOT_VERSION = 6
+SNAPSHOT_VERSION = 7
 _MARK = b"KRSNAP\n" + bytes([SNAPSHOT_VERSION])
 _IDENTITY = 32
 

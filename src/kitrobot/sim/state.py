@@ -116,6 +116,7 @@ class Team:
     names: IntRows
     members: IntRows
     groups: IntRows
+    vacated: IntRows
     within: IntRows
     failure: Ints
     emptied: Ints

@@ -6,8 +6,9 @@ and stands at the same storehouse if that one stood at one, takes its role and g
 its first line, is led to where the role was lost (`compiler.team_points`). *drop*, which also holds where no spare one
 is left: the others go on without it.
 
-A role that was to be taken over and was not is vacant. As long as somebody else plays it, the next robot of its kind,
-and for its place, that is back plays it too, and is led to where that one is.
+A role that was to be taken over and was not is vacant (`places`).
+
+A branch of whose robots the last one is missed before they came to its end is done by nobody: the team cannot go on.
 
 With a radio, who does not hear a majority of the team is silent too, and while nobody hears one, nobody is missed.
 A robot that is missed plays no role any more. One that has only lost its radio knows that by itself, and begins its
@@ -16,6 +17,7 @@ program anew at once, as a spare one; any other does so when it is revived. Its 
 
 from __future__ import annotations
 
+from kitrobot.sim.breakdowns import count_breakdowns, end_breakdown, is_towed
 from kitrobot.sim.columns import (
     A_DONE,
     A_QUEUED,
@@ -37,7 +39,15 @@ from kitrobot.sim.columns import (
 )
 from kitrobot.sim.devices.base import Command
 from kitrobot.sim.dispatch import start
-from kitrobot.sim.meetings import agree, find_members, in_group, stay_away
+from kitrobot.sim.meetings import (
+    agree,
+    branch_around,
+    find_members,
+    give_up_branch,
+    in_group,
+    stay_away,
+)
+from kitrobot.sim.places import fill_vacancies, fill_vacancy, stand_in
 from kitrobot.sim.program_ends import end_program
 from kitrobot.sim.radio import ANY_QUORUM, BEAT, QUORUM, find_quorum, has_radio
 from kitrobot.sim.rows import copy_row
@@ -47,14 +57,14 @@ from kitrobot.sim.team_columns import (
     ABORT,
     DROP,
     NO_UNIT,
+    NOBODY,
     OVER_ABORT,
     OVER_NOBODY,
     SUBSTITUTE,
     T_ACTUATOR,
     T_ANCHOR,
-    T_ANCHOR_ANSWER,
-    T_ANCHORED,
     T_ANSWER,
+    T_BRANCH,
     T_HOLDER,
     T_LED,
     T_LEFT,
@@ -73,7 +83,7 @@ from kitrobot.sim.team_columns import (
     TEAM_OVER_WHO,
     TEAM_PENDING,
 )
-from kitrobot.sim.work import end_leases, lose_units, share_out
+from kitrobot.sim.work import count_unheard, end_leases, lose_units, share_out
 
 UNKNOWN = -(1 << 40)
 """What no sensor reads: the machine was given nothing yet."""
@@ -83,6 +93,7 @@ def settle(state: State) -> None:
     """After the devices of a step: what is agreed at points, and whether spare robots are needed any more."""
     if state.team.numbers[TEAM_FRESH]:
         agree(state)
+        fill_vacancies(state)
     if len(state.team.holds) > 0:
         share_out(state)
     end_spares(state)
@@ -98,11 +109,12 @@ def look_for_silent(step: int, state: State) -> None:
     if by_radio and step % state.radio.numbers[BEAT] == 0:
         find_quorum(state)
     can_agree = not by_radio or state.radio.numbers[ANY_QUORUM] != 0
-    end_leases(step, team)
+    end_leases(step, state)
     for i in range(len(robots[T_SILENT])):
         if robots[T_ACTUATOR][i] < 0 or ints[ENDED][i]:
             continue
-        if ints[DOWN][i] == WELL and ints[MUTED][i] == 0 and (not by_radio or state.radio.robots[QUORUM][i]):
+        hears = ints[MUTED][i] == 0 and (not by_radio or state.radio.robots[QUORUM][i] != 0)
+        if ints[DOWN][i] == WELL and hears and not is_towed(i, state):
             if robots[T_SILENT][i] >= 0:
                 come_back(i, state)
             continue
@@ -127,12 +139,13 @@ def come_back(i: int, state: State) -> bool:
     robots[T_SILENT][i] = -1
     state.team.numbers[TEAM_FRESH] = 1
     was_missed = robots[T_MISSED][i] != 0
+    count_unheard(i, state.team)
     if was_missed:
         robots[T_MISSED][i] = 0
+        end_breakdown(i, state)
         tell(state.events, state.clock, BACK, i, 0, 0)
         begin_anew(i, state)
-    if robots[T_ROLE][i] < 0 and state.robots.ints[ENDED][i] == 0:
-        fill_vacancy(i, state)
+    fill_vacancy(i, state)
     return was_missed
 
 
@@ -147,8 +160,9 @@ def miss(i: int, state: State) -> None:
             rule = team.failure[g]
             group = g
     robots[T_MISSED][i] = 1
+    count_breakdowns(state)
     stay_away(i, team)
-    lose_units(i, team)
+    lose_units(i, state)
     tell(state.events, state.clock, MISSED, i, 0, 0)
     if rule == ABORT:
         team.numbers[TEAM_OVER] = OVER_ABORT
@@ -164,6 +178,11 @@ def miss(i: int, state: State) -> None:
     robots[T_ROLE][i] = -1
     robots[T_SEAT][i] = i
     find_members(team)
+    branch = robots[T_BRANCH][i]
+    robots[T_BRANCH][i] = -1
+    while branch >= 0:
+        give_up_branch(branch, team)
+        branch = branch_around(branch, team)
 
 
 def first_spare(lost: int, state: State) -> int:
@@ -191,80 +210,20 @@ def take_over(spare: int, lost: int, state: State) -> None:
     """A spare robot plays the role of one that is missed, in its groups; it is led to where that was."""
     team = state.team
     robots = team.robots
-    stand_in(spare, robots[T_SEAT][lost], lost, state)
     for g in range(len(team.groups)):
+        team.groups[g][spare] = team.groups[g][lost]
         team.groups[g][lost] = 0
+    stand_in(spare, robots[T_SEAT][lost], lost, state)
     tell(state.events, state.clock, TAKEN_OVER, spare, lost, 0)
-
-
-def stand_in(i: int, seat: int, like: int, state: State) -> None:
-    """Robot i, which begins its program, stands in a place, with the role and in the groups of another robot; it is led
-    to where that one was last.
-    """
-    team = state.team
-    robots = team.robots
-    robots[T_HOLDER][seat] = i
-    robots[T_SEAT][i] = seat
-    robots[T_ROLE][i] = robots[T_ROLE][like]
-    for g in range(len(team.groups)):
-        team.groups[g][i] = team.groups[g][like]
-    robots[T_ANCHOR][i] = robots[T_ANCHOR][like]
-    robots[T_ANCHORED][i] = robots[T_ANCHORED][like]
-    robots[T_ANCHOR_ANSWER][i] = robots[T_ANCHOR_ANSWER][like]
-    robots[T_SINCE][i] = robots[T_SINCE][like]
-    copy_row(team.since[i], team.since[like])
-    robots[T_LED][i] = robots[T_ANCHOR][like]
-    robots[T_TOLD][i] = 0
-    robots[T_TELL][i] = robots[T_SINCE][like]
-    state.actuators.ints[A_DONE][robots[T_ACTUATOR][i]] = 1
-
-
-def fill_vacancy(i: int, state: State) -> None:
-    """A spare robot plays a role that is vacant for its kind and place, the first one that somebody else plays."""
-    robots = state.team.robots
-    programs = state.robots.ints[PROGRAM]
-    seat = -1
-    beside = -1
-    for k in range(len(robots[T_LEFT])):
-        left = robots[T_LEFT][k]
-        if (
-            left > 0
-            and (seat < 0 or left < robots[T_LEFT][seat])
-            and programs[k] == programs[i]
-            and robots[T_PLACE][k] == robots[T_PLACE][i]
-        ):
-            player = first_player(left - 1, state)
-            if player >= 0:
-                seat = k
-                beside = player
-    if seat < 0:
-        return
-    robots[T_LEFT][seat] = 0
-    stand_in(i, seat, beside, state)
-    find_members(state.team)
-    tell(state.events, state.clock, TAKEN_OVER, i, seat, 1 if seat == i else 0)
-
-
-def first_player(role: int, state: State) -> int:
-    """The first robot that plays a role, is well, and to whose place in the program another one can be led; or -1."""
-    robots = state.team.robots
-    ended = state.robots.ints[ENDED]
-    for i in range(len(robots[T_ROLE])):
-        if (
-            robots[T_ROLE][i] == role
-            and robots[T_SILENT][i] < 0
-            and ended[i] == 0
-            and robots[T_SINCE][i] <= len(state.team.since[i])
-        ):
-            return i
-    return -1
 
 
 def drop(lost: int, team: Team) -> None:
     """The others go on without a robot; its sets keep that, as 2 + the point from which it last went on."""
     robots = team.robots
-    robots[T_HOLDER][robots[T_SEAT][lost]] = -1
+    seat = robots[T_SEAT][lost]
+    robots[T_HOLDER][seat] = NOBODY
     for g in range(len(team.groups)):
+        team.vacated[g][seat] = team.groups[g][lost] if robots[T_LEFT][seat] > 0 else 0
         team.groups[g][lost] = 0
     for chosen in range(len(team.members)):
         if team.members[chosen][lost]:
@@ -306,6 +265,7 @@ def begin_anew(i: int, state: State) -> None:
     actuator[A_DONE][robots[T_ACTUATOR][i]] = 1
     robots[T_ANSWER][i] = 0
     robots[T_LED][i] = -1
+    robots[T_BRANCH][i] = -1
     robots[T_ANCHOR][i] = -1
     robots[T_SINCE][i] = 0
     robots[T_TOLD][i] = 0

@@ -9,7 +9,7 @@ from __future__ import annotations
     TEAM_LEASE,  # steps after which a robot that is silent is missed
     TEAM_PENDING,  # robots with a role that are silent and not yet missed
     TEAM_OVER,  # why the team cannot go on: OVER_ABORT, OVER_BLOCK or OVER_NOBODY; 0 while it can
-    TEAM_OVER_WHO,  # the robot that was missed, or the point at which nobody is left
+    TEAM_OVER_WHO,  # the robot that was missed, or the block or branch that nobody is left of
     TEAM_OVER_GROUP,  # the group that ends with it
     TEAM_LEASED,  # units that will be free again for robots that wait for one
     TEAM_DUE,  # points at which all are there, and whose messages are on their way
@@ -35,8 +35,10 @@ OVER_ABORT, OVER_BLOCK, OVER_NOBODY = range(1, 4)
     P_LAST,  # and the last
     P_BLOCK,  # of the meeting behind a block, its point; -1 elsewhere
     P_DUE,  # 1 + the step in which all who are there know so; 0 while somebody is missing
-) = range(14)
-POINT_ROWS = 14
+    P_JOINS,  # of a branch, the meeting of all branches behind it; -1 elsewhere
+    P_ENDED,  # of a branch, 1: its robots have come to its end in this pass
+) = range(16)
+POINT_ROWS = 16
 
 BLOCK, BRANCH, MEET, ASK, COUNT, MOVE = range(6)
 """Kinds of points, in the order of `PointKind`."""
@@ -50,7 +52,7 @@ ONE, ANY, EVERY, MOST = range(4)
     T_ACTUATOR,  # the number of its actuator `Team`, or -1 where it is not of the team
     T_ROLE,  # the role that it plays, or -1 while it is spare
     T_SEAT,  # the robot of the first hour in whose place it stands: itself, unless it took a role over
-    T_HOLDER,  # who stands in its place now
+    T_HOLDER,  # who stands in its place now; NO_PLACE while it has none, NOBODY when whoever had it was missed
     T_AT,  # the point at which it waits, or -1
     T_GIVEN,  # what it answered there
     T_ANSWER,  # what the team answered it last
@@ -59,14 +61,18 @@ ONE, ANY, EVERY, MOST = range(4)
     T_ANCHOR,  # where a substitute is led: the point that it last went on from, or the outermost block that it is in
     T_ANCHORED,  # the step in which that was
     T_ANCHOR_ANSWER,  # what was answered there
-    T_SINCE,  # how many points of that block it has gone on from since: the first ones of `since`
+    T_SINCE,  # how many points it has gone on from since, in that block or past others: the first ones of `since`
     T_LED,  # the point to which it is led, or -1
     T_TOLD,  # how many of `since` it was told again
     T_TELL,  # how many it is to be told
     T_PLACE,  # where it stands for good: at one of the storehouses, or -1 where it can be anywhere
     T_LEFT,  # 1 + the role that is vacant in its place: whoever had it was missed, and no spare robot was left; or 0
-) = range(18)
-TEAM_ROWS = 18
+    T_BRANCH,  # the innermost branch that it is in and has not come to the end of, or -1
+) = range(19)
+TEAM_ROWS = 19
+
+NO_PLACE, NOBODY = -1, -2
+"""In place of who stands in a place."""
 
 MOST_SINCE = 256
 """Points that a robot may go on from in one block and be substituted."""
@@ -87,8 +93,9 @@ KEPT_ROWS = 3
 ) = range(4)
 WORK_ROWS = 4
 
-NO_UNIT, HAS_UNIT, LOST_UNIT = range(3)
-"""Whether a robot has a unit of a work, or lost it before it was done. A robot has one of each work at most."""
+NO_UNIT, HAS_UNIT, LOST_UNIT, UNHEARD_UNIT = range(4)
+"""Whether a robot has a unit of a work, or lost it before it was done; or has one of which it said while it was silent
+that it is done. A robot has one of each work at most."""
 
 # ---- names of sets: state.team.names
 

@@ -30,6 +30,7 @@ def no_team() -> Team:
         names=_rows(c.NAME_ROWS),
         members=[],
         groups=[],
+        vacated=[],
         within=[],
         failure=[],
         emptied=[],
@@ -143,6 +144,7 @@ class _Making:
             names=names,
             members=_rows(len(self.sets), self.count),
             groups=[self.first_members(name) for name in self.plan.groups],
+            vacated=_rows(len(self.plan.groups), self.count),
             within=[self.within(name) for name in self.plan.groups],
             failure=self.failures,
             emptied=[0] * len(self.sets),
@@ -168,7 +170,7 @@ class _Making:
         row[c.P_QUANTIFIER] = _COMBINED[point.quantifier]
         row[c.P_NEGATED], row[c.P_TIMES] = int(point.negated), point.times
         row[c.P_FIRST], row[c.P_LAST] = point.leads
-        row[c.P_BLOCK] = -1
+        row[c.P_BLOCK] = row[c.P_JOINS] = -1
         row[c.P_SOURCE], row[c.P_TARGET] = (self.groups.get(name, -1) for name in point.moves)
         return row
 
@@ -181,13 +183,18 @@ class _Making:
         return rows
 
     def with_blocks(self, points: list[list[int]]) -> list[list[int]]:
-        """The points, of which each meeting behind a block names it: the outermost one that ends there."""
+        """The points, of which each meeting behind a block names it: the outermost one that ends there; and each branch
+        the meeting behind all branches beside it.
+        """
         for number in reversed(range(len(self.plan.points))):
             point = self.plan.points[number]
             behind = max(number, point.leads[1]) + 1
             meets = behind < len(self.plan.points) and self.plan.points[behind].kind is PointKind.MEET
             if point.kind is PointKind.BLOCK and meets:
                 points[c.P_BLOCK][behind] = number
+            elif point.kind is PointKind.BRANCH:
+                joins = behind if meets else points[c.P_JOINS][behind]
+                points[c.P_JOINS][number], points[c.P_BLOCK][joins] = joins, -1
         return points
 
     def set_number(self, names: frozenset[str]) -> int:
@@ -200,7 +207,7 @@ class _Making:
 
     def robots(self) -> list[list[int]]:
         rows = _rows(c.TEAM_ROWS, self.count)
-        for row in (c.T_ACTUATOR, c.T_ROLE, c.T_HOLDER, c.T_AT, c.T_SILENT, c.T_ANCHOR, c.T_LED):
+        for row in (c.T_ACTUATOR, c.T_ROLE, c.T_HOLDER, c.T_AT, c.T_SILENT, c.T_ANCHOR, c.T_LED, c.T_BRANCH):
             rows[row] = [-1] * self.count
         rows[c.T_SEAT] = list(range(self.count))
         for one in self.members:

@@ -20,7 +20,7 @@ from kitrobot.sim.dispatch import start
 from kitrobot.sim.meetings import agree, find_members
 from kitrobot.sim.radio_tables import no_radio
 from kitrobot.sim.state import State, Team, numbers
-from kitrobot.sim.work import share_out
+from kitrobot.sim.work import is_taken, share_out
 
 Agreed = tuple[int, ...]
 """A state of a team: of each robot where it waits, what it gave and was answered; passes; groups; works."""
@@ -176,12 +176,13 @@ class Agreement:
         for p in range(len(waiting)):
             waiting[p] = sum(point == p for point in at)
         for w in range(len(team.holds)):
-            team.works[tc.W_TAKEN][w] = sum(one == tc.HAS_UNIT for one in team.holds[w])
+            team.works[tc.W_TAKEN][w] = sum(map(is_taken, team.holds[w]))
             team.works[tc.W_WAITING][w] = sum(one >= 0 for one in team.waits[w])
         find_members(team)
 
     def _write_robots(self, values: Iterator[int]) -> None:
         """Puts the rest of a state into the tables. What leads substitutes is forgotten: nobody needs any."""
-        robots = self._team.robots
+        robots, ended = self._team.robots, self._team.points[tc.P_ENDED]
+        ended[:] = [0] * len(ended)
         for i in range(len(robots[tc.T_AT])):
-            robots[tc.T_SINCE][i], robots[tc.T_ANCHOR][i] = 0, -1
+            robots[tc.T_SINCE][i], robots[tc.T_ANCHOR][i], robots[tc.T_BRANCH][i] = 0, -1, -1

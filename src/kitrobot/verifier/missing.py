@@ -23,7 +23,8 @@ from kitrobot.sim.dispatch import start
 from kitrobot.sim.meetings import is_left_empty
 from kitrobot.sim.radio_tables import no_radio
 from kitrobot.sim.state import State, Team
-from kitrobot.sim.substitution import begin_anew, come_back, end_spares, miss
+from kitrobot.sim.substitution import begin_anew, come_back, miss, settle
+from kitrobot.sim.work import is_taken
 from kitrobot.verifier import columns as v
 from kitrobot.verifier.agreeing import Agreed, Agreement, Told
 
@@ -103,8 +104,8 @@ class Watch(Agreement):
         return self._read()
 
     def settled(self, agreed: Agreed) -> Agreed:
-        super().settled(agreed)
-        end_spares(self._state)
+        self._write(agreed)
+        settle(self._state)
         return self._read()
 
     def halts(self, actuator: int) -> bool:
@@ -134,7 +135,7 @@ class Watch(Agreement):
             _bits([role >= 0 for role in robots[tc.T_ROLE]]),
             _bits([bool(one) for one in robots[tc.T_MISSED]]),
             int(team.numbers[tc.TEAM_OVER] > 0),
-            *(_bits([lease > 0 and one == tc.HAS_UNIT for one in holds]) for holds, lease in leases),
+            *(_bits([lease > 0 and is_taken(one) for one in holds]) for holds, lease in leases),
         ]
 
     def has_ended(self, agreed: Agreed, robot: int) -> bool:
@@ -169,13 +170,17 @@ class Watch(Agreement):
         robots = self._team.robots
         silent = any(one >= 0 <= role for one, role in zip(robots[tc.T_SILENT], robots[tc.T_ROLE], strict=True))
         may_be_led = left > 0 or silent or any(robots[tc.T_LEFT])
+        ended, members = self._team.points[tc.P_ENDED], self._team.points[tc.P_MEMBERS]
+        for branch, has_ended in enumerate(ended):
+            if has_ended and not may_be_led and not is_left_empty(members[branch], self._team):
+                ended[branch] = 0
         for i in range(len(robots[tc.T_AT])):
             if robots[tc.T_LED][i] >= 0 or robots[tc.T_TOLD][i] < robots[tc.T_TELL][i]:
                 continue
             robots[tc.T_TOLD][i] = robots[tc.T_TELL][i] = 0
             leads = may_be_led and robots[tc.T_ROLE][i] >= 0
             if not leads:
-                robots[tc.T_ANCHOR][i] = -1
+                robots[tc.T_ANCHOR][i] = robots[tc.T_BRANCH][i] = -1
             if not (leads and self._has_spare[i]):
                 robots[tc.T_SINCE][i] = robots[tc.T_ANCHOR_ANSWER][i] = 0
         return self._read()
@@ -186,9 +191,15 @@ class Watch(Agreement):
         """The rows that change besides, of which `ENDED` is the first and `T_ROLE` the fourth."""
         robots = self._team.robots
         own = (tc.T_MISSED, tc.T_ROLE, tc.T_SEAT, tc.T_HOLDER, tc.T_ANCHOR, tc.T_ANCHOR_ANSWER, tc.T_SINCE)
-        leads = (tc.T_LED, tc.T_TOLD, tc.T_TELL, tc.T_LEFT)
+        leads = (tc.T_LED, tc.T_TOLD, tc.T_TELL, tc.T_LEFT, tc.T_BRANCH)
         rows = [robots[row] for row in (tc.T_SILENT, *own, *leads)]
-        return [self._state.robots.ints[c.ENDED], *rows, self._team.emptied]
+        return [
+            self._state.robots.ints[c.ENDED],
+            *rows,
+            self._team.emptied,
+            self._team.points[tc.P_ENDED],
+            *self._team.vacated,
+        ]
 
     def _read_robots(self) -> Agreed:
         team = self._team
