@@ -81,7 +81,7 @@ def test_a_substitute_goes_on_where_a_process_died_or_a_body_failed(seed: int) -
 
 @pytest.mark.parametrize("cut", [0, 1])
 def test_a_half_that_is_cut_off_waits_and_everything_is_done_once_when_the_network_heals(cut: int) -> None:
-    team, meaning = fleet_and_meaning(5 if cut else 6, 0)
+    team, meaning = fleet_and_meaning(5 if cut else 3, 0)
     fleet = team.fleet
     for _ in range(20):
         team.step()
