@@ -9,6 +9,7 @@ import pty
 import re
 import select
 import sys
+import threading
 from collections.abc import Iterator
 from contextlib import redirect_stderr, redirect_stdout, suppress
 from pathlib import Path
@@ -17,10 +18,10 @@ from typing import Any
 import pytest
 
 from kitrobot.cli import main
-from kitrobot.deploy import Fault, FullError, NoMemoryError, connect
+from kitrobot.deploy import Board, Fault, FullError, NoMemoryError, connect
 from kitrobot.primitives import load_catalogue, read_kit
 from kitrobot.primitives.catalogue import SHIPPED
-from kitrobot.robots import BoardProgram
+from kitrobot.robots import BoardProgram, RobotSession
 from kitrobot.text import Sentence
 from kitrobot.workspace.bench import PartKey, bench_of
 from kitrobot.workspace.bench_loading import PartError, load_parts
@@ -208,6 +209,52 @@ def test_calibrating_asks_moves_and_writes_a_file_beside_that_takes_the_place_of
     moves = duties(kit)
     assert {(40, 0, 0, 0), (0, 0, 40, 0), (50, 0, 50, 0), (0, 50, 50, 0)} <= set(moves)
     assert moves[-1] == (0, 0, 0, 0)
+
+
+class Thinking(io.StringIO):
+    """Answers of a person who thinks until the robot has been spoken to so often that it would have given up."""
+
+    HEARD = 6
+    """Four times a second: more than the 0.8 s after which a robot that is held stops."""
+
+    def __init__(self, answers: list[str]) -> None:
+        super().__init__("".join(f"{one}\n" for one in answers))
+        self.heard = threading.Semaphore(0)
+        self.thinks = False
+        self.answered_too_early = 0
+
+    def readline(self, size: int | None = -1, /) -> str:
+        for _ in range(self.HEARD if self.thinks else 0):
+            self.answered_too_early += not self.heard.acquire(timeout=PATIENCE_S / 10)
+        self.thinks = True  # from the second answer on: before the first nothing runs
+        return super().readline()
+
+
+def test_whoever_thinks_about_an_answer_keeps_the_robot_that_waits_for_it(
+    kit: ModernBoard, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    answers = Thinking(["", "left forward", "", "right forward", "", "300", "", "300"])
+    starts = 0
+    start, ping = RobotSession.start, Board.ping
+
+    def counted(session: RobotSession, held: bool = False) -> None:
+        nonlocal starts
+        starts += 1
+        start(session, held)
+
+    def heard(board: Board) -> None:
+        ping(board)
+        answers.heard.release()
+
+    monkeypatch.chdir(tmp_path)
+    monkeypatch.setattr("sys.stdin", answers)
+    monkeypatch.setattr(RobotSession, "start", counted)
+    monkeypatch.setattr(Board, "ping", heard)
+    out, _ = command("calibrate", "--to", kit.address, "--board", "pico", "--times", "1", "--json")
+    found = {row["setting"]: row["after"] for row in json.loads(out)["changes"]}
+    assert found["measured speed"] == "300"
+    assert answers.answered_too_early == 0
+    assert starts == 1, "the robot gave up meanwhile, and its program was begun anew"
 
 
 def test_answers_that_end_too_early_write_nothing_and_the_robot_stands(

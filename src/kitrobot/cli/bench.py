@@ -10,6 +10,7 @@ import typer
 
 from kitrobot.cli.language import Language, in_words
 from kitrobot.cli.output import clean, complain, error_object, give, json_text, tell
+from kitrobot.cli.watch import Board
 from kitrobot.diagnostics import KitRobotError
 
 if TYPE_CHECKING:
@@ -41,6 +42,7 @@ Replace = Annotated[bool, typer.Option("--replace", help="Overwrite a `main.py` 
 
 def try_parts(
     port: Port = "",
+    to: Board = None,
     robot: Annotated[
         str | None,
         typer.Option(
@@ -64,7 +66,6 @@ def try_parts(
     it has. Everything stops when you leave, at Ctrl-C, and within a second when the cable is pulled. With --all or
     --json the exit status is 1 when a part failed.
     """
-    from kitrobot.robots import chosen_boards
     from kitrobot.translation import reading_in
     from kitrobot.workspace.bench import bench_of
     from kitrobot.workspace.bench_run import BenchRun
@@ -80,7 +81,7 @@ def try_parts(
     folder = Path.cwd()
     kit = find_kit(board, folder) if board is not None else None
     bench = bench_of(find_robot(robot, folder) if robot is not None else bench_robot(), kit, folder)
-    (address,) = chosen_boards([port] if port else [])
+    address = robot_address(port, to)
     tell("lift the wheels off the ground")
     with reading_in(language):
         with BenchRun(address, bench, send_progress(), replace=replace) as run:
@@ -94,6 +95,16 @@ def try_parts(
             _table(rows, bench)
     if not all(row["ok"] for row in rows):
         raise typer.Exit(1)
+
+
+def robot_address(port: str, to: str | None) -> str:
+    """The robot that is named before the options or with --to; without either the only one that is there."""
+    from kitrobot.robots import chosen_boards
+
+    if port and to:
+        raise typer.BadParameter("the robot is named twice: say the port once", param_hint="'--to'")
+    (address,) = chosen_boards([named] if (named := to or port) else [])
+    return address
 
 
 def send_progress() -> Any:

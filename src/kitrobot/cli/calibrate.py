@@ -2,14 +2,15 @@
 
 from __future__ import annotations
 
-import sys
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from kitrobot.cli.bench import Port, Replace, send_progress
+from kitrobot.cli.bench import Port, Replace, robot_address, send_progress
+from kitrobot.cli.dialogue import Dialogue
 from kitrobot.cli.output import clean, give, json_text, show, tell
+from kitrobot.cli.watch import Board
 from kitrobot.diagnostics import KitRobotError
 from kitrobot.text import Sentence, number_form
 
@@ -34,6 +35,7 @@ def calibrate_robot(
         ),
     ],
     port: Port = "",
+    to: Board = None,
     times: Annotated[int, typer.Option(min=1, max=10, metavar="N", help="How often each way is measured.")] = 2,
     output: Annotated[
         Path | None,
@@ -54,7 +56,6 @@ def calibrate_robot(
     answer leaves that out. Kits that come with KitRobot are copied and never changed; beside your missions the copy
     takes their place. `kitrobot run --board NAME` simulates with what was measured.
     """
-    from kitrobot.robots import chosen_boards
     from kitrobot.workspace.bench_run import BenchRun
     from kitrobot.workspace.calibration import (
         calibrated,
@@ -71,7 +72,7 @@ def calibrate_robot(
     bench, steps = measuring_steps(kit, folder)
     target = output if output is not None else own_place(board, kit, folder)
     expect_kit_place(kit, target)
-    (address,) = chosen_boards([port] if port else [])
+    address = robot_address(port, to)
     with BenchRun(address, bench, send_progress(), replace=replace) as run:
         answers = _answers(run, steps, times)
     made = calibrated(kit, answers)
@@ -91,41 +92,29 @@ def calibrate_robot(
 def _answers(run: BenchRun, steps: dict[str, BenchStep], times: int) -> Answers:
     from kitrobot.workspace.calibration import Answers
 
+    dialogue = Dialogue(run.keep_alive)
     wheels: dict[str, Turned] = {}
     numbers: dict[str, list[float]] = {"distance": [], "turn": []}
     for measure, step in steps.items():
         for _ in range(times if measure in numbers else 1):
             tell(step.trouble.get("", ""))
-            _asked("press Enter, then it moves: ")
+            dialogue.ask("press Enter, then it moves: ")
             run.begin(step)
             run.finish(_LONGEST_S)
             if measure not in numbers:
-                turned = _which_wheel(step)
+                turned = _which_wheel(dialogue, step)
                 if turned is not None:
                     wheels[measure] = turned
-            elif (number := _number(step)) is not None:
+            elif (number := _number(dialogue, step)) is not None:
                 numbers[measure].append(number)
     return Answers(wheels, numbers["distance"], numbers["turn"])
 
 
-def _asked(question: str) -> str:
-    """What a person answers, a line."""
-    if sys.stderr is not None:
-        sys.stderr.write(clean(question))
-        sys.stderr.flush()
-    line = sys.stdin.readline() if sys.stdin is not None else ""
-    if not line:
-        raise KitRobotError(
-            Sentence("the answers ended before all was measured"), Sentence("begin again; nothing was written")
-        )
-    return line.strip()
-
-
-def _which_wheel(step: BenchStep) -> Turned | None:
+def _which_wheel(dialogue: Dialogue, step: BenchStep) -> Turned | None:
     from kitrobot.workspace.calibration import Turned
 
     while True:
-        words = _asked(f"{step.seen.get('', '')}: ").lower().split()
+        words = dialogue.ask(f"{step.seen.get('', '')}: ").lower().split()
         if not words:
             return None
         if len(words) == 2 and words[0] in _SIDES and words[1] in _WAYS:
@@ -133,9 +122,9 @@ def _which_wheel(step: BenchStep) -> Turned | None:
         tell("say for example: left forward; an empty line leaves it out, and `kitrobot bench` says what to look for")
 
 
-def _number(step: BenchStep) -> float | None:
+def _number(dialogue: Dialogue, step: BenchStep) -> float | None:
     while True:
-        text = number_form(_asked(f"{step.seen.get('', '')}: ").replace(",", "."))
+        text = number_form(dialogue.ask(f"{step.seen.get('', '')}: ").replace(",", "."))
         if not text:
             return None
         try:

@@ -67,9 +67,12 @@ class BenchHand:
             KitRobotError: the robot does not answer, or says no.
         """
         self.end()
-        if self.session.state.doing != "running":
+        # It is asked: what was heard last may be old, when a person thought for a while.
+        hello = self.session.link.greet()
+        if {hello.state_name, self.session.state.doing} != {"running"}:
             self.restart()
-        self._late_before = self.session.link.greet().late
+            hello = self.session.link.greet()
+        self._late_before = hello.late
         self.step, now = step, self.session.state.tick
         self._begun = now
         self._valid_from, self._called_by = now + _SETTLED_TICKS, now + _CALLED_TICKS
@@ -221,6 +224,15 @@ class BenchRun:
             return
         self._hand.session.poll(timeout_s)
         self._hand.check()
+
+    def keep_alive(self) -> None:
+        """Lets the robot know that we are here, without waiting, while a person is asked.
+
+        Raises:
+            KitRobotError: the link is lost.
+        """
+        if self._hand.session.is_open:
+            self.poll(0.0)
 
     def watch(self, seconds: float) -> list[int]:
         """Waits so long; the values that the part of the step had meanwhile, for a sensor.
