@@ -17,12 +17,14 @@ START = "start.json"
 """The file that says how what lies beside it is started."""
 
 MICROPYTHON = SimpleNamespace(opt_level=lambda level: None, kbd_intr=lambda sign: None)
+UTIME = SimpleNamespace(sleep_ms=lambda ms: None)
 
 
 def started(port: Any, folder: Path) -> tuple[list[Any], Callable[[Any], None]]:
     """The robot whose files lie in a folder (`booting.lay`), and the loop that it is to be given to."""
     start = json.loads((folder / START).read_text(encoding="utf-8"))
     sys.modules.setdefault("micropython", MICROPYTHON)  # type: ignore[arg-type]
+    sys.modules.setdefault("utime", UTIME)  # type: ignore[arg-type]
     sys.modules[start["interpreter"]] = SimpleNamespace(**{start["tick"]: tick})  # type: ignore[assignment]
 
     def opened(path: str, mode: str = "r") -> IO[Any]:

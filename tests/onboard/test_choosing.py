@@ -11,7 +11,7 @@ from typing import IO, Any
 import pytest
 
 from kitrobot.deploy import Package
-from kitrobot.deploy.boot_records import StartLine
+from kitrobot.deploy.boot_records import TRIAL, UNTRIED, StartLine, tried_generation
 from kitrobot.deploy.carried import short
 from kitrobot_onboard.link import checksum
 
@@ -25,6 +25,7 @@ def flash(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     monkeypatch.setitem(
         sys.modules, "micropython", SimpleNamespace(opt_level=lambda level: None, kbd_intr=lambda sign: None)
     )
+    monkeypatch.setitem(sys.modules, "utime", SimpleNamespace(sleep_ms=lambda ms: None))
     (tmp_path / "kpold").write_bytes(OLD)
     (tmp_path / "kpnew").write_bytes(NEW)
     (tmp_path / "kr0").write_bytes(StartLine(10, "krnew", "kpnew", checksum(NEW)).to_bytes())
@@ -80,3 +81,40 @@ def test_a_line_that_is_not_whole_is_passed_over(flash: Path) -> None:
     for at in range(len(line) - 1):
         (flash / "kr0").write_bytes(line[:at] + bytes((line[at] ^ 2,)) + line[at + 1 :])
         assert chosen(flash) == ("kpold", 9), at
+
+
+def test_what_is_on_trial_starts_once_and_the_one_before_from_then_on(flash: Path) -> None:
+    (flash / TRIAL).write_bytes(UNTRIED)
+    assert chosen(flash) == ("kpnew", 10)
+    assert tried_generation((flash / TRIAL).read_bytes()) == 10
+    for _ in range(3):
+        assert chosen(flash) == ("kpold", 9)
+        assert tried_generation((flash / TRIAL).read_bytes()) == 10
+
+
+def test_what_was_confirmed_starts_again_and_again(flash: Path) -> None:
+    (flash / TRIAL).write_bytes(UNTRIED)
+    assert chosen(flash) == ("kpnew", 10)
+    (flash / TRIAL).unlink()
+    for _ in range(3):
+        assert chosen(flash) == ("kpnew", 10)
+        assert not (flash / TRIAL).exists()
+
+
+def test_a_first_program_that_was_never_confirmed_leaves_the_prompt_free(flash: Path) -> None:
+    (flash / "kr1").unlink()
+    (flash / TRIAL).write_bytes(UNTRIED)
+    assert chosen(flash)[0] == "kpnew"
+    assert chosen(flash)[0] == ""
+
+
+@pytest.mark.parametrize("left", [b"", b"1", b"10"])
+def test_power_that_is_cut_while_a_trial_is_written_down_makes_one_more(flash: Path, left: bytes) -> None:
+    (flash / TRIAL).write_bytes(left)
+    assert chosen(flash) == ("kpnew", 10)
+    assert chosen(flash) == ("kpold", 9)
+
+
+def test_the_trial_of_a_line_that_never_became_whole_holds_up_no_other(flash: Path) -> None:
+    (flash / TRIAL).write_bytes(b"11\n")
+    assert chosen(flash) == ("kpnew", 10)

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
+from kitrobot.cli.deploy import STAGES
 from kitrobot.cli.language import Language, in_words
 from kitrobot.cli.output import clean, complain, error_object, give, json_text, tell
 from kitrobot.cli.watch import Board
@@ -17,7 +18,6 @@ if TYPE_CHECKING:
     from kitrobot.workspace.bench import Bench, BenchStep
     from kitrobot.workspace.bench_run import BenchRun
 
-_STAGES = {"connect": "connecting", "compare": "comparing", "send": "sending", "start": "starting"}
 _HELP = "keys: Enter begins the step and ends it, n the next one, b the one before, q leaves; leaving stops everything"
 
 Port = Annotated[
@@ -115,7 +115,7 @@ def send_progress() -> Any:
         nonlocal last
         if stage != last:
             last = stage
-            tell(_STAGES.get(stage, stage))
+            tell(STAGES.get(stage, stage))
 
     return progress
 

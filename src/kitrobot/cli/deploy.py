@@ -17,7 +17,14 @@ from kitrobot.text import Sentence, listed
 if TYPE_CHECKING:
     from kitrobot.robots import Sent
 
-_STAGES = {"connect": "connecting", "compare": "comparing", "send": "sending", "start": "starting"}
+STAGES = {
+    "connect": "connecting",
+    "reset": "it says nothing: press its reset button now",
+    "compare": "comparing",
+    "send": "sending",
+    "start": "starting",
+}
+"""What is said of each step of a deploy."""
 
 KitOrBoards = Annotated[
     list[str] | None,
@@ -173,11 +180,17 @@ def _object(sent: Sent) -> dict[str, Any]:
     return of_board(sent.address, None, **of_deployed(done), sent=list(done.sent_files), kept=list(done.kept_files))
 
 
+def _tell_of_reset(address: str, stage: str, done: int, total: int) -> None:
+    """Where nobody watches bars: only what a person has to do."""
+    if stage == "reset":
+        tell(f"{address}: {STAGES[stage]}")
+
+
 @contextmanager
 def _bars(addresses: Sequence[str]) -> Iterator[Callable[[str, str, int, int], None]]:
     """A bar for each robot on standard error while a person watches."""
-    if not sys.stderr.isatty():
-        yield lambda address, stage, done, total: None
+    if sys.stderr is None or not sys.stderr.isatty():
+        yield _tell_of_reset
         return
     from rich.console import Console
     from rich.progress import BarColumn, Progress, TextColumn, TimeElapsedColumn
@@ -192,6 +205,6 @@ def _bars(addresses: Sequence[str]) -> Iterator[Callable[[str, str, int, int], N
         tasks = {address: bar.add_task(clean(address), total=None, stage="") for address in addresses}
 
         def progress(address: str, stage: str, done: int, total: int) -> None:
-            bar.update(tasks[address], completed=done, total=total or None, stage=_STAGES.get(stage, stage))
+            bar.update(tasks[address], completed=done, total=total or None, stage=STAGES.get(stage, stage))
 
         yield progress

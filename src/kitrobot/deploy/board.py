@@ -246,6 +246,10 @@ class Board:
         """Has the board show itself for two seconds."""
         self._request("i")
 
+    def keep(self) -> None:
+        """Ends the trial of what was installed last: from now on the board starts it whenever the power comes on."""
+        self._request("k")
+
     def last_fault(self) -> Fault | None:
         """Why it stopped last; None when nothing went wrong."""
         fault = read_fault(self._request("l"))

@@ -16,6 +16,11 @@ from kitrobot_onboard.link import checksum
 
 SLOTS = ("kr0", "kr1")
 MAIN = "main.py"
+TRIAL = "krt"
+"""The file that is there as long as a generation is on trial: once it was started, the generation and a line feed."""
+UNTRIED = b"-"
+"""What is in it before."""
+
 LAST_GENERATION = 65535
 """The board has two bytes for it."""
 
@@ -57,6 +62,12 @@ def read_line(data: bytes) -> StartLine | None:
 def newest(lines: dict[str, StartLine]) -> tuple[str, StartLine] | None:
     """Slot and line of what starts; None when nothing does."""
     return max(lines.items(), key=lambda item: item[1].generation, default=None)
+
+
+def tried_generation(data: bytes) -> int | None:
+    """The generation that a board started on trial and that nobody confirmed, by what is in `krt`; None: there is none."""
+    text = data.decode("ascii", errors="replace")
+    return int(text) if text.endswith("\n") and _GENERATION.fullmatch(text[:-1]) else None
 
 
 def is_ours(name: str) -> bool:

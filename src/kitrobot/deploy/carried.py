@@ -26,8 +26,9 @@ from kitrobot_onboard.requests import BY_FAMILY, REQUESTS
 ONBOARD = Path(kitrobot_onboard.__file__).parent
 ROOT = "kitrobot_onboard"
 _MOST_BYTES = 200_000
-_LARGE = "im"
-"""Requests whose words are not named before: they differ from board to board, or belong to some programs only."""
+_LARGE = "imk"
+"""Requests whose words are not named before: they differ from board to board, belong to some programs only, or are asked
+once."""
 
 _WORDS = 8
 _PIECE = 90

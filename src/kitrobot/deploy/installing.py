@@ -4,6 +4,9 @@ The order of the steps makes an interruption safe at any point: unreferenced fil
 and read back; last of all a boot record is written beside the valid one. Until that record is complete the board
 starts what it started before. When the board then does not greet with the new program, the record is removed again.
 The files of the previous installation stay until the next one.
+
+What is new is on trial: a file says so (`krt`), which the board itself removes when it is asked after its first ticks.
+A board that never comes so far, because a driver does not return, starts what it had before when its power comes on.
 """
 
 from __future__ import annotations
@@ -13,9 +16,29 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 
 from kitrobot.deploy.board import Board, Hello
-from kitrobot.deploy.boot_records import LAST_GENERATION, MAIN, SLOTS, StartLine, is_ours, needed, newest, read_line
+from kitrobot.deploy.boot_records import (
+    LAST_GENERATION,
+    MAIN,
+    SLOTS,
+    TRIAL,
+    UNTRIED,
+    StartLine,
+    is_ours,
+    needed,
+    newest,
+    read_line,
+    tried_generation,
+)
 from kitrobot.deploy.connecting import STARTS, greet
-from kitrobot.deploy.errors import BoardError, CrampedError, ForeignError, FullError, NoMemoryError, SilentError
+from kitrobot.deploy.errors import (
+    BoardError,
+    CrampedError,
+    ForeignError,
+    FullError,
+    LineError,
+    NoMemoryError,
+    SilentError,
+)
 from kitrobot.deploy.firmware import Needs
 from kitrobot.deploy.fitting import refuse_misfits
 from kitrobot.deploy.flash_code import Frozen, sign_of
@@ -33,7 +56,8 @@ from kitrobot.text import Sentence, Series
 from kitrobot_onboard.link import checksum
 
 Progress = Callable[[str, int, int], None]
-"""Is told what is going on (`connect`, `compare`, `send`, `start`), and of how many bytes how many are done."""
+"""Is told what is going on (`connect`, `compare`, `send`, `start`; `reset`: the board is mute, and a person has to
+press its reset button), and of how many bytes how many are done."""
 
 _TRIES = 3
 _WRITES = 3
@@ -42,6 +66,11 @@ _PACES = 20
 
 _LONGEST_S = 300.0
 _MEMORY, _DAMAGED, _NO_DRIVER = 3, 4, 5
+_TRIAL_TICKS = 3
+"""After so many ticks a program is confirmed."""
+_TRIAL_STEP_S = 0.05
+_TRIAL_S = 5.0
+"""Or after so long, when it answers meanwhile: its ticks are long then."""
 
 
 @dataclass(frozen=True)
@@ -137,13 +166,16 @@ class _Job:
     slot: str = ""
     old: StartLine | None = None
     new: StartLine | None = None
+    on_trial: bool = False
+    """Whether what starts next has to be confirmed."""
+
     done: int = 0
     total: int = 0
 
     def insist(self, work: Callable[[], None]) -> None:
         """Does something with the board's files once more when it was broken off: all that was done stands."""
         for tries_left in reversed(range(_TRIES)):
-            self.board = Receiver(RawRepl(self.line))
+            self.board = Receiver(RawRepl(self.line, lambda: self.progress("reset", self.done, self.total)))
             try:
                 self.board.begin()
                 return work()
@@ -177,7 +209,7 @@ class _Job:
             self._refuse_without_room(self.built.frozen, names, lines)
         if self.fresh and self.new is None:
             # main.py too, which is ours: in the middle of a small flash it leaves no room in one piece.
-            removed = [name for name in names if name in (*SLOTS, MAIN) or is_ours(name)]
+            removed = [name for name in names if name in (*SLOTS, MAIN, TRIAL) or is_ours(name)]
             for name in [*SLOTS, *(name for name in removed if name not in SLOTS)]:
                 board.remove(name)
             names, lines = [name for name in names if name not in removed], {}
@@ -201,9 +233,12 @@ class _Job:
         if missing:
             self._look_again()
         first, name = self.built.interpreter, self.name
+        self.on_trial = TRIAL in names
         if self.old is not None and (self.old.module, self.old.program) == (first, name):
             self.new = self.old
         else:
+            self.on_trial = True
+            self._send(TRIAL, UNTRIED, count=False)
             generation = (self.old.generation if self.old is not None else 0) % LAST_GENERATION + 1
             self.new = StartLine(generation, first, name, checksum(content))
             self._send(self.slot, self.new.to_bytes(), count=False)
@@ -223,7 +258,10 @@ class _Job:
             hello = self._greeting()
         except SilentError as error:
             said = self._said
-            self._undo()
+            try:
+                self._undo()
+            except (SilentError, LineError):
+                raise self._hanging() from error
             raise BoardError(
                 Sentence("the board did not start what was sent: {reason}", said)
                 if said
@@ -250,14 +288,21 @@ class _Job:
         refused.said = self._fault
         raise refused
 
+    def _hanging(self) -> SilentError:
+        return SilentError(
+            Sentence("the board answers no more since it started what was sent: a driver may never return"),
+            Sentence("take its power away for a moment, or press its reset button: it starts what it had before then")
+            if self.old is not None
+            else Sentence("take its power away for a moment, or press its reset button: its prompt is free then"),
+        )
+
     def _greeting(self) -> Hello | None:
         """How it greets; None when it has no memory for that."""
         assert self.new is not None
         board = Board(self.line)
-        patience_s = max(STARTING_S, min(_PACES * self.board.repl.pace_s, _LONGEST_S))
         self._said = self._fault = ""
         try:
-            hello = greet(board, patience_s, said=STARTS, starting_s=patience_s)
+            hello = greet(board, self._patience_s, said=STARTS, starting_s=self._patience_s)
         except NoMemoryError:
             return None
         except SilentError as error:
@@ -272,7 +317,13 @@ class _Job:
         self._said = (
             "" if fault is None else Series(Sentence(": "), filter(None, (fault.meaning, self.named(self._fault))))
         )
+        if self.on_trial and hello.free >= WORKING:
+            self._confirm(board, hello)
         return hello
+
+    @property
+    def _patience_s(self) -> float:
+        return max(STARTING_S, min(_PACES * self.board.repl.pace_s, _LONGEST_S))
 
     def _undo(self) -> None:
         """Takes the new line away, so that what was there before starts."""
@@ -284,15 +335,35 @@ class _Job:
 
     def _take_away(self) -> None:
         self.board.remove(self.slot)
+        self.board.remove(TRIAL)
+        self.board.end()
+
+    def _confirm(self, board: Board, hello: Hello) -> None:
+        """Waits for the first ticks of what is on trial, and has the board start it from now on."""
+        until = self.line.now() + _TRIAL_S
+        while hello.state_name == "running" and hello.tick < _TRIAL_TICKS and self.line.now() < until:
+            board.news(_TRIAL_STEP_S)
+            hello = board.greet()
+        try:
+            board.keep()
+        except BoardError:  # it has no memory for that while its program runs
+            self.insist(self._end_trial)
+            self.board.repl.leave()
+            greet(Board(self.line), self._patience_s, said=STARTS, starting_s=self._patience_s)
+
+    def _end_trial(self) -> None:
+        self.board.remove(TRIAL)
         self.board.end()
 
     def _lines(self, names: list[str]) -> dict[str, StartLine]:
+        """The lines that may start, by their slots: not one that was tried and never confirmed."""
         found = {slot: read_line(self.board.read(slot)) for slot in SLOTS if slot in names}
-        return {slot: line for slot, line in found.items() if line is not None}
+        tried = tried_generation(self.board.read(TRIAL)) if TRIAL in names else None
+        return {slot: line for slot, line in found.items() if line is not None and line.generation != tried}
 
     def _refuse_without_room(self, one: Frozen, names: list[str], lines: dict[str, StartLine]) -> None:
         """Before anything is removed: what stays is other people's files, and what starts now, unless all is new."""
-        wanted = {name: len(data) for name, data in {**self.wanted, MAIN: self.built.main}.items()}
+        wanted = {name: len(data) for name, data in {**self.wanted, MAIN: self.built.main, TRIAL: UNTRIED}.items()}
         staying = {name for name in names if not is_ours(name) and name not in SLOTS}
         blocks = set()
         if not self.fresh and (counts := newest(lines)) is not None:

@@ -3,9 +3,15 @@
 Bytes may be lost or garbled, and small boards buffer no more than 64 of them: so a command has at most 60 bytes, its
 answer is awaited, and it is sent again when none arrives intact. A command may therefore arrive twice or changed, so
 no command here can do harm: file access goes through the receiver, whose messages have checksums.
+
+A board whose program never comes back to its loop hears nothing; for a moment when its power comes on it does
+(`kitrobot_onboard.krboot`). So a board that said nothing is called without a pause, and whoever sent the command is
+told that a reset is wanted (`resets`).
 """
 
 from __future__ import annotations
+
+from collections.abc import Callable
 
 from kitrobot.deploy.errors import SilentError
 from kitrobot.deploy.line import MOST, Line
@@ -22,6 +28,11 @@ _ENTERING_S = 0.7
 
 _SILENT_S = 10.0
 _RESET_S = 5.0
+_MUTE_S = 3.0
+"""Without a byte for so long a board needs a reset."""
+_CALL_S = 0.1
+"""So often it is called then: less than the moment in which it hears that."""
+_INTO_RAW = b"\r\x03\x03\r\x01"
 
 
 class GarbledError(Exception):
@@ -31,8 +42,11 @@ class GarbledError(Exception):
 class RawRepl:
     """The raw REPL at the other end of a line."""
 
-    def __init__(self, line: Line) -> None:
+    def __init__(self, line: Line, resets: Callable[[], None] = lambda: None) -> None:
         self.line = line
+        self.resets = resets
+        """Is called once when the board needs a reset."""
+
         self.answered = False
         """Whether there ever was an answer."""
 
@@ -47,12 +61,19 @@ class RawRepl:
         """
         patience = Patience(self.line.now, _ENTERING_S, _SILENT_S, most_s=_SILENT_S)
         quiet_s = 0.1
+        heard = b""
         while wait := patience.wait():
             self.line.write(b"\r\x03\x03")
-            self.line.drain(quiet_s)
+            heard = heard or self.line.drain(quiet_s)
             self.line.write(b"\r\x01")
             quiet_s = min(2 * quiet_s, 0.5)
-            if not self._ends(_BANNER, wait):
+            if not heard and self.line.now() - patience.began > _MUTE_S:
+                self.resets()
+                found = self._called(patience)
+            else:
+                found = self.line.read_until(_BANNER, wait)
+            heard = heard or found
+            if not found.endswith(_BANNER):
                 continue
             self.answered = True
             patience.heard()
@@ -109,6 +130,16 @@ class RawRepl:
         self.line.drain(0.1)
         self.line.write(b"\r\x01")
         self._ends(_BANNER, max(2.0, 4 * self.pace_s))
+
+    def _called(self, patience: Patience) -> bytes:
+        """What a mute board says when it is called without a pause, until it says something or patience ends."""
+        while patience.left() > 0:
+            self.line.write(_INTO_RAW)
+            if found := self.line.read(_CALL_S):
+                self.line.drain(0.3)
+                self.line.write(_INTO_RAW)
+                return found + self.line.read_until(_BANNER, _ENTERING_S)
+        return b""
 
     def _was_reset(self, timeout_s: float) -> bool:
         """Whether the board says so, behind prompts that it gave before."""

@@ -17,6 +17,7 @@ REQUESTS = {
     "s": ("program", "start"),
     "C": ("commands",),
     "i": ("identify",),
+    "k": ("keep",),
 }
 """Request → scripts, in their order: a board skips those before, so requests that arrive while a program runs come
 first. `n` continues with C, and with s before it where that is needed; `w` with T. `m` is

@@ -246,7 +246,7 @@ export interface BoardPortsMessage {
 
 /** How far the sending is: `done` of `total` bytes. */
 export interface BoardProgress {
-  step: "connect" | "compare" | "send" | "start";
+  step: "connect" | "reset" | "compare" | "send" | "start";
   done: number;
   total: number;
 }

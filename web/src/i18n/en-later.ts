@@ -223,6 +223,7 @@ export const LATER_EN = {
   "boards.free": "{bytes} bytes free",
   "boards.other-program": "has another program",
   "boards.step-connect": "Connecting…",
+  "boards.step-reset": "It says nothing: press its reset button now",
   "boards.step-compare": "Looking what it has…",
   "boards.step-send": "Sending and reading back…",
   "boards.step-start": "Starting…",

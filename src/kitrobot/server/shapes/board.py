@@ -226,7 +226,7 @@ class BoardFaultShape(BaseModel):
     tick: int
 
 
-BoardStep = Literal["connect", "compare", "send", "start"]
+BoardStep = Literal["connect", "reset", "compare", "send", "start"]
 
 
 class BoardProgressShape(BaseModel):

@@ -1,0 +1,135 @@
+"""A driver that never returns: the board starts what it had before when its power comes on, or its prompt is free."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from threading import Event, Thread
+from typing import Any
+
+import pytest
+
+from kitrobot.deploy import Deployed, SilentError, connect, deploy, installing
+from kitrobot.deploy.boot_records import TRIAL
+from kitrobot.robots import BoardProgram
+from tests.boards.bench import ONE, OTHER, bench_program
+from tests.boards.qemu import Emulated
+from tests.boards.test_deploy import files_of, put, runs
+from tests.patience import PATIENCE_S
+
+FOREVER = "while True:\n            pass"
+HANGS = {
+    "while it is made": ("settings):\n        self", f"settings):\n        {FOREVER}\n        self"),
+    "at its first command": ("arguments):\n        pass", f"arguments):\n        {FOREVER}"),
+}
+
+
+def hanging_program(folder: Path, where: str) -> BoardProgram:
+    """A program one of whose drivers never comes back."""
+    program = bench_program(folder, OTHER, "hangs")
+    path = folder / "stores.driver.py"
+    before = path.read_text(encoding="utf-8")
+    path.write_text(before.replace(*HANGS[where]), encoding="utf-8")
+    assert path.read_text(encoding="utf-8") != before
+    return program
+
+
+def hangs(address: str, program: BoardProgram, monkeypatch: pytest.MonkeyPatch) -> str:
+    """Puts a program onto a board that hangs then; what is said of that."""
+    with monkeypatch.context() as patch:
+        patch.setattr(installing, "STARTING_S", 2.0)  # it never starts, however long it is waited for
+        with pytest.raises(SilentError) as error:
+            put(address, program)
+    return f"{error.value.message}; {error.value.help}"
+
+
+@pytest.mark.parametrize("where", HANGS)
+def test_a_driver_that_never_returns_costs_one_power_cut(
+    board: Any, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, where: str
+) -> None:
+    first = put(board.address, bench_program(tmp_path))
+    assert TRIAL not in files_of(board.address), "what did its first ticks is confirmed"
+    said = hangs(board.address, hanging_program(tmp_path, where), monkeypatch)
+    assert "a driver may never return" in said
+    assert "what it had before" in said
+    for _ in range(2):
+        board.cut_power()
+        assert runs(board.address) == first.program
+    second = put(board.address, bench_program(tmp_path, ONE, "mended"))
+    board.cut_power()
+    assert runs(board.address) == second.program
+    assert TRIAL not in files_of(board.address)
+
+
+def test_a_first_program_that_never_returns_leaves_the_prompt_after_one_power_cut(
+    board: Any, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    said = hangs(board.address, hanging_program(tmp_path, "while it is made"), monkeypatch)
+    assert "its prompt is free then" in said
+    board.cut_power()
+    done = put(board.address, bench_program(tmp_path, ONE, "mended"))
+    assert runs(board.address) == done.program
+
+
+LATE = """*[Run.IsTrue()](Count.Add(1); [Count.GreaterThan(20)](Wheel.Advance(20); )!(); WAIT(1); );"""
+
+
+def freed_by_its_prompt(board: Any, folder: Path) -> Deployed:
+    """Puts a program onto a board that hangs whenever it starts: its power is cut when that is asked for."""
+    asked = Event()
+    found: list[Deployed | BaseException] = []
+    program = bench_program(folder, ONE, "mended")
+
+    def progress(stage: str, done: int, total: int) -> None:
+        if stage == "reset":
+            asked.set()
+
+    def send() -> None:
+        try:
+            found.append(deploy(board.address, program.file.to_bytes(), program.package, progress))
+        except BaseException as error:
+            found.append(error)
+
+    thread = Thread(target=send)
+    thread.start()
+    assert asked.wait(PATIENCE_S)
+    board.cut_power()
+    thread.join()
+    assert isinstance(found[0], Deployed), found[0]
+    return found[0]
+
+
+def test_what_hangs_after_its_trial_is_taken_off_by_its_prompt_when_the_power_comes_on(
+    board: Any, tmp_path: Path
+) -> None:
+    confirmed_and_hanging(board, tmp_path)
+    done = freed_by_its_prompt(board, tmp_path)
+    assert runs(board.address) == done.program
+
+
+def confirmed_and_hanging(board: Any, folder: Path) -> None:
+    """Puts a program onto a board that is confirmed, and hangs at once from then on: as a sensor that was unplugged."""
+    program = bench_program(folder, OTHER, "hangs")
+    path = folder / "zero.driver.py"
+    path.write_text(
+        "import os\n\n\ndef make(settings):\n    while 'unplugged' in os.listdir():\n        pass\n    return lambda: 0\n"
+    )
+    put(board.address, program)
+    with connect(board.address, PATIENCE_S) as found:
+        found.quit()
+    from tests.boards.test_deploy import write
+
+    write(board.address, "unplugged", b"x")
+    board.cut_power()
+
+
+@pytest.mark.boards
+def test_on_a_micro_bit_of_2016_what_never_returns_costs_one_power_cut_and_its_prompt_is_reachable(
+    microbit: Emulated, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    first = put(microbit.address, bench_program(tmp_path))
+    hangs(microbit.address, hanging_program(tmp_path, "at its first command"), monkeypatch)
+    microbit.cut_power()
+    assert runs(microbit.address) == first.program
+    confirmed_and_hanging(microbit, tmp_path)
+    done = freed_by_its_prompt(microbit, tmp_path)
+    assert runs(microbit.address) == done.program
