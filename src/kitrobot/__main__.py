@@ -45,7 +45,7 @@ def run() -> None:
         SystemExit: always, with the status.
     """
     _hold_standard_streams()
-    usual = _end_at_once_with_ctrl_c()
+    usual = _end_at_once_with_ctrl_c(b"broken off\n")
     from kitrobot.cli import main
 
     try:
@@ -53,21 +53,22 @@ def run() -> None:
             _signal.signal(_signal.SIGINT, usual)
         main(studio=_open_studio, classroom=_open_class, first=_first_missions)
     except KeyboardInterrupt:
+        os.write(2, b"broken off\n")
         raise SystemExit(INTERRUPTED) from None
     finally:
         # What is left is Python's own end.
         _end_at_once_with_ctrl_c()
 
 
-def _end_at_once_with_ctrl_c() -> Any:
-    """Ctrl-C ends the process from now on, without a word: nothing is open. Gives what it did before; None where that
-    is not ours to change.
+def _end_at_once_with_ctrl_c(words: bytes = b"") -> Any:
+    """Ctrl-C ends the process from now on, with these words on standard error: nothing is open. Gives what it did
+    before; None where that is not ours to change.
     """
     usual = _signal.getsignal(_signal.SIGINT)
     if usual in (_signal.SIG_IGN, None):
         return None
     try:
-        _signal.signal(_signal.SIGINT, lambda *_: os._exit(INTERRUPTED))
+        _signal.signal(_signal.SIGINT, lambda *_: (os.write(2, words), os._exit(INTERRUPTED)))
     except ValueError:
         return None  # not in the main thread
     return usual

@@ -13,7 +13,7 @@ from kitrobot.deploy.boot_records import TRIAL
 from kitrobot.robots import BoardProgram
 from tests.boards.bench import ONE, OTHER, bench_program
 from tests.boards.qemu import Emulated
-from tests.boards.test_deploy import files_of, put, runs
+from tests.boards.test_deploy import files_of, put, runs, write
 from tests.patience import PATIENCE_S
 
 FOREVER = "while True:\n            pass"
@@ -47,6 +47,8 @@ def test_a_driver_that_never_returns_costs_one_power_cut(
     board: Any, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, where: str
 ) -> None:
     first = put(board.address, bench_program(tmp_path))
+    with connect(board.address, PATIENCE_S) as found:
+        found.keep()  # it is answered also when there is nothing on trial
     assert TRIAL not in files_of(board.address), "what did its first ticks is confirmed"
     said = hangs(board.address, hanging_program(tmp_path, where), monkeypatch)
     assert "a driver may never return" in said
@@ -68,9 +70,6 @@ def test_a_first_program_that_never_returns_leaves_the_prompt_after_one_power_cu
     board.cut_power()
     done = put(board.address, bench_program(tmp_path, ONE, "mended"))
     assert runs(board.address) == done.program
-
-
-LATE = """*[Run.IsTrue()](Count.Add(1); [Count.GreaterThan(20)](Wheel.Advance(20); )!(); WAIT(1); );"""
 
 
 def freed_by_its_prompt(board: Any, folder: Path) -> Deployed:
@@ -116,8 +115,6 @@ def confirmed_and_hanging(board: Any, folder: Path) -> None:
     put(board.address, program)
     with connect(board.address, PATIENCE_S) as found:
         found.quit()
-    from tests.boards.test_deploy import write
-
     write(board.address, "unplugged", b"x")
     board.cut_power()
 
@@ -127,6 +124,8 @@ def test_on_a_micro_bit_of_2016_what_never_returns_costs_one_power_cut_and_its_p
     microbit: Emulated, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     first = put(microbit.address, bench_program(tmp_path))
+    with connect(microbit.address, PATIENCE_S) as found:
+        found.keep()
     hangs(microbit.address, hanging_program(tmp_path, "at its first command"), monkeypatch)
     microbit.cut_power()
     assert runs(microbit.address) == first.program

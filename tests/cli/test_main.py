@@ -86,13 +86,13 @@ def test_the_version_is_said(kitrobot):
     assert kitrobot("--version").out == f"kitrobot {package.__version__}\n"
 
 
-def test_ctrl_c_ends_without_a_word(kitrobot, program, monkeypatch):
+def test_ctrl_c_ends_with_one_line(kitrobot, program, monkeypatch):
     def interrupted(*arguments: object) -> None:
         raise KeyboardInterrupt
 
     monkeypatch.setattr(format, "_format", interrupted)
     said = kitrobot("format", program)
-    assert (said.status, said.out, said.err) == (130, "", "")
+    assert (said.status, said.out, said.err) == (130, "", "broken off\n")
 
 
 @pytest.mark.parametrize("error", [ZeroDivisionError("x"), RecursionError(), MemoryError(), AssertionError("no")])

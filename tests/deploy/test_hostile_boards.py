@@ -16,12 +16,15 @@ from kitrobot.deploy.boot_records import read_line
 from kitrobot.deploy.connecting import greet
 from kitrobot.deploy.flash import Flash
 from kitrobot.deploy.line import MOST
-from kitrobot.deploy.repl import RawRepl
+from kitrobot.deploy.modern import tell_at_once
+from kitrobot.deploy.repl import GarbledError, RawRepl
 from kitrobot.diagnostics import KitRobotError
 from kitrobot_onboard.link import unwrap, wrap
 from tests.deploy.pretended import Answers, PretendedLine, PretendedRobot
 
 NEVER_LONGER_S = 150
+FOR_EVER_S = 240
+"""Who talks for ever is given up by then; many steps, each of them given up, are behind the longest of it."""
 FRAMES = st.tuples(
     st.sampled_from("DDDEKNHCFTxd"),
     st.one_of(
@@ -171,3 +174,52 @@ def test_a_prompt_means_that_the_board_restarted_and_is_noticed_at_once() -> Non
     with pytest.raises(ResetError):
         in_touch(line).names()
     assert line.time < 1
+
+
+class Talker(PretendedLine):
+    """One that says the same for ever, a moment after the other."""
+
+    def __init__(self, words: bytes) -> None:
+        super().__init__(lambda data: ())
+        self.words = words
+
+    def read(self, timeout_s: float) -> bytes:
+        self.time += 0.003
+        assert self.time < FOR_EVER_S, f"still listening to {self.words!r}"
+        return self.words
+
+    def waiting(self) -> int:
+        return len(self.words)
+
+
+WAITING: dict[str, Callable[[Line], object]] = {
+    "greet": lambda line: greet(Board(line)),
+    "ask": lambda line: Board(line).greet(),
+    "enter": lambda line: RawRepl(line).enter(),
+    "begin": lambda line: Receiver(RawRepl(line)).begin(),
+    "value": lambda line: Receiver(RawRepl(line)).value("1"),
+    "tell": lambda line: tell_at_once(line, "s=1"),
+    "release": lambda line: RawRepl(line).release(),
+}
+BANNER = b"raw REPL; CTRL-B to exit\r\n>"
+
+
+@pytest.mark.parametrize("wait", WAITING.values(), ids=WAITING)
+@pytest.mark.parametrize(
+    "words",
+    [
+        b"x",
+        b">>> ",
+        b"\r\n>>> ",
+        BANNER,
+        b"\x01",
+        b"OK\x04\x04>",
+        b"~~~",
+        b"\x04>",
+        b"reboot " + BANNER + b"OK1\x04\x04>",
+    ]
+    + [wrap("K", 0, b""), wrap("H", 7, b"\1"), wrap("T", 0, b"aaaa"), wrap("K", 0, b"") + b"reboot " + BANNER],
+)
+def test_who_talks_for_ever_is_not_listened_to_for_ever(wait: Callable[[Line], object], words: bytes) -> None:
+    with contextlib.suppress(KitRobotError, GarbledError):
+        wait(Talker(words))

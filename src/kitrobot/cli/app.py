@@ -78,6 +78,11 @@ LASTING: Final = ("studio", "class")
 # Typer brings its own Click, whose errors it does not name.
 _ClickError: Any = next(base for base in typer.BadParameter.__mro__ if base.__name__ == "ClickException")
 
+
+class _InterruptedError(Exception):
+    """Ctrl-C, with what is to be said of it."""
+
+
 app = typer.Typer(
     name="kitrobot",
     no_args_is_help=False,
@@ -150,8 +155,7 @@ def main(
     given = [_in_one_form(one) for one in (sys.argv[1:] if arguments is None else arguments)]
     words = with_moments(_with_command(given))
     failed = TROUBLE.get(words[0], FAILED)
-    reading = nullcontext() if words[0] in LASTING else recording_reads()
-    with standard_streams(), _termination(), reading:
+    with standard_streams(), _termination(), nullcontext() if words[0] in LASTING else recording_reads():
         status = _status(lambda: _obey(words, {"class": classroom, "site": first}.get(words[0], studio)), failed)
         if status not in (0, INTERRUPTED, NOBODY_READS) and _wants_json(given):
             status = _status(lambda: _give_failure(status), failed) or status
@@ -181,7 +185,8 @@ def _status(act: Callable[[], int], failed: int) -> int:
     except KitRobotError as error:
         complain(error)
         return failed
-    except KeyboardInterrupt:
+    except (KeyboardInterrupt, _InterruptedError) as error:
+        tell(str(error) or "broken off")
         return INTERRUPTED
     except (BrokenPipeError, NobodyReadsError):
         _stop_talking()
@@ -203,7 +208,17 @@ def _command(name: str) -> Any:
     """The command of that name as Typer's Click has it; all of them, which takes much longer, where none has it."""
     made = copy(app)
     made.registered_commands = [one for one in app.registered_commands if one.name == name] or app.registered_commands
-    return typer.main.get_command(made)
+    command: Any = typer.main.get_command(made)
+    invoke = command.invoke
+
+    def invoke_interruptibly(context: Any) -> Any:
+        try:
+            return invoke(context)
+        except KeyboardInterrupt as error:  # of which Typer would make a status without a word
+            raise _InterruptedError(*error.args) from None
+
+    command.invoke = invoke_interruptibly
+    return command
 
 
 def _obey(arguments: list[str], door: Studio | Classroom | FirstMissions | None) -> int:

@@ -11,8 +11,7 @@ from kitrobot.cli.bench import Port, Replace, robot_address, send_progress
 from kitrobot.cli.dialogue import Dialogue
 from kitrobot.cli.output import clean, give, json_text, show, tell
 from kitrobot.cli.watch import Board
-from kitrobot.diagnostics import KitRobotError
-from kitrobot.text import Sentence, number_form
+from kitrobot.text import number_form
 
 if TYPE_CHECKING:
     from kitrobot.primitives import Kit

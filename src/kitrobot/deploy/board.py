@@ -20,7 +20,7 @@ from types import TracebackType
 from kitrobot.deploy.errors import DeployError, NoMemoryError
 from kitrobot.deploy.line import Line
 from kitrobot.deploy.news import Fault, News, Text, printable, read_fault, read_news
-from kitrobot.deploy.patience import ANSWER_S, MOST_SILENT_S, PAUSE_S, SILENT_S, Patience
+from kitrobot.deploy.patience import ANSWER_S, LONGEST_S, MOST_SILENT_S, PAUSE_S, SILENT_S, Patience
 from kitrobot.deploy.refusals import another_version, not_understood, refusal, silent
 from kitrobot.text import Sentence
 from kitrobot_onboard import link
@@ -28,6 +28,7 @@ from kitrobot_onboard import link
 _HOLD_S = 0.25
 """In a held run the board hears from us at least so often; it gives up after 0.8 seconds."""
 
+_FAREWELL_S = 1.0
 _SLICE_S = 0.05
 _FRESH_S = 1.0
 """A robot that is watched and runs tells how it goes; what is older than that, or than two periods, is asked for."""
@@ -87,6 +88,7 @@ class Board:
         self.hello = Hello(link.PROTOCOL, 0, 0, 0, 0, 0, 0, "-", "-")
         self.arguments: list[int] = []
         self.silent_s = 0.0
+        self.longest_s = LONGEST_S
         self._lock = RLock()
         self._number = random.randrange(1, 256)
         self._heard = b""
@@ -111,6 +113,10 @@ class Board:
     def close(self) -> None:
         """Lets go of the line; the program on the board goes on, unless it is held."""
         self.line.close()
+
+    def hurry(self) -> None:
+        """From now on an answer is waited for no longer than a second: what follows is a farewell."""
+        self.silent_s = self.longest_s = _FAREWELL_S
 
     def greet(self) -> Hello:
         """Asks a robot that runs how it is; keeps the answer as `hello`.
@@ -287,7 +293,7 @@ class Board:
                 (ANSWER_S, ANSWER_S) if self._held else (max(first_s, min(2 * self._took, PAUSE_S)), PAUSE_S)
             )
             silent_s = self.silent_s or max(SILENT_S, min(4 * self._took, MOST_SILENT_S))
-            patience = Patience(self.line.now, first_s, silent_s, most_s=most_s)
+            patience = Patience(self.line.now, first_s, silent_s, self.longest_s, most_s)
             while wait := patience.wait():
                 self.ask(kind, payload)
                 answer = self.answer(wait, patience)

@@ -54,7 +54,7 @@ IN_FLASH = {
 }
 """Families whose boards run the loop from flash, with the modules that they compile together."""
 
-_COMPOUND = re.compile(r"(if|for|def|while|try|with|class) ")
+_COMPOUND = re.compile(r"(if|for|def|while|try|with|class)\b")
 
 _NOT_CARRIED = ("__init__.py", "arrays.py", "flash.py", "image.py", "receiver.py")
 """Modules of `kitrobot_onboard` that share no names with the others on a board."""

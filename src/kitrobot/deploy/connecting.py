@@ -7,6 +7,7 @@ and Ctrl-C is sent only to a board that has answered in raw paste mode, where an
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from threading import Event
 
 from kitrobot.deploy.board import Board, Hello
 from kitrobot.deploy.errors import SilentError
@@ -43,20 +44,22 @@ def _nothing() -> None:
     """Nobody wants to know."""
 
 
-def connect(address: str, silent_s: float = SILENT_S, waits: Waits = _nothing) -> Board:
+def connect(address: str, silent_s: float = SILENT_S, waits: Waits = _nothing, over: Event | None = None) -> Board:
     """Connects to a board that runs KitRobot; one that stands at its Python prompt is started first.
 
     Args:
         address: a port or URL.
         silent_s: seconds without a word after which nobody is there.
         waits: is told when it takes a while.
+        over: once it is set, nothing is waited for any more, also later on this board.
 
     Raises:
+        BrokenOffError: `over` was set.
         LineError: the line cannot be opened.
         SilentError: nobody answers that we understand.
         BoardError: the board speaks another version.
     """
-    line = Line(address)
+    line = Line(address, over)
     try:
         board = Board(line)
         greet(board, silent_s, waits)
@@ -134,8 +137,8 @@ class _Greeting:
                     raise refusal(answer)
                 else:
                     self._stop_receiving()
-                if left <= 0:
-                    break
+                if left <= 0 or self.patience.left() <= 0:
+                    break  # who talks for ever is listened to no longer
         raise self._nobody()
 
     def _say(self, data: bytes, wait_s: float = ANSWER_S) -> None:

@@ -13,6 +13,10 @@ class LineError(DeployError):
     """The line to the board cannot be opened, or broke."""
 
 
+class BrokenOffError(KitRobotError):
+    """Whoever waited for a board waits no more. No DeployError: nothing is tried again, and nothing undone."""
+
+
 class SilentError(DeployError):
     """Nobody answers on the line, or nobody that we understand; `printed` is what was heard instead."""
 

@@ -13,7 +13,9 @@ from __future__ import annotations
 
 import time
 from collections.abc import Callable, Mapping
+from contextlib import suppress
 from dataclasses import dataclass, field
+from threading import Event
 
 from kitrobot.deploy.board import Board, Hello
 from kitrobot.deploy.boot_records import (
@@ -33,6 +35,7 @@ from kitrobot.deploy.connecting import STARTS, greet
 from kitrobot.deploy.errors import (
     BoardError,
     CrampedError,
+    DeployError,
     ForeignError,
     FullError,
     LineError,
@@ -104,6 +107,7 @@ def deploy(
     fresh: bool = False,
     needs: Needs | None = None,
     named: Callable[[str], str] = str,
+    over: Event | None = None,
 ) -> Deployed:
     """Puts a program onto a board and starts it.
 
@@ -116,8 +120,10 @@ def deploy(
         fresh: whether to remove what KitRobot put there first; for boards that have no room for two.
         needs: the firmware without which it is not sent.
         named: a fault's text with the name of the part in the place of its number.
+        over: once it is set, the board is left with what it had.
 
     Raises:
+        BrokenOffError: `over` was set.
         LineError, SilentError: the board cannot be reached.
         PackageError: a driver is missing or is no Python.
         BoardError: the board refuses, is full, or did not start it; then it starts what it had before.
@@ -125,11 +131,18 @@ def deploy(
     meant = read_program_file(program)
     began = time.monotonic()
     progress("connect", 0, 0)
-    line = Line(address)
+    line = Line(address, over)
     try:
         job = _Job(line, meant, package, progress, replace, fresh, needs, named)
         job.insist(job.install)
         hello = job.started()
+    except DeployError:
+        raise
+    except BaseException:  # somebody wants no more of it
+        line.over = None
+        with suppress(LineError):
+            RawRepl(line).release()
+        raise
     finally:
         line.close()
     sent = job.sent

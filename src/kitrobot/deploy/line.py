@@ -14,9 +14,10 @@ import select
 import socket
 import time
 from collections.abc import Callable
+from threading import Event
 from typing import Any
 
-from kitrobot.deploy.errors import LineError
+from kitrobot.deploy.errors import BrokenOffError, LineError
 from kitrobot.text import Help, Sentence, Word
 
 BAUD = 115200
@@ -26,6 +27,11 @@ _SLICE_S = 0.02
 _AT_ONCE = 4096
 MOST = 256 * 1024
 """Bytes that are waited through at most: as much as the flash of a small board."""
+
+LATE_READS = 64
+"""How often something is read still when the time is over: what had come before a late look, and not all that a board
+says that talks for ever.
+"""
 
 _WRITE_S = 10.0
 _SILICON_LABS = 0x10C4
@@ -49,13 +55,17 @@ class Line:
 
     Args:
         address: a serial port (`/dev/ttyACM0`, `COM3`), or a pyserial URL (`socket://127.0.0.1:4000`).
+        over: once it is set, nothing is waited for any more: reading and writing raise a BrokenOffError.
 
     Raises:
         LineError: it cannot be opened.
     """
 
-    def __init__(self, address: str) -> None:
+    over: Event | None = None
+
+    def __init__(self, address: str, over: Event | None = None) -> None:
         self.address = address
+        self.over = over
         try:
             self.port = _opened(address)
         except Trouble as error:
@@ -73,6 +83,7 @@ class Line:
         until = self.now() + timeout_s
         try:
             while True:
+                self._refuse_when_over()
                 data = self._come() if self._wire is None else self._received(self._wire)
                 if data or self.now() >= until:
                     return data
@@ -104,6 +115,7 @@ class Line:
 
     def write(self, data: bytes) -> None:
         """Sends bytes."""
+        self._refuse_when_over()
         try:
             self.port.write(data)
             self.port.flush()
@@ -113,12 +125,14 @@ class Line:
     def read_until(self, end: bytes, timeout_s: float) -> bytes:
         """What came up to `end`, or all that came in that time; what came after `end` in the same breath is dropped.
 
-        Who sends for ever is listened to no longer than `MOST` bytes.
+        Who sends for ever is listened to no longer than `MOST` bytes, and than `LATE_READS`.
         """
         until = self.now() + timeout_s
         data = bytearray()
-        while len(data) < MOST:
+        late = 0
+        while len(data) < MOST and late < LATE_READS:
             left = until - self.now()
+            late += left <= 0
             piece = self.read(max(left, 0.0))  # what is there is taken, however late we come
             looked = max(0, len(data) - len(end))
             data += piece
@@ -153,6 +167,10 @@ class Line:
             return
         with contextlib.suppress(*Trouble):
             self.port.close()
+
+    def _refuse_when_over(self) -> None:
+        if self.over is not None and self.over.is_set():
+            raise BrokenOffError(Sentence("it was broken off"))
 
     def _broken(self, error: BaseException) -> LineError:
         return LineError(

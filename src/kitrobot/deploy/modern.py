@@ -16,6 +16,8 @@ _PATIENCE_S = 2.0
 """Silence after which something was lost; the text is told in another way then."""
 
 _PACES = 10
+_MOST = 16_000
+"""Bytes of an answer, at most: who talks for ever says more."""
 
 
 def tell_at_once(line: Line, text: str, pace_s: float = 0.0) -> None:
@@ -75,7 +77,7 @@ class _Patient:
     def read_until(self, end: bytes) -> bytes:
         """What comes up to `end`, or all that came before a silence."""
         data = b""
-        while not data.endswith(end) and (byte := self.read(1)):
+        while not data.endswith(end) and len(data) < _MOST and (byte := self.read(1)):
             data += byte
         return data
 

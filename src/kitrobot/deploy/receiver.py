@@ -12,7 +12,7 @@ from collections.abc import Callable
 from itertools import cycle
 
 from kitrobot.deploy.errors import BoardError, CrampedError, FullError, ResetError, SilentError
-from kitrobot.deploy.line import MOST, Line
+from kitrobot.deploy.line import LATE_READS, MOST, Line
 from kitrobot.deploy.modern import tell_at_once
 from kitrobot.deploy.patience import Patience
 from kitrobot.deploy.receiver_text import laid_down, pieces_of, texts
@@ -318,6 +318,7 @@ class Receiver:
             ResetError: the board stands at a prompt.
         """
         until = self.line.now() + timeout_s
+        late = 0
         while True:
             *whole, self._heard = self._heard.split(b"~")
             for position, piece in enumerate(whole):
@@ -335,7 +336,8 @@ class Receiver:
             left = until - self.line.now()
             piece = self.line.read(max(left, 0.0))  # what is there is taken, however late we come
             self._heard += piece
-            if left <= 0 and not piece:
+            late += left <= 0
+            if (left <= 0 and not piece) or late > LATE_READS:
                 return None
 
     def _reset(self) -> ResetError:

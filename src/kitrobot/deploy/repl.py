@@ -28,6 +28,7 @@ _ENTERING_S = 0.7
 
 _SILENT_S = 10.0
 _RESET_S = 5.0
+_RELEASE_S = 0.2
 _MUTE_S = 3.0
 """Without a byte for so long a board needs a reset."""
 _CALL_S = 0.1
@@ -122,6 +123,13 @@ class RawRepl:
         """Restarts the board's Python, which starts `main.py`."""
         self.line.write(b"\r\x02")
         self.line.read_until(b">>> ", 1)
+        self.line.write(b"\x04")
+
+    def release(self) -> None:
+        """Leaves the board as after a reset, whatever was half said and whatever it does; without waiting for answers."""
+        for word in (b"\r\x03\x03", b"\r\x02"):
+            self.line.write(word)
+            self.line.drain(_RELEASE_S, _RELEASE_S)
         self.line.write(b"\x04")
 
     def again(self) -> None:

@@ -40,5 +40,8 @@ class Link(Protocol):
     def news(self, timeout: float) -> News | Fault | Text | None:
         """What it sent unrequested; None when that is nothing."""
 
+    def hurry(self) -> None:
+        """From now on nothing is waited for long."""
+
     def close(self) -> None:
         """Ends the link; the robot goes on, unless it is held."""

@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
-from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
+from queue import Empty, SimpleQueue
+from threading import Event, Thread
+from time import monotonic
 from typing import TypeVar
 
 from kitrobot.deploy import Board, Deployed, DeployError, Hello, Port, connect, deploy, list_ports
@@ -13,6 +15,10 @@ from kitrobot.robots.program import BoardProgram
 from kitrobot.text import COMMA, Sentence, Series
 
 _MOST_AT_ONCE = 32
+_FAREWELL_S = 2.0
+"""How long boards are waited for, when they are to be left as they were, after Ctrl-C."""
+_LOOK_S = 0.1
+"""How often Ctrl-C is looked for where nothing interrupts a wait (Windows)."""
 
 Given = TypeVar("Given")
 Made = TypeVar("Made")
@@ -99,9 +105,13 @@ def send_programs(
     replace: bool = False,
     fresh: bool = False,
 ) -> list[Sent]:
-    """The same with a program for each address."""
+    """The same with a program for each address.
 
-    def send(address: str) -> Sent:
+    Raises:
+        KeyboardInterrupt: Ctrl-C; the boards that were not done are left with what they had.
+    """
+
+    def send(address: str, over: Event) -> Sent:
         program = programs[address]
 
         def told(stage: str, done: int, total: int) -> None:
@@ -119,13 +129,17 @@ def send_programs(
                     fresh=fresh,
                     needs=program.needs,
                     named=program.names.fault_text,
+                    over=over,
                 ),
                 None,
             )
         except KitRobotError as error:
             return Sent(address, None, error)
 
-    return _at_once(send, list(programs))
+    try:
+        return _at_once(send, list(programs))
+    except KeyboardInterrupt:
+        raise KeyboardInterrupt(Sentence("broken off: a board that was not done keeps what it had")) from None
 
 
 def look_at_boards(
@@ -137,9 +151,9 @@ def look_at_boards(
     """
     ports = [Port(address, "", "") for address in addresses] if addresses else list_ports()
 
-    def look(port: Port) -> Seen:
+    def look(port: Port, over: Event) -> Seen:
         try:
-            with connect(port.address, waits=lambda: waits(port.address)) as board:
+            with connect(port.address, waits=lambda: waits(port.address), over=over) as board:
                 return Seen(port, board.hello, name_of(board.hello.program), None)
         except DeployError as error:
             return Seen(port, None, "", error)
@@ -152,9 +166,9 @@ def at_boards(
 ) -> list[tuple[str, KitRobotError | None]]:
     """Does something with each robot, all at once; what went wrong with which. `waits` as for `look_at_boards`."""
 
-    def one(address: str) -> tuple[str, KitRobotError | None]:
+    def one(address: str, over: Event) -> tuple[str, KitRobotError | None]:
         try:
-            with connect(address, waits=lambda: waits(address)) as board:
+            with connect(address, waits=lambda: waits(address), over=over) as board:
                 act(board)
         except DeployError as error:
             return address, error
@@ -163,8 +177,50 @@ def at_boards(
     return _at_once(one, addresses)
 
 
-def _at_once(make: Callable[[Given], Made], given: Sequence[Given]) -> list[Made]:
-    if not given:
-        return []
-    with ThreadPoolExecutor(min(len(given), _MOST_AT_ONCE)) as threads:
-        return list(threads.map(make, given))
+def _at_once(make: Callable[[Given, Event], Made], given: Sequence[Given]) -> list[Made]:
+    """What is made of each, in threads; the event that is handed on is set when nobody waits for it any more."""
+    made: dict[int, Made] = {}
+    failed: list[BaseException] = []
+    over = Event()
+    left: SimpleQueue[int] = SimpleQueue()
+    for number in range(len(given)):
+        left.put(number)
+    ended: SimpleQueue[None] = SimpleQueue()
+
+    def work() -> None:
+        try:
+            while not over.is_set():
+                number = left.get_nowait()
+                made[number] = make(given[number], over)
+        except Empty:
+            pass
+        except BaseException as error:
+            failed.append(error)
+        finally:
+            ended.put(None)
+
+    count = min(len(given), _MOST_AT_ONCE)
+    for _ in range(count):
+        # A daemon: one that opens an address far away hears of Ctrl-C late, and the command does not wait for it.
+        Thread(target=work, daemon=True).start()
+    try:
+        # Not by joining: a join that Ctrl-C interrupts takes the thread for ended.
+        while count:
+            count -= _has_come(ended, _LOOK_S)
+    except BaseException:
+        over.set()
+        until = monotonic() + _FAREWELL_S
+        while count and (wait := until - monotonic()) > 0:
+            count -= _has_come(ended, wait)
+        raise
+    if failed:
+        raise failed[0]
+    return [made[number] for number in range(len(given))]
+
+
+def _has_come(queue: SimpleQueue[None], timeout_s: float) -> bool:
+    try:
+        queue.get(timeout=timeout_s)
+    except Empty:
+        return False
+    return True

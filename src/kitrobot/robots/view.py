@@ -92,6 +92,7 @@ class WatchedRobot:
 
     def end(self) -> None:
         """Watches no more."""
+        self._link.hurry()
         with suppress(KitRobotError):
             self.session.watch(0)
 

@@ -191,6 +191,8 @@ class BenchRun:
         """Stops the robot and lets go of it."""
         session = self._hand.session
         if session.is_open:
+            # One that does not answer is held, and stops by itself.
+            session.link.hurry()
             with suppress(KitRobotError):
                 session.stop()
             session.close()
