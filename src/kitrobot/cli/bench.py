@@ -13,6 +13,7 @@ from kitrobot.cli.language import Language, in_words
 from kitrobot.cli.output import clean, complain, error_object, give, json_text, tell
 from kitrobot.cli.watch import Board
 from kitrobot.diagnostics import KitRobotError
+from kitrobot.text import Sentence
 
 if TYPE_CHECKING:
     from kitrobot.workspace.bench import Bench, BenchStep
@@ -88,7 +89,7 @@ def try_parts(
             if by_keys:
                 _by_keys(run, bench)
                 return
-            rows = [_tried(run, step, seconds) for step in bench.steps]
+            rows = _tried_steps(run, bench, seconds)
         if as_json:
             give(json_text(rows, 2) + "\n")
         else:
@@ -120,23 +121,45 @@ def send_progress() -> Any:
     return progress
 
 
-def _tried(run: BenchRun, step: BenchStep, seconds: float) -> dict[str, Any]:
-    """One step, done for so long, and what came of it."""
+def _tried_steps(run: BenchRun, bench: Bench, seconds: float) -> list[dict[str, Any]]:
+    """What came of every step; once the board is gone, the rest is not tried.
+
+    Raises:
+        KitRobotError: nothing could be tried.
+    """
+    from kitrobot.workspace.bench_run import OF_THE_BOARD
+
+    rows: list[dict[str, Any]] = []
+    gone: KitRobotError | None = None
+    for step in bench.steps:
+        row, error = _tried(run, step, seconds, gone)
+        if isinstance(error, OF_THE_BOARD) and gone is None:
+            if not rows:
+                raise error
+            gone = KitRobotError(Sentence("not tried: {reason}", error.message), error.help)
+        rows.append(row)
+    return rows
+
+
+def _tried(
+    run: BenchRun, step: BenchStep, seconds: float, gone: KitRobotError | None
+) -> tuple[dict[str, Any], KitRobotError | None]:
+    """One step, done for so long, and what came of it; `gone`: why it cannot be done any more."""
     from kitrobot.primitives import reading
     from kitrobot.translation import said
-    from kitrobot.workspace.bench_loading import PartError
 
     values: list[int] = []
-    error: KitRobotError | None = None
+    error = gone
     slow = False
     try:
-        run.begin(step)
-        values = run.watch(seconds)
-        slow = run.is_slow
-        run.end()
-    except PartError as found:
+        if error is None:
+            run.begin(step)
+            values = run.watch(seconds)
+            slow = run.is_slow
+            run.end()
+    except KitRobotError as found:
         error = found
-    return {
+    row = {
         "part": step.part.name,
         "category": step.part.category.value,
         "call": step.call,
@@ -149,6 +172,7 @@ def _tried(run: BenchRun, step: BenchStep, seconds: float) -> dict[str, Any]:
         "slow": slow,
         "error": error_object(error) if error is not None else None,
     }
+    return row, error
 
 
 def _table(rows: list[dict[str, Any]], bench: Bench) -> None:
@@ -185,7 +209,7 @@ def _by_keys(run: BenchRun, bench: Bench) -> None:
     from kitrobot.cli.keys import ESCAPE, pressed_keys
     from kitrobot.primitives import reading
     from kitrobot.translation import said
-    from kitrobot.workspace.bench_loading import PartError
+    from kitrobot.workspace.bench_run import OF_THE_BOARD
 
     tell(_HELP)
     for part, why in bench.left_out:
@@ -220,7 +244,9 @@ def _by_keys(run: BenchRun, bench: Bench) -> None:
                     else:
                         run.begin(bench.steps[at])
                     going = not going
-            except PartError as error:
+            except OF_THE_BOARD:
+                raise
+            except KitRobotError as error:
                 _line("")
                 complain(error)
                 going = False

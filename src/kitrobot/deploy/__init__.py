@@ -4,7 +4,9 @@ from kitrobot.deploy.board import Board, Hello, Step
 from kitrobot.deploy.connecting import connect
 from kitrobot.deploy.errors import (
     BoardError,
+    BrokenOffError,
     DeployError,
+    FirmwareError,
     ForeignError,
     FullError,
     LineError,
@@ -34,9 +36,11 @@ __all__ = [
     "OWN_SUFFIX",
     "Board",
     "BoardError",
+    "BrokenOffError",
     "DeployError",
     "Deployed",
     "Fault",
+    "FirmwareError",
     "ForeignError",
     "FullError",
     "Hello",

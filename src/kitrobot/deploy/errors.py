@@ -47,6 +47,10 @@ class ForeignError(BoardError):
     """The board holds somebody else's program, which is not overwritten unasked."""
 
 
+class FirmwareError(BoardError):
+    """The board has a MicroPython that is too old, or for another kind of board."""
+
+
 class FullError(BoardError):
     """There is no room on the board for the new beside the old."""
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from kitrobot.deploy.errors import BoardError
+from kitrobot.deploy.errors import FirmwareError
 from kitrobot.text import Sentence
 
 EVERYWHERE = "https://micropython.org/download/"
@@ -31,10 +31,10 @@ class Needs:
     href: str = ""
 
     def refuse_older(self, version: str) -> None:
-        """Raises a BoardError when a board's version is older than that."""
+        """Raises a FirmwareError when a board's version is older than that."""
         if not self.least or not version or _order(version) >= _order(self.least):
             return
-        raise BoardError(
+        raise FirmwareError(
             Sentence(
                 "the board has MicroPython {version}, and the kit `{kit}` needs {least} or later",
                 version,

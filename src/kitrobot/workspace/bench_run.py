@@ -13,7 +13,7 @@ from collections.abc import Callable
 from contextlib import suppress
 from types import TracebackType
 
-from kitrobot.deploy import DeployError, LineError, News, SilentError, connect
+from kitrobot.deploy import DeployError, FirmwareError, ForeignError, LineError, News, SilentError, connect
 from kitrobot.diagnostics import KitRobotError
 from kitrobot.primitives import Category
 from kitrobot.robots import BoardProgram, RobotSession
@@ -37,6 +37,9 @@ _FEW_TICKS = 10
 
 Progress = Callable[[str, int, int], None]
 """Is told what is done now, and how many bytes of how many."""
+
+OF_THE_BOARD = (LineError, SilentError, ForeignError, FirmwareError)
+"""What no other part would fare better with."""
 
 
 class BenchHand:
@@ -201,13 +204,20 @@ class BenchRun:
         """Does a step until `end`; of a sensor, looks at it.
 
         Raises:
-            PartError: the part is broken.
+            PartError: the part is broken, or the board cannot take the program that tries it.
             KitRobotError: the robot does not answer, or holds somebody else's program.
         """
         if step.key in self.broken:
             raise self.broken[step.key]
         if step.key not in self._hand.parts or not self._hand.session.is_open:
-            self._load(step)
+            try:
+                self._load(step)
+            except (PartError, *OF_THE_BOARD):
+                raise
+            except KitRobotError as error:
+                why = Sentence("`{part}` cannot be tried: {reason}", step.key[1], error.message)
+                self.broken[step.key] = PartError(why, error.help, error.diagnostics, part=step.key)
+                raise self.broken[step.key] from error
         self._hand.begin(step)
 
     def end(self) -> None:

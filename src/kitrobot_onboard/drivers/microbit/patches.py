@@ -2,8 +2,7 @@
 # and `blue` say the number that each of them stands for. One that is seen in `steady` readings one after the other
 # counts, so that the edge of a patch does not; until the next one, and on a colour without a number, the number stays.
 
-from kitrobot_onboard.drivers.any.shared.colours import Patches
-from kitrobot_onboard.drivers.microbit.tcs34725 import make as sensor
+from kitrobot_onboard.drivers.microbit.shared.colours import Colour
 
 SETTINGS = {
     "margin": "1..200 = 25",
@@ -16,4 +15,4 @@ SETTINGS = {
 
 
 def make(settings):
-    return Patches(settings, sensor)
+    return Colour(settings, True)
