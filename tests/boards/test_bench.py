@@ -12,18 +12,20 @@ import sys
 import threading
 from collections.abc import Iterator
 from contextlib import redirect_stderr, redirect_stdout, suppress
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
 import pytest
 
 from kitrobot.cli import main
-from kitrobot.deploy import Board, Fault, FullError, NoMemoryError, connect
+from kitrobot.deploy import Board, Fault, FullError, LineError, NoMemoryError, connect
 from kitrobot.primitives import load_catalogue, read_kit
 from kitrobot.primitives.catalogue import SHIPPED
 from kitrobot.robots import BoardProgram, RobotSession
 from kitrobot.text import Sentence
-from kitrobot.workspace.bench import PartKey, bench_of
+from kitrobot.workspace import bench_run
+from kitrobot.workspace.bench import Bench, PartKey, bench_of
 from kitrobot.workspace.bench_loading import PartError, load_parts
 from kitrobot.workspace.bench_run import BenchRun
 from kitrobot.workspace.calibration import bench_robot
@@ -32,6 +34,7 @@ from tests.boards.modern import ModernBoard, onboard_files
 from tests.boards.qemu import Emulated
 from tests.boards.test_modern_robot import pins_told
 from tests.patience import PATIENCE_S
+from tools.microbit_kits import small_kits
 
 MOTORS = (2, 3, 4, 5)
 MOMENT = ("--json", "--seconds", "0.7")
@@ -329,3 +332,58 @@ def test_a_micro_bit_of_2016_gets_its_parts_in_as_many_programs_as_it_needs(
     assert rows["Display.Image(0)"]["seen"] == "The display shows a picture."
     assert rows["ButtonA"]["values"] == [0]
     assert err.splitlines().count("starting") > 1, err
+
+
+@pytest.mark.thorough(
+    "test_drivers_of_2016.test_a_driver_of_a_micro_bit_calls_no_function_that_calls_another, without a board; "
+    "test_a_part_whose_program_has_no_room_is_a_row_and_the_rest_goes_on"
+)
+@pytest.mark.parametrize("name", sorted(small_kits()))
+def test_a_micro_bit_of_2016_runs_every_part_that_a_kit_claims(microbit: Emulated, name: str) -> None:
+    with redirect_stderr(io.StringIO()), redirect_stdout(io.StringIO()) as out, pytest.raises(SystemExit):
+        main(["bench", "--to", microbit.address, "--board", name, "--json", "--seconds", "0.3"])
+    rows = json.loads(out.getvalue())
+    assert len(rows) > 8
+    failed = {row["call"] or row["part"]: row["error"]["message"] for row in rows if not row["ok"]}
+    # The emulator has no range finder.
+    assert all("not plugged in" in message for message in failed.values()), failed
+
+
+def test_a_part_whose_program_has_no_room_is_a_row_and_the_rest_goes_on(
+    kit: ModernBoard, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    load = bench_run.load_parts
+
+    def loaded(bench: Bench, needed: PartKey, broken: Any, send: Any) -> Any:
+        if needed[1] == "Wheel":
+            raise NoMemoryError(Sentence("too large"), Sentence("take a larger board"))
+        few = [one for one in bench.steps if one.key == needed]
+        return load(replace(bench, steps=tuple(few)), needed, broken, send)
+
+    monkeypatch.setattr(bench_run, "load_parts", loaded)
+    out, _ = command("bench", "--to", kit.address, "--board", "pico", "--robot", "mini-robot", *MOMENT, status=1)
+    rows = {(row["call"] or row["part"]): row for row in json.loads(out)}
+    assert rows["Wheel.Advance(40)"]["error"]["message"] == "`Wheel` cannot be tried: too large"
+    assert not rows["Wheel.Reverse(40)"]["ok"]
+    assert rows["Motor.Turn(40)"]["ok"]
+    assert rows["Button"]["values"]
+
+
+def test_once_the_robot_is_gone_the_table_says_what_was_tried_and_what_was_not(
+    kit: ModernBoard, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    watch = BenchRun.watch
+
+    def watched(run: BenchRun, seconds: float) -> list[int]:
+        step = run._hand.step
+        if step is not None and step.call == "Wheel.Reverse(40)":
+            raise LineError(Sentence("the cable was pulled"))
+        return watch(run, seconds)
+
+    monkeypatch.setattr(BenchRun, "watch", watched)
+    out, _ = command("bench", "--to", kit.address, "--board", "pico", "--robot", "mini-robot", *MOMENT, status=1)
+    rows = [(row["call"] or row["part"], (row["error"] or {"message": ""})["message"]) for row in json.loads(out)]
+    at = [name for name, _ in rows].index("Wheel.Reverse(40)")
+    assert rows[at][1] == "the cable was pulled"
+    assert {message for _, message in rows[at + 1 :]} == {"not tried: the cable was pulled"}
+    assert all(message == "" for _, message in rows[:at])

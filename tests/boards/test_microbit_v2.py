@@ -26,6 +26,7 @@ class Sys:
     implementation = sys.implementation
     modules = sys.modules
     path = sys.path
+    print_exception = sys.print_exception
     real = sys
 
 os.uname = lambda: ("microbit", "microbit", "2.1.2", "micro:bit v2.1.2", "micro:bit with CHIP")

@@ -72,6 +72,16 @@ def test_a_first_program_that_never_returns_leaves_the_prompt_after_one_power_cu
     assert runs(board.address) == done.program
 
 
+UNPLUGGED = """import os
+
+
+def make(settings):
+    while "unplugged" in os.listdir():
+        pass
+    return lambda: 0
+"""
+
+
 def freed_by_its_prompt(board: Any, folder: Path) -> Deployed:
     """Puts a program onto a board that hangs whenever it starts: its power is cut when that is asked for."""
     asked = Event()
@@ -109,9 +119,7 @@ def confirmed_and_hanging(board: Any, folder: Path) -> None:
     """Puts a program onto a board that is confirmed, and hangs at once from then on: as a sensor that was unplugged."""
     program = bench_program(folder, OTHER, "hangs")
     path = folder / "zero.driver.py"
-    path.write_text(
-        "import os\n\n\ndef make(settings):\n    while 'unplugged' in os.listdir():\n        pass\n    return lambda: 0\n"
-    )
+    path.write_text(UNPLUGGED)
     put(board.address, program)
     with connect(board.address, PATIENCE_S) as found:
         found.quit()

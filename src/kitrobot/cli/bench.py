@@ -127,12 +127,19 @@ def _tried_steps(run: BenchRun, bench: Bench, seconds: float) -> list[dict[str, 
     Raises:
         KitRobotError: nothing could be tried.
     """
+    from kitrobot.workspace.bench_loading import PartError
     from kitrobot.workspace.bench_run import OF_THE_BOARD
 
     rows: list[dict[str, Any]] = []
     gone: KitRobotError | None = None
     for step in bench.steps:
         row, error = _tried(run, step, seconds, gone)
+        if isinstance(error, PartError) and error.part != step.key:
+            # It failed at the end of its own step, and that is heard in this one.
+            for earlier in rows:
+                if (earlier["category"], earlier["part"]) == error.part:
+                    earlier |= {"ok": False, "error": error_object(error)}
+            row, error = _tried(run, step, seconds, gone)
         if isinstance(error, OF_THE_BOARD) and gone is None:
             if not rows:
                 raise error

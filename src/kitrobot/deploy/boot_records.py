@@ -65,7 +65,7 @@ def newest(lines: dict[str, StartLine]) -> tuple[str, StartLine] | None:
 
 
 def tried_generation(data: bytes) -> int | None:
-    """The generation that a board started on trial and that nobody confirmed, by what is in `krt`; None: there is none."""
+    """The generation that a board started on trial and that nobody confirmed, by what is in `krt`; None for none."""
     text = data.decode("ascii", errors="replace")
     return int(text) if text.endswith("\n") and _GENERATION.fullmatch(text[:-1]) else None
 

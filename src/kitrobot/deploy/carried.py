@@ -27,8 +27,8 @@ ONBOARD = Path(kitrobot_onboard.__file__).parent
 ROOT = "kitrobot_onboard"
 _MOST_BYTES = 200_000
 _LARGE = "imk"
-"""Requests whose words are not named before: they differ from board to board, belong to some programs only, or are asked
-once."""
+"""Requests whose words are not named before: they differ from board to board, belong to some programs only, or are
+asked once."""
 
 _WORDS = 8
 _PIECE = 90

@@ -126,7 +126,7 @@ class RawRepl:
         self.line.write(b"\x04")
 
     def release(self) -> None:
-        """Leaves the board as after a reset, whatever was half said and whatever it does; without waiting for answers."""
+        """Leaves the board as after a reset, whatever it does; no answer is waited for."""
         for word in (b"\r\x03\x03", b"\r\x02"):
             self.line.write(word)
             self.line.drain(_RELEASE_S, _RELEASE_S)

@@ -34,6 +34,7 @@ class Arm:
         now = microbit.running_time()
         if self.back and now >= self.back:
             self.back = 0
+            self.pin.set_analog_period(20)
             self.pin.write_analog(26 + self.rest * 102 // 180)
         return now >= self.until
 

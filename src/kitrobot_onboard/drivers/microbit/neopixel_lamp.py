@@ -1,5 +1,5 @@
-# A lamp of NeoPixels (WS2812) in a row at one pin. Nothing here calls a function that calls another: on the micro:bit of
-# 2016 the stack ends in one that does.
+# A lamp of NeoPixels (WS2812) in a row at one pin. Nothing here calls a function that calls another: on the micro:bit
+# of 2016 the stack ends in one that does.
 
 import microbit
 from neopixel import NeoPixel
