@@ -1,4 +1,4 @@
-"""Ctrl-C ends a command at any moment, with status 130 and one line; a board that was being written to is left alone."""
+"""Ctrl-C ends a command at any moment, with status 130 and one line; a board is left as after a reset."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""On a micro:bit of 2016 a stack for five nested calls is left: a driver that calls one of its own functions ends it."""
+"""A micro:bit of 2016 has a stack for five nested calls: a driver that brings helpers along ends it."""
 
 from __future__ import annotations
 

@@ -204,10 +204,8 @@ WAITING: dict[str, Callable[[Line], object]] = {
 BANNER = b"raw REPL; CTRL-B to exit\r\n>"
 
 
-@pytest.mark.parametrize("wait", WAITING.values(), ids=WAITING)
-@pytest.mark.parametrize(
-    "words",
-    [
+FOR_EVER = [
+    *(
         b"x",
         b">>> ",
         b"\r\n>>> ",
@@ -217,9 +215,13 @@ BANNER = b"raw REPL; CTRL-B to exit\r\n>"
         b"~~~",
         b"\x04>",
         b"reboot " + BANNER + b"OK1\x04\x04>",
-    ]
-    + [wrap("K", 0, b""), wrap("H", 7, b"\1"), wrap("T", 0, b"aaaa"), wrap("K", 0, b"") + b"reboot " + BANNER],
-)
+    ),
+    *(wrap("K", 0, b""), wrap("H", 7, b"\1"), wrap("T", 0, b"aaaa"), wrap("K", 0, b"") + b"reboot " + BANNER),
+]
+
+
+@pytest.mark.parametrize("wait", WAITING.values(), ids=WAITING)
+@pytest.mark.parametrize("words", FOR_EVER)
 def test_who_talks_for_ever_is_not_listened_to_for_ever(wait: Callable[[Line], object], words: bytes) -> None:
     with contextlib.suppress(KitRobotError, GarbledError):
         wait(Talker(words))

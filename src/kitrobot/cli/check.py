@@ -45,7 +45,7 @@ def check_files(
 
     if board is not None:
         with reading_in(language):
-            check_on_kit(files, board, as_json=as_json)
+            check_on_kit(files, board, robot, as_json=as_json)
         return
     if language != "en":
         raise typer.BadParameter("say --board too: it is the language of what a kit says", param_hint="'--language'")

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 import typer
 
 from kitrobot.cli.language import in_words
-from kitrobot.cli.output import clean, error_object, give, json_text, tell
+from kitrobot.cli.output import clean, error_object, give, json_text, show, tell
 
 if TYPE_CHECKING:
     from kitrobot.deploy import PartOnKit
@@ -17,15 +17,17 @@ if TYPE_CHECKING:
     from kitrobot.workspace import ProgramOnKit
 
 
-def check_on_kit(files: Sequence[Path], board: str, *, as_json: bool) -> None:
-    """Says of each program of the missions what becomes of its robot's parts. Ends with 1 when one cannot be sent."""
-    from kitrobot.workspace import find_kit, mission_on_kit, open_mission
+def check_on_kit(files: Sequence[Path], board: str, robot: str | None, *, as_json: bool) -> None:
+    """Says of each program of missions and texts what becomes of its robot's parts; ends with 1 when one cannot be
+    sent.
+    """
+    from kitrobot.workspace import find_kit
 
     rows: list[dict[str, Any]] = []
     failed = False
     for path in files:
         kit = find_kit(board, path.parent)
-        for program in mission_on_kit(open_mission(path), kit):
+        for program in _programs(path, kit, robot):
             failed |= program.problem is not None
             if as_json:
                 rows.append({"file": str(path), "board": kit.name, **_object(program)})
@@ -35,6 +37,19 @@ def check_on_kit(files: Sequence[Path], board: str, *, as_json: bool) -> None:
         give(json_text(rows, 2) + "\n")
     if failed:
         raise typer.Exit(1)
+
+
+def _programs(path: Path, kit: Kit, robot: str | None) -> list[ProgramOnKit]:
+    from kitrobot.files import Form, form_of, is_picture
+    from kitrobot.workspace import mission_on_kit, open_mission
+    from kitrobot.workspace.kits import text_on_kit
+    from kitrobot.workspace.robot_programs import no_robot
+
+    if is_picture(path.name) or form_of(path, (Form.TEXT, Form.MISSION)) is Form.MISSION:
+        return mission_on_kit(open_mission(path, robot=robot), kit)
+    if robot is None:
+        raise no_robot(path)
+    return [text_on_kit(path, robot, kit)]
 
 
 def _write(program: ProgramOnKit, kit: Kit) -> None:
@@ -49,6 +64,8 @@ def _write(program: ProgramOnKit, kit: Kit) -> None:
     if program.problem is None:
         give("  it can be sent\n")
     else:
+        if program.problem.diagnostics:
+            show(program.problem.diagnostics, getattr(program.problem, "sources", ()))
         tell(f"{program.program}: {said(program.problem.message)}")
         if program.problem.help:
             tell(f"  help: {said(program.problem.help)}")
@@ -67,6 +84,8 @@ def _words(one: PartOnKit) -> str:
             return "missing" + (f": {clean(why)}" if why else "")
     if one.problem is not None:
         return f"does not work: {clean(said(one.problem.message))}"
+    if one.found is None:
+        return "every board has it"
     told = " ".join(f"{name}={value}" for name, value in one.part.board.settings.items())
     return clean(f"{one.part.board.driver} {told}".rstrip())
 

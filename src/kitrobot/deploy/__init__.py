@@ -18,7 +18,14 @@ from kitrobot.deploy.errors import (
 from kitrobot.deploy.firmware import EVERYWHERE, Needs
 from kitrobot.deploy.fitting import refuse_misfits, refuse_what_fits_no_board
 from kitrobot.deploy.installing import Deployed, Progress, deploy
-from kitrobot.deploy.kits import PartOnKit, fitted, kit_problems, look_at_parts, refuse_what_is_missing
+from kitrobot.deploy.kits import (
+    PartOnKit,
+    fitted,
+    kit_problems,
+    look_at_parts,
+    parts_used,
+    refuse_what_is_missing,
+)
 from kitrobot.deploy.line import Line
 from kitrobot.deploy.news import FAULTS, Fault, News, Text
 from kitrobot.deploy.package import FAMILIES, OWN_SUFFIX, Package
@@ -69,6 +76,7 @@ __all__ = [
     "list_ports",
     "look_at_parts",
     "make_program_file",
+    "parts_used",
     "program_name",
     "read_program_file",
     "refuse_misfits",

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+from kitrobot.deploy.chips import PLATFORMS
 from kitrobot.deploy.errors import FirmwareError
 from kitrobot.text import Sentence
 
@@ -20,15 +21,44 @@ DOWNLOADS = {
 """USB vendor → the page from which its boards' MicroPython is fetched. Nothing here fetches it."""
 
 
+_MICROBIT = "microbit"
+_BOARDS = {
+    _MICROBIT: Sentence("a micro:bit"),
+    "rp2": Sentence("a board such as the Raspberry Pi Pico"),
+    "esp32": Sentence("an ESP32"),
+}
+"""What MicroPython calls its platform → what people call it."""
+
+
 @dataclass(frozen=True)
 class Needs:
-    """What a kit needs: its name, the least version (as `1.20` or `1.25.0-preview`, "" for any), and where it
-    is to be had.
+    """What a kit needs: its name, the least version (as `1.20` or `1.25.0-preview`, "" for any), where it
+    is to be had, and which kind of board and of chip it is for ("" where the kit does not say).
     """
 
     kit: str
     least: str
     href: str = ""
+    family: str = ""
+    chip: str = ""
+
+    def refuse_other_board(self, platform: str) -> None:
+        """Raises a FirmwareError when a board is of another kind, by what its MicroPython calls its platform.
+
+        What this does not know is not refused: new ports come, and a kit may fit them.
+        """
+        meant = _MICROBIT if self.family == _MICROBIT else PLATFORMS.get(self.chip, "")
+        if platform not in _BOARDS or platform == meant or not (meant or platform == _MICROBIT):
+            return
+        raise FirmwareError(
+            Sentence(
+                "the kit `{kit}` is for {meant}, and this board is {found}",
+                self.kit,
+                _BOARDS[meant] if meant else Sentence("another kind of board"),
+                _BOARDS[platform],
+            ),
+            Sentence("name the kit of this board with --board, or choose another board with --to; nothing was sent"),
+        )
 
     def refuse_older(self, version: str) -> None:
         """Raises a FirmwareError when a board's version is older than that."""

@@ -207,6 +207,7 @@ class _Job:
         board = self.board
         self.progress("compare", 0, 0)
         if self.needs is not None:
+            self.needs.refuse_other_board(board.family)
             self.needs.refuse_older(board.micropython)
         family = MICROBIT if board.family == MICROBIT else "machine"
         self.built: Built = self.package.built(family, self.program.drivers, in_flash=board.is_2016)

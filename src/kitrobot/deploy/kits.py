@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
 
+from kitrobot.deploy.chips import refuse_pin
 from kitrobot.deploy.declarations import (
     Declared,
     Wire,
@@ -20,7 +21,7 @@ from kitrobot.deploy.package import Package, missing_driver
 from kitrobot.deploy.program_file import used
 from kitrobot.deploy.waves import SLICES, Wave, clash, waves_of
 from kitrobot.image import Image, Layout
-from kitrobot.primitives import Board, Category, Kit, KitPart, Robot, RobotObject, lacks, on_kit
+from kitrobot.primitives import OF_A_TEAM, Board, Category, Kit, KitPart, Robot, RobotObject, lacks, on_kit
 from kitrobot.text import COMMA, Label, Sentence, Series
 
 INHERITED = ("side", "reach")
@@ -103,12 +104,15 @@ def _parts(robot: Robot) -> list[RobotObject]:
 
 
 def _problem(part: RobotObject, kit: Kit, package: Package) -> PackageError | None:
-    if package.missing([part.board.driver], kit.family):
-        return missing_driver(part.board.driver, package, kit.family)
+    if part.device in OF_A_TEAM:
+        return None  # what hosts the team answers for it
+    driver = part.board.driver or part.device
+    if package.missing([driver], kit.family):
+        return missing_driver(driver, package, kit.family)
     procedures = [method.name for method in part.methods] if part.category is Category.ACTUATOR else None
-    says = package.declared(part.board.driver, kit.family)
+    says = package.declared(driver, kit.family)
     try:
-        refuse_what_is_not_understood(part.name, part.board.driver, says, procedures, part.board.settings)
+        refuse_what_is_not_understood(part.name, driver, says, procedures, part.board.settings)
     except PackageError as error:
         return error
     return None
@@ -184,6 +188,7 @@ def _refuse_wire(part: KitPart, wire: Wire, kit: Kit, wired: dict[tuple[str, ...
             Sentence("`{part}` is wired to the pin `{pin}`, which this board does not have", _name(part), wire.said),
             Sentence("its pins are those in `pins`; mend one of the two"),
         )
+    refuse_pin(_name(part), wire, kit.chip)
     other = wired.get(wire.place)
     if other is not None:
         help = Sentence("give one of them another pin")

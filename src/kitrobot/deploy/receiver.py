@@ -117,15 +117,7 @@ class Receiver:
         assert len(data) < LONGEST - 6, expression
         kind, answer = self._asked("x", data, timeout_s)
         if kind == "E":
-            text = answer[:_LONGEST_TEXT].decode(errors="replace")
-            if "OSError" in text and ("28" in text or "storage" in text):  # as boards of today and of 2016 say it
-                raise FullError(
-                    Sentence("the board's flash is full"),
-                    Sentence("remove files of yours from the board, or use --fresh"),
-                )
-            raise (CrampedError if text.startswith("MemoryError") else BoardError)(
-                Sentence("the board failed: {reason}", text), Sentence("reset it and run the command again")
-            )
+            raise _failure(answer)
         return answer
 
     def number(self, expression: str) -> int:
@@ -182,10 +174,7 @@ class Receiver:
             piece = _fitting(content, at)
             kind, answer = self._asked("d", piece, 2)
             if kind == "E":
-                raise FullError(
-                    Sentence("the board cannot take more: {answer}", answer[:_LONGEST_TEXT].decode(errors="replace")),
-                    Sentence("its flash may be full: remove files of yours, or use --fresh"),
-                )
+                raise _failure(answer)
             at += len(piece)
             self.told(len(piece))
         self.value("c()")
@@ -345,6 +334,18 @@ class Receiver:
             Sentence("the board on `{address}` restarted while it was being written to", self.line.address),
             Sentence("look at its cable and its battery, then run the command again"),
         )
+
+
+def _failure(answer: bytes) -> BoardError:
+    """What the board says that went wrong there."""
+    text = answer[:_LONGEST_TEXT].decode(errors="replace")
+    if "OSError" in text and ("28" in text or "storage" in text):  # as boards of today and of 2016 say it
+        return FullError(
+            Sentence("the board's flash is full"), Sentence("remove files of yours from the board, or use --fresh")
+        )
+    return (CrampedError if text.startswith("MemoryError") else BoardError)(
+        Sentence("the board failed: {reason}", text), Sentence("reset it and run the command again")
+    )
 
 
 def too_much_lost(address: str) -> SilentError:

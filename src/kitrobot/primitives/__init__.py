@@ -6,7 +6,19 @@ from kitrobot.primitives.catalogue import SHIPPED, Catalogue, load_catalogue
 from kitrobot.primitives.constructors import Constructor, ConstructorTable, Group, Role, Slot, SlotKind
 from kitrobot.primitives.constructors_xml import read_constructors
 from kitrobot.primitives.crew import Crew, CrewProgram, declaring, team_robot
-from kitrobot.primitives.kit import Kit, KitPart, Measured, Module, Source, Tried, Wire, as_measured, lacks, on_kit
+from kitrobot.primitives.kit import (
+    OF_A_TEAM,
+    Kit,
+    KitPart,
+    Measured,
+    Module,
+    Source,
+    Tried,
+    Wire,
+    as_measured,
+    lacks,
+    on_kit,
+)
 from kitrobot.primitives.kit_xml import KIT_SUFFIX, read_kit, write_kit
 from kitrobot.primitives.levels import Level
 from kitrobot.primitives.match_template import Bound, fill_with, unfill, unfill_all, unfill_row
@@ -50,6 +62,7 @@ __all__ = [
     "LONGEST_SETTING",
     "MOST_OWN",
     "MOST_SETTINGS",
+    "OF_A_TEAM",
     "OWN",
     "OWN_GROUP",
     "SHIPPED",

@@ -19,8 +19,8 @@ from kitrobot.primitives.robot import Board, Category, Robot, RobotObject, Texts
 FAMILIES_OF_BOARDS = ("machine", "microbit")
 """What kinds of boards there are: those with the module `machine`, and the micro:bit."""
 
-CHIPS = ("rp2040", "rp2350")
-"""Chips whose pins share what makes square waves."""
+CHIPS = ("esp32", "rp2040", "rp2350")
+"""Chips whose pins are not alike, or share what makes square waves."""
 
 LARGEST_PIN = 127
 """The largest number of a pin."""
@@ -101,7 +101,7 @@ class Kit:
         name: of the kit.
         family: the kind of its board.
         pins: the pins that there are, numbers and names as texts; none where that is not known.
-        chip: the kind of chip of its board, where pins share what makes square waves; "" for another one.
+        chip: the kind of chip of its board, one of `CHIPS`; "" for another one.
         micropython: the least version of its firmware, as `1.20`; "" where any does.
         firmware: the page of its maker where that is to be had, "" where none is known.
         parts: how parts are wired, in the order of the file.
@@ -175,5 +175,8 @@ def lacks(kit: Kit, part: RobotObject) -> bool:
     return found.is_missing if found is not None else part.device not in PARTLESS
 
 
-PARTLESS = frozenset({"random", "team", "work"})
+OF_A_TEAM = frozenset({"team", "work"})
+"""Devices that speak for a robot's team."""
+
+PARTLESS = frozenset({"random"}) | OF_A_TEAM
 """Devices that are no parts: every board has them."""

@@ -280,7 +280,9 @@ KIT = {
             "version": version(VERSION),
             "family": optional(one(*FAMILIES_OF_BOARDS), "machine", about="The kind of board."),
             "micropython": optional(_VERSION, about="The least version of MicroPython, such as 1.20."),
-            "chip": optional(one(*CHIPS), about="The kind of chip, where pins share what makes square waves."),
+            "chip": optional(
+                one(*CHIPS), about="The kind of chip, where its pins are not alike or share what makes square waves."
+            ),
             "firmware": optional(_PAGE, about="The page of its maker from which its MicroPython is fetched."),
             "pins": optional(about="The pins that there are: numbers, ranges and names, such as 0..22 26 LED."),
         },

@@ -16,19 +16,20 @@ from kitrobot.deploy import (
     board_file,
     fitted,
     make_program_file,
+    parts_used,
     program_name,
     refuse_misfits,
     refuse_what_fits_no_board,
     refuse_what_is_missing,
 )
 from kitrobot.diagnostics import Diagnostic, Source
-from kitrobot.image import verify
+from kitrobot.image import Image, verify
 from kitrobot.primitives import Kit, Robot
 from kitrobot.robots.carried import Carried
 from kitrobot.robots.names import BoardNames, names_of
 from kitrobot.robots.session import Known
 from kitrobot.robots.sharing import SHARED_ON_BOARD
-from kitrobot.text import COMMA, Sentence, Series
+from kitrobot.text import COMMA, Sentence, Series, listed
 from kitrobot.user_folders import config_folder
 
 
@@ -93,6 +94,8 @@ def program_of(
         refuse_what_is_missing(robot, kit, compiled.image)
         robot = fitted(robot, kit, package)
     file = make_program_file(compiled.image, robot, member=member)
+    if kit is None:
+        refuse_unwired(robot, compiled.image, package)
     missing = package.missing(file.drivers, kit.family if kit is not None else None)
     if missing:
         raise no_driver(robot, missing[0], package)
@@ -100,8 +103,34 @@ def program_of(
         refuse_misfits(file, package, kit.family)
     else:
         refuse_what_fits_no_board(file, package)
-    needs = Needs(kit.name, kit.micropython, kit.firmware) if kit is not None else None
+    needs = Needs(kit.name, kit.micropython, kit.firmware, kit.family, kit.chip) if kit is not None else None
     return BoardProgram(names_of(name, robot, compiled), file, package, diagnostics, sources, needs=needs)
+
+
+def refuse_unwired(robot: Robot, image: Image, package: Package) -> None:
+    """Raises a PackageError when a robot says nothing of how parts that a program uses are wired, and their drivers on
+    every kind of board need to know it: what it is built of is missing, and not one setting.
+    """
+    unwired = [
+        part.name
+        for part in parts_used(image, robot)
+        if part.board.driver in ("", part.device) and not part.board.settings and _needs_settings(part.device, package)
+    ]
+    if unwired:
+        raise PackageError(
+            Sentence(
+                "the robot `{robot}` does not say how these are wired: {parts}",
+                robot.name,
+                listed(list(dict.fromkeys(unwired))),
+            ),
+            Sentence("name what it is built of with --board, such as {command}", "`--board pico`"),
+        )
+
+
+def _needs_settings(driver: str, package: Package) -> bool:
+    there = [family for family in FAMILIES if not package.missing([driver], family)]
+    says = [package.declared(driver, family) for family in there]
+    return bool(says) and all(any(one.needed for one in each.known({}).values()) for each in says)
 
 
 def no_driver(robot: Robot, driver: str, package: Package) -> PackageError:
@@ -115,5 +144,9 @@ def no_driver(robot: Robot, driver: str, package: Package) -> PackageError:
             robot.name,
             driver,
         ),
-        Sentence("it was looked for as {files}", Series(COMMA, (f"`{path}`" for path in files))),
+        Sentence(
+            "name what it is built of with --board, such as {command}; a driver of your own is looked for as {files}",
+            "`--board pico`",
+            Series(COMMA, (f"`{path}`" for path in files)),
+        ),
     )

@@ -32,8 +32,10 @@ _SETTLED_TICKS = 5
 """Until then the value of a sensor may be the one at which it was held."""
 _CALLED_TICKS = 20
 """By then a step is called, though its number was not told: one that comes back within a period is not."""
-_FEW_TICKS = 10
-"""Of fewer ticks nothing is said: a robot that has just begun is late now and then."""
+_FEW_TICKS = 4
+"""Of fewer late ticks nothing is said: a robot that has just begun is late now and then."""
+_LEAST_TICKS = 6
+"""So many ticks are watched at least, of a driver that makes them long."""
 
 Progress = Callable[[str, int, int], None]
 """Is told what is done now, and how many bytes of how many."""
@@ -141,7 +143,12 @@ class BenchHand:
     @property
     def is_slow(self) -> bool:
         """Whether the driver of the part takes longer than a tick: most ticks of the step began late."""
-        return self.step is not None and 2 * self.late > max(_FEW_TICKS, self.session.state.tick - self._begun)
+        return self.step is not None and self.late >= _FEW_TICKS and 2 * self.late > self.ticks
+
+    @property
+    def ticks(self) -> int:
+        """How many ticks the robot has done since the step began."""
+        return self.session.state.tick - self._begun
 
     @property
     def looks(self) -> bool:
@@ -254,7 +261,8 @@ class BenchRun:
         """
         seen: list[int] = []
         until = self._clock() + seconds
-        while self._clock() < until or not self._hand.is_on or (self._hand.looks and not seen):
+        hand = self._hand
+        while self._clock() < until or not hand.is_on or (hand.looks and not seen) or 0 <= hand.ticks < _LEAST_TICKS:
             self.poll(_STEP_S)
             if (value := self.value) is not None and (not seen or seen[-1] != value):
                 seen.append(value)

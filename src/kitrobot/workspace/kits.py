@@ -4,16 +4,19 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass
+from functools import partial
 from pathlib import Path
 
-from kitrobot.compiler import Compiled, compile_program, robot_of
+from kitrobot.compiler import Compiled, compile_program, compile_text, robot_of
 from kitrobot.deploy import Package, PartOnKit, look_at_parts
 from kitrobot.diagnostics import KitRobotError
+from kitrobot.files import read_text
 from kitrobot.graph import Program
 from kitrobot.primitives import Kit, Robot, RobotObject, with_team
 from kitrobot.user_folders import config_folder
 from kitrobot.workspace.opening import OpenMission
-from kitrobot.workspace.robot_programs import board_program
+from kitrobot.workspace.robot_programs import board_program, load_board_program
+from kitrobot.workspace.robots import find_robot
 from kitrobot.workspace.team_boards import agent_program
 
 
@@ -38,11 +41,24 @@ def mission_on_kit(opened: OpenMission, kit: Kit, folder: Path | None = None) ->
             for kind, agent in agents.items():
                 robot = with_team(opened.catalogue.robots[kind], opened.mission.team.works)
                 compiled = opened.team.kinds.get(kind) if opened.team is not None else None
-                problem = _why_not(agent_program, opened, agent, beside, kit)
+                problem = _why_not(partial(agent_program, opened, agent, beside, kit))
                 found.append(_looked_at(program.name, robot, compiled, kit, package, problem))
         else:
             found.append(_on_kit(opened, program, kit, beside, package))
     return found
+
+
+def text_on_kit(path: Path, robot: str, kit: Kit) -> ProgramOnKit:
+    """What becomes of the program of a text in LLL on a kit; `robot`: its name or its file.
+
+    Raises:
+        KitRobotError: the text or the robot cannot be read.
+    """
+    meant = find_robot(robot, path.parent)
+    compiled = compile_text(read_text(path), meant, str(path))
+    problem = _why_not(lambda: load_board_program(path, robot=robot, built_of=kit))
+    package = Package((config_folder(), path.parent))
+    return _looked_at(path.stem, meant, compiled, kit, package, problem)
 
 
 @dataclass(frozen=True)
@@ -63,7 +79,7 @@ def program_on_kits(opened: OpenMission, program: str, kits: Iterable[Kit], fold
     meant = opened.program(program)
     beside = folder or (opened.path.parent if opened.path is not None else None)
     package = Package((config_folder(), *([beside] if beside is not None else [])))
-    found = [KitFit("", (), _why_not(board_program, opened, meant.name, beside, None))]
+    found = [KitFit("", (), _why_not(partial(board_program, opened, meant.name, beside, None)))]
     for kit in kits:
         on = _on_kit(opened, meant, kit, beside, package)
         found.append(
@@ -74,19 +90,13 @@ def program_on_kits(opened: OpenMission, program: str, kits: Iterable[Kit], fold
 
 def _on_kit(opened: OpenMission, program: Program, kit: Kit, folder: Path | None, package: Package) -> ProgramOnKit:
     compiled = opened.compiled.get(program.name) or compile_program(program, opened.catalogue)
-    problem = _why_not(board_program, opened, program.name, folder, kit)
+    problem = _why_not(partial(board_program, opened, program.name, folder, kit))
     return _looked_at(program.name, robot_of(program, opened.catalogue), compiled, kit, package, problem)
 
 
-def _why_not(
-    make: Callable[[OpenMission, str, Path | None, Kit | None], object],
-    opened: OpenMission,
-    name: str,
-    folder: Path | None,
-    kit: Kit | None,
-) -> KitRobotError | None:
+def _why_not(make: Callable[[], object]) -> KitRobotError | None:
     try:
-        make(opened, name, folder, kit)
+        make()
     except KitRobotError as error:
         return error
     return None

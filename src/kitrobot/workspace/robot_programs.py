@@ -39,7 +39,12 @@ _FORMS = (Form.TEXT, Form.MISSION)
 
 
 def load_board_program(
-    path: Path, *, robot: str | None = None, program: str | None = None, kit: str | None = None
+    path: Path,
+    *,
+    robot: str | None = None,
+    program: str | None = None,
+    kit: str | None = None,
+    built_of: Kit | None = None,
 ) -> BoardProgram:
     """A program of a file, made ready to be sent.
 
@@ -48,6 +53,7 @@ def load_board_program(
         robot: the robot's name or file; needed unless a mission names it.
         program: which program of a mission with several.
         kit: the name or the file of the kit that its robot is built of; None as the robot's XML says.
+        built_of: the kit itself, in the place of its name.
 
     Raises:
         ProblemsError: the program has errors, with all that is to be said of it.
@@ -56,19 +62,24 @@ def load_board_program(
     beside = path.parent
     path = find_mission(path)
     form = Form.MISSION if is_picture(path.name) else form_of(path, _FORMS)
-    built_of = find_kit(kit, beside) if kit is not None else None
+    built_of = find_kit(kit, beside) if kit is not None else built_of
     if form is Form.MISSION:
         return board_program(open_mission(path, robot=robot), program, path.parent, built_of)
     if robot is None:
-        raise NoRobotError(
-            Sentence("`{path}` does not say which robot it is for", path),
-            Sentence("name the robot with --robot, a name or a `.robot.xml`"),
-        )
+        raise no_robot(path)
     meant = find_robot(robot, path.parent)
     source = Source(str(path), read_text(path))
     compiled = compile_text(source.text, meant, source.name)
     found = (*compiled.diagnostics, *warn_of_sharing(path.stem, meant, compiled))
     return ready_program(path.stem, meant, compiled, found, (source,), path.parent, kit=built_of)
+
+
+def no_robot(path: Path) -> NoRobotError:
+    """The error of a text whose robot nobody names."""
+    return NoRobotError(
+        Sentence("`{path}` does not say which robot it is for", path),
+        Sentence("name the robot with --robot, a name or a `.robot.xml`"),
+    )
 
 
 def board_program(

@@ -5,7 +5,7 @@ from machine import ADC
 
 from kitrobot_onboard.drivers.machine.pins import pin
 
-SETTINGS = {"pin": "pin", "near": "0..65535", "far": "0..65535"}
+SETTINGS = {"pin": "input", "near": "0..65535", "far": "0..65535"}
 
 
 class Range:

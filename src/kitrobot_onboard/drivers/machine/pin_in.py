@@ -4,7 +4,7 @@ from machine import ADC, Pin
 
 from kitrobot_onboard.drivers.machine.pins import pin
 
-SETTINGS = {"pin": "pin", "mode": "digital|analog = digital"}
+SETTINGS = {"pin": "input", "mode": "digital|analog = digital"}
 
 
 class Digital:
