@@ -103,6 +103,20 @@ class TestFiles:
         assert missing.status_code == 422
         assert "none" in missing.json()["message"]
 
+    @pytest.mark.parametrize("element", ["While", "Arm.Unload", "If Then"])
+    def test_a_program_with_a_constructor_that_nobody_knows_is_told_so_for_each_kit(self, page, folder, element):
+        shipped = examples_folder() / "transport-team"
+        for file in shipped.iterdir():
+            (folder / file.name).write_bytes(file.read_bytes())
+        mission = opened(page, "transport-team.krt")["mission"]
+        program = next(one for one in mission["programs"] if one["name"] == "unload")
+        next(vertex for vertex in program["vertices"] if vertex["element"] == element)["element"] = "Nope"
+        asked = {"path": "transport-team.krt", "mission": mission, "program": "unload"}
+        answer = page.post("/api/kits/fit", json=asked)
+        assert answer.status_code == 200
+        said = "The program `unload` has errors: `Nope` is not in the constructors’ XML."
+        assert {fit["problem"].replace("'", "’") for fit in answer.json()} == {said}
+
     def test_the_question_has_each_kit_in_three_languages_and_what_it_lacks_in_the_one_asked_for(self, page):
         kits = page.get("/api/kits", params={"path": "blink.krt"}).json()
         assert {

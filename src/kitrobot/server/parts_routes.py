@@ -6,6 +6,7 @@ from typing import Annotated, Literal, cast
 
 from fastapi import Depends, Query, Request
 
+from kitrobot.diagnostics import KitRobotError
 from kitrobot.primitives import ValueType
 from kitrobot.server.routing import ThisStudio, api_router
 from kitrobot.server.shapes import ConflictShape, TextShape, mission_from_shape, problem_shapes, world_shape
@@ -25,6 +26,7 @@ from kitrobot.server.shapes.parts import (
     WorldEntryShape,
     WorldFileShape,
 )
+from kitrobot.text import Sentence
 from kitrobot.translation import said
 from kitrobot.workspace import (
     FoundWorld,
@@ -123,10 +125,16 @@ def kits_fit(studio: ThisStudio, wanted: KitFitAskShape) -> list[KitFitShape]:
         KitFitShape(
             kit=fit.kit,
             missing=[LackingShape(part=part.name, label=dict(part.label)) for part in fit.missing],
-            problem=fit.problem.message if fit.problem is not None else "",
+            problem=_why_not(fit.problem) if fit.problem is not None else "",
         )
         for fit in fits
     ]
+
+
+def _why_not(problem: KitRobotError) -> str:
+    """Why a program cannot be sent: of one with errors the first of them."""
+    first = next((item for item in problem.diagnostics if item.is_error), None)
+    return Sentence("{problem}: {reason}", problem.message, first.message) if first is not None else problem.message
 
 
 @parts_routes.post("/parts")
