@@ -265,3 +265,27 @@ def test_a_kit_of_another_family_refuses_drivers_that_it_does_not_have() -> None
     assert kit is not None
     ((_, problem),) = kit_problems(kit, Package())
     assert "no driver `rgb` for this kind of board" in problem.message
+
+
+ESP32 = '<board name="e" version="1" chip="esp32">{}</board>'
+
+
+@pytest.mark.parametrize(
+    ("part", "words"),
+    [
+        ('<actuator device="lamp" driver="led" pin="34"/>', "`lamp` is wired to the pin `34`, which can only be read"),
+        ('<sensor device="button" driver="key" pin="39"/>', "can only be read and has no pull-up"),
+        ('<sensor device="range" driver="ultrasonic" trigger="36" echo="18"/>', "can only be read"),
+        ('<actuator device="switch" pin="1"/>', "over which the board talks with the computer"),
+        ('<sensor device="colour" driver="line" pin="3"/>', "over which the board talks with the computer"),
+        ('<actuator device="door" driver="servo" pin="6"/>', "belongs to the flash"),
+        ('<sensor device="colour" driver="line" pin="34"/>', ""),
+        ('<sensor device="range" driver="ultrasonic" trigger="5" echo="35"/>', ""),
+        ('<sensor device="range" driver="analog-range" pin="36" near="9" far="1"/>', ""),
+    ],
+)
+def test_pins_of_an_esp32_that_are_not_like_the_others_are_found(part: str, words: str) -> None:
+    kit, problems = read_kit(ESP32.format(part).encode(), "e.board.xml")
+    assert kit is not None, problems
+    found = [problem.message for _, problem in kit_problems(kit, Package())]
+    assert [words in message for message in found] == ([True] if words else []), found

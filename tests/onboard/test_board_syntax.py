@@ -21,6 +21,7 @@ ON_BOARD = {
         "array",
         "builtins",
         "gc",
+        "io",
         "machine",
         "math",
         "microbit",

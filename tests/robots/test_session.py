@@ -7,7 +7,7 @@ from typing import Any
 
 import pytest
 
-from kitrobot.deploy import Fault, LineError, News, Text
+from kitrobot.deploy import Fault, LineError, News, Text, is_slow
 from kitrobot.primitives import load_catalogue
 from kitrobot.robots import Change, Happening, Known, NoNameError, NotConnectedError, RobotSession, WatchedRobot
 from kitrobot.robots.names import BoardNames
@@ -211,3 +211,10 @@ def test_a_terminal_is_told_that_a_link_is_lost() -> None:
     assert isinstance(watched.listen(0), LineError)
     assert watched.session.state.lost == "the link is lost"
     watched.end()
+
+
+def test_a_robot_whose_ticks_are_late_is_told_so_and_one_that_has_just_begun_is_not() -> None:
+    assert not is_slow("running", 3, 3)
+    assert is_slow("running", 4, 7)
+    assert not is_slow("running", 4, 8)
+    assert not is_slow("ready", 50, 50)

@@ -9,7 +9,7 @@ import typer
 from kitrobot.cli.deploy import Addresses
 from kitrobot.cli.deploy_set import table
 from kitrobot.cli.json_results import AsJson, of_board
-from kitrobot.cli.output import clean, error_object, give, json_text, tell, tell_of_waiting
+from kitrobot.cli.output import clean, error_object, give, json_text, tell, tell_of_lateness, tell_of_waiting
 
 if TYPE_CHECKING:
     from kitrobot.robots import Seen
@@ -50,6 +50,7 @@ def list_boards(
     if label is not None:
         _label(to or [], label, as_json)
         return
+    from kitrobot.deploy import is_slow
     from kitrobot.workspace import look_at_boards
     from kitrobot.workspace.board_labels import labels_of
 
@@ -72,6 +73,8 @@ def list_boards(
     for line in table(rows):
         give(line)
     for one in seen:
+        if one.hello is not None and is_slow(one.hello.state_name, one.hello.late, one.hello.tick):
+            tell_of_lateness(one.port.address)
         if one.error is not None:
             tell(f"{one.port.address}: {one.error.message}")
             if one.port.firmware:

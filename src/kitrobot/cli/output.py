@@ -173,6 +173,12 @@ def tell_of_waiting(address: str) -> None:
     tell(f"{address}: no answer yet, asking again")
 
 
+def tell_of_lateness(address: str) -> None:
+    """That a robot's program does not keep its time."""
+    tell(f"{address}: most ticks take longer than they may, so the program runs slower than it says")
+    tell("  help: `kitrobot bench` says which part takes so long; or give the robot a longer tick")
+
+
 def give(text: str) -> None:
     """Data, on standard output, without adding anything."""
     if sys.stdout is None:

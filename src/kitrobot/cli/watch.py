@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from kitrobot.cli.output import clean, complain, error_object, give, json_text, tell, tell_of_waiting
+from kitrobot.cli.output import clean, complain, error_object, give, json_text, tell, tell_of_lateness, tell_of_waiting
 
 if TYPE_CHECKING:
     from rich.console import Group
@@ -119,6 +119,7 @@ def watch_board(
 def _watch(watched: Sequence[WatchedRobot], period: int, seconds: float, as_json: bool) -> bool:
     """Watches for so long, until Ctrl-C, or until no robot answers any more; whether a link was lost."""
     there = list(watched)
+    slow: list[WatchedRobot] = []
     try:
         for one in watched:
             one.begin(period)
@@ -132,8 +133,11 @@ def _watch(watched: Sequence[WatchedRobot], period: int, seconds: float, as_json
                         complain(error)
                         if as_json:
                             give(json.dumps({"board": one.address, "error": error_object(error)}) + "\n")
-                    else:
-                        show(one)
+                        continue
+                    show(one)
+                    if one.is_slow and one not in slow:
+                        slow.append(one)
+                        tell_of_lateness(one.address)
     except KeyboardInterrupt:
         pass
     finally:

@@ -1,6 +1,6 @@
 """Real robots: the line to a board, what is put onto it, and talking to what runs there."""
 
-from kitrobot.deploy.board import Board, Hello, Step
+from kitrobot.deploy.board import Board, Hello, Step, is_slow
 from kitrobot.deploy.connecting import connect
 from kitrobot.deploy.errors import (
     BoardError,
@@ -72,6 +72,7 @@ __all__ = [
     "connect",
     "deploy",
     "fitted",
+    "is_slow",
     "kit_problems",
     "list_ports",
     "look_at_parts",

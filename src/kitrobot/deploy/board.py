@@ -40,6 +40,9 @@ _STEP_CELLS = 8
 _MEMBER_CELLS = 4
 """The same beside the byte that asks for a tick."""
 
+_FEW_LATE = 4
+"""A robot that has just begun is late now and then."""
+
 STATES = ("no program", "ready", "running", "ended", "fault")
 
 
@@ -61,6 +64,11 @@ class Hello:
     def state_name(self) -> str:
         """The state in a word or two."""
         return STATES[self.state] if self.state < len(STATES) else str(self.state)
+
+
+def is_slow(state: str, late: int, tick: int) -> bool:
+    """Whether most ticks of a program that runs took longer than a tick may; of a few nothing is said."""
+    return state == "running" and late >= _FEW_LATE and 2 * late > tick
 
 
 @dataclass(frozen=True)

@@ -11,6 +11,7 @@ Drivers are found by the name in a robot's XML: shipped ones by family of boards
 from __future__ import annotations
 
 import ast
+import copy
 import hashlib
 import re
 from collections.abc import Iterable, Iterator, Mapping, Sequence
@@ -43,6 +44,9 @@ MODULE, PROGRAM, DIGITS = "kr", "kp", 8
 OWN_SUFFIX = ".driver.py"
 _BUILDING = Lock()
 """Trees of Python are shared, and written to while they are made short."""
+
+WITH_LINES = frozenset({"machine"})
+"""Kinds of boards with room for drivers as their users wrote them, so that a fault names the line."""
 
 TRIMMED = "drivers.microbit.shared"
 """The package of modules with what several drivers of the smallest board are, which are trimmed as a driver is."""
@@ -77,6 +81,7 @@ class Built:
         tends: names of drivers that do something at each tick.
         bases: of a driver, the file that is executed in its space before it.
         frozen: what the board runs from its flash.
+        in_lines: of a user's own driver whose lines and names are those of its file, the name of that file.
         member: the name of the file with the code of a member of a team; "" where no program of a team is meant.
     """
 
@@ -93,6 +98,7 @@ class Built:
     member: str = ""
     tends: frozenset[str] = frozenset()
     bases: Mapping[str, str] = field(default_factory=dict)
+    in_lines: Mapping[str, str] = field(default_factory=dict)
 
 
 @lru_cache(_REMEMBERED)
@@ -154,11 +160,16 @@ class Package:
         making = _Making(shared=self._shared(family, drivers))
         modules = {}
         wants_range = {}
+        in_lines = {}
         for driver, asked in drivers.items():
             path = self.driver_file(driver, family)
             if path is None:
                 raise missing_driver(driver, self, family)
-            modules[driver] = making.add(path, asked) + ".py"
+            text = making.in_lines(path) if family in WITH_LINES and path.name.endswith(OWN_SUFFIX) else None
+            if text is not None:
+                modules[driver], in_lines[driver] = making.stored(text), path.name
+            else:
+                modules[driver] = making.add(path, asked) + ".py"
             wants_range[driver] = re.search(rb"""["']m(in|ax)["']""", making.files[modules[driver]]) is not None
         tends = frozenset(driver for driver in drivers if self._tends(driver, family))
         bases = {
@@ -166,7 +177,9 @@ class Package:
             for driver in drivers
             if (path := self.driver_file(driver, family)) in making.bases
         }
-        built = replace(_built(family, making, modules, wants_range, in_flash), tends=tends, bases=bases)
+        built = replace(
+            _built(family, making, modules, wants_range, in_flash), tends=tends, bases=bases, in_lines=in_lines
+        )
         if TEAM_DRIVER not in drivers:
             return built
         member = part(ONBOARD / "member.py")
@@ -275,6 +288,28 @@ class _Making:
         name = self.stored(short_text(ast.unparse(ast.fix_missing_locations(tree))).encode())[: -len(".py")]
         self.names[made] = name
         return name
+
+    def in_lines(self, path: Path) -> bytes | None:
+        """A driver with every line where it is in its file; its imports of ours, which it adds, have the board's names.
+        None when that cannot be said so: MicroPython knows no annotations of variables, and a line has one import.
+        """
+        text = read_source(path)
+        tree = parsed(text, str(path))
+        lines = text.split("\n")
+        for node in ast.walk(tree):
+            if isinstance(node, ast.AnnAssign):
+                return None
+            if isinstance(node, ast.Import | ast.ImportFrom):
+                if isinstance(node, ast.ImportFrom) and node.module in ("__future__", "typing"):
+                    return None
+                made = _Imports(self, path).visit(copy.deepcopy(node))
+                end = node.end_lineno or node.lineno
+                there = "\n".join(lines[node.lineno - 1 : end])
+                if there.strip() != (ast.get_source_segment(text, node) or ""):
+                    return None
+                words = ";".join(ast.unparse(one) for one in (made if isinstance(made, list) else [made]))
+                lines[node.lineno - 1 : end] = [" " * node.col_offset + words, *[""] * (end - node.lineno)]
+        return "\n".join(lines).encode()
 
     def stored(self, content: bytes) -> str:
         """Adds a file; its name."""

@@ -75,7 +75,7 @@ def _devices(devices: Sequence[Device], built: Built) -> Iterator[tuple[int, lis
     for driver, made_of_it in lines.items():
         base = built.bases.get(driver, "")
         job = based.setdefault(base or driver, [])
-        where, executed = made_of_it[0][0], _executed(built.drivers[driver], built)
+        where, executed = made_of_it[0][0], _executed(built.drivers[driver], built, built.in_lines.get(driver, ""))
         if not base:
             executed = f"$space={{}};{executed}"
         elif not job:
@@ -86,8 +86,13 @@ def _devices(devices: Sequence[Device], built: Built) -> Iterator[tuple[int, lis
         yield len(built.files[built.drivers.get(name, name)]), job
 
 
-def _executed(name: str, built: Built) -> str:
-    return f"exec(open({name!r}).read({len(built.files[name])}),$space)"
+def _executed(name: str, built: Built, called: str = "") -> str:
+    """Executes a driver's file; `called`: with the numbers of its lines, under that name."""
+    read = f"open({name!r}).read({len(built.files[name])})"
+    if not called:
+        return f"exec({read},$space)"
+    level = "import micropython;micropython.opt_level"
+    return f"{level}(0);exec(compile({read},{_literal(called)},'exec'),$space);micropython.opt_level(3)"
 
 
 def _numbers(program: ProgramFile) -> Iterator[bytes]:

@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from contextlib import suppress
 from typing import Any
 
-from kitrobot.deploy import Fault, Hello, LineError, News, SilentError, Text
+from kitrobot.deploy import Fault, Hello, LineError, News, SilentError, Text, is_slow
 from kitrobot.diagnostics import KitRobotError
 from kitrobot.robots.link import Link
 from kitrobot.robots.names import BoardNames
@@ -95,6 +95,11 @@ class WatchedRobot:
         self._link.hurry()
         with suppress(KitRobotError):
             self.session.watch(0)
+
+    @property
+    def is_slow(self) -> bool:
+        """Whether most of its ticks take longer than they may."""
+        return is_slow(self.session.state.doing, self.session.state.late, self.session.state.tick)
 
     def title(self) -> str:
         """What is watched, and how it is."""

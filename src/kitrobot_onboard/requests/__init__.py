@@ -10,7 +10,7 @@ REQUESTS = {
     "h": ("hello",),
     "w": ("program", "watch"),
     "T": ("report",),
-    "l": ("last",),
+    "l": ("fault_text", "last"),
     "f": ("program", "force", "clamp"),
     "v": ("program", "variable"),
     "n": ("program", "next", "clamp", "again"),
@@ -23,5 +23,5 @@ REQUESTS = {
 first. `n` continues with C, and with s before it where that is needed; `w` with T. `m` is
 asked at each tick of a member."""
 
-BY_FAMILY = {"microbit": {"i": ("lights", "identify")}}
+BY_FAMILY = {"microbit": {"i": ("lights", "identify")}, "machine": {"l": ("fault_line", "last")}}
 """What differs for a family of boards."""

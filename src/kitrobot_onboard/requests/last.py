@@ -4,8 +4,7 @@ from kitrobot_onboard.state import DATA, FAULT, TOLD
 
 if robot[DATA]:
     robot[TOLD] = 3
-number, count, device, text = robot[FAULT]
-text = repr(text)
+number, count, device, at = robot[FAULT]
 if number in (0, 3, 6):
     text = ""
 if number == 2:
