@@ -226,7 +226,7 @@ class Thinking(io.StringIO):
         self.thinks = False
         self.answered_too_early = 0
 
-    def readline(self, size: int | None = -1, /) -> str:
+    def readline(self, size: int | None = -1, /) -> str:  # type: ignore[override]
         for _ in range(self.HEARD if self.thinks else 0):
             self.answered_too_early += not self.heard.acquire(timeout=PATIENCE_S / 10)
         self.thinks = True  # from the second answer on: before the first nothing runs
@@ -352,7 +352,7 @@ def test_a_micro_bit_of_2016_runs_every_part_that_a_kit_claims(microbit: Emulate
 def test_a_part_whose_program_has_no_room_is_a_row_and_the_rest_goes_on(
     kit: ModernBoard, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    load = bench_run.load_parts
+    load = load_parts
 
     def loaded(bench: Bench, needed: PartKey, broken: Any, send: Any) -> Any:
         if needed[1] == "Wheel":

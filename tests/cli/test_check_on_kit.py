@@ -5,7 +5,7 @@ from __future__ import annotations
 import json
 from pathlib import Path
 
-from kitrobot.files import examples_folder
+from tests.verifier.building import EXAMPLES
 
 GOOD = "Wheel.Advance(40); WAIT(5); Wheel.Stop();"
 
@@ -34,7 +34,7 @@ def test_a_text_with_an_error_says_which(kitrobot, here: Path) -> None:
 
 
 def test_what_a_team_gives_a_robot_is_no_part_that_a_kit_could_lack(kitrobot) -> None:
-    said = kitrobot("check", examples_folder() / "transport-team" / "transport-team.krt", "--board", "pico", "--json")
+    said = kitrobot("check", EXAMPLES / "transport-team" / "transport-team.krt", "--board", "pico", "--json")
     teams = [part for row in json.loads(said.out) for part in row["parts"] if part["part"] == "Team"]
     assert teams
     assert {(part["problem"], part["missing"]) for part in teams} == {("", False)}
@@ -43,7 +43,7 @@ def test_what_a_team_gives_a_robot_is_no_part_that_a_kit_could_lack(kitrobot) ->
 
 def test_a_robot_that_says_no_wiring_is_told_to_name_a_kit(kitrobot) -> None:
     for name, parts in (("square", "Motor, Wheel"), ("door", "Switch")):
-        path = examples_folder() / name / f"{name}.krt"
+        path = EXAMPLES / name / f"{name}.krt"
         said = kitrobot("deploy", path, "--to", "socket://127.0.0.1:1")
         assert said.status == 1
         assert "--board" in said.err

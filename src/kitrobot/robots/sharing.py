@@ -21,7 +21,7 @@ def warn_of_sharing(name: str, robot: Robot, compiled: Compiled) -> list[Diagnos
     """A warning for each shared variable that a program uses, at the first place; `name` is the program's. None for one
     with errors: it is not sent, and its tree is not that of its text.
     """
-    shared = {variable.name for variable in robot.variables if variable.shared} if compiled.image is not None else None
+    shared = {variable.name for variable in robot.variables if variable.shared and compiled.ok}
     found: dict[str, Diagnostic] = {}
     vertex = None
     for node in nodes(compiled.placed) if shared else ():

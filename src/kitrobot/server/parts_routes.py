@@ -26,7 +26,7 @@ from kitrobot.server.shapes.parts import (
     WorldEntryShape,
     WorldFileShape,
 )
-from kitrobot.text import Sentence
+from kitrobot.text import Sentence, Series
 from kitrobot.translation import said
 from kitrobot.workspace import (
     FoundWorld,
@@ -134,7 +134,7 @@ def kits_fit(studio: ThisStudio, wanted: KitFitAskShape) -> list[KitFitShape]:
 def _why_not(problem: KitRobotError) -> str:
     """Why a program cannot be sent: of one with errors the first of them."""
     first = next((item for item in problem.diagnostics if item.is_error), None)
-    return Sentence("{problem}: {reason}", problem.message, first.message) if first is not None else problem.message
+    return Series(Sentence(": "), (problem.message, first.message)) if first is not None else problem.message
 
 
 @parts_routes.post("/parts")
