@@ -16,7 +16,8 @@ import pytest
 from kitrobot.fleet import replica
 from kitrobot.lll import parse_team
 from kitrobot.sim import Simulation, meetings
-from kitrobot.sim.state import State, Team as TeamTables
+from kitrobot.sim.state import State
+from kitrobot.sim.state import Team as TeamTables
 from kitrobot.sim.team_columns import HAS_UNIT, LOST_UNIT, P_MEMBERS, T_AT, W_LEFT, W_TAKEN
 from kitrobot.team import decision, membership
 from kitrobot.team.decision import Decision

@@ -59,6 +59,9 @@ class Faults(NamedTuple):
     late: int = 0
 
 
+NO_FAULTS = Faults()
+
+
 class Agent(NamedTuple):
     """An `AgentHost` as a value; each field holds the attribute of that name, or what `restore` says."""
 
@@ -99,7 +102,7 @@ class Plan:
     """
 
     mission: Callable[[], Simulation]
-    faults: Faults = Faults()
+    faults: Faults = NO_FAULTS
     letters: int = 6
     prompt: bool = False
     unit_lease_ms: int = 0
@@ -430,7 +433,7 @@ class ThreeAgents:
         if decided not in self.views:
             tables = first_tables(self.charter)
             for value in decided:
-                tables, _ = applied(self.charter, tables, value)
+                tables, _ = applied(tables, value)
             self.views[decided] = tables.view
         return self.views[decided]
 

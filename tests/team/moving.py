@@ -26,8 +26,7 @@ def moved(state: Member, ms: int, oldest: int = -(1 << 60)) -> Member:
         now=state.now + ms,
         log=log._replace(retry_at=at(log.retry_at) if log.retry_at else 0),
         membership=known._replace(peers=peers, since=at(known.since), beat_at=at(known.beat_at), right=at(known.right)),
-        acts_from=tuple(at(time) for time in state.acts_from),
-        leases=tuple(lease._replace(until=at(lease.until)) for lease in state.leases),
+        acts_from=at(state.acts_from),
     )
 
 

@@ -6,36 +6,27 @@ All is decided by a seed and a list of phases. Clocks run at different speeds; t
 from __future__ import annotations
 
 import random
-from collections import defaultdict
 from collections.abc import Callable
 from dataclasses import dataclass, field
 
 from kitrobot.team import (
     EVERYONE,
-    Announce,
     Change,
     Charter,
-    Done,
     Event,
-    Granted,
-    Group,
-    MeetingRule,
     Member,
     Message,
-    Passed,
+    Note,
+    Noted,
     Received,
-    Role,
     Seat,
-    Take,
     Time,
-    Work,
     Write,
     first_state,
     may_act,
     step,
 )
 from kitrobot.team.decision import is_quorum
-from kitrobot.team.meeting import combined, participants
 from kitrobot.team.tables import Tables
 
 STEP = 25
@@ -61,30 +52,26 @@ class Phase:
     idle: bool = False
 
 
-def team(members: int, units: int = 6) -> Charter:
-    """A team: all but the last in a group that substitutes and plays two roles, the last a spare."""
-    everyone = tuple(range(members))
-    inside = everyone[:-1] if members > 2 else everyone
-    return Charter(
-        members=members,
-        roles=(Role(everyone, 1, 0), Role(everyone, 1, 0)),
-        groups=(Group(inside, "substitute"),),
-        meetings=(MeetingRule((0,), "any"), MeetingRule((0,), "most")),
-        works=(Work(units, lease=4000),),
-        variables=2,
-    )
+def team(members: int) -> Charter:
+    """A team that shares two variables."""
+    return Charter(members, variables=2)
 
 
 @dataclass
 class Robot:
-    """The program of a member: meets, takes a unit, meets again, works, writes; round after round."""
+    """The program of a member: gives notes and writes variables, one after the other.
+
+    Attributes:
+        given: how many notes it gave; noted: those of all members that took effect here, in order.
+        viewed_at: when it learned of the view that it knows, by its own clock.
+    """
 
     state: Member
     speed: float
     offset: int
-    place: tuple[int, int] | None = None
-    asks: bool = False
-    holds: list[tuple[int, int, int]] = field(default_factory=list)
+    viewed_at: int
+    given: int = 0
+    noted: list[tuple[Seat, tuple[int, ...]]] = field(default_factory=list)
 
 
 class Network:
@@ -97,9 +84,7 @@ class Network:
         self.robots: dict[int, Robot] = {}
         self.phase = Phase(0)
         self.tables: dict[int, Tables] = {0: first_state(charter, Seat(0, 0), 0).tables}
-        self.announced: dict[tuple[int, int], dict[int, int]] = defaultdict(dict)
-        self.answers: dict[tuple[int, int], int] = {}
-        self.counted: set[tuple[int, int]] = set()
+        self.given: set[tuple[Seat, tuple[int, ...]]] = set()
         self.lives = [0] * charter.members
         self.sent = 0
         self.blocked: Callable[[int, int, Message], bool] = lambda sender, to, message: False
@@ -109,9 +94,10 @@ class Network:
     def start(self, member: int) -> None:
         """A member starts, in its next life if it had one."""
         speed, offset = self.random.choice((1.0, 0.96, 1.04)), self.random.randrange(10_000)
-        state = first_state(self.charter, Seat(member, self.lives[member]), int(self.now * speed) + offset)
+        now = int(self.now * speed) + offset
+        state = first_state(self.charter, Seat(member, self.lives[member]), now)
         self.lives[member] += 1
-        self.robots[member] = Robot(state, speed, offset)
+        self.robots[member] = Robot(state, speed, offset, now)
 
     def run(self, phase: Phase) -> None:
         """Goes on under the faults of a phase."""
@@ -136,13 +122,15 @@ class Network:
                     self.event(member, Time())
                     if not phase.idle:
                         self.program(member)
-            self.check_roles()
+            self.check_rights()
 
     def event(self, member: int, event: Event) -> None:
         robot = self.robots[member]
-        before = robot.state.log.slot
+        before, view = robot.state.log.slot, robot.state.tables.view
         stepped = step(self.charter, robot.state, self.clock(robot), event)
         robot.state = stepped.state
+        if stepped.state.tables.view != view:
+            robot.viewed_at = self.clock(robot)
         for to, message in stepped.messages:
             for other in range(self.charter.members) if to == EVERYONE else (to,):
                 if other != member:
@@ -150,7 +138,7 @@ class Network:
         if stepped.state.log.slot != before:
             self.check_log(robot.state)
         for change in stepped.changes:
-            self.told(member, robot, change)
+            self.note(robot, change)
 
     def clock(self, robot: Robot) -> int:
         return int(self.now * robot.speed) + robot.offset
@@ -166,74 +154,43 @@ class Network:
             self.under_way.append((self.now + self.random.randint(1, 1 + phase.delay), to, message))
 
     def program(self, member: int) -> None:
-        """The next thing that the robot does, if it plays in the group and waits for nothing."""
+        """The next thing that the robot does, if it is in the view and few of its notes wait."""
         robot = self.robots[member]
-        tables = robot.state.tables
-        inside = robot.state.seat in tables.view.seats and member in tables.groups[0]
-        if not inside:
-            robot.place = None
+        state = robot.state
+        if state.seat not in state.tables.view.seats or len(state.log.pending) >= 3 or robot.given >= self.rounds:
             return
-        if robot.holds and self.random.randrange(4) == 0:
-            self.event(member, Done(*robot.holds.pop()))
-        if robot.place is not None:
-            return
-        rounds = [r.occurrence for m in tables.meetings for r in m.results] + [
-            said.occurrence - 1 for m in tables.meetings for said in m.announced
-        ]
-        done = [max((r.occurrence for r in m.results), default=-1) for m in tables.meetings]
-        number = 0 if done[0] == done[1] else 1
-        occurrence = done[number] + 1
-        if max(rounds, default=-1) >= self.rounds:
-            return
-        if number == 1 and not robot.asks:
-            robot.asks = True
-            self.event(member, Take(0))
+        robot.given += 1
+        numbers = (robot.given, self.random.randrange(9))
+        self.given.add((state.seat, numbers))
+        self.event(member, Note(numbers))
+        if self.random.randrange(4) == 0:
             self.event(member, Write(self.random.randrange(2), self.random.randrange(100)))
-        robot.place = (number, occurrence)
-        answer = (member * 7 + occurrence * 3 + number) % 2
-        self.announced[robot.place].setdefault(member, answer)
-        self.event(member, Announce(number, occurrence, self.announced[robot.place][member]))
 
-    def told(self, member: int, robot: Robot, change: Change) -> None:
-        """Laws of single changes."""
-        if isinstance(change, Passed):
-            place = (change.meeting, change.occurrence)
-            assert self.answers.setdefault(place, change.answer) == change.answer, "a question has one answer"
-            if robot.place == place:
-                robot.place = None
-        elif isinstance(change, Granted) and change.member == member:
-            robot.asks = False
-            if change.unit >= 0:
-                robot.holds.append((change.work, change.unit, change.number))
+    def note(self, robot: Robot, change: Change) -> None:
+        """A note takes effect once, in the order of its member, and only if it was given."""
+        if isinstance(change, Noted):
+            note = change.seat, change.numbers
+            assert note in self.given
+            assert all(seat != change.seat or numbers[0] < change.numbers[0] for seat, numbers in robot.noted)
+            robot.noted.append(note)
 
     def check_log(self, state: Member) -> None:
-        """What one member knows to be decided, another one knows too; a meeting ends as its members announced."""
+        """What one member knows to be decided, another one knows too."""
         slot, tables = state.log.slot, state.tables
-        new = slot not in self.tables
         assert self.tables.setdefault(slot, tables) == tables, f"two members decide slot {slot} differently"
-        before = self.tables.get(slot - 1)
-        if before is None or not new:
-            return
-        for number, (old, after) in enumerate(zip(before.meetings, tables.meetings, strict=True)):
-            for result in set(after.results) - set(old.results):
-                live = set(participants(self.charter, tables, number)) & set(participants(self.charter, before, number))
-                said = self.announced[number, result.occurrence]
-                assert live <= said.keys(), "a meeting was over before all its members came"
-                if before.view == tables.view:
-                    answers = [said[member] for member in live]
-                    assert result.answer == combined(self.charter.meetings[number].quantifier, answers)
-        for number, (was, now) in enumerate(zip(before.works, tables.works, strict=True)):
-            for index, (a, b) in enumerate(zip(was.units, now.units, strict=True)):
-                assert b.number >= a.number
-                assert b.done or not a.done, "a unit that was done is not"
-                if b.done and not a.done:
-                    assert (number, index) not in self.counted, "a unit is counted as done once"
-                    self.counted.add((number, index))
 
-    def check_roles(self) -> None:
-        for number, role in enumerate(self.charter.roles):
-            acting = [m for m, r in self.robots.items() if may_act(self.charter, r.state, number, self.clock(r))]
-            assert len(acting) <= role.wanted, f"{acting} act in one role at the same moment"
+    def check_rights(self) -> None:
+        """A robot that a view has left may not act once another may have taken its place (`Charter.hold`)."""
+        acting = [robot.state.seat for robot in self.robots.values() if self.acts(robot)]
+        for robot in self.robots.values():
+            if self.clock(robot) - robot.viewed_at >= self.charter.hold:
+                view = robot.state.tables.view
+                newer = [one.state.tables.view.number for one in self.robots.values()]
+                gone = [seat for seat in acting if seat not in view.seats]
+                assert view.number < max(newer) or not gone, f"{gone} act after the view has left them"
+
+    def acts(self, robot: Robot) -> bool:
+        return may_act(self.charter, robot.state, self.clock(robot))
 
     def can_heal(self) -> bool:
         """Whether those that run can decide: a quorum of the newest view that anyone knows is among them."""
@@ -246,7 +203,7 @@ class Network:
         return self.robots[member].state.seat if member in self.robots else None
 
     def check_healed(self) -> None:
-        """All copies are equal, everyone that runs is in the view, all roles are played, nothing waits."""
+        """All copies are equal, everyone that runs is in the view and may act, nothing waits."""
         states = [robot.state for robot in self.robots.values()]
         first = states[0]
         assert {state.seat for state in states} == set(first.tables.view.seats)
@@ -254,8 +211,4 @@ class Network:
         assert all(state.tables == first.tables for state in states)
         assert all(state.store == first.store for state in states)
         assert all(not state.log.pending and state.membership.heard for state in states)
-        playing = {m for players in first.tables.players for m in players}
-        assert len(playing) == min(len(states), len(self.charter.roles))
-        for number in range(len(self.charter.roles)):
-            acting = [m for m, r in self.robots.items() if may_act(self.charter, r.state, number, self.clock(r))]
-            assert tuple(acting) == first.tables.players[number]
+        assert all(self.acts(robot) for robot in self.robots.values())

@@ -11,7 +11,7 @@ from typing import cast
 
 import pytest
 
-from kitrobot.team.commands import Batch, Command, Seat, Take
+from kitrobot.team.commands import Batch, Command, Note, Seat
 from kitrobot.team.decision import Decision, SynodMessage, attempt, is_quorum, receive
 from kitrobot.team.messages import EVERYONE, Ballot, Chosen, Propose, Sending
 from tests.effort import cases
@@ -21,7 +21,7 @@ _State = tuple[tuple[int, ...], tuple[int, ...], int]
 
 
 def _wish(member: int) -> Batch:
-    return (Command(Seat(member, 0), 1, Take(member)),)
+    return (Command(Seat(member, 0), 1, Note((member,))),)
 
 
 def _voters(count: int) -> tuple[Decision, ...]:

@@ -1,8 +1,7 @@
 """The laws of the protocol, on random runs of two to seven members with every fault that it tolerates.
 
-`network` holds those that are true at every moment: one decision for each slot, no meeting over before all came, one
-answer for all, a unit counted once, no role played twice. Here: what is true after healing, and that faults change no
-outcome.
+`network` holds those that are true at every moment: one decision for each slot, each note once and in its order, no
+right to act that outlives a view. Here: what is true after healing, and that faults change no outcome.
 """
 
 from __future__ import annotations
@@ -54,9 +53,7 @@ def test_whatever_fails_the_laws_hold_and_after_healing_all_copies_are_equal_and
     network.run(Phase(IDLE, idle=True))
     if network.robots and network.can_heal():
         network.check_healed()
-        state = network.robots[min(network.robots)].state
-        assert state.log.slot > before
-        assert all(unit.done for unit in state.tables.works[0].units), "no unit is lost"
+        assert network.robots[min(network.robots)].state.log.slot > before
 
 
 @settings(max_examples=examples(3, 100), phases=_PHASES)
@@ -71,17 +68,15 @@ def test_loss_doubling_reordering_and_delay_change_no_outcome(members: int, seed
     calm.check_healed()
     rough.check_healed()
     if rough.robots[0].state.tables.view.number == 0:
-        assert rough.answers == calm.answers
-        assert rough.robots[0].state.tables.meetings == calm.robots[0].state.tables.meetings
+        assert rough.robots[0].state.tables.applied == calm.robots[0].state.tables.applied
 
 
-def test_one_that_was_stopped_for_five_seconds_finds_its_role_with_another_and_does_not_act() -> None:
+def test_one_that_was_stopped_for_five_seconds_does_not_act_until_it_is_in_a_view_again() -> None:
     network = Network(team(4), 1)
     network.run(Phase(2_000))
-    assert network.robots[0].state.tables.players == ((0,), (1,))
     network.run(Phase(5_000, stopped=frozenset({0})))
-    assert network.robots[1].state.tables.players == ((2,), (1,))
-    # Its letters of five seconds come at once, before it hears the present view; check_roles looks at every moment.
+    assert [seat.member for seat in network.robots[1].state.tables.view.seats] == [1, 2, 3]
+    # Its letters of five seconds come at once, before it hears the present view; check_rights looks at every moment.
     network.run(Phase(HEALING - IDLE))
     network.run(Phase(IDLE, idle=True))
     network.check_healed()
@@ -102,13 +97,12 @@ def test_two_halves_never_both_go_on_and_the_smaller_one_is_told() -> None:
     network.check_healed()
 
 
-def test_any_one_member_may_crash_at_any_moment_and_all_units_are_done() -> None:
+def test_any_one_member_may_crash_at_any_moment_and_the_others_go_on() -> None:
     every = [(moment, member) for moment in range(0, 2_000, 900) for member in range(3)]
     for moment, member in cases([(0, 0), (900, 1), (1_800, 2)], every):
         network = Network(team(3), moment + member)
         network.run(Phase(moment))
         network.run(Phase(9_000, crash=member))
-        assert len(network.counted) == 6
         network.run(Phase(3_000, idle=True))
         network.check_healed()
 

@@ -1,8 +1,6 @@
 """The charter of a fleet: how the protocol of the room `team` is told who is who.
 
-Each agent is a member, and plays one role of the charter that is its own: to be itself. So `may_act` of that role is
-the right to act at all, which ends a lease after a quorum was heard last. Roles, groups, meetings and works of the
-mission are in the notes of the log (see `replica`).
+Each agent is a member. Roles, groups, meetings and works of the mission are in the notes of the log (see `replica`).
 """
 
 from __future__ import annotations
@@ -10,7 +8,7 @@ from __future__ import annotations
 from kitrobot.diagnostics import KitRobotError
 from kitrobot.sim import Simulation
 from kitrobot.sim.columns import TICK
-from kitrobot.team import Charter, Group, Role
+from kitrobot.team import Charter
 from kitrobot.team.charter import MOST_MEMBERS
 from kitrobot.text import Help, Sentence
 
@@ -38,8 +36,6 @@ def charter_of(simulation: Simulation, lease_ms: int = LEASE_MS) -> Charter:
         )
     return Charter(
         members=count,
-        roles=tuple(Role((i,), 1, i) for i in range(count)),
-        groups=tuple(Group((i,), "substitute") for i in range(count)),
         variables=len(simulation.state.shared.ints[0]),
         lease=lease_ms,
     )

@@ -136,7 +136,7 @@ class AgentHost:
         if not self.replica.is_of_team(self.me):
             return True
         margin = round(self.board.trip) if self.board is not None else 0
-        return may_act(self.charter, self.state, self.me, now + margin)
+        return may_act(self.charter, self.state, now + margin)
 
     def _is_silent(self, now: int) -> bool:
         """Whether it has no radio, or no body."""

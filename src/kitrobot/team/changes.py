@@ -11,51 +11,6 @@ from kitrobot.text import Sentence
 
 
 @dataclass(frozen=True, slots=True)
-class Passed:
-    """This occurrence of a meeting that the member stands at is over, with the answer of all of them (0 or 1)."""
-
-    meeting: int
-    occurrence: int
-    answer: int
-
-
-@dataclass(frozen=True, slots=True)
-class Late:
-    """This occurrence was over so long ago that its answer is forgotten: begin the block anew."""
-
-    meeting: int
-    occurrence: int
-
-
-@dataclass(frozen=True, slots=True)
-class Granted:
-    """The member holds a unit, under this number; unit -1: all are done, none will come."""
-
-    member: int
-    work: int
-    unit: int
-    number: int
-
-
-@dataclass(frozen=True, slots=True)
-class Counted:
-    """A unit was done; it is counted this once."""
-
-    member: int
-    work: int
-    unit: int
-
-
-@dataclass(frozen=True, slots=True)
-class NotCounted:
-    """What the member said of a unit was refused: it had been done, or taken from it."""
-
-    member: int
-    work: int
-    unit: int
-
-
-@dataclass(frozen=True, slots=True)
 class Noted:
     """A `Note` of this seat took effect."""
 
@@ -79,7 +34,7 @@ class Skipped:
 
 @dataclass(frozen=True, slots=True)
 class Viewed:
-    """There is a new view; groups and players of roles may be others."""
+    """There is a new view."""
 
     view: View
 
@@ -107,9 +62,7 @@ class Refused:
     why: Sentence
 
 
-Change = (
-    Passed | Late | Granted | Counted | NotCounted | Noted | Decided | Skipped | Viewed | Quorum | Written | Refused
-)
+Change = Noted | Decided | Skipped | Viewed | Quorum | Written | Refused
 
 Outgoing = tuple[Sending, ...]
 Told = tuple[Change, ...]

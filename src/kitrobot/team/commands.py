@@ -17,40 +17,6 @@ class Seat(NamedTuple):
 
 
 @dataclass(frozen=True, slots=True)
-class Announce:
-    """The member has come to this meeting, with its answer (0 or 1)."""
-
-    meeting: int
-    occurrence: int
-    answer: int
-
-
-@dataclass(frozen=True, slots=True)
-class Take:
-    """The member wants a unit."""
-
-    work: int
-
-
-@dataclass(frozen=True, slots=True)
-class Done:
-    """The unit is done by the holder with this number."""
-
-    work: int
-    unit: int
-    number: int
-
-
-@dataclass(frozen=True, slots=True)
-class Free:
-    """The unit is taken from (or given back by) the holder with this number."""
-
-    work: int
-    unit: int
-    number: int
-
-
-@dataclass(frozen=True, slots=True)
 class ViewChange:
     """The view after the one with this number: who leaves it, who joins it."""
 
@@ -61,12 +27,12 @@ class ViewChange:
 
 @dataclass(frozen=True, slots=True)
 class Note:
-    """Numbers of the host's own, which the log puts in order and the tables do not read; told as `Noted`."""
+    """Numbers of the host's own, which the log puts in order and the tables do not read; reported as `Noted`."""
 
     numbers: tuple[int, ...]
 
 
-Body = Announce | Take | Done | Free | ViewChange | Note
+Body = ViewChange | Note
 
 
 @dataclass(frozen=True, slots=True)

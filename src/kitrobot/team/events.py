@@ -1,12 +1,10 @@
-"""What a host tells a member; what its robot's program asks for is a command (`Announce`, `Take`, `Done`,
-`Free`, or a `Note` of the host's own).
-"""
+"""What a host gives a member; what its robot's program asks of the team is a `Note`."""
 
 from __future__ import annotations
 
 from dataclasses import dataclass
 
-from kitrobot.team.commands import Announce, Done, Free, Note, Take
+from kitrobot.team.commands import Note
 from kitrobot.team.messages import Message
 
 
@@ -36,4 +34,4 @@ class Leave:
     """The member's program has ended; it wants to be in no later view."""
 
 
-Event = Time | Received | Announce | Take | Done | Free | Note | Write | Leave
+Event = Time | Received | Note | Write | Leave

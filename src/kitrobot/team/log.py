@@ -100,13 +100,12 @@ def ordered(log: Log, body: Body) -> Log | None:
     return log._replace(pending=(*log.pending, command), given=command.number)
 
 
-def is_firm(charter: Charter, log: Log) -> bool:
+def is_firm(log: Log) -> bool:
     """Whether it has voted for no change of the view in the open slot."""
     value = log.decision.value
-    moves = any(rule.moves for rule in charter.meetings)
-    if not moves and not any(isinstance(command.body, ViewChange) for command in value):
+    if not any(isinstance(command.body, ViewChange) for command in value):
         return True
-    return applied(charter, log.tables, log.decision.value)[0].view == log.tables.view
+    return applied(log.tables, value)[0].view == log.tables.view
 
 
 def request(log: Log, to: int) -> Sending:
@@ -195,7 +194,7 @@ def _progress(charter: Charter, log: Log, out: Out) -> Log:
     value = log.decision.chosen
     if value is None:
         return log
-    tables, told = applied(charter, log.tables, value)
+    tables, told = applied(log.tables, value)
     out.changes.extend(told)
     out.changes.append(Decided(log.slot))
     wary = WARY if log.attempts > 1 else max(0, log.wary - 1)
@@ -279,15 +278,9 @@ def _from_snapshot(charter: Charter, log: Log, message: Snapshot, out: Out) -> L
 
 def fits(charter: Charter, tables: Tables) -> bool:
     """Whether the tables have the shape of the charter's, and name only members that it has."""
-    mine = first_tables(charter)
-    rows = ("applied", "groups", "players", "meetings", "works")
-    members = [m for row in (*tables.groups, *tables.players) for m in row]
-    members += [said.member for meeting in tables.meetings for said in meeting.announced]
-    members += [m for work in tables.works for m in (*work.waiting, *(u.holder for u in work.units if u.holder != -1))]
-    members += [seat.member for seat in tables.view.seats]
+    members = [seat.member for seat in tables.view.seats]
     return (
-        all(len(getattr(tables, row)) == len(getattr(mine, row)) for row in rows)
-        and all(len(a.units) == len(b.units) for a, b in zip(tables.works, mine.works, strict=True))
-        and all(0 <= m < charter.members for m in members)
-        and 0 < len(tables.view.seats) == len({seat.member for seat in tables.view.seats})
+        len(tables.applied) == charter.members
+        and all(0 <= member < charter.members for member in members)
+        and 0 < len(members) == len(set(members))
     )

@@ -2,7 +2,7 @@
 
 `step` has no clock, no socket, no thread and no randomness of its own; the same events give the same bytes. A host
 brings what it received, the time in ms at least every `Charter.beat` (`Time`), and what its robot's program does; it
-sends the messages and acts on the changes. What it must ask before a robot acts in a role is `may_act`.
+sends the messages and acts on the changes. What it must ask before a robot acts is `may_act`.
 
 What a message can do is bounded: it has at most two answers, each member has a budget of messages for each beat, and
 all rows of the state are as long as the charter or a constant. Crashes, pauses, lost, doubled, late and reordered
@@ -15,15 +15,13 @@ from __future__ import annotations
 
 from kitrobot.team import log as logs
 from kitrobot.team import membership, shared
-from kitrobot.team.changes import Change, Granted, Late, Passed, Quorum, Viewed, Written
+from kitrobot.team.changes import Quorum, Viewed, Written
 from kitrobot.team.charter import Charter
-from kitrobot.team.commands import Announce, Body, Free, Seat, ViewChange
+from kitrobot.team.commands import Body, ViewChange
 from kitrobot.team.events import Event, Leave, Received, Time, Write
 from kitrobot.team.log import Out
-from kitrobot.team.meeting import is_over, result_of
 from kitrobot.team.messages import EVERYONE, Behind, Compare, Heartbeat, Message, Sending, Writes
-from kitrobot.team.state import Lease, Member, Stepped
-from kitrobot.team.tables import Tables
+from kitrobot.team.state import Member, Stepped
 from kitrobot.text import Sentence
 
 BUDGET = 768
@@ -45,17 +43,17 @@ def step(charter: Charter, state: Member, now: int, event: Event) -> Stepped:
     elif isinstance(event, Time):
         state = _time(charter, state, now, out)
     else:
-        state = _ordered(charter, state, event, out)
+        state = _ordered(state, event, out)
     if not (isinstance(event, Received) and event.more):
         state = state._replace(log=logs.advance(charter, state.log, now, out))
-    if state.log.tables != before.log.tables or isinstance(event, Announce):
+    if state.log.tables != before.log.tables:
         state = _followed(charter, before, state, now, out)
     return Stepped(state, tuple(out.messages), tuple(out.changes))
 
 
 def _rights_kept(charter: Charter, state: Member, now: int) -> Member:
     """The right lent so far is written down; one that was stopped itself gives the others a new lease to be heard."""
-    firm = logs.is_firm(charter, state.log)
+    firm = logs.is_firm(state.log)
     right = membership.lent_until(state.membership, charter, state.tables.view, state.seat, now, firm)
     since = now if now - state.now >= charter.lease // 2 else state.membership.since
     known = state.membership
@@ -117,15 +115,8 @@ def _write(charter: Charter, state: Member, event: Write, out: Out) -> Member:
     return state._replace(store=store)
 
 
-def _ordered(charter: Charter, state: Member, body: Body, out: Out) -> Member:
-    """Asks for a command to be decided; at a meeting, waits for its end."""
-    if isinstance(body, Announce):
-        if not 0 <= body.meeting < len(charter.meetings):
-            out.refuse(state.seat.member, Sentence("there is no meeting {number}", body.meeting))
-            return state
-        state = state._replace(standing=tuple(sorted({*state.standing, (body.meeting, body.occurrence)})))
-        if is_over(state.tables.meetings[body.meeting], body.occurrence):
-            return state
+def _ordered(state: Member, body: Body, out: Out) -> Member:
+    """Asks for a command to be decided."""
     log = logs.ordered(state.log, body)
     if log is None:
         out.refuse(state.seat.member, Sentence("too many commands wait to be decided; wait for some of them"))
@@ -137,7 +128,7 @@ def _ordered(charter: Charter, state: Member, body: Body, out: Out) -> Member:
 
 
 def _time(charter: Charter, state: Member, now: int, out: Out) -> Member:
-    """What is due: the heartbeat, commands said again, the next view, leases of units."""
+    """What is due: the heartbeat, commands sent again, the next view."""
     known, view = state.membership, state.tables.view
     heard = membership.hears_quorum(known, charter, view, state.seat, now)
     if heard != known.heard:
@@ -153,7 +144,7 @@ def _time(charter: Charter, state: Member, now: int, out: Out) -> Member:
         stamp=now,
         view=view.number,
         slot=state.log.slot,
-        firm=logs.is_firm(charter, state.log),
+        firm=logs.is_firm(state.log),
         digest=shared.digest(state.store),
         echoes=(),
     )
@@ -165,69 +156,27 @@ def _time(charter: Charter, state: Member, now: int, out: Out) -> Member:
         spent=(0,) * charter.members,
     )
     if state.leaving and len(view.seats) > 1:
-        return _ordered(charter, state, ViewChange(view.number, (state.seat.member,), ()), out)
+        return _ordered(state, ViewChange(view.number, (state.seat.member,), ()), out)
     change = membership.change_wanted(known, charter, view, state.seat, now)
     if change and not any(isinstance(command.body, ViewChange) for command in state.log.pending):
-        state = _ordered(charter, state, change, out)
-    gone = membership.suspects(known, charter, view, state.seat, now)
-    if heard and membership.first_heard(view, gone) == state.seat:
-        for lease in state.leases:
-            if now >= lease.until:
-                state = _ordered(charter, state, Free(lease.work, lease.unit, lease.number), out)
+        state = _ordered(state, change, out)
     return state
 
 
 def _followed(charter: Charter, before: Member, state: Member, now: int, out: Out) -> Member:
-    """What a member draws from new tables: its meetings, its roles, the view, the leases of units.
+    """What a member draws from new tables: whether it is in the view.
 
-    A role is new, and held off, also if it may have been another's in a view that was passed over.
+    Its place is new, and held off, also if it may have been another's in a view that was passed over.
     """
-    tables, mine = state.tables, state.seat
-    single = tables.view.number <= before.tables.view.number + 1
-    new = [r for r in range(len(charter.roles)) if _plays(state, r) and not (single and _plays(before, r))]
-    standing = []
-    for number, occurrence in state.standing:
-        answer = result_of(tables.meetings[number], occurrence)
-        if answer is not None:
-            out.changes.append(Passed(number, occurrence, answer))
-        elif is_over(tables.meetings[number], occurrence):
-            out.changes.append(Late(number, occurrence))
-        else:
-            standing.append((number, occurrence))
+    view, was = state.tables.view, before.tables.view
     if not state.log.kept and before.log.slot != state.log.slot:
-        out.changes.extend(_after_snapshot(tables, mine))
-    known = {lease[:3]: lease for lease in state.leases}
-    held = [
-        (number, index, unit.number, now + charter.works[number].lease)
-        for number, work in enumerate(tables.works)
-        if charter.works[number].lease
-        for index, unit in enumerate(work.units)
-        if unit.holder >= 0
-    ]
-    if tables.view != before.tables.view:
-        state = state._replace(membership=membership.in_new_view(state.membership, now))
-    return state._replace(
-        standing=tuple(standing),
-        acts_from=tuple(now + charter.hold if role in new else at for role, at in enumerate(state.acts_from)),
-        leases=tuple(known.get(one[:3], Lease(*one)) for one in held),
-    )
-
-
-def _after_snapshot(tables: Tables, mine: Seat) -> list[Change]:
-    """What is told where single decisions are not known: the view, and the units that are held."""
-    return [
-        Viewed(tables.view),
-        *(
-            Granted(mine.member, number, index, unit.number)
-            for number, work in enumerate(tables.works)
-            for index, unit in enumerate(work.units)
-            if unit.holder == mine.member
-        ),
-    ]
-
-
-def _plays(state: Member, role: int) -> bool:
-    return state.seat in state.tables.view.seats and state.seat.member in state.tables.players[role]
+        out.changes.append(Viewed(view))
+    if view == was:
+        return state
+    stayed = view.number <= was.number + 1 and state.seat in was.seats
+    if state.seat in view.seats and not stayed:
+        state = state._replace(acts_from=now + charter.hold)
+    return state._replace(membership=membership.in_new_view(state.membership, now))
 
 
 def _with(row: tuple[int, ...], index: int, value: int) -> tuple[int, ...]:

@@ -1,4 +1,4 @@
-"""`Membership`: who is heard, who is suspected, and until when the right to act in a role is lent.
+"""`Membership`: who is heard, who is suspected, and until when the right to act is lent.
 
 Every member sends heartbeats with its time and echoes the times that it heard of others. A member counts as heard for a
 lease from its *own* time that came back, so both directions work and nobody's clock is compared with another's.
@@ -6,7 +6,8 @@ lease from its *own* time that came back, so both directions work and nobody's c
 The right to act rests on a quorum of echoes from voters that know the same view and have not voted for a change of
 it (`firm`). The quorum that decides a change shares a voter with that one, and the voter echoed before it voted:
 so a lease after the change was decided nobody acts by the old view, however long it was stopped or cut off. A member
-that gets a role waits `Charter.hold` from when it learned of it. Clocks may differ in speed by an eighth, not in more.
+that comes into the view waits `Charter.hold` from when it learned of it. Clocks may differ in speed by an eighth, not
+more.
 (Gray and Cheriton, Leases, 1989; Lamport, Malkhi and Zhou, Vertical Paxos, 2009.)
 """
 
@@ -50,7 +51,7 @@ class Membership(NamedTuple):
 
     Attributes:
         since: from when on silence counts (its start, a pause of its own, a new view, a quorum heard again).
-        right: until when it may act in its roles, as far as views before the present one lent it.
+        right: until when it may act, as far as views before the present one lent it.
         heard: whether it hears a quorum.
     """
 

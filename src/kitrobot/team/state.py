@@ -15,22 +15,12 @@ from kitrobot.team.shared import SharedStore
 from kitrobot.team.tables import Tables
 
 
-class Lease(NamedTuple):
-    """Until when a holder of a unit may keep it, by the own clock."""
-
-    work: int
-    unit: int
-    number: int
-    until: int
-
-
 class Member(NamedTuple):
     """The state of a member: frozen and hashable.
 
     Attributes:
         now: the latest time it was told, ms.
-        standing: (meeting, occurrence) that its program waits at.
-        acts_from: for each role, when its right to act in it begins.
+        acts_from: when its right to act begins.
         spent: for each member, how many of its messages were read in this beat; refused: how many were ever refused.
     """
 
@@ -39,11 +29,9 @@ class Member(NamedTuple):
     log: Log
     membership: Membership
     store: SharedStore
-    acts_from: tuple[int, ...]
+    acts_from: int
     spent: tuple[int, ...]
     refused: tuple[int, ...]
-    standing: tuple[tuple[int, int], ...] = ()
-    leases: tuple[Lease, ...] = ()
     leaving: bool = False
 
     @property
@@ -69,16 +57,16 @@ def first_state(charter: Charter, seat: Seat, now: int) -> Member:
         log=logs.first_log(charter, seat),
         membership=Membership((Peer(),) * size, now, now),
         store=shared.first_store(charter.variables),
-        acts_from=(now,) * len(charter.roles),
+        acts_from=now,
         spent=(0,) * size,
         refused=(0,) * size,
     )
 
 
-def may_act(charter: Charter, state: Member, role: int, now: int) -> bool:
-    """Whether the robot may act in a role at this moment, by the host's clock of now; asked before each act."""
-    tables, member = state.tables, state.seat
-    if member not in tables.view.seats or member.member not in tables.players[role] or now < state.acts_from[role]:
+def may_act(charter: Charter, state: Member, now: int) -> bool:
+    """Whether the member's robot may act at this moment, by the host's clock of now; asked before each act."""
+    view, seat = state.tables.view, state.seat
+    if seat not in view.seats or now < state.acts_from:
         return False
-    firm = logs.is_firm(charter, state.log)
-    return now < membership.lent_until(state.membership, charter, tables.view, member, now, firm)
+    firm = logs.is_firm(state.log)
+    return now < membership.lent_until(state.membership, charter, view, seat, now, firm)
