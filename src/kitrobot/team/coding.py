@@ -16,7 +16,7 @@ from kitrobot.team import commands, messages, tables
 from kitrobot.team.messages import Message
 from kitrobot.text import Sentence
 
-VERSION = 1
+VERSION = 2
 MOST_BYTES = 1 << 18
 LARGEST = 1 << 53
 
