@@ -224,8 +224,8 @@ class Replica:
 
     def _rows(self) -> list[list[int]]:
         team = self.state.team
-        tables = (team.points, team.robots, team.groups, team.since, team.works, team.holds, team.waits, self.grants)
-        rows = [row for table in tables for row in table]
+        tables = (team.points, team.robots, team.groups, team.vacated, team.since, team.works, team.holds, team.waits)
+        rows = [row for table in (*tables, self.grants) for row in table]
         return [
             team.numbers,
             team.emptied,
