@@ -22,7 +22,7 @@ FLEET = "benchmark"
 def kitrobot(me: int, count: int, rounds: int, where: str) -> list[float]:
     from kitrobot.fleet import TEAM_PROCESS, Channel, Network, key_of
     from kitrobot.fleet.bundles import bundled, unbundled
-    from kitrobot.fleet.envelopes import BEGIN, HELLO, MEMBER, Envelope
+    from kitrobot.fleet.envelopes import BEGIN, HELLO, MEMBER, WELCOME, Envelope
     from kitrobot.team import (
         Charter,
         Note,
@@ -38,8 +38,13 @@ def kitrobot(me: int, count: int, rounds: int, where: str) -> list[float]:
 
     channel = Channel(Network(FLEET, ("tcp/127.0.0.1:0",), (where,)), me, key_of(KEY, "here"))
     charter = Charter(count, lease=1000)
-    while not any(envelope.kind == BEGIN for envelope in channel.receive(0.1)):
+    has_begun = False
+    while not has_begun:
         channel.send(TEAM_PROCESS, HELLO)
+        for envelope in channel.receive(0.1):
+            if envelope.kind == WELCOME:
+                channel.run = envelope.run
+            has_begun |= envelope.kind == BEGIN
     arrived: defaultdict[int, int] = defaultdict(int)
 
     def now() -> int:

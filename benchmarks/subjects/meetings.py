@@ -72,15 +72,19 @@ def _part(times: list[float], part: float) -> Rate:
 
 def _kitrobot(members: int, rounds: int) -> list[list[float]]:
     from kitrobot.fleet import TEAM_PROCESS, Channel, Network, key_of
-    from kitrobot.fleet.envelopes import BEGIN, EVERYBODY
+    from kitrobot.fleet.envelopes import BEGIN, EVERYBODY, HELLO, WELCOME
 
     where = f"tcp/127.0.0.1:{_free_port()}"
     channel = Channel(Network(FLEET, (where,)), TEAM_PROCESS, key_of(KEY, "here"))
     try:
         with _workers("kitrobot", members, rounds, where) as workers:
+            channel.run = 1
             there: set[int] = set()
             while len(there) < members:
-                there |= {envelope.sender for envelope in channel.receive(0.2)}
+                for envelope in channel.receive(0.2):
+                    if envelope.kind == HELLO:
+                        there.add(envelope.sender)
+                        channel.send(envelope.sender, WELCOME, process=envelope.process)
             for _ in range(3):
                 channel.send(EVERYBODY, BEGIN)
             return [json.loads(worker.communicate()[0]) for worker in workers]

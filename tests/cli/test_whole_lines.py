@@ -10,7 +10,14 @@ import pytest
 
 from tests.patience import PATIENCE_S
 
-CHILD = "from kitrobot.cli.output import tell, use_utf8\nuse_utf8()\ntell('a' * 3000)\ntell('b')\ntell('c')"
+CHILD = """
+from kitrobot.cli.output import begin, standard_streams, tell
+begin()
+with standard_streams():
+    tell("a" * 3000)
+    tell("b")
+    tell("c")
+"""
 
 
 @pytest.mark.skipif(

@@ -105,7 +105,9 @@ class TestFiles:
 
     @pytest.mark.parametrize("element", ["While", "Arm.Unload", "If Then"])
     def test_a_program_with_a_constructor_that_nobody_knows_is_told_so_for_each_kit(self, page, folder, element):
-        shipped = examples_folder() / "transport-team"
+        examples = examples_folder()
+        assert examples is not None
+        shipped = examples / "transport-team"
         for file in shipped.iterdir():
             (folder / file.name).write_bytes(file.read_bytes())
         mission = opened(page, "transport-team.krt")["mission"]

@@ -357,7 +357,7 @@ def test_a_recording_may_be_larger_than_a_mission(app):
 
 
 def test_two_saves_at_once_both_come(page, connect, forever):  # noqa: F811
-    with connect() as watcher:
+    with page, connect() as watcher:  # in one loop, as in a server
         run = watcher.start(forever, speed=0.1)["run"]
         answers: list[bytes] = []
         threads = [

@@ -17,7 +17,7 @@ from kitrobot.deploy.errors import (
 )
 from kitrobot.deploy.firmware import EVERYWHERE, Needs
 from kitrobot.deploy.fitting import refuse_misfits, refuse_what_fits_no_board
-from kitrobot.deploy.installing import Deployed, Progress, deploy
+from kitrobot.deploy.installing import Deployed, Progress, RobotContext, deploy
 from kitrobot.deploy.kits import (
     PartOnKit,
     fitted,
@@ -65,6 +65,7 @@ __all__ = [
     "RawRepl",
     "Receiver",
     "ResetError",
+    "RobotContext",
     "SilentError",
     "Step",
     "Text",

@@ -97,6 +97,16 @@ class Deployed:
     micropython: str = ""
 
 
+@dataclass(frozen=True)
+class RobotContext:
+    """What is known of the robot that a program is for: the firmware without which nothing is sent, and a fault's text
+    with the name of the part in the place of its number.
+    """
+
+    needs: Needs | None = None
+    fault_text: Callable[[str], str] = str
+
+
 def deploy(
     address: str,
     program: bytes,
@@ -105,8 +115,7 @@ def deploy(
     *,
     replace: bool = False,
     fresh: bool = False,
-    needs: Needs | None = None,
-    named: Callable[[str], str] = str,
+    robot: RobotContext | None = None,
     over: Event | None = None,
 ) -> Deployed:
     """Puts a program onto a board and starts it.
@@ -118,8 +127,7 @@ def deploy(
         progress: is told how far it is.
         replace: whether a `main.py` of somebody else may be overwritten.
         fresh: whether to remove what KitRobot put there first; for boards that have no room for two.
-        needs: the firmware without which it is not sent.
-        named: a fault's text with the name of the part in the place of its number.
+        robot: what is known of the robot that the program is for.
         over: once it is set, the board is left with what it had.
 
     Raises:
@@ -133,7 +141,7 @@ def deploy(
     progress("connect", 0, 0)
     line = Line(address, over)
     try:
-        job = _Job(line, meant, package, progress, replace, fresh, needs, named)
+        job = _Job(line, meant, package, progress, replace, fresh, robot or RobotContext())
         job.insist(job.install)
         hello = job.started()
     except DeployError:
@@ -169,8 +177,7 @@ class _Job:
     progress: Progress
     replace: bool
     fresh: bool
-    needs: Needs | None = None
-    named: Callable[[str], str] = str
+    robot: RobotContext
     sent: dict[str, int] = field(default_factory=dict)
     """Sizes of the files that were sent."""
 
@@ -206,9 +213,9 @@ class _Job:
         """All up to the line that says what starts."""
         board = self.board
         self.progress("compare", 0, 0)
-        if self.needs is not None:
-            self.needs.refuse_other_board(board.family)
-            self.needs.refuse_older(board.micropython)
+        if self.robot.needs is not None:
+            self.robot.needs.refuse_other_board(board.family)
+            self.robot.needs.refuse_older(board.micropython)
         family = MICROBIT if board.family == MICROBIT else "machine"
         self.built: Built = self.package.built(family, self.program.drivers, in_flash=board.is_2016)
         refuse_misfits(self.program, self.package, family)
@@ -329,7 +336,9 @@ class _Job:
         fault = board.last_fault() if hello.free >= WORKING else None
         self._fault = fault.text.strip() if fault is not None else ""
         self._said = (
-            "" if fault is None else Series(Sentence(": "), filter(None, (fault.meaning, self.named(self._fault))))
+            ""
+            if fault is None
+            else Series(Sentence(": "), filter(None, (fault.meaning, self.robot.fault_text(self._fault))))
         )
         if self.on_trial and hello.free >= WORKING:
             self._confirm(board, hello)

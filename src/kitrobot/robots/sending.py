@@ -9,7 +9,7 @@ from threading import Event, Thread
 from time import monotonic
 from typing import TypeVar
 
-from kitrobot.deploy import Board, Deployed, DeployError, Hello, Port, connect, deploy, list_ports
+from kitrobot.deploy import Board, Deployed, DeployError, Hello, Port, RobotContext, connect, deploy, list_ports
 from kitrobot.diagnostics import KitRobotError
 from kitrobot.robots.program import BoardProgram
 from kitrobot.text import COMMA, Sentence, Series
@@ -127,8 +127,7 @@ def send_programs(
                     told,
                     replace=replace,
                     fresh=fresh,
-                    needs=program.needs,
-                    named=program.names.fault_text,
+                    robot=RobotContext(program.needs, program.names.fault_text),
                     over=over,
                 ),
                 None,

@@ -58,13 +58,13 @@ class SerialGateway:
 
     def deploy(self, address: str, program: BoardProgram, progress: Progress, replace: bool, fresh: bool) -> None:
         """As `deploy.deploy`."""
-        from kitrobot.deploy import deploy
+        from kitrobot.deploy import RobotContext, deploy
         from kitrobot.workspace.kept_firmware import keep_firmware
         from kitrobot.workspace.kept_programs import keep_program
 
-        file, needs = program.file.to_bytes(), program.needs
-        named = program.names.fault_text
-        done = deploy(address, file, program.package, progress, replace=replace, fresh=fresh, needs=needs, named=named)
+        robot = RobotContext(program.needs, program.names.fault_text)
+        file = program.file.to_bytes()
+        done = deploy(address, file, program.package, progress, replace=replace, fresh=fresh, robot=robot)
         if not address.startswith(AT_PAGE):  # these are others each time
             keep_firmware(address, done)
         # Then `kitrobot watch` and `kitrobot log` know it too.

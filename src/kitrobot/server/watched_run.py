@@ -202,6 +202,8 @@ class WatchedRun(ABC):
         self._observe()
         self._breakpoints.went_to(self.tick)
         self.hits = []
+        # The robots did not drive from where they were.
+        self._way, self._way_tick = [], self.tick
 
     # -- from outside
 

@@ -59,7 +59,10 @@ _SOURCES = tuple(Path(__file__).with_name(name) for name in ("jit_cache.py", "ta
 
 def available() -> bool:
     """Whether there is a Numba to compile with, and nobody said not to."""
-    return os.environ.get("KITROBOT_COMPILE", "") != "no" and importlib.util.find_spec("numba") is not None
+    try:
+        return os.environ.get("KITROBOT_COMPILE", "") != "no" and importlib.util.find_spec("numba") is not None
+    except ImportError:
+        return False  # an import hook of the process refuses it
 
 
 def is_missed() -> bool:

@@ -6,7 +6,7 @@
  */
 import "./number-input.css";
 
-import { type ChangeEvent, type FocusEvent, type KeyboardEvent, useId, useState } from "react";
+import { type ChangeEvent, type FocusEvent, type KeyboardEvent, useId, useRef, useState } from "react";
 
 import { decimal, readNumber, readWhole } from "../../i18n/numbers";
 import { t } from "../../i18n/words";
@@ -47,6 +47,7 @@ export function NumberInput(props: NumberInputProps) {
   const { optional = false, value, whole = false } = props;
   const why = useId();
   const [typed, setTyped] = useState<string | null>(null);
+  const isStored = useRef(false);
   const shown = value === null ? "" : decimal(value, 0, 6);
   const read = whole ? readWhole : readNumber;
   const empty = optional && typed?.trim() === "";
@@ -67,6 +68,10 @@ export function NumberInput(props: NumberInputProps) {
     const by = { ArrowUp: 1, ArrowDown: -1 }[event.key];
     if (event.key === "Enter") {
       store();
+      // Keys of the page, such as undo, are the page's again; what was typed is stored once.
+      isStored.current = true;
+      event.currentTarget.blur();
+      isStored.current = false;
     } else if (event.key === "Escape") {
       // Where nothing was typed, it closes what stands around the field.
       if (typed === null) return;
@@ -98,7 +103,7 @@ export function NumberInput(props: NumberInputProps) {
         {...{ id, className, placeholder, disabled, onKeyDown }}
         onFocus={(event: FocusEvent<HTMLInputElement>) => event.target.select()}
         onChange={(event: ChangeEvent<HTMLInputElement>) => setTyped(event.target.value)}
-        onBlur={store}
+        onBlur={() => isStored.current || store()}
       />
       {wrong === "" ? null : (
         <small className="number-why" id={why} role="alert">
