@@ -12,7 +12,7 @@ from hypothesis import strategies as st
 from kitrobot.primitives import Robot
 from kitrobot.sim import Simulation
 from kitrobot.sim.devices.display import run_through
-from kitrobot.sim.recording import Recorder
+from kitrobot.sim.recorder import Recorder
 from tests.sim.building import avatar, empty_world, run_of, steps
 
 DISPLAY = """<actuator name="Display" device="display" {settings}>

@@ -11,7 +11,7 @@ from hypothesis import strategies as st
 
 from kitrobot.mission import Failure, FailureKind
 from kitrobot.sim import Event, Simulation
-from kitrobot.sim.failures import KINDS
+from kitrobot.sim.fault_schedule import KINDS
 from kitrobot.sim.timeline import Timeline
 from tests.effort import examples
 from tests.sim.building import transport

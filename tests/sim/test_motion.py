@@ -11,7 +11,8 @@ from hypothesis import strategies as st
 
 from kitrobot.sim import MOVING, Simulation
 from kitrobot.sim.angles import direction
-from kitrobot.sim.columns import A_R, ACCELERATION, BRAKING, HEADING, SPEED, TARGET, TURN, UX, UY, WAY, X, Y
+from kitrobot.sim.columns import ACCELERATION, BRAKING, HEADING, SPEED, TARGET, TURN, UX, UY, WAY, X, Y
+from kitrobot.sim.devices.turn import ANGLE_LEFT
 from kitrobot.sim.motion import roll, wander
 from kitrobot.world import Corner, Road, Start, World, normalised
 from tests.sim.building import MOTOR, SIDE, WHEEL, avatar, empty_world, robots_with, run_of, shipped_world, steps
@@ -202,7 +203,7 @@ def test_wheels_gain_and_lose_speed_as_their_xml_says(percent: int) -> None:
         f"{both.format(f'Forward({percent})')} WAIT(30); {both.format('Stop()')} WAIT(600);",
         f'speed="400" acceleration="{gain}" braking="{braking}" track="80"',
     )
-    while run.state.actuators.floats[A_R][0] != 0 or run.tick < 2:
+    while run.state.actuators.floats[ANGLE_LEFT][0] != 0 or run.tick < 2:
         run.step()
     # Three seconds, and the one step in which it is told to stop has begun to brake.
     steps(run, 200)

@@ -20,7 +20,7 @@ from tests.sim.building import (
     shipped_world,
     steps,
 )
-from tests.sim.test_endings import MINI, ROOM, gone_on
+from tests.sim.test_outcome import MINI, ROOM, gone_on
 
 
 def refused(mission: Mission, world: World = ROOM, robots: Catalogue | None = None) -> SimulationError:

@@ -11,7 +11,7 @@ import pytest
 from kitrobot.primitives import Robot, read_robot
 from kitrobot.sim import Simulation
 from kitrobot.sim.columns import AT, HEADING, SPEED, X, Y
-from kitrobot.sim.things import T_X, T_Y
+from kitrobot.sim.pushable import T_X, T_Y
 from kitrobot.world import Ball, Box, Wall, World
 from tests.effort import cases
 from tests.sim.building import AVATAR, WHEEL, catalogue, empty_world, run_of, transport

@@ -27,7 +27,7 @@ from kitrobot.sim.team_columns import (
     W_LEFT,
     W_TAKEN,
 )
-from kitrobot.sim.work import finish_unit, take_unit
+from kitrobot.sim.team_work import finish_unit, take_unit
 from kitrobot.team import Noted, Seat, Viewed
 
 Effect = Noted | Viewed

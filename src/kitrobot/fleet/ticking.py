@@ -12,7 +12,7 @@ from kitrobot.fleet.recurrence import Recurrence, Snapshot
 from kitrobot.sim import Ticked
 from kitrobot.sim.actuation import COMMAND
 from kitrobot.sim.columns import A_CELL, ACTUATOR_INDEX, PROGRAM, S_CELL, S_ROBOT
-from kitrobot.sim.sharing import SHARED_VALUE
+from kitrobot.sim.shared_variables import SHARED_VALUE
 
 Rows = tuple[tuple[int, ...], ...]
 """Commands as rows of the machine's output, each with the number of its actuator before it."""

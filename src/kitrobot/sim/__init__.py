@@ -7,7 +7,7 @@ from kitrobot.sim.hosted import Ticked, fits, hosted_step, readings, say_written
 from kitrobot.sim.jit_policy import expect_run
 from kitrobot.sim.limits import MAX_SECONDS, MAX_SEED, check_limits
 from kitrobot.sim.pens import pens_of
-from kitrobot.sim.recording import DOING, Recorder, record_again, simulate, strokes_now
+from kitrobot.sim.recorder import DOING, Recorder, record_again, simulate, strokes_now
 from kitrobot.sim.settings import Appearance, appearance_of, device_problems, length_of, moves_boxes, simulated_devices
 from kitrobot.sim.setup import MAX_AGENTS, SimulationError, free_start, look_over
 from kitrobot.sim.simulation import Outcome, Simulation

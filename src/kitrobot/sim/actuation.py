@@ -7,7 +7,6 @@ it takes longer, how many arguments it has, and the first, second and last of th
 
 from __future__ import annotations
 
-from kitrobot.sim.chance import gauss, happens
 from kitrobot.sim.columns import (
     A_DELAY,
     A_DRAWS,
@@ -31,6 +30,7 @@ from kitrobot.sim.columns import (
 )
 from kitrobot.sim.devices.base import Command
 from kitrobot.sim.dispatch import is_busy, start
+from kitrobot.sim.random_numbers import gauss, happens
 from kitrobot.sim.state import State
 
 QUEUE = 7

@@ -28,7 +28,7 @@ from kitrobot.sim.columns import (
 )
 from kitrobot.sim.devices import actuators
 from kitrobot.sim.dispatch import KINDS
-from kitrobot.sim.failures import CAUSES
+from kitrobot.sim.fault_schedule import CAUSES
 from kitrobot.sim.faults import HELD
 from kitrobot.sim.state import State, numbers
 from kitrobot.sim.team_columns import T_SILENT

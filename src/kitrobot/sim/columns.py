@@ -5,7 +5,7 @@ stepped by CPython the rows are lists, in one that is stepped by Numba they are 
 the same. Lengths are in mm, speeds in mm/s, angles in rad, times in s or, as integers, in steps.
 
 Robots stand in the order of the team. Sensors, and actuators, are sorted by their device, so that those of one device
-stand side by side (see `devices`); what P, Q, R and S mean is up to the device.
+are side by side (see `devices`); each kind of device names its own columns (S_OWN, A_OWN).
 """
 
 from __future__ import annotations
@@ -101,7 +101,9 @@ WELL, STALLED, FAILED = range(3)
     S_END,
 ) = range(24)
 SENSOR_WHOLES = 24
-S_NOISE, S_DROPOUT, S_P, S_Q, S_R = range(5)
+S_NOISE, S_DROPOUT = range(2)
+S_OWN = (2, 3, 4)
+"""Columns that each kind of sensor uses as it likes; its module names them."""
 SENSOR_REALS = 5
 
 # ---- actuators: state.actuators.ints and state.actuators.floats
@@ -127,7 +129,9 @@ SENSOR_REALS = 5
     A_WAY,  # what it is about to do: its device's own
 ) = range(18)
 ACTUATOR_WHOLES = 18
-A_NOISE, A_DROPOUT, A_P, A_Q, A_R, A_S = range(6)
+A_NOISE, A_DROPOUT = range(2)
+A_OWN = (2, 3, 4, 5)
+"""Columns that each kind of actuator uses as it likes; its module names them."""
 ACTUATOR_REALS = 6
 
 # ---- roads, integers: state.roads.ints

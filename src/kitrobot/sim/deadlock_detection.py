@@ -15,12 +15,9 @@ from __future__ import annotations
 from kitrobot.sim.columns import (
     A_FRESH,
     A_KIND,
-    A_P,
-    A_Q,
+    A_OWN,
     A_QUEUED,
-    A_R,
     A_ROBOT,
-    A_S,
     AT,
     CHANCE,
     CYCLE,
@@ -86,10 +83,8 @@ def remember(state: State) -> None:
     copy_row(held[4], floats[TARGET])
     copy_row(held[5], floats[TURN])
     copy_row(held[6], floats[AT])
-    copy_row(held[7], actuator_floats[A_P])
-    copy_row(held[8], actuator_floats[A_Q])
-    copy_row(held[9], actuator_floats[A_R])
-    copy_row(held[10], actuator_floats[A_S])
+    for n in range(len(A_OWN)):
+        copy_row(held[7 + n], actuator_floats[A_OWN[n]])
 
 
 def is_held(state: State) -> bool:
@@ -101,9 +96,12 @@ def is_held(state: State) -> bool:
         return False
     if not (same(floats[SPEED], held[3]) and same(floats[TARGET], held[4]) and same(floats[TURN], held[5])):
         return False
-    if not (same(floats[AT], held[6]) and same(actuator_floats[A_P], held[7]) and same(actuator_floats[A_Q], held[8])):
+    if not same(floats[AT], held[6]):
         return False
-    return same(actuator_floats[A_R], held[9]) and same(actuator_floats[A_S], held[10])
+    n = 0
+    while n < len(A_OWN) and same(actuator_floats[A_OWN[n]], held[7 + n]):
+        n += 1
+    return n == len(A_OWN)
 
 
 def is_at_work(step: int, state: State) -> bool:

@@ -10,7 +10,7 @@ from kitrobot.primitives import RobotObject
 from kitrobot.sim import columns as c
 from kitrobot.sim.agents import Agent
 from kitrobot.sim.breakdowns import BOX_BACK, BOX_LOST, PASSED
-from kitrobot.sim.failures import said_of
+from kitrobot.sim.fault_schedule import said_of
 from kitrobot.sim.faults import REVIVE
 from kitrobot.sim.state import State, numbers
 from kitrobot.text import Recorded

@@ -3,9 +3,9 @@
 *Failed*: it stops reacting for good. Its wheels brake as at `Stop()`, its other devices stand as they are, and it stays
 where it is, in everybody's way, unless the mission says what becomes of it on a road (breakdowns). *Stalled*: its
 program misses its ticks; the devices go on as they were told last.
-*Muted*: it has lost its radio, as a failed one has: shared variables neither come nor go (sharing). *Apart*, in a
-mission with a radio: it hears only others that are apart too. *Revived*: all of that is over; program and devices go on
-where they were.
+*Muted*: it has lost its radio, as a failed one has: shared variables neither come nor go (`shared_variables`).
+*Apart*, in a mission with a radio: it hears only others that are apart too. *Revived*: all of that is over; program and
+devices go on where they were.
 
 The schedule is rows of `plan`: step, robot and kind, in order of steps; PLANS of them count. By chance a robot fails
 with the same probability in every second of its own; the draws are counted by the step, so they need no state. From
@@ -15,7 +15,6 @@ outside, between two steps, `Simulation.harm` calls `harm` here.
 from __future__ import annotations
 
 from kitrobot.sim.breakdowns import count_breakdowns, end_breakdown, may_be_revived
-from kitrobot.sim.chance import happens
 from kitrobot.sim.columns import (
     ASLEEP,
     CAUSE,
@@ -42,7 +41,8 @@ from kitrobot.sim.columns import (
 )
 from kitrobot.sim.deadlock_detection import stirred
 from kitrobot.sim.radio import SIDE, has_radio
-from kitrobot.sim.sharing import leave, rejoin
+from kitrobot.sim.random_numbers import happens
+from kitrobot.sim.shared_variables import leave, rejoin
 from kitrobot.sim.state import State
 
 FAIL, STALL, MUTE, REVIVE, APART = range(5)

@@ -2,7 +2,7 @@
 
 Such a host gives every robot the readings of its tick (`readings`), and puts what came of the tick back into the tables
 with the next step: where the program stands, and its commands. The team's part of the tables is the host's affair too;
-all that belongs to bodies is done here, by the functions and in the order of `stepping`.
+all that belongs to bodies is done here, by the functions and in the order of `step_loop`.
 """
 
 from __future__ import annotations
@@ -23,9 +23,9 @@ from kitrobot.sim.columns import (
 )
 from kitrobot.sim.dispatch import AGREES, advance_all
 from kitrobot.sim.physics import move
-from kitrobot.sim.sharing import SHARED_VALUE
+from kitrobot.sim.shared_variables import SHARED_VALUE
 from kitrobot.sim.simulation import Simulation
-from kitrobot.sim.stepping import befall, measure
+from kitrobot.sim.step_loop import befall, measure
 
 
 @dataclass(frozen=True, slots=True)

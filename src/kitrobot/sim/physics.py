@@ -39,8 +39,8 @@ from kitrobot.sim.columns import (
 from kitrobot.sim.contacts import measure_gaps, news_first, part_discs, part_from_walls, part_on_roads, sort_along
 from kitrobot.sim.grids import fill
 from kitrobot.sim.motion import follow, place, roll, wander
+from kitrobot.sim.pushable import T_HIGH, T_WIDE, T_X, T_Y, begin_things, end_things, part_things
 from kitrobot.sim.state import Roads, Robots, State
-from kitrobot.sim.things import T_HIGH, T_WIDE, T_X, T_Y, begin_things, end_things, part_things
 
 LEAST_ROOM_MM = 0.1
 """Robots go this far at once, however small what they may meet is."""

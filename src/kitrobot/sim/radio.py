@@ -18,10 +18,10 @@ from __future__ import annotations
 
 import math
 
-from kitrobot.sim.chance import happens
 from kitrobot.sim.columns import ASLEEP, DOWN, ENDED, FAILED, MUTED, PERIOD, ROLLING, TICK, UNHEARD, X, Y, tell
 from kitrobot.sim.grids import fill_places
-from kitrobot.sim.sharing import APART_CLOCK, APART_VALUE, APART_WRITER, note
+from kitrobot.sim.random_numbers import happens
+from kitrobot.sim.shared_variables import APART_CLOCK, APART_VALUE, APART_WRITER, note
 from kitrobot.sim.state import State
 from kitrobot.sim.team_columns import T_ACTUATOR, T_MISSED
 

@@ -23,10 +23,10 @@ from kitrobot.sim.agents import Agent
 from kitrobot.sim.columns import AT, BED, FREE, LENGTH, RADIUS, ROAD, SOLID, X, Y
 from kitrobot.sim.devices import Device, Standing, Values
 from kitrobot.sim.devices.base import COUNTS_BOXES, MOVES_BOXES
-from kitrobot.sim.failures import fault_plan
+from kitrobot.sim.fault_schedule import fault_plan
 from kitrobot.sim.grids import cell_at, fixed
 from kitrobot.sim.settings import find_device, name_problems, read_conflicts, read_settings
-from kitrobot.sim.shared import SharedTables
+from kitrobot.sim.shared_tables import SharedTables
 from kitrobot.sim.tables import Tables
 from kitrobot.sim.team_tables import TeamMember, TeamSetup, filled
 from kitrobot.sim.world_tables import wall_rows

@@ -1,13 +1,13 @@
 """A run of a mission in its world, step by step.
 
-A step is the longest time that divides 20 ms and the ticks of all robots; what happens in one is in `stepping`,
+A step is the longest time that divides 20 ms and the ticks of all robots; what happens in one is in `step_loop`,
 for all robots at once. The same mission, world and seed give the same run, number for number: all chance comes from
 the run's seed and the names of agent and device, and nothing reads a clock.
 
 The state of a run is its tables (state); a `Simulation` puts the mission in, gives names to what comes out, and finds
-the sentence for the end. `tick` counts finished steps. Once `outcome` is set (see endings), `step` does nothing more.
+the sentence for the end. `tick` counts finished steps. Once `outcome` is set (see `outcome`), `step` does nothing more.
 CPython and Numba give the same steps, only the speed differs (jit_policy). Left to others: the clock on the wall, the
-trace (recording), who watches.
+trace (`recorder`), who watches.
 """
 
 from __future__ import annotations
@@ -29,19 +29,19 @@ from kitrobot.sim.arrays import as_arrays
 from kitrobot.sim.bodies import Stage
 from kitrobot.sim.columns import ASLEEP, COLLISIONS, EVENTS, S_FORCED, STUCK, TICK
 from kitrobot.sim.deadlock_detection import stirred
-from kitrobot.sim.endings import Goals, is_at_once, say_done, say_failed, say_stuck, say_team_over, say_time
 from kitrobot.sim.event_text import Event, EventText, sensor_names
-from kitrobot.sim.failures import harm_by_hand, keep_untold, plan_more, room_to_tell
+from kitrobot.sim.fault_schedule import harm_by_hand, keep_untold, plan_more, room_to_tell
 from kitrobot.sim.faults import BY_HAND
-from kitrobot.sim.forcing import force_sensor, stop_motors
 from kitrobot.sim.jit_policy import JitPolicy
 from kitrobot.sim.limits import check_limits
-from kitrobot.sim.packing import Packing
+from kitrobot.sim.outcome import Goals, is_at_once, say_done, say_failed, say_stuck, say_team_over, say_time
+from kitrobot.sim.overrides import force_sensor, stop_motors
 from kitrobot.sim.pens import drawn_marks
 from kitrobot.sim.setup import Setup, shared_by
 from kitrobot.sim.snapshots import SNAPSHOT_VERSION, damaged, sealed, unsealed
 from kitrobot.sim.state import State, numbers
-from kitrobot.sim.stepping import advance, is_going_on, is_reached
+from kitrobot.sim.state_codec import Packing
+from kitrobot.sim.step_loop import advance, is_going_on, is_reached
 from kitrobot.sim.team_columns import T_ACTUATOR, T_ROLE, TEAM_OVER
 from kitrobot.sim.team_text import TeamText
 from kitrobot.text import Sentence, collection_paused

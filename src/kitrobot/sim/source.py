@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Collection, Iterable, Iterator, Sequence
 
 from kitrobot.sim.event_text import Event
-from kitrobot.sim.recording import Recorder
+from kitrobot.sim.recorder import Recorder
 from kitrobot.sim.simulation import Simulation
 from kitrobot.sim.timeline import Timeline
 from kitrobot.trace import Ability, Drawing, NewEvents, Threads, TickRecord, TraceEvent, TraceHeader

@@ -6,7 +6,7 @@ and stands at the same storehouse if that one stood at one, takes its role and g
 its first line, is led to where the role was lost (`compiler.team_points`). *drop*, which also holds where no spare one
 is left: the others go on without it.
 
-A role that was to be taken over and was not is vacant (`places`).
+A role that was to be taken over and was not is vacant (`vacancies`).
 
 A branch of whose robots the last one is missed before they came to its end is done by nobody: the team cannot go on.
 
@@ -47,11 +47,10 @@ from kitrobot.sim.meetings import (
     in_group,
     stay_away,
 )
-from kitrobot.sim.places import fill_vacancies, fill_vacancy, stand_in
 from kitrobot.sim.program_ends import end_program
 from kitrobot.sim.radio import ANY_QUORUM, BEAT, QUORUM, find_quorum, has_radio
 from kitrobot.sim.rows import copy_row
-from kitrobot.sim.sharing import APART_VALUE, SHARED_VALUE
+from kitrobot.sim.shared_variables import APART_VALUE, SHARED_VALUE
 from kitrobot.sim.state import State, Team
 from kitrobot.sim.team_columns import (
     ABORT,
@@ -83,7 +82,8 @@ from kitrobot.sim.team_columns import (
     TEAM_OVER_WHO,
     TEAM_PENDING,
 )
-from kitrobot.sim.work import count_unheard, end_leases, lose_units, share_out
+from kitrobot.sim.team_work import count_unheard, end_leases, lose_units, share_out
+from kitrobot.sim.vacancies import fill_vacancies, fill_vacancy, stand_in
 
 UNKNOWN = -(1 << 40)
 """What no sensor reads: the machine was given nothing yet."""

@@ -15,17 +15,18 @@ from kitrobot.primitives import TEAM, Robot, RobotObject
 from kitrobot.sim import columns as c
 from kitrobot.sim.actuation import QUEUE
 from kitrobot.sim.angles import direction
-from kitrobot.sim.chance import keys
 from kitrobot.sim.contacts import TOUCH_MM
 from kitrobot.sim.deadlock_detection import HELD_ROWS, QUIET_STEPS
 from kitrobot.sim.device_tables import DeviceTables, Fitted
 from kitrobot.sim.devices import Actuator, Device, Sensor, Standing, Values, actuators, sensors, ticks
-from kitrobot.sim.failures import FaultPlan
+from kitrobot.sim.fault_schedule import FaultPlan
 from kitrobot.sim.grids import FEW
 from kitrobot.sim.pens import pen_tables
 from kitrobot.sim.physics import arrange
+from kitrobot.sim.pushable import thing_tables, thing_walls
 from kitrobot.sim.radio_tables import beat_steps, delay_steps, radio_tables
-from kitrobot.sim.shared import SharedTables
+from kitrobot.sim.random_numbers import keys
+from kitrobot.sim.shared_tables import SharedTables
 from kitrobot.sim.state import (
     Actuators,
     Contacts,
@@ -39,7 +40,6 @@ from kitrobot.sim.state import (
     Team,
 )
 from kitrobot.sim.team_tables import Beginnings, TeamSetup, no_team, team_tables
-from kitrobot.sim.things import thing_tables, thing_walls
 from kitrobot.sim.world_tables import dock_tables, floor_tables, line_tables, road_tables, wall_tables
 from kitrobot.world import Pose, World
 

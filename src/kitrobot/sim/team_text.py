@@ -7,8 +7,8 @@ from collections.abc import Sequence
 from kitrobot.compiler import PointKind, TeamPlan
 from kitrobot.sim import team_columns as c
 from kitrobot.sim.agents import Agent
-from kitrobot.sim.endings import names_listed
 from kitrobot.sim.meetings import is_left_empty
+from kitrobot.sim.outcome import names_listed
 from kitrobot.sim.state import State
 from kitrobot.text import Recorded
 

@@ -14,7 +14,7 @@ from typing import ClassVar, Literal, NamedTuple, NoReturn, Protocol
 from kitrobot.text import Recorded, Sentence
 from kitrobot.trace.drawing import Drawing, DrawingReader
 from kitrobot.trace.model import Threads, TickRecord, TraceError, TraceEvent, TraceHeader
-from kitrobot.trace.reading import TraceReader, kept
+from kitrobot.trace.reader import TraceReader, kept
 
 Ability = Literal["force", "set", "seek", "fail", "step"]
 """What can be done to a run: force a sensor, set a variable, go to another tick, let an agent fail, go on tick by tick

@@ -2,7 +2,7 @@
 
 Who is *silent* is missed at some time, or heard again before; the lease of a unit of work ends at some time. In the
 simulator both take a certain time, in the model any. What comes of it, by the rules of the groups, is done by the
-simulator itself (`sim.substitution`, `sim.work`), on a copy of the whole state of the run.
+simulator itself (`sim.substitution`, `sim.team_work`), on a copy of the whole state of the run.
 
 What a substitute needs to be led is kept only of those with others of their kind, and while somebody may still be
 missed or a role is vacant.
@@ -24,7 +24,7 @@ from kitrobot.sim.meetings import is_left_empty
 from kitrobot.sim.radio_tables import no_radio
 from kitrobot.sim.state import State, Team
 from kitrobot.sim.substitution import begin_anew, come_back, miss, settle
-from kitrobot.sim.work import is_taken
+from kitrobot.sim.team_work import is_taken
 from kitrobot.verifier import columns as v
 from kitrobot.verifier.agreeing import Agreed, Agreement, Told
 

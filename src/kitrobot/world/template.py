@@ -6,10 +6,10 @@ from collections.abc import Callable, Mapping
 from dataclasses import replace
 from pathlib import Path
 
-from kitrobot.world.finding import SHIPPED, SUFFIX
+from kitrobot.world.lookup import SHIPPED, SUFFIX
 from kitrobot.world.maze import make_maze
 from kitrobot.world.model import World
-from kitrobot.world.reading import read_world
+from kitrobot.world.xml_reader import read_world
 
 _OWN = Path(__file__).parent / "templates"
 

@@ -3,8 +3,8 @@
 A module of this package that defines a subclass with a `name` is a device; nobody keeps a list. `settings` says which
 attributes of the robot's XML it understands, with their units and bounds, so that every number of its behaviour is in
 the XML. The class only describes; a device's state and numbers are its entries in the tables of the run (see columns),
-where `initial_floats` fills the columns P, Q, … that are its own. What it does is in functions beside the class, in the
-Python that Numba compiles, which `dispatch` finds by their names and calls:
+where `initial_floats` fills the columns that are its own (A_OWN, S_OWN), to which its module gives names. What it does
+is in functions beside the class, in the Python that Numba compiles, which `dispatch` finds by their names and calls:
 
 - `sense(first, last, step, state)` measures into S_VALUE with the sensors `first` … `last` - 1;
 - `start(k, command, deviate, state)` lets actuator k begin what a command says;
@@ -13,7 +13,7 @@ Python that Numba compiles, which `dispatch` finds by their names and calls:
 
 A module without one of them has nothing to do there. What a device shows to the eye or the ear is its row of `outputs`.
 
-What all of them share, latency, noise and drop-outs, is done in one place each: `sensing` for sensors, `actuation`
+What all of them share, latency, noise and drop-outs, is done in one place each: `sampling` for sensors, `actuation`
 for actuators; only how noise changes what an actuator does is its own.
 """
 
@@ -52,7 +52,7 @@ class Setting:
     names_place: bool = False
     """Whether it is the name of a place of the world (see `World.places`)."""
     names_agent: bool = False
-    """Whether it is the name of an agent of the run, whose number is P."""
+    """Whether it is the name of an agent of the run, whose number is then the last of its own columns."""
 
 
 LATENCY = Setting("latency", 0.0, Sentence("how much later it works, or how old what it reads is"), "ms", most=60_000.0)
@@ -166,7 +166,7 @@ class Device:
 
     @classmethod
     def initial_floats(cls, part: RobotObject, values: Values) -> tuple[float, ...]:
-        """What stands in the columns P, Q, … of one such device at the start; the rest is 0."""
+        """The initial values of the own columns of one such device (A_OWN or S_OWN); the rest is 0."""
         return ()
 
     @classmethod

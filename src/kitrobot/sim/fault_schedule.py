@@ -9,8 +9,8 @@ from dataclasses import dataclass, field
 
 from kitrobot.mission import Failure, FailureKind
 from kitrobot.sim import columns as c
-from kitrobot.sim.chance import keys
 from kitrobot.sim.faults import APART, AWAY, BY_HAND, FAIL, HELD, MUTE, PLAN_ROWS, REVIVE, STALL, harm
+from kitrobot.sim.random_numbers import keys
 from kitrobot.sim.state import State
 from kitrobot.text import Recorded
 

@@ -10,7 +10,7 @@ import pytest
 
 from kitrobot.sim import Recorder, Simulation
 from kitrobot.sim.columns import RADIUS
-from kitrobot.sim.things import T_BALL, T_HIGH, T_WIDE, T_X, T_Y
+from kitrobot.sim.pushable import T_BALL, T_HIGH, T_WIDE, T_X, T_Y
 from kitrobot.world import Ball, Box, Wall
 from tests.sim.building import catalogue, empty_world, run_of
 

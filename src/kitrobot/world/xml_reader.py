@@ -19,7 +19,7 @@ from kitrobot.world import rules
 from kitrobot.world.geometry import Corner, distance_to_stretch
 from kitrobot.world.model import Ball, Box, ColouredLine, Dock, Floor, Road, Start, Storehouse, Wall, World, Zone
 from kitrobot.world.parts import PARTS, SIZE, has_shape, in_mm, mm
-from kitrobot.world.writing import write_world
+from kitrobot.world.xml_writer import write_world
 from kitrobot.xml import TEXTS, Element, Reader, Tag, needed, version
 from kitrobot.xml import rules as xml_rules
 

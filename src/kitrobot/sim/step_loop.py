@@ -53,8 +53,8 @@ from kitrobot.sim.grids import fill
 from kitrobot.sim.pens import draw
 from kitrobot.sim.physics import move
 from kitrobot.sim.radio import exchange_by_radio, has_radio
-from kitrobot.sim.sensing import sample, sample_done
-from kitrobot.sim.sharing import exchange
+from kitrobot.sim.sampling import sample, sample_done
+from kitrobot.sim.shared_variables import exchange
 from kitrobot.sim.state import State
 from kitrobot.sim.substitution import look_for_silent, settle
 from kitrobot.sim.team_columns import TEAM_DUE, TEAM_LEASED, TEAM_OVER, TEAM_PENDING
