@@ -106,7 +106,7 @@ def test_that_robots_are_held_is_found_out_alike(before: int) -> None:
         run.advance(before)
         assert run.compile_step() or not compiled
         run.advance(400 - before)
-        run.harm("carrier-1", "stall")
+        run.inject_fault("carrier-1", "stall")
         run.advance(5000)
         ends.append((run.outcome, run.tick, run.snapshot()))
     assert ends[0][0] == "stuck"
@@ -363,7 +363,7 @@ def test_what_is_kept_is_only_for_these_very_sources(tmp_path: Path, monkeypatch
 
 def test_every_loop_of_the_step_is_told_to_numba() -> None:
     names = {name.removeprefix("kitrobot.sim.") for name in jit_compiler.loops()}
-    assert {"devices.range.sense", "execution.react", "physics.move_robots", "chance.gauss"} <= names
+    assert {"devices.range.sense", "execution.react", "physics.move_robots", "random_numbers.gauss"} <= names
 
 
 def test_a_machine_where_compiling_fails_goes_on_plain(tmp_path: Path) -> None:

@@ -44,7 +44,7 @@ from kitrobot.sim.columns import (
     Y,
 )
 from kitrobot.sim.dispatch import AGREES, DRIVES, is_busy
-from kitrobot.sim.meetings import is_kept, keep_team
+from kitrobot.sim.meetings import is_team_unchanged, save_team
 from kitrobot.sim.rows import copy_row, same
 from kitrobot.sim.state import State
 
@@ -58,7 +58,7 @@ HELD_ROWS = 11
 """Rows of `held`: seven numbers of each robot, four of each actuator."""
 
 
-def may_be_held(step: int, state: State) -> bool:
+def should_compare_motion(step: int, state: State) -> bool:
     """Whether it is worth while to look in this step whether all that roll are held.
 
     Never while a robot may still fail on schedule or by chance: who is held, and fails, lets go.
@@ -71,7 +71,7 @@ def may_be_held(step: int, state: State) -> bool:
     return clock[QUIET] > 0 or step % LOOK_EVERY == 0
 
 
-def remember(state: State) -> None:
+def save_motion(state: State) -> None:
     """Keeps how robots and devices are before a step."""
     floats = state.robots.floats
     actuator_floats = state.actuators.floats
@@ -87,7 +87,7 @@ def remember(state: State) -> None:
         copy_row(held[7 + n], actuator_floats[A_OWN[n]])
 
 
-def is_held(state: State) -> bool:
+def is_motion_unchanged(state: State) -> bool:
     """Whether robots and devices are after a step as they were before it."""
     floats = state.robots.floats
     actuator_floats = state.actuators.floats
@@ -104,10 +104,10 @@ def is_held(state: State) -> bool:
     return n == len(A_OWN)
 
 
-def is_at_work(step: int, state: State) -> bool:
+def is_device_working(step: int, state: State) -> bool:
     """Whether a device was told something new in this step, has a command on its way, or does something that ends.
 
-    What wheels do is not asked: that is in the numbers that `is_held` compares.
+    What wheels do is not asked: that is in the numbers that `is_motion_unchanged` compares.
     """
     actuator = state.actuators.ints
     down = state.robots.ints[DOWN]
@@ -144,10 +144,10 @@ def detect_deadlock(state: State) -> None:
                 copy_row(kept_cells[i], cells[i])
                 copy_row(kept_threads[i], threads[i])
                 copy_row(kept_pars[i], pars[i])
-        keep_team(state.team)
+        save_team(state.team)
         return
     clock[DISTANCE] += 1
-    if not is_kept(state.team):
+    if not is_team_unchanged(state.team):
         return
     for i in range(len(ended)):
         if ended[i] == 0 and not (
@@ -157,7 +157,7 @@ def detect_deadlock(state: State) -> None:
     clock[STUCK] = 1
 
 
-def stirred(clock: list[int]) -> None:
+def mark_activity(clock: list[int]) -> None:
     """Something moved, was said, or was done from outside: nothing is stuck, and the search begins anew."""
     clock[QUIET] = 0
     clock[KEPT] = 0

@@ -10,7 +10,7 @@ from kitrobot.sim.devices import Device, Standing, Values
 
 
 @dataclass(frozen=True, slots=True)
-class Fitted:
+class FittedDevice:
     """A device on its robot: `number` is its place among the robot's sensors, or actuators, as its XML lists them."""
 
     robot: int
@@ -25,7 +25,7 @@ class Fitted:
 class DeviceTables:
     """Sensors, or actuators, sorted by their kind; `actuator_index[n]` is where the n-th that was added stands."""
 
-    def __init__(self, fitted: Sequence[Fitted], kinds: int, int_columns: int, float_columns: int) -> None:
+    def __init__(self, fitted: Sequence[FittedDevice], kinds: int, int_columns: int, float_columns: int) -> None:
         order = sorted(range(len(fitted)), key=lambda n: fitted[n].device.kind)
         self.fitted = [fitted[n] for n in order]
         self.actuator_index = [0] * len(fitted)

@@ -28,7 +28,7 @@ from kitrobot.sim.grids import cell_at, fixed
 from kitrobot.sim.settings import find_device, name_problems, read_conflicts, read_settings
 from kitrobot.sim.shared_tables import SharedTables
 from kitrobot.sim.tables import Tables
-from kitrobot.sim.team_tables import TeamMember, TeamSetup, filled
+from kitrobot.sim.team_tables import TeamMember, TeamSetup, assign_roles
 from kitrobot.sim.world_tables import wall_rows
 from kitrobot.text import COMMA, Help, Sentence, Series, Suggestions, Word, collection_paused, did_you_mean, shown
 from kitrobot.world import LOAD, Start, World, distance_to_stretch
@@ -57,7 +57,7 @@ class SimulationError(KitRobotError):
 
 
 class Setup:
-    """Builds the tables and the agents of a run; with `looks_only` no more of it than says whether it can be run.
+    """Builds the tables and the agents of a run; with `check_only` no more of it than says whether it can be run.
 
     Raises:
         SimulationError: the mission cannot be run.
@@ -71,7 +71,7 @@ class Setup:
         catalogue: Catalogue,
         seed: int,
         fail_rate: float = 0.0,
-        looks_only: bool = False,
+        check_only: bool = False,
         team: TeamPlan | None = None,
     ) -> None:
         self.mission = mission
@@ -80,7 +80,7 @@ class Setup:
         self.catalogue = catalogue
         self.seed = seed
         self.fail_rate = fail_rate
-        self._looks_only = looks_only
+        self._check_only = check_only
         self._team = team
         self.agents: list[Agent] = []
         self.problems: list[Diagnostic] = []
@@ -142,8 +142,8 @@ class Setup:
         if self.tables.team is not None:
             self._fill_roles(self.tables.team)
         if not self.problems:
-            self._nobody_overlaps()
-        if self._looks_only:
+            self._check_overlaps()
+        if self._check_only:
             return
         self.tables.breakdown = self.mission.breakdown
         names = [agent.name for agent in self.agents]
@@ -151,7 +151,7 @@ class Setup:
 
     def _fill_roles(self, team: TeamSetup) -> None:
         """Whether each role has as many robots as it needs at least."""
-        playing = Counter(filled(team.declared.roles, team.members).values())
+        playing = Counter(assign_roles(team.declared.roles, team.members).values())
         for number, role in enumerate(team.declared.roles):
             if playing[number] < role.least:
                 message = Sentence(
@@ -218,7 +218,7 @@ class Setup:
                 if device is None or values is None:
                     continue
                 handles.add(device.handles)
-                if self._looks_only:
+                if self._check_only:
                     device.fit(index, tables.floats, tables.ints, values)
                 else:
                     tables.add_device(index, number, part, device, values, standing, agent.name)
@@ -244,7 +244,7 @@ class Setup:
             image = self.images[image_name].image
             assert image is not None, "checked before"
             first = self._machines[image_name] = Machine(image, robot)
-        return first if self._looks_only else first.twin()
+        return first if self._check_only else first.twin()
 
     def _standing(self, start: Start) -> Standing:
         key = (start.dock, start.road, start.storehouse)
@@ -302,7 +302,7 @@ class Setup:
             return "loader" if self.world.docks[standing.dock].kind == LOAD else "unloader"
         return "store-manager" if COUNTS_BOXES in handles and not solid else "robot"
 
-    def _nobody_overlaps(self) -> None:
+    def _check_overlaps(self) -> None:
         """Robots start apart from one another and from the walls."""
         floats, ints, world = self.tables.floats, self.tables.ints, self.world
         solid = [robot for robot in range(len(self.agents)) if ints[SOLID][robot]]
@@ -378,7 +378,7 @@ def _one_of_each(members: Sequence[Member]) -> list[Member]:
     return list({member.image_name: member for member in reversed(members)}.values())[::-1]
 
 
-def shared_by(agents: Sequence[Agent]) -> SharedTables:
+def shared_tables_of(agents: Sequence[Agent]) -> SharedTables:
     """The variables that the agents share.
 
     Raises:
@@ -391,7 +391,7 @@ def shared_by(agents: Sequence[Agent]) -> SharedTables:
     return shared
 
 
-def look_over(
+def check_mission(
     mission: Mission,
     world: World,
     images: Mapping[str, Compiled],
@@ -404,4 +404,4 @@ def look_over(
         SimulationError: it cannot; its diagnostics say everything that is in the way.
     """
     with collection_paused():
-        shared_by(Setup(mission, world, images, catalogue, 0, looks_only=True, team=team).agents)
+        shared_tables_of(Setup(mission, world, images, catalogue, 0, check_only=True, team=team).agents)

@@ -115,9 +115,9 @@ class SimulationSource:
         Raises:
             KitRobotError: there is no such agent, or too much was done at once.
         """
-        if self.timeline.harm(agent, kind):
+        if self.timeline.inject_fault(agent, kind):
             self._again = True
-            self._early = self.simulation.untold
+            self._early = self.simulation.unreported_events
 
     def stop(self) -> None:
         """Stops every motor; the run is not gone on with."""

@@ -229,7 +229,7 @@ class Pens:
 
 
 @dataclass(frozen=True, slots=True)
-class Things:
+class Pushables:
     """Boxes and balls that are pushed (see `pushable`), their grid, and half the size of the largest one."""
 
     floats: FloatRows
@@ -264,8 +264,8 @@ class State:
     rays: Rays
     contacts: Contacts
     pens: Pens
-    things: Things
-    thing_walls: Walls
+    pushables: Pushables
+    pushable_walls: Walls
     held: FloatRows
     """Of a step that may change nothing (deadlock_detection): poses and speeds of robots, numbers of devices."""
 

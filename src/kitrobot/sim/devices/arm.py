@@ -10,13 +10,13 @@ from __future__ import annotations
 
 from kitrobot.primitives import RobotObject
 from kitrobot.sim.columns import (
+    A_ACTION,
     A_DOCK,
     A_DONE,
     A_NOISE,
     A_OWN,
     A_ROBOT,
     A_STORE,
-    A_WAY,
     DELIVERED,
     DOWN,
     FAILED,
@@ -30,7 +30,7 @@ from kitrobot.sim.columns import (
     SIGN_ARM,
     SIGNS,
     UNLOADED,
-    tell,
+    record_event,
 )
 from kitrobot.sim.devices.base import LATENCY, LOST_COMMANDS, MOVES_BOXES, Actuator, Command, Setting, Values
 from kitrobot.sim.docks import carrier_in
@@ -75,7 +75,7 @@ def start(k: int, command: Command, deviate: float, state: State) -> None:
         factor = 0.1
     actuator_floats[REMAINING_S][k] = actuator_floats[BOX_S][k] * factor
     actuator_floats[WAITS_FOR_ROOM][k] = 0.0
-    actuator[A_WAY][k] = command.procedure
+    actuator[A_ACTION][k] = command.procedure
     actuator[A_DONE][k] = 0
     state.robots.ints[SIGNS][actuator[A_ROBOT][k]] |= SIGN_ARM
 
@@ -104,28 +104,28 @@ def advance(first: int, last: int, dt: float, state: State) -> None:
         dock = actuator[A_DOCK][k]
         load = ints[LOAD]
         carrier = carrier_in(dock, state.robots, state.roads, state.docks)
-        if actuator[A_WAY][k] == _LOAD:
+        if actuator[A_ACTION][k] == _LOAD:
             if carrier < 0 or load[carrier]:
-                tell(events, clock, NO_EMPTY_CARRIER, robot, dock, 0)
+                record_event(events, clock, NO_EMPTY_CARRIER, robot, dock, 0)
             elif stock[house] == 0:
-                tell(events, clock, NO_BOX, robot, house, 0)
+                record_event(events, clock, NO_BOX, robot, house, 0)
             else:
                 stock[house] -= 1
                 load[carrier] = 1
                 ints[ORIGIN][carrier] = house + 1
-                tell(events, clock, LOADED, robot, house, 0)
+                record_event(events, clock, LOADED, robot, house, 0)
         elif carrier < 0 or load[carrier] == 0:
-            tell(events, clock, NO_LOADED_CARRIER, robot, dock, 0)
+            record_event(events, clock, NO_LOADED_CARRIER, robot, dock, 0)
         elif stock[house] >= capacity[house]:
             if actuator_floats[WAITS_FOR_ROOM][k] == 0.0:
                 actuator_floats[WAITS_FOR_ROOM][k] = 1.0
-                tell(events, clock, NO_ROOM, robot, house, 0)
+                record_event(events, clock, NO_ROOM, robot, house, 0)
             continue
         else:
             stock[house] += 1
             load[carrier] = 0
             ints[DELIVERED][carrier] += 1
-            tell(events, clock, UNLOADED, robot, house, 0)
+            record_event(events, clock, UNLOADED, robot, house, 0)
         actuator_floats[WAITS_FOR_ROOM][k] = 0.0
         done[k] = 1
         ints[SIGNS][robot] &= ~SIGN_ARM

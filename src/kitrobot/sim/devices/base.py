@@ -210,7 +210,7 @@ class Actuator(Device):
         return cls.procedures.index(method.name)
 
     @classmethod
-    def is_told(cls, k: int, state: State) -> bool:
+    def is_driving(cls, k: int, state: State) -> bool:
         """Whether actuator k, one that drives its robot, was told to move it last."""
         return False
 

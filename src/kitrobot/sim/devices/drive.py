@@ -47,7 +47,7 @@ class Drive(Actuator):
     )
 
     @classmethod
-    def is_told(cls, k: int, state: State) -> bool:
+    def is_driving(cls, k: int, state: State) -> bool:
         return bool(state.robots.floats[TARGET][state.actuators.ints[A_ROBOT][k]])
 
     @classmethod

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 
 from kitrobot.primitives import Method, RobotObject
-from kitrobot.sim.columns import A_DONE, A_NOISE, A_OWN, A_ROBOT, A_WAY, DOWN, FAILED
+from kitrobot.sim.columns import A_ACTION, A_DONE, A_NOISE, A_OWN, A_ROBOT, DOWN, FAILED
 from kitrobot.sim.devices.base import LATENCY, LOST_COMMANDS, Actuator, Command, Look, Setting, Values
 from kitrobot.sim.state import State
 from kitrobot.text import Sentence
@@ -66,7 +66,7 @@ def start(k: int, command: Command, deviate: float, state: State) -> None:
     left = floats[DURATION_S][k] * factor
     floats[TARGET_VALUE][k] = float(value)
     floats[REMAINING_S][k] = left
-    actuator[A_WAY][k] = code % _WORTH
+    actuator[A_ACTION][k] = code % _WORTH
     if left > 0.0 and (later or shows == _BAR):
         actuator[A_DONE][k] = 0
         if shows != _BAR:
@@ -86,7 +86,7 @@ def advance(first: int, last: int, dt: float, state: State) -> None:
     targets = state.actuators.floats[TARGET_VALUE]
     lefts = state.actuators.floats[REMAINING_S]
     for k in range(first, last):
-        shows = actuator[A_WAY][k] % _LATER
+        shows = actuator[A_ACTION][k] % _LATER
         if down[actuator[A_ROBOT][k]] == FAILED:
             if shows == _SOUND:
                 outputs[k][0] = 0

@@ -22,7 +22,7 @@ from kitrobot.sim.columns import (
     Y,
 )
 from kitrobot.sim.devices.base import LATENCY, LOST_READINGS, SPREAD, Sensor, Setting, Values
-from kitrobot.sim.pushable import ray_to_things
+from kitrobot.sim.pushable import ray_to_pushables
 from kitrobot.sim.sight import ray_to_discs, ray_to_walls
 from kitrobot.sim.state import State
 from kitrobot.text import Sentence
@@ -87,8 +87,8 @@ def sense(first: int, last: int, step: int, state: State) -> None:
         most = ray_to_walls(xs[i], ys[i], ux, uy, reaches[k] + radii[i], state.walls, state.rays)
         if len(state.grid.items) > 0:
             most = ray_to_discs(i, ux, uy, most, state.robots, state.grid, state.rays)
-        if len(state.things.floats[0]) > 0:
-            most = ray_to_things(xs[i], ys[i], ux, uy, most, state.things)
+        if len(state.pushables.floats[0]) > 0:
+            most = ray_to_pushables(xs[i], ys[i], ux, uy, most, state.pushables)
         most -= radii[i]
         if most < 0.0:
             most = 0.0

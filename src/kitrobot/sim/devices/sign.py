@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from kitrobot.primitives import RobotObject
-from kitrobot.sim.columns import AT, CLOSED, CUT_FIRST, CUT_LAST, ROAD, S_CUT, S_OWN, S_ROBOT, S_VALUE
+from kitrobot.sim.columns import AT, CLOSED, CUT_FIRST, CUT_LAST, ROAD, S_OWN, S_ROBOT, S_SECTION, S_VALUE
 from kitrobot.sim.devices.base import LATENCY, LOST_READINGS, SPREAD, Discrete, Sensor, Setting, Values
 from kitrobot.sim.state import State
 from kitrobot.text import Sentence
@@ -41,7 +41,7 @@ def sense(first: int, last: int, step: int, state: State) -> None:
     cut_sign = state.roads.cut_sign
     robots = sensor[S_ROBOT]
     values = sensor[S_VALUE]
-    cuts = sensor[S_CUT]
+    cuts = sensor[S_SECTION]
     aheads = state.sensors.floats[AHEAD]
     for k in range(first, last):
         i = robots[k]

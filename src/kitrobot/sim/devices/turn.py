@@ -34,7 +34,7 @@ class Turn(Actuator):
     )
 
     @classmethod
-    def is_told(cls, k: int, state: State) -> bool:
+    def is_driving(cls, k: int, state: State) -> bool:
         return bool(state.actuators.floats[RATE][k])
 
     @classmethod

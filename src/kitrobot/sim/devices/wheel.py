@@ -58,7 +58,7 @@ class Wheel(Actuator):
     )
 
     @classmethod
-    def is_told(cls, k: int, state: State) -> bool:
+    def is_driving(cls, k: int, state: State) -> bool:
         return bool(state.actuators.floats[WHEEL_TARGET][k])
 
     @classmethod
