@@ -1,7 +1,7 @@
 """The simulator: a mission in its world, fixed step, seeded, the same run every time."""
 
 from kitrobot.sim.agent_views import ALARM, ARM, FAILED, LAMP, MOVING, AgentView
-from kitrobot.sim.devices import Hand, Look
+from kitrobot.sim.devices import DisplayKind, ManualControl
 from kitrobot.sim.event_text import Event
 from kitrobot.sim.hosted import TickResult, begin_hosted_step, finish_hosted_step, fits, report_write
 from kitrobot.sim.jit_policy import expect_run
@@ -25,9 +25,9 @@ __all__ = [
     "MOVING",
     "AgentView",
     "Appearance",
+    "DisplayKind",
     "Event",
-    "Hand",
-    "Look",
+    "ManualControl",
     "Outcome",
     "Recorder",
     "Simulation",

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from kitrobot.primitives import RobotObject
-from kitrobot.sim.devices import Device, Standing, Values
+from kitrobot.sim.devices import Device, Placement, Values
 
 
 @dataclass(frozen=True, slots=True)
@@ -18,7 +18,7 @@ class FittedDevice:
     part: RobotObject
     device: type[Device]
     values: Values
-    standing: Standing
+    placement: Placement
     keys: tuple[int, int]
 
 

@@ -21,7 +21,7 @@ from kitrobot.primitives import Catalogue, Robot, RobotObject, with_team
 from kitrobot.sim import rules
 from kitrobot.sim.agents import Agent
 from kitrobot.sim.columns import AT, BED, FREE, LENGTH, RADIUS, ROAD, SOLID, X, Y
-from kitrobot.sim.devices import Device, Standing, Values
+from kitrobot.sim.devices import Device, Placement, Values
 from kitrobot.sim.devices.base import COUNTS_BOXES, MOVES_BOXES
 from kitrobot.sim.fault_schedule import fault_plan
 from kitrobot.sim.grids import cell_at, fixed
@@ -87,7 +87,7 @@ class Setup:
         self.step_ms = 1
         self.tables = Tables(world, 1, seed)
         self._machines: dict[str, Machine] = {}
-        self._standings: dict[tuple[str, str, str], Standing] = {}
+        self._placements: dict[tuple[str, str, str], Placement] = {}
         self._checked: dict[tuple[str, str, str], tuple[type[Device] | None, Values | None]] = {}
         self._starts = {start.name: start for start in world.starts}
         self._free_starts = mission.team.free(self._starts)
@@ -207,34 +207,34 @@ class Setup:
         index = tables.add_robot(self.world.start_pose(start), robot, machine, period)
         agent = Agent(index, member.name, member.program, robot, machine, period)
         self.agents.append(agent)
-        standing = self._standing(start)
+        placement = self._placement(start)
         if start.road:
-            tables.ints[ROAD][index] = standing.road
-            tables.floats[AT][index] = self.world.roads[standing.road].line.wrapped(start.at_mm)
+            tables.ints[ROAD][index] = placement.road
+            tables.floats[AT][index] = self.world.roads[placement.road].line.wrapped(start.at_mm)
         handles: set[str] = set()
         for parts in (robot.actuators, robot.sensors):
             for number, part in enumerate(parts):
-                device, values = self._device(agent, part, standing, start)
+                device, values = self._device(agent, part, placement, start)
                 if device is None or values is None:
                     continue
                 handles.add(device.handles)
                 if self._check_only:
                     device.fit(index, tables.floats, tables.ints, values)
                 else:
-                    tables.add_device(index, number, part, device, values, standing, agent.name)
+                    tables.add_device(index, number, part, device, values, placement, agent.name)
         if tables.team is not None and member.robot:
             agent.image_name = member.image_name
-            place = self._place(standing, handles)
+            place = self._place(placement, handles)
             tables.team.members.append(TeamMember(index, member.name, member.robot, place=place))
-        agent.kind = self._kind(index, handles, standing)
+        agent.kind = self._kind(index, handles, placement)
         self._kinds[agent.kind] += 1
         agent.number = self._kinds[agent.kind]
 
-    def _place(self, standing: Standing, handles: Collection[str]) -> int:
+    def _place(self, placement: Placement, handles: Collection[str]) -> int:
         """A number for where a robot stands for good: its storehouse, and the road there that its arm serves."""
-        if standing.storehouse < 0:
+        if placement.storehouse < 0:
             return -1
-        key = standing.storehouse, standing.road if MOVES_BOXES in handles else -1
+        key = placement.storehouse, placement.road if MOVES_BOXES in handles else -1
         return self._places.setdefault(key, len(self._places))
 
     def _machine(self, image_name: str, robot: Robot) -> Machine:
@@ -246,20 +246,20 @@ class Setup:
             first = self._machines[image_name] = Machine(image, robot)
         return first if self._check_only else first.twin()
 
-    def _standing(self, start: Start) -> Standing:
+    def _placement(self, start: Start) -> Placement:
         key = (start.dock, start.road, start.storehouse)
-        if key not in self._standings:
+        if key not in self._placements:
             docks, roads, houses = self.world.docks, self.world.roads, self.world.storehouses
             dock = next((number for number, dock in enumerate(docks) if dock.name == start.dock), -1)
             road_name = docks[dock].road if dock >= 0 else start.road
             house_name = docks[dock].storehouse if dock >= 0 else start.storehouse
             road = next((number for number, road in enumerate(roads) if road.name == road_name), -1)
             house = next((number for number, house in enumerate(houses) if house.name == house_name), -1)
-            self._standings[key] = Standing(road, dock, house)
-        return self._standings[key]
+            self._placements[key] = Placement(road, dock, house)
+        return self._placements[key]
 
     def _device(
-        self, agent: Agent, part: RobotObject, standing: Standing, start: Start
+        self, agent: Agent, part: RobotObject, placement: Placement, start: Start
     ) -> tuple[type[Device] | None, Values | None]:
         """What simulates an actuator or sensor of an agent, and its settings; None for what is wrong."""
         robot = agent.robot
@@ -277,7 +277,7 @@ class Setup:
         if device is None or values is None:
             return None, None
         needs = "road" if values.says("guide", "road") else device.needs
-        has = {"road": bool(start.road), "dock": standing.dock >= 0, "storehouse": standing.storehouse >= 0}
+        has = {"road": bool(start.road), "dock": placement.dock >= 0, "storehouse": placement.storehouse >= 0}
         if needs and not has[needs]:
             message = Sentence(
                 "{agent} has {robot}.{part}, which needs a {place}, and the start {start} has none",
@@ -293,13 +293,13 @@ class Setup:
             return None, None
         return device, values
 
-    def _kind(self, robot: int, handles: Collection[str], standing: Standing) -> str:
+    def _kind(self, robot: int, handles: Collection[str], placement: Placement) -> str:
         """How to draw it: carrier, loader, unloader, store-manager, or any other robot."""
         solid = self.tables.ints[SOLID][robot]
         if solid and self.tables.ints[BED][robot]:
             return "carrier"
-        if MOVES_BOXES in handles and standing.dock >= 0:
-            return "loader" if self.world.docks[standing.dock].kind == LOAD else "unloader"
+        if MOVES_BOXES in handles and placement.dock >= 0:
+            return "loader" if self.world.docks[placement.dock].kind == LOAD else "unloader"
         return "store-manager" if COUNTS_BOXES in handles and not solid else "robot"
 
     def _check_overlaps(self) -> None:

@@ -18,7 +18,7 @@ from kitrobot.sim.angles import direction
 from kitrobot.sim.contacts import TOUCH_MM
 from kitrobot.sim.deadlock_detection import HELD_ROWS, QUIET_STEPS
 from kitrobot.sim.device_tables import DeviceTables, FittedDevice
-from kitrobot.sim.devices import Actuator, Device, Sensor, Standing, Values, actuators, sensors, ticks
+from kitrobot.sim.devices import Actuator, Device, Placement, Sensor, Values, actuators, sensors, ticks
 from kitrobot.sim.fault_schedule import FaultPlan
 from kitrobot.sim.grids import FEW
 from kitrobot.sim.pens import pen_tables
@@ -125,12 +125,14 @@ class Tables:
         part: RobotObject,
         device: type[Device],
         values: Values,
-        standing: Standing,
+        placement: Placement,
         name: str,
     ) -> None:
         """A device of a robot; an actuator's robot has no other robot's actuators between its own."""
         category = "sensor" if issubclass(device, Sensor) else "actuator"
-        fitted = FittedDevice(robot, number, part, device, values, standing, keys(self.seed, name, category, part.name))
+        fitted = FittedDevice(
+            robot, number, part, device, values, placement, keys(self.seed, name, category, part.name)
+        )
         (self._sensors if category == "sensor" else self._actuators).append(fitted)
         device.fit(robot, self.floats, self.ints, values)
         if issubclass(device, Actuator) and device.turns:
@@ -323,8 +325,8 @@ class Tables:
                     c.S_KEY_B: item.keys[1],
                     c.S_RING: made.room,
                     c.S_SIZE: size,
-                    c.S_DOCK: item.standing.dock,
-                    c.S_STORE: item.standing.storehouse,
+                    c.S_DOCK: item.placement.dock,
+                    c.S_STORE: item.placement.storehouse,
                     c.S_FIRST: first,
                     c.S_END: first + len(numbers),
                     c.S_RESTLESS: 1 if noise > 0 or dropout > 0 or item.device.restless else 0,
@@ -355,8 +357,8 @@ class Tables:
                     c.A_DELAY: delay,
                     c.A_QUEUE: made.room,
                     c.A_SIZE: size,
-                    c.A_DOCK: item.standing.dock,
-                    c.A_STORE: item.standing.storehouse,
+                    c.A_DOCK: item.placement.dock,
+                    c.A_STORE: item.placement.storehouse,
                 },
             )
             own = item.device.initial_floats(item.part, item.values)

@@ -233,19 +233,19 @@ class RecordingSource(UnchangeableSource):
 
     def seek(self, tick: int) -> Iterator[None]:
         """The way to a tick: one piece."""
-        self._stand(self.reader.seek(tick))
+        self._show_record(self.reader.seek(tick))
         yield
 
     def seek_back(self, wanted: Callable[[], bool]) -> Iterator[None]:
         """As `RunSource.seek_back`."""
         for record in self.reader.walk_back(self._now.tick):
-            self._stand(record)
+            self._show_record(record)
             if wanted():
                 return
             yield
-        self._stand(self._first)
+        self._show_record(self._first)
 
-    def _stand(self, record: TickRecord) -> None:
+    def _show_record(self, record: TickRecord) -> None:
         self._now = record
         self._ahead = None
 

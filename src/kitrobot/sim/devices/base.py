@@ -62,11 +62,11 @@ LOST_READINGS = Setting(
 LOST_COMMANDS = Setting("dropout", 0.0, Sentence("how often a command does not reach it"), "%", 0.0, 100.0)
 MOVES_BOXES, COUNTS_BOXES = "moves", "counts"
 
-Look = Literal["", "wheels", "lights", "melody", "pin", "lamp", "bar", "sound", "number", "pen"]
+DisplayKind = Literal["", "wheels", "lights", "melody", "pin", "lamp", "bar", "sound", "number", "pen"]
 """What the page draws of an actuator: nothing, wheels, a matrix of lights, whether it sounds, a pin's level, its value
 as lamp, bar, sound or number, or a pen and its line."""
 
-Hand = Literal["", "button", "gesture", "slider"]
+ManualControl = Literal["", "button", "gesture", "slider"]
 """How a person works a sensor in the arena: not, by a button of the board, by moving the whole board, by a slider."""
 
 SPREAD = Setting("noise", 0.0, Sentence("how far a reading may be off (one standard deviation)"), "", 0.0, 1000.0)
@@ -103,7 +103,7 @@ class Values:
 
 
 @dataclass(frozen=True)
-class Standing:
+class Placement:
     """Where an agent was put: its road and dock and storehouse, as numbers in the world's lists, -1 for none."""
 
     road: int = -1
@@ -195,7 +195,7 @@ class Actuator(Device):
     """So many of these, the first ones, are for everybody to see: what a display shows, what a buzzer plays."""
 
     @classmethod
-    def look(cls, values: Values) -> Look:
+    def display_kind(cls, values: Values) -> DisplayKind:
         """How the page draws what it shows."""
         return ""
 
@@ -242,7 +242,7 @@ class Sensor(Device):
         return ()
 
     @classmethod
-    def hand(cls, values: Values) -> Hand:
+    def manual_control(cls, values: Values) -> ManualControl:
         """How a person works it in the arena."""
         return ""
 

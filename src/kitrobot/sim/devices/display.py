@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from kitrobot.primitives import RobotObject
 from kitrobot.sim.columns import A_DONE, A_OWN, A_ROBOT, DOWN, FAILED
-from kitrobot.sim.devices.base import LATENCY, LOST_COMMANDS, Actuator, Command, Discrete, Look, Setting, Values
+from kitrobot.sim.devices.base import LATENCY, LOST_COMMANDS, Actuator, Command, Discrete, DisplayKind, Setting, Values
 from kitrobot.sim.state import State
 from kitrobot.text import Sentence
 
@@ -91,7 +91,7 @@ class Display(Actuator):
         return (values.number("delay") / 1000,)
 
     @classmethod
-    def look(cls, values: Values) -> Look:
+    def display_kind(cls, values: Values) -> DisplayKind:
         return "lights"
 
 

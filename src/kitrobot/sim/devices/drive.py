@@ -17,7 +17,7 @@ from kitrobot.sim.columns import (
     SPEED,
     TARGET,
 )
-from kitrobot.sim.devices.base import LATENCY, LOST_COMMANDS, Actuator, Command, Discrete, Look, Setting, Values
+from kitrobot.sim.devices.base import LATENCY, LOST_COMMANDS, Actuator, Command, Discrete, DisplayKind, Setting, Values
 from kitrobot.sim.state import State
 from kitrobot.text import Sentence
 
@@ -51,7 +51,7 @@ class Drive(Actuator):
         return bool(state.robots.floats[TARGET][state.actuators.ints[A_ROBOT][k]])
 
     @classmethod
-    def look(cls, values: Values) -> Look:
+    def display_kind(cls, values: Values) -> DisplayKind:
         return "wheels"
 
     @classmethod

@@ -6,7 +6,7 @@ import math
 
 from kitrobot.primitives import Method, RobotObject
 from kitrobot.sim.columns import A_ACTION, A_DONE, A_NOISE, A_OWN, A_ROBOT, DOWN, FAILED
-from kitrobot.sim.devices.base import LATENCY, LOST_COMMANDS, Actuator, Command, Look, Setting, Values
+from kitrobot.sim.devices.base import LATENCY, LOST_COMMANDS, Actuator, Command, DisplayKind, Setting, Values
 from kitrobot.sim.state import State
 from kitrobot.text import Sentence
 
@@ -14,7 +14,7 @@ VALUE, TARGET_VALUE, DURATION_S, REMAINING_S = A_OWN
 """Columns of an indicator: its value, the value it goes to, how long that takes, and how much of this is left, in s."""
 
 _LAMP, _BAR, _SOUND, _NUMBER = range(4)
-_SHOWS: tuple[Look, ...] = ("lamp", "bar", "sound", "number")
+_SHOWS: tuple[DisplayKind, ...] = ("lamp", "bar", "sound", "number")
 _LATER = 4
 _WORTH = 8
 
@@ -37,7 +37,7 @@ class Indicator(Actuator):
     )
 
     @classmethod
-    def look(cls, values: Values) -> Look:
+    def display_kind(cls, values: Values) -> DisplayKind:
         return _SHOWS[_SHOWS.index(values.word("shows"))]
 
     @classmethod

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 
 from kitrobot.sim.columns import A_DONE, A_OWN, A_ROBOT, DOWN, FAILED
-from kitrobot.sim.devices.base import LATENCY, LOST_COMMANDS, Actuator, Command, Look, Values
+from kitrobot.sim.devices.base import LATENCY, LOST_COMMANDS, Actuator, Command, DisplayKind, Values
 from kitrobot.sim.state import State
 
 REMAINING_S = A_OWN[1]
@@ -28,7 +28,7 @@ class Music(Actuator):
     settings = (LATENCY, LOST_COMMANDS)
 
     @classmethod
-    def look(cls, values: Values) -> Look:
+    def display_kind(cls, values: Values) -> DisplayKind:
         return "melody"
 
 

@@ -25,7 +25,7 @@ from kitrobot.sim.columns import (
     TARGET,
     TURN,
 )
-from kitrobot.sim.devices.base import LATENCY, LOST_COMMANDS, Actuator, Command, Discrete, Look, Setting, Values
+from kitrobot.sim.devices.base import LATENCY, LOST_COMMANDS, Actuator, Command, Discrete, DisplayKind, Setting, Values
 from kitrobot.sim.state import State
 from kitrobot.text import Sentence
 
@@ -62,7 +62,7 @@ class Wheel(Actuator):
         return bool(state.actuators.floats[WHEEL_TARGET][k])
 
     @classmethod
-    def look(cls, values: Values) -> Look:
+    def display_kind(cls, values: Values) -> DisplayKind:
         return "wheels"
 
     @classmethod
