@@ -25,7 +25,7 @@ from kitrobot.tutorial.reading import TUTORIAL
 from kitrobot.workspace.beginnings import BEGINNINGS
 from kitrobot.workspace.bench_notes import BENCH
 from kitrobot.workspace.example_list import EXAMPLES
-from kitrobot.world.reading import WORLD
+from kitrobot.world.xml_reader import WORLD
 from kitrobot.xml import LANGUAGE, TEXT_VALUE, Attribute, Kind, Tag, attributes, escape_text
 
 FOLDER = Path(__file__).resolve().parents[1] / "src" / "kitrobot" / "primitives" / "schemas"

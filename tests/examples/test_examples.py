@@ -229,7 +229,9 @@ ACHIEVED: dict[str, Callable[[Watched], bool]] = {
     "stripes": lambda seen: variable(seen, "Count") == 4 and 1500 < seen.path()[-1][0] < 1850,
     "sumo": is_a_match,
     "three-zones": lambda seen: seen.lamps_lit() == 1 and 2000 < seen.path()[-1][0] < 2250,
-    "tidy-up": lambda seen: seen.run.state.things.floats[0][1] > 1500 and seen.run.state.things.floats[0][2] > 1900,
+    "tidy-up": lambda seen: (
+        seen.run.state.pushables.floats[0][1] > 1500 and seen.run.state.pushables.floats[0][2] > 1900
+    ),
     "traffic-light": keeps_to_the_light,
     "transport": lambda seen: seen.run.stock == {"A": 0, "B": 12},
     "transport-team": lambda seen: seen.run.stock == {"A": 0, "B": 12},

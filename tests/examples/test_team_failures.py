@@ -73,7 +73,7 @@ def test_all_boxes_arrive_whoever_stalls_or_loses_its_radio(kind: FailureKind) -
         for moment in range(12) if THOROUGH else (number % 12, (number + 5) % 12):
             simulation.restore(first)
             simulation.advance(120 + 240 * moment)
-            simulation.harm(name, kind)
+            simulation.inject_fault(name, kind)
             while simulation.outcome is None:
                 simulation.advance(5000)
             assert simulation.outcome == "done", (name, moment, simulation.sentence)
@@ -90,7 +90,7 @@ def test_all_boxes_arrive_when_each_carrier_fails_for_a_while_and_one_is_always_
     for at, name, kind in sorted(harms):
         while simulation.seconds < at:
             simulation.step()
-        simulation.harm(name, kind)
+        simulation.inject_fault(name, kind)
     while simulation.outcome is None:
         simulation.step()
     assert simulation.outcome == "done", simulation.sentence

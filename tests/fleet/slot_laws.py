@@ -15,20 +15,20 @@ from kitrobot.sim.team_columns import (
     HAS_UNIT,
     MOST,
     MOVE,
-    P_ASKED,
     P_KIND,
     P_MEMBERS,
     P_NEGATED,
     P_QUANTIFIER,
+    P_VOTERS,
     T_ANSWER,
     T_AT,
     T_GIVEN,
     T_HOLDER,
     T_LED,
     T_MISSED,
+    T_REPLAYED,
     T_ROLE,
-    T_TELL,
-    T_TOLD,
+    T_TO_REPLAY,
     W_LEFT,
     W_TAKEN,
 )
@@ -79,7 +79,7 @@ def _meeting_breaks(before: Before, effect: Effect, replica: Replica) -> str:
     said = _note(before, effect)
     if said is not None and said[1].kind == notes.COME:
         i, note = said
-        is_led = before.robots[T_LED][i] >= 0 or before.robots[T_TOLD][i] < before.robots[T_TELL][i]
+        is_led = before.robots[T_LED][i] >= 0 or before.robots[T_REPLAYED][i] < before.robots[T_TO_REPLAY][i]
         if not is_led and at[i] < 0 and points[P_KIND][note.first] > BRANCH and before.robots[T_ROLE][i] >= 0:
             at[i], given[i] = note.first, note.second
     gone_on: dict[int, set[int]] = {}
@@ -94,7 +94,7 @@ def _meeting_breaks(before: Before, effect: Effect, replica: Replica) -> str:
         if len(answers) > 1:
             return "a question has one answer"
         if points[P_KIND][p] == ASK:
-            asked = team.members[points[P_ASKED][p]]
+            asked = team.members[points[P_VOTERS][p]]
             seats = [i for i in robots[T_HOLDER] if i in robots_there and asked[i]]
             if answers != {_combined(points[P_QUANTIFIER][p], [bool(given[i]) for i in seats]) ^ points[P_NEGATED][p]}:
                 return "the answer to a question is that of those who came"

@@ -28,7 +28,7 @@ from kitrobot.fleet.charter import FleetError
 from kitrobot.fleet.envelopes import Envelope, EnvelopeError, opened, sealed
 from kitrobot.fleet.keys import VARIABLE, find_key, key_of, new_key
 from kitrobot.fleet.replica import Replica
-from kitrobot.sim import Ticked, fits
+from kitrobot.sim import TickResult, fits
 from kitrobot.team import Noted, Seat, View, Viewed
 from kitrobot.team.messages import Heartbeat
 from tests.fleet.network import LEASE
@@ -42,7 +42,7 @@ REPLY = Reply(
     2,
     True,
     False,
-    Ticked((1, 2), (3, 0), ((0, 1, 2, 3),)),
+    TickResult((1, 2), (3, 0), ((0, 1, 2, 3),)),
     ((0, 9),),
     4,
     ((Noted(Seat(1, 0), (0, 0, 3, 1, 9)), Viewed(View(2, (Seat(0, 0), Seat(1, 1))))), ()),
@@ -118,7 +118,7 @@ def test_what_cannot_be_of_a_machine_is_told_and_moves_nothing() -> None:
     until(one, 1000)
     world = one.world
     link = world.links[0]
-    for ticked in (Ticked((1,), (0, 0)), Ticked((), ()), Ticked((0,) * 400, (9999, 0))):
+    for ticked in (TickResult((1,), (0, 0)), TickResult((), ()), TickResult((0,) * 400, (9999, 0))):
         assert not fits(one.run, 0, ticked)
         link.waiting, link.ticked, link.sent = {link.serial: FRAME}, [], {link.serial: one.now}
         world.answer(one.now, 0, Reply(link.serial, world.replica.epochs[0], ticked=ticked))
@@ -132,7 +132,7 @@ def test_an_answer_of_an_agent_that_was_missed_since_moves_nothing() -> None:
     world = one.world
     link = world.links[0]
     machine = one.run.members[0].machine
-    ticked = Ticked(
+    ticked = TickResult(
         tuple(machine.cells[: machine.layout.cells]), tuple(machine.threads[: 2 * len(machine.image.slots)])
     )
     for late, taken in ((1, []), (0, [(link.serial, ticked)])):
@@ -154,7 +154,7 @@ def test_answers_are_taken_in_the_order_of_frames_and_once() -> None:
     epoch, last = world.replica.epochs[0], link.serial
     link.waiting, link.ticked = {last + 1: FRAME, last + 2: FRAME}, []
     link.sent = {last + 1: one.now, last + 2: one.now}
-    replies = [Reply(last + n, epoch, ticked=Ticked((n, *cells[1:]), threads)) for n in (1, 2)]
+    replies = [Reply(last + n, epoch, ticked=TickResult((n, *cells[1:]), threads)) for n in (1, 2)]
     world.answer(one.now, 0, replies[1])
     assert link.ticked == []
     for reply in (replies[0], replies[0], replies[1]):

@@ -72,7 +72,7 @@ def test_a_substitute_goes_on_where_a_process_died_or_a_body_failed(seed: int) -
             if what == "kill":
                 team.fleet.kill(team.names.index(name))
             else:
-                team.run.harm(name, what)
+                team.run.inject_fault(name, what)
     finish(team)
     assert team.run.outcome == "done", team.run.sentence
     assert team.lines_of_roles() == meaning.lines

@@ -376,7 +376,7 @@ def test_of_a_crowd_all_are_drawn_and_those_looked_at_are_told(tmp_path, monkeyp
     from kitrobot.sim import simulate
     from tests.sim.teams import random_team
 
-    monkeypatch.setattr("kitrobot.sim.recording.PROGRESS_STEPS", 20)
+    monkeypatch.setattr("kitrobot.sim.recorder.PROGRESS_STEPS", 20)
     path = tmp_path / "crowd.krtrace"
     simulate(random_team(3, 130), path, lambda run: run.tick >= 20)
     replay = Replay(open_trace(path))

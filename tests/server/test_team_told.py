@@ -12,7 +12,7 @@ import pytest
 
 from kitrobot.server.run_messages import RunEncoder
 from kitrobot.server.team_told import TeamTold
-from kitrobot.sim.recording import Recorder
+from kitrobot.sim.recorder import Recorder
 from kitrobot.trace import TEAM, TraceError, TraceHeader, TraceReader
 from kitrobot.trace.header import header_from_json, header_to_json
 from kitrobot.workspace import open_mission

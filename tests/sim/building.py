@@ -12,7 +12,7 @@ from kitrobot.graph import empty_program
 from kitrobot.mission import Agent, Failure, Goal, Mission, Radio, Team, read_mission
 from kitrobot.primitives import Catalogue, Robot, load_catalogue, read_robot
 from kitrobot.sim import Simulation
-from kitrobot.sim.columns import FREE, PIECES, REALS, ROAD, WHOLES
+from kitrobot.sim.columns import FREE, PIECES, ROAD, ROBOT_FLOATS, ROBOT_INTS
 from kitrobot.sim.state import Robots
 from kitrobot.world import Pose, Start, World, find_world, read_world
 
@@ -80,8 +80,8 @@ def robots_with(real: Mapping[int, list[float]]) -> Robots:
     """Tables of robots that have wheels and are free, with these columns of numbers; all else is 0."""
     count = len(next(iter(real.values())))
     who = list(range(count))
-    reals = [list(real.get(column, [0.0] * count)) for column in range(REALS)]
-    wholes = [[{ROAD: FREE, PIECES: 1}.get(column, 0)] * count for column in range(WHOLES)]
+    reals = [list(real.get(column, [0.0] * count)) for column in range(ROBOT_FLOATS)]
+    wholes = [[{ROAD: FREE, PIECES: 1}.get(column, 0)] * count for column in range(ROBOT_INTS)]
     return Robots(reals, wholes, solid=who, guided=[], free=who, free_solid=who, carriers=[])
 
 

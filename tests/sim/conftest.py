@@ -10,7 +10,7 @@ from pathlib import Path
 import pytest
 
 from kitrobot.sim import jit_policy
-from kitrobot.sim.compiling import step
+from kitrobot.sim.jit_compiler import step
 
 if sys.platform != "win32":
     import fcntl

@@ -30,6 +30,7 @@ def anew(mission: Path) -> Simulation:
 def trace_of(mission: Path) -> list[int | str]:
     """The steps that were made, at most `TICKS`, and a hash of all machines, poses (to 0.001) and events after each."""
     run, digest = anew(mission), hashlib.sha256()
+    run.stays_plain = True  # the numbers of compiled steps are NumPy's, which `repr` writes differently
     while run.outcome is None and run.tick < TICKS:
         run.step()
         # Plain numbers: a process that has run much goes on with arrays.

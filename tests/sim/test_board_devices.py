@@ -12,7 +12,7 @@ from hypothesis import strategies as st
 from kitrobot.primitives import Robot
 from kitrobot.sim import Simulation
 from kitrobot.sim.devices.display import run_through
-from kitrobot.sim.recording import Recorder
+from kitrobot.sim.recorder import Recorder
 from tests.sim.building import avatar, empty_world, run_of, steps
 
 DISPLAY = """<actuator name="Display" device="display" {settings}>
@@ -170,7 +170,7 @@ def test_a_robot_that_failed_is_silent() -> None:
     robot = avatar(HUM)
     agents = dict.fromkeys(("a", "b"), (robot, "Music.Tone(300); WAIT(50);"))
     made = steps(run_of(agents, empty_world(a=(1000, 1000, 0), b=(2000, 1000, 0))), 5)
-    made.harm("a", "fail")
+    made.inject_fault("a", "fail")
     steps(made, 1)
     assert [dict(member.outputs())["Music"] for member in made.members] == [[0, 0], [300, 0]]
 

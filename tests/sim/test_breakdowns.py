@@ -8,7 +8,7 @@ import pytest
 
 from kitrobot.mission import Breakdown, BreakdownRule, Failure, FailureKind
 from kitrobot.sim import Simulation
-from kitrobot.sim.hosted import hosted_step, readings
+from kitrobot.sim.hosted import begin_hosted_step, finish_hosted_step
 from kitrobot.sim.sweep import Fault, Task, run_task, snapshots_at
 from tests.effort import cases
 from tests.sim.building import catalogue, example_images, transport
@@ -63,8 +63,8 @@ def test_a_towed_robot_frees_the_road_and_its_box_goes_back(moment: float) -> No
 def test_a_body_whose_program_runs_elsewhere_is_towed_too() -> None:
     run = ring(TOW, Failure("carrier-2", 1.0))
     while run.tick < 400:
-        readings(run)
-        hosted_step(run, {})
+        begin_hosted_step(run)
+        finish_hosted_step(run, {})
     assert [event.agent for event in run.happened() if "is towed" in event.text] == ["carrier-2"]
     assert run.view(1).y_mm < 0
 

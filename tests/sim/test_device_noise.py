@@ -16,8 +16,8 @@ from statistics import mean, stdev
 import pytest
 
 from kitrobot.sim import LAMP
-from kitrobot.sim.compiling import loops
 from kitrobot.sim.devices import Device, Sensor, actuators, sensors
+from kitrobot.sim.jit_compiler import loops
 from tests.patience import PATIENCE_S
 from tests.sim.building import WHEEL, avatar, empty_world, run_of, steps
 from tests.sim.test_devices import RANGE, ROOT, SENSOR, sensed
@@ -70,8 +70,10 @@ def sense(first, last, step, state):
 """
 
 NEW_ACTUATOR = """
-from kitrobot.sim.columns import A_DONE, A_P, A_Q
+from kitrobot.sim.columns import A_DONE, A_OWN
 from kitrobot.sim.devices.base import LATENCY, LOST_COMMANDS, Actuator, Command
+
+REMAINING_S = A_OWN[0]
 
 class Timer(Actuator):
     name = "a-timer"
@@ -79,11 +81,11 @@ class Timer(Actuator):
     settings = (LATENCY, LOST_COMMANDS)
 
 def start(k, command, deviate, state):
-    state.actuators.floats[A_P][k] = command.first / 10
+    state.actuators.floats[REMAINING_S][k] = command.first / 10
     state.actuators.ints[A_DONE][k] = 0
 
 def advance(first, last, dt, state):
-    left = state.actuators.floats[A_P]
+    left = state.actuators.floats[REMAINING_S]
     for k in range(first, last):
         left[k] -= dt
         if left[k] < 1e-9:

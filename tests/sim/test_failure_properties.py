@@ -11,7 +11,7 @@ from hypothesis import strategies as st
 
 from kitrobot.mission import Failure, FailureKind
 from kitrobot.sim import Event, Simulation
-from kitrobot.sim.failures import KINDS
+from kitrobot.sim.fault_schedule import KINDS
 from kitrobot.sim.timeline import Timeline
 from tests.effort import examples
 from tests.sim.building import transport
@@ -46,7 +46,7 @@ def test_stock_is_conserved_whatever_befalls_whom(seed: int) -> None:
     total = run.total
     for _ in range(10):
         run.advance(random.randrange(1, 300))
-        run.harm(*by_hand(random, names))
+        run.inject_fault(*by_hand(random, names))
         assert boxes(run) == total
         assert run.outcome != "done" or run.stock["B"] == total
 
@@ -64,7 +64,7 @@ def test_plain_and_compiled_agree_on_failures(seed: int, robots: int) -> None:
         stretch, harmed = random.randrange(1, 60), by_hand(random, names)
         for run in (plain, compiled):
             run.advance(stretch)
-            run.harm(*harmed)
+            run.inject_fault(*harmed)
         assert plain.snapshot() == compiled.snapshot()
         assert plain.agents == compiled.agents
         assert (plain.outcome, plain.sentence, plain.events) == (compiled.outcome, compiled.sentence, compiled.events)
@@ -79,7 +79,7 @@ def test_a_restored_run_goes_on_alike(seed: int) -> None:
     run = random_team(seed, robots, harms(random, names, 8), random.choice((0.0, 0.9)))
     for _ in range(4):
         run.advance(random.randrange(1, 60))
-        run.harm(*by_hand(random, names))
+        run.inject_fault(*by_hand(random, names))
     kept = run.snapshot()
     after = [(run.advance(40), run.snapshot(), run.events, run.outcome, run.sentence)]
     run.restore(kept)
@@ -96,7 +96,7 @@ def test_a_timeline_that_goes_back_and_forth_tells_one_story(seed: int) -> None:
     timeline = Timeline(transport(seed, 3, 3, failures=schedule), room_bytes=random.choice((20_000, 10_000_000)))
     for _ in range(10):
         if random.random() < 0.4:
-            timeline.harm(*by_hand(random, names))
+            timeline.inject_fault(*by_hand(random, names))
         elif random.random() < 0.5:
             timeline.go_to(random.randrange(timeline.latest + 1))
         else:
@@ -107,7 +107,7 @@ def test_a_timeline_that_goes_back_and_forth_tells_one_story(seed: int) -> None:
     for tick in range(timeline.latest + 1):
         for one in timeline.interventions:
             if one.tick == tick:
-                straight.harm(one.agent, one.name)
+                straight.inject_fault(one.agent, one.name)
         if tick < timeline.latest:
             straight.step()
             events += straight.events

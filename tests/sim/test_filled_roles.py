@@ -7,7 +7,7 @@ import random
 from pathlib import Path
 
 from kitrobot.lll import RoleDeclaration
-from kitrobot.sim.team_tables import TeamMember, filled
+from kitrobot.sim.team_tables import TeamMember, assign_roles
 
 HELD = Path(__file__).resolve().parents[2] / "web" / "src" / "model" / "testing" / "filled-roles.json"
 """Random teams and who plays what in them; `python -m tests.sim.test_filled_roles` writes it anew."""
@@ -24,7 +24,7 @@ def _held() -> str:
             least = chance.randint(0, 3)
             roles.append(RoleDeclaration(f"r{number}", chance.choice(KINDS), least, least + chance.randint(0, 3)))
         members = [TeamMember(n, f"a{n}", chance.choice(KINDS)) for n in range(chance.randint(0, 8))]
-        playing = filled(roles, members)
+        playing = assign_roles(roles, members)
         teams.append(
             {
                 "roles": [{"name": r.name, "robot": r.robot, "least": r.least, "most": r.most} for r in roles],

@@ -10,7 +10,8 @@ import pytest
 
 from kitrobot.primitives import Robot
 from kitrobot.sim import LAMP, Simulation
-from kitrobot.sim.columns import A_P, A_WAY, HEADING, SPEED
+from kitrobot.sim.columns import A_ACTION, HEADING, SPEED
+from kitrobot.sim.devices.door import OPENING
 from kitrobot.world import Floor, World
 from kitrobot.world.model import rectangle_corners
 from tests.sim.building import MOTOR, SIDE, WHEEL, avatar, empty_world, run_of, steps
@@ -26,9 +27,9 @@ ACTUATORS: dict[str, tuple[str, str, Callable[[Simulation], float]]] = {
     "motor": (MOTOR, "Motor.Turn(50);", lambda run: run.state.robots.floats[HEADING][0]),
     "drive": (WHEEL, "Wheel.Advance(50);", lambda run: run.state.robots.floats[SPEED][0]),
     "wheel": (SIDE.replace("{name}", "Left"), "Left.Forward(50);", lambda run: run.state.robots.floats[SPEED][0]),
-    "door": (DOOR, "Door.Open();", lambda run: run.state.actuators.floats[A_P][0]),
+    "door": (DOOR, "Door.Open();", lambda run: run.state.actuators.floats[OPENING][0]),
     "light": (LIGHT, "Light.LightOn();", lambda run: run.agents[0].flags & LAMP),
-    "switch": (SWITCH, "Switch.SwitchOn();", lambda run: run.state.actuators.ints[A_WAY][0]),
+    "switch": (SWITCH, "Switch.SwitchOn();", lambda run: run.state.actuators.ints[A_ACTION][0]),
 }
 """What it is in XML, how it is told to do something, and what changes when it does."""
 

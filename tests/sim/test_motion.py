@@ -11,8 +11,9 @@ from hypothesis import strategies as st
 
 from kitrobot.sim import MOVING, Simulation
 from kitrobot.sim.angles import direction
-from kitrobot.sim.columns import A_R, ACCELERATION, BRAKING, HEADING, SPEED, TARGET, TURN, UX, UY, WAY, X, Y
-from kitrobot.sim.motion import roll, wander
+from kitrobot.sim.columns import ACCELERATION, BRAKING, HEADING, SPEED, TARGET, TURN, UX, UY, WAY, X, Y
+from kitrobot.sim.devices.turn import ANGLE_LEFT
+from kitrobot.sim.motion import move_freely, roll
 from kitrobot.world import Corner, Road, Start, World, normalised
 from tests.sim.building import MOTOR, SIDE, WHEEL, avatar, empty_world, robots_with, run_of, shipped_world, steps
 
@@ -75,7 +76,7 @@ def test_driving_and_turning_at_once_is_an_arc_of_radius_v_by_omega(v: float, om
     robots = robots_with({HEADING: [heading], UX: [ux], UY: [uy], WAY: [v * 0.02], TURN: [omega * 0.02]})
     x, y, h = (robots.floats[column] for column in (X, Y, HEADING))
     for _ in range(50):
-        wander(0, robots)
+        move_freely(0, robots)
     assert normalised(h[0] - heading - omega) == pytest.approx(0, abs=1e-9)
     if abs(omega) > 1e-3:
         radius = v / omega
@@ -202,7 +203,7 @@ def test_wheels_gain_and_lose_speed_as_their_xml_says(percent: int) -> None:
         f"{both.format(f'Forward({percent})')} WAIT(30); {both.format('Stop()')} WAIT(600);",
         f'speed="400" acceleration="{gain}" braking="{braking}" track="80"',
     )
-    while run.state.actuators.floats[A_R][0] != 0 or run.tick < 2:
+    while run.state.actuators.floats[ANGLE_LEFT][0] != 0 or run.tick < 2:
         run.step()
     # Three seconds, and the one step in which it is told to stop has begun to brake.
     steps(run, 200)
@@ -224,8 +225,8 @@ def test_the_wheels_of_a_robot_that_fails_brake_and_go_on_when_it_is_revived() -
         "Left.Forward(50); Right.Forward(50); WAIT(600);", SWIFT.replace('braking="1e6"', 'braking="400"'), twice=True
     )
     moving = steps(run, 50).agents[0]
-    run.harm("a", "fail")
+    run.inject_fault("a", "fail")
     still = steps(run, 100).agents[0]
     assert still.x_mm - moving.x_mm == pytest.approx(200 * 200 / (2 * 400), abs=1e-6)
-    run.harm("a", "revive")
+    run.inject_fault("a", "revive")
     assert steps(run, 50).agents[0].x_mm - still.x_mm == pytest.approx(200, abs=0.1)

@@ -17,7 +17,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from kitrobot.mission import Failure, FailureKind, Radio
-from kitrobot.sim import Simulation, compiling, expect_run, jit_cache, jit_policy, simulate
+from kitrobot.sim import Simulation, expect_run, jit_cache, jit_compiler, jit_policy, simulate
 from tests.effort import examples
 from tests.patience import PATIENCE_S
 from tests.sim.building import transport
@@ -106,7 +106,7 @@ def test_that_robots_are_held_is_found_out_alike(before: int) -> None:
         run.advance(before)
         assert run.compile_step() or not compiled
         run.advance(400 - before)
-        run.harm("carrier-1", "stall")
+        run.inject_fault("carrier-1", "stall")
         run.advance(5000)
         ends.append((run.outcome, run.tick, run.snapshot()))
     assert ends[0][0] == "stuck"
@@ -146,7 +146,7 @@ sys.stdout.buffer.write(run.snapshot())
 LONG = """
 import sys
 from kitrobot.sim import jit_policy
-from kitrobot.sim.compiling import step
+from kitrobot.sim.jit_compiler import step
 from tests.sim.teams import random_team
 jit_policy.WORTH = 500
 run = random_team(5, 10)
@@ -176,7 +176,7 @@ def test_a_long_run_asks_for_the_compiled_step_and_takes_it_when_it_is_there() -
 CROWD = """
 import sys
 from kitrobot.sim import expect_run
-from kitrobot.sim.compiling import step
+from kitrobot.sim.jit_compiler import step
 from tests.sim.teams import random_team
 expect_run(100)
 assert step.asked is not None
@@ -191,7 +191,7 @@ sys.stdout.buffer.write(run.snapshot())
 
 def test_for_a_crowd_the_compiled_step_is_asked_for_before_its_run_begins(monkeypatch: pytest.MonkeyPatch) -> None:
     asked: list[bool] = []
-    monkeypatch.setattr(compiling.step, "ask", lambda: asked.append(True))
+    monkeypatch.setattr(jit_compiler.step, "ask", lambda: asked.append(True))
     expect_run(99)
     assert asked == [], "for so few it is not worth it"
     expect_run(100)
@@ -237,7 +237,7 @@ extending = sys.modules["kitrobot.sim.numba_tables"] = sys.modules[__name__]
 """In place of Numba: compiles to functions that do nothing, and says which process asked."""
 
 ASKED = """
-from kitrobot.sim.compiling import step
+from kitrobot.sim.jit_compiler import step
 step.ask()
 step.asked.join()
 assert step.made is not None
@@ -270,7 +270,7 @@ SLOW = QUICK.replace(
 
 LEFT = """
 import os, sys
-from kitrobot.sim.compiling import step
+from kitrobot.sim.jit_compiler import step
 step.ask()
 sys.stdin.read()
 os._exit(0)
@@ -302,7 +302,7 @@ def test_what_is_begun_is_compiled_to_the_end_though_the_one_that_asked_has_ende
 
 
 REFUSED = """
-from kitrobot.sim.compiling import step
+from kitrobot.sim.jit_compiler import step
 step.ask()
 thread = step.asked
 thread.join()
@@ -314,7 +314,7 @@ assert step.asked is thread, "nothing is begun as long as another process compil
 
 def test_many_short_runs_ask_for_the_compiled_step_together(monkeypatch: pytest.MonkeyPatch) -> None:
     asked: list[bool] = []
-    monkeypatch.setattr(compiling.step, "ask", lambda: asked.append(True))
+    monkeypatch.setattr(jit_compiler.step, "ask", lambda: asked.append(True))
     monkeypatch.setattr(jit_policy, "WORTH", 3000)
     monkeypatch.setattr(jit_policy, "done", jit_policy.Work())
     for _ in range(3):
@@ -322,7 +322,7 @@ def test_many_short_runs_ask_for_the_compiled_step_together(monkeypatch: pytest.
         assert policy.compiled() is None
         assert asked == []
         policy.worked(200)
-    assert jit_policy.JitPolicy(1).compiled() is compiling.step.made is not None
+    assert jit_policy.JitPolicy(1).compiled() is jit_compiler.step.made is not None
     assert asked == [True]
 
 
@@ -354,16 +354,16 @@ def test_without_numba_or_when_told_so_the_run_is_plain_and_the_same(prelude: st
 
 def test_what_is_kept_is_only_for_these_very_sources(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv("KITROBOT_CACHE", str(tmp_path))
-    folder = compiling.cache_folder()
+    folder = jit_compiler.cache_folder()
     assert folder.parent == tmp_path
-    assert folder == compiling.cache_folder()
+    assert folder == jit_compiler.cache_folder()
     monkeypatch.setattr(jit_cache, "version", lambda package: f"{package} of tomorrow")
-    assert compiling.cache_folder() != folder
+    assert jit_compiler.cache_folder() != folder
 
 
 def test_every_loop_of_the_step_is_told_to_numba() -> None:
-    names = {name.removeprefix("kitrobot.sim.") for name in compiling.loops()}
-    assert {"devices.range.sense", "execution.react", "physics.move_robots", "chance.gauss"} <= names
+    names = {name.removeprefix("kitrobot.sim.") for name in jit_compiler.loops()}
+    assert {"devices.range.sense", "execution.react", "physics.move_robots", "random_numbers.gauss"} <= names
 
 
 def test_a_machine_where_compiling_fails_goes_on_plain(tmp_path: Path) -> None:

@@ -173,7 +173,7 @@ def test_a_robot_that_failed_makes_no_sound() -> None:
     world = empty_world(a=(1000, 1000, 0), b=(500, 500, 0))
     run = run_of({"a": (robot, "Own.Pump(40); WAIT(100);"), "b": (robot, WAITING)}, world)
     assert shown(run) == [40]
-    run.harm("a", "fail")
+    run.inject_fault("a", "fail")
     assert shown(run, 2)[-1] == 0
 
 

@@ -113,7 +113,7 @@ def test_sensors_tell_who_is_in_reach() -> None:
         run = run_of(leaving, ROOM, radio=radio)
         assert tuple(steps(run, 3).agents[0].inputs.values()) == before
         assert tuple(steps(run, 100).agents[0].inputs.values()) == after
-    run.harm("c", "fail")
+    run.inject_fault("c", "fail")
     assert tuple(steps(run, 3).agents[0].inputs.values()) == (1, 0)
     with pytest.raises(SimulationError, match=r"avatar\.Other: no agent “d” takes part"):
         run_of({"a": (robot(HEARS.format(of="d")), "")}, ROOM)

@@ -11,7 +11,7 @@ from kitrobot.compiler import compile_program, compile_text
 from kitrobot.graph import empty_program
 from kitrobot.mission import Agent, Goal, Mission, Team
 from kitrobot.primitives import Catalogue
-from kitrobot.sim import MAX_AGENTS, Simulation, SimulationError, look_over
+from kitrobot.sim import MAX_AGENTS, Simulation, SimulationError, check_mission
 from kitrobot.world import Pose, Start, World
 from tests.sim.building import (
     avatar,
@@ -20,7 +20,7 @@ from tests.sim.building import (
     shipped_world,
     steps,
 )
-from tests.sim.test_endings import MINI, ROOM, gone_on
+from tests.sim.test_outcome import MINI, ROOM, gone_on
 
 
 def refused(mission: Mission, world: World = ROOM, robots: Catalogue | None = None) -> SimulationError:
@@ -120,10 +120,10 @@ def test_looking_over_a_mission_says_what_making_its_run_says() -> None:
     for mission in (wrong, team(Agent("a", "p"), Agent("b", "p", "a")), team()):
         images = {program.name: compile_program(program, catalogue()) for program in mission.programs}
         with pytest.raises(SimulationError) as caught:
-            look_over(mission, ROOM, images, catalogue())
+            check_mission(mission, ROOM, images, catalogue())
         assert caught.value.diagnostics == refused(mission).diagnostics
     fine = team(Agent("a", "p"), Agent("b", "p"))
-    look_over(fine, ROOM, {"p": compile_program(fine.programs[0], catalogue())}, catalogue())
+    check_mission(fine, ROOM, {"p": compile_program(fine.programs[0], catalogue())}, catalogue())
 
 
 def ended_at_once(agents: int) -> bool:

@@ -32,7 +32,9 @@ def act(timeline: Timeline, random: Random) -> None:
         case 1:
             timeline.set_variable("carrier-2", "Dock", random.randrange(6))
         case _:
-            timeline.harm(random.choice(["carrier-3", "loader"]), random.choice(["fail", "stall", "mute", "revive"]))
+            timeline.inject_fault(
+                random.choice(["carrier-3", "loader"]), random.choice(["fail", "stall", "mute", "revive"])
+            )
 
 
 @settings(max_examples=8, deadline=None)
@@ -73,7 +75,7 @@ def test_what_somebody_did_stands_in_the_recording_as_an_event(tmp_path: Path) -
     timeline.force("loader", "Presence", 0)
     timeline.advance(10)
     timeline.force("loader", "Presence", None)
-    timeline.harm("carrier-3", "fail")
+    timeline.inject_fault("carrier-3", "fail")
     record_again(timeline, fresh(), tmp_path / "a.krtrace")
     with TraceReader(tmp_path / "a.krtrace") as reader:
         by_hand = [(tick, event) for tick, event in reader.events if event.cause == "person"]

@@ -37,18 +37,18 @@ def test_going_back_and_on_again_is_the_same_run(seed: int, robots: int, before:
     kept = run.snapshot()
     recorder = Recorder(run)
 
-    def go_on() -> list[object]:
+    def deliver_answer() -> list[object]:
         told: list[object] = []
         for _ in range(after):
             run.step()
             told.append((recorder.record(), list(run.events), run.poses()))
         return [told, run.agents, run.snapshot(), run.outcome, run.sentence]
 
-    first = go_on()
+    first = deliver_answer()
     run.restore(kept)
     assert run.tick == before
     assert run.snapshot() == kept
-    assert go_on() == first
+    assert deliver_answer() == first
 
 
 @pytest.mark.parametrize("seed", cases([1], [2, 3]))

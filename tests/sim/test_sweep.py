@@ -31,7 +31,7 @@ def limited(run: Simulation, seconds: float = 6) -> Simulation:
 def state_of(run: Simulation) -> bytes:
     """All that a run goes on from, but what happened in its last steps."""
     run.state.clock[EVENTS] = 0
-    return run._packing.pack(run.state)
+    return run._codec.encode(run.state)
 
 
 def sweep(make: Make, failures: Sequence[Failure], count: int, pairs: bool) -> list[tuple[Field, bytes]]:

@@ -60,11 +60,11 @@ class Losses:
         while run.outcome is None:
             kind = self.plan.get(run.tick)
             if kind is not None:
-                down = [a.name for a in run.members if run.view(a.index).state in ("failed", "stalled") or a.downfall]
+                down = [a.name for a in run.members if run.view(a.index).state in ("failed", "stalled") or a.fault_text]
                 name = self.chance.choice(down if kind == "revive" and down else team.names)
                 self.sure.update((name, line) for line, tick in over[name] if tick + SETTLED <= run.tick)
                 over[name] = []
-                run.harm(name, kind)
+                run.inject_fault(name, kind)
             seats = list(run.state.team.robots[T_SEAT])
             team.step()
             for agent in run.members:

@@ -80,7 +80,7 @@ def test_a_substitute_goes_on_with_what_was_lost_and_no_role_is_held_twice(seed:
         if going and run.outcome is None:
             name = chance.choice(going)
             left[kinds[name]] -= 1
-            run.harm(name, chance.choice(("fail", "stall", "mute")))
+            run.inject_fault(name, chance.choice(("fail", "stall", "mute")))
     while run.outcome is None:
         team.step()
         seats = [seat for seat in run.state.team.robots[T_HOLDER] if seat >= 0]
@@ -99,7 +99,7 @@ def test_without_spare_robots_the_run_still_ends_and_says_why(seed: int, moments
     for steps in moments:
         run.advance(steps)
         if run.outcome is None:
-            run.harm(chance.choice(team.names), chance.choice(("fail", "stall", "mute", "revive")))
+            run.inject_fault(chance.choice(team.names), chance.choice(("fail", "stall", "mute", "revive")))
     while run.outcome is None:
         run.advance(1000)
     assert run.outcome != "time", run.sentence
@@ -271,7 +271,7 @@ def test_every_unit_is_done_once_whoever_fails(units: int, robots: int, losses: 
     for steps, number in losses:
         run.advance(steps)
         if run.outcome is None:
-            run.harm(run.members[number % robots].name, "fail")
+            run.inject_fault(run.members[number % robots].name, "fail")
     left, taken = list(run.state.team.works[W_LEFT]), 0
     while run.outcome is None:
         run.step()
@@ -429,9 +429,9 @@ def test_a_silent_robot_is_given_no_unit_and_what_it_does_counts_when_it_is_hear
         events += [event.text for event in run.events]
         for n, agent in enumerate(run.members):
             lines[n] += sum(one.actuator == "Arm" for one in agent.commands)
-        if run.members[0].downfall and heard:
+        if run.members[0].fault_text and heard:
             heard, begun = False, lines[0]
-        if run.members[0].downfall:
+        if run.members[0].fault_text:
             assert lines[0] <= begun + 1
     late = [text for text in events if text.startswith("was too late")]
     assert run.outcome in ("done", "stuck")

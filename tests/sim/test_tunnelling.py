@@ -11,7 +11,7 @@ import pytest
 from kitrobot.primitives import Robot, read_robot
 from kitrobot.sim import Simulation
 from kitrobot.sim.columns import AT, HEADING, SPEED, X, Y
-from kitrobot.sim.things import T_X, T_Y
+from kitrobot.sim.pushable import PUSH_X, PUSH_Y
 from kitrobot.world import Ball, Box, Wall, World
 from tests.effort import cases
 from tests.sim.building import AVATAR, WHEEL, catalogue, empty_world, run_of, transport
@@ -79,8 +79,8 @@ def test_who_is_far_away_changes_nothing(tick: int, speed: float) -> None:
         alone.step()
         beside.step()
         assert rows(alone, 2) == rows(beside, 2)
-        for column in (T_X, T_Y):
-            assert float(alone.state.things.floats[column][0]) == float(beside.state.things.floats[column][0])
+        for column in (PUSH_X, PUSH_Y):
+            assert float(alone.state.pushables.floats[column][0]) == float(beside.state.pushables.floats[column][0])
 
 
 @pytest.mark.parametrize(("speed", "tick"), cases([(400, 1000), (20_000, 20)], [(3000, 20), (100_000, 200)]))
@@ -98,7 +98,7 @@ def test_nobody_jumps_over_a_box_or_a_ball_and_a_wall_holds_it(speed: float, tic
     balls = (thing,) if isinstance(thing, Ball) else ()
     wall = Wall(5000.0, 0.0, 5000.0, 3000.0)
     run = ended(run_of({"a": (driver(speed, tick), GO)}, room(start, wall, boxes=boxes, balls=balls)), 15)
-    place = float(run.state.things.floats[T_X][0])
+    place = float(run.state.pushables.floats[PUSH_X][0])
     robot = rows(run, 1)[0][0]
     if isinstance(thing, Box):
         assert robot < place < 5000

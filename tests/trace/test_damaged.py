@@ -19,7 +19,7 @@ from kitrobot.trace import (
     TraceWriter,
     layout,
 )
-from kitrobot.trace.coding import decode, decode_events
+from kitrobot.trace.codec import decode, decode_events
 from kitrobot.trace.header import header_to_json
 from tests.trace.test_trace import HEADER
 

@@ -26,7 +26,9 @@ from kitrobot.trace import (
     TraceReader,
     TraceWriter,
     layout,
-    reading,
+)
+from kitrobot.trace import (
+    reader as trace_reader,
 )
 
 HEADER = TraceHeader(
@@ -96,7 +98,7 @@ def test_whatever_was_recorded_is_read_back(rows: list, settled: bool) -> None:
                 if settled:
                     writer.settle()
         with TraceReader(path) as reader:
-            assert [reading.kept(record) for record in reader] == records
+            assert [trace_reader.kept(record) for record in reader] == records
             assert not reader.cut
 
 
@@ -212,19 +214,19 @@ def test_another_file_and_another_version_are_refused_by_name(tmp_path: Path) ->
 @pytest.mark.parametrize("tick", [0, 1, 499, 500, 999, 1202])
 def test_walking_on_and_back_from_any_tick(tmp_path: Path, tick: int) -> None:
     with TraceReader(written(tmp_path / "a.krtrace", 1203)) as reader:
-        assert [reading.kept(record) for record in reader.walk(tick)] == [made(at) for at in range(tick, 1203)]
+        assert [trace_reader.kept(record) for record in reader.walk(tick)] == [made(at) for at in range(tick, 1203)]
         assert list(reader.walk_back(tick)) == [made(at) for at in range(tick - 1, -1, -1)]
 
 
 def test_all_events_are_known_without_unpacking_the_records(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     path = written(tmp_path / "a.krtrace", 1203)
-    monkeypatch.setattr(reading, "decode", None)
+    monkeypatch.setattr(trace_reader, "decode", None)
     with TraceReader(path) as reader:
         assert reader.events == [(tick, event) for tick in range(1203) for event in made(tick).events]
 
 
 def test_of_very_many_events_the_last_ones_are_kept(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(reading, "MOST_EVENTS", 10)
+    monkeypatch.setattr(trace_reader, "MOST_EVENTS", 10)
     with TraceReader(written(tmp_path / "a.krtrace", 1203)) as reader:
         assert reader.events == [(tick, event) for tick in range(1203) for event in made(tick).events][-10:]
 

@@ -19,7 +19,7 @@ from kitrobot.image import Machine
 from kitrobot.lll import print_program
 from kitrobot.mission import AskedProperty, Form
 from kitrobot.sim import Simulation
-from kitrobot.sim.sharing import SHARED_VALUE
+from kitrobot.sim.shared_variables import SHARED_VALUE
 from kitrobot.sim.state import numbers
 from kitrobot.verifier import (
     Budget,

@@ -89,7 +89,7 @@ def follow(
             break
         before = run.tick
         for _, agent, kind in [harm for harm in harms if harm[0] == before]:
-            run.harm(agent, kind)
+            run.inject_fault(agent, kind)
         run.step()
         now = seen(run, model)
         different.add(now)

@@ -78,7 +78,7 @@ def test_a_box_on_a_robot_that_fails_is_held_by_it_and_not_delivered() -> None:
     looks = watch(run)
     while not run.state.robots.ints[c.LOAD][0]:
         run.advance(1)
-    run.harm("carrier-1", "fail")
+    run.inject_fault("carrier-1", "fail")
     for _ in range(100):
         run.advance(1)
         assert not looks.after_step()

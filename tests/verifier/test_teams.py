@@ -75,7 +75,7 @@ def follow(run: Simulation, steps: int, harms: Sequence[Harm] = ()) -> int:
             for harm in harms
             if harm.tick == run.tick
             and not run.members[names.index(harm.agent)].ended
-            and run.harm(harm.agent, harm.kind)
+            and run.inject_fault(harm.agent, harm.kind)
         ]
         failures -= sum(harm.kind != "revive" for harm in now_harmed)
         # What else could befall somebody in this step is left out: it would only take time.

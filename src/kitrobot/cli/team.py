@@ -139,7 +139,7 @@ def emergency_stop() -> Iterator[threading.Event]:
 def recording(prepared: PreparedRun) -> Iterator[Callable[[Simulation], None]]:
     """Records each step, where that is wanted."""
     from kitrobot.sim import Recorder
-    from kitrobot.sim.recording import outcome_of
+    from kitrobot.sim.recorder import outcome_of
     from kitrobot.trace import TraceWriter
     from kitrobot.workspace import parts_of
 

@@ -14,7 +14,7 @@ from dataclasses import dataclass, field
 from typing import Any, TypeVar
 
 from kitrobot.fleet.replica import Effect
-from kitrobot.sim import Ticked
+from kitrobot.sim import TickResult
 from kitrobot.team import Noted, Seat, View, Viewed
 from kitrobot.text import Sentence
 from kitrobot.text.json_text import from_json, to_json
@@ -87,7 +87,7 @@ class Reply:
     epoch: int
     held: bool = False
     quiet: bool = False
-    ticked: Ticked | None = None
+    ticked: TickResult | None = None
     writes: tuple[tuple[int, int], ...] = ()
     first: int = 0
     slots: Slots = field(default=())
@@ -201,9 +201,9 @@ def _numbers(value: Sequence[object]) -> tuple[int, ...]:
     return tuple(map(_number, value))
 
 
-def _ticked(rows: list[Any]) -> Ticked:
+def _ticked(rows: list[Any]) -> TickResult:
     cells, threads, out = rows
-    return Ticked(_numbers(cells), _numbers(threads), tuple(map(_numbers, out)))
+    return TickResult(_numbers(cells), _numbers(threads), tuple(map(_numbers, out)))
 
 
 def _whole(rows: list[Any]) -> Whole:

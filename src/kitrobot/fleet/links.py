@@ -1,7 +1,7 @@
 """The devices of one robot that no body has: `Team` and its works, answered by what the team agreed on.
 
 Each of them does one thing at a time. What the program asks of it becomes a note for the log of the team, and is done
-when the log, and what others did since, have ended it (see `sim.meetings`, `sim.work`).
+when the log, and what others did since, have ended it (see `sim.meetings`, `sim.team_work`).
 """
 
 from __future__ import annotations
@@ -14,7 +14,6 @@ from kitrobot.sim.actuation import COMMAND
 from kitrobot.sim.columns import (
     A_CELL,
     A_KIND,
-    A_P,
     A_ROBOT,
     ENDED,
     PROGRAM,
@@ -100,7 +99,7 @@ class TeamLinks:
             self.joins = procedure == team.JOIN
             return None if self.joins else (notes.COME, row[3], row[4] if len(row) > 4 else 0)
         kind = notes.TAKE if procedure == work.TAKE else notes.DONE
-        return kind, int(state.actuators.floats[A_P][k]), 0
+        return kind, int(state.actuators.floats[work.WORK][k]), 0
 
     def has_ended(self) -> bool:
         """Whether the program of this robot is over, as the team knows it."""

@@ -12,10 +12,10 @@ from collections.abc import Iterable, Sequence
 from kitrobot.fleet import notes
 from kitrobot.sim import Event, Simulation
 from kitrobot.sim.columns import ACTUATOR_INDEX, ENDED, EVENTS
-from kitrobot.sim.meetings import come, find_members
+from kitrobot.sim.meetings import arrive, find_members
 from kitrobot.sim.program_ends import end_program
 from kitrobot.sim.state import State
-from kitrobot.sim.substitution import come_back, miss, settle
+from kitrobot.sim.substitution import declare_missing, finish_team_step, handle_return
 from kitrobot.sim.team_columns import (
     HAS_UNIT,
     LOST_UNIT,
@@ -27,7 +27,7 @@ from kitrobot.sim.team_columns import (
     W_LEFT,
     W_TAKEN,
 )
-from kitrobot.sim.work import finish_unit, take_unit
+from kitrobot.sim.team_work import finish_unit, take_unit
 from kitrobot.team import Noted, Seat, Viewed
 
 Effect = Noted | Viewed
@@ -90,7 +90,7 @@ class Replica:
             else:
                 self._noted(effect.seat, effect.numbers)
             if self.has_team:
-                settle(self.state)
+                finish_team_step(self.state)
                 self._count_grants(held)
         self.slot = slot + 1
         return self._told(before)
@@ -124,11 +124,11 @@ class Replica:
                 team.robots[T_SILENT][i] = 0
         for i in gone:
             if self.is_of_team(i) and team.robots[T_ROLE][i] >= 0 and not self.state.robots.ints[ENDED][i]:
-                miss(i, self.state)
+                declare_missing(i, self.state)
         for i in returned:
             self.epochs[i] += 1
             if self.is_of_team(i):
-                self.beginnings[i] += come_back(i, self.state)
+                self.beginnings[i] += handle_return(i, self.state)
 
     def _noted(self, seat: Seat, numbers: tuple[int, ...]) -> None:
         """What a robot said; nothing where it is not for it to say, or was said before it was missed."""
@@ -150,7 +150,7 @@ class Replica:
         if note.kind == notes.COME:
             free = team.robots[T_ROLE][i] >= 0 and team.robots[T_AT][i] < 0
             if free and 0 <= note.first < len(team.points[0]) and abs(note.second) < MOST_NUMBER:
-                come(i, note.first, note.second, state)
+                arrive(i, note.first, note.second, state)
         elif 0 <= note.first < len(team.holds):
             if note.kind == notes.DONE:
                 finish_unit(i, note.first, state)

@@ -14,7 +14,7 @@ from pathlib import Path
 from typing import Any
 
 from kitrobot.sim import Recorder, Simulation
-from kitrobot.sim.recording import STOPPED, outcome_of
+from kitrobot.sim.recorder import STOPPED, outcome_of
 from kitrobot.text import Sentence, Word
 from kitrobot.trace import (
     Drawing,

@@ -9,10 +9,10 @@ from kitrobot.fleet.bodies import Frame
 from kitrobot.fleet.following import Following
 from kitrobot.fleet.links import TeamLinks, Wish
 from kitrobot.fleet.recurrence import Recurrence, Snapshot
-from kitrobot.sim import Ticked
+from kitrobot.sim import TickResult
 from kitrobot.sim.actuation import COMMAND
 from kitrobot.sim.columns import A_CELL, ACTUATOR_INDEX, PROGRAM, S_CELL, S_ROBOT
-from kitrobot.sim.sharing import SHARED_VALUE
+from kitrobot.sim.shared_variables import SHARED_VALUE
 
 Rows = tuple[tuple[int, ...], ...]
 """Commands as rows of the machine's output, each with the number of its actuator before it."""
@@ -39,7 +39,7 @@ class Tick:
     beginning: int
     at: int
     before: Snapshot
-    made: tuple[Ticked, Writes, bool] | None = None
+    made: tuple[TickResult, Writes, bool] | None = None
     over: bool = False
     late: bool = False
 
@@ -131,11 +131,11 @@ class Ticking:
             values[variable] = value
         return tuple(written)
 
-    def ticked(self, out: Rows, writes: Writes, tick: Tick) -> tuple[Ticked, bool]:
+    def ticked(self, out: Rows, writes: Writes, tick: Tick) -> tuple[TickResult, bool]:
         """What came of a tick for the tables of the world, and whether it changed nothing, or only goes round."""
         machine = self.machine
         cells, threads = machine.cells[: machine.layout.cells], machine.threads[: 2 * len(machine.image.slots)]
-        made = Ticked(tuple(cells), tuple(threads), out)
+        made = TickResult(tuple(cells), tuple(threads), out)
         if out or writes:
             self._recurrence.reset()
             return made, False

@@ -17,7 +17,7 @@ from kitrobot.fleet.following import Following
 from kitrobot.fleet.replica import Replica
 from kitrobot.fleet.stillness import Stillness
 from kitrobot.mission import FailureKind
-from kitrobot.sim import Event, Simulation, Ticked, fits, hosted_step, readings, say_written
+from kitrobot.sim import Event, Simulation, TickResult, begin_hosted_step, finish_hosted_step, fits, report_write
 from kitrobot.sim.columns import (
     CAUSE,
     DOWN,
@@ -26,9 +26,9 @@ from kitrobot.sim.columns import (
     MUTED,
     PERIOD,
     REVIVALS,
+    SAVED_TARGET,
     STUCK,
     TICK,
-    TOLD,
     WELL,
 )
 from kitrobot.sim.faults import AWAY, HELD
@@ -68,7 +68,7 @@ class Link:
     sent: dict[int, int] = field(default_factory=dict)
     again: set[int] = field(default_factory=set)
     trip: float = -1.0
-    ticked: list[tuple[int, Ticked]] = field(default_factory=list)
+    ticked: list[tuple[int, TickResult]] = field(default_factory=list)
     answered: int = 0
     taken: int = 0
     quiet: bool = False
@@ -91,7 +91,7 @@ class Link:
         else:
             self.trip += (ms - self.trip) / 64
 
-    def next_ticks(self) -> list[Ticked]:
+    def next_ticks(self) -> list[TickResult]:
         """What is put into the tables with the next step: the next tick with commands, and those before it."""
         count = next((n for n, (_, one) in enumerate(self.ticked, 1) if one.out), len(self.ticked))
         taken, self.ticked = self.ticked[:count], self.ticked[count:]
@@ -173,7 +173,7 @@ class WorldHost:
         shared = len(self.simulation.state.shared.ints[0])
         for variable, value in reply.writes[:shared]:
             if 0 <= variable < shared:
-                say_written(self.simulation, robot, variable, value)
+                report_write(self.simulation, robot, variable, value)
         return True
 
     def _learn(self, reply: Reply) -> None:
@@ -203,14 +203,14 @@ class WorldHost:
         behind = now - self._stepped_at - self._step_ms
         self._stepped_at = now if behind > self._step_ms else self._stepped_at + self._step_ms
         ticked = {i: link.next_ticks() for i, link in enumerate(self.links)}
-        hosted_step(simulation, ticked)
+        finish_hosted_step(simulation, ticked)
         self._sense(now)
         simulation.events = self.events = [*simulation.happened(), *self._happened]
         simulation.state.clock[EVENTS] = 0
         self._happened = []
         self._expect_back()
         self._look_whether_stuck(now)
-        simulation.look_for_an_end()
+        simulation.update_outcome()
 
     def _look_whether_stuck(self, now: int) -> None:
         state = self.simulation.state
@@ -232,7 +232,7 @@ class WorldHost:
     def _sense(self, now: int) -> None:
         """What sensors measure, and a frame for each agent whose tick it is and that has answered its last one."""
         state = self.simulation.state
-        readings(self.simulation)
+        begin_hosted_step(self.simulation)
         ints = state.robots.ints
         step = state.clock[TICK]
         self._due = {i for i in range(len(self.links)) if step % ints[PERIOD][i] == 0}
@@ -295,12 +295,12 @@ class WorldHost:
             if link.harmed:
                 link.harmed = False
                 if self.replica.beginnings[robot] != link.beginning:
-                    self.simulation.state.robots.floats[TOLD][robot] = 0.0
+                    self.simulation.state.robots.floats[SAVED_TARGET][robot] = 0.0
                 self._harm(robot, FailureKind.REVIVE)
 
     def _harm(self, robot: int, kind: FailureKind) -> None:
         self._expect_back()
-        self.simulation.harm(self._name(robot), kind, self.links[robot].cause)
+        self.simulation.inject_fault(self._name(robot), kind, self.links[robot].cause)
 
     def restarted(self, now: int, robot: int) -> None:
         """The agent has a new process, which begins with the next frame."""

@@ -176,7 +176,7 @@ def most_instructions(image: Image, start: int, end: int) -> int:
             continue
         # Most ways lead on: then all that is behind is known already.
         most = 0
-        for way in _ways(op, code, at):
+        for way in _successors(op, code, at):
             beyond = longest[way - start] if way > at else 0
             if beyond == 0:
                 break
@@ -193,7 +193,7 @@ def most_instructions(image: Image, start: int, end: int) -> int:
             if known > 0:
                 waiting.pop()
                 continue
-            ways = _ways(BY_NUMBER[code[4 * at]], code, at)
+            ways = _successors(BY_NUMBER[code[4 * at]], code, at)
             if known == 0:
                 longest[at - start] = -1
                 for way in ways:
@@ -208,7 +208,7 @@ def most_instructions(image: Image, start: int, end: int) -> int:
     return max(longest, default=0)
 
 
-def _ways(op: Op, code: bytes, at: int) -> list[int]:
+def _successors(op: Op, code: bytes, at: int) -> list[int]:
     """Where control can go from an instruction in the same tick."""
     if op.blocks:
         return []

@@ -15,7 +15,7 @@ from kitrobot.diagnostics import Diagnostic, KitRobotError
 from kitrobot.mission import Breakpoint, Mission
 from kitrobot.server.run_messages import MOST_EVENTS_TOLD, MOST_REPORTED, RunEncoder
 from kitrobot.server.shapes import StartedMessage
-from kitrobot.sim.breakpoints import Breakpoints, Hit, Observed
+from kitrobot.sim.breakpoints import Breakpoints, Hit, ObservedAgent
 from kitrobot.text import Sentence
 from kitrobot.trace import RunSource
 from kitrobot.world import World
@@ -51,7 +51,7 @@ class WatchedRun(ABC):
     """Whether it goes on to the latest tick each time, and not by the pace."""
 
     def __init__(
-        self, source: RunSource, world: World, agents: Sequence[Observed], breakpoints: Iterable[Breakpoint] = ()
+        self, source: RunSource, world: World, agents: Sequence[ObservedAgent], breakpoints: Iterable[Breakpoint] = ()
     ) -> None:
         self._source = source
         self._world = world

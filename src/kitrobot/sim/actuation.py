@@ -7,7 +7,6 @@ it takes longer, how many arguments it has, and the first, second and last of th
 
 from __future__ import annotations
 
-from kitrobot.sim.chance import gauss, happens
 from kitrobot.sim.columns import (
     A_DELAY,
     A_DRAWS,
@@ -27,10 +26,11 @@ from kitrobot.sim.columns import (
     FAILED,
     LOST,
     SPEED,
-    tell,
+    record_event,
 )
 from kitrobot.sim.devices.base import Command
 from kitrobot.sim.dispatch import is_busy, start
+from kitrobot.sim.random_numbers import gauss, happens
 from kitrobot.sim.state import State
 
 QUEUE = 7
@@ -40,7 +40,7 @@ COMMAND = 3
 """Numbers in `commands` for each command of a program: the device's procedure, how many arguments, takes longer?"""
 
 
-def give(step: int, k: int, number: int, out: list[int], at: int, commands: list[int], state: State) -> None:
+def issue_command(step: int, k: int, number: int, out: list[int], at: int, commands: list[int], state: State) -> None:
     """Sends command `number` of a machine, its arguments at `out[at]`, on its way to actuator k."""
     actuator = state.actuators.ints
     actuator_floats = state.actuators.floats
@@ -59,7 +59,7 @@ def give(step: int, k: int, number: int, out: list[int], at: int, commands: list
         lost = happens(actuator[A_KEY_A][k], actuator[A_KEY_B][k], actuator[A_DRAWS][k], actuator_floats[A_DROPOUT][k])
         actuator[A_DRAWS][k] += 1
         if lost:
-            tell(state.events, state.clock, LOST, actuator[A_ROBOT][k], k, 0)
+            record_event(state.events, state.clock, LOST, actuator[A_ROBOT][k], k, 0)
             return
     actuator[A_TAKEN][k] = number
     actuator[A_FRESH][k] = step + 1
@@ -69,7 +69,7 @@ def give(step: int, k: int, number: int, out: list[int], at: int, commands: list
     second = out[at + 1] if count > 1 else 0
     last = out[at + count - 1] if count > 0 else 0
     if actuator[A_DELAY][k] == 0:
-        take(k, Command(procedure, count, first, second, last), state)
+        execute_command(k, Command(procedure, count, first, second, last), state)
         return
     queue = state.actuators.queue
     size = actuator[A_SIZE][k]
@@ -85,7 +85,7 @@ def give(step: int, k: int, number: int, out: list[int], at: int, commands: list
     actuator[A_QUEUED_LATER][k] += later
 
 
-def take(k: int, command: Command, state: State) -> None:
+def execute_command(k: int, command: Command, state: State) -> None:
     """Actuator k begins to do what a command says, in place of what it did before."""
     actuator = state.actuators.ints
     deviate = 0.0
@@ -95,7 +95,7 @@ def take(k: int, command: Command, state: State) -> None:
     start(k, command, deviate, state)
 
 
-def deliver(step: int, state: State) -> None:
+def deliver_commands(step: int, state: State) -> None:
     """Hands over the commands whose time has come; those to a failed robot wait."""
     late = state.actuators.late
     actuator = state.actuators.ints
@@ -110,7 +110,7 @@ def deliver(step: int, state: State) -> None:
             actuator[A_HEAD][k] = (actuator[A_HEAD][k] + 1) % actuator[A_SIZE][k]
             actuator[A_QUEUED][k] -= 1
             actuator[A_QUEUED_LATER][k] -= queue[q + 2]
-            take(k, Command(queue[q + 1], queue[q + 3], queue[q + 4], queue[q + 5], queue[q + 6]), state)
+            execute_command(k, Command(queue[q + 1], queue[q + 3], queue[q + 4], queue[q + 5], queue[q + 6]), state)
 
 
 def busy(k: int, state: State) -> bool:

@@ -28,7 +28,7 @@ from kitrobot.sim.columns import (
 )
 from kitrobot.sim.devices import actuators
 from kitrobot.sim.dispatch import KINDS
-from kitrobot.sim.failures import CAUSES
+from kitrobot.sim.fault_schedule import CAUSES
 from kitrobot.sim.faults import HELD
 from kitrobot.sim.state import State, numbers
 from kitrobot.sim.team_columns import T_SILENT
@@ -115,7 +115,7 @@ class Agent:
         return "running" if self.busy else "idle" if self.ended else "waiting"
 
     @property
-    def downfall(self) -> str:
+    def fault_text(self) -> str:
         """In words: what befell it, when, and how that came about; "" for one that is well."""
         state, i = self.state, self.index
         if self.down == WELL:
@@ -151,7 +151,7 @@ class Agent:
     def is_driving(self) -> bool:
         """Whether its motors were told to turn last; its program may have ended."""
         state = self.state
-        return any(KINDS[state.actuators.ints[A_KIND][k]].is_told(k, state) for k in self._actuators)
+        return any(KINDS[state.actuators.ints[A_KIND][k]].is_driving(k, state) for k in self._actuators)
 
     @property
     def full_house(self) -> int:

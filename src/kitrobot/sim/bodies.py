@@ -12,7 +12,7 @@ from kitrobot.sim.state import State
 from kitrobot.world import World
 
 
-class Bodies:
+class RobotTable:
     """One row a quantity, one entry a robot: `bodies.x[i]`. `quantity` is a column's name in lower case."""
 
     def __init__(self, state: State) -> None:
@@ -35,11 +35,11 @@ def _names(first: str, last: str) -> dict[str, int]:
     return {name.lower(): getattr(columns, name) for name in names[names.index(first) : names.index(last) + 1]}
 
 
-_REAL = _names("X", "TOLD")
+_REAL = _names("X", "SAVED_TARGET")
 _WHOLE = _names("SOLID", "ORIGIN")
 
 
-class Stage:
+class WorldState:
     """What all robots of a run share: the world, its stock, and the robots themselves.
 
     `stock[h]` is the number of boxes in the storehouse h, `delivered[i]` how many boxes robot i brought. Boxes are
@@ -53,6 +53,6 @@ class Stage:
 
     def show(self, state: State) -> None:
         """From now on the state is this."""
-        self.bodies = Bodies(state)
+        self.bodies = RobotTable(state)
         self.stock = state.docks.stock
         self.delivered = state.robots.ints[columns.DELIVERED]

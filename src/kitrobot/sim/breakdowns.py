@@ -35,10 +35,10 @@ from kitrobot.sim.columns import (
     TURN,
     X,
     Y,
-    tell,
+    record_event,
 )
 from kitrobot.sim.contacts import measure_gaps, sort_along
-from kitrobot.sim.deadlock_detection import stirred
+from kitrobot.sim.deadlock_detection import mark_activity
 from kitrobot.sim.state import Robots, State
 from kitrobot.sim.team_columns import T_MISSED, T_SILENT
 
@@ -106,11 +106,11 @@ def clear_roads(step: int, state: State) -> None:
             if state.fixed[RULE] == TOW:
                 tow(i, state)
             else:
-                tell(state.events, state.clock, TOWED, i, -1, PASSED)
+                record_event(state.events, state.clock, TOWED, i, -1, PASSED)
     if cleared > 0:
         count_breakdowns(state)
         rearrange(state)
-        stirred(state.clock)
+        mark_activity(state.clock)
 
 
 def tow(i: int, state: State) -> None:
@@ -138,7 +138,7 @@ def tow(i: int, state: State) -> None:
         else:
             ints[ORIGIN][i] = -1
             much = BOX_LOST
-    tell(state.events, state.clock, TOWED, i, house, much)
+    record_event(state.events, state.clock, TOWED, i, house, much)
 
 
 def rearrange(state: State) -> None:

@@ -7,7 +7,7 @@ ends at once. So it means exactly what it means in the graph. A visit counts whe
 
 Programs that stand in a team's by `PROGRAM` have breakpoints of their own: who runs that team's program comes there.
 
-What it asks of an agent a recording can answer too (`Observed`).
+What it asks of an agent a recording can answer too (`ObservedAgent`).
 
 Left to others: pausing (whoever steers the run), keeping breakpoints (mission).
 """
@@ -28,7 +28,7 @@ from kitrobot.text import Sentence
 from kitrobot.trace import Place, Threads
 
 
-class Mind(Protocol):
+class ObservedMachine(Protocol):
     """What a program knows and did: `cells` begin with the fault, inputs and variables; `seen` says of each
     instruction whether it ran in the last step.
     """
@@ -40,7 +40,7 @@ class Mind(Protocol):
     def seen(self) -> Sequence[int]: ...
 
 
-class Observed(Protocol):
+class ObservedAgent(Protocol):
     """An agent whose visits are told; `active` is where its live threads stand, (slot, instruction) each."""
 
     @property
@@ -59,7 +59,7 @@ class Observed(Protocol):
     def active(self) -> Threads: ...
 
     @property
-    def machine(self) -> Mind: ...
+    def machine(self) -> ObservedMachine: ...
 
 
 class ConditionError(KitRobotError):
@@ -99,7 +99,7 @@ class Condition:
         self._machine = Machine(compiled.image, robot)
         self._first = self._machine.snapshot()
 
-    def holds(self, machine: Mind) -> bool:
+    def holds(self, machine: ObservedMachine) -> bool:
         """Whether it is true of what this machine has read and holds."""
         mine = self._machine
         mine.restore(self._first)
@@ -110,7 +110,7 @@ class Condition:
 
 
 @dataclass
-class _Watched:
+class _WatchedVertex:
     """One breakpoint: whom it watches, the instructions of its vertex and its condition, for each image that they run,
     and when each agent came there.
     """
@@ -118,7 +118,7 @@ class _Watched:
     breakpoint: Breakpoint
     instructions: Mapping[str, frozenset[int]]
     conditions: Mapping[str, Condition]
-    agents: Sequence[Observed]
+    agents: Sequence[ObservedAgent]
     visits: dict[int, list[int]] = field(default_factory=dict)
     there: set[int] = field(default_factory=set)
     """Who stands there now."""
@@ -139,10 +139,10 @@ class Breakpoints:
     def __init__(
         self,
         breakpoints: Iterable[Breakpoint],
-        agents: Sequence[Observed],
+        agents: Sequence[ObservedAgent],
         places: Mapping[str, Sequence[Place]],
     ) -> None:
-        self._watched: list[_Watched] = []
+        self._watched: list[_WatchedVertex] = []
         images = {agent.image_name: agent.robot for agent in agents}
         for breakpoint in breakpoints:
             if not breakpoint.enabled:
@@ -161,7 +161,7 @@ class Breakpoints:
             asks = {agent.image_name for agent in wanted} if breakpoint.when.strip() else set[str]()
             conditions = {name: Condition(breakpoint.when, images[name]) for name in asks}
             if wanted:
-                self._watched.append(_Watched(breakpoint, instructions, conditions, wanted))
+                self._watched.append(_WatchedVertex(breakpoint, instructions, conditions, wanted))
 
     def __bool__(self) -> bool:
         return bool(self._watched)
@@ -182,14 +182,14 @@ class Breakpoints:
         """The run stands at another step now: visits after it have not been."""
         for watched in self._watched:
             watched.visits = {agent: [at for at in ticks if at <= tick] for agent, ticks in watched.visits.items()}
-            watched.there = {agent.index for agent in watched.agents if _stands(watched, agent)}
+            watched.there = {agent.index for agent in watched.agents if _is_at(watched, agent)}
 
-    def _comes(self, watched: _Watched, agent: Observed, tick: int) -> bool:
+    def _comes(self, watched: _WatchedVertex, agent: ObservedAgent, tick: int) -> bool:
         """Whether the agent came to the vertex in this step, and the condition holds; counts the visit."""
         seen = agent.machine.seen
         before = agent.index in watched.there
         runs = any(seen[number] for number in watched.instructions[agent.image_name])
-        if _stands(watched, agent) or (runs and watched.breakpoint.every):
+        if _is_at(watched, agent) or (runs and watched.breakpoint.every):
             watched.there.add(agent.index)
         else:
             watched.there.discard(agent.index)
@@ -202,6 +202,6 @@ class Breakpoints:
         return True
 
 
-def _stands(watched: _Watched, agent: Observed) -> bool:
+def _is_at(watched: _WatchedVertex, agent: ObservedAgent) -> bool:
     here = watched.instructions[agent.image_name]
     return any(instruction in here for _, instruction in agent.active)

@@ -5,7 +5,7 @@ stepped by CPython the rows are lists, in one that is stepped by Numba they are 
 the same. Lengths are in mm, speeds in mm/s, angles in rad, times in s or, as integers, in steps.
 
 Robots stand in the order of the team. Sensors, and actuators, are sorted by their device, so that those of one device
-stand side by side (see `devices`); what P, Q, R and S mean is up to the device.
+are side by side (see `devices`); each kind of device names its own columns (S_OWN, A_OWN).
 """
 
 from __future__ import annotations
@@ -22,7 +22,7 @@ FREE = -1
     UX,  # the direction it looks in: cosine and sine of its heading
     UY,
     SPEED,
-    TARGET,  # the speed its wheels are told
+    TARGET,  # the commanded speed of its wheels
     ACCELERATION,
     BRAKING,
     TURN,  # how far it turns in this step
@@ -32,9 +32,9 @@ FREE = -1
     AT,  # mm along its road
     GAP_AHEAD,  # the free way to the next robot on the same road, bumper to bumper; infinite without one
     GAP_BEHIND,
-    TOLD,  # the speed that the wheels of a failed robot were told
+    SAVED_TARGET,  # the commanded speed of a robot when it failed
 ) = range(17)
-REALS = 17
+ROBOT_FLOATS = 17
 
 # ---- robots, integers: state.robots.ints
 
@@ -42,7 +42,7 @@ REALS = 17
     SOLID,  # 1: it has wheels, and others can touch it
     ROAD,
     STRETCH,  # which piece of the sampled road it is on
-    LEADER,  # who is ahead on the same road, or -1
+    LEADER,  # the robot ahead on the same road, or -1
     DIRECTED,  # 1: UX and UY are needed of a robot on a road
     LOW_X,  # the cells of the grid that it reaches into begin here
     LOW_Y,
@@ -63,9 +63,9 @@ REALS = 17
     LEFT,  # 1: it was beyond the edge of the world once
     ORIGIN,  # 1 + the storehouse that its last box came from; 0 before the first one, -1 when that box is lost
     PIECES,  # in how many pieces it goes its way in this step
-    NUDGED,  # so many pieces of this step it is looked at, because it was pushed by who goes so many
+    NUDGED,  # in how many pieces of this step it moves, because a robot that moves in so many pushed it
 ) = range(25)
-WHOLES = 25
+ROBOT_INTS = 25
 
 SIGN_LAMP, SIGN_ALARM, SIGN_ARM = 1, 4, 8
 """Lamp on, collision sensor pressed, arm out; the bits between and above are other flags of an agent (simulation)."""
@@ -95,14 +95,19 @@ WELL, STALLED, FAILED = range(3)
     S_FILLED,
     S_DOCK,
     S_STORE,
-    S_CUT,  # the section it was in
+    S_SECTION,  # the section it was in
     S_RESTLESS,  # 1: what it reads may change although nothing does
     S_FIRST,  # where its numbers begin and end in `numbers`
     S_END,
 ) = range(24)
-SENSOR_WHOLES = 24
-S_NOISE, S_DROPOUT, S_P, S_Q, S_R = range(5)
-SENSOR_REALS = 5
+SENSOR_INTS = 24
+S_NOISE, S_DROPOUT = range(2)
+S_OWN = (2, 3, 4)
+"""Columns that each kind of sensor uses as it likes; its module names them."""
+SENSOR_FLOATS = 5
+
+NO_READING = -(1 << 40)
+"""S_LAST of a sensor whose machine has received no reading yet; no sensor reads it."""
 
 # ---- actuators: state.actuators.ints and state.actuators.floats
 
@@ -112,7 +117,7 @@ SENSOR_REALS = 5
     A_DONE,  # 1: what takes longer has ended
     A_CELL,  # where the machine reads that, or -1
     A_TAKEN,  # the command it took last, or -1
-    A_FRESH,  # 1 + the step in which it was told something new
+    A_FRESH,  # 1 + the step in which it received a new command
     A_DRAWS,
     A_KEY_A,
     A_KEY_B,
@@ -124,11 +129,13 @@ SENSOR_REALS = 5
     A_QUEUED_LATER,  # how many of the queued ones take longer
     A_DOCK,
     A_STORE,
-    A_WAY,  # what it is about to do: its device's own
+    A_ACTION,  # what it is about to do: its device's own
 ) = range(18)
-ACTUATOR_WHOLES = 18
-A_NOISE, A_DROPOUT, A_P, A_Q, A_R, A_S = range(6)
-ACTUATOR_REALS = 6
+ACTUATOR_INTS = 18
+A_NOISE, A_DROPOUT = range(2)
+A_OWN = (2, 3, 4, 5)
+"""Columns that each kind of actuator uses as it likes; its module names them."""
+ACTUATOR_FLOATS = 6
 
 # ---- roads, integers: state.roads.ints
 
@@ -161,10 +168,10 @@ TOGETHER, SEES, MOST_EVENTS, FAILS_EVERY, RULE, TOW_AFTER = range(6)
     LIVING,  # programs that have not ended, of robots that have not failed
     PLANNED,  # how much of the schedule of failures has been
     REVIVALS,  # how many revivals are still to come on schedule
-    SOUND,  # programs that have not ended, of robots that have not failed, stalled or lost their radio
+    HEALTHY,  # programs that have not ended, of robots that have not failed, stalled or lost their radio
     PLANS,  # how long the schedule of failures is
     OFF_ROADS,  # robots that failed on a road and are to be taken off it
-    THINGS,  # things that moved in the last step
+    PUSHABLES,  # pushable objects that moved in the last step
 ) = range(22)
 CLOCKS = 22
 
@@ -181,7 +188,7 @@ CLOCKS = 22
     NO_ROOM,
     WRITTEN,  # what: the shared variable, how much: its value
     LOST,  # what: the actuator that a command did not reach
-    HARMED,  # what: what befell the robot, how much: its cause
+    FAULT,  # what: the kind of fault, how much: its cause
     LEAVING,
     MOVED_OVER,  # what: the group that it is in now
     MISSED,  # the team goes on without it
@@ -195,8 +202,8 @@ CLOCKS = 22
 EVENT = 5
 
 
-def tell(events: list[int], clock: list[int], kind: int, agent: int, what: int, much: int) -> None:
-    """Writes down that something happened; there is room for everything that can happen in a step."""
+def record_event(events: list[int], clock: list[int], kind: int, agent: int, what: int, much: int) -> None:
+    """Appends an event to `events`; there is room for everything that can happen in a step."""
     at = EVENT * clock[EVENTS]
     events[at] = kind
     events[at + 1] = agent

@@ -93,7 +93,7 @@ def measure_gaps(robots: Robots, roads: Roads) -> None:
         start = end
 
 
-def part_on_roads(piece: int, robots: Robots, roads: Roads, pairs: list[int], count: int) -> int:
+def separate_on_roads(piece: int, robots: Robots, roads: Roads, pairs: list[int], count: int) -> int:
     """Robots that ran into one another on a road stand bumper to bumper; the one that came too near gives way."""
     order = robots.guided
     ints = robots.ints
@@ -141,7 +141,7 @@ def part_on_roads(piece: int, robots: Robots, roads: Roads, pairs: list[int], co
     return count
 
 
-def part_from_walls(piece: int, robots: Robots, walls: Walls, pairs: list[int], count: int) -> int:
+def separate_from_walls(piece: int, robots: Robots, walls: Walls, pairs: list[int], count: int) -> int:
     """Free robots slide along walls and never through them; the wheels of one that goes straight at a wall slip.
 
     The grid's cells hold every wall that a robot with its middle in them can touch.
@@ -198,7 +198,7 @@ def part_from_walls(piece: int, robots: Robots, walls: Walls, pairs: list[int], 
     return count
 
 
-def part_discs(piece: int, robots: Robots, grid: Grid, pairs: list[int], count: int) -> int:
+def separate_discs(piece: int, robots: Robots, grid: Grid, pairs: list[int], count: int) -> int:
     """Robots that are not on one road keep their discs apart; guided ones stay. The grid was filled a moment ago.
 
     Two that meet in several cells are looked at in the first of them.

@@ -15,12 +15,9 @@ from __future__ import annotations
 from kitrobot.sim.columns import (
     A_FRESH,
     A_KIND,
-    A_P,
-    A_Q,
+    A_OWN,
     A_QUEUED,
-    A_R,
     A_ROBOT,
-    A_S,
     AT,
     CHANCE,
     CYCLE,
@@ -47,7 +44,7 @@ from kitrobot.sim.columns import (
     Y,
 )
 from kitrobot.sim.dispatch import AGREES, DRIVES, is_busy
-from kitrobot.sim.meetings import is_kept, keep_team
+from kitrobot.sim.meetings import is_team_unchanged, save_team
 from kitrobot.sim.rows import copy_row, same
 from kitrobot.sim.state import State
 
@@ -61,7 +58,7 @@ HELD_ROWS = 11
 """Rows of `held`: seven numbers of each robot, four of each actuator."""
 
 
-def may_be_held(step: int, state: State) -> bool:
+def should_compare_motion(step: int, state: State) -> bool:
     """Whether it is worth while to look in this step whether all that roll are held.
 
     Never while a robot may still fail on schedule or by chance: who is held, and fails, lets go.
@@ -74,7 +71,7 @@ def may_be_held(step: int, state: State) -> bool:
     return clock[QUIET] > 0 or step % LOOK_EVERY == 0
 
 
-def remember(state: State) -> None:
+def save_motion(state: State) -> None:
     """Keeps how robots and devices are before a step."""
     floats = state.robots.floats
     actuator_floats = state.actuators.floats
@@ -86,13 +83,11 @@ def remember(state: State) -> None:
     copy_row(held[4], floats[TARGET])
     copy_row(held[5], floats[TURN])
     copy_row(held[6], floats[AT])
-    copy_row(held[7], actuator_floats[A_P])
-    copy_row(held[8], actuator_floats[A_Q])
-    copy_row(held[9], actuator_floats[A_R])
-    copy_row(held[10], actuator_floats[A_S])
+    for n in range(len(A_OWN)):
+        copy_row(held[7 + n], actuator_floats[A_OWN[n]])
 
 
-def is_held(state: State) -> bool:
+def is_motion_unchanged(state: State) -> bool:
     """Whether robots and devices are after a step as they were before it."""
     floats = state.robots.floats
     actuator_floats = state.actuators.floats
@@ -101,15 +96,18 @@ def is_held(state: State) -> bool:
         return False
     if not (same(floats[SPEED], held[3]) and same(floats[TARGET], held[4]) and same(floats[TURN], held[5])):
         return False
-    if not (same(floats[AT], held[6]) and same(actuator_floats[A_P], held[7]) and same(actuator_floats[A_Q], held[8])):
+    if not same(floats[AT], held[6]):
         return False
-    return same(actuator_floats[A_R], held[9]) and same(actuator_floats[A_S], held[10])
+    n = 0
+    while n < len(A_OWN) and same(actuator_floats[A_OWN[n]], held[7 + n]):
+        n += 1
+    return n == len(A_OWN)
 
 
-def is_at_work(step: int, state: State) -> bool:
+def is_device_working(step: int, state: State) -> bool:
     """Whether a device was told something new in this step, has a command on its way, or does something that ends.
 
-    What wheels do is not asked: that is in the numbers that `is_held` compares.
+    What wheels do is not asked: that is in the numbers that `is_motion_unchanged` compares.
     """
     actuator = state.actuators.ints
     down = state.robots.ints[DOWN]
@@ -146,10 +144,10 @@ def detect_deadlock(state: State) -> None:
                 copy_row(kept_cells[i], cells[i])
                 copy_row(kept_threads[i], threads[i])
                 copy_row(kept_pars[i], pars[i])
-        keep_team(state.team)
+        save_team(state.team)
         return
     clock[DISTANCE] += 1
-    if not is_kept(state.team):
+    if not is_team_unchanged(state.team):
         return
     for i in range(len(ended)):
         if ended[i] == 0 and not (
@@ -159,7 +157,7 @@ def detect_deadlock(state: State) -> None:
     clock[STUCK] = 1
 
 
-def stirred(clock: list[int]) -> None:
+def mark_activity(clock: list[int]) -> None:
     """Something moved, was said, or was done from outside: nothing is stuck, and the search begins anew."""
     clock[QUIET] = 0
     clock[KEPT] = 0

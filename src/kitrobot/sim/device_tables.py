@@ -6,11 +6,11 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from kitrobot.primitives import RobotObject
-from kitrobot.sim.devices import Device, Standing, Values
+from kitrobot.sim.devices import Device, Placement, Values
 
 
 @dataclass(frozen=True, slots=True)
-class Fitted:
+class FittedDevice:
     """A device on its robot: `number` is its place among the robot's sensors, or actuators, as its XML lists them."""
 
     robot: int
@@ -18,14 +18,14 @@ class Fitted:
     part: RobotObject
     device: type[Device]
     values: Values
-    standing: Standing
+    placement: Placement
     keys: tuple[int, int]
 
 
 class DeviceTables:
     """Sensors, or actuators, sorted by their kind; `actuator_index[n]` is where the n-th that was added stands."""
 
-    def __init__(self, fitted: Sequence[Fitted], kinds: int, int_columns: int, float_columns: int) -> None:
+    def __init__(self, fitted: Sequence[FittedDevice], kinds: int, int_columns: int, float_columns: int) -> None:
         order = sorted(range(len(fitted)), key=lambda n: fitted[n].device.kind)
         self.fitted = [fitted[n] for n in order]
         self.actuator_index = [0] * len(fitted)

@@ -10,7 +10,7 @@ from kitrobot.primitives import RobotObject
 from kitrobot.sim import columns as c
 from kitrobot.sim.agents import Agent
 from kitrobot.sim.breakdowns import BOX_BACK, BOX_LOST, PASSED
-from kitrobot.sim.failures import said_of
+from kitrobot.sim.fault_schedule import describe_fault
 from kitrobot.sim.faults import REVIVE
 from kitrobot.sim.state import State, numbers
 from kitrobot.text import Recorded
@@ -76,7 +76,7 @@ class EventText:
             if kind == c.DRAWN:
                 continue
             word, text = self._say(kind, what, much)
-            cause: Cause = _CAUSES[much] if kind == c.HARMED else "world" if kind == c.COLLISION else "program"
+            cause: Cause = _CAUSES[much] if kind == c.FAULT else "world" if kind == c.COLLISION else "program"
             made.append(Event(tick, word, self._members[agent].name, text, agent, cause))
         return made
 
@@ -104,8 +104,8 @@ class EventText:
             return "message", Recorded("leaves the world: only walls hold robots at its edge")
         if kind == c.LOST:
             return "message", Recorded("a command did not reach {actuator}", self._actuators[what])
-        if kind == c.HARMED:
-            return "revival" if what == REVIVE else "failure", said_of(what, much)
+        if kind == c.FAULT:
+            return "revival" if what == REVIVE else "failure", describe_fault(what, much)
         if kind == c.MOVED_OVER:
             return "member", Recorded("goes over to {group}", self._groups[what])
         if kind == c.MISSED:

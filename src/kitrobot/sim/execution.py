@@ -6,7 +6,7 @@ the same, so the machine sleeps until one of its inputs changes.
 
 from __future__ import annotations
 
-from kitrobot.sim.actuation import give
+from kitrobot.sim.actuation import issue_command
 from kitrobot.sim.columns import (
     ACTUATOR_INDEX,
     ASLEEP,
@@ -59,7 +59,7 @@ def react(step: int, state: State) -> int:
                 quiet = False
                 k = actuator_index[ints[ACTUATOR_INDEX][i] + number]
                 at = number * width
-                give(step, k, its_out[at + 2], its_out, at + 3, machines.commands[p], state)
+                issue_command(step, k, its_out[at + 2], its_out, at + 3, machines.commands[p], state)
         if its_threads[0] < 0:
             end_program(i, state)
         elif quiet and same(its_threads, was_threads) and same(its_cells, was_cells) and same(its_pars, was_pars):

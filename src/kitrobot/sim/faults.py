@@ -2,20 +2,19 @@
 
 *Failed*: it stops reacting for good. Its wheels brake as at `Stop()`, its other devices stand as they are, and it stays
 where it is, in everybody's way, unless the mission says what becomes of it on a road (breakdowns). *Stalled*: its
-program misses its ticks; the devices go on as they were told last.
-*Muted*: it has lost its radio, as a failed one has: shared variables neither come nor go (sharing). *Apart*, in a
-mission with a radio: it hears only others that are apart too. *Revived*: all of that is over; program and devices go on
-where they were.
+program misses its ticks; the devices continue with their last commands.
+*Muted*: it has lost its radio, as a failed one has: shared variables neither come nor go (`shared_variables`).
+*Apart*, in a mission with a radio: it hears only others that are apart too. *Revived*: all of that is over; program and
+devices go on where they were.
 
 The schedule is rows of `plan`: step, robot and kind, in order of steps; PLANS of them count. By chance a robot fails
 with the same probability in every second of its own; the draws are counted by the step, so they need no state. From
-outside, between two steps, `Simulation.harm` calls `harm` here.
+outside, between two steps, `Simulation.inject_fault` calls `inject_fault` here.
 """
 
 from __future__ import annotations
 
 from kitrobot.sim.breakdowns import count_breakdowns, end_breakdown, may_be_revived
-from kitrobot.sim.chance import happens
 from kitrobot.sim.columns import (
     ASLEEP,
     CAUSE,
@@ -24,29 +23,30 @@ from kitrobot.sim.columns import (
     FAILED,
     FAILS,
     FAILS_EVERY,
-    HARMED,
+    FAULT,
+    HEALTHY,
     LIVING,
     MUTED,
     PLANNED,
     PLANS,
     REVIVALS,
+    SAVED_TARGET,
     SINCE,
-    SOUND,
     STALLED,
     TARGET,
     TICK,
-    TOLD,
     TURN,
     WELL,
-    tell,
+    record_event,
 )
-from kitrobot.sim.deadlock_detection import stirred
+from kitrobot.sim.deadlock_detection import mark_activity
 from kitrobot.sim.radio import SIDE, has_radio
-from kitrobot.sim.sharing import leave, rejoin
+from kitrobot.sim.random_numbers import happens
+from kitrobot.sim.shared_variables import leave, rejoin
 from kitrobot.sim.state import State
 
 FAIL, STALL, MUTE, REVIVE, APART = range(5)
-"""What befalls a robot; the order of `FailureKind`."""
+"""Kinds of faults, in the order of `FailureKind`."""
 
 BY_HAND, ON_SCHEDULE, BY_CHANCE, AWAY, HELD = range(5)
 
@@ -54,8 +54,8 @@ PLAN_STEP, PLAN_ROBOT, PLAN_KIND = range(3)
 PLAN_ROWS = 3
 
 
-def harm(i: int, kind: int, cause: int, state: State) -> None:
-    """Does it to robot i, and says so; what would change nothing is no news."""
+def inject_fault(i: int, kind: int, cause: int, state: State) -> None:
+    """Applies a fault to robot i and records the event; a fault that would change nothing is not recorded."""
     floats = state.robots.floats
     ints = state.robots.ints
     clock = state.clock
@@ -67,7 +67,7 @@ def harm(i: int, kind: int, cause: int, state: State) -> None:
         if down[i] == FAILED:
             return
         down[i] = FAILED
-        floats[TOLD][i] = floats[TARGET][i]
+        floats[SAVED_TARGET][i] = floats[TARGET][i]
         floats[TARGET][i] = 0.0
         floats[TURN][i] = 0.0
         if ints[ENDED][i] == 0:
@@ -95,7 +95,7 @@ def harm(i: int, kind: int, cause: int, state: State) -> None:
         down[i] = WELL
         if had_failed:
             end_breakdown(i, state)
-            floats[TARGET][i] = floats[TOLD][i]
+            floats[TARGET][i] = floats[SAVED_TARGET][i]
             if ints[ENDED][i] == 0:
                 clock[LIVING] += 1
         muted[i] = 0
@@ -103,13 +103,13 @@ def harm(i: int, kind: int, cause: int, state: State) -> None:
     if kind != MUTE and kind != APART:
         ints[SINCE][i] = clock[TICK]
         ints[CAUSE][i] = cause
-    stirred(clock)
-    tell(state.events, clock, HARMED, i, kind, cause)
+    mark_activity(clock)
+    record_event(state.events, clock, FAULT, i, kind, cause)
     if ints[ENDED][i] == 0:
         if was_sound:
-            clock[SOUND] -= 1
+            clock[HEALTHY] -= 1
         if muted[i] == 0 and down[i] == WELL:
-            clock[SOUND] += 1
+            clock[HEALTHY] += 1
     is_deaf = muted[i] != 0 or down[i] == FAILED
     if has_radio(state):
         return
@@ -119,8 +119,8 @@ def harm(i: int, kind: int, cause: int, state: State) -> None:
         rejoin(i, state)
 
 
-def harm_on_schedule(step: int, state: State) -> None:
-    """Does what is planned for this step."""
+def inject_scheduled_faults(step: int, state: State) -> None:
+    """Injects the faults that are scheduled for this step."""
     clock = state.clock
     plan = state.faults.plan
     steps = plan[PLAN_STEP]
@@ -130,10 +130,10 @@ def harm_on_schedule(step: int, state: State) -> None:
         kind = plan[PLAN_KIND][n]
         if kind == REVIVE:
             clock[REVIVALS] -= 1
-        harm(plan[PLAN_ROBOT][n], kind, ON_SCHEDULE, state)
+        inject_fault(plan[PLAN_ROBOT][n], kind, ON_SCHEDULE, state)
 
 
-def harm_by_chance(step: int, state: State) -> None:
+def inject_random_faults(step: int, state: State) -> None:
     """Lets the robots whose turn it is fail by chance; each has its turn in one of FAILS_EVERY steps.
 
     `fate` is two rows: the two keys of each robot.
@@ -147,4 +147,4 @@ def harm_by_chance(step: int, state: State) -> None:
     for i in range(step % every, len(down), every):
         if down[i] == FAILED or ended[i] or not happens(fate[0][i], fate[1][i], step, probability):
             continue
-        harm(i, FAIL, BY_CHANCE, state)
+        inject_fault(i, FAIL, BY_CHANCE, state)

@@ -3,7 +3,7 @@
 A grid is its lower left corner and the side of its cells (`frame`: x, y, size), how many cells it is wide and high
 (`shape`), and two lists: cell c holds `items[starts[c]]` … `items[starts[c + 1] - 1]`, in ascending order. Walls and
 lines get a grid once, made by `fixed`; robots get one whenever they have moved, made by `fill`. There are never many
-more cells than things, so a grid costs no more than what is in it; a few things share one cell.
+more cells than items, so a grid costs no more than what is in it; a few items share one cell.
 """
 
 from __future__ import annotations
@@ -165,7 +165,7 @@ def fill(robots: Robots, widest: float, grid: Grid) -> None:
 
 
 def add_up(cells: int, starts: list[int]) -> None:
-    """Of how many things are in each cell, makes where the list of each ends."""
+    """Of how many items are in each cell, makes where the list of each ends."""
     total = 0
     for c in range(cells):
         total += starts[c]

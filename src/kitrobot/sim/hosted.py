@@ -1,8 +1,8 @@
 """The step of a world whose programs run elsewhere: each robot's `tick` is another process's, or a board's.
 
-Such a host gives every robot the readings of its tick (`readings`), and puts what came of the tick back into the tables
-with the next step: where the program stands, and its commands. The team's part of the tables is the host's affair too;
-all that belongs to bodies is done here, by the functions and in the order of `stepping`.
+Such a host sends every robot the readings of its tick (`begin_hosted_step`), and puts the result of the tick back into
+the tables with the next step (`finish_hosted_step`): where the program is, and its commands. The host also updates the
+team's part of the tables; all that belongs to bodies is done here, by the functions and in the order of `step_loop`.
 """
 
 from __future__ import annotations
@@ -10,7 +10,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
-from kitrobot.sim.actuation import deliver, give
+from kitrobot.sim.actuation import deliver_commands, issue_command
 from kitrobot.sim.columns import (
     A_FRESH,
     A_KIND,
@@ -19,17 +19,17 @@ from kitrobot.sim.columns import (
     PROGRAM,
     TICK,
     WRITTEN,
-    tell,
+    record_event,
 )
 from kitrobot.sim.dispatch import AGREES, advance_all
 from kitrobot.sim.physics import move
-from kitrobot.sim.sharing import SHARED_VALUE
+from kitrobot.sim.shared_variables import SHARED_VALUE
 from kitrobot.sim.simulation import Simulation
-from kitrobot.sim.stepping import befall, measure
+from kitrobot.sim.step_loop import inject_faults, sample_sensors
 
 
 @dataclass(frozen=True, slots=True)
-class Ticked:
+class TickResult:
     """What came of a robot's tick.
 
     Attributes:
@@ -43,19 +43,19 @@ class Ticked:
     out: Sequence[Sequence[int]] = ()
 
 
-def readings(simulation: Simulation) -> None:
+def begin_hosted_step(simulation: Simulation) -> None:
     """What befalls robots at this step, then what their sensors measure; it is put into the cells of their machines."""
     state = simulation.state
     step = state.clock[TICK]
-    befall(step, state)
-    measure(step, state)
+    inject_faults(step, state)
+    sample_sensors(step, state)
 
 
-def hosted_step(simulation: Simulation, ticked: Mapping[int, Sequence[Ticked]]) -> None:
+def finish_hosted_step(simulation: Simulation, ticked: Mapping[int, Sequence[TickResult]]) -> None:
     """The rest of the step: devices take the commands, and bodies move.
 
     Args:
-        simulation: a run that is stepped by this and `readings` alone, in turn.
+        simulation: a run that is stepped by this and `begin_hosted_step` alone, in turn.
         ticked: by the number of the robot, what came of its ticks since the last step, in their order. They must fit
             the robot (see `fits`).
     """
@@ -65,13 +65,13 @@ def hosted_step(simulation: Simulation, ticked: Mapping[int, Sequence[Ticked]]) 
         for one in ticks:
             _take_in(step, i, one, simulation)
     if len(state.actuators.late) > 0:
-        deliver(step, state)
+        deliver_commands(step, state)
     advance_all(state.fixed_floats[DT], state)
     move(state)
     state.clock[TICK] = step + 1
 
 
-def fits(simulation: Simulation, robot: int, ticked: Ticked) -> bool:
+def fits(simulation: Simulation, robot: int, ticked: TickResult) -> bool:
     """Whether the numbers can be those of a tick of this robot."""
     machines, ints = simulation.state.machines, simulation.state.robots.ints
     machine = simulation.members[robot].machine
@@ -92,7 +92,7 @@ def fits(simulation: Simulation, robot: int, ticked: Ticked) -> bool:
     )
 
 
-def _take_in(step: int, i: int, ticked: Ticked, simulation: Simulation) -> None:
+def _take_in(step: int, i: int, ticked: TickResult, simulation: Simulation) -> None:
     """Puts what came of a tick into the tables, and its commands on their way."""
     state = simulation.state
     machines, ints = state.machines, state.robots.ints
@@ -112,11 +112,11 @@ def _take_in(step: int, i: int, ticked: Ticked, simulation: Simulation) -> None:
         if AGREES[state.actuators.ints[A_KIND][k]]:
             state.actuators.ints[A_FRESH][k] = step + 1
         else:
-            give(step, k, out[at + 2], out, at + 3, machines.commands[program], state)
+            issue_command(step, k, out[at + 2], out, at + 3, machines.commands[program], state)
 
 
-def say_written(simulation: Simulation, robot: int, variable: int, value: int) -> None:
+def report_write(simulation: Simulation, robot: int, variable: int, value: int) -> None:
     """A robot wrote a shared variable; the copies of the others are what their machines say."""
     state = simulation.state
     state.shared.ints[SHARED_VALUE][variable] = value
-    tell(state.events, state.clock, WRITTEN, robot, variable, value)
+    record_event(state.events, state.clock, WRITTEN, robot, variable, value)

@@ -8,8 +8,8 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from kitrobot.sim.compiling import Advance, step
 from kitrobot.sim.jit_cache import is_missed
+from kitrobot.sim.jit_compiler import Advance, step
 
 WORTH = 100_000
 """Steps of one robot after which a run asks for the compiled step, its own and those of the runs before it in this

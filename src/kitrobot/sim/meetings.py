@@ -14,7 +14,7 @@ each set who is in it, and is worked out anew when a role or a group changes. `g
 
 from __future__ import annotations
 
-from kitrobot.sim.columns import A_DONE, MOVED_OVER, TICK, tell
+from kitrobot.sim.columns import A_DONE, MOVED_OVER, TICK, record_event
 from kitrobot.sim.radio import has_radio, latency
 from kitrobot.sim.rows import copy_row, same
 from kitrobot.sim.state import State, Team
@@ -33,7 +33,6 @@ from kitrobot.sim.team_columns import (
     N_WHICH,
     NO_PLACE,
     OVER_BLOCK,
-    P_ASKED,
     P_BLOCK,
     P_DUE,
     P_ENDED,
@@ -48,6 +47,7 @@ from kitrobot.sim.team_columns import (
     P_SOURCE,
     P_TARGET,
     P_TIMES,
+    P_VOTERS,
     P_WAITING,
     ROLE,
     T_ACTUATOR,
@@ -60,11 +60,11 @@ from kitrobot.sim.team_columns import (
     T_GIVEN,
     T_HOLDER,
     T_LED,
+    T_REPLAYED,
     T_ROLE,
     T_SILENT,
     T_SINCE,
-    T_TELL,
-    T_TOLD,
+    T_TO_REPLAY,
     TEAM_DUE,
     TEAM_FRESH,
     TEAM_OVER,
@@ -112,7 +112,7 @@ def find_members(team: Team) -> None:
     team.numbers[TEAM_FRESH] = 1
 
 
-def come(i: int, p: int, given: int, state: State) -> None:
+def arrive(i: int, p: int, given: int, state: State) -> None:
     """Robot i comes to point p with an answer; it goes on at once where nobody waits for anybody.
 
     A substitute that is led, or told again what was agreed, goes on at once with the answer that leads it.
@@ -125,11 +125,11 @@ def come(i: int, p: int, given: int, state: State) -> None:
         if p == led:
             robots[T_LED][i] = -1
             answer = robots[T_ANCHOR_ANSWER][i]
-        go_on(i, answer, state)
-    elif robots[T_TOLD][i] < robots[T_TELL][i]:
-        answer = team.since[i][robots[T_TOLD][i]] % 2
-        robots[T_TOLD][i] += 1
-        go_on(i, answer, state)
+        deliver_answer(i, answer, state)
+    elif robots[T_REPLAYED][i] < robots[T_TO_REPLAY][i]:
+        answer = team.since[i][robots[T_REPLAYED][i]] % 2
+        robots[T_REPLAYED][i] += 1
+        deliver_answer(i, answer, state)
     elif team.points[P_KIND][p] <= BRANCH:
         release(i, p, team.members[team.points[P_MEMBERS][p]][i], state)
     else:
@@ -143,14 +143,14 @@ def come(i: int, p: int, given: int, state: State) -> None:
         team.numbers[TEAM_FRESH] = 1
 
 
-def go_on(i: int, answer: int, state: State) -> None:
+def deliver_answer(i: int, answer: int, state: State) -> None:
     """Robot i is told an answer, and goes on."""
     robots = state.team.robots
     robots[T_ANSWER][i] = answer
     state.actuators.ints[A_DONE][robots[T_ACTUATOR][i]] = 1
 
 
-def stay_away(i: int, team: Team) -> None:
+def leave_point(i: int, team: Team) -> None:
     """Robot i waits at no point any more."""
     at = team.robots[T_AT]
     if at[i] >= 0:
@@ -162,8 +162,8 @@ def release(i: int, p: int, answer: int, state: State) -> None:
     """Robot i goes on from point p; what a substitute would need to come there is kept."""
     team = state.team
     robots = team.robots
-    stay_away(i, team)
-    go_on(i, answer, state)
+    leave_point(i, team)
+    deliver_answer(i, answer, state)
     kind = team.points[P_KIND][p]
     if kind == BRANCH:
         if answer:
@@ -218,7 +218,7 @@ def agree(state: State) -> None:
     for p in range(len(waiting)):
         if waiting[p] == 0:
             continue
-        if not are_there(p, team):
+        if not are_all_present(p, team):
             team.points[P_DUE][p] = 0
         elif not by_radio or is_known(p, state):
             decide(p, state)
@@ -239,7 +239,7 @@ def is_known(p: int, state: State) -> bool:
     return False
 
 
-def are_there(p: int, team: Team) -> bool:
+def are_all_present(p: int, team: Team) -> bool:
     """Whether all who come to a point are there, and somebody is."""
     members = team.members[team.points[P_MEMBERS][p]]
     at = team.robots[T_AT]
@@ -259,9 +259,9 @@ def decide(p: int, state: State) -> None:
     members = team.members[team.points[P_MEMBERS][p]]
     result = 0
     if kind == ASK:
-        result = combined(p, members, team)
+        result = combine_answers(p, members, team)
     elif kind == COUNT:
-        passes = team.points[P_PASSES][p] if given_first(members, team) else 0
+        passes = team.points[P_PASSES][p] if first_answer(members, team) else 0
         result = 1 if passes < team.points[P_TIMES][p] else 0
         team.points[P_PASSES][p] = passes + 1
     at = team.robots[T_AT]
@@ -290,7 +290,7 @@ def is_left_empty(chosen: int, team: Team) -> bool:
     return team.emptied[chosen] != 0 and i == len(members)
 
 
-def given_first(members: list[int], team: Team) -> int:
+def first_answer(members: list[int], team: Team) -> int:
     """The answer of the first member."""
     holders = team.robots[T_HOLDER]
     for seat in range(len(holders)):
@@ -300,9 +300,9 @@ def given_first(members: list[int], team: Team) -> int:
     return 0
 
 
-def combined(p: int, members: list[int], team: Team) -> int:
+def combine_answers(p: int, members: list[int], team: Team) -> int:
     """The answers of those who are asked, as one."""
-    asked = team.members[team.points[P_ASKED][p]]
+    asked = team.members[team.points[P_VOTERS][p]]
     given = team.robots[T_GIVEN]
     holders = team.robots[T_HOLDER]
     quantifier = team.points[P_QUANTIFIER][p]
@@ -344,11 +344,11 @@ def move(p: int, state: State) -> None:
                 if inner[g]:
                     team.groups[g][i] = 0
             team.groups[target][i] = 1
-            tell(state.events, state.clock, MOVED_OVER, i, target, 0)
+            record_event(state.events, state.clock, MOVED_OVER, i, target, 0)
     find_members(team)
 
 
-def keep_team(team: Team) -> None:
+def save_team(team: Team) -> None:
     """Keeps how the team stands, to compare with (deadlock_detection)."""
     copy_row(team.kept[0], team.robots[T_AT])
     copy_row(team.kept[1], team.robots[T_GIVEN])
@@ -356,7 +356,7 @@ def keep_team(team: Team) -> None:
     copy_row(team.kept_passes, team.points[P_PASSES])
 
 
-def is_kept(team: Team) -> bool:
+def is_team_unchanged(team: Team) -> bool:
     """Whether the team stands as it was kept: what robots answer and are answered, and how often they went round."""
     if not (same(team.kept[0], team.robots[T_AT]) and same(team.kept[1], team.robots[T_GIVEN])):
         return False

@@ -69,7 +69,7 @@ def roll(dt: float, robots: Robots) -> int:
     return rolling
 
 
-def follow(piece: int, robots: Robots, roads: Roads) -> None:
+def move_along_roads(piece: int, robots: Robots, roads: Roads) -> None:
     """Moves the guided robots along their roads, by this piece of their way; at the end of an open road they stand."""
     who = robots.guided
     floats = robots.floats
@@ -168,7 +168,7 @@ def is_last(i: int, j: int, piece: int, robots: Robots) -> bool:
     return piece + 1 == max(robots.ints[PIECES][i], robots.ints[PIECES][j])
 
 
-def wander(piece: int, robots: Robots) -> None:
+def move_freely(piece: int, robots: Robots) -> None:
     """Moves the free robots along this piece of the arc of their way and turn; (UX, UY) is where they look."""
     who = robots.free
     floats = robots.floats

@@ -9,11 +9,11 @@ from __future__ import annotations
 from collections.abc import Iterable
 
 from kitrobot.sim.agents import Agent
-from kitrobot.sim.columns import A_ROBOT, DRAWN, EVENT, EVENTS, X, Y, tell
+from kitrobot.sim.columns import A_ROBOT, DRAWN, EVENT, EVENTS, X, Y, record_event
 from kitrobot.sim.state import Pens, State, numbers
 from kitrobot.trace import Mark, Pen, marks_of
 from kitrobot.trace.drawing import packed, unpacked
-from kitrobot.trace.strokes import AT_X, AT_Y, COLOURS, ROW, STYLE, go_on, style_of, tenths
+from kitrobot.trace.strokes import AT_X, AT_Y, COLOURS, ROW, STYLE, extend_stroke, style_of, tenths
 
 _BITS = 8
 """What a step makes of a point is less than this."""
@@ -48,9 +48,9 @@ def draw(state: State) -> None:
             continue
         before = int(row[STYLE])
         place = packed(row[AT_X], row[AT_Y])
-        made = go_on(row, style, tenths(x[robots[k]]), tenths(y[robots[k]]))
+        made = extend_stroke(row, style, tenths(x[robots[k]]), tenths(y[robots[k]]))
         if made > 0:
-            tell(state.events, state.clock, DRAWN, n, made + _BITS * (style + _STYLES * before), place)
+            record_event(state.events, state.clock, DRAWN, n, made + _BITS * (style + _STYLES * before), place)
 
 
 def drawn_marks(state: State) -> list[Mark]:

@@ -1,4 +1,4 @@
-"""One step of all robots and things: wheels roll, robots move along their roads or freely and push boxes and balls,
+"""One step of all robots and pushables: wheels roll, robots move along their roads or freely and push boxes and balls,
 what touches is parted and counted. Who is very fast goes its way in pieces, so that nothing is jumped over.
 
 One contact is one collision however long it lasts: the pairs that touch now are kept until the next step. A step in
@@ -21,11 +21,11 @@ from kitrobot.sim.columns import (
     MOVED,
     NUDGED,
     PIECES,
+    PUSHABLES,
     RADIUS,
     ROAD,
     ROLLING,
     SMALLEST,
-    THINGS,
     TOGETHER,
     TOUCHING,
     TURN,
@@ -34,13 +34,28 @@ from kitrobot.sim.columns import (
     WIDTH,
     X,
     Y,
-    tell,
+    record_event,
 )
-from kitrobot.sim.contacts import measure_gaps, news_first, part_discs, part_from_walls, part_on_roads, sort_along
+from kitrobot.sim.contacts import (
+    measure_gaps,
+    news_first,
+    separate_discs,
+    separate_from_walls,
+    separate_on_roads,
+    sort_along,
+)
 from kitrobot.sim.grids import fill
-from kitrobot.sim.motion import follow, place, roll, wander
+from kitrobot.sim.motion import move_along_roads, move_freely, place, roll
+from kitrobot.sim.pushable import (
+    PUSH_HALF_HEIGHT,
+    PUSH_HALF_WIDTH,
+    PUSH_X,
+    PUSH_Y,
+    separate_pushables,
+    slide_pushables,
+    update_pushable_speeds,
+)
 from kitrobot.sim.state import Roads, Robots, State
-from kitrobot.sim.things import T_HIGH, T_WIDE, T_X, T_Y, begin_things, end_things, part_things
 
 LEAST_ROOM_MM = 0.1
 """Robots go this far at once, however small what they may meet is."""
@@ -54,10 +69,10 @@ def arrange(robots: Robots, roads: Roads) -> None:
 
 
 def move(state: State) -> None:
-    """Moves everything by one step: robots, and the things that they push."""
+    """Moves everything by one step: robots, and the objects that they push."""
     robots = state.robots
     clock = state.clock
-    has_things = len(state.things.floats[0]) > 0
+    has_pushables = len(state.pushables.floats[0]) > 0
     rolling = roll(state.fixed_floats[DT], robots)
     free = robots.free
     turn = robots.floats[TURN]
@@ -66,9 +81,9 @@ def move(state: State) -> None:
             rolling += 1
     clock[ROLLING] = rolling
     if rolling == 0:
-        if has_things and clock[THINGS] > 0:
-            begin_things(state)
-            end_things(part_things(0, state), state)
+        if has_pushables and clock[PUSHABLES] > 0:
+            slide_pushables(state)
+            update_pushable_speeds(separate_pushables(0, state), state)
         return
     clock[MOVED] = 1
     count = 0
@@ -76,18 +91,18 @@ def move(state: State) -> None:
     parts = divide(state)
     for piece in range(parts):
         count = move_robots(piece, count, state)
-        if has_things:
+        if has_pushables:
             if piece == 0:
-                begin_things(state)
-            pushed += part_things(piece, state)
+                slide_pushables(state)
+            pushed += separate_pushables(piece, state)
     if parts > 1:
         forget_pieces(robots)
     if count > 0 or clock[CONTACTS] > 0:
-        tell_contacts(count, state)
+        report_contacts(count, state)
     if len(robots.free_solid) > 0:
-        tell_leaving(state)
-    if has_things:
-        end_things(pushed, state)
+        report_departures(state)
+    if has_pushables:
+        update_pushable_speeds(pushed, state)
 
 
 def move_robots(piece: int, count: int, state: State) -> int:
@@ -96,22 +111,22 @@ def move_robots(piece: int, count: int, state: State) -> int:
     roads = state.roads
     pairs = state.contacts.pairs
     if len(robots.guided) > 0:
-        follow(piece, robots, roads)
+        move_along_roads(piece, robots, roads)
         before = count
         if len(robots.guided) > 1:
             sort_along(robots)
             measure_gaps(robots, roads)
-            count = part_on_roads(piece, robots, roads, pairs, count)
+            count = separate_on_roads(piece, robots, roads, pairs, count)
         if count > before or piece > 0:
             arrange(robots, roads)
         else:
             place(robots, roads)
     if len(robots.free) > 0:
-        wander(piece, robots)
-        count = part_from_walls(piece, robots, state.walls, pairs, count)
+        move_freely(piece, robots)
+        count = separate_from_walls(piece, robots, state.walls, pairs, count)
     if state.fixed[TOGETHER]:
         fill(robots, state.fixed_floats[WIDEST], state.grid)
-        count = part_discs(piece, robots, state.grid, pairs, count)
+        count = separate_discs(piece, robots, state.grid, pairs, count)
     return count
 
 
@@ -161,16 +176,22 @@ def find_room(i: int, state: State) -> float:
         reach = abs(way[i]) + abs(way[j]) + radius[i] + radius[j]
         if radius[j] < room and abs(x[j] - x[i]) <= reach and abs(y[j] - y[i]) <= reach:
             room = radius[j]
-    things = state.things
-    for k in range(len(things.floats[0])):
-        size = min(things.floats[T_WIDE][k], things.floats[T_HIGH][k])
-        reach = abs(way[i]) + radius[i] + 2.0 * max(things.floats[T_WIDE][k], things.floats[T_HIGH][k])
-        if size < room and abs(things.floats[T_X][k] - x[i]) <= reach and abs(things.floats[T_Y][k] - y[i]) <= reach:
+    pushables = state.pushables
+    for k in range(len(pushables.floats[0])):
+        half_width = pushables.floats[PUSH_HALF_WIDTH][k]
+        half_height = pushables.floats[PUSH_HALF_HEIGHT][k]
+        size = min(half_width, half_height)
+        reach = abs(way[i]) + radius[i] + 2.0 * max(half_width, half_height)
+        if (
+            size < room
+            and abs(pushables.floats[PUSH_X][k] - x[i]) <= reach
+            and abs(pushables.floats[PUSH_Y][k] - y[i]) <= reach
+        ):
             room = size
     return max(room, LEAST_ROOM_MM)
 
 
-def tell_contacts(count: int, state: State) -> None:
+def report_contacts(count: int, state: State) -> None:
     """Says which pairs have begun to touch, and remembers all that do."""
     clock = state.clock
     events = state.events
@@ -180,7 +201,7 @@ def tell_contacts(count: int, state: State) -> None:
     news = news_first(state.contacts, count, clock[CONTACTS])
     clock[COLLISIONS] += news
     for k in range(news):
-        tell(events, clock, COLLISION, pairs[2 * k], pairs[2 * k + 1], 0)
+        record_event(events, clock, COLLISION, pairs[2 * k], pairs[2 * k + 1], 0)
     for k in range(2 * clock[CONTACTS]):
         if before[k] >= 0:
             touching[before[k]] = 0
@@ -191,7 +212,7 @@ def tell_contacts(count: int, state: State) -> None:
     clock[CONTACTS] = count
 
 
-def tell_leaving(state: State) -> None:
+def report_departures(state: State) -> None:
     """Says of each robot, once, that its middle is beyond the edge of the world, which is no wall."""
     who = state.robots.free_solid
     floats = state.robots.floats
@@ -204,4 +225,4 @@ def tell_leaving(state: State) -> None:
         i = who[k]
         if left[i] == 0 and (x[i] < 0.0 or y[i] < 0.0 or x[i] > width or y[i] > height):
             left[i] = 1
-            tell(state.events, state.clock, LEAVING, i, 0, 0)
+            record_event(state.events, state.clock, LEAVING, i, 0, 0)

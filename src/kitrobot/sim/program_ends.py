@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from kitrobot.sim.columns import END, ENDED, LIVING, MUTED, RUNNING, SOUND, tell
+from kitrobot.sim.columns import END, ENDED, HEALTHY, LIVING, MUTED, RUNNING, record_event
 from kitrobot.sim.state import State
 
 
@@ -14,5 +14,5 @@ def end_program(i: int, state: State) -> None:
     clock[RUNNING] -= 1
     clock[LIVING] -= 1
     if ints[MUTED][i] == 0:
-        clock[SOUND] -= 1
-    tell(state.events, clock, END, i, 0, 0)
+        clock[HEALTHY] -= 1
+    record_event(state.events, clock, END, i, 0, 0)

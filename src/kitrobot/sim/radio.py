@@ -18,10 +18,10 @@ from __future__ import annotations
 
 import math
 
-from kitrobot.sim.chance import happens
-from kitrobot.sim.columns import ASLEEP, DOWN, ENDED, FAILED, MUTED, PERIOD, ROLLING, TICK, UNHEARD, X, Y, tell
+from kitrobot.sim.columns import ASLEEP, DOWN, ENDED, FAILED, MUTED, PERIOD, ROLLING, TICK, UNHEARD, X, Y, record_event
 from kitrobot.sim.grids import fill_places
-from kitrobot.sim.sharing import APART_CLOCK, APART_VALUE, APART_WRITER, note
+from kitrobot.sim.random_numbers import happens
+from kitrobot.sim.shared_variables import APART_CLOCK, APART_VALUE, APART_WRITER, note
 from kitrobot.sim.state import State
 from kitrobot.sim.team_columns import T_ACTUATOR, T_MISSED
 
@@ -184,7 +184,7 @@ def hear(i: int, at: int, j: int, lost: bool, state: State) -> None:
             ):
                 continue
             if lost:
-                tell_unheard(j, i, state)
+                report_lost_message(j, i, state)
                 return
             known[APART_VALUE][k] = air[APART_VALUE][m]
             known[APART_CLOCK][k] = air[APART_CLOCK][m]
@@ -194,12 +194,12 @@ def hear(i: int, at: int, j: int, lost: bool, state: State) -> None:
                 state.robots.ints[ASLEEP][j] = 0
 
 
-def tell_unheard(j: int, i: int, state: State) -> None:
+def report_lost_message(j: int, i: int, state: State) -> None:
     """Tells that robot j did not hear a message of robot i, once in a step at most."""
     after = state.clock[TICK] + 1
     if state.radio.robots[UNHEARD_AFTER][j] != after:
         state.radio.robots[UNHEARD_AFTER][j] = after
-        tell(state.events, state.clock, UNHEARD, j, i, 0)
+        record_event(state.events, state.clock, UNHEARD, j, i, 0)
 
 
 def latency(p: int, state: State) -> int:

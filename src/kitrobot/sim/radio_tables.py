@@ -7,9 +7,9 @@ from collections.abc import Sequence
 
 from kitrobot.mission import Radio as RadioOfMission
 from kitrobot.sim import radio as r
-from kitrobot.sim.chance import keys
-from kitrobot.sim.shared import SharedTables
-from kitrobot.sim.sharing import APART_ROWS, APART_VALUE, APART_WRITER
+from kitrobot.sim.random_numbers import keys
+from kitrobot.sim.shared_tables import SharedTables
+from kitrobot.sim.shared_variables import APART_ROWS, APART_VALUE, APART_WRITER
 from kitrobot.sim.state import Grid, Radio
 
 BEAT_MS = 125

@@ -1,6 +1,6 @@
 """The two things that lists and Numba's arrays do not say alike, or not as fast as they could.
 
-`compiling` tells Numba in loops what they mean for arrays.
+`jit_compiler` tells Numba in loops what they mean for arrays.
 """
 
 from __future__ import annotations

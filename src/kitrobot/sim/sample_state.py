@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from kitrobot.sim.arrays import as_arrays
-from kitrobot.sim.shared import SharedTables
+from kitrobot.sim.shared_tables import SharedTables
 from kitrobot.sim.state import State
 from kitrobot.sim.tables import Tables
 from kitrobot.world import World

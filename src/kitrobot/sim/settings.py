@@ -10,7 +10,7 @@ from kitrobot.diagnostics import Diagnostic
 from kitrobot.primitives import Category, Robot, RobotObject
 from kitrobot.sim import rules
 from kitrobot.sim.devices import Actuator, Device, Sensor, Setting, Values, actuators, sensors
-from kitrobot.sim.devices.base import MOVES_BOXES, Hand, Look
+from kitrobot.sim.devices.base import MOVES_BOXES, DisplayKind, ManualControl
 from kitrobot.text import Sentence, did_you_mean, one_of, shown
 from kitrobot.world import World
 
@@ -151,8 +151,8 @@ def length_of(robot: Robot) -> float:
 class Appearance(NamedTuple):
     """How the arena shows a part: the look of an actuator; the hand of a sensor, what it reads at rest, and its ray."""
 
-    look: Look = ""
-    hand: Hand = ""
+    look: DisplayKind = ""
+    hand: ManualControl = ""
     resting: int = 0
     ray: tuple[float, float] | None = None
 
@@ -164,9 +164,9 @@ def appearance_of(part: RobotObject) -> Appearance:
         return Appearance()
     values, _ = read_settings(part, device, part.name)
     if issubclass(device, Actuator):
-        return Appearance(look=device.look(values))
+        return Appearance(look=device.display_kind(values))
     assert issubclass(device, Sensor)
-    return Appearance(hand=device.hand(values), resting=device.resting(values), ray=device.ray(values))
+    return Appearance(hand=device.manual_control(values), resting=device.resting(values), ray=device.ray(values))
 
 
 def read_conflicts(robot: Robot) -> list[Diagnostic]:

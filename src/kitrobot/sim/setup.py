@@ -21,14 +21,14 @@ from kitrobot.primitives import Catalogue, Robot, RobotObject, with_team
 from kitrobot.sim import rules
 from kitrobot.sim.agents import Agent
 from kitrobot.sim.columns import AT, BED, FREE, LENGTH, RADIUS, ROAD, SOLID, X, Y
-from kitrobot.sim.devices import Device, Standing, Values
+from kitrobot.sim.devices import Device, Placement, Values
 from kitrobot.sim.devices.base import COUNTS_BOXES, MOVES_BOXES
-from kitrobot.sim.failures import fault_plan
+from kitrobot.sim.fault_schedule import fault_plan
 from kitrobot.sim.grids import cell_at, fixed
 from kitrobot.sim.settings import find_device, name_problems, read_conflicts, read_settings
-from kitrobot.sim.shared import SharedTables
+from kitrobot.sim.shared_tables import SharedTables
 from kitrobot.sim.tables import Tables
-from kitrobot.sim.team_tables import TeamMember, TeamSetup, filled
+from kitrobot.sim.team_tables import TeamMember, TeamSetup, assign_roles
 from kitrobot.sim.world_tables import wall_rows
 from kitrobot.text import COMMA, Help, Sentence, Series, Suggestions, Word, collection_paused, did_you_mean, shown
 from kitrobot.world import LOAD, Start, World, distance_to_stretch
@@ -57,7 +57,7 @@ class SimulationError(KitRobotError):
 
 
 class Setup:
-    """Builds the tables and the agents of a run; with `looks_only` no more of it than says whether it can be run.
+    """Builds the tables and the agents of a run; with `check_only` no more of it than says whether it can be run.
 
     Raises:
         SimulationError: the mission cannot be run.
@@ -71,7 +71,7 @@ class Setup:
         catalogue: Catalogue,
         seed: int,
         fail_rate: float = 0.0,
-        looks_only: bool = False,
+        check_only: bool = False,
         team: TeamPlan | None = None,
     ) -> None:
         self.mission = mission
@@ -80,14 +80,14 @@ class Setup:
         self.catalogue = catalogue
         self.seed = seed
         self.fail_rate = fail_rate
-        self._looks_only = looks_only
+        self._check_only = check_only
         self._team = team
         self.agents: list[Agent] = []
         self.problems: list[Diagnostic] = []
         self.step_ms = 1
         self.tables = Tables(world, 1, seed)
         self._machines: dict[str, Machine] = {}
-        self._standings: dict[tuple[str, str, str], Standing] = {}
+        self._placements: dict[tuple[str, str, str], Placement] = {}
         self._checked: dict[tuple[str, str, str], tuple[type[Device] | None, Values | None]] = {}
         self._starts = {start.name: start for start in world.starts}
         self._free_starts = mission.team.free(self._starts)
@@ -142,8 +142,8 @@ class Setup:
         if self.tables.team is not None:
             self._fill_roles(self.tables.team)
         if not self.problems:
-            self._nobody_overlaps()
-        if self._looks_only:
+            self._check_overlaps()
+        if self._check_only:
             return
         self.tables.breakdown = self.mission.breakdown
         names = [agent.name for agent in self.agents]
@@ -151,7 +151,7 @@ class Setup:
 
     def _fill_roles(self, team: TeamSetup) -> None:
         """Whether each role has as many robots as it needs at least."""
-        playing = Counter(filled(team.declared.roles, team.members).values())
+        playing = Counter(assign_roles(team.declared.roles, team.members).values())
         for number, role in enumerate(team.declared.roles):
             if playing[number] < role.least:
                 message = Sentence(
@@ -207,34 +207,34 @@ class Setup:
         index = tables.add_robot(self.world.start_pose(start), robot, machine, period)
         agent = Agent(index, member.name, member.program, robot, machine, period)
         self.agents.append(agent)
-        standing = self._standing(start)
+        placement = self._placement(start)
         if start.road:
-            tables.ints[ROAD][index] = standing.road
-            tables.floats[AT][index] = self.world.roads[standing.road].line.wrapped(start.at_mm)
+            tables.ints[ROAD][index] = placement.road
+            tables.floats[AT][index] = self.world.roads[placement.road].line.wrapped(start.at_mm)
         handles: set[str] = set()
         for parts in (robot.actuators, robot.sensors):
             for number, part in enumerate(parts):
-                device, values = self._device(agent, part, standing, start)
+                device, values = self._device(agent, part, placement, start)
                 if device is None or values is None:
                     continue
                 handles.add(device.handles)
-                if self._looks_only:
+                if self._check_only:
                     device.fit(index, tables.floats, tables.ints, values)
                 else:
-                    tables.add_device(index, number, part, device, values, standing, agent.name)
+                    tables.add_device(index, number, part, device, values, placement, agent.name)
         if tables.team is not None and member.robot:
             agent.image_name = member.image_name
-            place = self._place(standing, handles)
+            place = self._place(placement, handles)
             tables.team.members.append(TeamMember(index, member.name, member.robot, place=place))
-        agent.kind = self._kind(index, handles, standing)
+        agent.kind = self._kind(index, handles, placement)
         self._kinds[agent.kind] += 1
         agent.number = self._kinds[agent.kind]
 
-    def _place(self, standing: Standing, handles: Collection[str]) -> int:
+    def _place(self, placement: Placement, handles: Collection[str]) -> int:
         """A number for where a robot stands for good: its storehouse, and the road there that its arm serves."""
-        if standing.storehouse < 0:
+        if placement.storehouse < 0:
             return -1
-        key = standing.storehouse, standing.road if MOVES_BOXES in handles else -1
+        key = placement.storehouse, placement.road if MOVES_BOXES in handles else -1
         return self._places.setdefault(key, len(self._places))
 
     def _machine(self, image_name: str, robot: Robot) -> Machine:
@@ -244,22 +244,22 @@ class Setup:
             image = self.images[image_name].image
             assert image is not None, "checked before"
             first = self._machines[image_name] = Machine(image, robot)
-        return first if self._looks_only else first.twin()
+        return first if self._check_only else first.twin()
 
-    def _standing(self, start: Start) -> Standing:
+    def _placement(self, start: Start) -> Placement:
         key = (start.dock, start.road, start.storehouse)
-        if key not in self._standings:
+        if key not in self._placements:
             docks, roads, houses = self.world.docks, self.world.roads, self.world.storehouses
             dock = next((number for number, dock in enumerate(docks) if dock.name == start.dock), -1)
             road_name = docks[dock].road if dock >= 0 else start.road
             house_name = docks[dock].storehouse if dock >= 0 else start.storehouse
             road = next((number for number, road in enumerate(roads) if road.name == road_name), -1)
             house = next((number for number, house in enumerate(houses) if house.name == house_name), -1)
-            self._standings[key] = Standing(road, dock, house)
-        return self._standings[key]
+            self._placements[key] = Placement(road, dock, house)
+        return self._placements[key]
 
     def _device(
-        self, agent: Agent, part: RobotObject, standing: Standing, start: Start
+        self, agent: Agent, part: RobotObject, placement: Placement, start: Start
     ) -> tuple[type[Device] | None, Values | None]:
         """What simulates an actuator or sensor of an agent, and its settings; None for what is wrong."""
         robot = agent.robot
@@ -277,7 +277,7 @@ class Setup:
         if device is None or values is None:
             return None, None
         needs = "road" if values.says("guide", "road") else device.needs
-        has = {"road": bool(start.road), "dock": standing.dock >= 0, "storehouse": standing.storehouse >= 0}
+        has = {"road": bool(start.road), "dock": placement.dock >= 0, "storehouse": placement.storehouse >= 0}
         if needs and not has[needs]:
             message = Sentence(
                 "{agent} has {robot}.{part}, which needs a {place}, and the start {start} has none",
@@ -293,16 +293,16 @@ class Setup:
             return None, None
         return device, values
 
-    def _kind(self, robot: int, handles: Collection[str], standing: Standing) -> str:
+    def _kind(self, robot: int, handles: Collection[str], placement: Placement) -> str:
         """How to draw it: carrier, loader, unloader, store-manager, or any other robot."""
         solid = self.tables.ints[SOLID][robot]
         if solid and self.tables.ints[BED][robot]:
             return "carrier"
-        if MOVES_BOXES in handles and standing.dock >= 0:
-            return "loader" if self.world.docks[standing.dock].kind == LOAD else "unloader"
+        if MOVES_BOXES in handles and placement.dock >= 0:
+            return "loader" if self.world.docks[placement.dock].kind == LOAD else "unloader"
         return "store-manager" if COUNTS_BOXES in handles and not solid else "robot"
 
-    def _nobody_overlaps(self) -> None:
+    def _check_overlaps(self) -> None:
         """Robots start apart from one another and from the walls."""
         floats, ints, world = self.tables.floats, self.tables.ints, self.world
         solid = [robot for robot in range(len(self.agents)) if ints[SOLID][robot]]
@@ -378,7 +378,7 @@ def _one_of_each(members: Sequence[Member]) -> list[Member]:
     return list({member.image_name: member for member in reversed(members)}.values())[::-1]
 
 
-def shared_by(agents: Sequence[Agent]) -> SharedTables:
+def shared_tables_of(agents: Sequence[Agent]) -> SharedTables:
     """The variables that the agents share.
 
     Raises:
@@ -391,7 +391,7 @@ def shared_by(agents: Sequence[Agent]) -> SharedTables:
     return shared
 
 
-def look_over(
+def check_mission(
     mission: Mission,
     world: World,
     images: Mapping[str, Compiled],
@@ -404,4 +404,4 @@ def look_over(
         SimulationError: it cannot; its diagnostics say everything that is in the way.
     """
     with collection_paused():
-        shared_by(Setup(mission, world, images, catalogue, 0, looks_only=True, team=team).agents)
+        shared_tables_of(Setup(mission, world, images, catalogue, 0, check_only=True, team=team).agents)

@@ -1,13 +1,13 @@
 """A run of a mission in its world, step by step.
 
-A step is the longest time that divides 20 ms and the ticks of all robots; what happens in one is in `stepping`,
+A step is the longest time that divides 20 ms and the ticks of all robots; what happens in one is in `step_loop`,
 for all robots at once. The same mission, world and seed give the same run, number for number: all chance comes from
 the run's seed and the names of agent and device, and nothing reads a clock.
 
 The state of a run is its tables (state); a `Simulation` puts the mission in, gives names to what comes out, and finds
-the sentence for the end. `tick` counts finished steps. Once `outcome` is set (see endings), `step` does nothing more.
+the sentence for the end. `tick` counts finished steps. Once `outcome` is set (see `outcome`), `step` does nothing more.
 CPython and Numba give the same steps, only the speed differs (jit_policy). Left to others: the clock on the wall, the
-trace (recording), who watches.
+trace (`recorder`), who watches.
 """
 
 from __future__ import annotations
@@ -26,22 +26,30 @@ from kitrobot.primitives import Catalogue
 from kitrobot.sim.agent_views import AgentView, poses_of, view_of
 from kitrobot.sim.agents import Agent
 from kitrobot.sim.arrays import as_arrays
-from kitrobot.sim.bodies import Stage
+from kitrobot.sim.bodies import WorldState
 from kitrobot.sim.columns import ASLEEP, COLLISIONS, EVENTS, S_FORCED, STUCK, TICK
-from kitrobot.sim.deadlock_detection import stirred
-from kitrobot.sim.endings import Goals, is_at_once, say_done, say_failed, say_stuck, say_team_over, say_time
+from kitrobot.sim.deadlock_detection import mark_activity
 from kitrobot.sim.event_text import Event, EventText, sensor_names
-from kitrobot.sim.failures import harm_by_hand, keep_untold, plan_more, room_to_tell
+from kitrobot.sim.fault_schedule import discard_reported_events, has_event_room, inject_fault_by_hand, schedule_faults
 from kitrobot.sim.faults import BY_HAND
-from kitrobot.sim.forcing import force_sensor, stop_motors
 from kitrobot.sim.jit_policy import JitPolicy
 from kitrobot.sim.limits import check_limits
-from kitrobot.sim.packing import Packing
+from kitrobot.sim.outcome import (
+    Goals,
+    describe_done,
+    describe_failed,
+    describe_stuck,
+    describe_team_over,
+    describe_timeout,
+    is_at_once,
+)
+from kitrobot.sim.overrides import force_sensor, stop_motors
 from kitrobot.sim.pens import drawn_marks
-from kitrobot.sim.setup import Setup, shared_by
+from kitrobot.sim.setup import Setup, shared_tables_of
 from kitrobot.sim.snapshots import SNAPSHOT_VERSION, damaged, sealed, unsealed
 from kitrobot.sim.state import State, numbers
-from kitrobot.sim.stepping import advance, is_going_on, is_reached
+from kitrobot.sim.state_codec import StateCodec
+from kitrobot.sim.step_loop import advance, are_goals_reached, can_continue
 from kitrobot.sim.team_columns import T_ACTUATOR, T_ROLE, TEAM_OVER
 from kitrobot.sim.team_text import TeamText
 from kitrobot.text import Sentence, collection_paused
@@ -95,10 +103,10 @@ class Simulation:
         self.drawn: list[Mark] = []
         """What happened in the steps of the last `step` or `advance`, and what pens drew in them."""
         self.members: list[Agent] = setup.agents
-        shared = shared_by(self.members)
+        shared = shared_tables_of(self.members)
         self.state = setup.tables.state(shared)
-        self.stage = Stage(world, self.state)
-        self._packing = Packing(self.state)
+        self.stage = WorldState(world, self.state)
+        self._codec = StateCodec(self.state)
         self._images = {agent.image_name: images[agent.image_name].image for agent in self.members}
         self.debug = {agent.image_name: images[agent.image_name].debug for agent in self.members}
         """Where the instructions of each program came from; of a team's, those of each kind of robot."""
@@ -148,7 +156,7 @@ class Simulation:
             return 0
         if self._last_tick is not None:
             steps = min(steps, self._last_tick - self.tick)
-        keep_untold(self.state)
+        discard_reported_events(self.state)
         done = 0
         while done < steps:
             compiled = None if self.stays_plain else self._jit.compiled()
@@ -165,7 +173,7 @@ class Simulation:
             if ran < part:
                 break
         self.events, self.drawn = self._event_text.events(self.state), drawn_marks(self.state)
-        self.look_for_an_end()
+        self.update_outcome()
         return done
 
     def compile_step(self) -> bool:
@@ -177,28 +185,28 @@ class Simulation:
         """Whether it was long, and would have been much quicker if Numba were installed."""
         return self._jit.would_gain
 
-    def look_for_an_end(self) -> None:
+    def update_outcome(self) -> None:
         """Says anew whether the run is over."""
         clock, goals, members = self.state.clock, self._goals, self.members
         self.outcome, self.sentence = None, ""
         if self.state.team.numbers[TEAM_OVER]:
-            self._end("failed", say_team_over(self._team_text.over(self.state), goals, members))
-        elif not clock[STUCK] and not is_going_on(self.state):
-            self._end("failed", say_failed(goals, members))
-        elif is_reached(self.state):
-            self._end("done", say_done(goals, self.seconds, members))
+            self._end("failed", describe_team_over(self._team_text.over(self.state), goals, members))
+        elif not clock[STUCK] and not can_continue(self.state):
+            self._end("failed", describe_failed(goals, members))
+        elif are_goals_reached(self.state):
+            self._end("done", describe_done(goals, self.seconds, members))
         elif self._last_tick is not None and clock[TICK] >= self._last_tick:
             assert self.seconds_limit is not None
-            self._end("time", say_time(goals, self.seconds_limit, members))
+            self._end("time", describe_timeout(goals, self.seconds_limit, members))
         elif clock[STUCK] and (lost := self._team_text.lost_block(self.state)):
-            self._end("failed", say_team_over(lost, goals, members))
+            self._end("failed", describe_team_over(lost, goals, members))
         elif clock[STUCK]:
-            self._end("stuck", say_stuck(goals, members, self._team_text.missing(self.state)))
+            self._end("stuck", describe_stuck(goals, members, self._team_text.missing(self.state)))
 
     def _end(self, outcome: Outcome, sentence: str) -> None:
         """The run is over: so, unless what was to be done is done."""
         if self._goals.hold() if self._goals else self._have_all_ended():
-            outcome, sentence = "done", say_done(self._goals, self.seconds, self.members)
+            outcome, sentence = "done", describe_done(self._goals, self.seconds, self.members)
         self.outcome, self.sentence = outcome, sentence
 
     def _have_all_ended(self) -> bool:
@@ -227,7 +235,7 @@ class Simulation:
         for agent in self.members:
             seen = agent.machine.seen
             seen += [0] * (agent.machine.image.instructions - len(seen))
-        self._packing = Packing(self.state)
+        self._codec = StateCodec(self.state)
 
     # -- from outside
 
@@ -245,7 +253,7 @@ class Simulation:
                 Sentence("no agent {agent} with a sensor {sensor} takes part in this run", agent, sensor)
             )
         force_sensor(k, value, self.state)
-        self.look_for_an_end()
+        self.update_outcome()
 
     def forced(self, agent: str) -> list[str]:
         """The sensors of an agent in whose place a value stands."""
@@ -275,10 +283,10 @@ class Simulation:
             )
         member.machine.set_variable(variable, value)
         self.state.robots.ints[ASLEEP][member.index] = 0
-        stirred(self.state.clock)
-        self.look_for_an_end()
+        mark_activity(self.state.clock)
+        self.update_outcome()
 
-    def harm(self, agent: str, kind: FailureKind | str, cause: int = BY_HAND) -> bool:
+    def inject_fault(self, agent: str, kind: FailureKind | str, cause: int = BY_HAND) -> bool:
         """Lets an agent fail, stall or lose its radio, or makes it well again (see faults); told with the next step.
 
         Who fails stops its motors at once. A run that ended because nobody could go on does when somebody is revived.
@@ -290,16 +298,16 @@ class Simulation:
         member = next((one for one in self.members if one.name == agent), None)
         if member is None:
             raise KitRobotError(Sentence("no agent {agent} takes part in this run", agent))
-        keep_untold(self.state)
-        if not room_to_tell(self.state, 1 + len(self._variables)):
+        discard_reported_events(self.state)
+        if not has_event_room(self.state, 1 + len(self._variables)):
             raise KitRobotError(
                 Sentence("too much was done to this run between two steps"), Sentence("let it go on for a step")
             )
         before = self.state.clock[EVENTS]
-        harm_by_hand(self.state, member.index, FailureKind(kind), cause)
+        inject_fault_by_hand(self.state, member.index, FailureKind(kind), cause)
         if self.state.clock[EVENTS] == before:
             return False
-        self.look_for_an_end()
+        self.update_outcome()
         return True
 
     def plan_failures(self, failures: Sequence[tuple[int, int]]) -> None:
@@ -308,10 +316,10 @@ class Simulation:
         They take the place of those that were put there before, and must not be before this step. A snapshot does not
         keep them.
         """
-        plan_more(self._fault_plan, failures, self.state)
+        schedule_faults(self._fault_plan, failures, self.state)
 
     @property
-    def untold(self) -> list[Event]:
+    def unreported_events(self) -> list[Event]:
         """What was done by hand since the last step; the next one tells it."""
         return [event for event in self._event_text.events(self.state) if event.tick == self.tick]
 
@@ -337,7 +345,7 @@ class Simulation:
         The bytes hold no wall clock and no address: another process, with or without Numba, continues identically. They
         are trusted: what they say of programs is not verified again.
         """
-        return sealed(self._packing.pack(self.state), self.identity)
+        return sealed(self._codec.encode(self.state), self.identity)
 
     def restore(self, snapshot: bytes) -> None:
         """Goes to a state of this very run, forward or back; `events` and `outcome` are what they were then.
@@ -347,11 +355,11 @@ class Simulation:
         """
         body = unsealed(snapshot, self.identity)
         try:
-            self._packing.unpack(self.state, body)
+            self._codec.decode(self.state, body)
         except ValueError as error:
             raise damaged() from error
         self.events = [event for event in self._event_text.events(self.state) if event.tick < self.tick]
-        self.look_for_an_end()
+        self.update_outcome()
 
     # -- looking
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Collection, Iterable, Iterator, Sequence
 
 from kitrobot.sim.event_text import Event
-from kitrobot.sim.recording import Recorder
+from kitrobot.sim.recorder import Recorder
 from kitrobot.sim.simulation import Simulation
 from kitrobot.sim.timeline import Timeline
 from kitrobot.trace import Ability, Drawing, NewEvents, Threads, TickRecord, TraceEvent, TraceHeader
@@ -115,9 +115,9 @@ class SimulationSource:
         Raises:
             KitRobotError: there is no such agent, or too much was done at once.
         """
-        if self.timeline.harm(agent, kind):
+        if self.timeline.inject_fault(agent, kind):
             self._again = True
-            self._early = self.simulation.untold
+            self._early = self.simulation.unreported_events
 
     def stop(self) -> None:
         """Stops every motor; the run is not gone on with."""

@@ -1,11 +1,11 @@
 """The whole state of a run in tables of numbers: what the step works on, and all of it.
 
 `State` names the tables, in groups. Under CPython they are lists (of lists, for tables of rows); `arrays` makes NumPy
-arrays of them, for Numba. Nothing outside it decides how a run goes on: `packing` writes what changes in a run as
+arrays of them, for Numba. Nothing outside it decides how a run goes on: `state_codec` writes what changes in a run as
 bytes, the same bytes for both forms, and puts it back.
 
-What the columns of tables mean is in `columns`, those of docks in `docks`, of shared variables in `sharing`, of the
-schedule of failures in `faults`; grids are explained in `grids`.
+What the columns of tables mean is in `columns`, those of docks in `docks`, of shared variables in
+`shared_variables`, of the schedule of failures in `faults`; grids are explained in `grids`.
 """
 
 from __future__ import annotations
@@ -94,7 +94,7 @@ class Actuators:
 
 @dataclass(frozen=True, slots=True)
 class Shared:
-    """Shared variables (see sharing)."""
+    """Shared variables (see `shared_variables`)."""
 
     ints: IntRows
     apart: IntRows
@@ -229,8 +229,8 @@ class Pens:
 
 
 @dataclass(frozen=True, slots=True)
-class Things:
-    """Boxes and balls that are pushed (see things), their grid, and half the size of the largest one."""
+class Pushables:
+    """Boxes and balls that are pushed (see `pushable`), their grid, and half the size of the largest one."""
 
     floats: FloatRows
     ints: IntRows
@@ -264,8 +264,8 @@ class State:
     rays: Rays
     contacts: Contacts
     pens: Pens
-    things: Things
-    thing_walls: Walls
+    pushables: Pushables
+    pushable_walls: Walls
     held: FloatRows
     """Of a step that may change nothing (deadlock_detection): poses and speeds of robots, numbers of devices."""
 

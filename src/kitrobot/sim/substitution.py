@@ -6,7 +6,7 @@ and stands at the same storehouse if that one stood at one, takes its role and g
 its first line, is led to where the role was lost (`compiler.team_points`). *drop*, which also holds where no spare one
 is left: the others go on without it.
 
-A role that was to be taken over and was not is vacant (`places`).
+A role that was to be taken over and was not is vacant (`vacancies`).
 
 A branch of whose robots the last one is missed before they came to its end is done by nobody: the team cannot go on.
 
@@ -30,12 +30,13 @@ from kitrobot.sim.columns import (
     ENDED,
     MISSED,
     MUTED,
+    NO_READING,
     PROGRAM,
     S_LAST,
     S_ROBOT,
     TAKEN_OVER,
     WELL,
-    tell,
+    record_event,
 )
 from kitrobot.sim.devices.base import Command
 from kitrobot.sim.dispatch import start
@@ -45,13 +46,12 @@ from kitrobot.sim.meetings import (
     find_members,
     give_up_branch,
     in_group,
-    stay_away,
+    leave_point,
 )
-from kitrobot.sim.places import fill_vacancies, fill_vacancy, stand_in
 from kitrobot.sim.program_ends import end_program
 from kitrobot.sim.radio import ANY_QUORUM, BEAT, QUORUM, find_quorum, has_radio
 from kitrobot.sim.rows import copy_row
-from kitrobot.sim.sharing import APART_VALUE, SHARED_VALUE
+from kitrobot.sim.shared_variables import APART_VALUE, SHARED_VALUE
 from kitrobot.sim.state import State, Team
 from kitrobot.sim.team_columns import (
     ABORT,
@@ -70,12 +70,12 @@ from kitrobot.sim.team_columns import (
     T_LEFT,
     T_MISSED,
     T_PLACE,
+    T_REPLAYED,
     T_ROLE,
     T_SEAT,
     T_SILENT,
     T_SINCE,
-    T_TELL,
-    T_TOLD,
+    T_TO_REPLAY,
     TEAM_FRESH,
     TEAM_LEASE,
     TEAM_OVER,
@@ -83,13 +83,11 @@ from kitrobot.sim.team_columns import (
     TEAM_OVER_WHO,
     TEAM_PENDING,
 )
-from kitrobot.sim.work import count_unheard, end_leases, lose_units, share_out
-
-UNKNOWN = -(1 << 40)
-"""What no sensor reads: the machine was given nothing yet."""
+from kitrobot.sim.team_work import count_unheard, end_leases, lose_units, share_out
+from kitrobot.sim.vacancies import fill_vacancies, fill_vacancy, occupy_place
 
 
-def settle(state: State) -> None:
+def finish_team_step(state: State) -> None:
     """After the devices of a step: what is agreed at points, and whether spare robots are needed any more."""
     if state.team.numbers[TEAM_FRESH]:
         agree(state)
@@ -99,7 +97,7 @@ def settle(state: State) -> None:
     end_spares(state)
 
 
-def look_for_silent(step: int, state: State) -> None:
+def detect_silent_robots(step: int, state: State) -> None:
     """Before the programs of a step: who is silent, who is missed, who takes over, and who is back."""
     team = state.team
     robots = team.robots
@@ -116,7 +114,7 @@ def look_for_silent(step: int, state: State) -> None:
         hears = ints[MUTED][i] == 0 and (not by_radio or state.radio.robots[QUORUM][i] != 0)
         if ints[DOWN][i] == WELL and hears and not is_towed(i, state):
             if robots[T_SILENT][i] >= 0:
-                come_back(i, state)
+                handle_return(i, state)
             continue
         if robots[T_SILENT][i] < 0:
             robots[T_SILENT][i] = step
@@ -125,13 +123,13 @@ def look_for_silent(step: int, state: State) -> None:
         if step - robots[T_SILENT][i] < team.numbers[TEAM_LEASE]:
             pending += 1
             continue
-        miss(i, state)
+        declare_missing(i, state)
         if ints[DOWN][i] == WELL:
-            begin_anew(i, state)
+            restart_program(i, state)
     team.numbers[TEAM_PENDING] = pending
 
 
-def come_back(i: int, state: State) -> bool:
+def handle_return(i: int, state: State) -> bool:
     """Robot i is silent no more; whether its program begins anew, because it was missed. A spare one takes a role that
     is vacant.
     """
@@ -143,13 +141,13 @@ def come_back(i: int, state: State) -> bool:
     if was_missed:
         robots[T_MISSED][i] = 0
         end_breakdown(i, state)
-        tell(state.events, state.clock, BACK, i, 0, 0)
-        begin_anew(i, state)
+        record_event(state.events, state.clock, BACK, i, 0, 0)
+        restart_program(i, state)
     fill_vacancy(i, state)
     return was_missed
 
 
-def miss(i: int, state: State) -> None:
+def declare_missing(i: int, state: State) -> None:
     """Robot i is missed: its role is another's now, or nobody's, or the team cannot go on."""
     team = state.team
     robots = team.robots
@@ -161,9 +159,9 @@ def miss(i: int, state: State) -> None:
             group = g
     robots[T_MISSED][i] = 1
     count_breakdowns(state)
-    stay_away(i, team)
+    leave_point(i, team)
     lose_units(i, state)
-    tell(state.events, state.clock, MISSED, i, 0, 0)
+    record_event(state.events, state.clock, MISSED, i, 0, 0)
     if rule == ABORT:
         team.numbers[TEAM_OVER] = OVER_ABORT
         team.numbers[TEAM_OVER_WHO] = i
@@ -213,8 +211,8 @@ def take_over(spare: int, lost: int, state: State) -> None:
     for g in range(len(team.groups)):
         team.groups[g][spare] = team.groups[g][lost]
         team.groups[g][lost] = 0
-    stand_in(spare, robots[T_SEAT][lost], lost, state)
-    tell(state.events, state.clock, TAKEN_OVER, spare, lost, 0)
+    occupy_place(spare, robots[T_SEAT][lost], lost, state)
+    record_event(state.events, state.clock, TAKEN_OVER, spare, lost, 0)
 
 
 def drop(lost: int, team: Team) -> None:
@@ -230,7 +228,7 @@ def drop(lost: int, team: Team) -> None:
             team.emptied[chosen] = robots[T_ANCHOR][lost] + 2
 
 
-def begin_anew(i: int, state: State) -> None:
+def restart_program(i: int, state: State) -> None:
     """The program of robot i begins anew, and its devices are told to stop. What is shared stays as it is known."""
     team = state.team
     robots = team.robots
@@ -250,7 +248,7 @@ def begin_anew(i: int, state: State) -> None:
     sensor = state.sensors.ints
     for k in range(len(sensor[S_ROBOT])):
         if sensor[S_ROBOT][k] == i:
-            sensor[S_LAST][k] = UNKNOWN
+            sensor[S_LAST][k] = NO_READING
     actuator = state.actuators.ints
     for n in range(state.machines.parts[p]):
         k = state.actuators.actuator_index[ints[ACTUATOR_INDEX][i] + n]
@@ -259,7 +257,7 @@ def begin_anew(i: int, state: State) -> None:
         actuator[A_QUEUED_LATER][k] = 0
         if team.halts[k] >= 0:
             start(k, Command(team.halts[k], 0, 0, 0, 0), 0.0, state)
-    stay_away(i, team)
+    leave_point(i, team)
     for w in range(len(team.holds)):
         team.holds[w][i] = NO_UNIT
     actuator[A_DONE][robots[T_ACTUATOR][i]] = 1
@@ -268,8 +266,8 @@ def begin_anew(i: int, state: State) -> None:
     robots[T_BRANCH][i] = -1
     robots[T_ANCHOR][i] = -1
     robots[T_SINCE][i] = 0
-    robots[T_TOLD][i] = 0
-    robots[T_TELL][i] = 0
+    robots[T_REPLAYED][i] = 0
+    robots[T_TO_REPLAY][i] = 0
 
 
 def end_spares(state: State) -> None:

@@ -15,17 +15,18 @@ from kitrobot.primitives import TEAM, Robot, RobotObject
 from kitrobot.sim import columns as c
 from kitrobot.sim.actuation import QUEUE
 from kitrobot.sim.angles import direction
-from kitrobot.sim.chance import keys
 from kitrobot.sim.contacts import TOUCH_MM
 from kitrobot.sim.deadlock_detection import HELD_ROWS, QUIET_STEPS
-from kitrobot.sim.device_tables import DeviceTables, Fitted
-from kitrobot.sim.devices import Actuator, Device, Sensor, Standing, Values, actuators, sensors, ticks
-from kitrobot.sim.failures import FaultPlan
+from kitrobot.sim.device_tables import DeviceTables, FittedDevice
+from kitrobot.sim.devices import Actuator, Device, Placement, Sensor, Values, actuators, sensors, ticks
+from kitrobot.sim.fault_schedule import FaultPlan
 from kitrobot.sim.grids import FEW
 from kitrobot.sim.pens import pen_tables
 from kitrobot.sim.physics import arrange
+from kitrobot.sim.pushable import pushable_tables, pushable_walls
 from kitrobot.sim.radio_tables import beat_steps, delay_steps, radio_tables
-from kitrobot.sim.shared import SharedTables
+from kitrobot.sim.random_numbers import keys
+from kitrobot.sim.shared_tables import SharedTables
 from kitrobot.sim.state import (
     Actuators,
     Contacts,
@@ -38,13 +39,9 @@ from kitrobot.sim.state import (
     State,
     Team,
 )
-from kitrobot.sim.team_tables import Beginnings, TeamSetup, no_team, team_tables
-from kitrobot.sim.things import thing_tables, thing_walls
+from kitrobot.sim.team_tables import InitialState, TeamSetup, no_team, team_tables
 from kitrobot.sim.world_tables import dock_tables, floor_tables, line_tables, road_tables, wall_tables
 from kitrobot.world import Pose, World
-
-NEVER = -(1 << 40)
-"""What no sensor reads: the machine was given nothing yet."""
 
 BY_HAND_AT_ONCE = 64
 """So much can be done to the robots of any run by hand between two steps, and be told."""
@@ -63,16 +60,16 @@ class Tables:
         self.world = world
         self.dt = step_ms / 1000
         self.seed = seed
-        self.floats: list[list[float]] = [[] for _ in range(c.REALS)]
-        self.ints: list[list[int]] = [[] for _ in range(c.WHOLES)]
+        self.floats: list[list[float]] = [[] for _ in range(c.ROBOT_FLOATS)]
+        self.ints: list[list[int]] = [[] for _ in range(c.ROBOT_INTS)]
         self.machines: list[Machine] = []
         self.robots: list[Robot] = []
         self._programs: dict[int, int] = {}
         self._code: list[list[int]] = []
         self._commands: list[list[int]] = []
         self._parts: list[int] = []
-        self._sensors: list[Fitted] = []
-        self._actuators: list[Fitted] = []
+        self._sensors: list[FittedDevice] = []
+        self._actuators: list[FittedDevice] = []
         self._turning: set[int] = set()
         self.fault_plan = FaultPlan()
         """What is to befall the robots; set before `state`."""
@@ -128,12 +125,14 @@ class Tables:
         part: RobotObject,
         device: type[Device],
         values: Values,
-        standing: Standing,
+        placement: Placement,
         name: str,
     ) -> None:
         """A device of a robot; an actuator's robot has no other robot's actuators between its own."""
         category = "sensor" if issubclass(device, Sensor) else "actuator"
-        fitted = Fitted(robot, number, part, device, values, standing, keys(self.seed, name, category, part.name))
+        fitted = FittedDevice(
+            robot, number, part, device, values, placement, keys(self.seed, name, category, part.name)
+        )
         (self._sensors if category == "sensor" else self._actuators).append(fitted)
         device.fit(robot, self.floats, self.ints, values)
         if issubclass(device, Actuator) and device.turns:
@@ -187,7 +186,7 @@ class Tables:
         if self.radio is not None:
             most_events += len(shared.tables.mine) + count
         clock = [0] * c.CLOCKS
-        clock[c.RUNNING] = clock[c.LIVING] = clock[c.SOUND] = count
+        clock[c.RUNNING] = clock[c.LIVING] = clock[c.HEALTHY] = count
         clock[c.REVIVALS] = self.fault_plan.revivals
         clock[c.PLANS] = len(self.fault_plan.plan[0])
         clock[c.MOVED] = 1
@@ -252,8 +251,8 @@ class Tables:
                 pairs=[0] * (2 * pairs), before=[0] * (2 * pairs), buckets=[-1] * buckets, chain=[0] * pairs
             ),
             pens=pen_tables(pens, [actuator.fitted[k].robot for k in pens], floats[c.X], floats[c.Y]),
-            things=thing_tables(self.world, self.dt),
-            thing_walls=thing_walls(wall_tables(self.world, 0.0), self.world),
+            pushables=pushable_tables(self.world, self.dt),
+            pushable_walls=pushable_walls(wall_tables(self.world, 0.0), self.world),
             held=[[0.0] * max(count, len(self._actuators)) for _ in range(HELD_ROWS)],
         )
         if guided:
@@ -267,7 +266,7 @@ class Tables:
         self.team.members = [replace(one, actuator=links[one.robot]) for one in self.team.members]
         first = {program: n for n, program in reversed(list(enumerate(self.ints[c.PROGRAM])))}
         machines = [self.machines[first[program]] for program in range(len(self._code))]
-        beginnings = Beginnings(
+        beginnings = InitialState(
             [list(machine.cells) for machine in machines],
             [list(machine.threads) for machine in machines],
             [list(machine.pars) for machine in machines],
@@ -295,7 +294,7 @@ class Tables:
         )
 
     def _sensor_tables(self) -> DeviceTables:
-        made = DeviceTables(self._sensors, len(sensors()), c.SENSOR_WHOLES, c.SENSOR_REALS)
+        made = DeviceTables(self._sensors, len(sensors()), c.SENSOR_INTS, c.SENSOR_FLOATS)
         # Where the numbers of sensors stand: those that are the same stand there once.
         places: dict[tuple[float, ...], int] = {}
         for k, item in enumerate(made.fitted):
@@ -316,7 +315,7 @@ class Tables:
                 {
                     c.S_ROBOT: item.robot,
                     c.S_VALUE: item.device.resting(item.values),
-                    c.S_LAST: NEVER,
+                    c.S_LAST: c.NO_READING,
                     c.S_CELL: self.machines[item.robot].layout.sensors[item.part.name],
                     c.S_LEAST: item.part.minimum,
                     c.S_MOST: item.part.maximum,
@@ -326,8 +325,8 @@ class Tables:
                     c.S_KEY_B: item.keys[1],
                     c.S_RING: made.room,
                     c.S_SIZE: size,
-                    c.S_DOCK: item.standing.dock,
-                    c.S_STORE: item.standing.storehouse,
+                    c.S_DOCK: item.placement.dock,
+                    c.S_STORE: item.placement.storehouse,
                     c.S_FIRST: first,
                     c.S_END: first + len(numbers),
                     c.S_RESTLESS: 1 if noise > 0 or dropout > 0 or item.device.restless else 0,
@@ -341,7 +340,7 @@ class Tables:
         return made
 
     def _actuator_tables(self) -> DeviceTables:
-        made = DeviceTables(self._actuators, len(actuators()), c.ACTUATOR_WHOLES, c.ACTUATOR_REALS)
+        made = DeviceTables(self._actuators, len(actuators()), c.ACTUATOR_INTS, c.ACTUATOR_FLOATS)
         for k, item in enumerate(made.fitted):
             delay = ticks(item.values.number("latency"), self.dt)
             size = delay // self.ints[c.PERIOD][item.robot] + 2 if delay else 0
@@ -358,8 +357,8 @@ class Tables:
                     c.A_DELAY: delay,
                     c.A_QUEUE: made.room,
                     c.A_SIZE: size,
-                    c.A_DOCK: item.standing.dock,
-                    c.A_STORE: item.standing.storehouse,
+                    c.A_DOCK: item.placement.dock,
+                    c.A_STORE: item.placement.storehouse,
                 },
             )
             own = item.device.initial_floats(item.part, item.values)
@@ -371,7 +370,7 @@ class Tables:
         return made
 
 
-def _halt(fitted: Fitted) -> int:
+def _halt(fitted: FittedDevice) -> int:
     """The number by which a device knows the procedure that stops it; -1 for none."""
     assert issubclass(fitted.device, Actuator)
     methods = {method.name: method for method in fitted.part.methods}

@@ -23,7 +23,7 @@ OVER_ABORT, OVER_BLOCK, OVER_NOBODY = range(1, 4)
 (
     P_KIND,
     P_MEMBERS,  # the set that comes there
-    P_ASKED,  # the set whose answers count
+    P_VOTERS,  # the set whose answers count
     P_QUANTIFIER,
     P_NEGATED,
     P_TIMES,
@@ -51,7 +51,7 @@ ONE, ANY, EVERY, MOST = range(4)
 (
     T_ACTUATOR,  # the number of its actuator `Team`, or -1 where it is not of the team
     T_ROLE,  # the role that it plays, or -1 while it is spare
-    T_SEAT,  # the robot of the first hour in whose place it stands: itself, unless it took a role over
+    T_SEAT,  # the original holder of its place: itself, unless it took a role over
     T_HOLDER,  # who stands in its place now; NO_PLACE while it has none, NOBODY when whoever had it was missed
     T_AT,  # the point at which it waits, or -1
     T_GIVEN,  # what it answered there
@@ -63,8 +63,8 @@ ONE, ANY, EVERY, MOST = range(4)
     T_ANCHOR_ANSWER,  # what was answered there
     T_SINCE,  # how many points it has gone on from since, in that block or past others: the first ones of `since`
     T_LED,  # the point to which it is led, or -1
-    T_TOLD,  # how many of `since` it was told again
-    T_TELL,  # how many it is to be told
+    T_REPLAYED,  # how many answers of `since` it has received again
+    T_TO_REPLAY,  # how many it is to receive
     T_PLACE,  # where it stands for good: at one of the storehouses, or -1 where it can be anywhere
     T_LEFT,  # 1 + the role that is vacant in its place: whoever had it was missed, and no spare robot was left; or 0
     T_BRANCH,  # the innermost branch that it is in and has not come to the end of, or -1
@@ -72,7 +72,7 @@ ONE, ANY, EVERY, MOST = range(4)
 TEAM_ROWS = 19
 
 NO_PLACE, NOBODY = -1, -2
-"""In place of who stands in a place."""
+"""T_HOLDER of a place without a robot."""
 
 MOST_SINCE = 256
 """Points that a robot may go on from in one block and be substituted."""
@@ -94,8 +94,8 @@ KEPT_ROWS = 3
 WORK_ROWS = 4
 
 NO_UNIT, HAS_UNIT, LOST_UNIT, UNHEARD_UNIT = range(4)
-"""Whether a robot has a unit of a work, or lost it before it was done; or has one of which it said while it was silent
-that it is done. A robot has one of each work at most."""
+"""Whether a robot holds a unit of a job, lost it before it was done, or reported it done while it was silent. A robot
+holds at most one unit of a job."""
 
 # ---- names of sets: state.team.names
 

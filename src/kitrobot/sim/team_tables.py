@@ -82,7 +82,7 @@ class TeamSetup:
 
 
 @dataclass(frozen=True)
-class Beginnings:
+class InitialState:
     """How machines and devices are when their program begins: of each program its rows, of each actuator the number of
     the procedure that stops it, or -1.
     """
@@ -93,7 +93,7 @@ class Beginnings:
     halts: list[int]
 
 
-def filled(roles: Sequence[RoleDeclaration], members: Sequence[TeamMember]) -> dict[int, int]:
+def assign_roles(roles: Sequence[RoleDeclaration], members: Sequence[TeamMember]) -> dict[int, int]:
     """Robot → role, by numbers: each role in the order of declaration has up to `most` robots of its kind, in team
     order, but those that later roles need at least. Who is not in it is spare.
     """
@@ -106,12 +106,12 @@ def filled(roles: Sequence[RoleDeclaration], members: Sequence[TeamMember]) -> d
     return playing
 
 
-def team_tables(setup: TeamSetup, robots: int, step_ms: float, beginnings: Beginnings) -> Team:
+def team_tables(setup: TeamSetup, robots: int, step_ms: float, beginnings: InitialState) -> Team:
     """The tables of a team among so many robots of a run."""
-    return _Making(setup, robots, step_ms).team(math.ceil(LEASE_MS / step_ms), beginnings)
+    return _TeamTableBuilder(setup, robots, step_ms).team(math.ceil(LEASE_MS / step_ms), beginnings)
 
 
-class _Making:
+class _TeamTableBuilder:
     def __init__(self, setup: TeamSetup, robots: int, step_ms: float) -> None:
         self.plan = setup.plan
         self.declared = setup.declared
@@ -122,11 +122,11 @@ class _Making:
         self.failures = [failures.get(name, 0) for name in self.groups]
         self.agents = {one.name: one.robot for one in setup.members}
         self.members = setup.members
-        self.playing = filled(setup.declared.roles, setup.members)
+        self.playing = assign_roles(setup.declared.roles, setup.members)
         self.count = robots
         self.sets: dict[frozenset[str], int] = {ALL: 0}
 
-    def team(self, lease: int, beginnings: Beginnings) -> Team:
+    def team(self, lease: int, beginnings: InitialState) -> Team:
         points = [list(row) for row in zip(*map(self.point, self.plan.points), strict=True)] or _rows(c.POINT_ROWS)
         first, names = [0], _rows(c.NAME_ROWS)
         for chosen in self.sets:
@@ -166,7 +166,7 @@ class _Making:
     def point(self, point: Point) -> list[int]:
         row = [0] * c.POINT_ROWS
         row[c.P_KIND] = KINDS.index(point.kind)
-        row[c.P_MEMBERS], row[c.P_ASKED] = self.set_number(point.members), self.set_number(point.asked)
+        row[c.P_MEMBERS], row[c.P_VOTERS] = self.set_number(point.members), self.set_number(point.asked)
         row[c.P_QUANTIFIER] = _COMBINED[point.quantifier]
         row[c.P_NEGATED], row[c.P_TIMES] = int(point.negated), point.times
         row[c.P_FIRST], row[c.P_LAST] = point.leads

@@ -7,8 +7,8 @@ from collections.abc import Sequence
 from kitrobot.compiler import PointKind, TeamPlan
 from kitrobot.sim import team_columns as c
 from kitrobot.sim.agents import Agent
-from kitrobot.sim.endings import names_listed
 from kitrobot.sim.meetings import is_left_empty
+from kitrobot.sim.outcome import list_names
 from kitrobot.sim.state import State
 from kitrobot.text import Recorded
 
@@ -47,7 +47,7 @@ class TeamText:
     def _nobody(self, number: int) -> str:
         assert self._plan is not None
         point = self._plan.points[number]
-        names = names_listed(sorted(point.members))
+        names = list_names(sorted(point.members))
         return Recorded("nobody is left of {names} at {place}", names, point.vertex or point.program)
 
     def missing(self, state: State) -> list[str]:
@@ -70,12 +70,12 @@ class TeamText:
         point = self._plan.points[p]
         if point.vertex is None:
             return Recorded(
-                "{waiting}: waiting in {program} for {missing}", names_listed(here), point.program, names_listed(absent)
+                "{waiting}: waiting in {program} for {missing}", list_names(here), point.program, list_names(absent)
             )
         return Recorded(
             "{waiting}: waiting at {vertex} of {program} for {missing}",
-            names_listed(here),
+            list_names(here),
             point.vertex,
             point.program,
-            names_listed(absent),
+            list_names(absent),
         )

@@ -130,13 +130,13 @@ class Timeline:
         """
         self._intervene(Intervention(self.tick, "set", agent, variable, value))
 
-    def harm(self, agent: str, kind: FailureKind | str) -> bool:
+    def inject_fault(self, agent: str, kind: FailureKind | str) -> bool:
         """As `Simulation.harm`, and part of the run from this step on; what changes nothing is not.
 
         Raises:
             KitRobotError: there is no such agent, or too much was done between two steps.
         """
-        changed = self.simulation.harm(agent, kind)
+        changed = self.simulation.inject_fault(agent, kind)
         if changed:
             self._note(Intervention(self.tick, "harm", agent, FailureKind(kind).value, None))
         return changed
@@ -161,7 +161,7 @@ class Timeline:
             outside = [one for one in again.interventions if one.tick == again.tick]
             happened += [event for one in outside for event in again._told(one)]
             if again.tick >= last or simulation.outcome is not None:
-                yield happened + simulation.untold
+                yield happened + simulation.unreported_events
                 return
             yield happened
             again.advance(1)
@@ -190,7 +190,7 @@ class Timeline:
         if intervention.kind == "force":
             self.simulation.force(intervention.agent, intervention.name, intervention.value)
         elif intervention.kind == "harm":
-            self.simulation.harm(intervention.agent, intervention.name)
+            self.simulation.inject_fault(intervention.agent, intervention.name)
         else:
             self.simulation.set_variable(intervention.agent, intervention.name, intervention.value or 0)
 

@@ -29,9 +29,9 @@ from kitrobot.trace.model import (
     TracePlan,
     TracePoint,
 )
-from kitrobot.trace.reading import TraceReader
+from kitrobot.trace.reader import TraceReader
 from kitrobot.trace.source import Ability, AbilityError, NewEvents, RecordingSource, RunSource, UnchangeableSource, walk
-from kitrobot.trace.writing import TraceWriter
+from kitrobot.trace.writer import TraceWriter
 
 __all__ = [
     "CHANCE",

@@ -203,6 +203,6 @@ class DrawingReader:
                 1 if down else 0, min(max(colour, 0), MOST_COLOUR), min(max(width, 1), MOST_WIDTH_MM)
             )
             px, py, before = int(row[strokes.AT_X]), int(row[strokes.AT_Y]), int(row[strokes.STYLE])
-            made = strokes.go_on(row, style, x, y)
+            made = strokes.extend_stroke(row, style, x, y)
             if made:
                 self.drawing.add(marks_of(record.tick, pen, made, style, before, px, py))

@@ -5,7 +5,7 @@ finished steps, the first one (0) before any step was made. All numbers of a rec
 numbers, one for each `Column` of the header, so that a record is compared and stored fast; a column's `scale` turns a
 number back into its unit (0.1: tenths). Nothing here comes from a clock on the wall.
 
-Left to others: the header as bytes (header), records as bytes (coding), files (writing, reading), who produced it.
+Left to others: the header as bytes (header), records as bytes (`codec`), files (`writer`, `reader`), who produced it.
 """
 
 from __future__ import annotations

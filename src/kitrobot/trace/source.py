@@ -14,7 +14,7 @@ from typing import ClassVar, Literal, NamedTuple, NoReturn, Protocol
 from kitrobot.text import Recorded, Sentence
 from kitrobot.trace.drawing import Drawing, DrawingReader
 from kitrobot.trace.model import Threads, TickRecord, TraceError, TraceEvent, TraceHeader
-from kitrobot.trace.reading import TraceReader, kept
+from kitrobot.trace.reader import TraceReader, kept
 
 Ability = Literal["force", "set", "seek", "fail", "step"]
 """What can be done to a run: force a sensor, set a variable, go to another tick, let an agent fail, go on tick by tick
@@ -233,19 +233,19 @@ class RecordingSource(UnchangeableSource):
 
     def seek(self, tick: int) -> Iterator[None]:
         """The way to a tick: one piece."""
-        self._stand(self.reader.seek(tick))
+        self._show_record(self.reader.seek(tick))
         yield
 
     def seek_back(self, wanted: Callable[[], bool]) -> Iterator[None]:
         """As `RunSource.seek_back`."""
         for record in self.reader.walk_back(self._now.tick):
-            self._stand(record)
+            self._show_record(record)
             if wanted():
                 return
             yield
-        self._stand(self._first)
+        self._show_record(self._first)
 
-    def _stand(self, record: TickRecord) -> None:
+    def _show_record(self, record: TickRecord) -> None:
         self._now = record
         self._ahead = None
 

@@ -48,7 +48,7 @@ def tenths(mm: float) -> float:
     return float(low)
 
 
-def go_on(row: list[float], style: int, x: float, y: float) -> int:
+def extend_stroke(row: list[float], style: int, x: float, y: float) -> int:
     """Goes on to a point with a pen of that style; gives what becomes of the point before, 0 for nothing."""
     px = row[AT_X]
     py = row[AT_Y]

@@ -1,8 +1,8 @@
 """What a team has agreed on, as a part of what is shared: who waits where, answers, groups, and units of work.
 
-What commands to `Team` and to works do is done by the simulator itself (`sim.meetings`, `sim.work`), on tables apart
-that are put into the state in question before, and read off after. Here nobody fails, so whoever plays no role plays
-none for good; who is missed, and who takes over, is left to `missing`.
+What commands to `Team` and to works do is done by the simulator itself (`sim.meetings`, `sim.team_work`), on tables
+apart that are put into the state in question before, and read off after. Here nobody fails, so whoever plays no role
+plays none for good; who is missed, and who takes over, is left to `missing`.
 """
 
 from __future__ import annotations
@@ -20,7 +20,7 @@ from kitrobot.sim.dispatch import start
 from kitrobot.sim.meetings import agree, find_members
 from kitrobot.sim.radio_tables import no_radio
 from kitrobot.sim.state import State, Team, numbers
-from kitrobot.sim.work import is_taken, share_out
+from kitrobot.sim.team_work import is_taken, share_out
 
 Agreed = tuple[int, ...]
 """A state of a team: of each robot where it waits, what it gave and was answered; passes; groups; works."""

@@ -2,7 +2,7 @@
 
 Who is *silent* is missed at some time, or heard again before; the lease of a unit of work ends at some time. In the
 simulator both take a certain time, in the model any. What comes of it, by the rules of the groups, is done by the
-simulator itself (`sim.substitution`, `sim.work`), on a copy of the whole state of the run.
+simulator itself (`sim.substitution`, `sim.team_work`), on a copy of the whole state of the run.
 
 What a substitute needs to be led is kept only of those with others of their kind, and while somebody may still be
 missed or a role is vacant.
@@ -23,8 +23,8 @@ from kitrobot.sim.dispatch import start
 from kitrobot.sim.meetings import is_left_empty
 from kitrobot.sim.radio_tables import no_radio
 from kitrobot.sim.state import State, Team
-from kitrobot.sim.substitution import begin_anew, come_back, miss, settle
-from kitrobot.sim.work import is_taken
+from kitrobot.sim.substitution import declare_missing, finish_team_step, handle_return, restart_program
+from kitrobot.sim.team_work import is_taken
 from kitrobot.verifier import columns as v
 from kitrobot.verifier.agreeing import Agreed, Agreement, Told
 
@@ -85,11 +85,11 @@ class Watch(Agreement):
         if what == v.W_SILENT:
             robots[tc.T_SILENT][robot] = 0
         elif what == v.W_BACK:
-            come_back(robot, state)
+            handle_return(robot, state)
         elif what in (v.W_MISSED, v.W_ANEW):
-            miss(robot, state)
+            declare_missing(robot, state)
             if what == v.W_ANEW:
-                begin_anew(robot, state)
+                restart_program(robot, state)
         else:
             self._team.holds[what - v.W_FREED][robot] = tc.LOST_UNIT
         return self._read()
@@ -105,7 +105,7 @@ class Watch(Agreement):
 
     def settled(self, agreed: Agreed) -> Agreed:
         self._write(agreed)
-        settle(self._state)
+        finish_team_step(self._state)
         return self._read()
 
     def halts(self, actuator: int) -> bool:
@@ -175,9 +175,9 @@ class Watch(Agreement):
             if has_ended and not may_be_led and not is_left_empty(members[branch], self._team):
                 ended[branch] = 0
         for i in range(len(robots[tc.T_AT])):
-            if robots[tc.T_LED][i] >= 0 or robots[tc.T_TOLD][i] < robots[tc.T_TELL][i]:
+            if robots[tc.T_LED][i] >= 0 or robots[tc.T_REPLAYED][i] < robots[tc.T_TO_REPLAY][i]:
                 continue
-            robots[tc.T_TOLD][i] = robots[tc.T_TELL][i] = 0
+            robots[tc.T_REPLAYED][i] = robots[tc.T_TO_REPLAY][i] = 0
             leads = may_be_led and robots[tc.T_ROLE][i] >= 0
             if not leads:
                 robots[tc.T_ANCHOR][i] = robots[tc.T_BRANCH][i] = -1
@@ -191,7 +191,7 @@ class Watch(Agreement):
         """The rows that change besides, of which `ENDED` is the first and `T_ROLE` the fourth."""
         robots = self._team.robots
         own = (tc.T_MISSED, tc.T_ROLE, tc.T_SEAT, tc.T_HOLDER, tc.T_ANCHOR, tc.T_ANCHOR_ANSWER, tc.T_SINCE)
-        leads = (tc.T_LED, tc.T_TOLD, tc.T_TELL, tc.T_LEFT, tc.T_BRANCH)
+        leads = (tc.T_LED, tc.T_REPLAYED, tc.T_TO_REPLAY, tc.T_LEFT, tc.T_BRANCH)
         rows = [robots[row] for row in (tc.T_SILENT, *own, *leads)]
         return [
             self._state.robots.ints[c.ENDED],

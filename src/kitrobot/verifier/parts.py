@@ -15,7 +15,7 @@ from kitrobot.primitives import RobotObject
 from kitrobot.sim import Simulation
 from kitrobot.sim import columns as c
 from kitrobot.sim.agents import Agent
-from kitrobot.sim.devices import actuators, sensors
+from kitrobot.sim.devices import actuators, collision, drive, presence, sensors, sign, work_left
 from kitrobot.sim.devices.base import Discrete
 from kitrobot.sim.docks import DOCK_AT, DOCK_REACH
 from kitrobot.sim.event_text import sensor_names
@@ -227,7 +227,7 @@ class _Builder:
             for agent in self.run.members:
                 if robots[c.ROAD][agent.index] == road:
                     aheads |= {
-                        state.sensors.floats[c.S_P][self.rows[agent.index, part.name]]
+                        state.sensors.floats[sign.AHEAD][self.rows[agent.index, part.name]]
                         for part in agent.robot.sensors
                         if part.model in sensors() and sensors()[part.model].discrete is Discrete.SECTION
                     }
@@ -267,7 +267,12 @@ class _Builder:
         if k < 0:
             return 0.0, 0.0
         percent = _fastest(part.agent, part.acts[part.drive])
-        speed = percent / 100 * actuator.floats[c.A_P][k] * (1 + NOISE_DEVIATIONS * actuator.floats[c.A_NOISE][k])
+        speed = (
+            percent
+            / 100
+            * actuator.floats[drive.FULL_SPEED][k]
+            * (1 + NOISE_DEVIATIONS * actuator.floats[c.A_NOISE][k])
+        )
         dt = self.state.fixed_floats[c.DT]
         tick = speed * dt * (part.agent.period + 1)
         late = speed * dt * actuator.ints[c.A_DELAY][k]
@@ -344,14 +349,14 @@ class _Builder:
                 self.free.setdefault(Label(part.name, part.label), []).append(agent.name)
             return Sense(Discrete.ANY, choices=choices)
         if discrete is Discrete.TEAM:
-            return Sense(discrete, agreed=self._agreed(agent, part, floats[c.S_P][k]), least=least, most=most)
+            return Sense(discrete, agreed=self._agreed(agent, part, floats[work_left.WORK][k]), least=least, most=most)
         if discrete is Discrete.SECTION:
             assert zones is not None
-            return Sense(discrete, signs=self._signs(agent, zones, floats[c.S_P][k]), least=least, most=most)
+            return Sense(discrete, signs=self._signs(agent, zones, floats[sign.AHEAD][k]), least=least, most=most)
         if discrete is Discrete.GAP:
-            return Sense(discrete, reach_mm=floats[c.S_P][k])
+            return Sense(discrete, reach_mm=floats[collision.REACH][k])
         if discrete is Discrete.VISIT:
-            return Sense(discrete, dock=int(ints[c.S_DOCK][k]), load=int(floats[c.S_P][k]))
+            return Sense(discrete, dock=int(ints[c.S_DOCK][k]), load=int(floats[presence.WANTED_LOAD][k]))
         is_store = sensors()[part.model].needs == "storehouse"
         return Sense(discrete, store=int(ints[c.S_STORE][k]) if is_store else -1, least=least, most=most)
 

@@ -109,7 +109,7 @@ def _broken_at(one: Property, run: Simulation, harms: Sequence[Harm], stop: Call
                 return -1
         if left and run.tick >= left[0].tick:
             harm = left.pop(0)
-            run.harm(harm.agent, harm.kind)
+            run.inject_fault(harm.agent, harm.kind)
             continue
         if run.outcome is not None:
             break

@@ -151,7 +151,7 @@ def _hold(run: Simulation, hands: Sequence[Hand]) -> None:
 
 
 def _look(run: Simulation) -> _Look:
-    things = run.state.things.floats
+    things = run.state.pushables.floats
     return _Look(
         [[round(x), round(y), round(heading * 1000), load, flags] for x, y, heading, load, flags in run.poses()],
         [one.shown for one in run.agents],

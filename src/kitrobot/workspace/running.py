@@ -11,7 +11,7 @@ from typing import Any, Literal
 from kitrobot.compiler import TeamPlan
 from kitrobot.diagnostics import Diagnostic, Place, ProblemsError, Source, expect_output
 from kitrobot.primitives import Catalogue, Kit, as_measured
-from kitrobot.sim import Simulation, SimulationError, check_limits, look_over, pens_of, simulate, strokes_now
+from kitrobot.sim import Simulation, SimulationError, check_limits, check_mission, pens_of, simulate, strokes_now
 from kitrobot.text import Sentence
 from kitrobot.trace import Drawing, Stroke
 from kitrobot.workspace.opening import OpenMission
@@ -204,7 +204,7 @@ def look_whether_it_runs(opened: OpenMission) -> None:
     """
     assert opened.world is not None, "a mission without its world has an error"
     try:
-        look_over(opened.mission, opened.world, opened.images, opened.catalogue, _plan(opened))
+        check_mission(opened.mission, opened.world, opened.images, opened.catalogue, _plan(opened))
     except SimulationError as error:
         raise _refused(opened, error) from None
 

@@ -1,8 +1,8 @@
 """Places where robots move: walls, coloured floor, roads, docks, storehouses; reading, writing, geometry."""
 
-from kitrobot.world.finding import EMPTY, SHIPPED, SUFFIX, find_world
 from kitrobot.world.floor_svg import floor_svg
 from kitrobot.world.geometry import Corner, Polyline, Pose, distance_to_stretch, normalised, polyline
+from kitrobot.world.lookup import EMPTY, SHIPPED, SUFFIX, find_world
 from kitrobot.world.maze import MOST_SEED, make_maze
 from kitrobot.world.model import (
     BRIGHT,
@@ -28,7 +28,8 @@ from kitrobot.world.model import (
     Zone,
 )
 from kitrobot.world.parts import MAX_NUMBER, MAX_SIZE_MM, PARTS
-from kitrobot.world.reading import (
+from kitrobot.world.template import TEMPLATES
+from kitrobot.world.xml_reader import (
     ATTRIBUTES,
     KINDS,
     MAX_ZONES,
@@ -38,8 +39,7 @@ from kitrobot.world.reading import (
     read_world,
     with_things,
 )
-from kitrobot.world.template import TEMPLATES
-from kitrobot.world.writing import world_lines, write_world
+from kitrobot.world.xml_writer import world_lines, write_world
 
 __all__ = [
     "ATTRIBUTES",

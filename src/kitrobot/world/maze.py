@@ -27,7 +27,7 @@ _Cell = tuple[int, int]
 _BESIDE = ((1, 0), (0, 1), (-1, 0), (0, -1))
 
 
-class _Chance:
+class _RandomSource:
     """Numbers from a seed: a linear congruence of 64 bits, of which the upper half counts."""
 
     def __init__(self, seed: int) -> None:
@@ -49,7 +49,7 @@ def make_maze(seed: int, columns: int = 8, rows: int = 5, name: str = "maze") ->
         name: what the world is called.
     """
     columns, rows = (min(max(count, 2), MOST_CELLS) for count in (columns, rows))
-    doors, far = _dug(_Chance(seed % 2**32), columns, rows)
+    doors, far = _dig_passages(_RandomSource(seed % 2**32), columns, rows)
     side = CELL_MM * _FIELD_PART
     margin = (CELL_MM - side) / 2
     field = rectangle_corners(far[0] * CELL_MM + margin, far[1] * CELL_MM + margin, side, side)
@@ -68,7 +68,7 @@ def make_maze(seed: int, columns: int = 8, rows: int = 5, name: str = "maze") ->
 _QUARTER = 1.5707963267948966
 
 
-def _dug(chance: _Chance, columns: int, rows: int) -> tuple[set[tuple[_Cell, _Cell]], _Cell]:
+def _dig_passages(chance: _RandomSource, columns: int, rows: int) -> tuple[set[tuple[_Cell, _Cell]], _Cell]:
     """The open borders between cells, the lower or left one first, and the cell that is farthest from the start."""
     doors: set[tuple[_Cell, _Cell]] = set()
     way = [(0, 0)]

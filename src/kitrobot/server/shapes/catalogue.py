@@ -9,7 +9,7 @@ from pydantic import AliasChoices, BaseModel, Field, model_validator
 from kitrobot.primitives import Catalogue, Robot, work_object
 from kitrobot.server.shapes.problem import ProblemShape, problem_shapes
 from kitrobot.server.shapes.values import Least, Most, View
-from kitrobot.sim import Hand, Look, appearance_of, length_of
+from kitrobot.sim import DisplayKind, ManualControl, appearance_of, length_of
 
 Texts = dict[str, str]
 LevelName = Literal["agent", "group", "social"]
@@ -132,8 +132,8 @@ class RobotObjectShape(View):
 
     name: str
     category: Literal["actuator", "sensor", "variable", "system"]
-    look: Look = ""
-    hand: Hand = ""
+    look: DisplayKind = ""
+    hand: ManualControl = ""
     ray: RayShape | None = None
     icon: str
     label: Texts

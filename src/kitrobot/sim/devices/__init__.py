@@ -6,17 +6,28 @@ import importlib
 import pkgutil
 from functools import cache
 
-from kitrobot.sim.devices.base import Actuator, Command, Device, Hand, Look, Sensor, Setting, Standing, Values, ticks
+from kitrobot.sim.devices.base import (
+    Actuator,
+    Command,
+    Device,
+    DisplayKind,
+    ManualControl,
+    Placement,
+    Sensor,
+    Setting,
+    Values,
+    ticks,
+)
 
 __all__ = [
     "Actuator",
     "Command",
     "Device",
-    "Hand",
-    "Look",
+    "DisplayKind",
+    "ManualControl",
+    "Placement",
     "Sensor",
     "Setting",
-    "Standing",
     "Values",
     "actuators",
     "sensors",

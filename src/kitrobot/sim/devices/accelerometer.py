@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from kitrobot.sim.devices.base import LATENCY, LOST_READINGS, SPREAD, Hand, Sensor, Setting, Values
+from kitrobot.sim.devices.base import LATENCY, LOST_READINGS, SPREAD, ManualControl, Sensor, Setting, Values
 from kitrobot.text import Sentence
 
 _LEVEL_MG = -1024
@@ -24,7 +24,7 @@ class Accelerometer(Sensor):
     )
 
     @classmethod
-    def hand(cls, values: Values) -> Hand:
+    def manual_control(cls, values: Values) -> ManualControl:
         return "gesture" if values.says("what", "shake") else ""
 
     @classmethod

@@ -10,15 +10,13 @@ from __future__ import annotations
 
 from kitrobot.primitives import RobotObject
 from kitrobot.sim.columns import (
+    A_ACTION,
     A_DOCK,
     A_DONE,
     A_NOISE,
-    A_P,
-    A_Q,
-    A_R,
+    A_OWN,
     A_ROBOT,
     A_STORE,
-    A_WAY,
     DELIVERED,
     DOWN,
     FAILED,
@@ -32,12 +30,15 @@ from kitrobot.sim.columns import (
     SIGN_ARM,
     SIGNS,
     UNLOADED,
-    tell,
+    record_event,
 )
 from kitrobot.sim.devices.base import LATENCY, LOST_COMMANDS, MOVES_BOXES, Actuator, Command, Setting, Values
 from kitrobot.sim.docks import carrier_in
 from kitrobot.sim.state import State
 from kitrobot.text import Sentence
+
+BOX_S, REMAINING_S, WAITS_FOR_ROOM = A_OWN[:3]
+"""Columns of an arm: the seconds a box takes, those left of this box, and 1 while it waits for room."""
 
 _LOAD, _UNLOAD = range(2)
 
@@ -58,7 +59,7 @@ class Arm(Actuator):
 
     @classmethod
     def is_waiting_for_room(cls, k: int, state: State) -> bool:
-        return bool(state.actuators.floats[A_R][k])
+        return bool(state.actuators.floats[WAITS_FOR_ROOM][k])
 
     @classmethod
     def initial_floats(cls, part: RobotObject, values: Values) -> tuple[float, ...]:
@@ -66,15 +67,15 @@ class Arm(Actuator):
 
 
 def start(k: int, command: Command, deviate: float, state: State) -> None:
-    """Begins to do what a command says. P is the seconds a box takes, Q those left, R 1 if it waits for room."""
+    """Begins to do what a command says."""
     actuator = state.actuators.ints
     actuator_floats = state.actuators.floats
     factor = 1.0 + deviate * actuator_floats[A_NOISE][k]
     if factor < 0.1:
         factor = 0.1
-    actuator_floats[A_Q][k] = actuator_floats[A_P][k] * factor
-    actuator_floats[A_R][k] = 0.0
-    actuator[A_WAY][k] = command.procedure
+    actuator_floats[REMAINING_S][k] = actuator_floats[BOX_S][k] * factor
+    actuator_floats[WAITS_FOR_ROOM][k] = 0.0
+    actuator[A_ACTION][k] = command.procedure
     actuator[A_DONE][k] = 0
     state.robots.ints[SIGNS][actuator[A_ROBOT][k]] |= SIGN_ARM
 
@@ -93,9 +94,9 @@ def advance(first: int, last: int, dt: float, state: State) -> None:
     for k in range(first, last):
         if done[k] or down[actuator[A_ROBOT][k]] == FAILED:
             continue
-        if actuator_floats[A_R][k] == 0.0:
-            left = actuator_floats[A_Q][k] - dt
-            actuator_floats[A_Q][k] = left
+        if actuator_floats[WAITS_FOR_ROOM][k] == 0.0:
+            left = actuator_floats[REMAINING_S][k] - dt
+            actuator_floats[REMAINING_S][k] = left
             if left > 1e-9:
                 continue
         robot = actuator[A_ROBOT][k]
@@ -103,33 +104,33 @@ def advance(first: int, last: int, dt: float, state: State) -> None:
         dock = actuator[A_DOCK][k]
         load = ints[LOAD]
         carrier = carrier_in(dock, state.robots, state.roads, state.docks)
-        if actuator[A_WAY][k] == _LOAD:
+        if actuator[A_ACTION][k] == _LOAD:
             if carrier < 0 or load[carrier]:
-                tell(events, clock, NO_EMPTY_CARRIER, robot, dock, 0)
+                record_event(events, clock, NO_EMPTY_CARRIER, robot, dock, 0)
             elif stock[house] == 0:
-                tell(events, clock, NO_BOX, robot, house, 0)
+                record_event(events, clock, NO_BOX, robot, house, 0)
             else:
                 stock[house] -= 1
                 load[carrier] = 1
                 ints[ORIGIN][carrier] = house + 1
-                tell(events, clock, LOADED, robot, house, 0)
+                record_event(events, clock, LOADED, robot, house, 0)
         elif carrier < 0 or load[carrier] == 0:
-            tell(events, clock, NO_LOADED_CARRIER, robot, dock, 0)
+            record_event(events, clock, NO_LOADED_CARRIER, robot, dock, 0)
         elif stock[house] >= capacity[house]:
-            if actuator_floats[A_R][k] == 0.0:
-                actuator_floats[A_R][k] = 1.0
-                tell(events, clock, NO_ROOM, robot, house, 0)
+            if actuator_floats[WAITS_FOR_ROOM][k] == 0.0:
+                actuator_floats[WAITS_FOR_ROOM][k] = 1.0
+                record_event(events, clock, NO_ROOM, robot, house, 0)
             continue
         else:
             stock[house] += 1
             load[carrier] = 0
             ints[DELIVERED][carrier] += 1
-            tell(events, clock, UNLOADED, robot, house, 0)
-        actuator_floats[A_R][k] = 0.0
+            record_event(events, clock, UNLOADED, robot, house, 0)
+        actuator_floats[WAITS_FOR_ROOM][k] = 0.0
         done[k] = 1
         ints[SIGNS][robot] &= ~SIGN_ARM
 
 
 def is_busy(k: int, state: State) -> bool:
     """Whether it moves; while it waits for room it does not."""
-    return state.actuators.floats[A_R][k] == 0.0 and state.actuators.ints[A_DONE][k] == 0
+    return state.actuators.floats[WAITS_FOR_ROOM][k] == 0.0 and state.actuators.ints[A_DONE][k] == 0

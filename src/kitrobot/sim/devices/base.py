@@ -3,8 +3,8 @@
 A module of this package that defines a subclass with a `name` is a device; nobody keeps a list. `settings` says which
 attributes of the robot's XML it understands, with their units and bounds, so that every number of its behaviour is in
 the XML. The class only describes; a device's state and numbers are its entries in the tables of the run (see columns),
-where `initial_floats` fills the columns P, Q, … that are its own. What it does is in functions beside the class, in the
-Python that Numba compiles, which `dispatch` finds by their names and calls:
+where `initial_floats` fills the columns that are its own (A_OWN, S_OWN), to which its module gives names. What it does
+is in functions beside the class, in the Python that Numba compiles, which `dispatch` finds by their names and calls:
 
 - `sense(first, last, step, state)` measures into S_VALUE with the sensors `first` … `last` - 1;
 - `start(k, command, deviate, state)` lets actuator k begin what a command says;
@@ -13,7 +13,7 @@ Python that Numba compiles, which `dispatch` finds by their names and calls:
 
 A module without one of them has nothing to do there. What a device shows to the eye or the ear is its row of `outputs`.
 
-What all of them share, latency, noise and drop-outs, is done in one place each: `sensing` for sensors, `actuation`
+What all of them share, latency, noise and drop-outs, is done in one place each: `sampling` for sensors, `actuation`
 for actuators; only how noise changes what an actuator does is its own.
 """
 
@@ -52,7 +52,7 @@ class Setting:
     names_place: bool = False
     """Whether it is the name of a place of the world (see `World.places`)."""
     names_agent: bool = False
-    """Whether it is the name of an agent of the run, whose number is P."""
+    """Whether it is the name of an agent of the run, whose number is then the last of its own columns."""
 
 
 LATENCY = Setting("latency", 0.0, Sentence("how much later it works, or how old what it reads is"), "ms", most=60_000.0)
@@ -62,11 +62,11 @@ LOST_READINGS = Setting(
 LOST_COMMANDS = Setting("dropout", 0.0, Sentence("how often a command does not reach it"), "%", 0.0, 100.0)
 MOVES_BOXES, COUNTS_BOXES = "moves", "counts"
 
-Look = Literal["", "wheels", "lights", "melody", "pin", "lamp", "bar", "sound", "number", "pen"]
+DisplayKind = Literal["", "wheels", "lights", "melody", "pin", "lamp", "bar", "sound", "number", "pen"]
 """What the page draws of an actuator: nothing, wheels, a matrix of lights, whether it sounds, a pin's level, its value
 as lamp, bar, sound or number, or a pen and its line."""
 
-Hand = Literal["", "button", "gesture", "slider"]
+ManualControl = Literal["", "button", "gesture", "slider"]
 """How a person works a sensor in the arena: not, by a button of the board, by moving the whole board, by a slider."""
 
 SPREAD = Setting("noise", 0.0, Sentence("how far a reading may be off (one standard deviation)"), "", 0.0, 1000.0)
@@ -103,7 +103,7 @@ class Values:
 
 
 @dataclass(frozen=True)
-class Standing:
+class Placement:
     """Where an agent was put: its road and dock and storehouse, as numbers in the world's lists, -1 for none."""
 
     road: int = -1
@@ -166,7 +166,7 @@ class Device:
 
     @classmethod
     def initial_floats(cls, part: RobotObject, values: Values) -> tuple[float, ...]:
-        """What stands in the columns P, Q, … of one such device at the start; the rest is 0."""
+        """The initial values of the own columns of one such device (A_OWN or S_OWN); the rest is 0."""
         return ()
 
     @classmethod
@@ -195,7 +195,7 @@ class Actuator(Device):
     """So many of these, the first ones, are for everybody to see: what a display shows, what a buzzer plays."""
 
     @classmethod
-    def look(cls, values: Values) -> Look:
+    def display_kind(cls, values: Values) -> DisplayKind:
         """How the page draws what it shows."""
         return ""
 
@@ -210,7 +210,7 @@ class Actuator(Device):
         return cls.procedures.index(method.name)
 
     @classmethod
-    def is_told(cls, k: int, state: State) -> bool:
+    def is_driving(cls, k: int, state: State) -> bool:
         """Whether actuator k, one that drives its robot, was told to move it last."""
         return False
 
@@ -242,7 +242,7 @@ class Sensor(Device):
         return ()
 
     @classmethod
-    def hand(cls, values: Values) -> Hand:
+    def manual_control(cls, values: Values) -> ManualControl:
         """How a person works it in the arena."""
         return ""
 

@@ -3,11 +3,14 @@
 from __future__ import annotations
 
 from kitrobot.primitives import RobotObject
-from kitrobot.sim.chance import happens
-from kitrobot.sim.columns import DT, ENDED, PERIOD, S_KEY_A, S_KEY_B, S_LEAST, S_MOST, S_P, S_Q, S_ROBOT, S_VALUE
+from kitrobot.sim.columns import DT, ENDED, PERIOD, S_KEY_A, S_KEY_B, S_LEAST, S_MOST, S_OWN, S_ROBOT, S_VALUE
 from kitrobot.sim.devices.base import LATENCY, LOST_READINGS, Sensor, Setting, Values
+from kitrobot.sim.random_numbers import happens
 from kitrobot.sim.state import State
 from kitrobot.text import Sentence
+
+PROBABILITY, PERIOD_S = S_OWN[:2]
+"""Columns of a chance sensor: the probability (0…1), and the period in s."""
 
 
 class Chance(Sensor):
@@ -28,12 +31,12 @@ class Chance(Sensor):
 
 
 def sense(first: int, last: int, step: int, state: State) -> None:
-    """Measures with the devices `first` … `last` - 1. P is the probability, Q the period in s."""
+    """Measures with the devices `first` … `last` - 1."""
     sensor = state.sensors.ints
     robots = sensor[S_ROBOT]
     values = sensor[S_VALUE]
-    probabilities = state.sensors.floats[S_P]
-    periods = state.sensors.floats[S_Q]
+    probabilities = state.sensors.floats[PROBABILITY]
+    periods = state.sensors.floats[PERIOD_S]
     ended = state.robots.ints[ENDED]
     period = state.robots.ints[PERIOD]
     time = step * state.fixed_floats[DT]

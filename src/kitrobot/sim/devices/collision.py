@@ -10,7 +10,7 @@ from kitrobot.sim.columns import (
     GAP_BEHIND,
     RADIUS,
     ROAD,
-    S_P,
+    S_OWN,
     S_ROBOT,
     S_VALUE,
     SIGN_ALARM,
@@ -26,6 +26,9 @@ from kitrobot.sim.devices.base import LATENCY, LOST_READINGS, WRONG, Discrete, S
 from kitrobot.sim.sight import ray_to_discs
 from kitrobot.sim.state import State
 from kitrobot.text import Sentence
+
+REACH = S_OWN[0]
+"""Column of a collision sensor: how far it reaches in mm."""
 
 
 class Collision(Sensor):
@@ -63,7 +66,7 @@ def sense(first: int, last: int, step: int, state: State) -> None:
     ints = state.robots.ints
     robots = sensor[S_ROBOT]
     values = sensor[S_VALUE]
-    reaches = state.sensors.floats[S_P]
+    reaches = state.sensors.floats[REACH]
     ended = ints[ENDED]
     road = ints[ROAD]
     touching = ints[TOUCHING]

@@ -3,11 +3,14 @@
 from __future__ import annotations
 
 from kitrobot.primitives import RobotObject
-from kitrobot.sim.columns import DIRECTED, ENDED, S_P, S_Q, S_ROBOT, S_VALUE, UX, UY, X, Y
+from kitrobot.sim.columns import DIRECTED, ENDED, S_OWN, S_ROBOT, S_VALUE, UX, UY, X, Y
 from kitrobot.sim.devices.base import LATENCY, LOST_READINGS, WRONG, Sensor, Setting, Values
 from kitrobot.sim.sight import colour_at, floor_at
 from kitrobot.sim.state import State
 from kitrobot.text import Sentence
+
+AHEAD, LEFT = S_OWN[:2]
+"""Columns of a colour sensor: how far it is ahead of the middle of its robot, and to the left, in mm."""
 
 
 class Colour(Sensor):
@@ -42,8 +45,8 @@ def sense(first: int, last: int, step: int, state: State) -> None:
     floats = state.robots.floats
     robots = sensor[S_ROBOT]
     values = sensor[S_VALUE]
-    aheads = sensor_floats[S_P]
-    sides = sensor_floats[S_Q]
+    aheads = sensor_floats[AHEAD]
+    sides = sensor_floats[LEFT]
     ended = state.robots.ints[ENDED]
     for k in range(first, last):
         i = robots[k]

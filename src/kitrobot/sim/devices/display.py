@@ -7,10 +7,13 @@ the left. The pictures and digits are those that the board shows.
 from __future__ import annotations
 
 from kitrobot.primitives import RobotObject
-from kitrobot.sim.columns import A_DONE, A_P, A_Q, A_ROBOT, DOWN, FAILED
-from kitrobot.sim.devices.base import LATENCY, LOST_COMMANDS, Actuator, Command, Discrete, Look, Setting, Values
+from kitrobot.sim.columns import A_DONE, A_OWN, A_ROBOT, DOWN, FAILED
+from kitrobot.sim.devices.base import LATENCY, LOST_COMMANDS, Actuator, Command, Discrete, DisplayKind, Setting, Values
 from kitrobot.sim.state import State
 from kitrobot.text import Sentence
+
+COLUMN_S, SCROLLED_S = A_OWN[:2]
+"""Columns of a display: the seconds for each column of a number that scrolls, and how long it has scrolled."""
 
 SIDE = 5
 _CLEAR, _IMAGE, _NUMBER, _SCROLL, _PIXEL = range(5)
@@ -88,12 +91,12 @@ class Display(Actuator):
         return (values.number("delay") / 1000,)
 
     @classmethod
-    def look(cls, values: Values) -> Look:
+    def display_kind(cls, values: Values) -> DisplayKind:
         return "lights"
 
 
 def start(k: int, command: Command, deviate: float, state: State) -> None:
-    """Does what a command says. P is the seconds for each column, Q how long the number runs already."""
+    """Does what a command says."""
     actuator = state.actuators.ints
     output = state.actuators.outputs[k]
     procedure = command.procedure
@@ -117,7 +120,7 @@ def start(k: int, command: Command, deviate: float, state: State) -> None:
             output[y] = _LIT[_DIGITS[at + y]]
     elif procedure == _SCROLL:
         output[_SCROLLED] = first
-        state.actuators.floats[A_Q][k] = 0.0
+        state.actuators.floats[SCROLLED_S][k] = 0.0
         actuator[A_DONE][k] = 0
 
 
@@ -131,9 +134,11 @@ def advance(first: int, last: int, dt: float, state: State) -> None:
     for k in range(first, last):
         if done[k] or down[actuator[A_ROBOT][k]] == FAILED:
             continue
-        actuator_floats[A_Q][k] += dt
+        actuator_floats[SCROLLED_S][k] += dt
         output = outputs[k]
-        if run_through(output[_SCROLLED], int(actuator_floats[A_Q][k] / actuator_floats[A_P][k] + 1e-9), output):
+        if run_through(
+            output[_SCROLLED], int(actuator_floats[SCROLLED_S][k] / actuator_floats[COLUMN_S][k] + 1e-9), output
+        ):
             done[k] = 1
 
 

@@ -3,10 +3,13 @@
 from __future__ import annotations
 
 from kitrobot.primitives import RobotObject
-from kitrobot.sim.columns import A_DONE, A_NOISE, A_P, A_Q, A_R, A_ROBOT, A_S, DOWN, FAILED
+from kitrobot.sim.columns import A_DONE, A_NOISE, A_OWN, A_ROBOT, DOWN, FAILED
 from kitrobot.sim.devices.base import LATENCY, LOST_COMMANDS, Actuator, Command, Setting, Values
 from kitrobot.sim.state import State
 from kitrobot.text import Sentence
+
+OPENING, TARGET_OPENING, TRAVEL_S, CURRENT_TRAVEL_S = A_OWN
+"""Columns of a door: how far it is open (0…1), where it goes, the seconds for all of it, and those for this time."""
 
 
 class Door(Actuator):
@@ -27,14 +30,14 @@ class Door(Actuator):
 
 
 def start(k: int, command: Command, deviate: float, state: State) -> None:
-    """Begins to do what a command says. P is the place, Q where it goes, R the seconds for all of it, S those now."""
+    """Begins to do what a command says."""
     actuator = state.actuators.ints
     actuator_floats = state.actuators.floats
     factor = 1.0 + deviate * actuator_floats[A_NOISE][k]
     if factor < 0.1:
         factor = 0.1
-    actuator_floats[A_S][k] = actuator_floats[A_R][k] * factor
-    actuator_floats[A_Q][k] = float(command.procedure)
+    actuator_floats[CURRENT_TRAVEL_S][k] = actuator_floats[TRAVEL_S][k] * factor
+    actuator_floats[TARGET_OPENING][k] = float(command.procedure)
     actuator[A_DONE][k] = 0
 
 
@@ -47,12 +50,12 @@ def advance(first: int, last: int, dt: float, state: State) -> None:
     for k in range(first, last):
         if done[k] or down[actuator[A_ROBOT][k]] == FAILED:
             continue
-        way = actuator_floats[A_Q][k] - actuator_floats[A_P][k]
-        step = dt / actuator_floats[A_S][k]
+        way = actuator_floats[TARGET_OPENING][k] - actuator_floats[OPENING][k]
+        step = dt / actuator_floats[CURRENT_TRAVEL_S][k]
         if abs(way) <= step + 1e-12:
-            actuator_floats[A_P][k] = actuator_floats[A_Q][k]
+            actuator_floats[OPENING][k] = actuator_floats[TARGET_OPENING][k]
             done[k] = 1
         elif way > 0.0:
-            actuator_floats[A_P][k] += step
+            actuator_floats[OPENING][k] += step
         else:
-            actuator_floats[A_P][k] -= step
+            actuator_floats[OPENING][k] -= step

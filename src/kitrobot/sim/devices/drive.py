@@ -5,7 +5,7 @@ from __future__ import annotations
 from kitrobot.primitives import RobotObject
 from kitrobot.sim.columns import (
     A_NOISE,
-    A_P,
+    A_OWN,
     A_ROBOT,
     ACCELERATION,
     BRAKING,
@@ -17,9 +17,12 @@ from kitrobot.sim.columns import (
     SPEED,
     TARGET,
 )
-from kitrobot.sim.devices.base import LATENCY, LOST_COMMANDS, Actuator, Command, Discrete, Look, Setting, Values
+from kitrobot.sim.devices.base import LATENCY, LOST_COMMANDS, Actuator, Command, Discrete, DisplayKind, Setting, Values
 from kitrobot.sim.state import State
 from kitrobot.text import Sentence
+
+FULL_SPEED = A_OWN[0]
+"""Column of a drive: full speed in mm/s."""
 
 _STOP, _ADVANCE, _REVERSE = range(3)
 
@@ -44,11 +47,11 @@ class Drive(Actuator):
     )
 
     @classmethod
-    def is_told(cls, k: int, state: State) -> bool:
+    def is_driving(cls, k: int, state: State) -> bool:
         return bool(state.robots.floats[TARGET][state.actuators.ints[A_ROBOT][k]])
 
     @classmethod
-    def look(cls, values: Values) -> Look:
+    def display_kind(cls, values: Values) -> DisplayKind:
         return "wheels"
 
     @classmethod
@@ -70,12 +73,12 @@ class Drive(Actuator):
 
 
 def start(k: int, command: Command, deviate: float, state: State) -> None:
-    """Begins to do what a command says. P is full speed; `deviate` is a normal deviate."""
+    """Begins to do what a command says; `deviate` is a normal deviate."""
     procedure = command.procedure
     actuator_floats = state.actuators.floats
     speed = 0.0
     if procedure != _STOP:
-        speed = command.first / 100 * actuator_floats[A_P][k]
+        speed = command.first / 100 * actuator_floats[FULL_SPEED][k]
         factor = 1.0 + deviate * actuator_floats[A_NOISE][k]
         if factor < 0.0:
             factor = 0.0

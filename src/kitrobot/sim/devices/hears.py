@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
-from kitrobot.sim.columns import S_LEAST, S_MOST, S_P, S_ROBOT, S_VALUE
+from kitrobot.sim.columns import S_LEAST, S_MOST, S_OWN, S_ROBOT, S_VALUE
 from kitrobot.sim.devices.base import LATENCY, LOST_READINGS, WRONG, Sensor, Setting
 from kitrobot.sim.radio import has_radio, is_in_reach, is_on
 from kitrobot.sim.state import State
 from kitrobot.text import Sentence
+
+OTHER = S_OWN[0]
+"""Column: the number of the other robot."""
 
 
 class Hears(Sensor):
@@ -30,9 +33,9 @@ class Hears(Sensor):
 
 
 def sense(first: int, last: int, step: int, state: State) -> None:
-    """Measures with the devices `first` … `last` - 1; P is the number of the other robot."""
+    """Measures with the devices `first` … `last` - 1."""
     sensor = state.sensors.ints
-    others = state.sensors.floats[S_P]
+    others = state.sensors.floats[OTHER]
     for k in range(first, last):
         i = sensor[S_ROBOT][k]
         j = int(others[k])

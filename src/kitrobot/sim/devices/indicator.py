@@ -5,13 +5,16 @@ from __future__ import annotations
 import math
 
 from kitrobot.primitives import Method, RobotObject
-from kitrobot.sim.columns import A_DONE, A_NOISE, A_P, A_Q, A_R, A_ROBOT, A_S, A_WAY, DOWN, FAILED
-from kitrobot.sim.devices.base import LATENCY, LOST_COMMANDS, Actuator, Command, Look, Setting, Values
+from kitrobot.sim.columns import A_ACTION, A_DONE, A_NOISE, A_OWN, A_ROBOT, DOWN, FAILED
+from kitrobot.sim.devices.base import LATENCY, LOST_COMMANDS, Actuator, Command, DisplayKind, Setting, Values
 from kitrobot.sim.state import State
 from kitrobot.text import Sentence
 
+VALUE, TARGET_VALUE, DURATION_S, REMAINING_S = A_OWN
+"""Columns of an indicator: its value, the value it goes to, how long that takes, and how much of this is left, in s."""
+
 _LAMP, _BAR, _SOUND, _NUMBER = range(4)
-_SHOWS: tuple[Look, ...] = ("lamp", "bar", "sound", "number")
+_SHOWS: tuple[DisplayKind, ...] = ("lamp", "bar", "sound", "number")
 _LATER = 4
 _WORTH = 8
 
@@ -34,7 +37,7 @@ class Indicator(Actuator):
     )
 
     @classmethod
-    def look(cls, values: Values) -> Look:
+    def display_kind(cls, values: Values) -> DisplayKind:
         return _SHOWS[_SHOWS.index(values.word("shows"))]
 
     @classmethod
@@ -51,7 +54,7 @@ class Indicator(Actuator):
 
 
 def start(k: int, command: Command, deviate: float, state: State) -> None:
-    """Begins to do what a command says. P is the value, Q where it goes, R the time in s, S the time that is left."""
+    """Begins to do what a command says."""
     actuator = state.actuators.ints
     floats = state.actuators.floats
     output = state.actuators.outputs[k]
@@ -60,17 +63,17 @@ def start(k: int, command: Command, deviate: float, state: State) -> None:
     shows = code % _LATER
     later = code % _WORTH >= _LATER
     factor = max(1.0 + deviate * floats[A_NOISE][k], 0.1)
-    left = floats[A_R][k] * factor
-    floats[A_Q][k] = float(value)
-    floats[A_S][k] = left
-    actuator[A_WAY][k] = code % _WORTH
+    left = floats[DURATION_S][k] * factor
+    floats[TARGET_VALUE][k] = float(value)
+    floats[REMAINING_S][k] = left
+    actuator[A_ACTION][k] = code % _WORTH
     if left > 0.0 and (later or shows == _BAR):
         actuator[A_DONE][k] = 0
         if shows != _BAR:
             output[0] = value
     else:
         actuator[A_DONE][k] = 1
-        floats[A_P][k] = float(value)
+        floats[VALUE][k] = float(value)
         output[0] = value
 
 
@@ -79,11 +82,11 @@ def advance(first: int, last: int, dt: float, state: State) -> None:
     actuator = state.actuators.ints
     outputs = state.actuators.outputs
     down = state.robots.ints[DOWN]
-    places = state.actuators.floats[A_P]
-    targets = state.actuators.floats[A_Q]
-    lefts = state.actuators.floats[A_S]
+    places = state.actuators.floats[VALUE]
+    targets = state.actuators.floats[TARGET_VALUE]
+    lefts = state.actuators.floats[REMAINING_S]
     for k in range(first, last):
-        shows = actuator[A_WAY][k] % _LATER
+        shows = actuator[A_ACTION][k] % _LATER
         if down[actuator[A_ROBOT][k]] == FAILED:
             if shows == _SOUND:
                 outputs[k][0] = 0

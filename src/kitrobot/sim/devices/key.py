@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from kitrobot.sim.devices.base import LATENCY, LOST_READINGS, WRONG, Hand, Sensor, Values
+from kitrobot.sim.devices.base import LATENCY, LOST_READINGS, WRONG, ManualControl, Sensor, Values
 
 
 class Key(Sensor):
@@ -13,5 +13,5 @@ class Key(Sensor):
     settings = (LATENCY, LOST_READINGS, WRONG)
 
     @classmethod
-    def hand(cls, values: Values) -> Hand:
+    def manual_control(cls, values: Values) -> ManualControl:
         return "button"

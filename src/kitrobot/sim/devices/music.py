@@ -4,9 +4,12 @@ from __future__ import annotations
 
 import math
 
-from kitrobot.sim.columns import A_DONE, A_Q, A_ROBOT, DOWN, FAILED
-from kitrobot.sim.devices.base import LATENCY, LOST_COMMANDS, Actuator, Command, Look, Values
+from kitrobot.sim.columns import A_DONE, A_OWN, A_ROBOT, DOWN, FAILED
+from kitrobot.sim.devices.base import LATENCY, LOST_COMMANDS, Actuator, Command, DisplayKind, Values
 from kitrobot.sim.state import State
+
+REMAINING_S = A_OWN[1]
+"""Column of a buzzer: how many seconds it still sounds."""
 
 _STOP, _TONE, _PLAY = range(3)
 
@@ -25,12 +28,12 @@ class Music(Actuator):
     settings = (LATENCY, LOST_COMMANDS)
 
     @classmethod
-    def look(cls, values: Values) -> Look:
+    def display_kind(cls, values: Values) -> DisplayKind:
         return "melody"
 
 
 def start(k: int, command: Command, deviate: float, state: State) -> None:
-    """Begins to do what a command says. Q is how long it still sounds; the outputs are the frequency, 0 when it is
+    """Begins to do what a command says. The outputs are the frequency, 0 when it is
     silent or plays a melody, and the number of the melody and one, or 0.
     """
     output = state.actuators.outputs[k]
@@ -44,7 +47,7 @@ def start(k: int, command: Command, deviate: float, state: State) -> None:
         melody = min(max(command.first, 0), len(MELODIES_MS) - 1)
         output[1] = melody + 1
         left = MELODIES_MS[melody] / 1000.0
-    state.actuators.floats[A_Q][k] = left
+    state.actuators.floats[REMAINING_S][k] = left
     state.actuators.ints[A_DONE][k] = 0 if 0.0 < left < math.inf else 1
     if left <= 0.0:
         output[0] = 0
@@ -56,7 +59,7 @@ def advance(first: int, last: int, dt: float, state: State) -> None:
     outputs = state.actuators.outputs
     down = state.robots.ints[DOWN]
     done = actuator[A_DONE]
-    lefts = state.actuators.floats[A_Q]
+    lefts = state.actuators.floats[REMAINING_S]
     for k in range(first, last):
         failed = down[actuator[A_ROBOT][k]] == FAILED
         if failed:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from kitrobot.sim.columns import A_DONE
-from kitrobot.sim.devices.base import LATENCY, LOST_COMMANDS, Actuator, Command, Look, Setting, Values
+from kitrobot.sim.devices.base import LATENCY, LOST_COMMANDS, Actuator, Command, DisplayKind, Setting, Values
 from kitrobot.sim.state import State
 from kitrobot.text import Sentence
 from kitrobot.trace import MOST_PEN_COLOUR, MOST_PEN_WIDTH_MM
@@ -33,7 +33,7 @@ class Pen(Actuator):
     )
 
     @classmethod
-    def look(cls, values: Values) -> Look:
+    def display_kind(cls, values: Values) -> DisplayKind:
         return "pen"
 
     @classmethod

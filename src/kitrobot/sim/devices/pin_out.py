@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from kitrobot.sim.devices.base import LATENCY, LOST_COMMANDS, Actuator, Command, Discrete, Look, Values
+from kitrobot.sim.devices.base import LATENCY, LOST_COMMANDS, Actuator, Command, Discrete, DisplayKind, Values
 from kitrobot.sim.state import State
 
 
@@ -17,7 +17,7 @@ class PinOut(Actuator):
     settings = (LATENCY, LOST_COMMANDS)
 
     @classmethod
-    def look(cls, values: Values) -> Look:
+    def display_kind(cls, values: Values) -> DisplayKind:
         return "pin"
 
 

@@ -6,11 +6,14 @@ import math
 from collections.abc import Sequence
 
 from kitrobot.primitives import RobotObject
-from kitrobot.sim.columns import ENDED, PERIOD, S_FIRST, S_LEAST, S_MOST, S_P, S_Q, S_ROBOT, S_VALUE, X, Y
+from kitrobot.sim.columns import ENDED, PERIOD, S_FIRST, S_LEAST, S_MOST, S_OWN, S_ROBOT, S_VALUE, X, Y
 from kitrobot.sim.devices.base import LATENCY, LOST_READINGS, SPREAD, Sensor, Setting, Values
 from kitrobot.sim.state import State
 from kitrobot.text import Sentence
 from kitrobot.world import World
+
+REACH, IS_BOOLEAN = S_OWN[:2]
+"""Columns of a place sensor: how far it reaches in mm, and 1 for a boolean one."""
 
 
 class PlaceSensor(Sensor):
@@ -43,14 +46,15 @@ class PlaceSensor(Sensor):
 
 
 def sense(first: int, last: int, step: int, state: State) -> None:
-    """Measures with the devices `first` … `last` - 1, from the middle of the robot. P is the reach, Q 1 for a boolean;
-    the table is the rectangle of the place: its left, lower, right and upper edge.
+    """Measures with the devices `first` … `last` - 1, from the middle of the robot.
+
+    The table is the rectangle of the place: its left, lower, right and upper edge.
     """
     sensor = state.sensors.ints
     robots = sensor[S_ROBOT]
     values = sensor[S_VALUE]
-    reaches = state.sensors.floats[S_P]
-    within = state.sensors.floats[S_Q]
+    reaches = state.sensors.floats[REACH]
+    within = state.sensors.floats[IS_BOOLEAN]
     numbers = state.sensors.numbers
     xs = state.robots.floats[X]
     ys = state.robots.floats[Y]

@@ -3,11 +3,14 @@
 from __future__ import annotations
 
 from kitrobot.primitives import RobotObject
-from kitrobot.sim.columns import LOAD, S_DOCK, S_P, S_VALUE
+from kitrobot.sim.columns import LOAD, S_DOCK, S_OWN, S_VALUE
 from kitrobot.sim.devices.base import LATENCY, LOST_READINGS, WRONG, Discrete, Sensor, Setting, Values
 from kitrobot.sim.docks import carrier_in
 from kitrobot.sim.state import State
 from kitrobot.text import Sentence
+
+WANTED_LOAD = S_OWN[0]
+"""Column of a presence sensor: the load that it waits for, 0, 1, or 2 for any."""
 
 ANY, EMPTY, LOADED = "any", "empty", "loaded"
 
@@ -31,11 +34,11 @@ class Presence(Sensor):
 
 
 def sense(first: int, last: int, step: int, state: State) -> None:
-    """Measures with the devices `first` … `last` - 1. P is the load it wants: 0, 1, or 2 for any."""
+    """Measures with the devices `first` … `last` - 1."""
     sensor = state.sensors.ints
     values = sensor[S_VALUE]
     in_docks = sensor[S_DOCK]
-    wanted = state.sensors.floats[S_P]
+    wanted = state.sensors.floats[WANTED_LOAD]
     load = state.robots.ints[LOAD]
     for k in range(first, last):
         carrier = carrier_in(in_docks[k], state.robots, state.roads, state.docks)

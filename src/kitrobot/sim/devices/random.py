@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from kitrobot.sim.chance import drawn
 from kitrobot.sim.columns import ENDED, PERIOD, S_KEY_A, S_KEY_B, S_LEAST, S_MOST, S_ROBOT, S_VALUE
 from kitrobot.sim.devices.base import LATENCY, LOST_READINGS, Sensor
+from kitrobot.sim.random_numbers import drawn
 from kitrobot.sim.state import State
 
 

@@ -13,9 +13,7 @@ from kitrobot.sim.columns import (
     RADIUS,
     S_LEAST,
     S_MOST,
-    S_P,
-    S_Q,
-    S_R,
+    S_OWN,
     S_ROBOT,
     S_VALUE,
     UX,
@@ -24,10 +22,13 @@ from kitrobot.sim.columns import (
     Y,
 )
 from kitrobot.sim.devices.base import LATENCY, LOST_READINGS, SPREAD, Sensor, Setting, Values
+from kitrobot.sim.pushable import ray_to_pushables
 from kitrobot.sim.sight import ray_to_discs, ray_to_walls
 from kitrobot.sim.state import State
-from kitrobot.sim.things import ray_to_things
 from kitrobot.text import Sentence
+
+REACH, COSINE, SINE = S_OWN
+"""Columns of a range sensor: how far it reaches in mm, and cosine and sine of its direction as seen from the robot."""
 
 
 class Range(Sensor):
@@ -60,7 +61,7 @@ class Range(Sensor):
 
 
 def sense(first: int, last: int, step: int, state: State) -> None:
-    """Measures with the devices `first` … `last` - 1. P is the reach, (Q, R) where it looks as seen from the robot."""
+    """Measures with the devices `first` … `last` - 1."""
     sensor = state.sensors.ints
     sensor_floats = state.sensors.floats
     floats = state.robots.floats
@@ -69,9 +70,9 @@ def sense(first: int, last: int, step: int, state: State) -> None:
     values = sensor[S_VALUE]
     leasts = sensor[S_LEAST]
     mosts = sensor[S_MOST]
-    reaches = sensor_floats[S_P]
-    cosines = sensor_floats[S_Q]
-    sines = sensor_floats[S_R]
+    reaches = sensor_floats[REACH]
+    cosines = sensor_floats[COSINE]
+    sines = sensor_floats[SINE]
     xs = floats[X]
     ys = floats[Y]
     radii = floats[RADIUS]
@@ -86,8 +87,8 @@ def sense(first: int, last: int, step: int, state: State) -> None:
         most = ray_to_walls(xs[i], ys[i], ux, uy, reaches[k] + radii[i], state.walls, state.rays)
         if len(state.grid.items) > 0:
             most = ray_to_discs(i, ux, uy, most, state.robots, state.grid, state.rays)
-        if len(state.things.floats[0]) > 0:
-            most = ray_to_things(xs[i], ys[i], ux, uy, most, state.things)
+        if len(state.pushables.floats[0]) > 0:
+            most = ray_to_pushables(xs[i], ys[i], ux, uy, most, state.pushables)
         most -= radii[i]
         if most < 0.0:
             most = 0.0

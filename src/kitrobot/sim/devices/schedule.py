@@ -7,11 +7,14 @@ from collections.abc import Sequence
 from itertools import pairwise
 
 from kitrobot.primitives import RobotObject
-from kitrobot.sim.columns import DT, ENDED, PERIOD, S_END, S_FIRST, S_P, S_Q, S_ROBOT, S_VALUE
+from kitrobot.sim.columns import DT, ENDED, PERIOD, S_END, S_FIRST, S_OWN, S_ROBOT, S_VALUE
 from kitrobot.sim.devices.base import LATENCY, LOST_READINGS, SPREAD, Sensor, Setting, Values
 from kitrobot.sim.state import State
 from kitrobot.text import Sentence
 from kitrobot.world import World
+
+IS_LINE, PERIOD_S = S_OWN[:2]
+"""Columns of a schedule: 1 for a line between its points, and its period in s, 0 for none."""
 
 _MOST_MOMENTS = 1000
 _MOST_VALUE = 1e9
@@ -64,14 +67,14 @@ class Schedule(Sensor):
 
 
 def sense(first: int, last: int, step: int, state: State) -> None:
-    """Measures with the devices `first` … `last` - 1. P is 1 for a line, Q the period in s or 0; the table holds time
+    """Measures with the devices `first` … `last` - 1. The table holds time
     and number in turn.
     """
     sensor = state.sensors.ints
     robots = sensor[S_ROBOT]
     values = sensor[S_VALUE]
-    lines = state.sensors.floats[S_P]
-    periods = state.sensors.floats[S_Q]
+    lines = state.sensors.floats[IS_LINE]
+    periods = state.sensors.floats[PERIOD_S]
     numbers = state.sensors.numbers
     ended = state.robots.ints[ENDED]
     period = state.robots.ints[PERIOD]

@@ -3,10 +3,13 @@
 from __future__ import annotations
 
 from kitrobot.primitives import RobotObject
-from kitrobot.sim.columns import AT, CLOSED, CUT_FIRST, CUT_LAST, ROAD, S_CUT, S_P, S_ROBOT, S_VALUE
+from kitrobot.sim.columns import AT, CLOSED, CUT_FIRST, CUT_LAST, ROAD, S_OWN, S_ROBOT, S_SECTION, S_VALUE
 from kitrobot.sim.devices.base import LATENCY, LOST_READINGS, SPREAD, Discrete, Sensor, Setting, Values
 from kitrobot.sim.state import State
 from kitrobot.text import Sentence
+
+AHEAD = S_OWN[0]
+"""Column of a sign reader: how far ahead it looks in mm."""
 
 
 class Sign(Sensor):
@@ -28,7 +31,7 @@ class Sign(Sensor):
 
 
 def sense(first: int, last: int, step: int, state: State) -> None:
-    """Measures with the devices `first` … `last` - 1. P is how far ahead it looks."""
+    """Measures with the devices `first` … `last` - 1."""
     sensor = state.sensors.ints
     floats = state.robots.floats
     ints = state.robots.ints
@@ -38,8 +41,8 @@ def sense(first: int, last: int, step: int, state: State) -> None:
     cut_sign = state.roads.cut_sign
     robots = sensor[S_ROBOT]
     values = sensor[S_VALUE]
-    cuts = sensor[S_CUT]
-    aheads = state.sensors.floats[S_P]
+    cuts = sensor[S_SECTION]
+    aheads = state.sensors.floats[AHEAD]
     for k in range(first, last):
         i = robots[k]
         road = ints[ROAD][i]

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from kitrobot.sim.devices.base import LATENCY, LOST_READINGS, SPREAD, Hand, Sensor, Setting, Values
+from kitrobot.sim.devices.base import LATENCY, LOST_READINGS, SPREAD, ManualControl, Sensor, Setting, Values
 from kitrobot.text import Sentence
 
 
@@ -19,7 +19,7 @@ class Slider(Sensor):
     )
 
     @classmethod
-    def hand(cls, values: Values) -> Hand:
+    def manual_control(cls, values: Values) -> ManualControl:
         return "slider"
 
     @classmethod

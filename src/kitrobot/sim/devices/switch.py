@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from kitrobot.sim.columns import A_WAY
+from kitrobot.sim.columns import A_ACTION
 from kitrobot.sim.devices.base import LATENCY, LOST_COMMANDS, Actuator, Command, Discrete
 from kitrobot.sim.state import State
 
@@ -17,5 +17,5 @@ class Switch(Actuator):
 
 
 def start(k: int, command: Command, deviate: float, state: State) -> None:
-    """Does what a command says; A_WAY is 1 while it is on."""
-    state.actuators.ints[A_WAY][k] = command.procedure
+    """Does what a command says; A_ACTION is 1 while it is on."""
+    state.actuators.ints[A_ACTION][k] = command.procedure

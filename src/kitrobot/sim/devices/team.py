@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from kitrobot.sim.columns import A_DONE, A_ROBOT
 from kitrobot.sim.devices.base import LATENCY, LOST_COMMANDS, Actuator, Command, Discrete
-from kitrobot.sim.meetings import come
+from kitrobot.sim.meetings import arrive
 from kitrobot.sim.state import State
 from kitrobot.sim.team_columns import T_ACTUATOR, T_ROLE
 
@@ -29,7 +29,7 @@ def start(k: int, command: Command, deviate: float, state: State) -> None:
         return
     state.actuators.ints[A_DONE][k] = 0
     if command.procedure != JOIN:
-        come(i, command.first, command.second, state)
+        arrive(i, command.first, command.second, state)
     elif robots[T_ROLE][i] >= 0:
         state.actuators.ints[A_DONE][k] = 1
 

@@ -5,10 +5,13 @@ from __future__ import annotations
 import math
 
 from kitrobot.primitives import RobotObject
-from kitrobot.sim.columns import A_DONE, A_NOISE, A_P, A_Q, A_R, A_ROBOT, DOWN, FAILED, TURN
+from kitrobot.sim.columns import A_DONE, A_NOISE, A_OWN, A_ROBOT, DOWN, FAILED, TURN
 from kitrobot.sim.devices.base import LATENCY, LOST_COMMANDS, Actuator, Command, Discrete, Setting, Values
 from kitrobot.sim.state import State
 from kitrobot.text import Sentence
+
+FULL_RATE, RATE, ANGLE_LEFT = A_OWN[:3]
+"""Columns of a turning motor, in rad/s and rad: the full rate, the rate now, the angle that is left."""
 
 _STOP, _TURN, _ABSOLUTE = range(3)
 
@@ -31,8 +34,8 @@ class Turn(Actuator):
     )
 
     @classmethod
-    def is_told(cls, k: int, state: State) -> bool:
-        return bool(state.actuators.floats[A_Q][k])
+    def is_driving(cls, k: int, state: State) -> bool:
+        return bool(state.actuators.floats[RATE][k])
 
     @classmethod
     def initial_floats(cls, part: RobotObject, values: Values) -> tuple[float, ...]:
@@ -40,7 +43,7 @@ class Turn(Actuator):
 
 
 def start(k: int, command: Command, deviate: float, state: State) -> None:
-    """Begins to do what a command says. P is the full rate, Q the rate now, R the angle that is left."""
+    """Begins to do what a command says."""
     procedure = command.procedure
     actuator = state.actuators.ints
     actuator_floats = state.actuators.floats
@@ -49,15 +52,15 @@ def start(k: int, command: Command, deviate: float, state: State) -> None:
         factor = 0.0
     rate = 0.0
     if command.arguments > 0 and procedure != _STOP:
-        rate = command.last / 100 * actuator_floats[A_P][k]
+        rate = command.last / 100 * actuator_floats[FULL_RATE][k]
     if procedure == _ABSOLUTE:
-        actuator_floats[A_R][k] = command.first / 100 * (2.0 * math.pi) * factor
+        actuator_floats[ANGLE_LEFT][k] = command.first / 100 * (2.0 * math.pi) * factor
         actuator[A_DONE][k] = 0
     else:
         rate *= factor
-        actuator_floats[A_R][k] = math.inf
+        actuator_floats[ANGLE_LEFT][k] = math.inf
         actuator[A_DONE][k] = 1
-    actuator_floats[A_Q][k] = rate
+    actuator_floats[RATE][k] = rate
 
 
 def advance(first: int, last: int, dt: float, state: State) -> None:
@@ -68,8 +71,8 @@ def advance(first: int, last: int, dt: float, state: State) -> None:
     down = state.robots.ints[DOWN]
     robots = actuator[A_ROBOT]
     done = actuator[A_DONE]
-    rates = actuator_floats[A_Q]
-    lefts = actuator_floats[A_R]
+    rates = actuator_floats[RATE]
+    lefts = actuator_floats[ANGLE_LEFT]
     for k in range(first, last):
         rate = rates[k]
         if (done[k] and rate == 0.0) or down[robots[k]] == FAILED:
@@ -90,4 +93,4 @@ def advance(first: int, last: int, dt: float, state: State) -> None:
 
 def is_busy(k: int, state: State) -> bool:
     """Whether it turns. A turn at speed 0 is never done, and nothing comes of it."""
-    return state.actuators.floats[A_Q][k] != 0.0
+    return state.actuators.floats[RATE][k] != 0.0

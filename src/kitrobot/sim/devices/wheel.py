@@ -10,11 +10,8 @@ from __future__ import annotations
 from kitrobot.primitives import RobotObject
 from kitrobot.sim.columns import (
     A_NOISE,
-    A_P,
-    A_Q,
-    A_R,
+    A_OWN,
     A_ROBOT,
-    A_S,
     ACCELERATION,
     BRAKING,
     DOWN,
@@ -28,9 +25,13 @@ from kitrobot.sim.columns import (
     TARGET,
     TURN,
 )
-from kitrobot.sim.devices.base import LATENCY, LOST_COMMANDS, Actuator, Command, Discrete, Look, Setting, Values
+from kitrobot.sim.devices.base import LATENCY, LOST_COMMANDS, Actuator, Command, Discrete, DisplayKind, Setting, Values
 from kitrobot.sim.state import State
 from kitrobot.text import Sentence
+
+FULL_SPEED, WHEEL_SPEED, WHEEL_TARGET, TRACK = A_OWN
+"""Columns of a wheel, in mm/s and mm: full speed, the speed now, the commanded speed, and the track between the wheels,
+negative for a left wheel."""
 
 _STOP, _FORWARD, _BACKWARD = range(3)
 
@@ -57,11 +58,11 @@ class Wheel(Actuator):
     )
 
     @classmethod
-    def is_told(cls, k: int, state: State) -> bool:
-        return bool(state.actuators.floats[A_R][k])
+    def is_driving(cls, k: int, state: State) -> bool:
+        return bool(state.actuators.floats[WHEEL_TARGET][k])
 
     @classmethod
-    def look(cls, values: Values) -> Look:
+    def display_kind(cls, values: Values) -> DisplayKind:
         return "wheels"
 
     @classmethod
@@ -80,23 +81,23 @@ class Wheel(Actuator):
 
 
 def start(k: int, command: Command, deviate: float, state: State) -> None:
-    """Begins to do what a command says. P is full speed, Q the speed now, R the one it is told."""
+    """Begins to do what a command says."""
     procedure = command.procedure
     actuator_floats = state.actuators.floats
     speed = 0.0
     if procedure != _STOP:
-        speed = command.first / 100 * actuator_floats[A_P][k]
+        speed = command.first / 100 * actuator_floats[FULL_SPEED][k]
         factor = 1.0 + deviate * actuator_floats[A_NOISE][k]
         if factor < 0.0:
             factor = 0.0
         speed *= factor
-    actuator_floats[A_R][k] = -speed if procedure == _BACKWARD else speed
+    actuator_floats[WHEEL_TARGET][k] = -speed if procedure == _BACKWARD else speed
 
 
 def advance(first: int, last: int, dt: float, state: State) -> None:
     """Goes on for a step with the devices `first` … `last` - 1; those of one robot stand side by side.
 
-    S is the track, negative for a left wheel. The wheels of a robot that failed brake. The robot is told the mean speed
+    The wheels of a robot that failed brake. The robot is told the mean speed
     of the step, which it has at once: its wheels have done the accelerating.
     """
     actuator = state.actuators.ints
@@ -104,9 +105,9 @@ def advance(first: int, last: int, dt: float, state: State) -> None:
     floats = state.robots.floats
     down = state.robots.ints[DOWN]
     robots = actuator[A_ROBOT]
-    speeds = actuator_floats[A_Q]
-    targets = actuator_floats[A_R]
-    tracks = actuator_floats[A_S]
+    speeds = actuator_floats[WHEEL_SPEED]
+    targets = actuator_floats[WHEEL_TARGET]
+    tracks = actuator_floats[TRACK]
     turn = floats[TURN]
     before = -1
     for k in range(first, last):
@@ -141,4 +142,4 @@ def advance(first: int, last: int, dt: float, state: State) -> None:
 
 def is_busy(k: int, state: State) -> bool:
     """Whether it rolls, or is to."""
-    return state.actuators.floats[A_Q][k] != 0.0 or state.actuators.floats[A_R][k] != 0.0
+    return state.actuators.floats[WHEEL_SPEED][k] != 0.0 or state.actuators.floats[WHEEL_TARGET][k] != 0.0

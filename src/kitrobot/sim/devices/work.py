@@ -1,14 +1,17 @@
-"""Takes units of a work of the team, and says that they are done (see sim.work)."""
+"""Takes units of a work of the team, and says that they are done (see sim.team_work)."""
 
 from __future__ import annotations
 
 from kitrobot.primitives import RobotObject
-from kitrobot.sim.columns import A_DONE, A_P, A_ROBOT
+from kitrobot.sim.columns import A_DONE, A_OWN, A_ROBOT
 from kitrobot.sim.devices.base import LATENCY, LOST_COMMANDS, Actuator, Command, Discrete, Setting, Values
 from kitrobot.sim.state import State
 from kitrobot.sim.team_columns import T_ACTUATOR
-from kitrobot.sim.work import finish_unit, take_unit
+from kitrobot.sim.team_work import finish_unit, take_unit
 from kitrobot.text import Sentence
+
+WORK = A_OWN[0]
+"""Column: the number of the work."""
 
 TAKE = 0
 
@@ -30,9 +33,9 @@ class WorkLink(Actuator):
 
 
 def start(k: int, command: Command, deviate: float, state: State) -> None:
-    """Takes a unit of work P, or says that it is done."""
+    """Takes a unit of the work, or reports that it is done."""
     i = state.actuators.ints[A_ROBOT][k]
-    w = int(state.actuators.floats[A_P][k])
+    w = int(state.actuators.floats[WORK][k])
     team = state.team
     if w >= len(team.holds) or team.robots[T_ACTUATOR][i] < 0:
         return

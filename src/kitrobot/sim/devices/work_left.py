@@ -3,11 +3,14 @@
 from __future__ import annotations
 
 from kitrobot.primitives import RobotObject
-from kitrobot.sim.columns import S_P, S_VALUE
+from kitrobot.sim.columns import S_OWN, S_VALUE
 from kitrobot.sim.devices.base import LATENCY, LOST_READINGS, Discrete, Sensor, Values
 from kitrobot.sim.devices.work import NUMBER
 from kitrobot.sim.state import State
 from kitrobot.sim.team_columns import W_LEFT
+
+WORK = S_OWN[0]
+"""Column: the number of the work."""
 
 
 class WorkLeft(Sensor):
@@ -23,9 +26,9 @@ class WorkLeft(Sensor):
 
 
 def sense(first: int, last: int, step: int, state: State) -> None:
-    """Measures with the devices `first` … `last` - 1; P is the number of the work."""
+    """Measures with the devices `first` … `last` - 1."""
     sensor = state.sensors.ints
-    works = state.sensors.floats[S_P]
+    works = state.sensors.floats[WORK]
     left = state.team.works[W_LEFT]
     for k in range(first, last):
         w = int(works[k])

@@ -7,11 +7,14 @@ from collections.abc import Sequence
 from typing import ClassVar
 
 from kitrobot.primitives import RobotObject
-from kitrobot.sim.columns import ENDED, PERIOD, S_END, S_FIRST, S_LEAST, S_MOST, S_P, S_Q, S_ROBOT, S_VALUE, X, Y
+from kitrobot.sim.columns import ENDED, PERIOD, S_END, S_FIRST, S_LEAST, S_MOST, S_OWN, S_ROBOT, S_VALUE, X, Y
 from kitrobot.sim.devices.base import LATENCY, LOST_READINGS, SPREAD, Sensor, Setting, Values
 from kitrobot.sim.state import State
 from kitrobot.text import Sentence
 from kitrobot.world import BRIGHT, LOUD, WARM, World
+
+AMBIENT, IS_BOOLEAN = S_OWN[:2]
+"""Columns of a zone sensor: what it measures far from all zones, and 1 for a boolean one."""
 
 _NUMBERS = 7
 """How many numbers a zone has in the table: its middle, half of width and height, radius, value, falloff."""
@@ -65,14 +68,15 @@ class Brightness(_ZoneSensor):
 
 
 def sense(first: int, last: int, step: int, state: State) -> None:
-    """Measures with the devices `first` … `last` - 1, at the middle of the robot. P is what is measured far from all
-    zones, Q 1 for a boolean; the table is the zones of their kind.
+    """Measures with the devices `first` … `last` - 1, at the middle of the robot.
+
+    The table is the zones of their kind.
     """
     sensor = state.sensors.ints
     robots = sensor[S_ROBOT]
     values = sensor[S_VALUE]
-    ambients = state.sensors.floats[S_P]
-    inside = state.sensors.floats[S_Q]
+    ambients = state.sensors.floats[AMBIENT]
+    inside = state.sensors.floats[IS_BOOLEAN]
     numbers = state.sensors.numbers
     xs = state.robots.floats[X]
     ys = state.robots.floats[Y]

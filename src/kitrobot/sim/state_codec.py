@@ -18,7 +18,7 @@ def row_lengths(state: State) -> tuple[list[int], ...]:
     return tuple([len(row) for row in table] for table in tables)
 
 
-class Packing:
+class StateCodec:
     """How a run's state becomes bytes; made while the state is in lists, for the true lengths of the rows."""
 
     def __init__(self, state: State) -> None:
@@ -31,7 +31,7 @@ class Packing:
         robots, machines, actuators, shared = state.robots, state.machines, state.actuators, state.shared
         for row in (*robots.ints, *state.sensors.ints, *actuators.ints, *shared.ints, *shared.apart):
             yield "q", row, len(row)
-        for column in (*robots.floats, *actuators.floats, *state.pens.rows, *state.things.floats[:4]):
+        for column in (*robots.floats, *actuators.floats, *state.pens.rows, *state.pushables.floats[:4]):
             yield "d", column, len(column)
         for ints in (robots.guided, state.sensors.past, actuators.queue, state.docks.stock):
             yield "q", ints, len(ints)
@@ -58,7 +58,7 @@ class Packing:
                     # A program that had ended when the state was kept has none.
                     yield "i", row if len(row) else [0] * length, length
 
-    def pack(self, state: State) -> bytes:
+    def encode(self, state: State) -> bytes:
         """What changes in a run, as bytes."""
         clock = [int(number) for number in state.clock]
         clock[MOVED] = 1
@@ -67,7 +67,7 @@ class Packing:
             out += array(kind, numbers(row[:length])).tobytes()
         return bytes(out)
 
-    def unpack(self, state: State, data: bytes) -> None:
+    def decode(self, state: State, data: bytes) -> None:
         """Puts back what `pack` wrote.
 
         Raises:

@@ -9,7 +9,7 @@ of the team, so then it goes on without.
 
 from __future__ import annotations
 
-from kitrobot.sim.columns import A_DONE, TICK, UNIT_LOST, tell
+from kitrobot.sim.columns import A_DONE, TICK, UNIT_LOST, record_event
 from kitrobot.sim.state import State, Team
 from kitrobot.sim.team_columns import (
     HAS_UNIT,
@@ -60,7 +60,7 @@ def finish_unit(i: int, w: int, state: State) -> None:
         team.works[W_TAKEN][w] -= 1
         team.works[W_LEFT][w] -= 1
     elif team.holds[w][i] == LOST_UNIT:
-        tell(state.events, state.clock, UNIT_LOST, i, w, 0)
+        record_event(state.events, state.clock, UNIT_LOST, i, w, 0)
     team.holds[w][i] = NO_UNIT
 
 
@@ -93,7 +93,7 @@ def lose_unit(i: int, w: int, state: State) -> None:
     """The unit of robot i is free again; where it said that it was done, and nobody heard it, that is told."""
     team = state.team
     if team.holds[w][i] == UNHEARD_UNIT:
-        tell(state.events, state.clock, UNIT_LOST, i, w, 0)
+        record_event(state.events, state.clock, UNIT_LOST, i, w, 0)
     team.works[W_TAKEN][w] -= 1
     team.holds[w][i] = LOST_UNIT
 

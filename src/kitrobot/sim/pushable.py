@@ -1,41 +1,52 @@
-"""Boxes and balls that are pushed: loops over rows of numbers, in the Python that Numba compiles too.
+"""Pushable objects, boxes and balls: loops over rows of numbers, in the Python that Numba compiles too.
 
-In each step what moves slows down by its friction and goes on; then what overlaps is parted a few times, robots and
-things, things and things, things and walls, each giving way in proportion to how light it is; and how far a thing came
-is its speed. Only what moves, or is touched by what moves, is looked at. Boxes keep their direction, walls and robots
-that stand give way to nothing, and nothing bounces. So no thing goes faster in a step than half its own size, and none
-gets through a wall.
+In each step a moving object slows down by its friction and moves on. Then overlaps are resolved in a few rounds,
+between robots and objects, objects and objects, objects and walls: each body moves in proportion to its inverse mass.
+The distance that an object has moved gives its new speed. Only what moves, or is touched by what moves, is computed.
+Boxes keep their orientation, walls and standing robots do not move, and nothing bounces. So no object moves further in
+a step than half its own size, and none passes through a wall.
 """
 
 from __future__ import annotations
 
 import math
 
-from kitrobot.sim.columns import DT, MOVED, RADIUS, ROAD, THINGS, WAY, X, Y
+from kitrobot.sim.columns import DT, MOVED, PUSHABLES, RADIUS, ROAD, WAY, X, Y
 from kitrobot.sim.grids import cell_at, fixed
 from kitrobot.sim.motion import is_moving
-from kitrobot.sim.state import Grid, State, Things, Walls
+from kitrobot.sim.state import Grid, Pushables, State, Walls
 from kitrobot.world import World
 
-(T_X, T_Y, T_VX, T_VY, T_WAS_X, T_WAS_Y, T_WIDE, T_HIGH, T_GIVES, T_SLOWS) = range(10)
-"""Rows of a thing's numbers: its middle, speed, place before the step, half its width and height, 1 / mass, and how
-much slower it gets in a step, in mm/s."""
-T_BALL, T_AWAKE, T_CELL = range(3)
+(
+    PUSH_X,
+    PUSH_Y,
+    PUSH_VX,
+    PUSH_VY,
+    PUSH_OLD_X,
+    PUSH_OLD_Y,
+    PUSH_HALF_WIDTH,
+    PUSH_HALF_HEIGHT,
+    PUSH_INVERSE_MASS,
+    PUSH_DECELERATION,
+) = range(10)
+"""Rows of an object's numbers: its middle, speed, position before the step, half its width and height, 1 / mass, and by
+how much friction slows it in a step, in mm/s."""
+PUSH_IS_BALL, PUSH_AWAKE, PUSH_CELL = range(3)
 
 GRAVITY = 9810.0
 """mm/s²."""
 
-ROBOT_GIVES = 0.001
+ROBOT_INVERSE_MASS = 0.001
 """1 / mass of a robot: 1 kg."""
 
 ROUNDS = 4
-"""So often in a step what overlaps is parted."""
+"""How many rounds of a step resolve overlaps."""
 
 REST_MM = 1e-3
-"""Less than this is no overlap."""
+"""Smaller overlaps are ignored, in mm."""
 
 
-def thing_tables(world: World, dt: float) -> Things:
+def pushable_tables(world: World, dt: float) -> Pushables:
     """The boxes and then the balls of a world."""
     boxes = [
         (one.x_mm, one.y_mm, one.width_mm / 2, one.height_mm / 2, one.mass_g, one.friction, 0) for one in world.boxes
@@ -50,15 +61,15 @@ def thing_tables(world: World, dt: float) -> Things:
         for counts, whole in zip(ints, (is_ball, 0, 0), strict=True):
             counts.append(whole)
     count = len(ints[0])
-    widest = max((*floats[T_WIDE], *floats[T_HIGH]), default=0.0)
+    widest = max((*floats[PUSH_HALF_WIDTH], *floats[PUSH_HALF_HEIGHT]), default=0.0)
     size = max(2 * widest, math.sqrt(world.width_mm * world.height_mm / max(count, 1)), 1.0)
     shape = [int(world.width_mm / size) + 1, int(world.height_mm / size) + 1] if count else [1, 1]
     grid = Grid([0.0, 0.0, size], shape, [0] * (shape[0] * shape[1] + 1), [0] * count)
-    return Things(floats, ints, grid, [widest])
+    return Pushables(floats, ints, grid, [widest])
 
 
-def thing_walls(walls: Walls, world: World) -> Walls:
-    """The walls with a grid whose cells hold all that a thing with its middle in them can touch."""
+def pushable_walls(walls: Walls, world: World) -> Walls:
+    """The walls with a grid whose cells hold everything that an object with its middle in them can touch."""
     sizes = [math.hypot(one.width_mm, one.height_mm) / 2 for one in world.boxes]
     sizes += [one.radius_mm for one in world.balls]
     return Walls(walls.floats, fixed(walls.floats, max(sizes))) if sizes else walls
@@ -74,13 +85,13 @@ def row_of(y: float, grid: Grid) -> int:
     return min(max(int(y / grid.frame[2]), 0), grid.shape[1] - 1)
 
 
-def sort_into_cells(things: Things) -> None:
-    """Puts the middle of each thing into its cell."""
-    grid = things.grid
+def sort_into_cells(pushables: Pushables) -> None:
+    """Sorts the objects into the cells of the grid, by their middles."""
+    grid = pushables.grid
     starts = grid.starts
-    cells = things.ints[T_CELL]
-    xs = things.floats[T_X]
-    ys = things.floats[T_Y]
+    cells = pushables.ints[PUSH_CELL]
+    xs = pushables.floats[PUSH_X]
+    ys = pushables.floats[PUSH_Y]
     count = len(xs)
     for c in range(len(starts)):
         starts[c] = 0
@@ -97,16 +108,16 @@ def sort_into_cells(things: Things) -> None:
         grid.items[starts[cells[i]]] = i
 
 
-def begin_things(state: State) -> None:
-    """What moves slows down and goes on."""
-    things = state.things
-    floats = things.floats
-    xs = floats[T_X]
-    ys = floats[T_Y]
-    vx = floats[T_VX]
-    vy = floats[T_VY]
-    slows = floats[T_SLOWS]
-    awake = things.ints[T_AWAKE]
+def slide_pushables(state: State) -> None:
+    """Slows moving objects down by friction and moves them on."""
+    pushables = state.pushables
+    floats = pushables.floats
+    xs = floats[PUSH_X]
+    ys = floats[PUSH_Y]
+    vx = floats[PUSH_VX]
+    vy = floats[PUSH_VY]
+    slows = floats[PUSH_DECELERATION]
+    awake = pushables.ints[PUSH_AWAKE]
     dt = state.fixed_floats[DT]
     for i in range(len(xs)):
         awake[i] = 0
@@ -118,48 +129,48 @@ def begin_things(state: State) -> None:
             vy[i] = 0.0
             continue
         left = (speed - slows[i]) / speed
-        wake(i, 0, things)
+        wake(i, 0, pushables)
         xs[i] += vx[i] * left * dt
         ys[i] += vy[i] * left * dt
 
 
-def part_things(piece: int, state: State) -> int:
-    """Parts what overlaps after the robots went a piece of their ways, a few times; gives how often."""
-    things = state.things
-    awake = things.ints[T_AWAKE]
+def separate_pushables(piece: int, state: State) -> int:
+    """Resolves overlaps after the robots moved by a piece of their ways; returns how many."""
+    pushables = state.pushables
+    awake = pushables.ints[PUSH_AWAKE]
     count = len(awake)
-    sort_into_cells(things)
+    sort_into_cells(pushables)
     pushed = 0
     for _ in range(ROUNDS):
-        found = part_from_robots(piece, state)
+        found = separate_from_robots(piece, state)
         for i in range(count):
             if awake[i] == piece + 1:
-                found += part_from_things(i, piece, things)
+                found += separate_from_pushables(i, piece, pushables)
         for i in range(count):
             if awake[i] == piece + 1:
-                found += part_from_thing_walls(i, things, state.thing_walls)
+                found += separate_from_pushable_walls(i, pushables, state.pushable_walls)
         pushed += found
         if found == 0:
             break
     return pushed
 
 
-def end_things(pushed: int, state: State) -> None:
-    """How far each thing came is its speed. `pushed`: how often things were parted."""
-    floats = state.things.floats
-    xs = floats[T_X]
-    ys = floats[T_Y]
-    vx = floats[T_VX]
-    vy = floats[T_VY]
-    awake = state.things.ints[T_AWAKE]
+def update_pushable_speeds(pushed: int, state: State) -> None:
+    """Sets the speed of each object from the distance it moved. `pushed`: how many overlaps were resolved."""
+    floats = state.pushables.floats
+    xs = floats[PUSH_X]
+    ys = floats[PUSH_Y]
+    vx = floats[PUSH_VX]
+    vy = floats[PUSH_VY]
+    awake = state.pushables.ints[PUSH_AWAKE]
     dt = state.fixed_floats[DT]
     moving = 0
     for i in range(len(xs)):
         if awake[i] == 0:
             continue
-        vx[i] = (xs[i] - floats[T_WAS_X][i]) / dt
-        vy[i] = (ys[i] - floats[T_WAS_Y][i]) / dt
-        most = min(floats[T_WIDE][i], floats[T_HIGH][i]) / dt
+        vx[i] = (xs[i] - floats[PUSH_OLD_X][i]) / dt
+        vy[i] = (ys[i] - floats[PUSH_OLD_Y][i]) / dt
+        most = min(floats[PUSH_HALF_WIDTH][i], floats[PUSH_HALF_HEIGHT][i]) / dt
         speed = math.sqrt(vx[i] * vx[i] + vy[i] * vy[i])
         if speed > most:
             vx[i] *= most / speed
@@ -169,30 +180,30 @@ def end_things(pushed: int, state: State) -> None:
             vy[i] = 0.0
         else:
             moving += 1
-    state.clock[THINGS] = moving
+    state.clock[PUSHABLES] = moving
     if moving > 0 or pushed > 0:
         state.clock[MOVED] = 1
 
 
-def wake(i: int, piece: int, things: Things) -> None:
-    """From now on in this piece of the step the thing is looked at."""
-    if things.ints[T_AWAKE][i] == 0:
-        things.floats[T_WAS_X][i] = things.floats[T_X][i]
-        things.floats[T_WAS_Y][i] = things.floats[T_Y][i]
-    things.ints[T_AWAKE][i] = piece + 1
+def wake(i: int, piece: int, pushables: Pushables) -> None:
+    """Marks an object as moving in this piece of the step."""
+    if pushables.ints[PUSH_AWAKE][i] == 0:
+        pushables.floats[PUSH_OLD_X][i] = pushables.floats[PUSH_X][i]
+        pushables.floats[PUSH_OLD_Y][i] = pushables.floats[PUSH_Y][i]
+    pushables.ints[PUSH_AWAKE][i] = piece + 1
 
 
-def part_from_robots(piece: int, state: State) -> int:
-    """Robots push things out of their discs; one whose wheels turn gives way a little itself. Gives how often."""
-    things = state.things
-    grid = things.grid
+def separate_from_robots(piece: int, state: State) -> int:
+    """Pushes objects out of the discs of robots; a robot whose wheels turn moves a little itself. Returns how many."""
+    pushables = state.pushables
+    grid = pushables.grid
     robots = state.robots
-    xs = things.floats[T_X]
-    ys = things.floats[T_Y]
-    wide = things.floats[T_WIDE]
-    high = things.floats[T_HIGH]
-    ball = things.ints[T_BALL]
-    gives = things.floats[T_GIVES]
+    xs = pushables.floats[PUSH_X]
+    ys = pushables.floats[PUSH_Y]
+    wide = pushables.floats[PUSH_HALF_WIDTH]
+    high = pushables.floats[PUSH_HALF_HEIGHT]
+    ball = pushables.ints[PUSH_IS_BALL]
+    gives = pushables.floats[PUSH_INVERSE_MASS]
     x = robots.floats[X]
     y = robots.floats[Y]
     radius = robots.floats[RADIUS]
@@ -203,7 +214,7 @@ def part_from_robots(piece: int, state: State) -> int:
         r = robots.solid[n]
         if road[r] < -1 or (piece > 0 and not is_moving(r, piece, robots)):
             continue
-        reach = radius[r] + things.numbers[0] + grid.frame[2] * 0.01
+        reach = radius[r] + pushables.numbers[0] + grid.frame[2] * 0.01
         for row in range(row_of(y[r] - reach, grid), row_of(y[r] + reach, grid) + 1):
             for column in range(column_of(x[r] - reach, grid), column_of(x[r] + reach, grid) + 1):
                 c = row * grid.shape[0] + column
@@ -229,8 +240,8 @@ def part_from_robots(piece: int, state: State) -> int:
                         over = near - away
                     mine = 0.0
                     if road[r] < 0 and way[r] != 0.0:
-                        mine = ROBOT_GIVES / (ROBOT_GIVES + gives[i])
-                    wake(i, piece, things)
+                        mine = ROBOT_INVERSE_MASS / (ROBOT_INVERSE_MASS + gives[i])
+                    wake(i, piece, pushables)
                     found += 1
                     xs[i] += dx / away * over * (1.0 - mine)
                     ys[i] += dy / away * over * (1.0 - mine)
@@ -240,7 +251,7 @@ def part_from_robots(piece: int, state: State) -> int:
 
 
 def beyond(away: float, half: float) -> float:
-    """How far it is to the nearer side of a box from a place beside it; 0 within."""
+    """The distance from a point to the nearer side of a box; 0 inside."""
     if away > half:
         return away - half
     if away < -half:
@@ -248,19 +259,19 @@ def beyond(away: float, half: float) -> float:
     return 0.0
 
 
-def part_from_things(i: int, piece: int, things: Things) -> int:
-    """Parts a thing from the others."""
-    grid = things.grid
-    xs = things.floats[T_X]
-    ys = things.floats[T_Y]
-    wide = things.floats[T_WIDE]
-    high = things.floats[T_HIGH]
-    gives = things.floats[T_GIVES]
-    ball = things.ints[T_BALL]
-    awake = things.ints[T_AWAKE]
+def separate_from_pushables(i: int, piece: int, pushables: Pushables) -> int:
+    """Separates an object from the others."""
+    grid = pushables.grid
+    xs = pushables.floats[PUSH_X]
+    ys = pushables.floats[PUSH_Y]
+    wide = pushables.floats[PUSH_HALF_WIDTH]
+    high = pushables.floats[PUSH_HALF_HEIGHT]
+    gives = pushables.floats[PUSH_INVERSE_MASS]
+    ball = pushables.ints[PUSH_IS_BALL]
+    awake = pushables.ints[PUSH_AWAKE]
     slack = grid.frame[2] * 0.01
-    reach_x = wide[i] + things.numbers[0] + slack
-    reach_y = high[i] + things.numbers[0] + slack
+    reach_x = wide[i] + pushables.numbers[0] + slack
+    reach_y = high[i] + pushables.numbers[0] + slack
     found = 0
     for row in range(row_of(ys[i] - reach_y, grid), row_of(ys[i] + reach_y, grid) + 1):
         for column in range(column_of(xs[i] - reach_x, grid), column_of(xs[i] + reach_x, grid) + 1):
@@ -303,7 +314,7 @@ def part_from_things(i: int, piece: int, things: Things) -> int:
                 else:
                     over = over_y
                     ny = 1.0 if dy >= 0.0 else -1.0
-                wake(j, piece, things)
+                wake(j, piece, pushables)
                 found += 1
                 mine = gives[i] / (gives[i] + gives[j])
                 xs[i] -= nx * over * mine
@@ -313,15 +324,15 @@ def part_from_things(i: int, piece: int, things: Things) -> int:
     return found
 
 
-def part_from_thing_walls(i: int, things: Things, walls: Walls) -> int:
-    """Keeps a thing out of walls."""
-    xs = things.floats[T_X]
-    ys = things.floats[T_Y]
-    wide = things.floats[T_WIDE][i]
-    high = things.floats[T_HIGH][i]
-    ball = things.ints[T_BALL][i]
-    was_x = things.floats[T_WAS_X][i]
-    was_y = things.floats[T_WAS_Y][i]
+def separate_from_pushable_walls(i: int, pushables: Pushables, walls: Walls) -> int:
+    """Pushes an object out of walls."""
+    xs = pushables.floats[PUSH_X]
+    ys = pushables.floats[PUSH_Y]
+    wide = pushables.floats[PUSH_HALF_WIDTH][i]
+    high = pushables.floats[PUSH_HALF_HEIGHT][i]
+    ball = pushables.ints[PUSH_IS_BALL][i]
+    was_x = pushables.floats[PUSH_OLD_X][i]
+    was_y = pushables.floats[PUSH_OLD_Y][i]
     c = cell_at(xs[i], ys[i], walls.grid)
     if c < 0 or len(walls.grid.items) == 0:
         return 0
@@ -376,14 +387,14 @@ def part_from_thing_walls(i: int, things: Things, walls: Walls) -> int:
     return found
 
 
-def ray_to_things(x: float, y: float, ux: float, uy: float, reach: float, things: Things) -> float:
-    """How far a ray goes until it meets a thing, `reach` at most; 0 when it begins inside one."""
+def ray_to_pushables(x: float, y: float, ux: float, uy: float, reach: float, pushables: Pushables) -> float:
+    """The distance along a ray to the nearest object, `reach` at most; 0 if it begins inside one."""
     best = reach
-    xs = things.floats[T_X]
-    ys = things.floats[T_Y]
-    wide = things.floats[T_WIDE]
-    high = things.floats[T_HIGH]
-    ball = things.ints[T_BALL]
+    xs = pushables.floats[PUSH_X]
+    ys = pushables.floats[PUSH_Y]
+    wide = pushables.floats[PUSH_HALF_WIDTH]
+    high = pushables.floats[PUSH_HALF_HEIGHT]
+    ball = pushables.ints[PUSH_IS_BALL]
     for i in range(len(xs)):
         ax = xs[i] - x
         ay = ys[i] - y

@@ -19,7 +19,7 @@ from kitrobot.world import rules
 from kitrobot.world.geometry import Corner, distance_to_stretch
 from kitrobot.world.model import Ball, Box, ColouredLine, Dock, Floor, Road, Start, Storehouse, Wall, World, Zone
 from kitrobot.world.parts import PARTS, SIZE, has_shape, in_mm, mm
-from kitrobot.world.writing import write_world
+from kitrobot.world.xml_writer import write_world
 from kitrobot.xml import TEXTS, Element, Reader, Tag, needed, version
 from kitrobot.xml import rules as xml_rules
 
@@ -59,7 +59,7 @@ def _open(element: Element) -> None:
     element.version(VERSION)
 
 
-class _Unknown(str):
+class _UnknownXml(str):
     """XML of a world that we do not know."""
 
     __slots__ = ()
@@ -67,7 +67,7 @@ class _Unknown(str):
 
 def keep_unknown(element: Element, raw: str) -> None:
     """Keeps an element of a world that nobody knows, word for word."""
-    element.values.append((_Unknown(raw), element))
+    element.values.append((_UnknownXml(raw), element))
 
 
 ATTRIBUTES = {"version": version(VERSION), "name": needed(), "width": needed(SIZE), "height": needed(SIZE)}
@@ -100,7 +100,7 @@ def read_world(data: bytes, name: str) -> tuple[World | None, list[Diagnostic]]:
     if frame is None:
         return None, reader.diagnostics
     frame = replace(frame, prolog=tuple(reader.prolog), unknown=(*frame.unknown, *reader.epilog))
-    world = _Whole(root, frame).world()
+    world = _WorldBuilder(root, frame).world()
     return world, with_things(root, reader.diagnostics)
 
 
@@ -110,7 +110,7 @@ def _frame(root: Element) -> World | None:
     world_name, width, height = root.required("name"), in_mm(root, "width"), in_mm(root, "height")
     if len(root.reader.diagnostics) > found_before:
         return None
-    texts, unknown = root.texts, tuple(str(raw) for raw in root.found(_Unknown))
+    texts, unknown = root.texts, tuple(str(raw) for raw in root.found(_UnknownXml))
     label, help = texts.get("label", {}), texts.get("help", {})
     return World(world_name, width, height, unknown=unknown, help=help, label=label, attributes=root.foreign)
 
@@ -130,8 +130,8 @@ def read_plan(root: Element) -> World | None:
     frame = _frame(root)
     if frame is None:
         return None
-    _Whole(root, frame).world()
-    return _plan(root, frame) if _says_it_all(root) else None
+    _WorldBuilder(root, frame).world()
+    return _plan(root, frame) if _is_complete(root) else None
 
 
 def _plan(root: Element, frame: World) -> World:
@@ -141,7 +141,7 @@ def _plan(root: Element, frame: World) -> World:
     )
 
 
-def _says_it_all(root: Element) -> bool:
+def _is_complete(root: Element) -> bool:
     """Whether everything wrong inside is about what fits together, so that the values are those of the file."""
     here = _where(root)
     for item in root.reader.diagnostics:
@@ -194,7 +194,7 @@ def check_plan(plan: World) -> tuple[World | None, tuple[Diagnostic, ...]]:
     return _checked(write_world(plan), plan.name)
 
 
-class _Whole:
+class _WorldBuilder:
     """The parts put together: each is checked against the world so far, and left out when it does not fit."""
 
     def __init__(self, root: Element, frame: World) -> None:
@@ -203,9 +203,9 @@ class _Whole:
         self._declared: dict[str, dict[str, None]] = {}
 
     @cached_property
-    def walls(self) -> _WallsAround:
+    def walls(self) -> _WallIndex:
         """The sound walls; asked for when there are no more to come."""
-        return _WallsAround(self.so_far.walls)
+        return _WallIndex(self.so_far.walls)
 
     def declared(self, kind: str) -> Mapping[str, None]:
         """The names of all parts of a kind, sound or not, in the order of the file."""
@@ -332,7 +332,7 @@ class _Whole:
                 return
 
 
-class _WallsAround:
+class _WallIndex:
     """The walls of a world by where they are, so that of very many walls only the near ones are looked at.
 
     Squares of several sizes, each twice as wide as the one before: a wall is in those squares of one size, at most

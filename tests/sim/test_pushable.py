@@ -10,7 +10,7 @@ import pytest
 
 from kitrobot.sim import Recorder, Simulation
 from kitrobot.sim.columns import RADIUS
-from kitrobot.sim.things import T_BALL, T_HIGH, T_WIDE, T_X, T_Y
+from kitrobot.sim.pushable import PUSH_HALF_HEIGHT, PUSH_HALF_WIDTH, PUSH_IS_BALL, PUSH_X, PUSH_Y
 from kitrobot.world import Ball, Box, Wall
 from tests.sim.building import catalogue, empty_world, run_of
 
@@ -29,8 +29,8 @@ def pushing(*things: Box | Ball, text: str = PUSH, walls: tuple[Wall, ...] = (),
 
 
 def places(run: Simulation) -> list[tuple[float, float]]:
-    floats = run.state.things.floats
-    return [(float(x), float(y)) for x, y in zip(floats[T_X], floats[T_Y], strict=True)]
+    floats = run.state.pushables.floats
+    return [(float(x), float(y)) for x, y in zip(floats[PUSH_X], floats[PUSH_Y], strict=True)]
 
 
 def to(run: Simulation, tick: int) -> Simulation:
@@ -125,12 +125,12 @@ def test_the_same_bits_plain_and_compiled(with_numba: None) -> None:
 @pytest.mark.parametrize("seed", range(3))
 def test_nothing_gets_lost_or_stands_in_another_for_long(seed: int) -> None:
     run = to(crowd(seed), 300)
-    floats, ball = run.state.things.floats, run.state.things.ints[T_BALL]
+    floats, ball = run.state.pushables.floats, run.state.pushables.ints[PUSH_IS_BALL]
     assert all(math.isfinite(number) for row in floats for number in row)
     robots = [(x, y, float(run.state.robots.floats[RADIUS][n])) for n, (x, y, *_) in enumerate(run.poses())]
     for i, (x, y) in enumerate(places(run)):
         for rx, ry, radius in robots:
             dx, dy = abs(x - rx), abs(y - ry)
             if not ball[i]:
-                dx, dy = max(0.0, dx - floats[T_WIDE][i]), max(0.0, dy - floats[T_HIGH][i])
+                dx, dy = max(0.0, dx - floats[PUSH_HALF_WIDTH][i]), max(0.0, dy - floats[PUSH_HALF_HEIGHT][i])
             assert math.hypot(dx, dy) > radius - 20

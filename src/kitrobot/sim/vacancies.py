@@ -9,7 +9,7 @@ has passed one by whose set does, it waits until both have gone the same way aga
 
 from __future__ import annotations
 
-from kitrobot.sim.columns import A_DONE, ENDED, PROGRAM, TAKEN_OVER, tell
+from kitrobot.sim.columns import A_DONE, ENDED, PROGRAM, TAKEN_OVER, record_event
 from kitrobot.sim.meetings import find_members
 from kitrobot.sim.rows import copy_row
 from kitrobot.sim.state import State, Team
@@ -33,16 +33,16 @@ from kitrobot.sim.team_columns import (
     T_LED,
     T_LEFT,
     T_PLACE,
+    T_REPLAYED,
     T_ROLE,
     T_SEAT,
     T_SILENT,
     T_SINCE,
-    T_TELL,
-    T_TOLD,
+    T_TO_REPLAY,
 )
 
 
-def stand_in(i: int, seat: int, like: int, state: State) -> None:
+def occupy_place(i: int, seat: int, like: int, state: State) -> None:
     """Robot i, which begins its program, stands in a place, with the role of another robot; it is led to where that one
     was last.
     """
@@ -58,8 +58,8 @@ def stand_in(i: int, seat: int, like: int, state: State) -> None:
     robots[T_SINCE][i] = robots[T_SINCE][like]
     copy_row(team.since[i], team.since[like])
     robots[T_LED][i] = robots[T_ANCHOR][like]
-    robots[T_TOLD][i] = 0
-    robots[T_TELL][i] = robots[T_SINCE][like]
+    robots[T_REPLAYED][i] = 0
+    robots[T_TO_REPLAY][i] = robots[T_SINCE][like]
     state.actuators.ints[A_DONE][robots[T_ACTUATOR][i]] = 1
 
 
@@ -125,9 +125,9 @@ def fill_vacancy(i: int, state: State) -> None:
     for g in range(len(team.groups)):
         team.groups[g][i] = team.vacated[g][seat]
         team.vacated[g][seat] = 0
-    stand_in(i, seat, beside, state)
+    occupy_place(i, seat, beside, state)
     find_members(team)
-    tell(state.events, state.clock, TAKEN_OVER, i, seat, 1 if seat == i else 0)
+    record_event(state.events, state.clock, TAKEN_OVER, i, seat, 1 if seat == i else 0)
 
 
 def find_player(seat: int, state: State) -> int:

@@ -12,7 +12,7 @@ from typing import Any, BinaryIO
 from kitrobot.diagnostics import expect_output, expect_regular, lock_handle
 from kitrobot.text import Sentence, Word
 from kitrobot.trace import layout
-from kitrobot.trace.coding import Encoder
+from kitrobot.trace.codec import Encoder
 from kitrobot.trace.header import header_to_json
 from kitrobot.trace.model import TickRecord, TraceError, TraceHeader
 

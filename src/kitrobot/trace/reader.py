@@ -20,7 +20,7 @@ from typing import Any, NamedTuple
 from kitrobot.diagnostics import open_regular
 from kitrobot.text import Recorded, Sentence, Word
 from kitrobot.trace import layout
-from kitrobot.trace.coding import decode, decode_events
+from kitrobot.trace.codec import decode, decode_events
 from kitrobot.trace.header import header_from_json
 from kitrobot.trace.model import TickRecord, TraceError, TraceEvent, TraceHeader
 

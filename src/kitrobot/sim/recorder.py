@@ -77,7 +77,7 @@ class Recorder:
         columns += [Column(TEAM, f"stock {house.name}") for house in simulation.world.storehouses]
         columns += [Column(TEAM, f"delivered {simulation.members[index].name}") for index in self._carriers]
         columns.append(Column(TEAM, "collisions"))
-        things = range(len(simulation.state.things.ints[0]))
+        things = range(len(simulation.state.pushables.ints[0]))
         columns += [Column(TEAM, f"thing {n} {word}", 0.1) for n in things for word in ("x_mm", "y_mm")]
         roles = [role.name for role in simulation.mission.team.roles]
         self._team = TeamRecord(simulation.team_plan, roles, simulation.members, simulation.state)
@@ -141,7 +141,7 @@ class Recorder:
         recorded += numbers(state.docks.stock)
         recorded += [int(state.robots.ints[DELIVERED][index]) for index in self._carriers]
         recorded.append(simulation.collisions)
-        for x, y in zip(*map(numbers, state.things.floats[:2]), strict=True):
+        for x, y in zip(*map(numbers, state.pushables.floats[:2]), strict=True):
             recorded += (round(x * 10), round(y * 10))
         recorded += self._team.numbers(state)
         active = [agent.active if in_full is None or agent.index in in_full else () for agent in simulation.members]

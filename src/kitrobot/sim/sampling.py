@@ -6,7 +6,6 @@ a forced value replaces the result. A machine whose input changes is woken.
 
 from __future__ import annotations
 
-from kitrobot.sim.chance import drawn, gauss, happens
 from kitrobot.sim.columns import (
     A_CELL,
     A_DONE,
@@ -36,6 +35,7 @@ from kitrobot.sim.columns import (
     S_SIZE,
     S_VALUE,
 )
+from kitrobot.sim.random_numbers import drawn, gauss, happens
 from kitrobot.sim.state import Sensors, State
 
 

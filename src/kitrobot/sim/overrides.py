@@ -12,13 +12,13 @@ from kitrobot.sim.columns import (
     S_PLAIN,
     S_RESTLESS,
     S_SIZE,
+    SAVED_TARGET,
     SPEED,
     TARGET,
-    TOLD,
     TURN,
     WAY,
 )
-from kitrobot.sim.deadlock_detection import stirred
+from kitrobot.sim.deadlock_detection import mark_activity
 from kitrobot.sim.state import State
 
 MOST = 2**40
@@ -35,12 +35,12 @@ def force_sensor(k: int, value: int | None, state: State) -> None:
     table[S_FORCED][k] = 1 if is_forced else 0
     table[S_FORCE][k] = max(-MOST, min(MOST, value)) if value is not None else 0
     table[S_PLAIN][k] = 1 if not is_forced and table[S_SIZE][k] == 1 and not by_chance else 0
-    stirred(clock)
+    mark_activity(clock)
 
 
 def stop_motors(state: State) -> None:
     """Every robot stands still at once."""
     floats = state.robots.floats
-    for column in (SPEED, TARGET, TOLD, TURN, WAY):
+    for column in (SPEED, TARGET, SAVED_TARGET, TURN, WAY):
         floats[column][:] = [0.0] * len(floats[column])
     state.clock[ROLLING] = 0

@@ -34,7 +34,7 @@ def test_a_failed_robot_brakes_as_physics_says_and_stays_where_it_is() -> None:
     steps(run, 50)
     before = run.poses()[0]
     assert before[4] & MOVING
-    run.harm("a", "fail")
+    run.inject_fault("a", "fail")
     assert run.poses()[0][4] & FAILED
     assert run.agents[0].state == "failed"
     # Nobody is left, so the run has ended; its physics still follows v²/2a = 400²/1600 mm when somebody else goes on.
@@ -44,7 +44,7 @@ def test_a_failed_robot_brakes_as_physics_says_and_stays_where_it_is() -> None:
     run = run_of(pair, empty_world(a=(200, 500, 0), b=(2000, 2000, 0)))
     steps(run, 50)
     from_x = run.poses()[0][0]
-    run.harm("a", FailureKind.FAIL)
+    run.inject_fault("a", FailureKind.FAIL)
     steps(run, 100)
     x, _, _, _, flags = run.poses()[0]
     assert x - from_x == pytest.approx(100.0, abs=1e-6)
@@ -60,11 +60,11 @@ def test_a_failed_robot_stops_turning_at_once_and_turns_on_when_it_is_revived() 
         empty_world(a=(500, 500, 0), b=(2000, 2000, 0)),
     )
     steps(run, 20)
-    run.harm("a", "fail")
+    run.inject_fault("a", "fail")
     heading = run.poses()[0][2]
     steps(run, 20)
     assert run.poses()[0][2] == heading
-    run.harm("a", "revive")
+    run.inject_fault("a", "revive")
     steps(run, 10)
     assert run.poses()[0][2] == pytest.approx(heading + 10 * TICK_S * 3.14159265 / 2, abs=1e-6)
 
@@ -74,10 +74,10 @@ def test_who_is_revived_drives_on_with_its_program_where_it_was() -> None:
     run = run_of({"a": (COUNTER, text), "b": (COUNTER, text)}, empty_world(a=(500, 500, 0), b=(2000, 2000, 0)))
     steps(run, 100)
     at = run.agents[0].values["Own"]
-    run.harm("a", "fail")
+    run.inject_fault("a", "fail")
     steps(run, 300)
     assert run.agents[0].values["Own"] == at
-    run.harm("a", "revive")
+    run.inject_fault("a", "revive")
     steps(run, 100)
     assert run.agents[0].values["Own"] == pytest.approx(at + 20, abs=1)
     assert run.agents[0].state == "waiting"
@@ -88,13 +88,13 @@ def test_a_stalled_robot_goes_on_as_it_was_told_and_hears_nothing() -> None:
         {"a": (DRIVER, "Wheel.Advance(100); WAIT(30); Wheel.Stop(); WAIT(100);")}, empty_world(a=(200, 500, 0))
     )
     steps(run, 50)
-    run.harm("a", "stall")
+    run.inject_fault("a", "stall")
     x = run.poses()[0][0]
     steps(run, 150)
     assert run.poses()[0][0] - x == pytest.approx(400 * 150 * TICK_S)
     assert run.poses()[0][4] & (STALLED | MOVING) == STALLED | MOVING
     assert run.agents[0].state == "stalled"
-    run.harm("a", "revive")
+    run.inject_fault("a", "revive")
     steps(run, 200)
     assert not run.poses()[0][4] & (STALLED | MOVING)
 
@@ -120,27 +120,27 @@ def values(run: Simulation) -> list[int]:
 def test_a_muted_robot_hears_nothing_and_catches_up_by_the_latest_write() -> None:
     run = sharers()
     steps(run, 30)
-    run.harm("b", "mute")
+    run.inject_fault("b", "mute")
     heard = values(run)[1]
     steps(run, 50)
     assert values(run)[1] == heard
     assert values(run)[0] == values(run)[2] > heard
     assert run.poses()[1][4] & MUTED
-    run.harm("b", "revive")
+    run.inject_fault("b", "revive")
     assert len(set(values(run))) == 1
 
 
 def test_what_a_muted_robot_wrote_is_heard_when_it_is_the_latest() -> None:
     run = sharers()
     steps(run, 30)
-    run.harm("a", "mute")
+    run.inject_fault("a", "mute")
     heard = values(run)[1]
     steps(run, 50)
     assert values(run)[0] > heard == values(run)[1] == values(run)[2]
     mine = values(run)[0]
-    run.harm("a", "revive")
+    run.inject_fault("a", "revive")
     assert values(run) == [mine] * 3
-    assert [(event.kind, event.text) for event in run.untold] == [
+    assert [(event.kind, event.text) for event in run.unreported_events] == [
         ("failure", "loses its radio (by hand)"),
         ("revival", "is well again (by hand)"),
         ("message", f"All = {mine}"),
@@ -150,12 +150,12 @@ def test_what_a_muted_robot_wrote_is_heard_when_it_is_the_latest() -> None:
 def test_an_older_write_of_a_muted_robot_gives_way() -> None:
     run = sharers()
     steps(run, 30)
-    run.harm("c", "mute")
+    run.inject_fault("c", "mute")
     run.set_variable("c", "All", 49)
     steps(run, 1)
     assert values(run)[2] == 49
     steps(run, 80)
-    run.harm("c", "revive")
+    run.inject_fault("c", "revive")
     assert values(run) == [values(run)[0]] * 3
     assert values(run)[0] < 49
 
@@ -173,18 +173,18 @@ def test_somebody_who_takes_no_part_cannot_fail() -> None:
     run = sharers(Failure("nobody", 0.0))
     assert [event for event in told(run, 5) if event.kind == "failure"] == []
     with pytest.raises(KitRobotError, match="no agent nobody takes part"):
-        run.harm("nobody", "fail")
+        run.inject_fault("nobody", "fail")
 
 
 def test_what_changes_nothing_is_no_news() -> None:
     run = sharers()
-    assert not run.harm("a", "revive")
-    assert run.harm("a", "fail")
-    assert not run.harm("a", "fail")
-    assert not run.harm("a", "stall")
-    assert [event.text for event in run.untold] == ["fails (by hand)"]
+    assert not run.inject_fault("a", "revive")
+    assert run.inject_fault("a", "fail")
+    assert not run.inject_fault("a", "fail")
+    assert not run.inject_fault("a", "stall")
+    assert [event.text for event in run.unreported_events] == ["fails (by hand)"]
     assert [event.text for event in told(run, 2) if event.kind == "failure"] == ["fails (by hand)"]
-    assert run.untold == []
+    assert run.unreported_events == []
 
 
 def test_too_much_between_two_steps_is_refused_with_a_sentence() -> None:
@@ -192,13 +192,13 @@ def test_too_much_between_two_steps_is_refused_with_a_sentence() -> None:
 
     def much() -> None:
         for _ in range(10_000):
-            run.harm("a", "fail")
-            run.harm("a", "revive")
+            run.inject_fault("a", "fail")
+            run.inject_fault("a", "revive")
 
     with pytest.raises(KitRobotError, match="too much was done"):
         much()
     run.step()
-    run.harm("a", "fail")
+    run.inject_fault("a", "fail")
 
 
 # -- chance
@@ -262,7 +262,7 @@ def test_a_failure_that_is_to_be_revived_is_no_end() -> None:
 
 def test_success_is_not_claimed_without_the_one_who_failed() -> None:
     run = run_of({"a": (COUNTER, "WAIT(10);"), "b": (COUNTER, "WAIT(10);")}, empty_world(a=(1, 1, 0), b=(900, 1, 0)))
-    run.harm("a", "fail")
+    run.inject_fault("a", "fail")
     steps(run, 100)
     assert (run.outcome, run.sentence) == (
         "failed",
@@ -290,7 +290,7 @@ def test_who_waits_for_a_failed_one_is_stuck_and_the_sentence_names_it() -> None
         {"a": (SHARER, listening), "b": (SHARER, wait)}, empty_world(a=(500, 500, 0), b=(1500, 500, 0)), seconds=None
     )
     steps(run, 10)
-    run.harm("b", "fail")
+    run.inject_fault("b", "fail")
     run.advance(5000)
     assert run.outcome == "stuck"
     assert "a waits for something that will not come; b failed after 0.2 s (by hand)." in run.sentence
@@ -299,10 +299,10 @@ def test_who_waits_for_a_failed_one_is_stuck_and_the_sentence_names_it() -> None
 def test_a_run_that_ended_goes_on_when_somebody_is_revived() -> None:
     run = run_of({"a": (COUNTER, "WAIT(10);")}, empty_world(a=(500, 500, 0)))
     steps(run, 5)
-    run.harm("a", "fail")
+    run.inject_fault("a", "fail")
     outcomes: list[str | None] = [run.outcome]
     assert run.advance(10) == 0
-    run.harm("a", "revive")
+    run.inject_fault("a", "revive")
     outcomes.append(run.outcome)
     run.advance(1000)
     assert [*outcomes, run.outcome] == ["failed", None, "done"]

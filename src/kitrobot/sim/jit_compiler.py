@@ -1,4 +1,4 @@
-"""The compiled step: `stepping.advance` through Numba (see `jit_cache`)."""
+"""The compiled step: `step_loop.advance` through Numba (see `jit_cache`)."""
 
 from __future__ import annotations
 
@@ -14,17 +14,17 @@ Advance = Callable[[Any, int], int]
 
 def loops() -> dict[str, Callable[..., Any]]:
     """Every function that the step is made of, by the name of its module and its own."""
-    from kitrobot.sim.stepping import advance
+    from kitrobot.sim.step_loop import advance
 
     return functions_called([advance])
 
 
 def cache_folder() -> Path:
     """Where this step is kept, compiled for this machine."""
-    from kitrobot.sim import arrays, dispatch, state, stepping
+    from kitrobot.sim import arrays, dispatch, state, step_loop
     from kitrobot.sim.devices import base
 
-    functions = [stepping.advance, *loops().values()]
+    functions = [step_loop.advance, *loops().values()]
     modules = {__name__, arrays.__name__, base.__name__, state.__name__, *(one.__module__ for one in functions)}
     numbers = []
     for function in functions:
@@ -41,7 +41,7 @@ def _build(folder: Path) -> Advance:
 
     from kitrobot.sim import numba_tables, rows  # noqa: F401 (it tells Numba what a pointer to tables is)
     from kitrobot.sim.sample_state import small_state
-    from kitrobot.sim.stepping import advance
+    from kitrobot.sim.step_loop import advance
 
     def same_arrays(one: Any, other: Any) -> Any:
         def same(one: Any, other: Any) -> bool:

@@ -148,7 +148,7 @@ def stalled(seed: int, step: int, agent: str = "carrier-1", failures: Sequence[F
     run = transport(seed, failures=failures)
     run.stays_plain = True
     run.advance(step)
-    run.harm(agent, "stall")
+    run.inject_fault(agent, "stall")
     return run
 
 

@@ -9,8 +9,8 @@ from dataclasses import dataclass, field
 
 from kitrobot.mission import Failure, FailureKind
 from kitrobot.sim import columns as c
-from kitrobot.sim.chance import keys
-from kitrobot.sim.faults import APART, AWAY, BY_HAND, FAIL, HELD, MUTE, PLAN_ROWS, REVIVE, STALL, harm
+from kitrobot.sim.faults import APART, AWAY, BY_HAND, FAIL, HELD, MUTE, PLAN_ROWS, REVIVE, STALL, inject_fault
+from kitrobot.sim.random_numbers import keys
 from kitrobot.sim.state import State
 from kitrobot.text import Recorded
 
@@ -35,7 +35,7 @@ TURN_MS = 1000
 
 @dataclass
 class FaultPlan:
-    """What is to befall the robots of a run.
+    """The faults that a run injects.
 
     Attributes:
         plan: the schedule, as rows of numbers (see faults).
@@ -94,7 +94,7 @@ def fault_plan(
     return made
 
 
-def plan_more(plan: FaultPlan, more: Sequence[tuple[int, int]], state: State) -> None:
+def schedule_faults(plan: FaultPlan, more: Sequence[tuple[int, int]], state: State) -> None:
     """Puts these failures, (step, robot), behind what a run's schedule says of their steps, in the place of those that
     were put there before; they must not be before now.
     """
@@ -107,8 +107,8 @@ def plan_more(plan: FaultPlan, more: Sequence[tuple[int, int]], state: State) ->
     state.clock[c.PLANS] = len(rows)
 
 
-def said_of(kind: int, cause: int) -> str:
-    """What befalls a robot and how that comes about, in words."""
+def describe_fault(kind: int, cause: int) -> str:
+    """A fault and its cause, as a sentence's predicate."""
     why = CAUSES[cause]
     if cause == HELD:
         return (
@@ -125,13 +125,13 @@ def said_of(kind: int, cause: int) -> str:
     return Recorded("loses its radio ({why})", why) if kind == MUTE else Recorded("is well again ({why})", why)
 
 
-def room_to_tell(state: State, most: int) -> bool:
-    """Whether so many events more can be written down, and after them all of one step."""
+def has_event_room(state: State, most: int) -> bool:
+    """Whether there is room for so many more events, and for those of one step after them."""
     return c.EVENT * (state.clock[c.EVENTS] + most + state.fixed[c.MOST_EVENTS]) <= len(state.events)
 
 
-def keep_untold(state: State) -> None:
-    """Forgets the events of past steps; what was done by hand since the last one is still to be told."""
+def discard_reported_events(state: State) -> None:
+    """Drops the events of past steps; those injected by hand since the last step are not yet reported and stay."""
     clock, events = state.clock, state.events
     tick, end = clock[c.TICK], c.EVENT * clock[c.EVENTS]
     first = next((at for at in range(0, end, c.EVENT) if events[at + c.EVENT - 1] == tick), end)
@@ -140,6 +140,6 @@ def keep_untold(state: State) -> None:
     clock[c.EVENTS] = (end - first) // c.EVENT
 
 
-def harm_by_hand(state: State, robot: int, kind: FailureKind, cause: int = BY_HAND) -> None:
-    """Does it to a robot between two steps, by hand or because of its agent; there must be room to tell it."""
-    harm(robot, KINDS.index(kind), cause, state)
+def inject_fault_by_hand(state: State, robot: int, kind: FailureKind, cause: int = BY_HAND) -> None:
+    """Injects a fault between two steps, by hand or because of its agent; there must be room for its event."""
+    inject_fault(robot, KINDS.index(kind), cause, state)

@@ -16,7 +16,7 @@ long as it is apart: value, clock and writer.
 
 from __future__ import annotations
 
-from kitrobot.sim.columns import ASLEEP, DOWN, FAILED, MUTED, PERIOD, WRITTEN, tell
+from kitrobot.sim.columns import ASLEEP, DOWN, FAILED, MUTED, PERIOD, WRITTEN, record_event
 from kitrobot.sim.state import IntRows, Robots, Shared, State
 
 SHARED_VALUE, SHARED_CLOCK, SHARED_WRITER, COPIES_FIRST, COPIES_LAST, WRITING = range(6)
@@ -68,7 +68,7 @@ def exchange(step: int, state: State) -> None:
         table[SHARED_CLOCK][v] += 1
         table[SHARED_WRITER][v] = i
         spread(v, state.robots, cells, shared)
-        tell(state.events, state.clock, WRITTEN, i, v, values[v])
+        record_event(state.events, state.clock, WRITTEN, i, v, values[v])
 
 
 def spread(v: int, robots: Robots, cells: IntRows, shared: Shared) -> None:
@@ -101,7 +101,7 @@ def note(i: int, tells: bool, state: State) -> bool:
             apart[APART_WRITER][k] = i
             wrote = True
             if tells:
-                tell(state.events, state.clock, WRITTEN, i, shared.mine[k], value)
+                record_event(state.events, state.clock, WRITTEN, i, shared.mine[k], value)
     return wrote
 
 
@@ -132,7 +132,7 @@ def rejoin(i: int, state: State) -> None:
             if apart[APART_VALUE][k] != shared.ints[SHARED_VALUE][v]:
                 shared.ints[SHARED_VALUE][v] = apart[APART_VALUE][k]
                 spread(v, state.robots, cells, shared)
-                tell(state.events, state.clock, WRITTEN, i, v, apart[APART_VALUE][k])
+                record_event(state.events, state.clock, WRITTEN, i, v, apart[APART_VALUE][k])
         elif cells[i][mine_cell[k]] != shared.ints[SHARED_VALUE][v]:
             cells[i][mine_cell[k]] = shared.ints[SHARED_VALUE][v]
             state.robots.ints[ASLEEP][i] = 0

@@ -15,7 +15,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from kitrobot.sim.agents import Agent
-from kitrobot.sim.bodies import Stage
+from kitrobot.sim.bodies import WorldState
 from kitrobot.sim.columns import WELL
 from kitrobot.text import SEMICOLON, Recorded, Series, all_of
 
@@ -29,7 +29,7 @@ SHOWN = 5
 class Goals:
     """The mission's goals against the stock; `rows`: the numbers of storehouses, and how many boxes each is to hold."""
 
-    def __init__(self, rows: Sequence[Sequence[int]], stage: Stage) -> None:
+    def __init__(self, rows: Sequence[Sequence[int]], stage: WorldState) -> None:
         self._stage = stage
         self._names = [house.name for house in stage.world.storehouses]
         self._goals = [(self._names[house], int(house), int(wanted)) for house, wanted in zip(*rows, strict=True)]
@@ -43,12 +43,12 @@ class Goals:
 
     def say(self) -> str:
         """`B holds 7 of 12 boxes` for each goal; "" without goals."""
-        return names_listed([self._said(name, self._stage.stock[house], wanted) for name, house, wanted in self._goals])
+        return list_names([self._said(name, self._stage.stock[house], wanted) for name, house, wanted in self._goals])
 
-    def say_full(self, agents: Sequence[Agent]) -> str:
+    def describe_full_storehouses(self, agents: Sequence[Agent]) -> str:
         """The storehouses in which arms wait for room; "" for none."""
         waited_for = dict.fromkeys(agent.full_house for agent in agents)
-        return names_listed(
+        return list_names(
             [Recorded("storehouse {storehouse} is full", self._names[house]) for house in waited_for if house >= 0]
         )
 
@@ -70,7 +70,7 @@ class Goals:
         return Recorded.counted("{name} holds {count} box", "{name} holds {count} boxes", name, stock)
 
 
-def say_done(goals: Goals, seconds: float, agents: Sequence[Agent]) -> str:
+def describe_done(goals: Goals, seconds: float, agents: Sequence[Agent]) -> str:
     """All goals hold; or there are none, and every program has ended."""
     ending = goals.say() or _all_ended(seconds, agents)
     what = _joined(ending, _lost_boxes(agents), _driving(agents), _left(agents))
@@ -92,9 +92,11 @@ def _all_ended(seconds: float, agents: Sequence[Agent]) -> str:
     return Recorded("every other program has ended")
 
 
-def say_failed(goals: Goals, agents: Sequence[Agent]) -> str:
+def describe_failed(goals: Goals, agents: Sequence[Agent]) -> str:
     """Every program that could has ended, and some goal does not hold or somebody failed."""
-    why = _joined(_casualties(agents), goals.say(), goals.say_full(agents), _lost_boxes(agents), _left(agents))
+    why = _joined(
+        _casualties(agents), goals.say(), goals.describe_full_storehouses(agents), _lost_boxes(agents), _left(agents)
+    )
     if all(agent.ended for agent in agents):
         return Recorded("Every program has ended, but {why}.", _joined(why, _driving(agents)))
     if any(agent.ended for agent in agents):
@@ -102,7 +104,7 @@ def say_failed(goals: Goals, agents: Sequence[Agent]) -> str:
     return Recorded("Nobody is left to go on: {why}.", why)
 
 
-def say_team_over(why: str, goals: Goals, agents: Sequence[Agent]) -> str:
+def describe_team_over(why: str, goals: Goals, agents: Sequence[Agent]) -> str:
     """The team cannot go on; `why` says for what reason."""
     return Recorded(
         "The team cannot go on: {why}.",
@@ -110,16 +112,16 @@ def say_team_over(why: str, goals: Goals, agents: Sequence[Agent]) -> str:
     )
 
 
-def say_time(goals: Goals, seconds: float, agents: Sequence[Agent]) -> str:
+def describe_timeout(goals: Goals, seconds: float, agents: Sequence[Agent]) -> str:
     """The time ran out."""
     why = (
-        *(goals.say() or _unfinished(agents), _casualties(agents), goals.say_full(agents)),
+        *(goals.say() or _unfinished(agents), _casualties(agents), goals.describe_full_storehouses(agents)),
         *(_lost_boxes(agents), _left(agents)),
     )
     return Recorded("The time of {seconds} s ran out: {why}.", f"{seconds:g}", _joined(*why))
 
 
-def say_stuck(goals: Goals, agents: Sequence[Agent], missing: Sequence[str] = ()) -> str:
+def describe_stuck(goals: Goals, agents: Sequence[Agent], missing: Sequence[str] = ()) -> str:
     """Nothing can change any more; `missing` says of a team who waits for whom."""
     names = [agent.name for agent in agents if not agent.ended and agent.down == WELL]
     if missing:
@@ -129,8 +131,15 @@ def say_stuck(goals: Goals, agents: Sequence[Agent], missing: Sequence[str] = ()
     elif len(names) == 1:
         waiting = Recorded("{name} waits for something that will not come", names[0])
     else:
-        waiting = Recorded("{names} wait for something that will not come", names_listed(names))
-    why = (waiting, goals.say_full(agents), _casualties(agents), goals.say(), _lost_boxes(agents), _left(agents))
+        waiting = Recorded("{names} wait for something that will not come", list_names(names))
+    why = (
+        waiting,
+        goals.describe_full_storehouses(agents),
+        _casualties(agents),
+        goals.say(),
+        _lost_boxes(agents),
+        _left(agents),
+    )
     return Recorded("Nothing can change any more: {why}.", _joined(*why))
 
 
@@ -146,7 +155,7 @@ def _unfinished(agents: Sequence[Agent]) -> str:
 
 def _casualties(agents: Sequence[Agent]) -> str:
     """Who failed, stalled or lost its radio before its program had ended, when and why; "" for nobody."""
-    return names_listed([downfall for agent in agents if not agent.ended and (downfall := agent.downfall)])
+    return list_names([fault_text for agent in agents if not agent.ended and (fault_text := agent.fault_text)])
 
 
 def is_at_once(seconds: float, agents: Sequence[Agent]) -> bool:
@@ -165,13 +174,13 @@ def _driving(agents: Sequence[Agent]) -> str:
     names = [agent.name for agent in agents if agent.ended and agent.is_driving]
     if len(names) == 1:
         return Recorded("{name} ended with its motors on", names[0])
-    return Recorded("{names} ended with their motors on", names_listed(names)) if names else ""
+    return Recorded("{names} ended with their motors on", list_names(names)) if names else ""
 
 
 def _left(agents: Sequence[Agent]) -> str:
     """Who is beyond the edge of the world; "" for nobody."""
     names = [agent.name for agent in agents if agent.is_outside]
-    return Recorded("{names} left the world, which has no wall there", names_listed(names)) if names else ""
+    return Recorded("{names} left the world, which has no wall there", list_names(names)) if names else ""
 
 
 def _lost_boxes(agents: Sequence[Agent]) -> str:
@@ -179,7 +188,7 @@ def _lost_boxes(agents: Sequence[Agent]) -> str:
     names = [agent.name for agent in agents if agent.lost_its_box]
     if len(names) == 1:
         return Recorded("the box of {name} is lost", names[0])
-    return Recorded("the boxes of {names} are lost", names_listed(names)) if names else ""
+    return Recorded("the boxes of {names} are lost", list_names(names)) if names else ""
 
 
 def _joined(*clauses: str) -> str:
@@ -187,7 +196,7 @@ def _joined(*clauses: str) -> str:
     return Series(SEMICOLON, filter(None, clauses))
 
 
-def names_listed(names: Sequence[str]) -> str:
+def list_names(names: Sequence[str]) -> str:
     """`a`, `a and b`, `a, b and c`: the first few of them."""
     shown = list(names[:SHOWN])
     if len(names) > SHOWN:

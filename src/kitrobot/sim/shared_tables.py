@@ -1,4 +1,4 @@
-"""Which agents share which variables; what they write spreads in `sharing`."""
+"""Which agents share which variables; what they write spreads in `shared_variables`."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from kitrobot.diagnostics import Diagnostic
 from kitrobot.primitives import RobotObject
 from kitrobot.sim import rules
 from kitrobot.sim.agents import Agent
-from kitrobot.sim.sharing import (
+from kitrobot.sim.shared_variables import (
     APART_ROWS,
     COPIES_FIRST,
     COPIES_LAST,

@@ -1,9 +1,9 @@
 """The step of a whole run, machines and world, for all robots at once: one source, run by CPython or compiled by Numba.
 
-In this order: robots fail, are revived or towed, and a team finds out whom it misses; sensors measure; every machine
-whose tick it is is given what they read, then all of these react, in team order; devices take the commands and move; a
-team agrees at its points; robots move, and what touches is parted; pens draw; shared variables spread; and when
-nothing stirs, it is asked whether anything ever will.
+The order of a step: faults are injected, and failed robots towed; a team detects silent robots; sensors measure; every
+machine whose tick is due receives the readings and reacts, in team order; devices execute the commands and move; a team
+agrees at its points; robots move, and contacts are resolved; pens draw; shared variables spread. When nothing moves or
+changes, deadlock detection runs.
 
 Everything here and in what it calls is in the part of Python that Numba takes: loops over rows of numbers, whole
 numbers that fit 64 bits, no division by zero, no function of the C library but the square root. So both give the same
@@ -13,7 +13,7 @@ Numba. Nothing is allocated: the state has room for everything.
 
 from __future__ import annotations
 
-from kitrobot.sim.actuation import busy, deliver
+from kitrobot.sim.actuation import busy, deliver_commands
 from kitrobot.sim.breakdowns import clear_roads
 from kitrobot.sim.columns import (
     A_FRESH,
@@ -22,48 +22,48 @@ from kitrobot.sim.columns import (
     EVENT,
     EVENTS,
     FAILS,
+    HEALTHY,
     LIVING,
     MOST_EVENTS,
     MOVED,
     OFF_ROADS,
     PLANNED,
     PLANS,
+    PUSHABLES,
     REVIVALS,
     ROLLING,
     RUNNING,
     SEES,
-    SOUND,
     STUCK,
-    THINGS,
     TICK,
     WIDEST,
 )
 from kitrobot.sim.deadlock_detection import (
     detect_deadlock,
-    is_at_work,
-    is_held,
-    may_be_held,
-    remember,
-    stirred,
+    is_device_working,
+    is_motion_unchanged,
+    mark_activity,
+    save_motion,
+    should_compare_motion,
 )
 from kitrobot.sim.dispatch import AGREES, advance_all, sense_all
 from kitrobot.sim.execution import react
-from kitrobot.sim.faults import harm_by_chance, harm_on_schedule
+from kitrobot.sim.faults import inject_random_faults, inject_scheduled_faults
 from kitrobot.sim.grids import fill
 from kitrobot.sim.pens import draw
 from kitrobot.sim.physics import move
 from kitrobot.sim.radio import exchange_by_radio, has_radio
-from kitrobot.sim.sensing import sample, sample_done
-from kitrobot.sim.sharing import exchange
+from kitrobot.sim.sampling import sample, sample_done
+from kitrobot.sim.shared_variables import exchange
 from kitrobot.sim.state import State
-from kitrobot.sim.substitution import look_for_silent, settle
+from kitrobot.sim.substitution import detect_silent_robots, finish_team_step
 from kitrobot.sim.team_columns import TEAM_DUE, TEAM_LEASED, TEAM_OVER, TEAM_PENDING
 
 
 def advance(state: State, steps: int) -> int:
     """Runs up to so many steps and gives how many.
 
-    It runs fewer when every program has ended, when all goals hold and only robots that something befell go on, when
+    It runs fewer when every program has ended, when all goals hold and only robots with faults go on, when
     nothing can change any more (STUCK), or when there is no room for what may happen in one more step. What happens is
     written behind the EVENTS that are in `events` already.
     """
@@ -75,24 +75,24 @@ def advance(state: State, steps: int) -> int:
     by_radio = has_radio(state)
     room = len(state.events) // EVENT - fixed[MOST_EVENTS]
     done = 0
-    while done < steps and clock[EVENTS] <= room and is_going_on(state) and not is_reached(state):
+    while done < steps and clock[EVENTS] <= room and can_continue(state) and not are_goals_reached(state):
         step = clock[TICK]
         events_before = clock[EVENTS]
-        looks = may_be_held(step, state)
+        looks = should_compare_motion(step, state)
         if looks:
-            remember(state)
+            save_motion(state)
 
-        befall(step, state)
+        inject_faults(step, state)
         if has_team:
-            look_for_silent(step, state)
-        measure(step, state)
+            detect_silent_robots(step, state)
+        sample_sensors(step, state)
         ran = react(step, state)
 
         if len(state.actuators.late) > 0:
-            deliver(step, state)
+            deliver_commands(step, state)
         advance_all(fixed_floats[DT], state)
         if has_team:
-            settle(state)
+            finish_team_step(state)
         move(state)
         if len(state.pens.actuators) > 0:
             draw(state)
@@ -103,30 +103,32 @@ def advance(state: State, steps: int) -> int:
         clock[TICK] = step + 1
         done += 1
 
-        if clock[ROLLING] == 0 and clock[THINGS] == 0:
-            stirs = is_stirring(step, state)
+        if clock[ROLLING] == 0 and clock[PUSHABLES] == 0:
+            stirs = is_device_active(step, state)
         else:
-            stirs = clock[THINGS] > 0 or not looks or is_at_work(step, state) or not is_held(state)
-        if stirs or clock[EVENTS] > events_before or clock[OFF_ROADS] > 0 or is_waited_for(team):
-            stirred(clock)
+            stirs = (
+                clock[PUSHABLES] > 0 or not looks or is_device_working(step, state) or not is_motion_unchanged(state)
+            )
+        if stirs or clock[EVENTS] > events_before or clock[OFF_ROADS] > 0 or is_team_waiting(team):
+            mark_activity(clock)
         elif clock[RUNNING] > 0:
             detect_deadlock(state)
     return done
 
 
-def befall(step: int, state: State) -> None:
-    """The beginning of a step: what befalls robots, and those that are taken off their roads."""
+def inject_faults(step: int, state: State) -> None:
+    """Applies the faults that are due in this step, and takes failed robots off their roads."""
     clock = state.clock
     if clock[PLANNED] < clock[PLANS]:
-        harm_on_schedule(step, state)
+        inject_scheduled_faults(step, state)
     if state.fixed_floats[FAILS] > 0.0:
-        harm_by_chance(step, state)
+        inject_random_faults(step, state)
     if clock[OFF_ROADS] > 0:
         clear_roads(step, state)
 
 
-def measure(step: int, state: State) -> None:
-    """What sensors read in a step, given to the machines whose tick it is."""
+def sample_sensors(step: int, state: State) -> None:
+    """Samples the sensors, and puts the readings into the machines whose tick is due."""
     clock = state.clock
     if state.fixed[SEES] and clock[MOVED]:
         clock[MOVED] = 0
@@ -137,14 +139,14 @@ def measure(step: int, state: State) -> None:
         sample_done(step, state)
 
 
-def is_waited_for(team: list[int]) -> bool:
+def is_team_waiting(team: list[int]) -> bool:
     """Whether a team waits for a time to be over: that of a silent robot, of a unit of work that somebody has, or of
     messages on their way.
     """
     return team[TEAM_PENDING] > 0 or team[TEAM_LEASED] > 0 or team[TEAM_DUE] > 0
 
 
-def is_going_on(state: State) -> bool:
+def can_continue(state: State) -> bool:
     """Whether the run has not come to its end: somebody goes on, or failed and is to be revived or towed, or the team
     does not know yet that it is to go on without somebody.
     """
@@ -155,13 +157,13 @@ def is_going_on(state: State) -> bool:
     return clock[LIVING] > 0 or clock[REVIVALS] > 0 or clock[OFF_ROADS] > 0 or team[TEAM_PENDING] > 0
 
 
-def is_reached(state: State) -> bool:
+def are_goals_reached(state: State) -> bool:
     """Whether every goal holds and nobody is left who could say so by ending its program: those whose programs have not
     ended failed, stalled or lost their radio, and none is to be revived. `goals` are the storehouses and their stock.
     """
     clock = state.clock
     goals = state.docks.goals
-    if clock[SOUND] > 0 or clock[REVIVALS] > 0 or len(goals[0]) == 0:
+    if clock[HEALTHY] > 0 or clock[REVIVALS] > 0 or len(goals[0]) == 0:
         return False
     stock = state.docks.stock
     n = 0
@@ -170,8 +172,8 @@ def is_reached(state: State) -> bool:
     return n == len(goals[0])
 
 
-def is_stirring(step: int, state: State) -> bool:
-    """Whether a device was told something new in this step, or has something to do."""
+def is_device_active(step: int, state: State) -> bool:
+    """Whether a device received a new command in this step, or is active."""
     fresh = state.actuators.ints[A_FRESH]
     kinds = state.actuators.ints[A_KIND]
     count = len(fresh)
