@@ -24,9 +24,9 @@ from kitrobot.mission import Agent
 from kitrobot.sim import Simulation
 from kitrobot.sim.jit_cache import available
 from kitrobot.verifier import Budget, Model, Timing, take_apart
-from kitrobot.verifier.compiling import engine
 from kitrobot.verifier.engines import PLAIN
-from kitrobot.verifier.exploring import explore
+from kitrobot.verifier.exploration import explore
+from kitrobot.verifier.numba_engine import engine
 from kitrobot.workspace import RunOptions, open_mission
 from kitrobot.world import Start
 

@@ -18,10 +18,10 @@ from kitrobot.verifier import (
     take_apart,
     variables_asked,
 )
-from kitrobot.verifier.asked import team_of
-from kitrobot.verifier.looking import decode, sensed
+from kitrobot.verifier.custom_properties import team_of
 from kitrobot.verifier.model import State
 from kitrobot.verifier.properties import Condition, Sensed
+from kitrobot.verifier.state_decoding import decode, sensed
 from tests.sim.building import transport
 
 LOADED, EMPTY = "any carrier-1 (Cargo.IsPressed())", "any carrier-1 (Cargo.IsReleased())"

@@ -22,7 +22,7 @@ from kitrobot.verifier import (
     take_apart,
     variables_asked,
 )
-from kitrobot.verifier.asked import declared_of, team_of
+from kitrobot.verifier.custom_properties import declared_of, team_of
 from tests.sim.team_building import RunningTeam
 
 PROGRAM = """role scout: ant 2; role helper: ant; group ahead = scout; group behind = {helper};

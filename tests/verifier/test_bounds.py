@@ -16,7 +16,7 @@ from kitrobot.verifier import (
     Cut,
     Model,
     Timing,
-    exploring,
+    exploration,
     judge,
     ready_properties,
     take_apart,
@@ -83,7 +83,7 @@ def test_a_check_takes_no_more_memory_than_it_may_growing_and_judging_included(m
     parts = take_apart(run)
     tracemalloc.start()
     try:
-        monkeypatch.setattr(exploring, "resident", lambda: tracemalloc.get_traced_memory()[0])
+        monkeypatch.setattr(exploration, "resident", lambda: tracemalloc.get_traced_memory()[0])
         model = Model(run, parts, 0, Timing.FREE)
         most = tracemalloc.get_traced_memory()[0] + 1_200_000
         ready = [one for one in ready_properties(model) if one.name in ("deadlock", "delivered")]

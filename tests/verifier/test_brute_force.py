@@ -31,7 +31,7 @@ from kitrobot.verifier import (
     take_apart,
     variables_asked,
 )
-from kitrobot.verifier.exploring import Explored, explore
+from kitrobot.verifier.exploration import Explored, explore
 from tests.effort import examples
 from tests.sim.building import avatar, empty_world, run_of
 from tests.strategies.programs import Shape, random_program

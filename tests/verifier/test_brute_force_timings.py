@@ -29,7 +29,7 @@ from kitrobot.verifier import (
     take_apart,
     variables_asked,
 )
-from kitrobot.verifier.exploring import explore
+from kitrobot.verifier.exploration import explore
 from kitrobot.world import Corner, Road, Section, Start, Storehouse, World
 from tests.effort import examples
 from tests.sim.building import WHEEL, avatar, empty_world, run_of

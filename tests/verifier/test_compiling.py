@@ -9,10 +9,10 @@ import pytest
 
 from kitrobot.sim.table_pointer import TablePointer
 from kitrobot.verifier import Model, take_apart
-from kitrobot.verifier.compiling import samples
+from kitrobot.verifier.dynamic_arrays import longer
 from kitrobot.verifier.engines import FUNCTIONS, ArrayGraph, ArrayTables, arrays
-from kitrobot.verifier.exploring import fresh_graph
-from kitrobot.verifier.growing import longer
+from kitrobot.verifier.exploration import fresh_graph
+from kitrobot.verifier.numba_engine import samples
 from tests.sim.building import transport
 
 

@@ -11,8 +11,8 @@ from kitrobot.mission import FailureKind
 from kitrobot.sim import Simulation
 from kitrobot.verifier import AbstractionError, Budget, Model, Timing, judge, ready_properties, take_apart
 from kitrobot.verifier import columns as v
-from kitrobot.verifier.building import USUAL_KINDS
-from kitrobot.verifier.exploring import explore
+from kitrobot.verifier.exploration import explore
+from kitrobot.verifier.table_builder import USUAL_KINDS
 from tests.effort import cases
 from tests.sim.building import transport
 from tests.verifier.building import EXAMPLES, mutant, prepared

@@ -19,9 +19,9 @@ from kitrobot.verifier import (
     take_apart,
     variables_asked,
 )
-from kitrobot.verifier.compiling import engine
 from kitrobot.verifier.engines import PLAIN, Engine
-from kitrobot.verifier.exploring import Explored, explore
+from kitrobot.verifier.exploration import Explored, explore
+from kitrobot.verifier.numba_engine import engine
 from tests.sim.building import transport
 from tests.verifier.test_asked import AT_A, LOADED
 from tests.verifier.test_teams import team

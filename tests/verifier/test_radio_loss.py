@@ -9,7 +9,7 @@ import pytest
 from kitrobot.mission import FailureKind
 from kitrobot.verifier import Answer, Model, Timing, take_apart
 from kitrobot.verifier.budget import Budget
-from kitrobot.verifier.exploring import explore
+from kitrobot.verifier.exploration import explore
 from kitrobot.workspace.verification import Verification, VerificationOptions, verify, verify_runs
 from tests.sim.building import transport
 from tests.verifier.building import mutant

@@ -16,7 +16,7 @@ from kitrobot.mission import BreakdownRule, FailureKind
 from kitrobot.sim import Simulation
 from kitrobot.sim import columns as c
 from kitrobot.verifier import Budget, Confirmed, Model, Timing, Verdict, confirm, judge, ready_properties, take_apart
-from kitrobot.verifier.exploring import explore
+from kitrobot.verifier.exploration import explore
 from kitrobot.workspace.verification import VerificationOptions, verify_runs
 from tests.sim.building import WHEEL, avatar, empty_world, run_of, transport
 from tests.sim.team_building import RunningTeam

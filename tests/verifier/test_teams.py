@@ -16,14 +16,14 @@ from kitrobot.sim import columns as c
 from kitrobot.sim.team_columns import T_MISSED
 from kitrobot.verifier import Budget, Model, Timing, confirm, judge, ready_properties, take_apart, told
 from kitrobot.verifier import columns as v
-from kitrobot.verifier.agreeing import Agreement
+from kitrobot.verifier.absence import Watch
 from kitrobot.verifier.bodies import RUNS
-from kitrobot.verifier.building import KINDS
 from kitrobot.verifier.engines import PLAIN
-from kitrobot.verifier.exploring import Explored, explore
-from kitrobot.verifier.missing import Watch
+from kitrobot.verifier.exploration import Explored, explore
 from kitrobot.verifier.model import State
 from kitrobot.verifier.replay import Harm
+from kitrobot.verifier.table_builder import KINDS
+from kitrobot.verifier.team_agreement import Agreement
 from tests.effort import cases
 from tests.sim.team_building import RunningTeam, random_team_program
 from tests.team_programs.blocks import BlocksMaker

@@ -21,13 +21,13 @@ from kitrobot.verifier import (
     Timing,
     Way,
     confirm,
+    fair_cycles,
     judge,
     ready_properties,
-    rounds,
     take_apart,
 )
 from kitrobot.verifier.engines import PLAIN
-from kitrobot.verifier.exploring import explore
+from kitrobot.verifier.exploration import explore
 from kitrobot.verifier.properties import OfAgent
 from kitrobot.workspace.verification import VerificationOptions, verify
 from tests.sim.building import transport
@@ -96,8 +96,8 @@ def test_what_is_waited_for_has_a_share_of_the_time_and_is_not_searched_for_with
 @pytest.mark.parametrize("which", ["reach", "crossing"])
 def test_what_goes_through_all_states_is_broken_off_in_its_midst(monkeypatch: pytest.MonkeyPatch, which: str) -> None:
     """Without a clock: it is asked whether to break off after each piece, and says so after the third one."""
-    monkeypatch.setattr(rounds, "_STEPS", 50)
-    monkeypatch.setattr(rounds, "CHUNK", 50)
+    monkeypatch.setattr(fair_cycles, "_STEPS", 50)
+    monkeypatch.setattr(fair_cycles, "CHUNK", 50)
     run, calls, most = transport(stock=1, carriers=1), 0, 10_000
 
     def counting(*arguments: Any) -> int:
@@ -116,10 +116,10 @@ def test_what_goes_through_all_states_is_broken_off_in_its_midst(monkeypatch: py
     def looked_through() -> bool:
         made.look_anew()
         if which == "reach":
-            assert rounds.fair_round(made, one) == ([], [])
+            assert fair_cycles.fair_round(made, one) == ([], [])
         else:
             assert one.breaks is not None
-            assert rounds.first_crossing(made, *one.breaks) == (-1, -1)
+            assert fair_cycles.first_crossing(made, *one.breaks) == (-1, -1)
         return made.unseen is None
 
     assert looked_through()

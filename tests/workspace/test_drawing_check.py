@@ -11,8 +11,8 @@ import pytest
 from kitrobot.sim import Simulation
 from kitrobot.verifier import Budget, Model, take_apart
 from kitrobot.verifier.engines import PLAIN
-from kitrobot.verifier.exploring import explore
-from kitrobot.verifier.traps import never_ran, watch_programs
+from kitrobot.verifier.exploration import explore
+from kitrobot.verifier.trap_detection import never_ran, watch_programs
 from kitrobot.workspace import RunOptions, child_processes, open_mission
 from kitrobot.workspace.drawing_check import RUN_S, look, look_through
 from kitrobot.workspace.running import PreparedRun

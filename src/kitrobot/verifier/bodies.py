@@ -1,13 +1,13 @@
-"""What one robot of the model is: how it moves along its road, and what else it is.
+"""The packed motion state of one robot on a road (a *body*), and the rest of its state (`Inside`).
 
-A robot on a road is in a zone and at a class of gap to the robot ahead (`roads`). Its wheels stand, drive or brake.
-It comes into the next zone, or nearer than a class of gap, only after a tick of its own in the one where it is. Where
-that very tick lets it brake, or it was braking when it came, it leaves only a zone (or a class of gap) that is shorter
-than its braking distance; where it brakes later, it may leave any.
+A robot on a road is in a zone and at a class of gap to the robot ahead (`roads`). Its wheels stop, drive or brake. It
+enters the next zone, or a narrower class of gap, only after a tick of its own in its current one. If that tick lets it
+brake, or it was already braking when it arrived, it can leave only a zone (or class of gap) that is shorter than its
+braking distance; if it brakes later, it can leave any.
 
-A *body* is this motion as one number: the direction that its wheels were told (`want`) and the one in which it rolls
-(`way`), each 1 (forward), -1 (back) or 0 (stands); the class of the gap to the robot ahead; the zone; and five flags.
-What is here is in the part of Python that Numba takes.
+A *body* packs this motion into one number: the direction that its wheels were commanded (`want`) and the one in which
+it rolls (`way`), each 1 (forward), -1 (back) or 0 (stopped); the class of the gap to the robot ahead; the zone; five
+flags. This module uses only the subset of Python that Numba compiles.
 """
 
 from __future__ import annotations

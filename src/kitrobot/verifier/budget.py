@@ -1,4 +1,4 @@
-"""How far a check may go, and why it ended before it had seen all."""
+"""The limits of a check (states, seconds, bytes), and the reasons why one ends early."""
 
 from __future__ import annotations
 

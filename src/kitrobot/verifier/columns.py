@@ -1,8 +1,8 @@
-"""Names of the columns of the model's tables, and of the numbers that exploring keeps beside them.
+"""Names of the columns of the model's tables, and of the registers of an exploration.
 
-A state is a key of one or two words of 63 bits, cut into *fields*: field 0 is what is shared (boxes in storehouses,
-shared variables, failures that may still come), then one field for each agent (what it is but for its motion), one for
-each road (the motion of all robots on it), and under *prompt* one of bits: who has a tick to make. A field holds the
+A state is a key of one or two words of 63 bits, cut into *fields*: field 0 is the shared state (boxes in storehouses,
+shared variables, remaining failures), then one field for each agent (its state except its motion), one for each road
+(the motion of all robots on it), and under *prompt* one of bits: which agents have a tick to make. A field holds the
 number of a *component*; tables say what each component is.
 """
 
@@ -78,7 +78,7 @@ eight for each."""
 MOVE = 3
 """A row of `moves`: the number after it, the event, its progress class."""
 MOMENT = 6
-"""A row of `moments`: the number after it, who began to roll, who came into a zone, kinds, the first event in `log`,
+"""A row of `move_sets`: the number after it, who began to roll, who came into a zone, kinds, the first event in `log`,
 how many."""
 AFTER_HEAD, AFTER = 4, 6
 """A row of `after_heads`: a key (two words), its first row in `after`, how many. One of `after`: the key of what may

@@ -1,8 +1,8 @@
-"""The components of a model's states: each is given a number when it first comes up, and a row in the tables.
+"""The components of a model's states: each gets a number when it first comes up, and a row in the tables.
 
-The state of a mission is cut into *components*: what is shared (boxes, shared variables, failures that may still come,
-what a team agreed on), each agent but for its motion (`Inside`), and the motion of all robots on each road (`traffic`).
-A state is the numbers of these in one key (`columns`).
+The state of a mission is split into *components*: the shared state (boxes, shared variables, remaining failures, the
+team's state), each agent except its motion (`Inside`), and the motion of all robots on each road (`traffic`). A state
+is the numbers of its components, packed into one key (`columns`).
 """
 
 from __future__ import annotations
@@ -14,14 +14,14 @@ from kitrobot.sim import Simulation
 from kitrobot.sim import columns as c
 from kitrobot.verifier import columns as v
 from kitrobot.verifier import reactions
-from kitrobot.verifier.agreeing import Agreed
+from kitrobot.verifier.absence import Watch
+from kitrobot.verifier.abstraction import Parts
 from kitrobot.verifier.bodies import FAILED, RUNS, Inside, zone_of
-from kitrobot.verifier.building import KINDS, USUAL_KINDS, Roads, build, check_size, first_body
+from kitrobot.verifier.dynamic_arrays import longer, widen_insides
 from kitrobot.verifier.events import TooManyError
-from kitrobot.verifier.growing import longer, widen_insides
-from kitrobot.verifier.missing import Watch
-from kitrobot.verifier.packing import Layout, Widths
-from kitrobot.verifier.parts import Parts
+from kitrobot.verifier.key_layout import Layout, Widths
+from kitrobot.verifier.table_builder import KINDS, USUAL_KINDS, Roads, build, check_size, first_body
+from kitrobot.verifier.team_agreement import Agreed
 from kitrobot.verifier.timing import Timing
 
 State = tuple[int, ...]
@@ -205,9 +205,10 @@ class Components:
         return number
 
     def cells(self, i: int, key: int) -> list[int]:
-        """The first cells of agent i as its program would find them where it senses this (`looking.sensed`): inputs,
-        then variables, each at its place. An input that may read anything is 0, and so is a variable that `take_apart`
-        was not told of.
+        """The first cells of agent i as its program finds them: inputs, then variables, each at its place.
+
+        `key` is what the agent senses (`state_decoding.sensed`). An input that may read anything is 0, and so is a
+        variable that was not requested from `take_apart`.
         """
         part, inside = self.parts[i], self._insides[i][key & v.MOST_INSIDES - 1]
         seen = self._seen_tuples[i][key >> v.S_SHARED & v.MOST_SEEN - 1]

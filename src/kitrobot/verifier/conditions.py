@@ -1,9 +1,9 @@
-"""Conditions that speak of several agents: LLL in which each test says whose it is, `any carrier-1 (Sign.EqualTo(3))`.
+"""Conditions over several agents: LLL in which each test names its agents, `any carrier-1 (Sign.EqualTo(3))`.
 
-`any`, `all` and `most` are those of team programs; a name is an agent's, or a program's for all agents that run it, or
-that of a role or a group, for all that play it or are in it at that moment.
-What stands in the brackets is decided by the interpreter on what that agent reads and keeps
-(`sim.breakpoints.Condition`); what is left here is *and*, *or*, *not* and counting.
+`any`, `all` and `most` are those of team programs. A name is an agent's, a program's (all agents that run it), a role's
+or a group's (all agents that play it or belong to it at that moment). The interpreter evaluates the test in the
+brackets on what that agent reads and stores (`sim.breakpoints.Condition`); this module evaluates *and*, *or*, *not* and
+counting.
 """
 
 from __future__ import annotations

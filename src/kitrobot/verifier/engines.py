@@ -1,6 +1,7 @@
-"""What goes through states: the functions of `visiting` and `fairness` as CPython runs them, or compiled by Numba.
+"""Engines that explore and search states: the same functions, run by CPython or compiled by Numba.
 
-Both are one source, and give the same numbers in the same order; so exploring may pass from one to the other.
+The functions are those of `breadth_first_search`, `state_marks` and `fairness`. Both engines run one source and give
+the same numbers in the same order, so an exploration may switch from one to the other.
 """
 
 from __future__ import annotations
@@ -13,7 +14,8 @@ from typing import Any, NamedTuple
 
 from kitrobot.sim.jit_cache import is_missed
 from kitrobot.sim.table_pointer import TablePointer
-from kitrobot.verifier import fairness, marking, visiting
+from kitrobot.verifier import breadth_first_search as bfs
+from kitrobot.verifier import fairness, state_marks
 from kitrobot.verifier.tables import Graph, Tables
 
 
@@ -21,8 +23,8 @@ class Engine(NamedTuple):
     """One way to run it.
 
     Attributes:
-        advance, expand, rehash, repack: of `visiting`.
-        mark, observe, crossing, prune: of `marking`.
+        advance, expand, rehash, repack: of `breadth_first_search`.
+        mark, observe, crossing, prune: of `state_marks`.
         search, reach, sample, way: of `fairness`.
         row: a list of numbers as the functions take it.
         zeros, bytes, words: so many zeros, of 32 bits, of 8 or of 64.
@@ -49,14 +51,14 @@ class Engine(NamedTuple):
 
 
 FUNCTIONS: dict[str, Callable[..., Any]] = {
-    "advance": visiting.advance,
-    "expand": visiting.expand,
-    "rehash": visiting.rehash,
-    "repack": visiting.repack,
-    "mark": marking.mark,
-    "observe": marking.observe,
-    "crossing": marking.crossing,
-    "prune": marking.prune,
+    "advance": bfs.advance,
+    "expand": bfs.expand,
+    "rehash": bfs.rehash,
+    "repack": bfs.repack,
+    "mark": state_marks.mark,
+    "observe": state_marks.observe,
+    "crossing": state_marks.crossing,
+    "prune": state_marks.prune,
     "search": fairness.search,
     "reach": fairness.reach,
     "sample": fairness.sample,
@@ -175,7 +177,7 @@ def worth(states: int, seconds: float) -> Engine | None:
     states, seconds = done.states + states, done.seconds + seconds
     if states < WORTH_STATES and seconds < LOADED_S:
         return None
-    from kitrobot.verifier.compiling import engine
+    from kitrobot.verifier.numba_engine import engine
 
     if states >= WORTH_STATES or seconds >= WORTH_S or engine.is_kept():
         engine.ask()

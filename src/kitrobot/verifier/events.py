@@ -1,4 +1,4 @@
-"""What happens in the model, one event after another."""
+"""The events of the model, one kind for each thing that can happen."""
 
 from __future__ import annotations
 

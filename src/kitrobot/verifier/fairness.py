@@ -1,18 +1,19 @@
-"""Runs that never come to what they wait for: strongly connected parts of the explored graph that are fair.
+"""Liveness: fair strongly connected components of the explored graph, in which a run can wait for ever.
 
-A run is fair when it puts off no progress class for ever (see `timing`): a tick that would change something all the
-time is made in the end; what else is possible again and again comes in the end. Parts are found by Tarjan's algorithm
-(1972), without recursion; where something is possible in a part and never comes, its states are left out where it is
-possible, and the rest is looked through again (Emerson and Lei, 1987).
+A run is fair when it delays no progress class for ever (see `timing`): a tick that would change something all the time
+happens eventually; any other event that is possible again and again happens eventually. Tarjan's algorithm (1972),
+without recursion, finds the components. If an event is possible in a component and never happens in it, the states in
+which it is possible are removed and the rest is searched again (Emerson and Lei, 1987).
 
-Each state that counts has a *colour*; a search goes along steps within one colour. What is left of a part has a colour
-of its own, and is looked through in the next round. What is here is in the part of Python that Numba takes.
+Each state that counts has a *colour*; a search follows steps within one colour. What is left of a component gets a
+colour of its own and is searched in the next round. This module uses only the subset of Python that Numba compiles.
 """
 
 from __future__ import annotations
 
 from typing import NamedTuple
 
+from kitrobot.verifier.absence_detection import is_over, may_pass
 from kitrobot.verifier.columns import (
     AGENTS,
     C_BACKWARD,
@@ -32,10 +33,9 @@ from kitrobot.verifier.columns import (
     TIMING,
     WATCHED,
 )
-from kitrobot.verifier.looking import decode, stays
+from kitrobot.verifier.state_decoding import decode, stays
 from kitrobot.verifier.tables import Graph, Row, Tables
 from kitrobot.verifier.traffic import fill_moves
-from kitrobot.verifier.watching import is_over, may_pass
 
 ROOTS, ROOT, INDEX, TOP, WORK, REST, COLOUR, FIRST, EXPANDED, TWO = range(10)
 SEARCH_NUMBERS = 10

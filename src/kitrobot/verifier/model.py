@@ -1,10 +1,11 @@
-"""The discrete model of a mission: the tables in which exploring looks up what its components become.
+"""The discrete model of a mission: the tables in which the exploration looks up transitions, filled on demand.
 
-What exploring finds missing in a table is filled in here, by the interpreter itself (`programs`) and, where a team
-agrees on something or misses somebody, by the simulator (`agreeing`, `missing`).
+When the exploration finds that a table lacks an entry, the model adds it: with the interpreter itself (`programs`) and,
+where a team agrees on something or misses a member, with the simulator (`team_agreement`, `absence`).
 
-A tick changes the agent itself and shared variables; what others sense of it changes with events of the world. So the
-ticks of one moment may be taken in any order, but for shared variables: those of a tick are seen by the next.
+A tick changes the agent itself and shared variables; what other agents sense of it changes with events of the world. So
+the ticks of one moment may be taken in any order, except for shared variables: the next tick sees those of the
+previous.
 """
 
 from __future__ import annotations
@@ -14,15 +15,15 @@ from collections.abc import Collection
 from kitrobot.sim import columns as c
 from kitrobot.verifier import columns as v
 from kitrobot.verifier import reactions
-from kitrobot.verifier.agreeing import Agreed, Told
+from kitrobot.verifier.absence import ENDS
 from kitrobot.verifier.bodies import ANEW, FAILED, LOST, RUNS, Inside
 from kitrobot.verifier.components import Components, Shared, State
+from kitrobot.verifier.dynamic_arrays import find_confs_again, put
 from kitrobot.verifier.events import TooManyError
-from kitrobot.verifier.growing import find_confs_again, put
-from kitrobot.verifier.looking import decode, sensed
-from kitrobot.verifier.missing import ENDS
+from kitrobot.verifier.interleaved_successors import due_in
 from kitrobot.verifier.programs import Reaction
-from kitrobot.verifier.stepping import due_in
+from kitrobot.verifier.state_decoding import decode, sensed
+from kitrobot.verifier.team_agreement import Agreed, Told
 from kitrobot.verifier.timing import Timing
 from kitrobot.verifier.traffic import intern_conf
 
@@ -122,8 +123,9 @@ class Model(Components):
         self._put_reactions(key, found)
 
     def reactions_to(self, i: int, key: int) -> list[tuple[Reaction, reactions.Change]]:
-        """All reactions that a tick of agent i can have where it senses this (`looking.sensed`), each with what it
-        makes of what is shared.
+        """All reactions of a tick of agent i, each with its change of the shared state.
+
+        `key` is what the agent senses (`state_decoding.sensed`).
         """
         part, inside = self.parts[i], self._insides[i][key & v.MOST_INSIDES - 1]
         choices = {at: sense.choices for at, sense in enumerate(part.senses)}
@@ -137,7 +139,7 @@ class Model(Components):
         return self._sensed(i, sensed(self.t, i))
 
     def _sensed(self, i: int, key: int) -> tuple[tuple[int | None, ...], tuple[int, ...]]:
-        """The same, by what it senses (`looking.sensed`)."""
+        """The same, by what it senses (`state_decoding.sensed`)."""
         part, inside = self.parts[i], self._insides[i][key & v.MOST_INSIDES - 1]
         seen = self._seen_tuples[i][key >> v.S_SHARED & v.MOST_SEEN - 1]
         about = key >> v.S_SHARED, inside.load, inside.busy

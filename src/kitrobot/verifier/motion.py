@@ -1,7 +1,7 @@
-"""How robots on one road move: the events of the world that are possible for a robot between its two neighbours.
+"""The moves of a robot on a road: the events of the world that are possible for it between its two neighbours.
 
-An event changes one robot, or two: a robot that goes on changes the gap to the one ahead and the gap of the one behind.
-What is here is in the part of Python that Numba takes.
+An event changes one robot, or two: a robot that moves changes the gap to the one ahead and the gap of the one behind.
+This module uses only the subset of Python that Numba compiles.
 """
 
 from __future__ import annotations

@@ -1,11 +1,11 @@
-"""Programs as tables: what one tick makes of a program's state and of what its robot senses.
+"""Programs as transition tables: the result of one tick for each program state and each set of sensed values.
 
-A reaction is computed by the interpreter itself (`kitrobot_onboard.interpreter.tick`), once for each pair of state and
-sensed values that comes up. There is no second meaning of a program.
+The interpreter itself (`kitrobot_onboard.interpreter.tick`) computes a reaction, once for each pair of state and sensed
+values that comes up. There is no second meaning of a program.
 
-A *local state* is everything that can change in an image but its inputs and its shared variables: the cells that are
-live (their value may still be read), where each thread stands, which parallels are active and which stops are armed. Of
-two states that differ in dead cells only, one is kept.
+A *local state* is everything that can change in an image except its inputs and its shared variables: the live cells
+(whose value may still be read), the position of each thread, which parallels are active and which stops are armed. Of
+two states that differ only in dead cells, one is stored.
 """
 
 from __future__ import annotations

@@ -1,7 +1,7 @@
-"""What is asked of a mission: ready properties that fit its devices.
+"""The properties that a check decides: the ready ones that fit a mission's devices.
 
 A property of *safety* is broken by one event or one state. A property of *liveness* is broken by a run that goes on for
-ever, or stands still for ever, without what was to come.
+ever, or stands still for ever, without the expected event.
 """
 
 from __future__ import annotations
@@ -18,7 +18,7 @@ from kitrobot.verifier.bodies import FAILED, RUNS, Inside
 from kitrobot.verifier.events import SWINGS, What
 from kitrobot.verifier.model import Model, Shared
 from kitrobot.verifier.motion import Move
-from kitrobot.verifier.watches import Watch, loses_something, runs_on, waits_at_point
+from kitrobot.verifier.run_monitors import Watch, loses_something, runs_on, waits_at_point
 
 
 @dataclass(frozen=True)
@@ -46,8 +46,9 @@ class Stands:
 
 @dataclass(frozen=True)
 class Sensed:
-    """What is true of a state by what some agents would read and keep there, as their keys (`looking.sensed`); where it
-    asks for what is shared, the number of that comes behind them.
+    """A condition on a state by what some agents read and store there, as their keys (`state_decoding.sensed`).
+
+    If it `asks_shared`, the number of the shared state follows the keys.
     """
 
     agents: tuple[int, ...]

@@ -1,4 +1,4 @@
-"""What an agent's inputs read, and what a reaction of its program makes of it."""
+"""The input values of an agent, and the effect of a reaction of its program on the agent and on the shared state."""
 
 from __future__ import annotations
 
@@ -6,10 +6,10 @@ from collections.abc import Iterator, Sequence
 
 from kitrobot.sim.devices.base import Discrete
 from kitrobot.verifier import columns as v
-from kitrobot.verifier.agreeing import Told
+from kitrobot.verifier.abstraction import Part, Sense
 from kitrobot.verifier.bodies import FAILED, Inside
-from kitrobot.verifier.parts import Part, Sense
 from kitrobot.verifier.programs import Reaction
+from kitrobot.verifier.team_agreement import Told
 
 Change = tuple[tuple[tuple[int, int], ...], tuple[Told, ...]]
 """What a tick makes of what is shared: the variables that it changes, with their values, and what the team is told."""
@@ -61,7 +61,7 @@ def change_by(part: Part, inside: Inside, shared: tuple[int, ...], reaction: Rea
 
 
 def after_silence(part: Part, inside: Inside, key: int, seen: tuple[int, ...]) -> Inside:
-    """What an agent is once it hears nobody (`looking.silenced`): what it saw of shared variables is its own."""
+    """What an agent is once it hears nobody (`state_decoding.silenced`): what it saw of shared variables is its own."""
     down = FAILED if key >> v.S_VIEW & 1 else inside.down
     return inside._replace(own=seen[: len(part.shared)], down=down, is_muted=True)
 
@@ -87,7 +87,7 @@ def around(part: Part, signs: Sequence[tuple[int, ...]], key: int, shared: tuple
     Args:
         part: the agent.
         signs: what its sensors for signs read in the classes of zones; none on no road.
-        key: what it senses (`looking.sensed`).
+        key: what it senses (`state_decoding.sensed`).
         shared: what it senses of what is shared.
     """
     gaps = sum(sense.discrete is Discrete.GAP for sense in part.senses)

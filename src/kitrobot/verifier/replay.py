@@ -1,7 +1,7 @@
-"""Looks in the simulator for a run that breaks a property as the model said: tries seeds, and moments for failures.
+"""Confirms a counterexample in the simulator: tries seeds, and times for faults, until a run breaks the property.
 
-What befalls agents is taken from the run of the model: who fails or stalls, in which order, and who runs again. Times
-are not in the model, so moments are tried, spread evenly over the run without failures.
+The faults come from the counterexample of the model: which agents fail, stall or recover, in which order. The model has
+no times, so several are tried, spread evenly over the run without faults.
 """
 
 from __future__ import annotations
@@ -12,11 +12,11 @@ from itertools import chain, combinations
 
 from kitrobot.sim import Simulation
 from kitrobot.sim import columns as c
+from kitrobot.verifier.absence import gave_up
 from kitrobot.verifier.events import What
-from kitrobot.verifier.judging import Way
-from kitrobot.verifier.missing import gave_up
 from kitrobot.verifier.model import Model
 from kitrobot.verifier.properties import Property
+from kitrobot.verifier.verdicts import Way
 
 SEEDS = 8
 """Seeds that are tried where nothing befalls anybody."""

@@ -1,9 +1,9 @@
-"""Roads made discrete: zones, and classes of the gap between two robots, one behind the other.
+"""Discrete roads: zones, and classes of the gap between two robots, one behind the other.
 
-A road is cut into zones where something that a robot senses may change: at the borders of its sections (as far ahead as
-the sensor looks) and at the ends of docks. Where a robot is within its zone is left open. The gap from bumper to bumper
-is in one of a few classes: pressed, touching, one for each reach of a collision sensor, beyond. Which gaps are
-possible between two zones is a matter of geometry, computed here once.
+A road is cut into zones where the value of a sensor may change: at the borders of its sections (as far ahead as the
+sensor looks) and at the ends of docks. The position of a robot within its zone is left open. The gap from bumper to
+bumper is in one of a few classes: pressed, touching, one for each reach of a collision sensor, beyond. Which gaps are
+possible between two zones follows from geometry and is computed here once.
 """
 
 from __future__ import annotations

@@ -1,9 +1,9 @@
-"""States in which a mission stands still: nothing happens any more but that programs go round, and say nothing new.
+"""Standstills of a mission: nothing happens any more except that programs repeat themselves without effect.
 
-As in `sim.deadlock_detection`: robots that only poll come to the same places in their programs, and to the same values
-of their own variables, again and again. Who changes a shared variable says something new. A device that is told the
-same once more does nothing new, but for what takes longer; and at the end of an open road a robot gets nowhere. Where a
-reading that may be anything makes a difference, something may still happen, and nothing stands still.
+As in `sim.deadlock_detection`, robots that only poll return to the same places in their programs, and to the same
+values of their own variables, again and again. A robot that changes a shared variable has an effect. Repeating the same
+command to a device has none, except for one that takes longer; and at the end of an open road a robot gets nowhere. If
+a sensor that may read anything makes a difference, something may still happen, and the mission does not stand still.
 """
 
 from __future__ import annotations
@@ -13,10 +13,10 @@ from typing import Any
 
 from kitrobot.verifier import columns as v
 from kitrobot.verifier.bodies import RUNS
-from kitrobot.verifier.exploring import Explored
+from kitrobot.verifier.exploration import Explored
+from kitrobot.verifier.fair_cycles import CHUNK, mark
 from kitrobot.verifier.model import Model
 from kitrobot.verifier.properties import Condition
-from kitrobot.verifier.rounds import CHUNK, mark
 
 _STIRS = 1
 """The bit of what keeps a mission from standing still; each command has one of its own above."""

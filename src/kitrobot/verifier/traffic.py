@@ -1,8 +1,8 @@
-"""All robots on one road: a number for how they move, and what can happen to them next.
+"""The motion of all robots on one road, as one number (a *conf*), and what can happen to them next.
 
-A *conf* is a row of `confs`: the bodies of all robots on a road, and what follows from them. Numbers are given as they
-come up. What is here is in the part of Python that Numba takes; -1 says that there is no room, or no number left
-(`regs[CODE]` says of what), and that it is to be asked again.
+A *conf* is a row of `confs`: the bodies of all robots on a road, and what follows from them. Numbers are assigned as
+they come up. This module uses only the subset of Python that Numba compiles; -1 means that there is no room, or no
+number left (`regs[CODE]` says of what): the caller makes room and calls again.
 """
 
 from __future__ import annotations

@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING, Any
 from kitrobot.diagnostics import KitRobotError
 from kitrobot.text import Sentence
 from kitrobot.verifier import Answer, Confirmed, Cut, Timing
-from kitrobot.verifier.scenes import Guilty, Scene
+from kitrobot.verifier.storyboard import Guilty, Scene
 from kitrobot.workspace.child_processes import end_with_parent, has_processes
 from kitrobot.workspace.running import PreparedRun
 from kitrobot.workspace.verification import (

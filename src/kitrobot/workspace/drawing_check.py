@@ -4,7 +4,7 @@ All orders of events are gone through in lockstep, in a process of its own at th
 does not fit says nothing, and neither does a mission that has no discrete form, or one with errors. A trap that the
 model finds is told only where a run of the simulator shows it too: while drawing, no alarm may be false.
 
-Left to others: finding (`verifier.traps`), a check of properties (`background_check`).
+Left to others: finding (`verifier.trap_detection`), a check of properties (`background_check`).
 """
 
 from __future__ import annotations
@@ -21,7 +21,7 @@ from kitrobot.mission import BreakdownRule, Mission
 from kitrobot.sim import Simulation
 from kitrobot.text import Sentence
 from kitrobot.verifier import Budget, Confirmed, Model, Timing, take_apart
-from kitrobot.verifier.parts import Parts
+from kitrobot.verifier.abstraction import Parts
 from kitrobot.workspace.child_processes import end_with_parent, has_processes
 from kitrobot.workspace.running import PreparedRun
 from kitrobot.workspace.verification import VerificationError, runs_of
@@ -191,10 +191,10 @@ def look(
     Raises:
         AbstractionError: the mission cannot be checked.
     """
-    from kitrobot.verifier.compiling import engine
     from kitrobot.verifier.engines import PLAIN
-    from kitrobot.verifier.exploring import explore
-    from kitrobot.verifier.traps import show, traps, watch_programs
+    from kitrobot.verifier.exploration import explore
+    from kitrobot.verifier.numba_engine import engine
+    from kitrobot.verifier.trap_detection import show, traps, watch_programs
 
     run = runs(seed)
     parts = take_apart(run)
@@ -236,7 +236,7 @@ def look(
 
 def _never_run(run: Simulation, looked_at: Sequence[Parts]) -> tuple[tuple[str, tuple[str, ...]], ...]:
     """By the program the vertices that ran in no robot; a program of a team is another one in each kind of robot."""
-    from kitrobot.verifier.traps import never_ran
+    from kitrobot.verifier.trap_detection import never_ran
 
     programs = {agent.image_name: agent.program for agent in run.members}
     there: dict[str, set[str]] = {}

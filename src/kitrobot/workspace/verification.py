@@ -33,7 +33,7 @@ from kitrobot.verifier import (
     variables_asked,
 )
 from kitrobot.verifier.engines import would_gain
-from kitrobot.verifier.scenes import Guilty, Scene, guilty, scenes
+from kitrobot.verifier.storyboard import Guilty, Scene, guilty, scenes
 from kitrobot.workspace.running import PreparedRun
 
 MOST_FAILURES = 3

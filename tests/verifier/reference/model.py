@@ -18,7 +18,7 @@ from kitrobot.mission import FailureKind
 from kitrobot.sim import Simulation
 from kitrobot.sim import columns as c
 from kitrobot.sim.devices.base import Discrete
-from kitrobot.verifier.parts import Part, Parts, Sense
+from kitrobot.verifier.abstraction import Part, Parts, Sense
 from tests.verifier.reference.bodies import FAILED, RUNS, STALLED, Inside
 from tests.verifier.reference.events import Event, What
 from tests.verifier.reference.traffic import Traffic

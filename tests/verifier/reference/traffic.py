@@ -7,7 +7,7 @@ from collections.abc import Iterator, Sequence
 
 from kitrobot.sim import Simulation
 from kitrobot.sim import columns as c
-from kitrobot.verifier.parts import Part
+from kitrobot.verifier.abstraction import Part
 from kitrobot.verifier.roads import PRESSED
 from tests.verifier.reference.bodies import FAILED, RUNS, Body
 from tests.verifier.reference.events import MOST_AT_ONCE, Event, TooManyError, progress

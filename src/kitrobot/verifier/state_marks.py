@@ -1,8 +1,8 @@
-"""Conditions of states, decided for all states at once by what their components are, and what follows of steps."""
+"""Conditions on states: evaluated for all states at once from the truth of each component, and followed along steps."""
 
 from __future__ import annotations
 
-from kitrobot.verifier.looking import decode, sensed
+from kitrobot.verifier.state_decoding import decode, sensed
 from kitrobot.verifier.tables import Graph, Row, Tables
 
 FACT = 3

@@ -1,12 +1,12 @@
-"""Ticks of several agents in one moment, of *prompt* and *free*: only those that no order of single ticks comes to.
+"""Simultaneous ticks of several agents, in *prompt* and *free*: only those that no order of single ticks leads to.
 
-Who ticks in the same moment reads what was there before, and of what several write, the write of the one that stands
-later in the team holds. Where what agent i writes changes nothing of what agent j does, i and then j is the same; so is
-j and then i, where it is the other way round and the order of what they write makes no difference. What is left are
-agents of which each reads what another one writes in this very moment, as Peterson's two do that want to enter at once.
+Agents that tick in the same moment read the values before it; if several write, the write of the agent that is later in
+the team wins. If the write of agent i changes nothing that agent j does, the result is that of i and then j; likewise
+for j and then i, if the order of their writes makes no difference. What is left are agents that each read what another
+one writes in this very moment, as the two of Peterson's algorithm do when they enter at once.
 
-A set of agents is left out where it can be cut in two, one part after the other. What is here is in the part of Python
-that Numba takes; False says as -1 in `stepping`.
+A set of agents is skipped if it can be split in two, one part after the other. This module uses only the subset of
+Python that Numba compiles; False means the same as -1 in `interleaved_successors`.
 """
 
 from __future__ import annotations
@@ -32,7 +32,7 @@ from kitrobot.verifier.columns import (
     TOO_MANY,
 )
 from kitrobot.verifier.events import MOST_AT_ONCE, TICK
-from kitrobot.verifier.looking import changed, emit, react, reaction, sensed
+from kitrobot.verifier.state_decoding import changed, emit, react, reaction, sensed
 from kitrobot.verifier.tables import Tables
 from kitrobot.verifier.traffic import after_tick
 

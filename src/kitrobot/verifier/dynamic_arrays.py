@@ -1,4 +1,4 @@
-"""Tables that grow: lists, arrays of Python's, arrays of NumPy's."""
+"""Tables that grow: lists, arrays of Python's `array` module, and NumPy arrays."""
 
 from __future__ import annotations
 

@@ -1,11 +1,13 @@
-"""After robots moved in *lockstep*: something befalls agents, or nothing, and all tick at once.
+"""The ticks of *lockstep*: after robots moved, faults occur or do not, and all agents tick at once.
 
-Many ways of moving come to the same state, so what may follow is kept in `after`, and worked out once for each state as
-long as there is room. What is here is in the part of Python that Numba takes; -1 says as in `stepping`.
+Many moves lead to the same state, so the results are cached in `after` and computed once for each state as long as
+there is room. This module uses only the subset of Python that Numba compiles; -1 means the same as in
+`interleaved_successors`.
 """
 
 from __future__ import annotations
 
+from kitrobot.verifier.absence_detection import watch
 from kitrobot.verifier.bodies import STALLED
 from kitrobot.verifier.columns import (
     A_PLACE,
@@ -44,11 +46,10 @@ from kitrobot.verifier.columns import (
     WATCHED,
 )
 from kitrobot.verifier.events import MOST_AT_ONCE, RESUME, STALL
-from kitrobot.verifier.happening import MUTES, RESUMES, harms_of
-from kitrobot.verifier.looking import changed, decode, react
+from kitrobot.verifier.state_decoding import changed, decode, react
 from kitrobot.verifier.tables import Tables
 from kitrobot.verifier.traffic import after_tick
-from kitrobot.verifier.watching import watch
+from kitrobot.verifier.world_transitions import MUTES, RESUMES, harms_of
 
 MOST_TRIED = 20_000_000
 """Ways out of one state that are tried at most, those that come to the same counted apart."""

@@ -1,8 +1,8 @@
-"""The properties that a mission asks for itself, in the four forms of `mission.asked`.
+"""Custom properties of a mission, in the four forms of its `<property>` elements.
 
-A condition holds in a state if it does for what agents would read and keep there. Of what an agent reads and keeps the
-same comes again and again, so each answer of the interpreter is kept. In a run of the simulator it is what they read in
-their last tick.
+A condition holds in a state if it holds for the values that the agents would read and store there. The same values come
+up in many states, so each answer of the interpreter is cached. In a run of the simulator the values are those of the
+agents' last tick.
 """
 
 from __future__ import annotations
@@ -21,7 +21,7 @@ from kitrobot.text import Sentence
 from kitrobot.verifier.conditions import Asked, Member, Members, PropertyError, Truth, ask
 from kitrobot.verifier.model import Model
 from kitrobot.verifier.properties import Property, Sensed
-from kitrobot.verifier.watches import Watch, was_long
+from kitrobot.verifier.run_monitors import Watch, was_long
 
 
 def team_of(run: Simulation) -> list[Member]:

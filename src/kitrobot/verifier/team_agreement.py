@@ -1,8 +1,8 @@
-"""What a team has agreed on, as a part of what is shared: who waits where, answers, groups, and units of work.
+"""The state of a team as part of a model's shared state: waiting robots, answers, groups, and units of work.
 
-What commands to `Team` and to works do is done by the simulator itself (`sim.meetings`, `sim.work`), on tables apart
-that are put into the state in question before, and read off after. Here nobody fails, so whoever plays no role plays
-none for good; who is missed, and who takes over, is left to `missing`.
+The simulator itself (`sim.meetings`, `sim.work`) executes commands to `Team` and to works, on a private copy of its
+tables: the state is written into the tables before a command and read back after it. This module assumes that no robot
+fails, so a robot that plays no role never plays one; `absence` adds missed robots and substitutes.
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""Breadth-first exploring: every state that can be reached, how it was reached first, and the steps between them."""
+"""Breadth-first exploration: every reachable state, a shortest path to each, and the steps between them."""
 
 from __future__ import annotations
 
@@ -11,9 +11,9 @@ from typing import Any
 from kitrobot.verifier import columns as v
 from kitrobot.verifier import engines
 from kitrobot.verifier.budget import Budget, Cut
+from kitrobot.verifier.dynamic_arrays import longer
 from kitrobot.verifier.engines import Engine
 from kitrobot.verifier.events import Event, TooManyError, event_of
-from kitrobot.verifier.growing import longer
 from kitrobot.verifier.memory import USUAL, resident
 from kitrobot.verifier.model import Model, State
 from kitrobot.verifier.tables import Graph

@@ -1,10 +1,10 @@
-"""What an agent can never get out of, and what no run comes to: found in all states of a mission that were explored.
+"""Traps and dead code: loops that an agent can never leave, and instructions that no run executes, in a state space.
 
-An agent is *trapped* in a loop of its program where one of its threads is in it and, in every state that can be reached
-from there, still is, though the loop has a way out. A loop without one (Forever) is meant so. Where a mission has
-goals, only states count from which they cannot be reached any more: whoever waits when all is done waits rightly.
+An agent is *trapped* in a loop of its program if one of its threads is in it and stays in it in every state that can be
+reached from there, although the loop has a way out. A loop without one (Forever) is intended. In a mission with goals
+only states count from which the goals cannot be reached any more: a robot that waits after all is done is right to wait.
 
-Left to others: exploring (`exploring`), words and places for people (`workspace.drawing_check`).
+Not here: exploring (`exploration`), words and places for people (`workspace.drawing_check`).
 """
 
 from __future__ import annotations
@@ -16,8 +16,8 @@ from functools import lru_cache
 from kitrobot.image import Image
 from kitrobot.image.instructions import BY_NUMBER, FORK, JOIN
 from kitrobot.sim import Simulation
-from kitrobot.verifier.exploring import Explored
-from kitrobot.verifier.parts import Parts
+from kitrobot.verifier.abstraction import Parts
+from kitrobot.verifier.exploration import Explored
 from kitrobot.verifier.programs import ProgramTable, Reaction
 
 _CHUNK = 10

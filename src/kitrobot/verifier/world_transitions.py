@@ -1,6 +1,6 @@
-"""What takes longer and comes to its end, and what befalls agents: the states after it.
+"""Transitions of the world: completed actions (arms, procedures that take longer) and faults of agents.
 
-What is here is in the part of Python that Numba takes; -1 says as in `stepping`.
+This module uses only the subset of Python that Numba compiles; -1 means the same as in `interleaved_successors`.
 """
 
 from __future__ import annotations
@@ -59,7 +59,7 @@ from kitrobot.verifier.events import (
     STALL,
     UNLOADED,
 )
-from kitrobot.verifier.looking import changed, silenced
+from kitrobot.verifier.state_decoding import changed, silenced
 from kitrobot.verifier.tables import Tables
 from kitrobot.verifier.traffic import after_harm
 

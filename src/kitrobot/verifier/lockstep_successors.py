@@ -1,10 +1,11 @@
-"""The steps of *lockstep*: what takes longer ends, robots move, something befalls agents, and all tick at once.
+"""The successors of a state in *lockstep*: actions complete, robots move, faults occur, and all agents tick at once.
 
-What is here is in the part of Python that Numba takes; -1 says as in `stepping`.
+This module uses only the subset of Python that Numba compiles; -1 means the same as in `interleaved_successors`.
 """
 
 from __future__ import annotations
 
+from kitrobot.verifier.absence_detection import is_over
 from kitrobot.verifier.columns import (
     AFTER,
     AGENTS,
@@ -33,12 +34,11 @@ from kitrobot.verifier.columns import (
     TAKEN_WIDTH,
     TOO_MANY,
 )
-from kitrobot.verifier.happening import ends_of
-from kitrobot.verifier.looking import decode
-from kitrobot.verifier.moments import fill_moments
+from kitrobot.verifier.lockstep_ticks import MOST_TRIED, after_all
+from kitrobot.verifier.move_sets import fill_moments
+from kitrobot.verifier.state_decoding import decode
 from kitrobot.verifier.tables import Tables
-from kitrobot.verifier.ticking import MOST_TRIED, after_all
-from kitrobot.verifier.watching import is_over
+from kitrobot.verifier.world_transitions import ends_of
 
 
 def expand_lockstep(t: Tables, x: int, y: int) -> int:

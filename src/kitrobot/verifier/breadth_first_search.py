@@ -1,7 +1,7 @@
-"""Which states were reached: breadth first, with open addressing over keys.
+"""Breadth-first search: the set of visited states, with open addressing over keys.
 
-What is here is in the part of Python that Numba takes. Whatever has no room, or is not in the tables yet, ends a call
-with a number that says so (see `columns`); what is missing is put there, and the same state is gone on with.
+This module uses only the subset of Python that Numba compiles. If a table has no room, or lacks an entry, a call ends
+with a number that says so (see `columns`); the caller fixes that, and the search continues with the same state.
 """
 
 from __future__ import annotations
@@ -33,9 +33,9 @@ from kitrobot.verifier.columns import (
     WORDS,
 )
 from kitrobot.verifier.events import TICK
-from kitrobot.verifier.lockstep import expand_lockstep
+from kitrobot.verifier.interleaved_successors import expand_interleaved
+from kitrobot.verifier.lockstep_successors import expand_lockstep
 from kitrobot.verifier.motion import BEGIN, HALT
-from kitrobot.verifier.stepping import expand_interleaved
 from kitrobot.verifier.tables import Graph, Row, Tables
 
 CALM = 1 << TICK | 1 << BEGIN | 1 << HALT

@@ -1,12 +1,13 @@
-"""The ticks of agents, what ends and what befalls them, and from these the steps of *prompt* and *free*.
+"""The successors of a state in *prompt* and *free*: single ticks of agents, completed actions, moves and faults.
 
-A step is look-ups: a tick is found in `reaction_at` by what the agent is and a few bits of what it senses, and changes
-the key of the state by XOR. What is not in the tables yet is asked for: -1 says so (`regs[CODE]`), and that it is to be
-tried again. What is here is in the part of Python that Numba takes.
+A step is a sequence of look-ups: a tick is looked up in `reaction_at` by the agent's own state and a few bits of what
+it senses, and changes the key of the state by XOR. -1 means that a table lacks an entry (`regs[CODE]` says which one):
+the caller adds it and calls again. This module uses only the subset of Python that Numba compiles.
 """
 
 from __future__ import annotations
 
+from kitrobot.verifier.absence_detection import is_over, watch
 from kitrobot.verifier.columns import (
     A_PLACE,
     A_ROAD,
@@ -40,12 +41,11 @@ from kitrobot.verifier.columns import (
     WATCHED,
 )
 from kitrobot.verifier.events import FAIL, MUTE, TICK
-from kitrobot.verifier.happening import RESUMES, ends_of, harms_of
-from kitrobot.verifier.looking import changed, decode, emit, react, stays
+from kitrobot.verifier.simultaneous_ticks import tick_together
+from kitrobot.verifier.state_decoding import changed, decode, emit, react, stays
 from kitrobot.verifier.tables import Tables
-from kitrobot.verifier.together import tick_together
 from kitrobot.verifier.traffic import after_tick, fill_moves
-from kitrobot.verifier.watching import is_over, watch
+from kitrobot.verifier.world_transitions import RESUMES, ends_of, harms_of
 
 
 def expand_interleaved(t: Tables, x: int, y: int) -> int:

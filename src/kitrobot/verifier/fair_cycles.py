@@ -1,4 +1,4 @@
-"""States for which a condition holds, and rounds in which a fair run can wait for ever."""
+"""States in which a condition holds, and cycles in which a fair run can wait for ever."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from kitrobot.verifier import fairness as f
 from kitrobot.verifier.budget import Cut
 from kitrobot.verifier.engines import PLAIN
 from kitrobot.verifier.events import TooManyError
-from kitrobot.verifier.exploring import Explored
+from kitrobot.verifier.exploration import Explored
 from kitrobot.verifier.properties import Condition, Fact, OfAgent, OfShared, Property, Sensed, Stands
 
 _STEPS, _PLAIN_STEPS = 500_000, 20_000

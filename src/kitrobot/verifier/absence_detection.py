@@ -1,8 +1,9 @@
-"""What becomes of agents that a team may miss: between what befell agents and their ticks, as in the simulator.
+"""Absence detection of a team in the model: between the faults of agents and their ticks, as in the simulator.
 
-Who is not well is silent from then on; of those who were silent before, each may be missed, or not yet; who is well is
-heard again. In team order, since who fell silent takes nobody's role over. Before that, units of work with a lease may
-be free again, or not yet. What is here is in the part of Python that Numba takes; -1 says as in `stepping`.
+An agent that is not well is silent from then on. Of the agents that were silent before, each may be missed or not yet;
+an agent that is well is heard again. This goes in team order, since a silent agent takes over no role. Before that,
+units of work with a lease may become free again or not yet. This module uses only the subset of Python that Numba
+compiles; -1 means the same as in `interleaved_successors`.
 """
 
 from __future__ import annotations
@@ -44,7 +45,7 @@ from kitrobot.verifier.columns import (
     WATCHED,
 )
 from kitrobot.verifier.events import FREED, MISSED
-from kitrobot.verifier.looking import changed, decode
+from kitrobot.verifier.state_decoding import changed, decode
 from kitrobot.verifier.tables import Tables
 from kitrobot.verifier.traffic import after_harm
 

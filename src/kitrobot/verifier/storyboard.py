@@ -1,7 +1,7 @@
-"""A run of the model as pictures: of each state where every robot is and where its program stands, and who is to blame.
+"""A counterexample as pictures: the position of every robot and its program in each state, and the culprits.
 
-A robot on a road is drawn in the middle of its zone, several in one zone one behind the other; one on no road where it
-starts. Left to others: sentences (`telling`), which vertex an instruction comes from (`image.DebugMap`).
+A robot on a road is drawn in the middle of its zone, several in one zone one behind the other; a robot on no road is
+drawn at its start. Not here: sentences (`counterexample_text`) and the vertex of an instruction (`image.DebugMap`).
 """
 
 from __future__ import annotations
@@ -12,11 +12,11 @@ from kitrobot.image.instructions import FORK, JOIN
 from kitrobot.sim import columns as c
 from kitrobot.text import Sentence
 from kitrobot.verifier.bodies import FAILED
+from kitrobot.verifier.counterexample_text import say
 from kitrobot.verifier.events import What
-from kitrobot.verifier.judging import Verdict, Way
 from kitrobot.verifier.model import Model, State
 from kitrobot.verifier.properties import Condition, OfAgent, Sensed, Stands
-from kitrobot.verifier.telling import say
+from kitrobot.verifier.verdicts import Verdict, Way
 
 MOST_SCENES = 120
 """Scenes of one run; of a longer one the first and the last."""

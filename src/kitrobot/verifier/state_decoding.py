@@ -1,8 +1,8 @@
-"""A state taken apart, and what its agents can do in it, by look-ups; and steps out of it, put together.
+"""Decodes a state, and looks up what its agents can do in it; emits the steps out of it.
 
-A tick is found in `reaction_at` by what the agent is and a few bits of what it senses. What is not in the tables yet is
-asked for: -1 says so (`regs[CODE]`), and that it is to be tried again. What is here is in the part of Python that Numba
-takes.
+A tick is looked up in `reaction_at` by the agent's own state and a few bits of what it senses. -1 means that a table
+lacks an entry (`regs[CODE]` says which one): the caller adds it and calls again. This module uses only the subset of
+Python that Numba compiles.
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""The functions of `engines` through Numba (see `sim.jit_cache`)."""
+"""The engine that Numba compiles from the functions of `engines` (see `sim.jit_cache`)."""
 
 from __future__ import annotations
 

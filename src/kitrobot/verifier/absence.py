@@ -1,11 +1,11 @@
-"""What a team does about members that fail, stall or lose their radio, as a part of what it has agreed on (`agreeing`).
+"""Team members that fail, stall or lose their radio, as part of the team's state (`team_agreement`).
 
-Who is *silent* is missed at some time, or heard again before; the lease of a unit of work ends at some time. In the
-simulator both take a certain time, in the model any. What comes of it, by the rules of the groups, is done by the
-simulator itself (`sim.substitution`, `sim.work`), on a copy of the whole state of the run.
+A *silent* member is missed at some time, or heard again before that; the lease of a unit of work ends at some time. In
+the simulator both take a certain time, in the model any time. The simulator itself (`sim.substitution`, `sim.work`)
+applies the rules of the groups, on a copy of the whole state of the run.
 
-What a substitute needs to be led is kept only of those with others of their kind, and while somebody may still be
-missed or a role is vacant.
+The history that a substitute needs is stored only for members with others of their kind, and only while a member may
+still be missed or a role is vacant.
 """
 
 from __future__ import annotations
@@ -26,7 +26,7 @@ from kitrobot.sim.state import State, Team
 from kitrobot.sim.substitution import begin_anew, come_back, miss, settle
 from kitrobot.sim.work import is_taken
 from kitrobot.verifier import columns as v
-from kitrobot.verifier.agreeing import Agreed, Agreement, Told
+from kitrobot.verifier.team_agreement import Agreed, Agreement, Told
 
 ENDS = -1
 """In `Told`, in place of an actuator: the program of a robot, which stands in place of the procedure, has ended."""

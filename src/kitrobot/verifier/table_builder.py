@@ -1,4 +1,4 @@
-"""The tables of a model before anything is known of it: the mission's agents, roads and devices as numbers."""
+"""Builds the empty tables of a model: the agents, roads and devices of a mission as numbers."""
 
 from __future__ import annotations
 
@@ -13,15 +13,15 @@ from kitrobot.sim.devices.base import Discrete
 from kitrobot.sim.docks import DOCK_AT, DOCK_REACH
 from kitrobot.text import Sentence
 from kitrobot.verifier import columns as v
+from kitrobot.verifier.abstraction import Part
 from kitrobot.verifier.bodies import MOST_GAPS, TICKS, body
 from kitrobot.verifier.events import MOST_AT_ONCE
-from kitrobot.verifier.moments import P_USED, USED_PER_WORD
-from kitrobot.verifier.parts import Part
+from kitrobot.verifier.move_sets import P_USED, USED_PER_WORD
 from kitrobot.verifier.programs import AbstractionError
 from kitrobot.verifier.roads import Gaps, Zones, possible_everywhere
+from kitrobot.verifier.simultaneous_ticks import MOST_TOGETHER
 from kitrobot.verifier.tables import Tables
 from kitrobot.verifier.timing import Timing
-from kitrobot.verifier.together import MOST_TOGETHER
 
 _TIMINGS = {Timing.LOCKSTEP: v.LOCKSTEP, Timing.PROMPT: v.PROMPT, Timing.FREE: v.FREE}
 MOST_TAKEN = 65_535

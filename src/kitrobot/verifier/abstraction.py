@@ -1,7 +1,7 @@
-"""What the model is made of: each agent's program table, and the discrete form of each of its devices.
+"""The discrete abstraction of a run: each agent's program table, and the discrete form of each of its devices.
 
 Everything is read from the tables of a run before its first step, so the model has the numbers that the simulator has.
-What cannot be abstracted exactly is named in `limits`, and verdicts say so.
+`limits` names what cannot be abstracted exactly, and verdicts report it.
 """
 
 from __future__ import annotations
@@ -21,9 +21,9 @@ from kitrobot.sim.docks import DOCK_AT, DOCK_REACH
 from kitrobot.sim.event_text import sensor_names
 from kitrobot.sim.state import State
 from kitrobot.text import COMMA, Label, Sentence, Series
-from kitrobot.verifier.agreeing import Agreement
 from kitrobot.verifier.programs import ProgramTable, greatest_argument, value_classes
 from kitrobot.verifier.roads import Gaps, Track, Zones, zones_of
+from kitrobot.verifier.team_agreement import Agreement
 
 _WAYS = (0, 1, -1)
 """The directions of the procedures of wheels: stop, forward, back."""
@@ -46,7 +46,7 @@ class Sense:
         choices: ANY: the values it may have.
         least, most: the range that values are kept in.
         actuator: BUSY: the place in `Inside.busy` of the actuator whose end it tells.
-        agreed: TEAM: the place in `agreeing.Agreed`; -1 where it reads 0.
+        agreed: TEAM: the place in `team_agreement.Agreed`; -1 where it reads 0.
     """
 
     discrete: Discrete

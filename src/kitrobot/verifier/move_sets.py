@@ -1,6 +1,6 @@
-"""What may happen to the robots of a road between two ticks of lockstep: sets of moves, each robot's once.
+"""The sets of moves that the robots of a road can make between two ticks of lockstep, each move once per robot.
 
-What is here is in the part of Python that Numba takes; -1 says as in `traffic`.
+This module uses only the subset of Python that Numba compiles; -1 means the same as in `traffic`.
 """
 
 from __future__ import annotations
@@ -47,7 +47,7 @@ USED_PER_WORD = 60
 
 
 def fill_moments(t: Tables, conf: int) -> int:
-    """Finds what may happen on a road before all tick again; how many ways, behind one another in `moments`.
+    """Finds what may happen on a road before all tick again; how many ways, behind one another in `move_sets`.
 
     A robot begins to roll, or halts, once, comes into another zone once, and to each class of gap once from either
     side. No robot waits that can begin to roll.

@@ -1,4 +1,4 @@
-"""Looks at runs of the simulator, step by step, for what its events do not tell of ready properties."""
+"""Monitors of a run of the simulator: check, step by step, ready properties that its events do not decide."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from typing import Protocol
 from kitrobot.sim import Simulation
 from kitrobot.sim import columns as c
 from kitrobot.sim import team_columns as tc
-from kitrobot.verifier.missing import gave_up
+from kitrobot.verifier.absence import gave_up
 from kitrobot.verifier.stops import stops_in
 
 LONG_ENOUGH = 2

@@ -1,4 +1,4 @@
-"""A run of the model in words: who does what, where, and what sensors read that may read anything."""
+"""A counterexample in sentences: which agent does what, where, and the values of sensors that may read anything."""
 
 from __future__ import annotations
 
@@ -9,9 +9,9 @@ from kitrobot.sim.devices.base import Discrete
 from kitrobot.text import COMMA, Sentence, Series
 from kitrobot.verifier.bodies import RUNS
 from kitrobot.verifier.events import Event, What
-from kitrobot.verifier.judging import Way
 from kitrobot.verifier.model import Model, State
 from kitrobot.verifier.motion import Move
+from kitrobot.verifier.verdicts import Way
 
 
 def told(model: Model, way: Way) -> Iterator[tuple[int, Sentence]]:

@@ -1,4 +1,4 @@
-"""Where the fields of a state are in its key. Widths are learned: keys are written anew when a number is too wide."""
+"""The layout of a state's fields in its key. Fields widen on demand: keys are rewritten when a number does not fit."""
 
 from __future__ import annotations
 

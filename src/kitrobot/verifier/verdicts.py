@@ -1,4 +1,4 @@
-"""Verdicts: the states of a model under one assumption are explored, and every property is judged by them."""
+"""Verdicts: explores the states of a model under one assumption and decides every property on them."""
 
 from __future__ import annotations
 
@@ -10,10 +10,10 @@ from typing import NamedTuple
 from kitrobot.verifier.budget import Budget, Cut
 from kitrobot.verifier.engines import Engine
 from kitrobot.verifier.events import Event
-from kitrobot.verifier.exploring import Explored, explore
+from kitrobot.verifier.exploration import Explored, explore
+from kitrobot.verifier.fair_cycles import fair_round, first_crossing, first_where, holds_somewhere
 from kitrobot.verifier.model import Model, State
 from kitrobot.verifier.properties import Property
-from kitrobot.verifier.rounds import fair_round, first_crossing, first_where, holds_somewhere
 from kitrobot.verifier.standstill import first_standstill
 from kitrobot.verifier.timing import Timing
 
