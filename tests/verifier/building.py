@@ -5,7 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 
 from kitrobot.sim import Simulation
-from kitrobot.verifier import Budget, Judged, Model, Timing, judge, ready_properties, take_apart
+from kitrobot.verifier import Budget, CheckResult, Model, Timing, abstract_run, check_properties, ready_properties
 from kitrobot.workspace import RunOptions, open_mission
 from kitrobot.workspace.running import PreparedRun
 
@@ -18,13 +18,13 @@ def prepared(path: Path) -> PreparedRun:
     return open_mission(path).prepare(RunOptions(1, 600.0))
 
 
-def judged(run: Simulation, timing: Timing, failures: int = 0, states: int = 200_000) -> Judged:
+def judged(run: Simulation, timing: Timing, failures: int = 0, states: int = 200_000) -> CheckResult:
     """All ready properties of a run under one assumption."""
-    model = Model(run, take_apart(run), failures, timing)
-    return judge(model, ready_properties(model), Budget(states))
+    model = Model(run, abstract_run(run), failures, timing)
+    return check_properties(model, ready_properties(model), Budget(states))
 
 
-def answers(made: Judged) -> dict[str, str]:
+def answers(made: CheckResult) -> dict[str, str]:
     """The answers by property."""
     return {verdict.property.name: verdict.answer.value for verdict in made.verdicts}
 

@@ -11,16 +11,16 @@ from kitrobot.verifier import (
     Model,
     PropertyError,
     Verdict,
+    abstract_run,
     ask,
-    asked_properties,
+    build_custom_properties,
+    check_properties,
     confirm,
-    judge,
-    take_apart,
-    variables_asked,
+    property_variables,
 )
 from kitrobot.verifier.custom_properties import team_of
 from kitrobot.verifier.model import State
-from kitrobot.verifier.properties import Condition, Sensed
+from kitrobot.verifier.properties import Condition, SensedCondition
 from kitrobot.verifier.state_decoding import decode, sensed
 from tests.sim.building import transport
 
@@ -52,7 +52,7 @@ ASKED = {
 
 def holds(model: Model, condition: Condition | None, state: State) -> bool:
     """Whether a condition of what agents sense holds in a state."""
-    assert isinstance(condition, Sensed)
+    assert isinstance(condition, SensedCondition)
     decode(model.t, *model.layout.key(state))
     return condition.test(tuple(sensed(model.t, i) for i in condition.agents))
 
@@ -64,10 +64,10 @@ def fresh(seed: int = 1) -> Simulation:
 @pytest.fixture(scope="module")
 def judged() -> tuple[Model, dict[str, Verdict]]:
     run, asked = fresh(), [one for ones in ASKED.values() for one in ones]
-    model = Model(run, take_apart(run, variables_asked(run, asked)))
-    properties, left_out = asked_properties(model, asked)
+    model = Model(run, abstract_run(run, property_variables(run, asked)))
+    properties, left_out = build_custom_properties(model, asked)
     assert left_out == []
-    made = judge(model, properties, Budget())
+    made = check_properties(model, properties, Budget())
     assert made.complete
     return model, {verdict.property.name: verdict for verdict in made.verdicts}
 
@@ -85,7 +85,7 @@ def test_what_is_broken_has_a_run_that_breaks_it_and_the_simulator_confirms_it(j
     model, verdicts = judged
     verdict = verdicts[one.name]
     assert verdict.way is not None
-    properties, _ = asked_properties(model, [one])
+    properties, _ = build_custom_properties(model, [one])
     [mine] = properties
     states = verdict.way.states
     assert all(step.state == state for step, state in zip(verdict.way.steps, states[1:], strict=True))

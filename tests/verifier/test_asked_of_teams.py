@@ -15,12 +15,12 @@ from kitrobot.verifier import (
     Budget,
     Model,
     PropertyError,
+    abstract_run,
     ask,
-    asked_properties,
+    build_custom_properties,
+    check_properties,
     confirm,
-    judge,
-    take_apart,
-    variables_asked,
+    property_variables,
 )
 from kitrobot.verifier.custom_properties import declared_of, team_of
 from tests.sim.team_building import RunningTeam
@@ -62,10 +62,10 @@ def test_roles_groups_and_works_are_asked_as_they_are_at_that_moment(
 ) -> None:
     answer, one = ASKED[name]
     run = fresh(1)
-    model = Model(run, take_apart(run, variables_asked(run, [one])))
-    properties, left_out = asked_properties(model, [one])
+    model = Model(run, abstract_run(run, property_variables(run, [one])))
+    properties, left_out = build_custom_properties(model, [one])
     assert left_out == []
-    made = judge(model, properties, Budget(50_000))
+    made = check_properties(model, properties, Budget(50_000))
     assert made.complete
     [verdict] = made.verdicts
     assert verdict.answer.value == answer

@@ -8,7 +8,7 @@ import weakref
 import pytest
 
 from kitrobot.sim.table_pointer import TablePointer
-from kitrobot.verifier import Model, take_apart
+from kitrobot.verifier import Model, abstract_run
 from kitrobot.verifier.dynamic_arrays import longer
 from kitrobot.verifier.engines import FUNCTIONS, ArrayGraph, ArrayTables, arrays
 from kitrobot.verifier.exploration import fresh_graph
@@ -20,7 +20,7 @@ def test_functions_are_compiled_for_the_tables_that_they_are_given() -> None:
     """Numba would compile a function once more for a pointer to other tables, in the midst of a check."""
     pytest.importorskip("numba")
     run = transport(stock=1, carriers=1)
-    taken = arrays(FUNCTIONS).take(Model(run, take_apart(run)).t, fresh_graph(), 100)
+    taken = arrays(FUNCTIONS).take(Model(run, abstract_run(run)).t, fresh_graph(), 100)
     given = {one.layout for arguments in samples().values() for one in arguments if isinstance(one, TablePointer)}
     assert all(isinstance(tables, ArrayTables | ArrayGraph) for tables in taken)
     assert {tables.pointer.layout for tables in taken if isinstance(tables, ArrayTables | ArrayGraph)} < given
@@ -31,7 +31,7 @@ def test_arrays_that_were_replaced_by_longer_ones_are_gone_at_once() -> None:
     """The collector may come by long after: a check has few objects, and large ones."""
     pytest.importorskip("numpy")
     run = transport(stock=1, carriers=1)
-    tables, graph = arrays(FUNCTIONS).take(Model(run, take_apart(run)).t, fresh_graph(), 100)
+    tables, graph = arrays(FUNCTIONS).take(Model(run, abstract_run(run)).t, fresh_graph(), 100)
     assert isinstance(tables, ArrayTables)
     assert isinstance(graph, ArrayGraph)
     old = [weakref.ref(tables.outcomes), weakref.ref(graph.slots)]

@@ -11,12 +11,12 @@ from kitrobot.verifier import (
     Budget,
     Model,
     Timing,
-    asked_properties,
+    abstract_run,
+    build_custom_properties,
+    check_properties,
     confirm,
-    judge,
+    property_variables,
     ready_properties,
-    take_apart,
-    variables_asked,
 )
 from kitrobot.workspace.verification import VerificationOptions, runs_of, verify
 from tests.sim.building import transport
@@ -138,11 +138,11 @@ def test_the_narrow_way_of_merge_needs_its_gate(tmp_path: Path, minded: bool) ->
     path.write_text(text, encoding="utf-8")
     fresh = runs_of(prepared(path).parts())
     run = fresh(1)
-    model = Model(run, take_apart(run, variables_asked(run, [ALONE])))
-    [alone], left_out = asked_properties(model, [ALONE])
+    model = Model(run, abstract_run(run, property_variables(run, [ALONE])))
+    [alone], left_out = build_custom_properties(model, [ALONE])
     assert left_out == []
     # With its gate the mission is right in all else too, which is looked at in the same search.
-    made = judge(model, [alone, *(ready_properties(model) if minded else [])], Budget(200_000))
+    made = check_properties(model, [alone, *(ready_properties(model) if minded else [])], Budget(200_000))
     verdict = made.verdicts[0]
     assert verdict.answer.value == ("holds" if minded else "broken")
     if minded:

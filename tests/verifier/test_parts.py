@@ -11,9 +11,9 @@ from hypothesis import strategies as st
 from kitrobot.compiler import compile_text
 from kitrobot.image import Machine
 from kitrobot.text import Sentence
-from kitrobot.verifier import Budget, Model, Property, judge, take_apart
+from kitrobot.verifier import Budget, Model, Property, abstract_run, check_properties
 from kitrobot.verifier.programs import AbstractionError, ProgramTable, value_classes
-from kitrobot.verifier.properties import OfAgent
+from kitrobot.verifier.properties import AgentFact
 from kitrobot.verifier.roads import Gaps, possible, possible_everywhere, zones_of
 from tests.effort import examples
 from tests.sim.building import WHEEL, avatar, catalogue, empty_world, run_of
@@ -114,12 +114,14 @@ def test_who_ticks_more_slowly_may_miss_a_moment_of_lockstep_and_never_all_of_th
     fast, slow = avatar(WHEEL.format(settings=""), name="fast"), avatar(WHEEL.format(settings=""), tick=40, name="slow")
     world = empty_world(a=(500, 500, 0), b=(900, 900, 0))
     run = run_of({"a": (fast, "3*( WAIT(1); );"), "b": (slow, "3*( WAIT(1); );")}, world)
-    parts = take_apart(run)
+    parts = abstract_run(run)
 
     def answer(over: bool) -> str:
         model = Model(run, parts)
-        waits = ((OfAgent(1, lambda inside: model.has_ended(1, inside) != over),),)
-        made = judge(model, [Property("over", Sentence("in the end both end, or not"), waits=waits)], Budget())
+        waits = ((AgentFact(1, lambda inside: model.has_ended(1, inside) != over),),)
+        made = check_properties(
+            model, [Property("over", Sentence("in the end both end, or not"), waits=waits)], Budget()
+        )
         return made.verdicts[0].answer.value
 
     assert answer(True) == "holds"

@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 
 from kitrobot.mission import FailureKind
-from kitrobot.verifier import Answer, Model, Timing, take_apart
+from kitrobot.verifier import Answer, Model, Timing, abstract_run
 from kitrobot.verifier.budget import Budget
 from kitrobot.verifier.exploration import explore
 from kitrobot.workspace.verification import Verification, VerificationOptions, verify, verify_runs
@@ -61,8 +61,10 @@ def test_a_property_asks_for_what_a_robot_that_hears_nobody_knows(tmp_path: Path
 
 def test_what_is_asked_of_robots_that_fail_has_the_states_of_the_plain_model() -> None:
     run, kinds = transport(stock=1, carriers=1), (FailureKind.FAIL, FailureKind.MUTE)
-    parts = take_apart(run, {"Order"})
+    parts = abstract_run(run, {"Order"})
     ours = explore(Model(run, parts, 1, Timing.LOCKSTEP, kinds), Budget(), False)
     clock = plain_timing.Clock(plain_model.Model(run, parts, 1, kinds), plain_timing.Timing.LOCKSTEP)
     theirs = plain_exploring.explore(clock, plain_exploring.Budget(), lambda *_: True, False)
-    assert len(ours) == len(theirs.states) > len(explore(Model(run, take_apart(run), 1, kinds=kinds), Budget(), False))
+    assert (
+        len(ours) == len(theirs.states) > len(explore(Model(run, abstract_run(run), 1, kinds=kinds), Budget(), False))
+    )

@@ -14,14 +14,23 @@ from kitrobot.mission import FailureKind
 from kitrobot.sim import Simulation
 from kitrobot.sim import columns as c
 from kitrobot.sim.team_columns import T_MISSED
-from kitrobot.verifier import Budget, Model, Timing, confirm, judge, ready_properties, take_apart, told
+from kitrobot.verifier import (
+    Budget,
+    Model,
+    Timing,
+    abstract_run,
+    check_properties,
+    confirm,
+    describe_run,
+    ready_properties,
+)
 from kitrobot.verifier import columns as v
 from kitrobot.verifier.absence import Watch
 from kitrobot.verifier.bodies import RUNS
 from kitrobot.verifier.engines import PLAIN
-from kitrobot.verifier.exploration import Explored, explore
+from kitrobot.verifier.exploration import StateSpace, explore
 from kitrobot.verifier.model import State
-from kitrobot.verifier.replay import Harm
+from kitrobot.verifier.replay import InjectedFault
 from kitrobot.verifier.table_builder import KINDS
 from kitrobot.verifier.team_agreement import Agreement
 from tests.effort import cases
@@ -42,7 +51,7 @@ def team(body: str) -> RunningTeam:
     return RunningTeam(maker, parsed.program, 1)
 
 
-def following(made: Explored, state: State) -> set[State]:
+def following(made: StateSpace, state: State) -> set[State]:
     """The states after a step."""
     model = made.model
     while True:
@@ -53,12 +62,12 @@ def following(made: Explored, state: State) -> set[State]:
         made.fill(int(t.regs[0]))
 
 
-def follow(run: Simulation, steps: int, harms: Sequence[Harm] = ()) -> int:
+def follow(run: Simulation, steps: int, harms: Sequence[InjectedFault] = ()) -> int:
     """Follows a run of a team, and all states of the model in lockstep that fit; gives how much was agreed on.
 
     `harms`: what is done before which step, and to whom.
     """
-    parts = take_apart(run)
+    parts = abstract_run(run)
     failures = sum(harm.kind != "revive" for harm in harms)
     names = [agent.name for agent in run.members]
     model = Model(run, parts, failures, kinds=[kind for kind in KINDS if any(harm.kind == kind for harm in harms)])
@@ -144,9 +153,9 @@ def test_a_team_of_which_some_fail_does_nothing_that_the_model_does_not(seed: in
     harms = []
     for who in chance.sample(running.names, 1 if len(running.names) > 5 else 2):
         when, kind = chance.randint(0, 60), chance.choice(list(KINDS))
-        harms.append(Harm(when, who, kind.value))
+        harms.append(InjectedFault(when, who, kind.value))
         if kind is FailureKind.STALL and chance.random() < 0.8:
-            harms.append(Harm(when + chance.randint(1, 120), who, "revive"))
+            harms.append(InjectedFault(when + chance.randint(1, 120), who, "revive"))
     follow(running.run, 200, sorted(harms, key=lambda harm: harm.tick))
 
 
@@ -159,8 +168,11 @@ def test_branches_that_are_lost_and_places_that_are_taken_again_are_in_the_model
     except TooLarge:
         return
     first, second = chance.sample(running.names, 2)
-    harms = [Harm(chance.randint(0, 40), first, "stall"), Harm(chance.randint(80, 150), first, "revive")]
-    harms.append(Harm(chance.randint(0, 150), second, "fail"))
+    harms = [
+        InjectedFault(chance.randint(0, 40), first, "stall"),
+        InjectedFault(chance.randint(80, 150), first, "revive"),
+    ]
+    harms.append(InjectedFault(chance.randint(0, 150), second, "fail"))
     follow(running.run, 300, sorted(harms, key=lambda harm: harm.tick))
 
 
@@ -218,14 +230,14 @@ def test_who_waits_for_what_nobody_does_any_more_waits_for_ever(rule: str, answe
     maker: Any = SimpleNamespace(agents=agents, programs={})
     team = RunningTeam(maker, parsed.program, 1)
     assert set(answers(judged(team.run, timing)).values()) <= {"holds", "vacuous"}
-    model = Model(team.run, take_apart(team.run), 1, timing, (FailureKind.FAIL,))
-    made = judge(model, ready_properties(model), Budget(50_000))
+    model = Model(team.run, abstract_run(team.run), 1, timing, (FailureKind.FAIL,))
+    made = check_properties(model, ready_properties(model), Budget(50_000))
     assert made.complete
     deadlock = next(verdict for verdict in made.verdicts if verdict.property.name == "deadlock")
     assert deadlock.answer.value == answer
     way = deadlock.way
     if way is not None:
-        assert any("the team misses giver-0" in str(words) for _, words in told(model, way))
+        assert any("the team misses giver-0" in str(words) for _, words in describe_run(model, way))
         assert confirm(deadlock.property, way, model, lambda seed: team.anew(), lambda: False) is not None
 
 
@@ -242,7 +254,7 @@ def test_members_that_meet_go_on_or_give_up_after_any_one_failure(timing: Timing
 
 def test_a_shipped_team_on_a_road_is_followed() -> None:
     run = prepared(EXAMPLES / "transport-team" / "transport-team.krt").again()
-    model = Model(run, take_apart(run))
-    made = judge(model, ready_properties(model), Budget(300))
+    model = Model(run, abstract_run(run))
+    made = check_properties(model, ready_properties(model), Budget(300))
     assert made.states == 300
     assert not any("no discrete form" in str(limit) for limit in model.limits)

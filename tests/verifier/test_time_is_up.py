@@ -14,21 +14,21 @@ from kitrobot.sim import Simulation
 from kitrobot.text import Sentence
 from kitrobot.verifier import (
     Budget,
-    Confirmed,
-    Cut,
+    ConfirmedRun,
+    Counterexample,
+    CutReason,
     Model,
     Property,
     Timing,
-    Way,
+    abstract_run,
+    check_properties,
     confirm,
     fair_cycles,
-    judge,
     ready_properties,
-    take_apart,
 )
 from kitrobot.verifier.engines import PLAIN
 from kitrobot.verifier.exploration import explore
-from kitrobot.verifier.properties import OfAgent
+from kitrobot.verifier.properties import AgentFact
 from kitrobot.workspace.verification import VerificationOptions, verify
 from tests.sim.building import transport
 from tests.verifier.building import EXAMPLES, answers, mutant, prepared
@@ -55,9 +55,9 @@ def a_carrier_that_does_not_stop(folder: Path) -> Simulation:
 @pytest.mark.parametrize("timing", Timing)
 def test_what_was_found_is_kept_and_the_rest_is_not_finished(tmp_path: Path, timing: Timing) -> None:
     run = a_carrier_that_does_not_stop(tmp_path)
-    model, clock = Model(run, take_apart(run), 0, timing), Clock()
+    model, clock = Model(run, abstract_run(run), 0, timing), Clock()
     properties = ready_properties(model)
-    made = judge(model, properties, Budget(10_000_000, ENOUGH_S, clock=clock), PLAIN)
+    made = check_properties(model, properties, Budget(10_000_000, ENOUGH_S, clock=clock), PLAIN)
     assert not made.complete
     said = answers(made)
     assert list(said) == [one.name for one in properties]
@@ -72,23 +72,23 @@ def test_each_assumption_has_time_though_the_first_could_use_all_of_it() -> None
         prepared(EXAMPLES / "transport" / "transport.krt"), VerificationOptions(seconds=1000 * STEP_S, clock=Clock())
     )
     assert [column.judged.timing for column in made.columns] == list(Timing)
-    assert {column.judged.cut for column in made.columns} == {Cut.TIME}
+    assert {column.judged.cut for column in made.columns} == {CutReason.TIME}
     assert all(column.judged.states > 1 for column in made.columns)
 
 
 def test_what_is_waited_for_has_a_share_of_the_time_and_is_not_searched_for_without_it() -> None:
     run = transport(stock=1, carriers=1)
-    model, clock = Model(run, take_apart(run), 0, Timing.LOCKSTEP), Clock()
+    model, clock = Model(run, abstract_run(run), 0, Timing.LOCKSTEP), Clock()
     explored: list[float] = []
     whole = Budget(clock=clock, progress=lambda states, depth: explored.append(clock.now))
-    assert set(answers(judge(model, ready_properties(model), whole, PLAIN)).values()) == {"holds"}
+    assert set(answers(check_properties(model, ready_properties(model), whole, PLAIN)).values()) == {"holds"}
     took = explored[-1]
     for seconds in (took * 0.5, took * 4):
-        model, clock = Model(run, take_apart(run), 0, Timing.LOCKSTEP), Clock()
-        made = judge(model, ready_properties(model), Budget(seconds=seconds, clock=clock), PLAIN)
+        model, clock = Model(run, abstract_run(run), 0, Timing.LOCKSTEP), Clock()
+        made = check_properties(model, ready_properties(model), Budget(seconds=seconds, clock=clock), PLAIN)
         assert made.complete == (seconds > took)
         if not made.complete:
-            assert made.cut is Cut.TIME
+            assert made.cut is CutReason.TIME
             assert set(answers(made).values()) == {"not finished"}
     assert set(answers(made).values()) == {"holds"}
 
@@ -105,28 +105,28 @@ def test_what_goes_through_all_states_is_broken_off_in_its_midst(monkeypatch: py
         calls += 1
         return int(getattr(PLAIN, which)(*arguments))
 
-    model = Model(run, take_apart(run), 0, Timing.FREE)
+    model = Model(run, abstract_run(run), 0, Timing.FREE)
     engine = PLAIN._replace(reach=counting) if which == "reach" else PLAIN._replace(crossing=counting)
     made = explore(model, Budget(), True, engine)
-    made.breaks_off = lambda: Cut.TIME if calls >= most else None
-    ends = OfAgent(0, lambda inside: not model.has_ended(0, inside))
-    nobody = OfAgent(0, lambda inside: False)
+    made.breaks_off = lambda: CutReason.TIME if calls >= most else None
+    ends = AgentFact(0, lambda inside: not model.has_ended(0, inside))
+    nobody = AgentFact(0, lambda inside: False)
     one = Property("one", Sentence("one"), waits=((ends,),), breaks=(((ends,),), ((nobody,),)))
 
     def looked_through() -> bool:
         made.look_anew()
         if which == "reach":
-            assert fair_cycles.fair_round(made, one) == ([], [])
+            assert fair_cycles.find_fair_cycle(made, one) == ([], [])
         else:
             assert one.breaks is not None
-            assert fair_cycles.first_crossing(made, *one.breaks) == (-1, -1)
+            assert fair_cycles.find_first_crossing(made, *one.breaks) == (-1, -1)
         return made.unseen is None
 
     assert looked_through()
     assert calls > 10
     calls, most = 0, 3
     assert not looked_through()
-    assert made.unseen is Cut.TIME
+    assert made.unseen is CutReason.TIME
     assert calls == 3
 
 
@@ -138,7 +138,7 @@ def test_a_run_of_the_simulator_is_given_up_in_its_midst(tmp_path: Path) -> None
         return runs[-1]
 
     run = transport(stock=12, carriers=3)
-    model = Model(run, take_apart(run))
+    model = Model(run, abstract_run(run))
     [contact] = [one for one in ready_properties(model) if one.name == "contact"]
     asked = 0
 
@@ -147,7 +147,7 @@ def test_a_run_of_the_simulator_is_given_up_in_its_midst(tmp_path: Path) -> None
         asked += 1
         return asked > 3
 
-    nothing: Confirmed | None = confirm(contact, Way((model.begin(),), ()), model, fresh, stop)
+    nothing: ConfirmedRun | None = confirm(contact, Counterexample((model.begin(),), ()), model, fresh, stop)
     assert nothing is None
     assert len(runs) == 1
     assert 0 < runs[0].tick < 500

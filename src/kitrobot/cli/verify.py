@@ -15,7 +15,7 @@ import typer
 from kitrobot.cli.output import give, json_text, show, tell
 
 if TYPE_CHECKING:
-    from kitrobot.verifier import Cut, Timing
+    from kitrobot.verifier import CutReason, Timing
     from kitrobot.workspace.verification import Finding, Progress, Verification
 
 _MEGA = 1_000_000
@@ -166,7 +166,7 @@ def _table(made: Verification) -> str:
     explored = (f"{column.judged.states:,}" for column in made.columns)
     cells = (text.ljust(width) for text, width in zip(explored, widths, strict=True))
     lines += ["", "  ".join(["states".ljust(names), *cells]).rstrip()]
-    cuts: dict[Cut, list[str]] = {}
+    cuts: dict[CutReason, list[str]] = {}
     for column, head in zip(made.columns, heads, strict=True):
         if column.judged.cut is not None:
             cuts.setdefault(column.judged.cut, []).append(head)
@@ -186,7 +186,7 @@ def _table(made: Verification) -> str:
     return "\n".join(lines) + "\n"
 
 
-def _cut_words(cut: Cut, where: str) -> str:
+def _cut_words(cut: CutReason, where: str) -> str:
     """Why a search was not finished under these assumptions, and what helps."""
     return {
         "states": f"{where} came to the limit of states; --max-states sets another",

@@ -5,46 +5,46 @@ made from the numbers of a run (`abstraction`). Every verdict names the assumpti
 (`timing`).
 """
 
-from kitrobot.verifier.abstraction import Parts, take_apart
-from kitrobot.verifier.budget import Budget, Cut
+from kitrobot.verifier.abstraction import Abstraction, abstract_run
+from kitrobot.verifier.budget import Budget, CutReason
 from kitrobot.verifier.conditions import Asked, Member, PropertyError, ask
-from kitrobot.verifier.counterexample_text import free_readings, told
-from kitrobot.verifier.custom_properties import asked_properties, variables_asked
+from kitrobot.verifier.counterexample_text import describe_run, free_readings
+from kitrobot.verifier.custom_properties import build_custom_properties, property_variables
 from kitrobot.verifier.model import Model
 from kitrobot.verifier.programs import AbstractionError
 from kitrobot.verifier.properties import Property, ready_properties
-from kitrobot.verifier.replay import Confirmed, Harm, befell, confirm
+from kitrobot.verifier.replay import ConfirmedRun, InjectedFault, confirm, injected_faults
 from kitrobot.verifier.table_builder import KINDS, USUAL_KINDS
 from kitrobot.verifier.timing import Timing
-from kitrobot.verifier.verdicts import Answer, Judged, Verdict, Way, judge
+from kitrobot.verifier.verdicts import Answer, CheckResult, Counterexample, Verdict, check_properties
 
 __all__ = [
     "KINDS",
     "USUAL_KINDS",
+    "Abstraction",
     "AbstractionError",
     "Answer",
     "Asked",
     "Budget",
-    "Confirmed",
-    "Cut",
-    "Harm",
-    "Judged",
+    "CheckResult",
+    "ConfirmedRun",
+    "Counterexample",
+    "CutReason",
+    "InjectedFault",
     "Member",
     "Model",
-    "Parts",
     "Property",
     "PropertyError",
     "Timing",
     "Verdict",
-    "Way",
+    "abstract_run",
     "ask",
-    "asked_properties",
-    "befell",
+    "build_custom_properties",
+    "check_properties",
     "confirm",
+    "describe_run",
     "free_readings",
-    "judge",
+    "injected_faults",
+    "property_variables",
     "ready_properties",
-    "take_apart",
-    "told",
-    "variables_asked",
 ]

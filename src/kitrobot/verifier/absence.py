@@ -26,10 +26,10 @@ from kitrobot.sim.state import State, Team
 from kitrobot.sim.substitution import begin_anew, come_back, miss, settle
 from kitrobot.sim.work import is_taken
 from kitrobot.verifier import columns as v
-from kitrobot.verifier.team_agreement import Agreed, Agreement, Told
+from kitrobot.verifier.team_agreement import Agreement, TeamCommand, TeamState
 
 ENDS = -1
-"""In `Told`, in place of an actuator: the program of a robot, which stands in place of the procedure, has ended."""
+"""In `TeamCommand`, in place of an actuator: the program of the robot given as the procedure has ended."""
 
 
 class Standing(NamedTuple):
@@ -64,7 +64,7 @@ class Watch(Agreement):
         ]
         leads = tc.SUBSTITUTE in run.state.team.failure
         self._has_spare = [leads and place is not None and places.count(place) > 1 for place in places]
-        self._given_up: dict[Agreed, bool] = {}
+        self._given_up: dict[TeamState, bool] = {}
         super().__init__(run, actuators)
         self.works = len(self._team.holds)
         """How many works the team has."""
@@ -75,7 +75,7 @@ class Watch(Agreement):
 
     # -- what happens
 
-    def befallen(self, agreed: Agreed, robot: int, what: int) -> Agreed:
+    def befallen(self, agreed: TeamState, robot: int, what: int) -> TeamState:
         """After a robot, by its number in the run, fell silent, is heard again, or is missed; or lost a unit of work.
 
         `what` is one of `columns.W_SILENT` and those behind it.
@@ -94,7 +94,7 @@ class Watch(Agreement):
             self._team.holds[what - v.W_FREED][robot] = tc.LOST_UNIT
         return self._read()
 
-    def after(self, agreed: Agreed, told: Sequence[Told]) -> Agreed:
+    def after(self, agreed: TeamState, told: Sequence[TeamCommand]) -> TeamState:
         made = super().after(agreed, [one for one in told if one.actuator != ENDS])
         ended = [one.procedure for one in told if one.actuator == ENDS]
         if not ended:
@@ -103,7 +103,7 @@ class Watch(Agreement):
             self._state.robots.ints[c.ENDED][robot] = 1
         return self._read()
 
-    def settled(self, agreed: Agreed) -> Agreed:
+    def settled(self, agreed: TeamState) -> TeamState:
         self._write(agreed)
         settle(self._state)
         return self._read()
@@ -122,7 +122,7 @@ class Watch(Agreement):
 
     # -- what is seen of it
 
-    def seen(self, agreed: Agreed) -> list[int]:
+    def seen(self, agreed: TeamState) -> list[int]:
         """What the model's tables hold of a state: the columns from `G_MEMBERS` on."""
         self._write(agreed)
         team, ended = self._team, self._state.robots.ints[c.ENDED]
@@ -138,20 +138,20 @@ class Watch(Agreement):
             *(_bits([lease > 0 and is_taken(one) for one in holds]) for holds, lease in leases),
         ]
 
-    def has_ended(self, agreed: Agreed, robot: int) -> bool:
+    def has_ended(self, agreed: TeamState, robot: int) -> bool:
         """Whether a robot's program has ended."""
         return bool(self._of_robot(agreed, 0, robot))
 
-    def standing(self, agreed: Agreed) -> Standing:
+    def standing(self, agreed: TeamState) -> Standing:
         """Who plays a role, and whether the team is over."""
         seen = self.seen(agreed)
         return Standing(seen[v.G_PLAYING], seen[v.G_OVER] > 0)
 
-    def takes_no_part(self, agreed: Agreed, robot: int) -> bool:
+    def takes_no_part(self, agreed: TeamState, robot: int) -> bool:
         """Whether a robot of the team plays no role in it (any more)."""
         return self.is_member(robot) and self._of_robot(agreed, 3, robot) < 0
 
-    def gave_up(self, agreed: Agreed) -> bool:
+    def gave_up(self, agreed: TeamState) -> bool:
         """Whether the team cannot go on, and says so."""
         found = self._given_up.get(agreed)
         if found is None:
@@ -159,12 +159,12 @@ class Watch(Agreement):
             found = self._given_up[agreed] = gave_up(self._team)
         return found
 
-    def _of_robot(self, agreed: Agreed, row: int, robot: int) -> int:
+    def _of_robot(self, agreed: TeamState, row: int, robot: int) -> int:
         """What one of `_robot_rows` holds of a robot."""
         rows = self._place(len(self._rows)) + len(self.actuators)
         return agreed[rows + row * len(self._has_spare) + robot]
 
-    def reduced(self, agreed: Agreed, left: int) -> Agreed:
+    def reduced(self, agreed: TeamState, left: int) -> TeamState:
         """The same without what leads substitutes of those who cannot be missed where so many failures are left."""
         self._write(agreed)
         robots = self._team.robots
@@ -201,7 +201,7 @@ class Watch(Agreement):
             *self._team.vacated,
         ]
 
-    def _read_robots(self) -> Agreed:
+    def _read_robots(self) -> TeamState:
         team = self._team
         silent, since = team.robots[tc.T_SILENT], team.robots[tc.T_SINCE]
         # Since when somebody is silent, or how much too long what leads its substitute is, makes no difference.

@@ -33,7 +33,7 @@ NOISE_DEVIATIONS = 4.0
 
 
 @dataclass(frozen=True)
-class Sense:
+class InputModel:
     """One input of a program.
 
     Attributes:
@@ -46,7 +46,7 @@ class Sense:
         choices: ANY: the values it may have.
         least, most: the range that values are kept in.
         actuator: BUSY: the place in `Inside.busy` of the actuator whose end it tells.
-        agreed: TEAM: the place in `team_agreement.Agreed`; -1 where it reads 0.
+        agreed: TEAM: the place in `team_agreement.TeamState`; -1 where it reads 0.
     """
 
     discrete: Discrete
@@ -63,7 +63,7 @@ class Sense:
 
 
 @dataclass(frozen=True)
-class Act:
+class ActuatorModel:
     """One actuator of a robot.
 
     Attributes:
@@ -90,7 +90,7 @@ class Act:
 
 
 @dataclass
-class Part:
+class AgentModel:
     """One agent of the model.
 
     Attributes:
@@ -111,8 +111,8 @@ class Part:
 
     agent: Agent
     table: ProgramTable
-    senses: list[Sense]
-    acts: list[Act]
+    senses: list[InputModel]
+    acts: list[ActuatorModel]
     shared: list[int]
     road: int = -1
     track: Track | None = None
@@ -126,15 +126,15 @@ class Part:
 
 
 @dataclass
-class Parts:
+class Abstraction:
     """All agents, and what cannot be abstracted exactly, in sentences; what their team agrees on, if they are one."""
 
-    parts: list[Part]
+    parts: list[AgentModel]
     limits: list[str] = field(default_factory=list)
     agreement: Agreement | None = None
 
 
-def take_apart(run: Simulation, kept: Collection[str] = ()) -> Parts:
+def abstract_run(run: Simulation, kept: Collection[str] = ()) -> Abstraction:
     """The parts of a run that is before its first step.
 
     Args:
@@ -167,7 +167,7 @@ class _Builder:
                 if variable.shared:
                     self.numbers.setdefault(variable.name, len(self.numbers))
 
-    def build(self) -> Parts:
+    def build(self) -> Abstraction:
         mission = self.run.mission
         if mission.failures:
             self._limit(Sentence("the failures on the mission's schedule are left out"))
@@ -187,7 +187,7 @@ class _Builder:
                 self.tables[agent.image_name] = table
             acts = self._acts(agent)
             road = int(self.state.robots.ints[c.ROAD][agent.index])
-            part = Part(agent, table, [], acts, self._shared(agent), road)
+            part = AgentModel(agent, table, [], acts, self._shared(agent), road)
             part.drive = next((at for at, act in enumerate(acts) if road >= 0 and act.discrete is Discrete.MOTION), -1)
             part.senses = self._senses(agent, acts, zones.get(road))
             if self.agreement is not None:
@@ -200,7 +200,7 @@ class _Builder:
             self._limit(
                 Sentence("{sensor} of {agent} is taken to read anything at any time", sensor, Series(COMMA, names))
             )
-        return Parts(parts, list(self.limits), self.agreement)
+        return Abstraction(parts, list(self.limits), self.agreement)
 
     def _limit_team(self) -> None:
         if self.run.mission.radio is not None:
@@ -239,7 +239,7 @@ class _Builder:
             found[road] = zones_of(roads.length[road], bool(roads.ints[c.CLOSED][road]), cuts)
         return found
 
-    def _neighbours(self, parts: Sequence[Part], zones: dict[int, Zones]) -> None:
+    def _neighbours(self, parts: Sequence[AgentModel], zones: dict[int, Zones]) -> None:
         """Who follows whom, and the classes of the gaps between them."""
         state = self.state
         at, length = state.robots.floats[c.AT], state.robots.floats[c.LENGTH]
@@ -259,7 +259,7 @@ class _Builder:
         if len(zones) > 1:
             self._limit(Sentence("robots on different roads are taken to pass each other without touching"))
 
-    def _ways(self, part: Part) -> tuple[float, float]:
+    def _ways(self, part: AgentModel) -> tuple[float, float]:
         """How far a robot rolls until it stands, and from tick to tick, at its full speed."""
         i = part.agent.index
         floats, actuator = self.state.robots.floats, self.state.actuators
@@ -286,8 +286,8 @@ class _Builder:
 
     # -- devices
 
-    def _acts(self, agent: Agent) -> list[Act]:
-        acts: list[Act] = []
+    def _acts(self, agent: Agent) -> list[ActuatorModel]:
+        acts: list[ActuatorModel] = []
         busy = 0
         known = actuators()
         commands = agent.machine.layout.commands
@@ -303,7 +303,7 @@ class _Builder:
             waits = part.name in agent.machine.layout.done and not agrees
             is_arm = device.name == "arm"
             acts.append(
-                Act(
+                ActuatorModel(
                     part.name,
                     device.discrete,
                     ways,
@@ -318,17 +318,17 @@ class _Builder:
             busy += waits
         return acts
 
-    def _senses(self, agent: Agent, acts: Sequence[Act], zones: Zones | None) -> list[Sense]:
+    def _senses(self, agent: Agent, acts: Sequence[ActuatorModel], zones: Zones | None) -> list[InputModel]:
         found = [self._sense(agent, part, zones) for part in agent.robot.sensors]
         for name in agent.machine.layout.done:
             act = next(act for act in acts if act.name == name)
             if act.agrees >= 0 and self.agreement is not None:
-                found.append(Sense(Discrete.TEAM, agreed=self.agreement.done(act.agrees)))
+                found.append(InputModel(Discrete.TEAM, agreed=self.agreement.done(act.agrees)))
             else:
-                found.append(Sense(Discrete.BUSY, actuator=act.busy))
+                found.append(InputModel(Discrete.BUSY, actuator=act.busy))
         return found
 
-    def _sense(self, agent: Agent, part: RobotObject, zones: Zones | None) -> Sense:
+    def _sense(self, agent: Agent, part: RobotObject, zones: Zones | None) -> InputModel:
         k = self.rows[agent.index, part.name]
         ints, floats = self.state.sensors.ints, self.state.sensors.floats
         discrete = sensors()[part.model].discrete
@@ -342,18 +342,18 @@ class _Builder:
             # What a person does may come at any time indeed.
             if discrete is not Discrete.ANY or (len(choices) > 1 and not sensors()[part.model].by_hand):
                 self.free.setdefault(Label(part.name, part.label), []).append(agent.name)
-            return Sense(Discrete.ANY, choices=choices)
+            return InputModel(Discrete.ANY, choices=choices)
         if discrete is Discrete.TEAM:
-            return Sense(discrete, agreed=self._agreed(agent, part, floats[c.S_P][k]), least=least, most=most)
+            return InputModel(discrete, agreed=self._agreed(agent, part, floats[c.S_P][k]), least=least, most=most)
         if discrete is Discrete.SECTION:
             assert zones is not None
-            return Sense(discrete, signs=self._signs(agent, zones, floats[c.S_P][k]), least=least, most=most)
+            return InputModel(discrete, signs=self._signs(agent, zones, floats[c.S_P][k]), least=least, most=most)
         if discrete is Discrete.GAP:
-            return Sense(discrete, reach_mm=floats[c.S_P][k])
+            return InputModel(discrete, reach_mm=floats[c.S_P][k])
         if discrete is Discrete.VISIT:
-            return Sense(discrete, dock=int(ints[c.S_DOCK][k]), load=int(floats[c.S_P][k]))
+            return InputModel(discrete, dock=int(ints[c.S_DOCK][k]), load=int(floats[c.S_P][k]))
         is_store = sensors()[part.model].needs == "storehouse"
-        return Sense(discrete, store=int(ints[c.S_STORE][k]) if is_store else -1, least=least, most=most)
+        return InputModel(discrete, store=int(ints[c.S_STORE][k]) if is_store else -1, least=least, most=most)
 
     def _agreed(self, agent: Agent, part: RobotObject, number: float) -> int:
         """Where in what is agreed a sensor of the team looks."""
@@ -383,7 +383,7 @@ def _named(part: RobotObject, method: str) -> int:
     return [one.name for one in part.methods].index(method)
 
 
-def _fastest(agent: Agent, act: Act) -> float:
+def _fastest(agent: Agent, act: ActuatorModel) -> float:
     """The greatest speed, percent, that a program can ask of the wheels of its robot."""
     part = next(one for one in agent.robot.actuators if one.name == act.name)
     most = max((parameter.maximum for method in part.methods for parameter in method.parameters[:1]), default=0)

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from enum import Enum
 
 
-class Cut(Enum):
+class CutReason(Enum):
     """Why exploring, or looking through what was explored, ended before all was seen."""
 
     STATES = "states"
@@ -42,13 +42,13 @@ class Budget:
     progress: Callable[[int, int], None] = lambda states, depth: None
     clock: Callable[[], float] = time.monotonic
 
-    def breaks_off(self, began: float) -> Callable[[], Cut | None]:
+    def breaks_off(self, began: float) -> Callable[[], CutReason | None]:
         """Asked whether it is stopped, or time is up for what began then."""
         ends = None if self.seconds is None else began + self.seconds
 
-        def breaks_off() -> Cut | None:
+        def breaks_off() -> CutReason | None:
             if self.stop():
-                return Cut.STOPPED
-            return Cut.TIME if ends is not None and self.clock() >= ends else None
+                return CutReason.STOPPED
+            return CutReason.TIME if ends is not None and self.clock() >= ends else None
 
         return breaks_off

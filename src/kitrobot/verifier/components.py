@@ -15,13 +15,13 @@ from kitrobot.sim import columns as c
 from kitrobot.verifier import columns as v
 from kitrobot.verifier import reactions
 from kitrobot.verifier.absence import Watch
-from kitrobot.verifier.abstraction import Parts
+from kitrobot.verifier.abstraction import Abstraction
 from kitrobot.verifier.bodies import FAILED, RUNS, Inside, zone_of
 from kitrobot.verifier.dynamic_arrays import longer, widen_insides
-from kitrobot.verifier.events import TooManyError
+from kitrobot.verifier.events import ModelTooLargeError
 from kitrobot.verifier.key_layout import Layout, Widths
 from kitrobot.verifier.table_builder import KINDS, USUAL_KINDS, Roads, build, check_size, first_body
-from kitrobot.verifier.team_agreement import Agreed
+from kitrobot.verifier.team_agreement import TeamState
 from kitrobot.verifier.timing import Timing
 
 State = tuple[int, ...]
@@ -48,7 +48,7 @@ class Components:
     def __init__(
         self,
         run: Simulation,
-        parts: Parts,
+        parts: Abstraction,
         failures: int = 0,
         timing: Timing = Timing.LOCKSTEP,
         kinds: Collection[FailureKind] = USUAL_KINDS,
@@ -122,7 +122,7 @@ class Components:
         part = self.parts[i]
         return inside.is_over or part.table.has_ended(inside.local) or (part.is_spare and self.watch is None)
 
-    def agreed(self, shared: Shared) -> Agreed:
+    def agreed(self, shared: Shared) -> TeamState:
         """What a team has agreed on; nothing without one."""
         return shared[self._agreed_at :]
 
@@ -148,7 +148,7 @@ class Components:
             return number
         number = len(known)
         if number >= v.MOST_INSIDES:
-            raise TooManyError
+            raise ModelTooLargeError
         self._hold(1 + i, number)
         fixed = self.t.fixed
         if number >= fixed[v.INSIDE_STRIDE]:
@@ -201,14 +201,14 @@ class Components:
             number = self._seen[i][seen] = len(self._seen[i])
             self._seen_tuples[i].append(seen)
             if number >= v.MOST_SEEN:
-                raise TooManyError
+                raise ModelTooLargeError
         return number
 
     def cells(self, i: int, key: int) -> list[int]:
         """The first cells of agent i as its program finds them: inputs, then variables, each at its place.
 
         `key` is what the agent senses (`state_decoding.sensed`). An input that may read anything is 0, and so is a
-        variable that was not requested from `take_apart`.
+        variable that was not requested from `abstract_run`.
         """
         part, inside = self.parts[i], self._insides[i][key & v.MOST_INSIDES - 1]
         seen = self._seen_tuples[i][key >> v.S_SHARED & v.MOST_SEEN - 1]

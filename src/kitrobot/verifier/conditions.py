@@ -39,7 +39,7 @@ Members = Callable[[str], Collection[int]]
 """The numbers of the agents that are in a role or a group."""
 
 
-class _Named(NamedTuple):
+class _TestedAgents(NamedTuple):
     """Whom a test asks: agents by number, and roles and groups by name; `own` and `others` are who may be in those:
     as they are declared, and besides, for a robot may be moved from one group to another.
     """
@@ -69,7 +69,7 @@ class Asked:
     tests: dict[str, tuple[int, ...]]
     names: dict[str, frozenset[str]]
     _condition: Condition
-    _asked: dict[int, _Named]
+    _asked: dict[int, _TestedAgents]
 
     @property
     def sets(self) -> frozenset[str]:
@@ -181,7 +181,7 @@ def _understands(robot: Robot, test: str) -> bool:
     return True
 
 
-def _named(joint: Joint, team: Sequence[Member], declared: Team | None) -> _Named:
+def _named(joint: Joint, team: Sequence[Member], declared: Team | None) -> _TestedAgents:
     """Whom a test asks."""
     assert not isinstance(joint.members, Hole), "a program has no holes"
     found: dict[int, None] = {}
@@ -206,7 +206,7 @@ def _named(joint: Joint, team: Sequence[Member], declared: Team | None) -> _Name
             )
             help: Help = did_you_mean(name, known) or Sentence("it has: {names}", listed(known))
             raise PropertyError(Sentence("`{name}` is no agent of this team, and no program of one", name), help)
-    return _Named(tuple(found), tuple(sets), tuple(own), tuple(others))
+    return _TestedAgents(tuple(found), tuple(sets), tuple(own), tuple(others))
 
 
 def _declared(name: str, team: Sequence[Member], declared: Team) -> set[int]:

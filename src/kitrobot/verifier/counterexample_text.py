@@ -8,19 +8,19 @@ from kitrobot.primitives import in_words
 from kitrobot.sim.devices.base import Discrete
 from kitrobot.text import COMMA, Sentence, Series
 from kitrobot.verifier.bodies import RUNS
-from kitrobot.verifier.events import Event, What
+from kitrobot.verifier.events import Event, EventKind
 from kitrobot.verifier.model import Model, State
 from kitrobot.verifier.motion import Move
-from kitrobot.verifier.verdicts import Way
+from kitrobot.verifier.verdicts import Counterexample
 
 
-def told(model: Model, way: Way) -> Iterator[tuple[int, Sentence]]:
+def describe_run(model: Model, way: Counterexample) -> Iterator[tuple[int, Sentence]]:
     """What happens in a run, one sentence for each event of the world, with the number of its step."""
     said: dict[tuple[int, str], int] = {}
     for number, (step, state) in enumerate(zip(way.steps, way.states[1:], strict=True)):
         for event in step.events:
-            if event.what is not What.TICK:
-                yield number, say(model, event, state)
+            if event.what is not EventKind.TICK:
+                yield number, describe_event(model, event, state)
         for i, sensor, value in readings(model, way.states[number], state):
             if said.get((i, sensor)) != value:
                 said[i, sensor] = value
@@ -37,7 +37,7 @@ def told(model: Model, way: Way) -> Iterator[tuple[int, Sentence]]:
                 yield len(way.steps), Sentence("{agent} waits", part.agent.name)
 
 
-def free_readings(model: Model, way: Way) -> Sentence | None:
+def free_readings(model: Model, way: Counterexample) -> Sentence | None:
     """What a run takes for granted of sensors that may read anything; None where it needs none of them."""
     found = {
         Sentence("{agent}: {sensor}", agent.name, in_words(agent.robot, sensor, value)[0]): None
@@ -90,7 +90,7 @@ def _of_team(model: Model, before: State, after: State) -> Iterator[Sentence]:
         yield Sentence("the team cannot go on")
 
 
-def say(model: Model, event: Event, after: State) -> Sentence:
+def describe_event(model: Model, event: Event, after: State) -> Sentence:
     """One event in words; `after` is the state at the end of its step."""
     name = model.parts[event.agent].agent.name
     world = model.run.world
@@ -107,27 +107,27 @@ def say(model: Model, event: Event, after: State) -> Sentence:
         if event.what is Move.CLOSER:
             return Sentence("{agent} comes near {other}", name, other)
         return Sentence("{other} gets away from {agent}", other, name)
-    if event.what is What.LOADED:
+    if event.what is EventKind.LOADED:
         return Sentence("{agent} puts a box on {other}", name, model.parts[event.other].agent.name)
-    if event.what is What.UNLOADED:
+    if event.what is EventKind.UNLOADED:
         return Sentence("{agent} takes the box of {other}", name, model.parts[event.other].agent.name)
-    if event.what is What.NO_BOX:
+    if event.what is EventKind.NO_BOX:
         return Sentence("{agent} reaches into the empty storehouse {house}", name, world.storehouses[event.other].name)
-    if event.what is What.NO_EMPTY_CARRIER:
+    if event.what is EventKind.NO_EMPTY_CARRIER:
         return Sentence("{agent} finds no empty carrier in dock {dock}", name, world.docks[event.other].name)
-    if event.what is What.NO_LOADED_CARRIER:
+    if event.what is EventKind.NO_LOADED_CARRIER:
         return Sentence("{agent} finds no loaded carrier in dock {dock}", name, world.docks[event.other].name)
-    if event.what is What.FAIL:
+    if event.what is EventKind.FAIL:
         return Sentence("{agent} fails", name)
-    if event.what is What.STALL:
+    if event.what is EventKind.STALL:
         return Sentence("{agent} stalls: it misses its ticks", name)
-    if event.what is What.MUTE:
+    if event.what is EventKind.MUTE:
         return Sentence("{agent} loses its radio", name)
-    if event.what is What.MISSED:
+    if event.what is EventKind.MISSED:
         return Sentence("the team misses {agent}", name)
-    if event.what is What.FREED:
+    if event.what is EventKind.FREED:
         return Sentence("the lease of {agent} is over: its unit of work is free again", name)
-    if event.what is What.RESUME:
+    if event.what is EventKind.RESUME:
         return Sentence("{agent} has its ticks again", name)
     return Sentence("{agent} has done what takes it longer", name)
 

@@ -20,8 +20,8 @@ from kitrobot.sim.team_columns import T_ROLE
 from kitrobot.text import Sentence
 from kitrobot.verifier.conditions import Asked, Member, Members, PropertyError, Truth, ask
 from kitrobot.verifier.model import Model
-from kitrobot.verifier.properties import Property, Sensed
-from kitrobot.verifier.run_monitors import Watch, was_long
+from kitrobot.verifier.properties import Property, SensedCondition
+from kitrobot.verifier.run_monitors import Watch, waited_long_enough
 
 
 def team_of(run: Simulation) -> list[Member]:
@@ -44,8 +44,8 @@ def _in_set(run: Simulation, team: TeamTables, name: str) -> tuple[int, ...]:
     return tuple(i for i, role in enumerate(playing) if role >= 0 and role == number)
 
 
-def variables_asked(run: Simulation, properties: Iterable[AskedProperty]) -> set[str]:
-    """The names of variables that properties speak of; see `take_apart`."""
+def property_variables(run: Simulation, properties: Iterable[AskedProperty]) -> set[str]:
+    """The names of variables that properties speak of; see `abstract_run`."""
     team = team_of(run)
     found: set[str] = set()
     for _, asked, _ in _understood(properties, team, declared_of(run)):
@@ -54,7 +54,7 @@ def variables_asked(run: Simulation, properties: Iterable[AskedProperty]) -> set
     return found
 
 
-def asked_properties(model: Model, properties: Sequence[AskedProperty]) -> tuple[list[Property], list[Sentence]]:
+def build_custom_properties(model: Model, properties: Sequence[AskedProperty]) -> tuple[list[Property], list[Sentence]]:
     """The properties that a mission asks for, and why some of them are left out."""
     found: list[Property] = []
     left_out: list[Sentence] = []
@@ -78,7 +78,7 @@ def _understood(
             yield one, [], error
 
 
-class _InModel:
+class _ModelCondition:
     """A condition, asked of states of a model."""
 
     def __init__(self, model: Model, asked: Asked) -> None:
@@ -104,7 +104,7 @@ class _InModel:
                     Sentence("ask for what a robot reads of roads, docks and storehouses, or for a variable"),
                 )
 
-    def when(self, wanted: Callable[[Truth, Members], bool]) -> Sensed:
+    def when(self, wanted: Callable[[Truth, Members], bool]) -> SensedCondition:
         """The states of which something is true that is asked of tests of agents."""
         agents = tuple(sorted({agent for agents in self._asked.tests.values() for agent in agents}))
 
@@ -113,7 +113,7 @@ class _InModel:
                 self._truths(dict(zip(agents, keys, strict=False))), lambda name: self._in_set(name, keys[-1])
             )
 
-        return Sensed(agents, holds, bool(self._asked.sets))
+        return SensedCondition(agents, holds, bool(self._asked.sets))
 
     def _in_set(self, name: str, shared: int) -> tuple[int, ...]:
         """Who is in a role or a group where this is shared."""
@@ -126,7 +126,7 @@ class _InModel:
         return known
 
     @property
-    def holds(self) -> Sensed:
+    def holds(self) -> SensedCondition:
         """The states in which it holds."""
         return self.when(self._asked.holds)
 
@@ -138,13 +138,13 @@ class _InModel:
             return False  # It is in a group whose other members have what it lacks.
         known = self._known.get((agent, test, key))
         if known is None:
-            mind = _Mind(self._model.cells(agent, key))
+            mind = AgentValuation(self._model.cells(agent, key))
             known = self._known[agent, test, key] = self._tests[agent, test].holds(mind)
         return known
 
 
 @dataclass
-class _Mind:
+class AgentValuation:
     """What an agent reads and keeps (`sim.breakpoints.Mind`)."""
 
     cells: Sequence[int]
@@ -152,7 +152,7 @@ class _Mind:
 
 
 def _property(model: Model, one: AskedProperty, asked: Sequence[Asked]) -> Property:
-    conditions = [_InModel(model, condition) for condition in asked]
+    conditions = [_ModelCondition(model, condition) for condition in asked]
     first, second = conditions[0], conditions[-1]
 
     def watch(run: Simulation) -> Watch:
@@ -180,18 +180,18 @@ def _property(model: Model, one: AskedProperty, asked: Sequence[Asked]) -> Prope
             )
 
 
-def _not(one: Sensed) -> Sensed:
-    return Sensed(one.agents, lambda keys: not one.test(keys), one.asks_shared)
+def _not(one: SensedCondition) -> SensedCondition:
+    return SensedCondition(one.agents, lambda keys: not one.test(keys), one.asks_shared)
 
 
-def _both(one: Sensed, other: Sensed) -> Sensed:
+def _both(one: SensedCondition, other: SensedCondition) -> SensedCondition:
     size = len(one.agents)
 
     def holds(keys: tuple[int, ...]) -> bool:
         # The last key is what is shared, where that is asked for; else nobody looks at it.
         return one.test((*keys[:size], *keys[-1:])) and other.test(keys[size:])
 
-    return Sensed((*one.agents, *other.agents), holds, one.asks_shared or other.asks_shared)
+    return SensedCondition((*one.agents, *other.agents), holds, one.asks_shared or other.asks_shared)
 
 
 class _Watch:
@@ -230,7 +230,7 @@ class _Watch:
         return False
 
     def at_end(self) -> bool:
-        return self._waits_since >= 0 and was_long(self._run, self._waits_since)
+        return self._waits_since >= 0 and waited_long_enough(self._run, self._waits_since)
 
     def _holds(self, asked: Asked) -> bool:
         return asked.holds(self._truth, lambda name: _in_set(self._run, self._run.state.team, name))
@@ -243,5 +243,5 @@ class _Watch:
         key = agent, test, cells
         known = self._known.get(key)
         if known is None:
-            known = self._known[key] = self._tests[agent, test].holds(_Mind(cells))
+            known = self._known[key] = self._tests[agent, test].holds(AgentValuation(cells))
         return known

@@ -10,10 +10,10 @@ from typing import Any
 
 from kitrobot.verifier import columns as v
 from kitrobot.verifier import engines
-from kitrobot.verifier.budget import Budget, Cut
+from kitrobot.verifier.budget import Budget, CutReason
 from kitrobot.verifier.dynamic_arrays import longer
 from kitrobot.verifier.engines import Engine
-from kitrobot.verifier.events import Event, TooManyError, event_of
+from kitrobot.verifier.events import Event, ModelTooLargeError, event_of
 from kitrobot.verifier.memory import USUAL, resident
 from kitrobot.verifier.model import Model, State
 from kitrobot.verifier.tables import Graph
@@ -26,7 +26,7 @@ MOST_STATES = (1 << 31) - 2
 
 
 @dataclass
-class Explored:
+class StateSpace:
     """What was explored.
 
     Attributes:
@@ -44,10 +44,10 @@ class Explored:
     model: Model
     graph: Graph
     engine: Engine
-    cut: Cut | None = Cut.SIZE
+    cut: CutReason | None = CutReason.SIZE
     seconds: float = 0.0
-    breaks_off: Callable[[], Cut | None] = field(default=lambda: None)
-    unseen: Cut | None = None
+    breaks_off: Callable[[], CutReason | None] = field(default=lambda: None)
+    unseen: CutReason | None = None
     reserve: int = 0
 
     @property
@@ -202,7 +202,7 @@ class Explored:
 
 def explore(
     model: Model, budget: Budget, keeps_steps: bool, engine: Engine | None = None, reserve: int = 0
-) -> Explored:
+) -> StateSpace:
     """Explores the states of a model.
 
     Args:
@@ -213,8 +213,8 @@ def explore(
         reserve: bytes of memory for each state that are to be left.
     """
     began = budget.clock()
-    made = Explored(model, fresh_graph(), engines.PLAIN, breaks_off=budget.breaks_off(began), reserve=reserve)
-    with suppress(TooManyError):
+    made = StateSpace(model, fresh_graph(), engines.PLAIN, breaks_off=budget.breaks_off(began), reserve=reserve)
+    with suppress(ModelTooLargeError):
         _begin(made, MOST_STATES if budget.states is None else min(budget.states, MOST_STATES), keeps_steps)
         if engine is not None:
             _use(made, engine)
@@ -248,7 +248,7 @@ def fresh_graph() -> Graph:
     )
 
 
-def _begin(made: Explored, most: int, keeps_steps: bool) -> None:
+def _begin(made: StateSpace, most: int, keeps_steps: bool) -> None:
     """Puts the first state into the graph."""
     model = made.model
     first = model.begin()
@@ -265,14 +265,14 @@ def _begin(made: Explored, most: int, keeps_steps: bool) -> None:
     made.engine.rehash(made.graph, 1, model.layout.words == 2)
 
 
-def _explore(made: Explored, budget: Budget, may_change: bool) -> Cut | None:
+def _explore(made: StateSpace, budget: Budget, may_change: bool) -> CutReason | None:
     batch, begun = 256, budget.clock()
     told = begun
     while made.expanded < len(made):
         if cut := made.breaks_off():
             return cut
         if budget.memory is not None and made.process_memory > budget.memory:
-            return Cut.MEMORY
+            return CutReason.MEMORY
         if may_change and made.engine is engines.PLAIN:
             better = engines.worth(len(made), budget.clock() - begun)
             # Both kinds are there for a moment.
@@ -282,10 +282,10 @@ def _explore(made: Explored, budget: Budget, may_change: bool) -> Cut | None:
         t = made.model.t
         code = made.engine.advance(t, made.graph, int(t.regs[v.AT]) + batch)
         if code == v.CUT:
-            return Cut.STATES
+            return CutReason.STATES
         if code != v.GOES_ON:
             if budget.memory is not None and made.process_memory + made.growth(code) > budget.memory:
-                return Cut.MEMORY
+                return CutReason.MEMORY
             made.fill(code)
             continue
         now = budget.clock()
@@ -296,7 +296,7 @@ def _explore(made: Explored, budget: Budget, may_change: bool) -> Cut | None:
     return None
 
 
-def _use(made: Explored, engine: Engine) -> None:
+def _use(made: StateSpace, engine: Engine) -> None:
     """Goes on with another engine, whose tables and graph are its own kind."""
     most = min(made.model.t.regs[v.MOST] or _ROOM_AT_FIRST, _ROOM_AT_FIRST)
     made.model.t, made.graph = engine.take(made.model.t, made.graph, int(most))

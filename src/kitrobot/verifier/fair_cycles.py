@@ -6,11 +6,11 @@ from typing import Any
 
 from kitrobot.verifier import columns as v
 from kitrobot.verifier import fairness as f
-from kitrobot.verifier.budget import Cut
+from kitrobot.verifier.budget import CutReason
 from kitrobot.verifier.engines import PLAIN
-from kitrobot.verifier.events import TooManyError
-from kitrobot.verifier.exploration import Explored
-from kitrobot.verifier.properties import Condition, Fact, OfAgent, OfShared, Property, Sensed, Stands
+from kitrobot.verifier.events import ModelTooLargeError
+from kitrobot.verifier.exploration import StateSpace
+from kitrobot.verifier.properties import AgentFact, Condition, DockFact, Fact, Property, SensedCondition, SharedFact
 
 _STEPS, _PLAIN_STEPS = 500_000, 20_000
 """Steps of a search, compiled or not, until it is asked whether to break off: a quarter of a second."""
@@ -18,19 +18,19 @@ CHUNK = 20_000
 """States that conditions are decided of at once."""
 
 
-def holds_somewhere(made: Explored, condition: Condition) -> bool:
+def holds_somewhere(made: StateSpace, condition: Condition) -> bool:
     """Whether a condition holds in a state that was reached."""
     return sum(mark(made, condition)[1]) > 0
 
 
-def first_where(made: Explored, condition: Condition) -> int:
+def find_first(made: StateSpace, condition: Condition) -> int:
     """The first state in which a condition holds; -1 for none."""
     marks, counts = mark(made, condition)
     first = next((CHUNK * n for n, count in enumerate(counts) if count), len(made))
     return next((number for number in range(first, len(made)) if marks[number]), -1)
 
 
-def first_crossing(made: Explored, before: Condition, after: Condition) -> tuple[int, int]:
+def find_first_crossing(made: StateSpace, before: Condition, after: Condition) -> tuple[int, int]:
     """The first state in which a condition holds and out of which a step leads into one in which another does, and
     which of its steps that is; -1, -1 for none. Where time is up, not all states are looked at.
     """
@@ -52,9 +52,9 @@ def first_crossing(made: Explored, before: Condition, after: Condition) -> tuple
     return state, next(n for n, (one, _, _) in enumerate(made.steps(state)) if one == wanted)
 
 
-def mark(made: Explored, condition: Condition) -> tuple[Any, list[int]]:
+def mark(made: StateSpace, condition: Condition) -> tuple[Any, list[int]]:
     """A mark for each state for which a condition holds, and how many there are in each part of the states."""
-    if isinstance(condition, Sensed):
+    if isinstance(condition, SensedCondition):
         return _mark_sensed(made, condition)
     facts: list[int] = []
     truths: list[int] = []
@@ -73,7 +73,7 @@ def mark(made: Explored, condition: Condition) -> tuple[Any, list[int]]:
     return marks, counts
 
 
-def _mark_sensed(made: Explored, condition: Sensed) -> tuple[Any, list[int]]:
+def _mark_sensed(made: StateSpace, condition: SensedCondition) -> tuple[Any, list[int]]:
     """The same of what agents sense; where time is up, the states that were not looked at are left unmarked."""
     engine, two, model = made.engine, made.model.layout.words == 2, made.model
     marks, counts = engine.bytes(max(1, len(made))), []
@@ -102,21 +102,21 @@ def _mark_sensed(made: Explored, condition: Sensed) -> tuple[Any, list[int]]:
     return marks, counts
 
 
-def _shared_numbers(made: Explored, first: int, end: int) -> list[int]:
+def _shared_numbers(made: StateSpace, first: int, end: int) -> list[int]:
     """Of some states the number of what is shared."""
     layout, graph = made.model.layout, made.graph
     keys = (graph.y if layout.word[0] else graph.x)[first:end]
     return [int(key) >> layout.shift[0] & layout.mask[0] for key in keys]
 
 
-def _truth(made: Explored, fact: Fact) -> tuple[int, list[int]]:
+def _truth(made: StateSpace, fact: Fact) -> tuple[int, list[int]]:
     """The field that a fact is about, and whether it is true, by the field's number."""
     model = made.model
-    if isinstance(fact, OfShared):
+    if isinstance(fact, SharedFact):
         return 0, [int(fact.test(one)) for one in model.shareds()]
-    if isinstance(fact, OfAgent):
+    if isinstance(fact, AgentFact):
         return 1 + fact.agent, [int(fact.test(one)) for one in model.insides(fact.agent)]
-    assert isinstance(fact, Stands)
+    assert isinstance(fact, DockFact)
     fixed, road = model.t.fixed, model.roads.of[fact.agent]
     width, end = int(fixed[v.CONF_WIDTH]), int(fixed[v.CONF_WIDTH]) * int(model.t.regs[v.CONFS])
     stand = [0] * int(model.t.regs[v.CONFS])
@@ -127,10 +127,10 @@ def _truth(made: Explored, fact: Fact) -> tuple[int, list[int]]:
     return int(fixed[v.ROAD_FIELD]) + road, [one >> fact.agent & 1 for one in stand]
 
 
-def fair_round(made: Explored, one: Property) -> tuple[list[int], list[int]]:
+def find_fair_cycle(made: StateSpace, one: Property) -> tuple[list[int], list[int]]:
     """The states of a run that waits for ever, of a property of liveness: from where waiting counts up to where the
     round begins, through states that wait; that one and those that follow, up to there again. Both are empty where
-    there is none, or none was found before it was broken off (`Explored.unseen`).
+    there is none, or none was found before it was broken off (`StateSpace.unseen`).
     """
     assert one.waits is not None
     made.unseen = made.unseen or made.breaks_off()
@@ -158,8 +158,8 @@ def fair_round(made: Explored, one: Property) -> tuple[list[int], list[int]]:
         if code == f.MISSING:
             try:
                 made.fill(int(made.model.t.regs[v.CODE]))
-            except TooManyError:
-                made.unseen = Cut.SIZE
+            except ModelTooLargeError:
+                made.unseen = CutReason.SIZE
                 return [], []
             continue
         if code == f.DONE:
@@ -177,7 +177,7 @@ def fair_round(made: Explored, one: Property) -> tuple[list[int], list[int]]:
     return lead[::-1], around
 
 
-def _search(made: Explored, colour: Any, found: Any, count: int) -> f.Search:
+def _search(made: StateSpace, colour: Any, found: Any, count: int) -> f.Search:
     engine, size = made.engine, len(made) + 1
     numbers = [0] * f.SEARCH_NUMBERS
     numbers[f.ROOTS], numbers[f.COLOUR], numbers[f.EXPANDED] = count, 1, made.expanded
@@ -188,7 +188,7 @@ def _search(made: Explored, colour: Any, found: Any, count: int) -> f.Search:
     )
 
 
-def _round(made: Explored, part: Any, search: f.Search) -> list[int]:
+def _round(made: StateSpace, part: Any, search: f.Search) -> list[int]:
     """A way through a strongly connected part and back that takes every class that is taken in it; the state where it
     begins alone for one state.
     """
@@ -221,7 +221,7 @@ def _round(made: Explored, part: Any, search: f.Search) -> list[int]:
     return found if at == begin else [*found, *_way(made, at, begin, marks, before, queue)]
 
 
-def _way(made: Explored, start: int, end: int, marks: Any, before: Any, queue: Any) -> list[int]:
+def _way(made: StateSpace, start: int, end: int, marks: Any, before: Any, queue: Any) -> list[int]:
     """The states of a shortest way, without the start."""
     made.engine.way(made.graph, start, end, marks, before, queue)
     found = [end]

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from kitrobot.verifier.columns import WORD_BITS
-from kitrobot.verifier.events import TooManyError
+from kitrobot.verifier.events import ModelTooLargeError
 
 
 @dataclass(frozen=True)
@@ -67,7 +67,7 @@ class Widths:
         for bits in self._bits:
             at = 0 if used[0] + bits <= WORD_BITS else 1
             if used[at] + bits > WORD_BITS:
-                raise TooManyError
+                raise ModelTooLargeError
             word.append(at)
             shift.append(used[at])
             used[at] += bits

@@ -19,11 +19,11 @@ from kitrobot.verifier.absence import ENDS
 from kitrobot.verifier.bodies import ANEW, FAILED, LOST, RUNS, Inside
 from kitrobot.verifier.components import Components, Shared, State
 from kitrobot.verifier.dynamic_arrays import find_confs_again, put
-from kitrobot.verifier.events import TooManyError
+from kitrobot.verifier.events import ModelTooLargeError
 from kitrobot.verifier.interleaved_successors import due_in
 from kitrobot.verifier.programs import Reaction
 from kitrobot.verifier.state_decoding import decode, sensed
-from kitrobot.verifier.team_agreement import Agreed, Told
+from kitrobot.verifier.team_agreement import TeamCommand, TeamState
 from kitrobot.verifier.timing import Timing
 from kitrobot.verifier.traffic import intern_conf
 
@@ -87,7 +87,7 @@ class Model(Components):
             find_confs_again(self.t)
         elif code == v.ROOM_NEXT:
             if len(self.t.next_x) > 1_000_000:
-                raise TooManyError
+                raise ModelTooLargeError
             for name in ("next_x", "next_y", "next_taken", "next_kinds", "next_event", "next_slots"):
                 self._more(name)
             self.t.next_slots[:] = [0] * len(self.t.next_slots)
@@ -97,12 +97,12 @@ class Model(Components):
                 for name in ("after_heads", "after_slots", "after"):
                     self._more(name)
             elif not regs[v.AFTERS]:
-                raise TooManyError
+                raise ModelTooLargeError
             self._forget_after()
         elif code in _ROOM:
             self._more(_ROOM[code])
         else:
-            raise TooManyError
+            raise ModelTooLargeError
 
     def _fill_reaction(self, i: int, key: int) -> None:
         part = self.parts[i]
@@ -118,7 +118,7 @@ class Model(Components):
             number = self.inside_number(i, after)
             ticks = after.down == RUNS and not self.has_ended(i, after)
             if self.watch is not None and part.is_member and reaction.ended:
-                change = change[0], (*change[1], Told(ENDS, part.agent.index, 0, 0))
+                change = change[0], (*change[1], TeamCommand(ENDS, part.agent.index, 0, 0))
             found[number, 2 * (want + 2) + ticks, self._write_number(change)] = None
         self._put_reactions(key, found)
 
@@ -205,13 +205,13 @@ class Model(Components):
         self._changes += 1
         self.t = put(self.t, "change_keys", "change_to", self._changes, number << v.S_WRITE | write, after)
 
-    def _settled(self, agreed: Agreed, left: int) -> Agreed:
+    def _settled(self, agreed: TeamState, left: int) -> TeamState:
         """A state of the team after all has been agreed on that can be, where that is not left to the end of a step."""
         if self.timing is Timing.LOCKSTEP or self.agreement is None:
             return agreed
         return self._reduced(self.agreement.all_settled(agreed), left)
 
-    def _reduced(self, agreed: Agreed, left: int) -> Agreed:
+    def _reduced(self, agreed: TeamState, left: int) -> TeamState:
         """The same without what makes no difference where so many failures are left."""
         return agreed if self.watch is None else self.watch.reduced(agreed, left)
 

@@ -42,7 +42,7 @@ from kitrobot.verifier.tables import Row, Tables
 
 
 class Move(IntEnum):
-    """What happens to a robot that is on a road; the numbers are none of those of `events.What`."""
+    """What happens to a robot that is on a road; the numbers are none of those of `events.EventKind`."""
 
     BEGIN = 1
     HALT = 2

@@ -15,21 +15,21 @@ from kitrobot.sim import columns as c
 from kitrobot.sim.team_columns import HAS_UNIT
 from kitrobot.text import Sentence
 from kitrobot.verifier.bodies import FAILED, RUNS, Inside
-from kitrobot.verifier.events import SWINGS, What
+from kitrobot.verifier.events import SWINGS, EventKind
 from kitrobot.verifier.model import Model, Shared
 from kitrobot.verifier.motion import Move
-from kitrobot.verifier.run_monitors import Watch, loses_something, runs_on, waits_at_point
+from kitrobot.verifier.run_monitors import Watch, loose_action_monitor, loss_monitor, meeting_monitor
 
 
 @dataclass(frozen=True)
-class OfShared:
+class SharedFact:
     """What is true of boxes, shared variables and failures."""
 
     test: Callable[[Shared], bool]
 
 
 @dataclass(frozen=True)
-class OfAgent:
+class AgentFact:
     """What is true of an agent, but for its motion."""
 
     agent: int
@@ -37,7 +37,7 @@ class OfAgent:
 
 
 @dataclass(frozen=True)
-class Stands:
+class DockFact:
     """Whether an agent with a bed stands in one of these docks."""
 
     agent: int
@@ -45,7 +45,7 @@ class Stands:
 
 
 @dataclass(frozen=True)
-class Sensed:
+class SensedCondition:
     """A condition on a state by what some agents read and store there, as their keys (`state_decoding.sensed`).
 
     If it `asks_shared`, the number of the shared state follows the keys.
@@ -56,9 +56,9 @@ class Sensed:
     asks_shared: bool = False
 
 
-Fact = OfShared | OfAgent | Stands
+Fact = SharedFact | AgentFact | DockFact
 """What one component of a state says."""
-Condition = tuple[tuple[Fact, ...], ...] | Sensed
+Condition = tuple[tuple[Fact, ...], ...] | SensedCondition
 """What is true of a state: all facts of one of these clauses, or what agents sense."""
 
 
@@ -88,11 +88,11 @@ class Property:
 
     name: str
     sentence: Sentence
-    broken_by: frozenset[Move | What] = frozenset()
+    broken_by: frozenset[Move | EventKind] = frozenset()
     is_wrong: Condition | None = None
     waits: Condition | None = None
     from_start: bool = False
-    about: frozenset[Move | What] = frozenset()
+    about: frozenset[Move | EventKind] = frozenset()
     concerned: Condition | None = None
     never: Condition | None = None
     breaks: tuple[Condition, Condition] | None = None
@@ -126,7 +126,7 @@ def ready_properties(model: Model) -> list[Property]:
             Property(
                 "empty-storehouse",
                 Sentence("no arm reaches into an empty storehouse"),
-                broken_by=frozenset({What.NO_BOX}),
+                broken_by=frozenset({EventKind.NO_BOX}),
                 seen_as=(c.NO_BOX,),
                 about=frozenset(SWINGS),
             )
@@ -135,7 +135,7 @@ def ready_properties(model: Model) -> list[Property]:
             Property(
                 "empty-swing",
                 Sentence("no arm moves without a carrier that it can load or unload"),
-                broken_by=frozenset({What.NO_EMPTY_CARRIER, What.NO_LOADED_CARRIER}),
+                broken_by=frozenset({EventKind.NO_EMPTY_CARRIER, EventKind.NO_LOADED_CARRIER}),
                 seen_as=(c.NO_EMPTY_CARRIER, c.NO_LOADED_CARRIER),
                 about=frozenset(SWINGS),
             )
@@ -186,7 +186,7 @@ def _served(model: Model, i: int) -> Property:
     """That agent i, where it stands in a dock, is loaded or unloaded, drives on, or ends."""
     arms = tuple(sorted({act.dock for part in model.parts for act in part.acts if act.is_arm}))
     name = model.parts[i].agent.name
-    stands: Condition = ((OfAgent(i, lambda inside: not model.has_ended(i, inside)), Stands(i, arms)),)
+    stands: Condition = ((AgentFact(i, lambda inside: not model.has_ended(i, inside)), DockFact(i, arms)),)
     return Property(
         f"served-{name}",
         Sentence("{agent} does not wait in a dock for ever", name),
@@ -210,7 +210,7 @@ def _stock(model: Model) -> list[Property]:
     )
     if not carriers and not units:
         return []
-    in_question: list[tuple[Fact, ...]] = [(OfAgent(i, lambda inside: inside.load > 0),) for i in carriers]
+    in_question: list[tuple[Fact, ...]] = [(AgentFact(i, lambda inside: inside.load > 0),) for i in carriers]
     in_question += [(_has_unit(model, at),) for _, at in units]
     return [
         Property(
@@ -218,7 +218,7 @@ def _stock(model: Model) -> list[Property]:
             Sentence("no box and no unit of work is lost or appears twice"),
             never=tuple((_has_ended(model, i), _has_unit(model, at)) for i, at in units) or None,
             concerned=tuple(in_question),
-            watch=loses_something,
+            watch=loss_monitor,
         )
     ]
 
@@ -237,14 +237,14 @@ def _meetings(model: Model) -> list[Property]:
 def _meets(model: Model, i: int) -> Property:
     assert model.agreement is not None
     name, at = model.parts[i].agent.name, model.agreement.waits(_robot(model, i))
-    runs = OfAgent(i, lambda inside: inside.down == RUNS and not model.has_ended(i, inside))
-    waits = (runs, OfShared(lambda shared: model.agreed(shared)[at] >= 0), *_needed(model, i))
+    runs = AgentFact(i, lambda inside: inside.down == RUNS and not model.has_ended(i, inside))
+    waits = (runs, SharedFact(lambda shared: model.agreed(shared)[at] >= 0), *_needed(model, i))
     return Property(
         f"meets-{name}",
         Sentence("{agent} does not wait for its team for ever", name),
         waits=(waits,),
         concerned=(waits,),
-        watch=lambda run: waits_at_point(run, name),
+        watch=lambda run: meeting_monitor(run, name),
     )
 
 
@@ -257,9 +257,9 @@ def _stopped(model: Model) -> list[Property]:
         Property(
             "stopped",
             Sentence("what a marked action started stands when its program has ended"),
-            never=tuple((_has_ended(model, i), OfAgent(i, lambda inside: inside.loose > 0)) for i in agents),
+            never=tuple((_has_ended(model, i), AgentFact(i, lambda inside: inside.loose > 0)) for i in agents),
             concerned=tuple((_has_ended(model, i),) for i in agents),
-            watch=runs_on,
+            watch=loose_action_monitor,
         )
     ]
 
@@ -269,17 +269,17 @@ def _robot(model: Model, i: int) -> int:
     return model.parts[i].agent.index
 
 
-def _has_ended(model: Model, i: int) -> OfAgent:
+def _has_ended(model: Model, i: int) -> AgentFact:
     """That the program of agent i has ended, and the agent has not failed."""
-    return OfAgent(i, lambda inside: inside.down != FAILED and model.has_ended(i, inside))
+    return AgentFact(i, lambda inside: inside.down != FAILED and model.has_ended(i, inside))
 
 
-def _has_unit(model: Model, at: int) -> OfShared:
-    return OfShared(lambda shared: model.agreed(shared)[at] == HAS_UNIT)
+def _has_unit(model: Model, at: int) -> SharedFact:
+    return SharedFact(lambda shared: model.agreed(shared)[at] == HAS_UNIT)
 
 
 def _goals_missed(model: Model) -> Condition:
-    return ((OfShared(lambda shared: not model.goals_hold(shared)),),)
+    return ((SharedFact(lambda shared: not model.goals_hold(shared)),),)
 
 
 def _somebody_goes_on(model: Model) -> Condition:
@@ -294,22 +294,22 @@ def _needed(model: Model, i: int) -> list[Fact]:
         return []
     return [
         _has_not_given_up(model),
-        OfShared(lambda shared: not watch.takes_no_part(model.agreed(shared), robot)),
+        SharedFact(lambda shared: not watch.takes_no_part(model.agreed(shared), robot)),
     ]
 
 
-def _has_not_given_up(model: Model) -> OfShared:
+def _has_not_given_up(model: Model) -> SharedFact:
     watch = model.watch
-    return OfShared(lambda shared: watch is None or not watch.gave_up(model.agreed(shared)))
+    return SharedFact(lambda shared: watch is None or not watch.gave_up(model.agreed(shared)))
 
 
-def _goes_on(model: Model, i: int) -> OfAgent:
-    return OfAgent(i, lambda inside: not model.has_ended(i, inside))
+def _goes_on(model: Model, i: int) -> AgentFact:
+    return AgentFact(i, lambda inside: not model.has_ended(i, inside))
 
 
 def _not_done(model: Model) -> Condition:
     """That a state which nothing leaves is not one that the mission was to come to."""
     if not model.goals:
         return _somebody_goes_on(model)
-    missed = OfShared(lambda shared: not model.goals_hold(shared))
+    missed = SharedFact(lambda shared: not model.goals_hold(shared))
     return ((missed,),) if model.watch is None else ((missed, _has_not_given_up(model)),)

@@ -6,34 +6,34 @@ from collections.abc import Iterator, Sequence
 
 from kitrobot.sim.devices.base import Discrete
 from kitrobot.verifier import columns as v
-from kitrobot.verifier.abstraction import Part, Sense
+from kitrobot.verifier.abstraction import AgentModel, InputModel
 from kitrobot.verifier.bodies import FAILED, Inside
 from kitrobot.verifier.programs import Reaction
-from kitrobot.verifier.team_agreement import Told
+from kitrobot.verifier.team_agreement import TeamCommand
 
-Change = tuple[tuple[tuple[int, int], ...], tuple[Told, ...]]
+Change = tuple[tuple[tuple[int, int], ...], tuple[TeamCommand, ...]]
 """What a tick makes of what is shared: the variables that it changes, with their values, and what the team is told."""
 
 _AS_BEFORE = -2
 """What wheels are told that are told nothing."""
 
 
-def idle_actuators(part: Part) -> tuple[int, ...]:
+def idle_actuators(part: AgentModel) -> tuple[int, ...]:
     """`Inside.busy` of an agent that does nothing."""
     return (0,) * sum(act.busy >= 0 for act in part.acts)
 
 
-def is_store(sense: Sense) -> bool:
+def is_store(sense: InputModel) -> bool:
     """Whether an input reads how many boxes are in a storehouse."""
     return sense.discrete is Discrete.EXACT and sense.store >= 0
 
 
-def is_shared(sense: Sense) -> bool:
+def is_shared(sense: InputModel) -> bool:
     """Whether an input reads something of what is shared."""
     return is_store(sense) or (sense.discrete is Discrete.TEAM and sense.agreed >= 0)
 
 
-def read(inside: Inside, sense: Sense, there: int) -> int | None:
+def read(inside: Inside, sense: InputModel, there: int) -> int | None:
     """The value of an input; None where it may be any of its choices."""
     if sense.discrete is Discrete.ANY:
         return None
@@ -43,30 +43,30 @@ def read(inside: Inside, sense: Sense, there: int) -> int | None:
     return min(max(value, sense.least), sense.most)
 
 
-def told_to_team(part: Part, reaction: Reaction) -> tuple[Told, ...]:
+def team_commands(part: AgentModel, reaction: Reaction) -> tuple[TeamCommand, ...]:
     """What a reaction tells the team: in the order of the actuators."""
     return tuple(
-        Told(part.acts[actuator].agrees, part.acts[actuator].ways[command], first, second)
+        TeamCommand(part.acts[actuator].agrees, part.acts[actuator].ways[command], first, second)
         for (actuator, command, first), second in zip(reaction.commands, reaction.seconds, strict=True)
         if part.acts[actuator].agrees >= 0
     )
 
 
-def change_by(part: Part, inside: Inside, shared: tuple[int, ...], reaction: Reaction) -> Change:
+def change_by(part: AgentModel, inside: Inside, shared: tuple[int, ...], reaction: Reaction) -> Change:
     """What a reaction makes of what is shared, where the variables held this; without a radio nobody hears of it."""
     if inside.is_muted:
-        return (), told_to_team(part, reaction)
+        return (), team_commands(part, reaction)
     held = zip(part.shared, shared, reaction.shared, strict=True)
-    return tuple((at, now) for at, was, now in held if was != now), told_to_team(part, reaction)
+    return tuple((at, now) for at, was, now in held if was != now), team_commands(part, reaction)
 
 
-def after_silence(part: Part, inside: Inside, key: int, seen: tuple[int, ...]) -> Inside:
+def after_silence(part: AgentModel, inside: Inside, key: int, seen: tuple[int, ...]) -> Inside:
     """What an agent is once it hears nobody (`state_decoding.silenced`): what it saw of shared variables is its own."""
     down = FAILED if key >> v.S_VIEW & 1 else inside.down
     return inside._replace(own=seen[: len(part.shared)], down=down, is_muted=True)
 
 
-def after_reaction(part: Part, inside: Inside, reaction: Reaction) -> tuple[int, Inside]:
+def after_reaction(part: AgentModel, inside: Inside, reaction: Reaction) -> tuple[int, Inside]:
     """What a reaction tells the wheels, and what the agent is after it."""
     want, busy = _AS_BEFORE, list(inside.busy)
     for actuator, command, argument in reaction.commands:
@@ -81,7 +81,7 @@ def after_reaction(part: Part, inside: Inside, reaction: Reaction) -> tuple[int,
     return want, inside._replace(local=reaction.local, busy=tuple(busy), own=own, loose=loose)
 
 
-def around(part: Part, signs: Sequence[tuple[int, ...]], key: int, shared: tuple[int, ...]) -> Iterator[int]:
+def around(part: AgentModel, signs: Sequence[tuple[int, ...]], key: int, shared: tuple[int, ...]) -> Iterator[int]:
     """What each input of an agent reads outside of the agent itself; 0 where there is nothing to read.
 
     Args:

@@ -13,10 +13,10 @@ from itertools import chain, combinations
 from kitrobot.sim import Simulation
 from kitrobot.sim import columns as c
 from kitrobot.verifier.absence import gave_up
-from kitrobot.verifier.events import What
+from kitrobot.verifier.events import EventKind
 from kitrobot.verifier.model import Model
 from kitrobot.verifier.properties import Property
-from kitrobot.verifier.verdicts import Way
+from kitrobot.verifier.verdicts import Counterexample
 
 SEEDS = 8
 """Seeds that are tried where nothing befalls anybody."""
@@ -24,11 +24,16 @@ MOMENTS = 24
 """Moments that are tried where something does."""
 MOST_RUNS = 300
 _CHUNK = 50
-_KINDS: dict[int, str] = {What.FAIL: "fail", What.STALL: "stall", What.RESUME: "revive", What.MUTE: "mute"}
+_KINDS: dict[int, str] = {
+    EventKind.FAIL: "fail",
+    EventKind.STALL: "stall",
+    EventKind.RESUME: "revive",
+    EventKind.MUTE: "mute",
+}
 
 
 @dataclass(frozen=True)
-class Harm:
+class InjectedFault:
     """Something that befalls an agent in the simulator: the step before which it does, the agent's name, and what."""
 
     tick: int
@@ -37,17 +42,17 @@ class Harm:
 
 
 @dataclass(frozen=True)
-class Confirmed:
+class ConfirmedRun:
     """A run of the simulator that breaks a property: its seed, what befell agents, and the step in which it broke."""
 
     seed: int
-    harms: tuple[Harm, ...]
+    harms: tuple[InjectedFault, ...]
     tick: int
 
 
 def confirm(
-    one: Property, way: Way, model: Model, fresh: Callable[[int], Simulation], stop: Callable[[], bool]
-) -> Confirmed | None:
+    one: Property, way: Counterexample, model: Model, fresh: Callable[[int], Simulation], stop: Callable[[], bool]
+) -> ConfirmedRun | None:
     """A run of the simulator that breaks the property, or None where none was found.
 
     Args:
@@ -57,9 +62,9 @@ def confirm(
         fresh: gives the run of a seed before its first step; it needs a time limit.
         stop: asked now and then whether to give up.
     """
-    wanted = befell(way, model)
+    wanted = injected_faults(way, model)
     if not wanted:
-        tries: Iterator[tuple[int, tuple[Harm, ...]]] = ((seed, ()) for seed in range(1, SEEDS + 1))
+        tries: Iterator[tuple[int, tuple[InjectedFault, ...]]] = ((seed, ()) for seed in range(1, SEEDS + 1))
     else:
         tries = _moments(wanted, fresh(1), stop)
     for number, (seed, harms) in enumerate(tries):
@@ -67,11 +72,11 @@ def confirm(
             return None
         tick = _broken_at(one, fresh(seed), harms, stop)
         if tick >= 0:
-            return Confirmed(seed, harms, tick)
+            return ConfirmedRun(seed, harms, tick)
     return None
 
 
-def befell(way: Way, model: Model) -> tuple[tuple[str, str], ...]:
+def injected_faults(way: Counterexample, model: Model) -> tuple[tuple[str, str], ...]:
     """What befalls agents in a run of the model, in order: the agent's name, and what. `confirm` looks for no more."""
     return tuple(
         (model.parts[event.agent].agent.name, _KINDS[event.what])
@@ -82,8 +87,8 @@ def befell(way: Way, model: Model) -> tuple[tuple[str, str], ...]:
 
 
 def _moments(
-    befell: Sequence[tuple[str, str]], run: Simulation, stop: Callable[[], bool]
-) -> Iterator[tuple[int, tuple[Harm, ...]]]:
+    injected_faults: Sequence[tuple[str, str]], run: Simulation, stop: Callable[[], bool]
+) -> Iterator[tuple[int, tuple[InjectedFault, ...]]]:
     """What befell agents, at moments in order, spread over the run in which nothing does."""
     while run.outcome is None:
         if stop():
@@ -91,12 +96,17 @@ def _moments(
         run.advance(1000)
     moments = dict.fromkeys(max(1, run.tick * number // MOMENTS) for number in range(MOMENTS))
     # Before the first step at last: what befalls then is seldom what people mean.
-    at_first = ((0, *later) for later in combinations(moments, len(befell) - 1))
-    for chosen in chain(combinations(moments, len(befell)), at_first):
-        yield 1, tuple(Harm(tick, agent, kind) for tick, (agent, kind) in zip(chosen, befell, strict=True))
+    at_first = ((0, *later) for later in combinations(moments, len(injected_faults) - 1))
+    for chosen in chain(combinations(moments, len(injected_faults)), at_first):
+        yield (
+            1,
+            tuple(
+                InjectedFault(tick, agent, kind) for tick, (agent, kind) in zip(chosen, injected_faults, strict=True)
+            ),
+        )
 
 
-def _broken_at(one: Property, run: Simulation, harms: Sequence[Harm], stop: Callable[[], bool]) -> int:
+def _broken_at(one: Property, run: Simulation, harms: Sequence[InjectedFault], stop: Callable[[], bool]) -> int:
     """The step in which a run broke the property; -1 if it did not, or was given up."""
     left = list(harms)
     watch = one.watch(run) if one.watch is not None else None

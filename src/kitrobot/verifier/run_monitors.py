@@ -25,7 +25,7 @@ class Watch(Protocol):
         """Whether the run, which is over, broke it."""
 
 
-class _Never:
+class _InvariantMonitor:
     """Looks whether something ever is true."""
 
     def __init__(self, test: Callable[[], bool]) -> None:
@@ -38,7 +38,7 @@ class _Never:
         return False
 
 
-class _Waits:
+class _WaitMonitor:
     """Looks whether something is true up to the end, and was for long enough."""
 
     def __init__(self, run: Simulation, test: Callable[[], bool]) -> None:
@@ -54,15 +54,15 @@ class _Waits:
         return False
 
     def at_end(self) -> bool:
-        return self._since >= 0 and was_long(self._run, self._since)
+        return self._since >= 0 and waited_long_enough(self._run, self._since)
 
 
-def was_long(run: Simulation, since: int) -> bool:
+def waited_long_enough(run: Simulation, since: int) -> bool:
     """Whether a run that is over shows that what was waited for since a step would never have come."""
     return run.outcome != "time" or LONG_ENOUGH * (run.tick - since) >= run.tick
 
 
-def loses_something(run: Simulation) -> Watch:
+def loss_monitor(run: Simulation) -> Watch:
     """Looks for a box that there was no room for, or a unit of work whose robot ended its program without doing it."""
 
     def is_lost() -> bool:
@@ -77,10 +77,10 @@ def loses_something(run: Simulation) -> Watch:
             for one, (down, ended) in zip(holds, rows, strict=False)
         )
 
-    return _Never(is_lost)
+    return _InvariantMonitor(is_lost)
 
 
-def waits_at_point(run: Simulation, name: str) -> Watch:
+def meeting_monitor(run: Simulation, name: str) -> Watch:
     """Looks whether an agent waits for its team up to the end."""
     robot = [agent.name for agent in run.members].index(name)
 
@@ -89,10 +89,10 @@ def waits_at_point(run: Simulation, name: str) -> Watch:
         is_waiting = team.robots[tc.T_AT][robot] >= 0 and team.robots[tc.T_ROLE][robot] >= 0
         return bool(is_waiting and ints[c.DOWN][robot] == c.WELL and not gave_up(team))
 
-    return _Waits(run, waits)
+    return _WaitMonitor(run, waits)
 
 
-def runs_on(run: Simulation) -> Watch:
+def loose_action_monitor(run: Simulation) -> Watch:
     """Looks whether a program has ended, and something that a marked action of it started goes on.
 
     The run is before its first step.
@@ -111,4 +111,4 @@ def runs_on(run: Simulation) -> Watch:
             found = found or (loose[i] > 0 and agent.ended and run.state.robots.ints[c.DOWN][i] != c.FAILED)
         return found
 
-    return _Never(goes_on)
+    return _InvariantMonitor(goes_on)

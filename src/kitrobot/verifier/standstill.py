@@ -13,7 +13,7 @@ from typing import Any
 
 from kitrobot.verifier import columns as v
 from kitrobot.verifier.bodies import RUNS
-from kitrobot.verifier.exploration import Explored
+from kitrobot.verifier.exploration import StateSpace
 from kitrobot.verifier.fair_cycles import CHUNK, mark
 from kitrobot.verifier.model import Model
 from kitrobot.verifier.properties import Condition
@@ -22,7 +22,7 @@ _STIRS = 1
 """The bit of what keeps a mission from standing still; each command has one of its own above."""
 
 
-def first_standstill(made: Explored, condition: Condition) -> int:
+def find_standstill(made: StateSpace, condition: Condition) -> int:
     """The first state that nothing leaves, or, where there is none, from which on programs only go round, and say
     nothing new; the condition holds in it, and in all that follow. -1 for none.
     """
@@ -35,12 +35,12 @@ def first_standstill(made: Explored, condition: Condition) -> int:
             return state
     places = {state: n for n, state in enumerate(states)}
     following = [[places[int(target)] for target in graph.targets[first:end]] for first, end in begins]
-    said = _Said(made.model)
+    said = _CommandBits(made.model)
     out = _reached(following, list(said.by(made, states)), made)
     return next((state for state, all_of in zip(states, out, strict=False) if not said.stirs(all_of)), -1)
 
 
-def _closed(made: Explored, marks: Any) -> list[int]:
+def _closed(made: StateSpace, marks: Any) -> list[int]:
     """The marked states that are calm, and out of which all steps lead to others of them."""
     graph, engine = made.graph, made.engine
     count = int(made.model.t.regs[v.CALMS])
@@ -55,7 +55,7 @@ def _closed(made: Explored, marks: Any) -> list[int]:
     return [int(state) for state in states[:count]]
 
 
-def _reached(following: list[list[int]], out: list[int], made: Explored) -> list[int]:
+def _reached(following: list[list[int]], out: list[int], made: StateSpace) -> list[int]:
     """Of each state the bits of all states that can be reached from it; empty where it was broken off."""
     changed = True
     while changed:
@@ -72,7 +72,7 @@ def _reached(following: list[list[int]], out: list[int], made: Explored) -> list
     return out
 
 
-class _Said:
+class _CommandBits:
     """What agents tell their devices, as bits: of a device that is told two things in turn each is something new."""
 
     def __init__(self, model: Model) -> None:
@@ -81,7 +81,7 @@ class _Said:
         self._of_device: dict[tuple[int, int], int] = {}
         self._known: list[dict[int, int]] = [{} for _ in model.parts]
 
-    def by(self, made: Explored, states: list[int]) -> Iterator[int]:
+    def by(self, made: StateSpace, states: list[int]) -> Iterator[int]:
         """The bits of the next ticks in each of these states."""
         engine, two = made.engine, made.model.layout.words == 2
         keys = engine.words(CHUNK)

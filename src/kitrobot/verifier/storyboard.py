@@ -12,11 +12,11 @@ from kitrobot.image.instructions import FORK, JOIN
 from kitrobot.sim import columns as c
 from kitrobot.text import Sentence
 from kitrobot.verifier.bodies import FAILED
-from kitrobot.verifier.counterexample_text import say
-from kitrobot.verifier.events import What
+from kitrobot.verifier.counterexample_text import describe_event
+from kitrobot.verifier.events import EventKind
 from kitrobot.verifier.model import Model, State
-from kitrobot.verifier.properties import Condition, OfAgent, Sensed, Stands
-from kitrobot.verifier.verdicts import Verdict, Way
+from kitrobot.verifier.properties import AgentFact, Condition, DockFact, SensedCondition
+from kitrobot.verifier.verdicts import Counterexample, Verdict
 
 MOST_SCENES = 120
 """Scenes of one run; of a longer one the first and the last."""
@@ -27,7 +27,7 @@ Vertex = tuple[str, str]
 
 
 @dataclass(frozen=True)
-class Stand:
+class SceneRobot:
     """One robot in a scene: mm, radians, and the vertices at which its program stands."""
 
     x_mm: float
@@ -41,11 +41,11 @@ class Scene:
     """What it looks like before a step; the last one: after all steps. Robots are in the order of the team."""
 
     step: int
-    robots: tuple[Stand, ...]
+    robots: tuple[SceneRobot, ...]
 
 
 @dataclass(frozen=True)
-class Guilty:
+class Culprit:
     """A vertex at which a property is broken: whose, what happens there, and whether it goes on for ever."""
 
     agent: str
@@ -54,7 +54,7 @@ class Guilty:
     repeats: bool
 
 
-def scenes(model: Model, way: Way) -> tuple[Scene, ...]:
+def draw_scenes(model: Model, way: Counterexample) -> tuple[Scene, ...]:
     """The scenes of a run."""
     count = len(way.states)
     numbers = list(range(count))
@@ -63,7 +63,7 @@ def scenes(model: Model, way: Way) -> tuple[Scene, ...]:
     return tuple(Scene(number, _robots(model, way.states[number])) for number in numbers)
 
 
-def guilty(model: Model, verdict: Verdict) -> tuple[Guilty, ...]:
+def find_culprits(model: Model, verdict: Verdict) -> tuple[Culprit, ...]:
     """Where a property is broken; nothing where no program stands anywhere."""
     way = verdict.way
     if way is None:
@@ -72,25 +72,27 @@ def guilty(model: Model, verdict: Verdict) -> tuple[Guilty, ...]:
         return tuple(_for_ever(model, verdict, way)[:_MOST_GUILTY])
     before = way.states[-2] if len(way.states) > 1 else way.states[-1]
     event = (
-        next((one for one in reversed(way.steps[-1].events) if one.what is not What.TICK), None) if way.steps else None
+        next((one for one in reversed(way.steps[-1].events) if one.what is not EventKind.TICK), None)
+        if way.steps
+        else None
     )
     condition = verdict.property.never or (verdict.property.breaks or (None,))[0]
-    if isinstance(condition, Sensed):
+    if isinstance(condition, SensedCondition):
         return _at(model, before, condition.agents, verdict.property.sentence)
     if event is None:
         return ()
-    return _at(model, before, (event.agent,), say(model, event, way.states[-1]))
+    return _at(model, before, (event.agent,), describe_event(model, event, way.states[-1]))
 
 
-def _at(model: Model, state: State, agents: tuple[int, ...], sentence: Sentence) -> tuple[Guilty, ...]:
+def _at(model: Model, state: State, agents: tuple[int, ...], sentence: Sentence) -> tuple[Culprit, ...]:
     return tuple(
-        Guilty(model.parts[i].agent.name, vertex, sentence, False)
+        Culprit(model.parts[i].agent.name, vertex, sentence, False)
         for i in agents[:_MOST_GUILTY]
         for vertex in _vertices(model, state, i)[:1]
     )
 
 
-def _for_ever(model: Model, verdict: Verdict, way: Way) -> list[Guilty]:
+def _for_ever(model: Model, verdict: Verdict, way: Counterexample) -> list[Culprit]:
     """Who stands at the same vertex in all that repeats; where there is nobody, who goes round."""
     states = way.states[way.repeats_from :]
     asked = _agents_of(verdict.property.waits)
@@ -108,9 +110,9 @@ def _for_ever(model: Model, verdict: Verdict, way: Way) -> list[Guilty]:
         if not places[0]:
             continue
         if all(one == places[0] for one in places):
-            waits.append(Guilty(name, places[0][0], Sentence("{agent} waits here for ever", name), True))
+            waits.append(Culprit(name, places[0][0], Sentence("{agent} waits here for ever", name), True))
         else:
-            rounds.append(Guilty(name, places[0][0], Sentence("{agent} goes round here for ever", name), True))
+            rounds.append(Culprit(name, places[0][0], Sentence("{agent} goes round here for ever", name), True))
     return waits or rounds
 
 
@@ -118,9 +120,9 @@ def _agents_of(condition: Condition | None) -> set[int]:
     """Whom a condition speaks of; none: all."""
     if condition is None:
         return set()
-    if isinstance(condition, Sensed):
+    if isinstance(condition, SensedCondition):
         return set(condition.agents)
-    return {fact.agent for clause in condition for fact in clause if isinstance(fact, (OfAgent, Stands))}
+    return {fact.agent for clause in condition for fact in clause if isinstance(fact, (AgentFact, DockFact))}
 
 
 def _vertices(model: Model, state: State, i: int) -> tuple[Vertex, ...]:
@@ -135,7 +137,7 @@ def _vertices(model: Model, state: State, i: int) -> tuple[Vertex, ...]:
     return tuple(found)
 
 
-def _robots(model: Model, state: State) -> tuple[Stand, ...]:
+def _robots(model: Model, state: State) -> tuple[SceneRobot, ...]:
     floats = model.run.state.robots.floats
     found = []
     for i, part in enumerate(model.parts):
@@ -147,7 +149,7 @@ def _robots(model: Model, state: State) -> tuple[Stand, ...]:
             at = begin + (end - begin) * (behind + 1) / (ahead + behind + 2)
             place = model.run.world.roads[part.road].line.pose_at(at)
             pose = place.x_mm, place.y_mm, place.heading_rad
-        found.append(Stand(*pose, _vertices(model, state, i)))
+        found.append(SceneRobot(*pose, _vertices(model, state, i)))
     return tuple(found)
 
 

@@ -13,7 +13,7 @@ from kitrobot.sim.devices.base import Discrete
 from kitrobot.sim.docks import DOCK_AT, DOCK_REACH
 from kitrobot.text import Sentence
 from kitrobot.verifier import columns as v
-from kitrobot.verifier.abstraction import Part
+from kitrobot.verifier.abstraction import AgentModel
 from kitrobot.verifier.bodies import MOST_GAPS, TICKS, body
 from kitrobot.verifier.events import MOST_AT_ONCE
 from kitrobot.verifier.move_sets import P_USED, USED_PER_WORD
@@ -34,7 +34,7 @@ USUAL_KINDS = (FailureKind.FAIL, FailureKind.STALL)
 class Roads:
     """The roads that somebody is on: who is on each, in team order, and what these can tell apart there."""
 
-    def __init__(self, run: Simulation, parts: Sequence[Part]) -> None:
+    def __init__(self, run: Simulation, parts: Sequence[AgentModel]) -> None:
         self.numbers = sorted({part.road for part in parts if part.road >= 0})
         self.agents = [[i for i, part in enumerate(parts) if part.road == road] for road in self.numbers]
         beds = run.state.robots.ints[c.BED]
@@ -47,7 +47,7 @@ class Roads:
         """Of each agent what its sensors for signs read in the classes of zones."""
 
 
-def check_size(parts: Sequence[Part]) -> None:
+def check_size(parts: Sequence[AgentModel]) -> None:
     """Makes sure that agents and sensors are few enough for the numbers of the tables.
 
     Raises:
@@ -68,7 +68,7 @@ def check_size(parts: Sequence[Part]) -> None:
 
 
 def build(
-    run: Simulation, parts: Sequence[Part], roads: Roads, timing: Timing, may_fail: int, slower: int, watched: int
+    run: Simulation, parts: Sequence[AgentModel], roads: Roads, timing: Timing, may_fail: int, slower: int, watched: int
 ) -> tuple[Tables, int]:
     """The tables, as lists, with nothing in them yet; how many fields a key has besides.
 
@@ -152,7 +152,7 @@ def build(
     return tables, fields
 
 
-def first_body(part: Part, parts: Sequence[Part], at: Sequence[float]) -> int:
+def first_body(part: AgentModel, parts: Sequence[AgentModel], at: Sequence[float]) -> int:
     """How an agent on a road moves before the first step; `at`: where each is on its road, in mm."""
     assert part.track is not None
     zones, gaps, here = part.track.zones, part.track.gaps, at[part.agent.index]
@@ -166,7 +166,7 @@ def first_body(part: Part, parts: Sequence[Part], at: Sequence[float]) -> int:
 
 
 def _static(
-    run: Simulation, parts: Sequence[Part], roads: Roads, docks: int, is_watched: bool
+    run: Simulation, parts: Sequence[AgentModel], roads: Roads, docks: int, is_watched: bool
 ) -> tuple[list[int], list[int], list[int], list[int]]:
     """`agents`, `geo`, `visits` and `acts`."""
     agents: list[int] = []
@@ -203,8 +203,8 @@ def _static(
 def _place_track(
     row: list[int],
     geo: list[int],
-    part: Part,
-    follower: Part | None,
+    part: AgentModel,
+    follower: AgentModel | None,
     signs_read: list[tuple[int, ...]],
     run: Simulation,
     docks: int,

@@ -22,11 +22,11 @@ from kitrobot.sim.radio_tables import no_radio
 from kitrobot.sim.state import State, Team, numbers
 from kitrobot.sim.work import is_taken, share_out
 
-Agreed = tuple[int, ...]
+TeamState = tuple[int, ...]
 """A state of a team: of each robot where it waits, what it gave and was answered; passes; groups; works."""
 
 
-class Told(NamedTuple):
+class TeamCommand(NamedTuple):
     """A command to what agrees: the actuator by its number in the run, the procedure and its arguments."""
 
     actuator: int
@@ -80,7 +80,7 @@ class Agreement:
         """The place in a state of how many units of a work are not done; -1 where there is no such work."""
         return self._place(4) + work if work < self._sizes[4] else -1
 
-    def tables(self, agreed: Agreed) -> Team:
+    def tables(self, agreed: TeamState) -> Team:
         """The tables of the team as they are in a state, up to the next that is asked."""
         self._write(agreed)
         return self._team
@@ -106,7 +106,7 @@ class Agreement:
         """The place in a state of whether an actuator has done what it was told."""
         return self._place(len(self._rows)) + self.actuators.index(actuator)
 
-    def after(self, agreed: Agreed, told: Sequence[Told]) -> Agreed:
+    def after(self, agreed: TeamState, told: Sequence[TeamCommand]) -> TeamState:
         """After commands, with nothing agreed on yet."""
         self._write(agreed)
         for one in told:
@@ -114,7 +114,7 @@ class Agreement:
             start(one.actuator, command, 0.0, self._state)
         return self._read()
 
-    def settled(self, agreed: Agreed) -> Agreed:
+    def settled(self, agreed: TeamState) -> TeamState:
         """After one step in which all go on who need not wait any longer."""
         self._write(agreed)
         agree(self._state)
@@ -122,7 +122,7 @@ class Agreement:
             share_out(self._state)
         return self._read()
 
-    def all_settled(self, agreed: Agreed) -> Agreed:
+    def all_settled(self, agreed: TeamState) -> TeamState:
         """After as many such steps as change something."""
         while True:
             after = self.settled(agreed)
@@ -147,7 +147,7 @@ class Agreement:
             *team.waits,
         ]
 
-    def _read(self) -> Agreed:
+    def _read(self) -> TeamState:
         at, given = self._rows[0], self._rows[1]
         # What somebody gave counts only while it waits.
         for i in range(len(at)):
@@ -157,11 +157,11 @@ class Agreement:
         agreed = (*(one for row in self._rows for one in row), *(done[k] for k in self.actuators))
         return agreed + self._read_robots()
 
-    def _read_robots(self) -> Agreed:
+    def _read_robots(self) -> TeamState:
         """The rest of a state: what becomes of robots that fail."""
         return ()
 
-    def _write(self, agreed: Agreed) -> None:
+    def _write(self, agreed: TeamState) -> None:
         """Puts a state into the tables, and what follows from it."""
         state, team = self._state, self._team
         values: Iterator[int] = iter(agreed)

@@ -2,7 +2,7 @@
 
 An agent is *trapped* in a loop of its program if one of its threads is in it and stays in it in every state that can be
 reached from there, although the loop has a way out. A loop without one (Forever) is intended. In a mission with goals
-only states count from which the goals cannot be reached any more: a robot that waits after all is done is right to wait.
+only states count from which the goals cannot be reached any more: a robot that waits when all is done is right to.
 
 Not here: exploring (`exploration`), words and places for people (`workspace.drawing_check`).
 """
@@ -16,8 +16,8 @@ from functools import lru_cache
 from kitrobot.image import Image
 from kitrobot.image.instructions import BY_NUMBER, FORK, JOIN
 from kitrobot.sim import Simulation
-from kitrobot.verifier.abstraction import Parts
-from kitrobot.verifier.exploration import Explored
+from kitrobot.verifier.abstraction import Abstraction
+from kitrobot.verifier.exploration import StateSpace
 from kitrobot.verifier.programs import ProgramTable, Reaction
 
 _CHUNK = 10
@@ -54,14 +54,14 @@ class Trap:
 
 
 @dataclass(frozen=True)
-class Shown:
+class TrapRun:
     """A run of the simulator in which an agent is trapped, from a step on."""
 
     seed: int
     tick: int
 
 
-class _WatchedTable(ProgramTable):
+class _CoverageTable(ProgramTable):
     """Reactions of a program, with the instructions that ran in any of them."""
 
     ran: frozenset[int] = frozenset()
@@ -74,21 +74,21 @@ class _WatchedTable(ProgramTable):
         return made
 
 
-def watch_programs(parts: Parts) -> None:
+def record_coverage(parts: Abstraction) -> None:
     """Has tables of programs remember which instructions ran; before a model is made of the parts."""
     watched: dict[int, ProgramTable] = {}
     for part in parts.parts:
         old = part.table
         if id(old) not in watched:
-            watched[id(old)] = _WatchedTable(old.machine.image, old.machine.robot)
+            watched[id(old)] = _CoverageTable(old.machine.image, old.machine.robot)
         part.table = watched[id(old)]
 
 
-def never_ran(parts: Parts) -> dict[str, frozenset[int]]:
-    """By the name of the image the instructions that ran in no reaction of any agent; see `watch_programs`."""
+def unexecuted_instructions(parts: Abstraction) -> dict[str, frozenset[int]]:
+    """By the name of the image the instructions that ran in no reaction of any agent; see `record_coverage`."""
     found = {}
     for part in parts.parts:
-        assert isinstance(part.table, _WatchedTable)
+        assert isinstance(part.table, _CoverageTable)
         every = range(part.table.machine.image.instructions)
         found[part.agent.image_name] = frozenset(every) - part.table.ran
     return found
@@ -126,12 +126,12 @@ def loops_of(image: Image) -> tuple[Loop, ...]:
     return tuple(sorted(found, key=lambda loop: len(loop.body)))
 
 
-def traps(made: Explored, stop: Callable[[], bool]) -> list[Trap]:
+def find_traps(made: StateSpace, stop: Callable[[], bool]) -> list[Trap]:
     """The first trap of each loop of each program; none where not all was explored, or it was stopped."""
     if not made.complete:
         return []
     model = made.model
-    places = _Places(made)
+    places = _ThreadPlaces(made)
     reached = 1 << len(places.known)
     out = []
     for number in range(len(made)):
@@ -167,10 +167,10 @@ def traps(made: Explored, stop: Callable[[], bool]) -> list[Trap]:
     return list(found.values())
 
 
-class _Places:
+class _ThreadPlaces:
     """Where threads stand: a bit for each agent, thread and loop."""
 
-    def __init__(self, made: Explored) -> None:
+    def __init__(self, made: StateSpace) -> None:
         self._model = made.model
         self.known: list[tuple[int, int, Loop]] = []
         self._held: list[list[int]] = []
@@ -216,7 +216,7 @@ class _Places:
             if code[4 * self.at(state, agent, slot)] not in (FORK, JOIN):
                 yield agent, slot, loop
 
-    def standing_from(self, made: Explored, number: int, agent: int, slot: int) -> frozenset[int]:
+    def standing_from(self, made: StateSpace, number: int, agent: int, slot: int) -> frozenset[int]:
         """Where a thread stands in all states that can be reached from one."""
         graph, seen, waiting, found = made.graph, {number}, [number], set()
         while waiting:
@@ -230,7 +230,7 @@ class _Places:
         return frozenset(found)
 
 
-def show(trap: Trap, fresh: Callable[[int], Simulation], stop: Callable[[], bool]) -> Shown | None:
+def find_trap_run(trap: Trap, fresh: Callable[[int], Simulation], stop: Callable[[], bool]) -> TrapRun | None:
     """A run of the simulator in which the agent is in its loop from a step on up to the end, or for half of the run
     where its time is up; None where none was found. `fresh` gives the run of a seed, which has a time limit.
     """
@@ -246,5 +246,5 @@ def show(trap: Trap, fresh: Callable[[int], Simulation], stop: Callable[[], bool
             elif since < 0:
                 since = run.tick
         if since >= 0 and run.outcome != "done" and (run.outcome != "time" or 2 * since <= run.tick):
-            return Shown(seed, since)
+            return TrapRun(seed, since)
     return None

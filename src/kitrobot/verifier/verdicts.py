@@ -7,14 +7,14 @@ from dataclasses import dataclass, replace
 from enum import Enum
 from typing import NamedTuple
 
-from kitrobot.verifier.budget import Budget, Cut
+from kitrobot.verifier.budget import Budget, CutReason
 from kitrobot.verifier.engines import Engine
 from kitrobot.verifier.events import Event
-from kitrobot.verifier.exploration import Explored, explore
-from kitrobot.verifier.fair_cycles import fair_round, first_crossing, first_where, holds_somewhere
+from kitrobot.verifier.exploration import StateSpace, explore
+from kitrobot.verifier.fair_cycles import find_fair_cycle, find_first, find_first_crossing, holds_somewhere
 from kitrobot.verifier.model import Model, State
 from kitrobot.verifier.properties import Property
-from kitrobot.verifier.standstill import first_standstill
+from kitrobot.verifier.standstill import find_standstill
 from kitrobot.verifier.timing import Timing
 
 
@@ -35,7 +35,7 @@ class Step(NamedTuple):
 
 
 @dataclass(frozen=True)
-class Way:
+class Counterexample:
     """A run of the model: the states in order, the steps between them, and the state from which on it repeats (-1: it
     does not). After the last one nothing happens any more, at most programs go round (see `standstill`).
     """
@@ -57,11 +57,11 @@ class Verdict:
 
     property: Property
     answer: Answer
-    way: Way | None = None
+    way: Counterexample | None = None
 
 
 @dataclass(frozen=True)
-class Judged:
+class CheckResult:
     """The verdicts under one assumption.
 
     Attributes:
@@ -83,7 +83,7 @@ class Judged:
     complete: bool
     seconds: float
     memory: int = 0
-    cut: Cut | None = None
+    cut: CutReason | None = None
 
 
 _PLAIN_JUDGING, _JUDGING = 12, 48
@@ -94,7 +94,9 @@ _SHARE = 0.75
 """Of the time, for exploring where steps are kept; the rest is for what happens in the end."""
 
 
-def judge(model: Model, properties: Sequence[Property], budget: Budget, engine: Engine | None = None) -> Judged:
+def check_properties(
+    model: Model, properties: Sequence[Property], budget: Budget, engine: Engine | None = None
+) -> CheckResult:
     """Explores a model, of which nothing was explored yet, and judges properties by it."""
     keeps_steps = any(one.keeps_steps for one in properties)
     began = budget.clock()
@@ -111,7 +113,7 @@ def judge(model: Model, properties: Sequence[Property], budget: Budget, engine: 
         judged[n] = _verdict(made, properties[n], first)
         cut = cut or made.unseen
     verdicts = [judged[n] for n in range(len(properties))]
-    return Judged(
+    return CheckResult(
         model.timing,
         model.failures,
         tuple(verdicts),
@@ -124,7 +126,7 @@ def judge(model: Model, properties: Sequence[Property], budget: Budget, engine: 
     )
 
 
-def _verdict(made: Explored, one: Property, first: dict[int, int]) -> Verdict:
+def _verdict(made: StateSpace, one: Property, first: dict[int, int]) -> Verdict:
     made.look_anew()
     kinds = [what for what in one.broken_by if what in first]
     if kinds:
@@ -141,7 +143,7 @@ def _verdict(made: Explored, one: Property, first: dict[int, int]) -> Verdict:
     return Verdict(one, Answer.HOLDS if in_question else Answer.VACUOUS)
 
 
-def _is_in_question(made: Explored, one: Property, first: dict[int, int]) -> bool:
+def _is_in_question(made: StateSpace, one: Property, first: dict[int, int]) -> bool:
     """Whether what a property is about came up."""
     if not one.about and one.concerned is None:
         return True
@@ -150,32 +152,34 @@ def _is_in_question(made: Explored, one: Property, first: dict[int, int]) -> boo
     return one.concerned is not None and holds_somewhere(made, one.concerned)
 
 
-def _sudden(made: Explored, one: Property) -> Way | None:
+def _sudden(made: StateSpace, one: Property) -> Counterexample | None:
     """A run that breaks a property by a state, or by a step from one to another."""
     if one.never is not None:
-        number = first_where(made, one.never)
+        number = find_first(made, one.never)
         return None if number < 0 else _way_to(made, made.path(number))
     if one.breaks is not None:
-        number, step = first_crossing(made, *one.breaks)
+        number, step = find_first_crossing(made, *one.breaks)
         return None if number < 0 else _way_to(made, made.path(number), step)
     return None
 
 
-def _endless(made: Explored, one: Property) -> Way | None:
+def _endless(made: StateSpace, one: Property) -> Counterexample | None:
     """A run that breaks a property by standing still or by waiting for ever."""
     if one.is_wrong is not None:
-        number = first_standstill(made, one.is_wrong)
+        number = find_standstill(made, one.is_wrong)
         return None if number < 0 else _way_to(made, made.path(number), repeats=True)
     if one.waits is None:
         return None
-    lead, around = fair_round(made, one)
+    lead, around = find_fair_cycle(made, one)
     if not around:
         return None
     path = [*made.path(lead[0]), *lead[1:]]
     return _way_to(made, [*path, *around[1:]], repeats=True, first=len(path) - 1)
 
 
-def _way_to(made: Explored, numbers: Sequence[int], last: int = -1, repeats: bool = False, first: int = -1) -> Way:
+def _way_to(
+    made: StateSpace, numbers: Sequence[int], last: int = -1, repeats: bool = False, first: int = -1
+) -> Counterexample:
     """The run through these states, with its steps found again, and a step out of the last one (-1: none)."""
     states = [made.state(number) for number in numbers]
     steps = []
@@ -187,4 +191,4 @@ def _way_to(made: Explored, numbers: Sequence[int], last: int = -1, repeats: boo
         steps.append(Step(made.events(numbers[-1], last), after))
         states.append(after)
     repeats_from = -1 if not repeats else first if first >= 0 else len(states) - 1
-    return Way(tuple(states), tuple(steps), repeats_from)
+    return Counterexample(tuple(states), tuple(steps), repeats_from)

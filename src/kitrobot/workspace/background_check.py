@@ -13,8 +13,8 @@ from typing import TYPE_CHECKING, Any
 
 from kitrobot.diagnostics import KitRobotError
 from kitrobot.text import Sentence
-from kitrobot.verifier import Answer, Confirmed, Cut, Timing
-from kitrobot.verifier.storyboard import Guilty, Scene
+from kitrobot.verifier import Answer, ConfirmedRun, CutReason, Timing
+from kitrobot.verifier.storyboard import Culprit, Scene
 from kitrobot.workspace.child_processes import end_with_parent, has_processes
 from kitrobot.workspace.running import PreparedRun
 from kitrobot.workspace.verification import (
@@ -84,23 +84,24 @@ class Answered:
     repeats_from: int = -1
     story: tuple[tuple[int, Sentence], ...] = ()
     left_out: int = 0
-    confirmed: Confirmed | None = None
+    confirmed: ConfirmedRun | None = None
     searched: bool = True
     scenes: tuple[Scene, ...] = ()
-    guilty: tuple[Guilty, ...] = ()
+    guilty: tuple[Culprit, ...] = ()
 
 
 @dataclass(frozen=True)
 class Checked:
-    """What came of all properties under one assumption; see `verifier.Judged`. It may be told twice: at first what is
-    broken has not been looked for in the simulator.
+    """The results of all properties under one assumption; see `verifier.CheckResult`.
+
+    It may be reported twice: at first the simulator has not been searched for runs that break the properties.
     """
 
     timing: Timing
     failures: int
     states: int
     depth: int
-    cut: Cut | None
+    cut: CutReason | None
     seconds: float
     properties: tuple[Answered, ...]
 

@@ -8,7 +8,7 @@ from collections.abc import Callable
 from contextlib import suppress
 from dataclasses import dataclass, field
 
-from tests.verifier.reference.events import TooManyError
+from tests.verifier.reference.events import ModelTooLargeError
 from tests.verifier.reference.model import State
 from tests.verifier.reference.timing import Clock, Step
 
@@ -33,7 +33,7 @@ class Budget:
 
 
 @dataclass
-class Explored:
+class StateSpace:
     """What was explored.
 
     Attributes:
@@ -75,7 +75,7 @@ search may go on.
 """
 
 
-def explore(clock: Clock, budget: Budget, looking: Looking, keeps_steps: bool) -> Explored:
+def explore(clock: Clock, budget: Budget, looking: Looking, keeps_steps: bool) -> StateSpace:
     """Explores the states of a model.
 
     Args:
@@ -85,15 +85,15 @@ def explore(clock: Clock, budget: Budget, looking: Looking, keeps_steps: bool) -
         keeps_steps: whether steps are kept, as judging what happens in the end needs them.
     """
     began = time.monotonic()
-    made = Explored()
-    with suppress(TooManyError):
+    made = StateSpace()
+    with suppress(ModelTooLargeError):
         _explore(clock, budget, looking, keeps_steps, made, began)
     made.seconds = time.monotonic() - began
     budget.progress(len(made.states), made.depth)
     return made
 
 
-def _explore(clock: Clock, budget: Budget, looking: Looking, keeps_steps: bool, made: Explored, began: float) -> None:
+def _explore(clock: Clock, budget: Budget, looking: Looking, keeps_steps: bool, made: StateSpace, began: float) -> None:
     numbers: dict[State, int] = {clock.first: 0}
     masks: dict[int, int] = {}  # so that each is kept once
     made.states.append(clock.first)

@@ -8,8 +8,8 @@ from enum import Enum
 from itertools import pairwise
 from operator import itemgetter
 
-from tests.verifier.reference.events import What
-from tests.verifier.reference.exploring import Budget, Explored, explore
+from tests.verifier.reference.events import EventKind
+from tests.verifier.reference.exploring import Budget, StateSpace, explore
 from tests.verifier.reference.fairness import fair_part, reachable, targets, way
 from tests.verifier.reference.model import Model, State
 from tests.verifier.reference.motion import Move
@@ -27,7 +27,7 @@ class Answer(Enum):
 
 
 @dataclass(frozen=True)
-class Way:
+class Counterexample:
     """A run of the model: the states in order, the steps between them, and the state from which on it repeats (-1: it
     does not).
     """
@@ -49,11 +49,11 @@ class Verdict:
 
     property: Property
     answer: Answer
-    way: Way | None = None
+    way: Counterexample | None = None
 
 
 @dataclass(frozen=True)
-class Judged:
+class CheckResult:
     """The verdicts under one assumption.
 
     Attributes:
@@ -74,10 +74,12 @@ class Judged:
     seconds: float
 
 
-def judge(model: Model, properties: Sequence[Property], timing: Timing, failures: int, budget: Budget) -> Judged:
+def check_properties(
+    model: Model, properties: Sequence[Property], timing: Timing, failures: int, budget: Budget
+) -> CheckResult:
     """Explores a model and judges properties by it."""
     clock = Clock(model, timing)
-    first: dict[Move | What, tuple[int, Step]] = {}
+    first: dict[Move | EventKind, tuple[int, Step]] = {}
     concerned: set[str] = {one.name for one in properties if not one.about and one.concerned is None}
     by_state = [one for one in properties if one.concerned is not None]
 
@@ -107,10 +109,10 @@ def judge(model: Model, properties: Sequence[Property], timing: Timing, failures
             verdicts.append(Verdict(one, Answer.NOT_FINISHED))
         else:
             verdicts.append(Verdict(one, Answer.HOLDS if one.name in concerned else Answer.VACUOUS))
-    return Judged(timing, failures, tuple(verdicts), len(made.states), made.depth, made.complete, made.seconds)
+    return CheckResult(timing, failures, tuple(verdicts), len(made.states), made.depth, made.complete, made.seconds)
 
 
-def _endless(clock: Clock, made: Explored, one: Property) -> Way | None:
+def _endless(clock: Clock, made: StateSpace, one: Property) -> Counterexample | None:
     """A run that breaks a property by standing still or by waiting for ever."""
     expanded = len(made.first_edge) - 1
     if one.is_wrong is not None:
@@ -131,9 +133,9 @@ def _endless(clock: Clock, made: Explored, one: Property) -> Way | None:
     return _way_to(clock, made, [*path, *_round(made, set(part), begin)], None, repeats=True, first=len(path) - 1)
 
 
-def _standstill(clock: Clock, made: Explored, is_wrong: Callable[[State], bool]) -> int:
+def _standstill(clock: Clock, made: StateSpace, is_wrong: Callable[[State], bool]) -> int:
     """The first state from which on nothing happens but that programs go round and say nothing new; -1 for none."""
-    calm = {What.TICK, Move.BEGIN, Move.HALT}
+    calm = {EventKind.TICK, Move.BEGIN, Move.HALT}
     still = {
         number
         for number, state in enumerate(made.states[: len(made.first_edge) - 1])
@@ -144,7 +146,7 @@ def _standstill(clock: Clock, made: Explored, is_wrong: Callable[[State], bool])
     return next((number for number in sorted(still) if not _hears_news(clock.model, made, number)), -1)
 
 
-def _hears_news(model: Model, made: Explored, number: int) -> bool:
+def _hears_news(model: Model, made: StateSpace, number: int) -> bool:
     """Whether a device is told two things in turn in the states that can be reached, or anything else is new."""
     reached, waiting = {number}, [number]
     heard: dict[tuple[int, int], object] = {}
@@ -163,7 +165,7 @@ def _hears_news(model: Model, made: Explored, number: int) -> bool:
     return False
 
 
-def _round(made: Explored, part: set[int], begin: int) -> list[int]:
+def _round(made: StateSpace, part: set[int], begin: int) -> list[int]:
     """A way through a strongly connected part and back that takes every class that is taken in it; [] for one state."""
     wanted: dict[int, tuple[int, int]] = {}
     for state in part:
@@ -183,12 +185,12 @@ def _round(made: Explored, part: set[int], begin: int) -> list[int]:
 
 def _way_to(
     clock: Clock,
-    made: Explored,
+    made: StateSpace,
     numbers: Sequence[int],
     last: Step | None,
     repeats: bool = False,
     first: int = -1,
-) -> Way:
+) -> Counterexample:
     """The run through these states, with its steps found again, and a last step behind it."""
     states = [made.states[number] for number in numbers]
     steps = [next(step for step in clock.steps(before) if step.state == after) for before, after in pairwise(states)]
@@ -196,4 +198,4 @@ def _way_to(
         states.append(last.state)
         steps.append(last)
     repeats_from = -1 if not repeats else first if first >= 0 else len(states) - 1
-    return Way(tuple(states), tuple(steps), repeats_from)
+    return Counterexample(tuple(states), tuple(steps), repeats_from)

@@ -9,7 +9,7 @@ from pydantic import BaseModel, Field, TypeAdapter
 from kitrobot.server.sentences import Clause, Spoken
 from kitrobot.server.shapes.mission import MissionShape
 from kitrobot.server.shapes.work import WorkMessage, WorkRefusedMessage
-from kitrobot.verifier import KINDS, Confirmed
+from kitrobot.verifier import KINDS, ConfirmedRun
 from kitrobot.workspace.background_check import Answered, Checked, Explored
 from kitrobot.workspace.verification import MOST_FAILURES
 
@@ -210,7 +210,7 @@ def _answer(one: Answered, tick_ms: int) -> CheckedPropertyShape:
     )
 
 
-def confirming_run_shape(run: Confirmed, tick_ms: int) -> ConfirmingRunShape:
+def confirming_run_shape(run: ConfirmedRun, tick_ms: int) -> ConfirmingRunShape:
     """A run of the simulator that shows something, as the page plays it."""
     return ConfirmingRunShape(
         seed=run.seed,
