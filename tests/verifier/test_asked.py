@@ -84,11 +84,11 @@ def test_each_form_is_answered(judged, answer: str) -> None:
 def test_what_is_broken_has_a_run_that_breaks_it_and_the_simulator_confirms_it(judged, one: AskedProperty) -> None:
     model, verdicts = judged
     verdict = verdicts[one.name]
-    assert verdict.way is not None
+    assert verdict.counterexample is not None
     properties, _ = build_custom_properties(model, [one])
     [mine] = properties
-    states = verdict.way.states
-    assert all(step.state == state for step, state in zip(verdict.way.steps, states[1:], strict=True))
+    states = verdict.counterexample.states
+    assert all(step.state == state for step, state in zip(verdict.counterexample.steps, states[1:], strict=True))
     if mine.never is not None:
         assert [holds(model, mine.never, state) for state in states] == [False] * (len(states) - 1) + [True]
     elif mine.breaks is not None:
@@ -97,23 +97,23 @@ def test_what_is_broken_has_a_run_that_breaks_it_and_the_simulator_confirms_it(j
         assert holds(model, after, states[-1])
     else:
         assert mine.waits is not None
-        assert verdict.way.repeats_from >= 0
-        assert all(holds(model, mine.waits, state) for state in states[verdict.way.repeats_from :])
-    assert confirm(verdict.property, verdict.way, model, fresh, lambda: False) is not None
+        assert verdict.counterexample.repeats_from >= 0
+        assert all(holds(model, mine.waits, state) for state in states[verdict.counterexample.repeats_from :])
+    assert confirm(verdict.property, verdict.counterexample, model, fresh, lambda: False) is not None
 
 
 def test_a_run_of_the_simulator_does_not_break_what_holds(judged) -> None:
     _, verdicts = judged
     run = fresh()
-    watches = {
-        one.name: watch(run) for one in ASKED["holds"] if (watch := verdicts[one.name].property.watch) is not None
+    monitors = {
+        one.name: monitor(run) for one in ASKED["holds"] if (monitor := verdicts[one.name].property.monitor) is not None
     }
-    assert len(watches) == len(ASKED["holds"])
+    assert len(monitors) == len(ASKED["holds"])
     while run.outcome is None:
         run.advance(1)
-        assert not any(watch.after_step() for watch in watches.values())
+        assert not any(monitor.after_step() for monitor in monitors.values())
     assert run.outcome == "done"
-    assert {name: watch.at_end() for name, watch in watches.items()} == dict.fromkeys(watches, False)
+    assert {name: monitor.at_end() for name, monitor in monitors.items()} == dict.fromkeys(monitors, False)
 
 
 @pytest.mark.parametrize(

@@ -69,16 +69,16 @@ def test_roles_groups_and_works_are_asked_as_they_are_at_that_moment(
     assert made.complete
     [verdict] = made.verdicts
     assert verdict.answer.value == answer
-    if verdict.way is not None:
-        assert confirm(verdict.property, verdict.way, model, fresh, lambda: False) is not None
+    if verdict.counterexample is not None:
+        assert confirm(verdict.property, verdict.counterexample, model, fresh, lambda: False) is not None
     else:
         run = fresh(1)
-        assert verdict.property.watch is not None
-        watch = verdict.property.watch(run)
+        assert verdict.property.monitor is not None
+        monitor = verdict.property.monitor(run)
         while run.outcome is None:
             run.advance(1)
-            assert not watch.after_step()
-        assert not watch.at_end()
+            assert not monitor.after_step()
+        assert not monitor.at_end()
 
 
 def test_what_is_no_role_and_no_group_is_refused_and_so_is_a_part_that_a_member_lacks(

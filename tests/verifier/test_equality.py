@@ -43,8 +43,8 @@ def agrees(run: Simulation, timing: Timing, failures: int = 0, kinds: Sequence[F
     for other in theirs.verdicts:
         one = verdicts[other.property.name]
         assert one.answer.value == other.answer.value
-        if one.way is not None and other.way is not None and one.property.waits is None:
-            is_as_short(len(one.way.steps), len(other.way.steps), timing)
+        if one.counterexample is not None and other.way is not None and one.property.waits is None:
+            is_as_short(len(one.counterexample.steps), len(other.way.steps), timing)
 
 
 def is_as_short(ours: int, theirs: int, timing: Timing) -> None:

@@ -89,9 +89,12 @@ def test_a_mission_made_wrong_is_found_out(tmp_path: Path, old: str, new: str, b
     made = judged(run, Timing.LOCKSTEP)
     verdict = next(verdict for verdict in made.verdicts if verdict.property.name == broken)
     assert verdict.answer.value == "broken"
-    assert verdict.way is not None
-    assert len(verdict.way.states) == len(verdict.way.steps) + 1
-    assert all(step.state == state for step, state in zip(verdict.way.steps, verdict.way.states[1:], strict=True))
+    assert verdict.counterexample is not None
+    assert len(verdict.counterexample.states) == len(verdict.counterexample.steps) + 1
+    assert all(
+        step.state == state
+        for step, state in zip(verdict.counterexample.steps, verdict.counterexample.states[1:], strict=True)
+    )
 
 
 FALL = (
@@ -149,8 +152,8 @@ def test_the_narrow_way_of_merge_needs_its_gate(tmp_path: Path, minded: bool) ->
         assert made.complete
         assert set(answers(made).values()) == {"holds"}
     else:
-        assert verdict.way is not None
-        assert confirm(alone, verdict.way, model, fresh, lambda: False) is not None
+        assert verdict.counterexample is not None
+        assert confirm(alone, verdict.counterexample, model, fresh, lambda: False) is not None
 
 
 def test_a_loader_that_does_not_count_is_confirmed_in_the_simulator(tmp_path: Path) -> None:
@@ -160,7 +163,7 @@ def test_a_loader_that_does_not_count_is_confirmed_in_the_simulator(tmp_path: Pa
     )
     finding = made.columns[0].findings[0]
     assert finding.confirmed is not None
-    assert finding.confirmed.harms == ()
+    assert finding.confirmed.faults == ()
     assert str(finding.story[-1][1]) == "loader reaches into the empty storehouse A"
 
 
@@ -174,7 +177,7 @@ def test_a_carrier_that_fails_stops_the_others_and_the_simulator_shows_it(tmp_pa
     assert holds.verdict.answer.value == "holds"
     assert broken.verdict.answer.value == "broken"
     assert broken.confirmed is not None
-    assert broken.confirmed.harms
+    assert broken.confirmed.faults
 
 
 def test_a_mission_with_two_roads_is_right_in_lockstep() -> None:

@@ -66,7 +66,7 @@ def test_compiled_and_plain_give_the_same_numbers(
         own, left_out = build_custom_properties(model, asked)
         assert left_out == []
         judged = check_properties(model, [*ready_properties(model), *own], Budget(30_000), each)
-        verdicts.append([(one.answer, one.way) for one in judged.verdicts])
+        verdicts.append([(one.answer, one.counterexample) for one in judged.verdicts])
     assert verdicts[0] == verdicts[1]
 
 

@@ -40,7 +40,7 @@ def test_a_loader_that_hears_nobody_is_waited_for_and_the_simulator_shows_it() -
     assert broken.verdict.answer is Answer.BROKEN
     assert "loader loses its radio" in [str(text) for _, text in broken.story]
     assert broken.confirmed is not None
-    assert [(harm.agent, harm.kind) for harm in broken.confirmed.harms] == [("loader", "mute")]
+    assert [(harm.agent, harm.kind) for harm in broken.confirmed.faults] == [("loader", "mute")]
     assert [column.judged.states for column in made.columns] == [35, 468]
     assert [check["kinds"] for check in made.to_json()["checks"]] == [[], ["mute"]]
     assert [str(limit) for limit in made.limits] == ["a robot that loses its radio is taken never to have it again"]
@@ -56,7 +56,7 @@ def test_a_property_asks_for_what_a_robot_that_hears_nobody_knows(tmp_path: Path
     assert alone.verdict.answer is Answer.HOLDS
     assert befallen.verdict.answer is Answer.BROKEN
     assert befallen.confirmed is not None
-    assert [(harm.agent, harm.kind) for harm in befallen.confirmed.harms] == [("loader", kind.value)]
+    assert [(harm.agent, harm.kind) for harm in befallen.confirmed.faults] == [("loader", kind.value)]
 
 
 def test_what_is_asked_of_robots_that_fail_has_the_states_of_the_plain_model() -> None:

@@ -43,7 +43,9 @@ def checked(fresh: Callable[[int], Simulation], name: str, failures: int = 0) ->
     made = check_properties(model, [one], Budget(50_000))
     [verdict] = made.verdicts
     assert made.complete
-    return verdict, None if verdict.way is None else confirm(one, verdict.way, model, fresh, lambda: False)
+    return verdict, None if verdict.counterexample is None else confirm(
+        one, verdict.counterexample, model, fresh, lambda: False
+    )
 
 
 def team(body: str) -> Callable[[int], Simulation]:
@@ -83,15 +85,15 @@ def test_a_box_on_a_robot_that_fails_is_held_by_it_and_not_delivered() -> None:
     missed, shown = checked(fresh, "delivered", failures=1)
     assert missed.answer.value == "broken"
     assert shown is not None
-    run, watch = fresh(1), verdict.property.watch
-    assert watch is not None
-    looks = watch(run)
+    run, start_monitor = fresh(1), verdict.property.monitor
+    assert start_monitor is not None
+    monitor = start_monitor(run)
     while not run.state.robots.ints[c.LOAD][0]:
         run.advance(1)
     run.harm("carrier-1", "fail")
     for _ in range(100):
         run.advance(1)
-        assert not looks.after_step()
+        assert not monitor.after_step()
     towed = fresh(1)
     towed.mission.breakdown = type(towed.mission.breakdown)(BreakdownRule.TOW)
     model = Model(towed, abstract_run(towed), 1)
@@ -191,6 +193,6 @@ def test_a_carrier_that_nobody_serves_waits_in_its_dock_for_ever(tmp_path: Path)
     prepared = mutant(tmp_path, (old, old.replace("IsTrue", "IsFalse")), carriers=1, stock=1)
     verdict, shown = checked(lambda seed: prepared.again(), "served-carrier-1")
     assert verdict.answer.value == "broken"
-    assert verdict.way is not None
-    assert verdict.way.repeats_from >= 0
+    assert verdict.counterexample is not None
+    assert verdict.counterexample.repeats_from >= 0
     assert shown is not None

@@ -25,7 +25,7 @@ from kitrobot.verifier import (
     ready_properties,
 )
 from kitrobot.verifier import columns as v
-from kitrobot.verifier.absence import Watch
+from kitrobot.verifier.absence import AbsenceAgreement
 from kitrobot.verifier.bodies import RUNS
 from kitrobot.verifier.engines import PLAIN
 from kitrobot.verifier.exploration import StateSpace, explore
@@ -62,15 +62,15 @@ def following(made: StateSpace, state: State) -> set[State]:
         made.fill(int(t.regs[0]))
 
 
-def follow(run: Simulation, steps: int, harms: Sequence[InjectedFault] = ()) -> int:
+def follow(run: Simulation, steps: int, faults: Sequence[InjectedFault] = ()) -> int:
     """Follows a run of a team, and all states of the model in lockstep that fit; gives how much was agreed on.
 
-    `harms`: what is done before which step, and to whom.
+    `faults`: what is done before which step, and to whom.
     """
     parts = abstract_run(run)
-    failures = sum(harm.kind != "revive" for harm in harms)
+    failures = sum(fault.kind != "revive" for fault in faults)
     names = [agent.name for agent in run.members]
-    model = Model(run, parts, failures, kinds=[kind for kind in KINDS if any(harm.kind == kind for harm in harms)])
+    model = Model(run, parts, failures, kinds=[kind for kind in KINDS if any(fault.kind == kind for fault in faults)])
     assert model.agreement is not None
     made = explore(model, Budget(1), True, PLAIN)
     may_fail = model.t.fixed[v.MAY_FAIL]
@@ -80,13 +80,13 @@ def follow(run: Simulation, steps: int, harms: Sequence[InjectedFault] = ()) -> 
         if run.outcome is not None:
             break
         now_harmed = [
-            harm
-            for harm in harms
-            if harm.tick == run.tick
-            and not run.members[names.index(harm.agent)].ended
-            and run.harm(harm.agent, harm.kind)
+            fault
+            for fault in faults
+            if fault.tick == run.tick
+            and not run.members[names.index(fault.agent)].ended
+            and run.harm(fault.agent, fault.kind)
         ]
-        failures -= sum(harm.kind != "revive" for harm in now_harmed)
+        failures -= sum(fault.kind != "revive" for fault in now_harmed)
         # What else could befall somebody in this step is left out: it would only take time.
         if bool(model.t.fixed[v.MAY_FAIL]) != bool(now_harmed):
             model.t.fixed[v.MAY_FAIL] = may_fail if now_harmed else 0
@@ -112,9 +112,9 @@ def seen(run: Simulation, model: Model, left: int) -> tuple[Any, ...]:
         agents.append((local, robots[c.DOWN][i], is_well and robots[c.MUTED][i]))
     assert model.agreement is not None
     actuators = model.agreement.actuators
-    if model.watch is None:
+    if model.absence is None:
         return tuple(agents), Agreement(run, actuators).first
-    return tuple(agents), model.watch.reduced(Watch(run, actuators).first, left)
+    return tuple(agents), model.absence.reduced(AbsenceAgreement(run, actuators).first, left)
 
 
 def shown(model: Model, state: State, left: int) -> tuple[Any, ...]:
@@ -150,13 +150,13 @@ def test_a_team_of_which_some_fail_does_nothing_that_the_model_does_not(seed: in
         running = RunningTeam(maker, program, seed)
     except TooLarge:
         return
-    harms = []
+    faults = []
     for who in chance.sample(running.names, 1 if len(running.names) > 5 else 2):
         when, kind = chance.randint(0, 60), chance.choice(list(KINDS))
-        harms.append(InjectedFault(when, who, kind.value))
+        faults.append(InjectedFault(when, who, kind.value))
         if kind is FailureKind.STALL and chance.random() < 0.8:
-            harms.append(InjectedFault(when + chance.randint(1, 120), who, "revive"))
-    follow(running.run, 200, sorted(harms, key=lambda harm: harm.tick))
+            faults.append(InjectedFault(when + chance.randint(1, 120), who, "revive"))
+    follow(running.run, 200, sorted(faults, key=lambda fault: fault.tick))
 
 
 @pytest.mark.parametrize("seed", cases([0, 3], [*range(1, 3), *range(4, 200)]))
@@ -168,12 +168,12 @@ def test_branches_that_are_lost_and_places_that_are_taken_again_are_in_the_model
     except TooLarge:
         return
     first, second = chance.sample(running.names, 2)
-    harms = [
+    faults = [
         InjectedFault(chance.randint(0, 40), first, "stall"),
         InjectedFault(chance.randint(80, 150), first, "revive"),
     ]
-    harms.append(InjectedFault(chance.randint(0, 150), second, "fail"))
-    follow(running.run, 300, sorted(harms, key=lambda harm: harm.tick))
+    faults.append(InjectedFault(chance.randint(0, 150), second, "fail"))
+    follow(running.run, 300, sorted(faults, key=lambda fault: fault.tick))
 
 
 @pytest.mark.parametrize("timing", list(Timing))
@@ -235,10 +235,10 @@ def test_who_waits_for_what_nobody_does_any_more_waits_for_ever(rule: str, answe
     assert made.complete
     deadlock = next(verdict for verdict in made.verdicts if verdict.property.name == "deadlock")
     assert deadlock.answer.value == answer
-    way = deadlock.way
-    if way is not None:
-        assert any("the team misses giver-0" in str(words) for _, words in describe_run(model, way))
-        assert confirm(deadlock.property, way, model, lambda seed: team.anew(), lambda: False) is not None
+    counterexample = deadlock.counterexample
+    if counterexample is not None:
+        assert any("the team misses giver-0" in str(words) for _, words in describe_run(model, counterexample))
+        assert confirm(deadlock.property, counterexample, model, lambda seed: team.anew(), lambda: False) is not None
 
 
 @pytest.mark.parametrize("rule", ["drop", "substitute", "abort"])

@@ -108,25 +108,25 @@ def test_what_goes_through_all_states_is_broken_off_in_its_midst(monkeypatch: py
     model = Model(run, abstract_run(run), 0, Timing.FREE)
     engine = PLAIN._replace(reach=counting) if which == "reach" else PLAIN._replace(crossing=counting)
     made = explore(model, Budget(), True, engine)
-    made.breaks_off = lambda: CutReason.TIME if calls >= most else None
+    made.interruption = lambda: CutReason.TIME if calls >= most else None
     ends = AgentFact(0, lambda inside: not model.has_ended(0, inside))
     nobody = AgentFact(0, lambda inside: False)
     one = Property("one", Sentence("one"), waits=((ends,),), breaks=(((ends,),), ((nobody,),)))
 
     def looked_through() -> bool:
-        made.look_anew()
+        made.begin_property()
         if which == "reach":
             assert fair_cycles.find_fair_cycle(made, one) == ([], [])
         else:
             assert one.breaks is not None
             assert fair_cycles.find_first_crossing(made, *one.breaks) == (-1, -1)
-        return made.unseen is None
+        return made.interrupted_by is None
 
     assert looked_through()
     assert calls > 10
     calls, most = 0, 3
     assert not looked_through()
-    assert made.unseen is CutReason.TIME
+    assert made.interrupted_by is CutReason.TIME
     assert calls == 3
 
 

@@ -101,7 +101,7 @@ def test_a_wait_that_nothing_can_end_is_told_with_a_run_that_shows_it_and_what_n
     assert (wait.problem.code, wait.problem.program, wait.problem.vertices) == ("waits-for-ever", "drive", ("first",))
     assert str(wait.problem.message) == "`carrier-1` can come to wait here for ever"
     assert wait.shown is not None
-    assert wait.shown.harms == ()
+    assert wait.shown.faults == ()
     assert wait.shown.tick < 100
     assert (idle.problem.code, idle.problem.vertices, idle.shown) == ("never-reached", ("on", "halt"), None)
 

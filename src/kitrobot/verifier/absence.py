@@ -48,7 +48,7 @@ def gave_up(team: Team) -> bool:
     )
 
 
-class Watch(Agreement):
+class AbsenceAgreement(Agreement):
     """The team of a run that is before its first step, of whose robots some may fail.
 
     Args:

@@ -42,13 +42,13 @@ class Budget:
     progress: Callable[[int, int], None] = lambda states, depth: None
     clock: Callable[[], float] = time.monotonic
 
-    def breaks_off(self, began: float) -> Callable[[], CutReason | None]:
+    def interruption(self, began: float) -> Callable[[], CutReason | None]:
         """Asked whether it is stopped, or time is up for what began then."""
         ends = None if self.seconds is None else began + self.seconds
 
-        def breaks_off() -> CutReason | None:
+        def interruption() -> CutReason | None:
             if self.stop():
                 return CutReason.STOPPED
             return CutReason.TIME if ends is not None and self.clock() >= ends else None
 
-        return breaks_off
+        return interruption

@@ -14,7 +14,7 @@ from kitrobot.sim import Simulation
 from kitrobot.sim import columns as c
 from kitrobot.verifier import columns as v
 from kitrobot.verifier import reactions
-from kitrobot.verifier.absence import Watch
+from kitrobot.verifier.absence import AbsenceAgreement
 from kitrobot.verifier.abstraction import Abstraction
 from kitrobot.verifier.bodies import FAILED, RUNS, Inside, zone_of
 from kitrobot.verifier.dynamic_arrays import longer, widen_insides
@@ -56,10 +56,10 @@ class Components:
         state = run.state
         self.run = run
         self.agreement = parts.agreement
-        self.watch: Watch | None = None
+        self.absence: AbsenceAgreement | None = None
         """What becomes of a team's members that fail; None where nobody does."""
         if self.agreement is not None and failures:
-            self.agreement = self.watch = Watch(run, self.agreement.actuators)
+            self.agreement = self.absence = AbsenceAgreement(run, self.agreement.actuators)
         self.timing = timing
         self.parts = parts.parts
         self.limits = parts.limits
@@ -71,7 +71,7 @@ class Components:
         fastest = min((part.agent.period for part in self.parts), default=1)
         slower = sum(1 << i for i, part in enumerate(self.parts) if part.agent.period > fastest)
         may_fail = sum(KINDS[kind] for kind in set(kinds)) if failures else 0
-        watched = 0 if self.watch is None else 1 + self.watch.works
+        watched = 0 if self.absence is None else 1 + self.absence.works
         self.t, due = build(run, self.parts, self.roads, timing, may_fail, slower, watched)
         self.widths = Widths(self.t.fixed[v.FIELDS], due if timing is Timing.PROMPT else -1, self.count)
         self.layout: Layout = self.widths.layout()
@@ -96,7 +96,7 @@ class Components:
         self._agreed_at = 1 + len(self._first_shared)
         if self.agreement is not None:
             first = self.agreement.first
-            self._first_shared += first if self.watch is None else self.watch.reduced(first, failures)
+            self._first_shared += first if self.absence is None else self.absence.reduced(first, failures)
         self._first_insides = [
             Inside(part.table.first, int(loads[part.agent.index]), reactions.idle_actuators(part), RUNS)
             for part in self.parts
@@ -120,7 +120,7 @@ class Components:
     def has_ended(self, i: int, inside: Inside) -> bool:
         """Whether the program of agent i has ended."""
         part = self.parts[i]
-        return inside.is_over or part.table.has_ended(inside.local) or (part.is_spare and self.watch is None)
+        return inside.is_over or part.table.has_ended(inside.local) or (part.is_spare and self.absence is None)
 
     def agreed(self, shared: Shared) -> TeamState:
         """What a team has agreed on; nothing without one."""
@@ -175,8 +175,8 @@ class Components:
         self._hold(0, number)
         seen = [self._seen_number(i, shared) << v.S_SHARED for i in range(self.count)]
         row = [*shared[: 1 + self.houses], *seen]
-        if self.watch is not None:
-            row += self.watch.seen(self.agreed(shared))
+        if self.absence is not None:
+            row += self.absence.seen(self.agreed(shared))
         self._room("shared", (number + 1) * len(row))
         self.t.shared[number * len(row) : (number + 1) * len(row)] = row
         self._shared_numbers[shared] = number
@@ -188,8 +188,8 @@ class Components:
         senses; then whether its team ended its program.
         """
         part, ends = self.parts[i], []
-        if self.watch is not None:
-            ends = [int(self.watch.has_ended(self.agreed(shared), part.agent.index))]
+        if self.absence is not None:
+            ends = [int(self.absence.has_ended(self.agreed(shared), part.agent.index))]
         sensed = (
             shared[1 + sense.store if sense.store >= 0 else self._agreed_at + sense.agreed]
             for sense in part.senses

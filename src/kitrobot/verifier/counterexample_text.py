@@ -14,34 +14,34 @@ from kitrobot.verifier.motion import Move
 from kitrobot.verifier.verdicts import Counterexample
 
 
-def describe_run(model: Model, way: Counterexample) -> Iterator[tuple[int, Sentence]]:
+def describe_run(model: Model, counterexample: Counterexample) -> Iterator[tuple[int, Sentence]]:
     """What happens in a run, one sentence for each event of the world, with the number of its step."""
     said: dict[tuple[int, str], int] = {}
-    for number, (step, state) in enumerate(zip(way.steps, way.states[1:], strict=True)):
+    for number, (step, state) in enumerate(zip(counterexample.steps, counterexample.states[1:], strict=True)):
         for event in step.events:
             if event.what is not EventKind.TICK:
                 yield number, describe_event(model, event, state)
-        for i, sensor, value in readings(model, way.states[number], state):
+        for i, sensor, value in readings(model, counterexample.states[number], state):
             if said.get((i, sensor)) != value:
                 said[i, sensor] = value
                 agent = model.parts[i].agent
                 words = in_words(agent.robot, sensor, value)
                 yield number, Sentence("{agent} reads {sensor} = {value}", agent.name, *words)
-        for sentence in _of_team(model, way.states[number], state):
+        for sentence in _of_team(model, counterexample.states[number], state):
             yield number, sentence
-    if way.repeats_from >= len(way.steps) > 0:
-        last = way.states[-1]
+    if counterexample.repeats_from >= len(counterexample.steps) > 0:
+        last = counterexample.states[-1]
         for i, part in enumerate(model.parts):
             inside = model.inside(i, last[1 + i])
             if inside.down == RUNS and not model.has_ended(i, inside):
-                yield len(way.steps), Sentence("{agent} waits", part.agent.name)
+                yield len(counterexample.steps), Sentence("{agent} waits", part.agent.name)
 
 
-def free_readings(model: Model, way: Counterexample) -> Sentence | None:
+def free_readings(model: Model, counterexample: Counterexample) -> Sentence | None:
     """What a run takes for granted of sensors that may read anything; None where it needs none of them."""
     found = {
         Sentence("{agent}: {sensor}", agent.name, in_words(agent.robot, sensor, value)[0]): None
-        for before, after in zip(way.states, way.states[1:], strict=False)
+        for before, after in zip(counterexample.states, counterexample.states[1:], strict=False)
         for i, sensor, value in readings(model, before, after)
         for agent in [model.parts[i].agent]
     }
@@ -80,9 +80,9 @@ def _chosen(model: Model, i: int, before: State, after: State) -> dict[int, int]
 
 def _of_team(model: Model, before: State, after: State) -> Iterator[Sentence]:
     """What a team that misses somebody makes of that in a step: who takes a role over, and whether it gives up."""
-    if model.watch is None:
+    if model.absence is None:
         return
-    was, now = (model.watch.standing(model.agreed(model.shareds()[state[0]])) for state in (before, after))
+    was, now = (model.absence.standing(model.agreed(model.shareds()[state[0]])) for state in (before, after))
     for part in model.parts:
         if now.plays >> part.agent.index & 1 and not was.plays >> part.agent.index & 1:
             yield Sentence("{agent} takes over a role", part.agent.name)

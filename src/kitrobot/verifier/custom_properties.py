@@ -21,7 +21,7 @@ from kitrobot.text import Sentence
 from kitrobot.verifier.conditions import Asked, Member, Members, PropertyError, Truth, ask
 from kitrobot.verifier.model import Model
 from kitrobot.verifier.properties import Property, SensedCondition
-from kitrobot.verifier.run_monitors import Watch, waited_long_enough
+from kitrobot.verifier.run_monitors import RunMonitor, waited_long_enough
 
 
 def team_of(run: Simulation) -> list[Member]:
@@ -155,19 +155,19 @@ def _property(model: Model, one: AskedProperty, asked: Sequence[Asked]) -> Prope
     conditions = [_ModelCondition(model, condition) for condition in asked]
     first, second = conditions[0], conditions[-1]
 
-    def watch(run: Simulation) -> Watch:
-        return _Watch(one.form, asked, run)
+    def monitor(run: Simulation) -> RunMonitor:
+        return _ConditionMonitor(one.form, asked, run)
 
     match one.form:
         case Form.NEVER:
             return Property(
-                one.name, one.words, never=first.holds, concerned=first.when(asked[0].is_concerned), watch=watch
+                one.name, one.words, never=first.holds, concerned=first.when(asked[0].is_concerned), monitor=monitor
             )
         case Form.EVENTUALLY:
-            return Property(one.name, one.words, waits=_not(first.holds), from_start=True, watch=watch)
+            return Property(one.name, one.words, waits=_not(first.holds), from_start=True, monitor=monitor)
         case Form.AFTER:
             return Property(
-                one.name, one.words, waits=_not(second.holds), since=first.holds, concerned=first.holds, watch=watch
+                one.name, one.words, waits=_not(second.holds), since=first.holds, concerned=first.holds, monitor=monitor
             )
         case Form.STAYS:
             closed = _not(second.holds)
@@ -176,7 +176,7 @@ def _property(model: Model, one: AskedProperty, asked: Sequence[Asked]) -> Prope
                 one.words,
                 breaks=(_both(first.holds, closed), _both(_not(first.holds), closed)),
                 concerned=first.holds,
-                watch=watch,
+                monitor=monitor,
             )
 
 
@@ -194,7 +194,7 @@ def _both(one: SensedCondition, other: SensedCondition) -> SensedCondition:
     return SensedCondition((*one.agents, *other.agents), holds, one.asks_shared or other.asks_shared)
 
 
-class _Watch:
+class _ConditionMonitor:
     """Looks at a run of the simulator step by step."""
 
     def __init__(self, form: Form, asked: Sequence[Asked], run: Simulation) -> None:

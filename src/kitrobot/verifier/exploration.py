@@ -46,8 +46,8 @@ class StateSpace:
     engine: Engine
     cut: CutReason | None = CutReason.SIZE
     seconds: float = 0.0
-    breaks_off: Callable[[], CutReason | None] = field(default=lambda: None)
-    unseen: CutReason | None = None
+    interruption: Callable[[], CutReason | None] = field(default=lambda: None)
+    interrupted_by: CutReason | None = None
     reserve: int = 0
 
     @property
@@ -55,9 +55,9 @@ class StateSpace:
         """Whether there is no state beyond."""
         return self.cut is None
 
-    def look_anew(self) -> None:
+    def begin_property(self) -> None:
         """From here on it is looked through for another property."""
-        self.unseen = None
+        self.interrupted_by = None
 
     def __len__(self) -> int:
         """How many states were reached."""
@@ -106,7 +106,7 @@ class StateSpace:
             int(graph.x[number]), int(graph.y[number]) if self.model.layout.words == 2 else 0
         )
 
-    def came_first(self) -> dict[int, int]:
+    def first_occurrences(self) -> dict[int, int]:
         """Of each kind of event that came up the state out of which it came first."""
         regs = self.model.t.regs
         return {kind: int(regs[v.FIRST_OF + kind]) for kind in range(v.KINDS) if regs[v.SEEN_KINDS] >> kind & 1}
@@ -179,9 +179,9 @@ class StateSpace:
         if self._needs_states():
             self._grow("x", "parents", *(("y",) if words == 2 else ()))
         if (count + len(self.model.t.next_x)) * 10 > len(self.graph.slots) * 7:
-            self._find_again(2 * len(self.graph.slots))
+            self._rebuild_slots(2 * len(self.graph.slots))
 
-    def _find_again(self, size: int) -> None:
+    def _rebuild_slots(self, size: int) -> None:
         slots = self.graph.slots
         self.graph = self.graph._replace(slots=slots[:0])
         del slots
@@ -197,7 +197,7 @@ class StateSpace:
         rows = self.engine.row(before.rows()), self.engine.row(model.layout.rows())
         self.engine.repack(self.graph, len(self), len(before.word), *rows, before.words == 2, two)
         model.t.regs[v.WORDS] = model.layout.words
-        self._find_again(len(self.graph.slots))
+        self._rebuild_slots(len(self.graph.slots))
 
 
 def explore(
@@ -213,18 +213,18 @@ def explore(
         reserve: bytes of memory for each state that are to be left.
     """
     began = budget.clock()
-    made = StateSpace(model, fresh_graph(), engines.PLAIN, breaks_off=budget.breaks_off(began), reserve=reserve)
+    space = StateSpace(model, fresh_graph(), engines.PLAIN, interruption=budget.interruption(began), reserve=reserve)
     with suppress(ModelTooLargeError):
-        _begin(made, MOST_STATES if budget.states is None else min(budget.states, MOST_STATES), keeps_steps)
+        _begin(space, MOST_STATES if budget.states is None else min(budget.states, MOST_STATES), keeps_steps)
         if engine is not None:
-            _use(made, engine)
-        made.cut = _explore(made, budget, engine is None)
-    made.seconds = budget.clock() - began
-    if made.engine is engines.PLAIN:
-        engines.done.states += len(made)
-        engines.done.seconds += made.seconds
-    budget.progress(len(made), made.depth)
-    return made
+            _use(space, engine)
+        space.cut = _explore(space, budget, engine is None)
+    space.seconds = budget.clock() - began
+    if space.engine is engines.PLAIN:
+        engines.done.states += len(space)
+        engines.done.seconds += space.seconds
+    budget.progress(len(space), space.depth)
+    return space
 
 
 def fresh_graph() -> Graph:
@@ -248,56 +248,56 @@ def fresh_graph() -> Graph:
     )
 
 
-def _begin(made: StateSpace, most: int, keeps_steps: bool) -> None:
+def _begin(space: StateSpace, most: int, keeps_steps: bool) -> None:
     """Puts the first state into the graph."""
-    model = made.model
+    model = space.model
     first = model.begin()
     regs = model.t.regs
     regs[v.WORDS] = model.layout.words
     if model.layout.words == 2:
-        made.graph = made.graph._replace(y=longer(made.graph.y, len(made.graph.x)))
-    made.graph.x[0], y = model.layout.key(first)
+        space.graph = space.graph._replace(y=longer(space.graph.y, len(space.graph.x)))
+    space.graph.x[0], y = model.layout.key(first)
     if model.layout.words == 2:
-        made.graph.y[0] = y
-    made.graph.parents[0] = -1
+        space.graph.y[0] = y
+    space.graph.parents[0] = -1
     regs[v.AT], regs[v.COUNT], regs[v.EDGES], regs[v.LEVEL_END], regs[v.DEPTH] = 0, 1, 0, 1, 0
     regs[v.MOST], regs[v.KEEPS], regs[v.SEEK], regs[v.SEEN_KINDS] = most, int(keeps_steps), -1, 0
-    made.engine.rehash(made.graph, 1, model.layout.words == 2)
+    space.engine.rehash(space.graph, 1, model.layout.words == 2)
 
 
-def _explore(made: StateSpace, budget: Budget, may_change: bool) -> CutReason | None:
+def _explore(space: StateSpace, budget: Budget, may_change: bool) -> CutReason | None:
     batch, begun = 256, budget.clock()
     told = begun
-    while made.expanded < len(made):
-        if cut := made.breaks_off():
+    while space.expanded < len(space):
+        if cut := space.interruption():
             return cut
-        if budget.memory is not None and made.process_memory > budget.memory:
+        if budget.memory is not None and space.process_memory > budget.memory:
             return CutReason.MEMORY
-        if may_change and made.engine is engines.PLAIN:
-            better = engines.worth(len(made), budget.clock() - begun)
+        if may_change and space.engine is engines.PLAIN:
+            better = engines.worth(len(space), budget.clock() - begun)
             # Both kinds are there for a moment.
-            if better is not None and (budget.memory is None or made.process_memory + made.memory < budget.memory):
-                _use(made, better)
+            if better is not None and (budget.memory is None or space.process_memory + space.memory < budget.memory):
+                _use(space, better)
         began = budget.clock()
-        t = made.model.t
-        code = made.engine.advance(t, made.graph, int(t.regs[v.AT]) + batch)
+        t = space.model.t
+        code = space.engine.advance(t, space.graph, int(t.regs[v.AT]) + batch)
         if code == v.CUT:
             return CutReason.STATES
         if code != v.GOES_ON:
-            if budget.memory is not None and made.process_memory + made.growth(code) > budget.memory:
+            if budget.memory is not None and space.process_memory + space.growth(code) > budget.memory:
                 return CutReason.MEMORY
-            made.fill(code)
+            space.fill(code)
             continue
         now = budget.clock()
         batch = max(1, min(4 * batch, int(batch * _PAUSE_S / max(now - began, 1e-3))))
         if now - told > _PAUSE_S:
             told = now
-            budget.progress(len(made), made.depth)
+            budget.progress(len(space), space.depth)
     return None
 
 
-def _use(made: StateSpace, engine: Engine) -> None:
+def _use(space: StateSpace, engine: Engine) -> None:
     """Goes on with another engine, whose tables and graph are its own kind."""
-    most = min(made.model.t.regs[v.MOST] or _ROOM_AT_FIRST, _ROOM_AT_FIRST)
-    made.model.t, made.graph = engine.take(made.model.t, made.graph, int(most))
-    made.engine = engine
+    most = min(space.model.t.regs[v.MOST] or _ROOM_AT_FIRST, _ROOM_AT_FIRST)
+    space.model.t, space.graph = engine.take(space.model.t, space.graph, int(most))
+    space.engine = engine

@@ -18,78 +18,78 @@ CHUNK = 20_000
 """States that conditions are decided of at once."""
 
 
-def holds_somewhere(made: StateSpace, condition: Condition) -> bool:
+def holds_somewhere(space: StateSpace, condition: Condition) -> bool:
     """Whether a condition holds in a state that was reached."""
-    return sum(mark(made, condition)[1]) > 0
+    return sum(mark(space, condition)[1]) > 0
 
 
-def find_first(made: StateSpace, condition: Condition) -> int:
+def find_first(space: StateSpace, condition: Condition) -> int:
     """The first state in which a condition holds; -1 for none."""
-    marks, counts = mark(made, condition)
-    first = next((CHUNK * n for n, count in enumerate(counts) if count), len(made))
-    return next((number for number in range(first, len(made)) if marks[number]), -1)
+    marks, counts = mark(space, condition)
+    first = next((CHUNK * n for n, count in enumerate(counts) if count), len(space))
+    return next((number for number in range(first, len(space)) if marks[number]), -1)
 
 
-def find_first_crossing(made: StateSpace, before: Condition, after: Condition) -> tuple[int, int]:
+def find_first_crossing(space: StateSpace, before: Condition, after: Condition) -> tuple[int, int]:
     """The first state in which a condition holds and out of which a step leads into one in which another does, and
     which of its steps that is; -1, -1 for none. Where time is up, not all states are looked at.
     """
-    was, _ = mark(made, before)
-    now, _ = mark(made, after)
+    was, _ = mark(space, before)
+    now, _ = mark(space, after)
     state = -1
-    for at in range(0, made.expanded, CHUNK):
-        if at and (cut := made.breaks_off()):
-            made.unseen = cut
+    for at in range(0, space.expanded, CHUNK):
+        if at and (cut := space.interruption()):
+            space.interrupted_by = cut
             break
-        state = int(made.engine.crossing(made.graph, at, min(at + CHUNK, made.expanded), was, now))
+        state = int(space.engine.crossing(space.graph, at, min(at + CHUNK, space.expanded), was, now))
         if state >= 0:
             break
     if state < 0:
         return -1, -1
-    first, end = int(made.graph.first_edge[state]), int(made.graph.first_edge[state + 1])
-    target = next(int(one) for one in made.graph.targets[first:end] if now[one])
-    wanted = made.state(target)
-    return state, next(n for n, (one, _, _) in enumerate(made.steps(state)) if one == wanted)
+    first, end = int(space.graph.first_edge[state]), int(space.graph.first_edge[state + 1])
+    target = next(int(one) for one in space.graph.targets[first:end] if now[one])
+    wanted = space.state(target)
+    return state, next(n for n, (one, _, _) in enumerate(space.steps(state)) if one == wanted)
 
 
-def mark(made: StateSpace, condition: Condition) -> tuple[Any, list[int]]:
+def mark(space: StateSpace, condition: Condition) -> tuple[Any, list[int]]:
     """A mark for each state for which a condition holds, and how many there are in each part of the states."""
     if isinstance(condition, SensedCondition):
-        return _mark_sensed(made, condition)
+        return _mark_sensed(space, condition)
     facts: list[int] = []
     truths: list[int] = []
     for clause, all_of in enumerate(condition):
         for fact in all_of:
-            field, truth = _truth(made, fact)
+            field, truth = _truth(space, fact)
             facts += [clause, field, len(truths)]
             truths += truth
-    engine = made.engine
-    marks = engine.bytes(max(1, len(made)))
-    rows, table, two = engine.row(facts), engine.row(truths), made.model.layout.words == 2
+    engine = space.engine
+    marks = engine.bytes(max(1, len(space)))
+    rows, table, two = engine.row(facts), engine.row(truths), space.model.layout.words == 2
     counts = []
-    for first in range(0, len(made), CHUNK):
-        end = min(first + CHUNK, len(made))
-        counts.append(int(engine.mark(made.model.t, made.graph, first, end, two, rows, table, marks)))
+    for first in range(0, len(space), CHUNK):
+        end = min(first + CHUNK, len(space))
+        counts.append(int(engine.mark(space.model.t, space.graph, first, end, two, rows, table, marks)))
     return marks, counts
 
 
-def _mark_sensed(made: StateSpace, condition: SensedCondition) -> tuple[Any, list[int]]:
+def _mark_sensed(space: StateSpace, condition: SensedCondition) -> tuple[Any, list[int]]:
     """The same of what agents sense; where time is up, the states that were not looked at are left unmarked."""
-    engine, two, model = made.engine, made.model.layout.words == 2, made.model
-    marks, counts = engine.bytes(max(1, len(made))), []
+    engine, two, model = space.engine, space.model.layout.words == 2, space.model
+    marks, counts = engine.bytes(max(1, len(space))), []
     columns = [engine.words(CHUNK) for _ in condition.agents]
     known: dict[tuple[int, ...], bool] = {}
-    for first in range(0, len(made), CHUNK):
-        if cut := made.breaks_off():
-            made.unseen = cut
+    for first in range(0, len(space), CHUNK):
+        if cut := space.interruption():
+            space.interrupted_by = cut
             break
-        end = min(first + CHUNK, len(made))
+        end = min(first + CHUNK, len(space))
         for i, keys in zip(condition.agents, columns, strict=True):
-            engine.observe(model.t, made.graph, first, end, two, i, keys)
+            engine.observe(model.t, space.graph, first, end, two, i, keys)
         count = 0
         asked = [keys.tolist() for keys in columns]
         if condition.asks_shared:
-            asked.append(_shared_numbers(made, first, first + CHUNK))
+            asked.append(_shared_numbers(space, first, first + CHUNK))
         rows = zip(*asked, strict=False)
         for number, row in zip(range(first, end), rows, strict=False):
             holds = known.get(row)
@@ -102,16 +102,16 @@ def _mark_sensed(made: StateSpace, condition: SensedCondition) -> tuple[Any, lis
     return marks, counts
 
 
-def _shared_numbers(made: StateSpace, first: int, end: int) -> list[int]:
+def _shared_numbers(space: StateSpace, first: int, end: int) -> list[int]:
     """Of some states the number of what is shared."""
-    layout, graph = made.model.layout, made.graph
+    layout, graph = space.model.layout, space.graph
     keys = (graph.y if layout.word[0] else graph.x)[first:end]
     return [int(key) >> layout.shift[0] & layout.mask[0] for key in keys]
 
 
-def _truth(made: StateSpace, fact: Fact) -> tuple[int, list[int]]:
+def _truth(space: StateSpace, fact: Fact) -> tuple[int, list[int]]:
     """The field that a fact is about, and whether it is true, by the field's number."""
-    model = made.model
+    model = space.model
     if isinstance(fact, SharedFact):
         return 0, [int(fact.test(one)) for one in model.shareds()]
     if isinstance(fact, AgentFact):
@@ -127,78 +127,78 @@ def _truth(made: StateSpace, fact: Fact) -> tuple[int, list[int]]:
     return int(fixed[v.ROAD_FIELD]) + road, [one >> fact.agent & 1 for one in stand]
 
 
-def find_fair_cycle(made: StateSpace, one: Property) -> tuple[list[int], list[int]]:
+def find_fair_cycle(space: StateSpace, one: Property) -> tuple[list[int], list[int]]:
     """The states of a run that waits for ever, of a property of liveness: from where waiting counts up to where the
     round begins, through states that wait; that one and those that follow, up to there again. Both are empty where
-    there is none, or none was found before it was broken off (`StateSpace.unseen`).
+    there is none, or none was found before it was broken off (`StateSpace.interrupted_by`).
     """
     assert one.waits is not None
-    made.unseen = made.unseen or made.breaks_off()
-    if not len(made) or made.unseen:
+    space.interrupted_by = space.interrupted_by or space.interruption()
+    if not len(space) or space.interrupted_by:
         return [], []
-    marks, counts = mark(made, one.waits)
-    engine = made.engine
+    marks, counts = mark(space, one.waits)
+    engine = space.engine
     steps = _PLAIN_STEPS if engine is PLAIN else _STEPS
-    size = len(made) + 1
+    size = len(space) + 1
     colour, found, before = engine.zeros(size), engine.zeros(size), engine.zeros(size)
-    reached = engine.row([0, (1 if one.from_start else len(made)) if sum(counts) else 0, 0, 0, made.expanded])
-    since = marks if one.since is None else mark(made, one.since)[0]
-    while not engine.reach(made.graph, marks, since, colour, found, before, reached, steps):
-        if cut := made.breaks_off():
-            made.unseen = cut
+    reached = engine.row([0, (1 if one.from_start else len(space)) if sum(counts) else 0, 0, 0, space.expanded])
+    since = marks if one.since is None else mark(space, one.since)[0]
+    while not engine.reach(space.graph, marks, since, colour, found, before, reached, steps):
+        if cut := space.interruption():
+            space.interrupted_by = cut
             return [], []
     if not reached[f.REACHED]:
         return [], []
-    search = _search(made, colour, found, int(reached[f.REACHED]))
+    search = _search(space, colour, found, int(reached[f.REACHED]))
     code = f.BUSY
     while True:
-        code = engine.search(made.model.t, made.graph, search, steps)
+        code = engine.search(space.model.t, space.graph, search, steps)
         if code == f.FAIR:
             break
         if code == f.MISSING:
             try:
-                made.fill(int(made.model.t.regs[v.CODE]))
+                space.fill(int(space.model.t.regs[v.CODE]))
             except ModelTooLargeError:
-                made.unseen = CutReason.SIZE
+                space.interrupted_by = CutReason.SIZE
                 return [], []
             continue
         if code == f.DONE:
             search = f.next_round(search)
             if search.numbers[f.ROOTS] == 0:
                 return [], []
-        if cut := made.breaks_off():
-            made.unseen = cut
+        if cut := space.interruption():
+            space.interrupted_by = cut
             return [], []
     first, top = int(search.numbers[f.FIRST]), int(search.numbers[f.TOP])
-    around = _round(made, search.stack[first:top], search)
+    around = _round(space, search.stack[first:top], search)
     lead = [around[0]]
     while int(before[lead[-1]]) >= 0:
         lead.append(int(before[lead[-1]]))
     return lead[::-1], around
 
 
-def _search(made: StateSpace, colour: Any, found: Any, count: int) -> f.Search:
-    engine, size = made.engine, len(made) + 1
+def _search(space: StateSpace, colour: Any, found: Any, count: int) -> f.Search:
+    engine, size = space.engine, len(space) + 1
     numbers = [0] * f.SEARCH_NUMBERS
-    numbers[f.ROOTS], numbers[f.COLOUR], numbers[f.EXPANDED] = count, 1, made.expanded
-    numbers[f.TWO] = int(made.model.layout.words == 2)
+    numbers[f.ROOTS], numbers[f.COLOUR], numbers[f.EXPANDED] = count, 1, space.expanded
+    numbers[f.TWO] = int(space.model.layout.words == 2)
     rows = [engine.zeros(size) for _ in range(6)]
     return f.Search(
         engine.row(numbers), colour, rows[0], rows[1], found, rows[2], rows[3], rows[4], rows[5], engine.row([0] * 10)
     )
 
 
-def _round(made: StateSpace, part: Any, search: f.Search) -> list[int]:
+def _round(space: StateSpace, part: Any, search: f.Search) -> list[int]:
     """A way through a strongly connected part and back that takes every class that is taken in it; the state where it
     begins alone for one state.
     """
-    engine, graph = made.engine, made.graph
+    engine, graph = space.engine, space.graph
     begin = int(min(part))
-    marks = engine.bytes(len(made))
+    marks = engine.bytes(len(space))
     for state in part:
         marks[state] = 1
-    table = made.model.t.taken
-    steps = engine.zeros(2 * max(1, int(made.model.t.regs[v.TAKEN])))
+    table = space.model.t.taken
+    steps = engine.zeros(2 * max(1, int(space.model.t.regs[v.TAKEN])))
     for n in range(len(steps)):
         steps[n] = -1
     engine.sample(graph, part, marks, steps)
@@ -215,15 +215,15 @@ def _round(made: StateSpace, part: Any, search: f.Search) -> list[int]:
         if taken & ~covered == 0:
             continue
         if at != state:
-            found += _way(made, at, state, marks, before, queue)
+            found += _way(space, at, state, marks, before, queue)
         found.append(target)
         at, covered = target, covered | taken
-    return found if at == begin else [*found, *_way(made, at, begin, marks, before, queue)]
+    return found if at == begin else [*found, *_way(space, at, begin, marks, before, queue)]
 
 
-def _way(made: StateSpace, start: int, end: int, marks: Any, before: Any, queue: Any) -> list[int]:
+def _way(space: StateSpace, start: int, end: int, marks: Any, before: Any, queue: Any) -> list[int]:
     """The states of a shortest way, without the start."""
-    made.engine.way(made.graph, start, end, marks, before, queue)
+    space.engine.way(space.graph, start, end, marks, before, queue)
     found = [end]
     while int(before[found[-1]]) != start:
         found.append(int(before[found[-1]]))

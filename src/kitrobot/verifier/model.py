@@ -108,7 +108,7 @@ class Model(Components):
         part = self.parts[i]
         inside = self._insides[i][key & v.MOST_INSIDES - 1]
         seen = self._seen_tuples[i][key >> v.S_SHARED & v.MOST_SEEN - 1]
-        if self.watch is not None and seen[-1]:
+        if self.absence is not None and seen[-1]:
             over = self.inside_number(i, inside._replace(is_over=True))
             self._put_reactions(key, [(over, 0, v.NO_WRITE)])
             return
@@ -117,7 +117,7 @@ class Model(Components):
             want, after = reactions.after_reaction(part, inside, reaction)
             number = self.inside_number(i, after)
             ticks = after.down == RUNS and not self.has_ended(i, after)
-            if self.watch is not None and part.is_member and reaction.ended:
+            if self.absence is not None and part.is_member and reaction.ended:
                 change = change[0], (*change[1], TeamCommand(ENDS, part.agent.index, 0, 0))
             found[number, 2 * (want + 2) + ticks, self._write_number(change)] = None
         self._put_reactions(key, found)
@@ -190,9 +190,9 @@ class Model(Components):
             settled = self.agreement.settled(tuple(shared[self._agreed_at :]))
             shared[self._agreed_at :] = self._reduced(settled, shared[0])
         elif write < self._first_write:
-            assert self.watch is not None, "only a team that misses members is watched"
+            assert self.absence is not None, "only a team that misses members is watched"
             i, what = divmod(write - self._first_watched, self._watched_each)
-            agreed = self.watch.befallen(tuple(shared[self._agreed_at :]), self.parts[i].agent.index, what)
+            agreed = self.absence.befallen(tuple(shared[self._agreed_at :]), self.parts[i].agent.index, what)
             shared[self._agreed_at :] = self._settled(agreed, shared[0])
         else:
             changes, told = self._writes[write - self._first_write]
@@ -213,7 +213,7 @@ class Model(Components):
 
     def _reduced(self, agreed: TeamState, left: int) -> TeamState:
         """The same without what makes no difference where so many failures are left."""
-        return agreed if self.watch is None else self.watch.reduced(agreed, left)
+        return agreed if self.absence is None else self.absence.reduced(agreed, left)
 
     def _fill_inside(self, code: int, i: int, which: int) -> None:
         number = int(self.t.now[1 + i])
@@ -238,13 +238,13 @@ class Model(Components):
         Devices that are told to stop by that have stopped, and those of a robot that failed do nothing any more.
         """
         part, busy = self.parts[i], list(inside.busy)
-        assert self.watch is not None, "only a team misses members"
+        assert self.absence is not None, "only a team misses members"
         if how == LOST and part.table.is_asked:
             return inside
         first = int(self.run.state.robots.ints[c.ACTUATOR_INDEX][part.agent.index])
         for at, act in enumerate(part.acts):
             k = int(self.run.state.actuators.actuator_index[first + at])
-            if act.busy >= 0 and (inside.down == FAILED or (how == ANEW and self.watch.halts(k))):
+            if act.busy >= 0 and (inside.down == FAILED or (how == ANEW and self.absence.halts(k))):
                 busy[act.busy] = 0
         return inside._replace(local=part.table.first, busy=tuple(busy), loose=0)
 

@@ -18,7 +18,7 @@ from kitrobot.verifier.bodies import FAILED, RUNS, Inside
 from kitrobot.verifier.events import SWINGS, EventKind
 from kitrobot.verifier.model import Model, Shared
 from kitrobot.verifier.motion import Move
-from kitrobot.verifier.run_monitors import Watch, loose_action_monitor, loss_monitor, meeting_monitor
+from kitrobot.verifier.run_monitors import RunMonitor, loose_action_monitor, loss_monitor, meeting_monitor
 
 
 @dataclass(frozen=True)
@@ -79,7 +79,7 @@ class Property:
         never: what breaks it in any state.
         breaks: what must hold before, and after, a step that breaks it.
         since: from which states on waiting counts; of liveness only. None: from any, but see `from_start`.
-        watch: begins to look at a run of the simulator, which is before its first step, where its events do not tell
+        monitor: starts a monitor of a run of the simulator, which is before its first step, if its events do not decide
             whether it breaks the property.
         seen_as: the events of the simulator (see `sim.columns`) that break it.
         ends_as: the outcomes of a run of the simulator that break it.
@@ -97,7 +97,7 @@ class Property:
     never: Condition | None = None
     breaks: tuple[Condition, Condition] | None = None
     since: Condition | None = None
-    watch: Callable[[Simulation], Watch] | None = None
+    monitor: Callable[[Simulation], RunMonitor] | None = None
     seen_as: tuple[int, ...] = ()
     ends_as: tuple[str, ...] = ()
     spares_teams: bool = False
@@ -218,7 +218,7 @@ def _stock(model: Model) -> list[Property]:
             Sentence("no box and no unit of work is lost or appears twice"),
             never=tuple((_has_ended(model, i), _has_unit(model, at)) for i, at in units) or None,
             concerned=tuple(in_question),
-            watch=loss_monitor,
+            monitor=loss_monitor,
         )
     ]
 
@@ -229,7 +229,7 @@ def _meetings(model: Model) -> list[Property]:
     if agreement is None or not agreement.has_meetings:
         return []
     members = [
-        i for i, part in enumerate(model.parts) if part.is_member and not (part.is_spare and model.watch is None)
+        i for i, part in enumerate(model.parts) if part.is_member and not (part.is_spare and model.absence is None)
     ]
     return [_meets(model, i) for i in members]
 
@@ -244,7 +244,7 @@ def _meets(model: Model, i: int) -> Property:
         Sentence("{agent} does not wait for its team for ever", name),
         waits=(waits,),
         concerned=(waits,),
-        watch=lambda run: meeting_monitor(run, name),
+        monitor=lambda run: meeting_monitor(run, name),
     )
 
 
@@ -259,7 +259,7 @@ def _stopped(model: Model) -> list[Property]:
             Sentence("what a marked action started stands when its program has ended"),
             never=tuple((_has_ended(model, i), AgentFact(i, lambda inside: inside.loose > 0)) for i in agents),
             concerned=tuple((_has_ended(model, i),) for i in agents),
-            watch=loose_action_monitor,
+            monitor=loose_action_monitor,
         )
     ]
 
@@ -289,18 +289,18 @@ def _somebody_goes_on(model: Model) -> Condition:
 
 def _needed(model: Model, i: int) -> list[Fact]:
     """That the team has not given up, and agent i plays a role if it is of the team; nothing where nobody is missed."""
-    watch, robot = model.watch, model.parts[i].agent.index
-    if watch is None:
+    absence, robot = model.absence, model.parts[i].agent.index
+    if absence is None:
         return []
     return [
         _has_not_given_up(model),
-        SharedFact(lambda shared: not watch.takes_no_part(model.agreed(shared), robot)),
+        SharedFact(lambda shared: not absence.takes_no_part(model.agreed(shared), robot)),
     ]
 
 
 def _has_not_given_up(model: Model) -> SharedFact:
-    watch = model.watch
-    return SharedFact(lambda shared: watch is None or not watch.gave_up(model.agreed(shared)))
+    absence = model.absence
+    return SharedFact(lambda shared: absence is None or not absence.gave_up(model.agreed(shared)))
 
 
 def _goes_on(model: Model, i: int) -> AgentFact:
@@ -312,4 +312,4 @@ def _not_done(model: Model) -> Condition:
     if not model.goals:
         return _somebody_goes_on(model)
     missed = SharedFact(lambda shared: not model.goals_hold(shared))
-    return ((missed,),) if model.watch is None else ((missed, _has_not_given_up(model)),)
+    return ((missed,),) if model.absence is None else ((missed, _has_not_given_up(model)),)

@@ -46,41 +46,45 @@ class ConfirmedRun:
     """A run of the simulator that breaks a property: its seed, what befell agents, and the step in which it broke."""
 
     seed: int
-    harms: tuple[InjectedFault, ...]
+    faults: tuple[InjectedFault, ...]
     tick: int
 
 
 def confirm(
-    one: Property, way: Counterexample, model: Model, fresh: Callable[[int], Simulation], stop: Callable[[], bool]
+    one: Property,
+    counterexample: Counterexample,
+    model: Model,
+    fresh: Callable[[int], Simulation],
+    stop: Callable[[], bool],
 ) -> ConfirmedRun | None:
     """A run of the simulator that breaks the property, or None where none was found.
 
     Args:
         one: the property.
-        way: how the model breaks it.
+        counterexample: the run of the model that breaks it.
         model: the model.
         fresh: gives the run of a seed before its first step; it needs a time limit.
         stop: asked now and then whether to give up.
     """
-    wanted = injected_faults(way, model)
+    wanted = injected_faults(counterexample, model)
     if not wanted:
         tries: Iterator[tuple[int, tuple[InjectedFault, ...]]] = ((seed, ()) for seed in range(1, SEEDS + 1))
     else:
         tries = _moments(wanted, fresh(1), stop)
-    for number, (seed, harms) in enumerate(tries):
+    for number, (seed, faults) in enumerate(tries):
         if number >= MOST_RUNS or stop():
             return None
-        tick = _broken_at(one, fresh(seed), harms, stop)
+        tick = _broken_at(one, fresh(seed), faults, stop)
         if tick >= 0:
-            return ConfirmedRun(seed, harms, tick)
+            return ConfirmedRun(seed, faults, tick)
     return None
 
 
-def injected_faults(way: Counterexample, model: Model) -> tuple[tuple[str, str], ...]:
+def injected_faults(counterexample: Counterexample, model: Model) -> tuple[tuple[str, str], ...]:
     """What befalls agents in a run of the model, in order: the agent's name, and what. `confirm` looks for no more."""
     return tuple(
         (model.parts[event.agent].agent.name, _KINDS[event.what])
-        for step in way.steps
+        for step in counterexample.steps
         for event in step.events
         if event.what in _KINDS
     )
@@ -106,11 +110,11 @@ def _moments(
         )
 
 
-def _broken_at(one: Property, run: Simulation, harms: Sequence[InjectedFault], stop: Callable[[], bool]) -> int:
+def _broken_at(one: Property, run: Simulation, faults: Sequence[InjectedFault], stop: Callable[[], bool]) -> int:
     """The step in which a run broke the property; -1 if it did not, or was given up."""
-    left = list(harms)
-    watch = one.watch(run) if one.watch is not None else None
-    chunk = _CHUNK if watch is None else 1
+    left = list(faults)
+    monitor = one.monitor(run) if one.monitor is not None else None
+    chunk = _CHUNK if monitor is None else 1
     asked = 0
     while run.outcome is None or left:
         if run.tick >= asked:
@@ -118,17 +122,17 @@ def _broken_at(one: Property, run: Simulation, harms: Sequence[InjectedFault], s
             if stop():
                 return -1
         if left and run.tick >= left[0].tick:
-            harm = left.pop(0)
-            run.harm(harm.agent, harm.kind)
+            fault = left.pop(0)
+            run.harm(fault.agent, fault.kind)
             continue
         if run.outcome is not None:
             break
         run.advance(min(chunk, left[0].tick - run.tick) if left else chunk)
-        found = _seen(one, run) if watch is None else run.tick if watch.after_step() else -1
+        found = _seen(one, run) if monitor is None else run.tick if monitor.after_step() else -1
         if found >= 0:
             return found
-    if watch is not None:
-        return run.tick if watch.at_end() else -1
+    if monitor is not None:
+        return run.tick if monitor.at_end() else -1
     has_said_why = one.spares_teams and gave_up(run.state.team)
     return run.tick if run.outcome in one.ends_as and not has_said_why else -1
 

@@ -15,8 +15,8 @@ LONG_ENOUGH = 2
 """A run whose time is up shows that something is waited for in vain if it was for one part of so many of its time."""
 
 
-class Watch(Protocol):
-    """Looks at a run of the simulator, whether it breaks a property."""
+class RunMonitor(Protocol):
+    """Monitors a run of the simulator for a violation of a property."""
 
     def after_step(self) -> bool:
         """Whether the step that was just made broke it."""
@@ -26,7 +26,7 @@ class Watch(Protocol):
 
 
 class _InvariantMonitor:
-    """Looks whether something ever is true."""
+    """Reports a violation when a condition holds once."""
 
     def __init__(self, test: Callable[[], bool]) -> None:
         self._test = test
@@ -39,7 +39,7 @@ class _InvariantMonitor:
 
 
 class _WaitMonitor:
-    """Looks whether something is true up to the end, and was for long enough."""
+    """Reports a violation when a condition holds up to the end of the run, and long enough."""
 
     def __init__(self, run: Simulation, test: Callable[[], bool]) -> None:
         self._run = run
@@ -62,8 +62,8 @@ def waited_long_enough(run: Simulation, since: int) -> bool:
     return run.outcome != "time" or LONG_ENOUGH * (run.tick - since) >= run.tick
 
 
-def loss_monitor(run: Simulation) -> Watch:
-    """Looks for a box that there was no room for, or a unit of work whose robot ended its program without doing it."""
+def loss_monitor(run: Simulation) -> RunMonitor:
+    """Monitors for a box without room, or a unit of work whose robot ended its program without doing it."""
 
     def is_lost() -> bool:
         state = run.state
@@ -80,8 +80,8 @@ def loss_monitor(run: Simulation) -> Watch:
     return _InvariantMonitor(is_lost)
 
 
-def meeting_monitor(run: Simulation, name: str) -> Watch:
-    """Looks whether an agent waits for its team up to the end."""
+def meeting_monitor(run: Simulation, name: str) -> RunMonitor:
+    """Monitors whether an agent waits for its team up to the end."""
     robot = [agent.name for agent in run.members].index(name)
 
     def waits() -> bool:
@@ -92,8 +92,8 @@ def meeting_monitor(run: Simulation, name: str) -> Watch:
     return _WaitMonitor(run, waits)
 
 
-def loose_action_monitor(run: Simulation) -> Watch:
-    """Looks whether a program has ended, and something that a marked action of it started goes on.
+def loose_action_monitor(run: Simulation) -> RunMonitor:
+    """Monitors whether a program has ended and an action that it marked goes on.
 
     The run is before its first step.
     """

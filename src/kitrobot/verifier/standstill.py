@@ -22,46 +22,46 @@ _STIRS = 1
 """The bit of what keeps a mission from standing still; each command has one of its own above."""
 
 
-def find_standstill(made: StateSpace, condition: Condition) -> int:
+def find_standstill(space: StateSpace, condition: Condition) -> int:
     """The first state that nothing leaves, or, where there is none, from which on programs only go round, and say
     nothing new; the condition holds in it, and in all that follow. -1 for none.
     """
-    marks, _ = mark(made, condition)
-    states = _closed(made, marks)
-    graph = made.graph
+    marks, _ = mark(space, condition)
+    states = _closed(space, marks)
+    graph = space.graph
     begins = [(int(graph.first_edge[state]), int(graph.first_edge[state + 1])) for state in states]
     for state, (first, end) in zip(states, begins, strict=True):
         if all(target == state for target in graph.targets[first:end]):
             return state
     places = {state: n for n, state in enumerate(states)}
     following = [[places[int(target)] for target in graph.targets[first:end]] for first, end in begins]
-    said = _CommandBits(made.model)
-    out = _reached(following, list(said.by(made, states)), made)
+    said = _CommandBits(space.model)
+    out = _reached(following, list(said.by(space, states)), space)
     return next((state for state, all_of in zip(states, out, strict=False) if not said.stirs(all_of)), -1)
 
 
-def _closed(made: StateSpace, marks: Any) -> list[int]:
+def _closed(space: StateSpace, marks: Any) -> list[int]:
     """The marked states that are calm, and out of which all steps lead to others of them."""
-    graph, engine = made.graph, made.engine
-    count = int(made.model.t.regs[v.CALMS])
-    states, inside = engine.zeros(count), engine.bytes(max(1, len(made)))
+    graph, engine = space.graph, space.engine
+    count = int(space.model.t.regs[v.CALMS])
+    states, inside = engine.zeros(count), engine.bytes(max(1, len(space)))
     states[:] = graph.calm[:count]
     left = -1
     while left != count:
-        if cut := made.breaks_off():
-            made.unseen = cut
+        if cut := space.interruption():
+            space.interrupted_by = cut
             return []
         count, left = int(engine.prune(graph, states, count, marks, inside)), count
     return [int(state) for state in states[:count]]
 
 
-def _reached(following: list[list[int]], out: list[int], made: StateSpace) -> list[int]:
+def _reached(following: list[list[int]], out: list[int], space: StateSpace) -> list[int]:
     """Of each state the bits of all states that can be reached from it; empty where it was broken off."""
     changed = True
     while changed:
         changed = False
-        if cut := made.breaks_off():
-            made.unseen = cut
+        if cut := space.interruption():
+            space.interrupted_by = cut
             return []
         for n in range(len(following) - 1, -1, -1):
             now = out[n]
@@ -81,9 +81,9 @@ class _CommandBits:
         self._of_device: dict[tuple[int, int], int] = {}
         self._known: list[dict[int, int]] = [{} for _ in model.parts]
 
-    def by(self, made: StateSpace, states: list[int]) -> Iterator[int]:
+    def by(self, space: StateSpace, states: list[int]) -> Iterator[int]:
         """The bits of the next ticks in each of these states."""
-        engine, two = made.engine, made.model.layout.words == 2
+        engine, two = space.engine, space.model.layout.words == 2
         keys = engine.words(CHUNK)
         at = 0
         while at < len(states):
@@ -94,7 +94,7 @@ class _CommandBits:
             here = [state - first for state in states[at:end]]
             bits = [0] * len(here)
             for i, known in enumerate(self._known):
-                engine.observe(made.model.t, made.graph, first, first + here[-1] + 1, two, i, keys)
+                engine.observe(space.model.t, space.graph, first, first + here[-1] + 1, two, i, keys)
                 for n, offset in enumerate(here):
                     key = int(keys[offset])
                     if key not in known:

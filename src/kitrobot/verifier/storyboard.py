@@ -54,26 +54,26 @@ class Culprit:
     repeats: bool
 
 
-def draw_scenes(model: Model, way: Counterexample) -> tuple[Scene, ...]:
+def draw_scenes(model: Model, counterexample: Counterexample) -> tuple[Scene, ...]:
     """The scenes of a run."""
-    count = len(way.states)
+    count = len(counterexample.states)
     numbers = list(range(count))
     if count > MOST_SCENES:
         numbers = [*numbers[: MOST_SCENES // 2], *numbers[count - MOST_SCENES // 2 :]]
-    return tuple(Scene(number, _robots(model, way.states[number])) for number in numbers)
+    return tuple(Scene(number, _robots(model, counterexample.states[number])) for number in numbers)
 
 
 def find_culprits(model: Model, verdict: Verdict) -> tuple[Culprit, ...]:
     """Where a property is broken; nothing where no program stands anywhere."""
-    way = verdict.way
-    if way is None:
+    counterexample = verdict.counterexample
+    if counterexample is None:
         return ()
-    if way.repeats_from >= 0:
-        return tuple(_for_ever(model, verdict, way)[:_MOST_GUILTY])
-    before = way.states[-2] if len(way.states) > 1 else way.states[-1]
+    if counterexample.repeats_from >= 0:
+        return tuple(_for_ever(model, verdict, counterexample)[:_MOST_GUILTY])
+    before = counterexample.states[-2] if len(counterexample.states) > 1 else counterexample.states[-1]
     event = (
-        next((one for one in reversed(way.steps[-1].events) if one.what is not EventKind.TICK), None)
-        if way.steps
+        next((one for one in reversed(counterexample.steps[-1].events) if one.what is not EventKind.TICK), None)
+        if counterexample.steps
         else None
     )
     condition = verdict.property.never or (verdict.property.breaks or (None,))[0]
@@ -81,7 +81,7 @@ def find_culprits(model: Model, verdict: Verdict) -> tuple[Culprit, ...]:
         return _at(model, before, condition.agents, verdict.property.sentence)
     if event is None:
         return ()
-    return _at(model, before, (event.agent,), describe_event(model, event, way.states[-1]))
+    return _at(model, before, (event.agent,), describe_event(model, event, counterexample.states[-1]))
 
 
 def _at(model: Model, state: State, agents: tuple[int, ...], sentence: Sentence) -> tuple[Culprit, ...]:
@@ -92,9 +92,9 @@ def _at(model: Model, state: State, agents: tuple[int, ...], sentence: Sentence)
     )
 
 
-def _for_ever(model: Model, verdict: Verdict, way: Counterexample) -> list[Culprit]:
+def _for_ever(model: Model, verdict: Verdict, counterexample: Counterexample) -> list[Culprit]:
     """Who stands at the same vertex in all that repeats; where there is nobody, who goes round."""
-    states = way.states[way.repeats_from :]
+    states = counterexample.states[counterexample.repeats_from :]
     asked = _agents_of(verdict.property.waits)
     agents = [
         i
@@ -156,9 +156,9 @@ def _robots(model: Model, state: State) -> tuple[SceneRobot, ...]:
 def _neighbours(model: Model, state: State, i: int) -> tuple[int, int]:
     """How many robots are in the same zone ahead of one, and behind it."""
     found = []
-    for way in ("leader", "follower"):
-        count, other = 0, getattr(model.parts[i], way)
+    for side in ("leader", "follower"):
+        count, other = 0, getattr(model.parts[i], side)
         while 0 <= other != i and model.zone(state, other) == model.zone(state, i) and count < model.count:
-            count, other = count + 1, getattr(model.parts[other], way)
+            count, other = count + 1, getattr(model.parts[other], side)
         found.append(count)
     return found[0], found[1]

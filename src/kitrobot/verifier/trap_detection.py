@@ -126,29 +126,29 @@ def loops_of(image: Image) -> tuple[Loop, ...]:
     return tuple(sorted(found, key=lambda loop: len(loop.body)))
 
 
-def find_traps(made: StateSpace, stop: Callable[[], bool]) -> list[Trap]:
+def find_traps(space: StateSpace, stop: Callable[[], bool]) -> list[Trap]:
     """The first trap of each loop of each program; none where not all was explored, or it was stopped."""
-    if not made.complete:
+    if not space.complete:
         return []
-    model = made.model
-    places = _ThreadPlaces(made)
+    model = space.model
+    places = _ThreadPlaces(space)
     reached = 1 << len(places.known)
     out = []
-    for number in range(len(made)):
+    for number in range(len(space)):
         if number % 1000 == 0 and stop():
             return []
-        state = made.state(number)
+        state = space.state(number)
         leaves = (reached - 1) & ~places.held(state)
         out.append(leaves | (reached if model.goals and model.goals_hold(model.shareds()[state[0]]) else 0))
     # Lists: to look at one number of an array from here takes several times as long.
-    begins = list(map(int, made.graph.first_edge[: len(made) + 1]))
-    targets = list(map(int, made.graph.targets[: begins[-1]]))
+    begins = list(map(int, space.graph.first_edge[: len(space) + 1]))
+    targets = list(map(int, space.graph.targets[: begins[-1]]))
     changed = True
     while changed:
         changed = False
         if stop():
             return []
-        for number in range(len(made) - 1, -1, -1):
+        for number in range(len(space) - 1, -1, -1):
             now = out[number]
             for target in targets[begins[number] : begins[number + 1]]:
                 now |= out[target]
@@ -159,10 +159,10 @@ def find_traps(made: StateSpace, stop: Callable[[], bool]) -> list[Trap]:
     found: dict[tuple[str, int], Trap] = {}
     for number, leaves in enumerate(out):
         if leaves != every and not leaves & reached:
-            for agent, slot, loop in places.trapped(leaves, made.state(number)):
+            for agent, slot, loop in places.trapped(leaves, space.state(number)):
                 name = model.parts[agent].agent.image_name
                 if (name, loop.head) not in found:
-                    standing = places.standing_from(made, number, agent, slot)
+                    standing = places.standing_from(space, number, agent, slot)
                     found[name, loop.head] = Trap(agent, slot, loop, standing, number)
     return list(found.values())
 
@@ -170,8 +170,8 @@ def find_traps(made: StateSpace, stop: Callable[[], bool]) -> list[Trap]:
 class _ThreadPlaces:
     """Where threads stand: a bit for each agent, thread and loop."""
 
-    def __init__(self, made: StateSpace) -> None:
-        self._model = made.model
+    def __init__(self, space: StateSpace) -> None:
+        self._model = space.model
         self.known: list[tuple[int, int, Loop]] = []
         self._held: list[list[int]] = []
         for i, part in enumerate(self._model.parts):
@@ -216,12 +216,12 @@ class _ThreadPlaces:
             if code[4 * self.at(state, agent, slot)] not in (FORK, JOIN):
                 yield agent, slot, loop
 
-    def standing_from(self, made: StateSpace, number: int, agent: int, slot: int) -> frozenset[int]:
+    def standing_from(self, space: StateSpace, number: int, agent: int, slot: int) -> frozenset[int]:
         """Where a thread stands in all states that can be reached from one."""
-        graph, seen, waiting, found = made.graph, {number}, [number], set()
+        graph, seen, waiting, found = space.graph, {number}, [number], set()
         while waiting:
             one = waiting.pop()
-            found.add(self.at(made.state(one), agent, slot))
+            found.add(self.at(space.state(one), agent, slot))
             for e in range(graph.first_edge[one], graph.first_edge[one + 1]):
                 to = int(graph.targets[e])
                 if to not in seen:

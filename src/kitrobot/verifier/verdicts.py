@@ -52,12 +52,12 @@ class Verdict:
     Attributes:
         property: the property.
         answer: never HOLDS when the search was cut short.
-        way: how it is broken; None unless it is.
+        counterexample: a run that breaks it; None unless there is one.
     """
 
     property: Property
     answer: Answer
-    way: Counterexample | None = None
+    counterexample: Counterexample | None = None
 
 
 @dataclass(frozen=True)
@@ -102,93 +102,93 @@ def check_properties(
     began = budget.clock()
     share = None if budget.seconds is None else budget.seconds * (_SHARE if keeps_steps else 1.0)
     reserve = _JUDGING if any(one.waits is not None for one in properties) else _PLAIN_JUDGING
-    made = explore(model, replace(budget, seconds=share), keeps_steps, engine, reserve)
-    made.breaks_off = budget.breaks_off(began)
-    first = made.came_first()
+    space = explore(model, replace(budget, seconds=share), keeps_steps, engine, reserve)
+    space.interruption = budget.interruption(began)
+    first = space.first_occurrences()
     # What one state or event breaks is found at once; what is waited for takes the time that is left.
     quick_first = sorted(range(len(properties)), key=lambda n: properties[n].waits is not None)
     judged: dict[int, Verdict] = {}
-    cut = made.cut
+    cut = space.cut
     for n in quick_first:
-        judged[n] = _verdict(made, properties[n], first)
-        cut = cut or made.unseen
+        judged[n] = _verdict(space, properties[n], first)
+        cut = cut or space.interrupted_by
     verdicts = [judged[n] for n in range(len(properties))]
     return CheckResult(
         model.timing,
         model.failures,
         tuple(verdicts),
-        len(made),
-        made.depth,
-        made.complete,
-        made.seconds,
-        made.memory,
+        len(space),
+        space.depth,
+        space.complete,
+        space.seconds,
+        space.memory,
         cut,
     )
 
 
-def _verdict(made: StateSpace, one: Property, first: dict[int, int]) -> Verdict:
-    made.look_anew()
+def _verdict(space: StateSpace, one: Property, first: dict[int, int]) -> Verdict:
+    space.begin_property()
     kinds = [what for what in one.broken_by if what in first]
     if kinds:
         kind = min(kinds, key=lambda what: (first[what], what))
-        path = made.path(first[kind])
-        last = next(n for n, (_, _, came) in enumerate(made.steps(path[-1])) if came >> kind & 1)
-        return Verdict(one, Answer.BROKEN, _way_to(made, path, last))
-    way = _sudden(made, one) or _endless(made, one)
-    if way is not None:
-        return Verdict(one, Answer.BROKEN, way)
-    in_question = made.complete and _is_in_question(made, one, first)
-    if not made.complete or made.unseen is not None:
+        path = space.path(first[kind])
+        last = next(n for n, (_, _, came) in enumerate(space.steps(path[-1])) if came >> kind & 1)
+        return Verdict(one, Answer.BROKEN, _counterexample_to(space, path, last))
+    counterexample = _find_safety_violation(space, one) or _find_liveness_violation(space, one)
+    if counterexample is not None:
+        return Verdict(one, Answer.BROKEN, counterexample)
+    in_question = space.complete and _is_concerned(space, one, first)
+    if not space.complete or space.interrupted_by is not None:
         return Verdict(one, Answer.NOT_FINISHED)
     return Verdict(one, Answer.HOLDS if in_question else Answer.VACUOUS)
 
 
-def _is_in_question(made: StateSpace, one: Property, first: dict[int, int]) -> bool:
+def _is_concerned(space: StateSpace, one: Property, first: dict[int, int]) -> bool:
     """Whether what a property is about came up."""
     if not one.about and one.concerned is None:
         return True
     if any(what in first for what in one.about):
         return True
-    return one.concerned is not None and holds_somewhere(made, one.concerned)
+    return one.concerned is not None and holds_somewhere(space, one.concerned)
 
 
-def _sudden(made: StateSpace, one: Property) -> Counterexample | None:
+def _find_safety_violation(space: StateSpace, one: Property) -> Counterexample | None:
     """A run that breaks a property by a state, or by a step from one to another."""
     if one.never is not None:
-        number = find_first(made, one.never)
-        return None if number < 0 else _way_to(made, made.path(number))
+        number = find_first(space, one.never)
+        return None if number < 0 else _counterexample_to(space, space.path(number))
     if one.breaks is not None:
-        number, step = find_first_crossing(made, *one.breaks)
-        return None if number < 0 else _way_to(made, made.path(number), step)
+        number, step = find_first_crossing(space, *one.breaks)
+        return None if number < 0 else _counterexample_to(space, space.path(number), step)
     return None
 
 
-def _endless(made: StateSpace, one: Property) -> Counterexample | None:
+def _find_liveness_violation(space: StateSpace, one: Property) -> Counterexample | None:
     """A run that breaks a property by standing still or by waiting for ever."""
     if one.is_wrong is not None:
-        number = find_standstill(made, one.is_wrong)
-        return None if number < 0 else _way_to(made, made.path(number), repeats=True)
+        number = find_standstill(space, one.is_wrong)
+        return None if number < 0 else _counterexample_to(space, space.path(number), repeats=True)
     if one.waits is None:
         return None
-    lead, around = find_fair_cycle(made, one)
+    lead, around = find_fair_cycle(space, one)
     if not around:
         return None
-    path = [*made.path(lead[0]), *lead[1:]]
-    return _way_to(made, [*path, *around[1:]], repeats=True, first=len(path) - 1)
+    path = [*space.path(lead[0]), *lead[1:]]
+    return _counterexample_to(space, [*path, *around[1:]], repeats=True, first=len(path) - 1)
 
 
-def _way_to(
-    made: StateSpace, numbers: Sequence[int], last: int = -1, repeats: bool = False, first: int = -1
+def _counterexample_to(
+    space: StateSpace, numbers: Sequence[int], last: int = -1, repeats: bool = False, first: int = -1
 ) -> Counterexample:
     """The run through these states, with its steps found again, and a step out of the last one (-1: none)."""
-    states = [made.state(number) for number in numbers]
+    states = [space.state(number) for number in numbers]
     steps = []
     for number, after in zip(numbers, states[1:], strict=False):
-        which = next(n for n, (state, _, _) in enumerate(made.steps(number)) if state == after)
-        steps.append(Step(made.events(number, which), after))
+        which = next(n for n, (state, _, _) in enumerate(space.steps(number)) if state == after)
+        steps.append(Step(space.events(number, which), after))
     if last >= 0:
-        after = [state for state, _, _ in made.steps(numbers[-1])][last]
-        steps.append(Step(made.events(numbers[-1], last), after))
+        after = [state for state, _, _ in space.steps(numbers[-1])][last]
+        steps.append(Step(space.events(numbers[-1], last), after))
         states.append(after)
     repeats_from = -1 if not repeats else first if first >= 0 else len(states) - 1
     return Counterexample(tuple(states), tuple(steps), repeats_from)

@@ -240,9 +240,9 @@ def _plain(column: Column) -> Checked:
 
 
 def _answered(finding: Finding) -> Answered:
-    verdict, way, story = finding.verdict, finding.verdict.way, finding.story
+    verdict, run, story = finding.verdict, finding.verdict.counterexample, finding.story
     one = verdict.property
-    if way is None:
+    if run is None:
         return Answered(one.name, one.sentence, verdict.answer)
     left_out = max(0, len(story) - MOST_EVENTS)
     if left_out:
@@ -251,8 +251,8 @@ def _answered(finding: Finding) -> Answered:
         one.name,
         one.sentence,
         verdict.answer,
-        len(way.steps),
-        way.repeats_from,
+        len(run.steps),
+        run.repeats_from,
         story,
         left_out,
         finding.confirmed,

@@ -169,10 +169,10 @@ def _finding_json(finding: Finding, tick_ms: int) -> dict[str, Any]:
         "sentence": str(verdict.property.sentence),
         "answer": verdict.answer.value,
     }
-    if verdict.way is not None:
+    if verdict.counterexample is not None:
         made["run"] = [{"step": step, "text": str(text)} for step, text in finding.story]
-        made["steps"] = len(verdict.way.steps)
-        made["repeats_from"] = verdict.way.repeats_from if verdict.way.repeats_from >= 0 else None
+        made["steps"] = len(verdict.counterexample.steps)
+        made["repeats_from"] = verdict.counterexample.repeats_from if verdict.counterexample.repeats_from >= 0 else None
         made["confirmed"] = None
         if confirmed is not None:
             made["confirmed"] = {
@@ -180,7 +180,7 @@ def _finding_json(finding: Finding, tick_ms: int) -> dict[str, Any]:
                 "seconds": confirmed.tick * tick_ms / 1000,
                 "failures": [
                     {"seconds": harm.tick * tick_ms / 1000, "agent": harm.agent, "what": harm.kind}
-                    for harm in confirmed.harms
+                    for harm in confirmed.faults
                 ],
             }
     return made
@@ -302,11 +302,11 @@ def _chosen(properties: list[Property], names: Sequence[str]) -> list[Property]:
 
 def _told(verdict: Verdict, model: Model, options: VerificationOptions) -> Finding:
     """A verdict with its run in words."""
-    if verdict.way is None:
+    if verdict.counterexample is None:
         return Finding(verdict)
-    made = Finding(verdict, None, tuple(describe_run(model, verdict.way)), searched=not options.confirms)
+    made = Finding(verdict, None, tuple(describe_run(model, verdict.counterexample)), searched=not options.confirms)
     return (
-        replace(made, scenes=draw_scenes(model, verdict.way), guilty=find_culprits(model, verdict))
+        replace(made, scenes=draw_scenes(model, verdict.counterexample), guilty=find_culprits(model, verdict))
         if options.draws
         else made
     )
@@ -332,19 +332,19 @@ class _Search:
 
     def _looked_for(self, finding: Finding, model: Model, until: float | None) -> Finding:
         verdict = finding.verdict
-        if finding.searched or verdict.way is None:
+        if finding.searched or verdict.counterexample is None:
             return finding
-        key = verdict.property.name, injected_faults(verdict.way, model)
+        key = verdict.property.name, injected_faults(verdict.counterexample, model)
         if key not in self._known:
 
             def stop() -> bool:
                 return self._options.stop() or (until is not None and self._options.clock() > until)
 
-            confirmed = confirm(verdict.property, verdict.way, model, self._runs, stop)
+            confirmed = confirm(verdict.property, verdict.counterexample, model, self._runs, stop)
             if confirmed is None and stop():
                 return finding
             self._known[key] = confirmed
         confirmed = self._known[key]
-        needs = free_readings(model, verdict.way) if confirmed is None else None
-        story = finding.story if needs is None else (*finding.story, (len(verdict.way.steps), needs))
+        needs = free_readings(model, verdict.counterexample) if confirmed is None else None
+        story = finding.story if needs is None else (*finding.story, (len(verdict.counterexample.steps), needs))
         return replace(finding, confirmed=confirmed, searched=True, story=story)

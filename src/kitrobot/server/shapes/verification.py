@@ -220,6 +220,6 @@ def confirming_run_shape(run: ConfirmedRun, tick_ms: int) -> ConfirmingRunShape:
             ConfirmingFailureShape.model_validate(
                 {"agent": harm.agent, "at_s": harm.tick * tick_ms / 1000, "kind": harm.kind}
             )
-            for harm in run.harms
+            for harm in run.faults
         ],
     )
