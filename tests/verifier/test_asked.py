@@ -21,7 +21,7 @@ from kitrobot.verifier import (
 from kitrobot.verifier.custom_properties import team_of
 from kitrobot.verifier.model import State
 from kitrobot.verifier.properties import Condition, SensedCondition
-from kitrobot.verifier.state_decoding import decode, sensed
+from kitrobot.verifier.state_decoding import decode, sense_key
 from tests.sim.building import transport
 
 LOADED, EMPTY = "any carrier-1 (Cargo.IsPressed())", "any carrier-1 (Cargo.IsReleased())"
@@ -54,7 +54,7 @@ def holds(model: Model, condition: Condition | None, state: State) -> bool:
     """Whether a condition of what agents sense holds in a state."""
     assert isinstance(condition, SensedCondition)
     decode(model.t, *model.layout.key(state))
-    return condition.test(tuple(sensed(model.t, i) for i in condition.agents))
+    return condition.test(tuple(sense_key(model.t, i) for i in condition.agents))
 
 
 def fresh(seed: int = 1) -> Simulation:

@@ -93,7 +93,7 @@ def test_what_is_waited_for_has_a_share_of_the_time_and_is_not_searched_for_with
     assert set(answers(made).values()) == {"holds"}
 
 
-@pytest.mark.parametrize("which", ["reach", "crossing"])
+@pytest.mark.parametrize("which", ["mark_reachable", "find_crossing"])
 def test_what_goes_through_all_states_is_broken_off_in_its_midst(monkeypatch: pytest.MonkeyPatch, which: str) -> None:
     """Without a clock: it is asked whether to break off after each piece, and says so after the third one."""
     monkeypatch.setattr(fair_cycles, "_STEPS", 50)
@@ -106,7 +106,9 @@ def test_what_goes_through_all_states_is_broken_off_in_its_midst(monkeypatch: py
         return int(getattr(PLAIN, which)(*arguments))
 
     model = Model(run, abstract_run(run), 0, Timing.FREE)
-    engine = PLAIN._replace(reach=counting) if which == "reach" else PLAIN._replace(crossing=counting)
+    engine = (
+        PLAIN._replace(mark_reachable=counting) if which == "mark_reachable" else PLAIN._replace(find_crossing=counting)
+    )
     made = explore(model, Budget(), True, engine)
     made.interruption = lambda: CutReason.TIME if calls >= most else None
     ends = AgentFact(0, lambda inside: not model.has_ended(0, inside))
@@ -115,7 +117,7 @@ def test_what_goes_through_all_states_is_broken_off_in_its_midst(monkeypatch: py
 
     def looked_through() -> bool:
         made.begin_property()
-        if which == "reach":
+        if which == "mark_reachable":
             assert fair_cycles.find_fair_cycle(made, one) == ([], [])
         else:
             assert one.breaks is not None

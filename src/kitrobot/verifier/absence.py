@@ -75,7 +75,7 @@ class AbsenceAgreement(Agreement):
 
     # -- what happens
 
-    def befallen(self, agreed: TeamState, robot: int, what: int) -> TeamState:
+    def after_event(self, agreed: TeamState, robot: int, what: int) -> TeamState:
         """After a robot, by its number in the run, fell silent, is heard again, or is missed; or lost a unit of work.
 
         `what` is one of `columns.W_SILENT` and those behind it.

@@ -17,7 +17,7 @@ from kitrobot.verifier import reactions
 from kitrobot.verifier.absence import AbsenceAgreement
 from kitrobot.verifier.abstraction import Abstraction
 from kitrobot.verifier.bodies import FAILED, RUNS, Inside, zone_of
-from kitrobot.verifier.dynamic_arrays import longer, widen_insides
+from kitrobot.verifier.dynamic_arrays import grow_table, widen_insides
 from kitrobot.verifier.events import ModelTooLargeError
 from kitrobot.verifier.key_layout import Layout, Widths
 from kitrobot.verifier.table_builder import KINDS, USUAL_KINDS, Roads, build, check_size, first_body
@@ -207,7 +207,7 @@ class Components:
     def cells(self, i: int, key: int) -> list[int]:
         """The first cells of agent i as its program finds them: inputs, then variables, each at its place.
 
-        `key` is what the agent senses (`state_decoding.sensed`). An input that may read anything is 0, and so is a
+        `key` is what the agent senses (`state_decoding.sense_key`). An input that may read anything is 0, and so is a
         variable that was not requested from `abstract_run`.
         """
         part, inside = self.parts[i], self._insides[i][key & v.MOST_INSIDES - 1]
@@ -251,7 +251,7 @@ class Components:
         """Doubles a table; its new rows hold what free ones hold."""
         table = getattr(self.t, name)
         free = -1 if name in ("change_keys", "reaction_keys") else 0
-        self.t = self.t._replace(**{name: longer(table, 2 * len(table), free)})
+        self.t = self.t._replace(**{name: grow_table(table, 2 * len(table), free)})
 
     def _room(self, name: str, size: int) -> None:
         while len(getattr(self.t, name)) < size:

@@ -7,13 +7,13 @@ from typing import Any
 
 from kitrobot.verifier import columns as v
 from kitrobot.verifier.tables import Tables, find
-from kitrobot.verifier.traffic import find_again
+from kitrobot.verifier.traffic import fill_conf_slots
 
 _AT_ONCE = 100_000
 """Numbers that an array of Python's grows by at once."""
 
 
-def longer(table: Any, size: int, free: int = 0) -> Any:
+def grow_table(table: Any, size: int, free: int = 0) -> Any:
     """A table of this size, which begins with what it held; a list or an array as before.
 
     An array of Python's is the same one: a large one is moved without a second copy of it.
@@ -31,12 +31,12 @@ def longer(table: Any, size: int, free: int = 0) -> Any:
     return made
 
 
-def put(t: Tables, keys: str, values: str, count: int, key: int, value: int) -> Tables:
+def insert(t: Tables, keys: str, values: str, count: int, key: int, value: int) -> Tables:
     """Puts a value into a table of open addressing, of which at most half is used."""
     if 2 * count > len(getattr(t, keys)):
         old_keys, old = getattr(t, keys), getattr(t, values)
         size = 2 * len(old_keys)
-        new_keys, new = longer(old_keys[:0], size, -1), longer(old[:0], size, 0)
+        new_keys, new = grow_table(old_keys[:0], size, -1), grow_table(old[:0], size, 0)
         for at, one in enumerate(old_keys):
             if one >= 0:
                 to = find(new_keys, int(one))
@@ -51,20 +51,20 @@ def widen_insides(t: Tables, agents: int) -> Tables:
     """Twice as many rows of `insides` for each agent."""
     fixed, old = t.fixed, t.insides
     stride, size = int(fixed[v.INSIDE_STRIDE]), int(fixed[v.INSIDE_STRIDE]) * int(fixed[v.INSIDE_WIDTH])
-    new = longer(old[:0], 2 * len(old), -1)
+    new = grow_table(old[:0], 2 * len(old), -1)
     for i in range(agents):
         new[2 * i * size : (2 * i + 1) * size] = old[i * size : (i + 1) * size]
     fixed[v.INSIDE_STRIDE] = 2 * stride
     return t._replace(insides=new)
 
 
-def find_confs_again(t: Tables) -> None:
+def rebuild_conf_slots(t: Tables) -> None:
     """Fills the slots of confs anew."""
     if isinstance(t.confs, list):
-        find_again(t)
+        fill_conf_slots(t)
         return
     # Lists: to look at one number of an array from here takes several times as long.
     names = ("regs", "fixed", "confs", "conf_slots")
     lists = t._replace(**{name: getattr(t, name).tolist() for name in names})
-    find_again(lists)
+    fill_conf_slots(lists)
     t.conf_slots[:] = lists.conf_slots

@@ -35,14 +35,14 @@ class Engine(NamedTuple):
     expand: Callable[..., int]
     rehash: Callable[..., None]
     repack: Callable[..., None]
-    mark: Callable[..., int]
-    observe: Callable[..., int]
-    crossing: Callable[..., int]
-    prune: Callable[..., int]
-    search: Callable[..., int]
-    reach: Callable[..., int]
-    sample: Callable[..., None]
-    way: Callable[..., int]
+    mark_states: Callable[..., int]
+    sense_agent: Callable[..., int]
+    find_crossing: Callable[..., int]
+    prune_open_states: Callable[..., int]
+    find_fair_component: Callable[..., int]
+    mark_reachable: Callable[..., int]
+    sample_steps: Callable[..., None]
+    find_shortest_path: Callable[..., int]
     row: Callable[[list[int]], Any]
     zeros: Callable[[int], Any]
     bytes: Callable[[int], Any]
@@ -55,14 +55,14 @@ FUNCTIONS: dict[str, Callable[..., Any]] = {
     "expand": bfs.expand,
     "rehash": bfs.rehash,
     "repack": bfs.repack,
-    "mark": state_marks.mark,
-    "observe": state_marks.observe,
-    "crossing": state_marks.crossing,
-    "prune": state_marks.prune,
-    "search": fairness.search,
-    "reach": fairness.reach,
-    "sample": fairness.sample,
-    "way": fairness.way,
+    "mark_states": state_marks.mark_states,
+    "sense_agent": state_marks.sense_agent,
+    "find_crossing": state_marks.find_crossing,
+    "prune_open_states": state_marks.prune_open_states,
+    "find_fair_component": fairness.find_fair_component,
+    "mark_reachable": fairness.mark_reachable,
+    "sample_steps": fairness.sample_steps,
+    "find_shortest_path": fairness.find_shortest_path,
 }
 """What is called from Python, by name."""
 
@@ -105,18 +105,18 @@ class ArrayGraph(Graph):
         return TablePointer(Graph(*self))
 
 
-def _given(argument: Any) -> Any:
+def _to_argument(argument: Any) -> Any:
     """An argument as compiled code takes it."""
-    if isinstance(argument, fairness.Search):
+    if isinstance(argument, fairness.ComponentSearch):
         return TablePointer(argument)
     return argument.pointer if isinstance(argument, ArrayTables | ArrayGraph) else argument
 
 
-def _taking_pointers(function: Callable[..., Any]) -> Callable[..., Any]:
-    return lambda *arguments: function(*map(_given, arguments))
+def _with_pointers(function: Callable[..., Any]) -> Callable[..., Any]:
+    return lambda *arguments: function(*map(_to_argument, arguments))
 
 
-def arrays(functions: dict[str, Callable[..., Any]]) -> Engine:
+def array_engine(functions: dict[str, Callable[..., Any]]) -> Engine:
     """An engine of compiled functions, which take pointers to arrays."""
     import numpy as np
 
@@ -137,7 +137,7 @@ def arrays(functions: dict[str, Callable[..., Any]]) -> Engine:
         return ArrayTables(*rows), ArrayGraph(*made)
 
     return Engine(
-        **{name: _taking_pointers(function) for name, function in functions.items()},
+        **{name: _with_pointers(function) for name, function in functions.items()},
         row=lambda numbers: np.array(numbers, np.int64),
         zeros=lambda size: np.zeros(size, np.int32),
         bytes=lambda size: np.zeros(size, np.uint8),
@@ -154,14 +154,14 @@ LOADED_S = 1.0
 
 
 @dataclass
-class Work:
+class PlainWork:
     """States that were explored plain, and the seconds that it took."""
 
     states: int = 0
     seconds: float = 0.0
 
 
-done = Work()
+plain_work = PlainWork()
 """All that this process has done and is over."""
 
 
@@ -170,11 +170,11 @@ def would_gain(states: int) -> bool:
     return states >= WORTH_STATES and is_missed()
 
 
-def worth(states: int, seconds: float) -> Engine | None:
+def choose_engine(states: int, seconds: float) -> Engine | None:
     """The compiled engine, where it is there and worth it after so many states and so many seconds of plain work, and
-    what was `done` before.
+    what was `plain_work` before.
     """
-    states, seconds = done.states + states, done.seconds + seconds
+    states, seconds = plain_work.states + states, plain_work.seconds + seconds
     if states < WORTH_STATES and seconds < LOADED_S:
         return None
     from kitrobot.verifier.numba_engine import engine

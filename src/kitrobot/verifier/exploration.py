@@ -11,7 +11,7 @@ from typing import Any
 from kitrobot.verifier import columns as v
 from kitrobot.verifier import engines
 from kitrobot.verifier.budget import Budget, CutReason
-from kitrobot.verifier.dynamic_arrays import longer
+from kitrobot.verifier.dynamic_arrays import grow_table
 from kitrobot.verifier.engines import Engine
 from kitrobot.verifier.events import Event, ModelTooLargeError, event_of
 from kitrobot.verifier.memory import USUAL, resident
@@ -169,7 +169,7 @@ class StateSpace:
     def _grow(self, *names: str) -> None:
         for name in names:
             table = getattr(self.graph, name)
-            self.graph = self.graph._replace(**{name: longer(table, 2 * len(table))})
+            self.graph = self.graph._replace(**{name: grow_table(table, 2 * len(table))})
 
     def _needs_states(self) -> bool:
         return len(self.graph.x) - len(self) < 2 * len(self.model.t.next_x)
@@ -192,7 +192,7 @@ class StateSpace:
         """Writes all keys in the new layout."""
         model = self.model
         if model.layout.words == 2 and len(self.graph.y) < len(self.graph.x):
-            self.graph = self.graph._replace(y=longer(self.graph.y, len(self.graph.x)))
+            self.graph = self.graph._replace(y=grow_table(self.graph.y, len(self.graph.x)))
         two = model.layout.words == 2
         rows = self.engine.row(before.rows()), self.engine.row(model.layout.rows())
         self.engine.repack(self.graph, len(self), len(before.word), *rows, before.words == 2, two)
@@ -221,8 +221,8 @@ def explore(
         space.cut = _explore(space, budget, engine is None)
     space.seconds = budget.clock() - began
     if space.engine is engines.PLAIN:
-        engines.done.states += len(space)
-        engines.done.seconds += space.seconds
+        engines.plain_work.states += len(space)
+        engines.plain_work.seconds += space.seconds
     budget.progress(len(space), space.depth)
     return space
 
@@ -255,7 +255,7 @@ def _begin(space: StateSpace, most: int, keeps_steps: bool) -> None:
     regs = model.t.regs
     regs[v.WORDS] = model.layout.words
     if model.layout.words == 2:
-        space.graph = space.graph._replace(y=longer(space.graph.y, len(space.graph.x)))
+        space.graph = space.graph._replace(y=grow_table(space.graph.y, len(space.graph.x)))
     space.graph.x[0], y = model.layout.key(first)
     if model.layout.words == 2:
         space.graph.y[0] = y
@@ -274,7 +274,7 @@ def _explore(space: StateSpace, budget: Budget, may_change: bool) -> CutReason |
         if budget.memory is not None and space.process_memory > budget.memory:
             return CutReason.MEMORY
         if may_change and space.engine is engines.PLAIN:
-            better = engines.worth(len(space), budget.clock() - begun)
+            better = engines.choose_engine(len(space), budget.clock() - begun)
             # Both kinds are there for a moment.
             if better is not None and (budget.memory is None or space.process_memory + space.memory < budget.memory):
                 _use(space, better)

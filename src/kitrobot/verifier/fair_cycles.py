@@ -20,12 +20,12 @@ CHUNK = 20_000
 
 def holds_somewhere(space: StateSpace, condition: Condition) -> bool:
     """Whether a condition holds in a state that was reached."""
-    return sum(mark(space, condition)[1]) > 0
+    return sum(mark_states(space, condition)[1]) > 0
 
 
 def find_first(space: StateSpace, condition: Condition) -> int:
     """The first state in which a condition holds; -1 for none."""
-    marks, counts = mark(space, condition)
+    marks, counts = mark_states(space, condition)
     first = next((CHUNK * n for n, count in enumerate(counts) if count), len(space))
     return next((number for number in range(first, len(space)) if marks[number]), -1)
 
@@ -34,14 +34,14 @@ def find_first_crossing(space: StateSpace, before: Condition, after: Condition) 
     """The first state in which a condition holds and out of which a step leads into one in which another does, and
     which of its steps that is; -1, -1 for none. Where time is up, not all states are looked at.
     """
-    was, _ = mark(space, before)
-    now, _ = mark(space, after)
+    was, _ = mark_states(space, before)
+    now, _ = mark_states(space, after)
     state = -1
     for at in range(0, space.expanded, CHUNK):
         if at and (cut := space.interruption()):
             space.interrupted_by = cut
             break
-        state = int(space.engine.crossing(space.graph, at, min(at + CHUNK, space.expanded), was, now))
+        state = int(space.engine.find_crossing(space.graph, at, min(at + CHUNK, space.expanded), was, now))
         if state >= 0:
             break
     if state < 0:
@@ -52,7 +52,7 @@ def find_first_crossing(space: StateSpace, before: Condition, after: Condition) 
     return state, next(n for n, (one, _, _) in enumerate(space.steps(state)) if one == wanted)
 
 
-def mark(space: StateSpace, condition: Condition) -> tuple[Any, list[int]]:
+def mark_states(space: StateSpace, condition: Condition) -> tuple[Any, list[int]]:
     """A mark for each state for which a condition holds, and how many there are in each part of the states."""
     if isinstance(condition, SensedCondition):
         return _mark_sensed(space, condition)
@@ -69,7 +69,7 @@ def mark(space: StateSpace, condition: Condition) -> tuple[Any, list[int]]:
     counts = []
     for first in range(0, len(space), CHUNK):
         end = min(first + CHUNK, len(space))
-        counts.append(int(engine.mark(space.model.t, space.graph, first, end, two, rows, table, marks)))
+        counts.append(int(engine.mark_states(space.model.t, space.graph, first, end, two, rows, table, marks)))
     return marks, counts
 
 
@@ -85,7 +85,7 @@ def _mark_sensed(space: StateSpace, condition: SensedCondition) -> tuple[Any, li
             break
         end = min(first + CHUNK, len(space))
         for i, keys in zip(condition.agents, columns, strict=True):
-            engine.observe(model.t, space.graph, first, end, two, i, keys)
+            engine.sense_agent(model.t, space.graph, first, end, two, i, keys)
         count = 0
         asked = [keys.tolist() for keys in columns]
         if condition.asks_shared:
@@ -136,14 +136,14 @@ def find_fair_cycle(space: StateSpace, one: Property) -> tuple[list[int], list[i
     space.interrupted_by = space.interrupted_by or space.interruption()
     if not len(space) or space.interrupted_by:
         return [], []
-    marks, counts = mark(space, one.waits)
+    marks, counts = mark_states(space, one.waits)
     engine = space.engine
     steps = _PLAIN_STEPS if engine is PLAIN else _STEPS
     size = len(space) + 1
     colour, found, before = engine.zeros(size), engine.zeros(size), engine.zeros(size)
     reached = engine.row([0, (1 if one.from_start else len(space)) if sum(counts) else 0, 0, 0, space.expanded])
-    since = marks if one.since is None else mark(space, one.since)[0]
-    while not engine.reach(space.graph, marks, since, colour, found, before, reached, steps):
+    since = marks if one.since is None else mark_states(space, one.since)[0]
+    while not engine.mark_reachable(space.graph, marks, since, colour, found, before, reached, steps):
         if cut := space.interruption():
             space.interrupted_by = cut
             return [], []
@@ -152,7 +152,7 @@ def find_fair_cycle(space: StateSpace, one: Property) -> tuple[list[int], list[i
     search = _search(space, colour, found, int(reached[f.REACHED]))
     code = f.BUSY
     while True:
-        code = engine.search(space.model.t, space.graph, search, steps)
+        code = engine.find_fair_component(space.model.t, space.graph, search, steps)
         if code == f.FAIR:
             break
         if code == f.MISSING:
@@ -170,25 +170,25 @@ def find_fair_cycle(space: StateSpace, one: Property) -> tuple[list[int], list[i
             space.interrupted_by = cut
             return [], []
     first, top = int(search.numbers[f.FIRST]), int(search.numbers[f.TOP])
-    around = _round(space, search.stack[first:top], search)
+    around = _fair_cycle(space, search.stack[first:top], search)
     lead = [around[0]]
     while int(before[lead[-1]]) >= 0:
         lead.append(int(before[lead[-1]]))
     return lead[::-1], around
 
 
-def _search(space: StateSpace, colour: Any, found: Any, count: int) -> f.Search:
+def _search(space: StateSpace, colour: Any, found: Any, count: int) -> f.ComponentSearch:
     engine, size = space.engine, len(space) + 1
     numbers = [0] * f.SEARCH_NUMBERS
     numbers[f.ROOTS], numbers[f.COLOUR], numbers[f.EXPANDED] = count, 1, space.expanded
     numbers[f.TWO] = int(space.model.layout.words == 2)
     rows = [engine.zeros(size) for _ in range(6)]
-    return f.Search(
+    return f.ComponentSearch(
         engine.row(numbers), colour, rows[0], rows[1], found, rows[2], rows[3], rows[4], rows[5], engine.row([0] * 10)
     )
 
 
-def _round(space: StateSpace, part: Any, search: f.Search) -> list[int]:
+def _fair_cycle(space: StateSpace, part: Any, search: f.ComponentSearch) -> list[int]:
     """A way through a strongly connected part and back that takes every class that is taken in it; the state where it
     begins alone for one state.
     """
@@ -201,7 +201,7 @@ def _round(space: StateSpace, part: Any, search: f.Search) -> list[int]:
     steps = engine.zeros(2 * max(1, int(space.model.t.regs[v.TAKEN])))
     for n in range(len(steps)):
         steps[n] = -1
-    engine.sample(graph, part, marks, steps)
+    engine.sample_steps(graph, part, marks, steps)
     sets = []
     for n in range(len(steps) // 2):
         if steps[2 * n] >= 0:
@@ -215,15 +215,15 @@ def _round(space: StateSpace, part: Any, search: f.Search) -> list[int]:
         if taken & ~covered == 0:
             continue
         if at != state:
-            found += _way(space, at, state, marks, before, queue)
+            found += _shortest_path(space, at, state, marks, before, queue)
         found.append(target)
         at, covered = target, covered | taken
-    return found if at == begin else [*found, *_way(space, at, begin, marks, before, queue)]
+    return found if at == begin else [*found, *_shortest_path(space, at, begin, marks, before, queue)]
 
 
-def _way(space: StateSpace, start: int, end: int, marks: Any, before: Any, queue: Any) -> list[int]:
+def _shortest_path(space: StateSpace, start: int, end: int, marks: Any, before: Any, queue: Any) -> list[int]:
     """The states of a shortest way, without the start."""
-    space.engine.way(space.graph, start, end, marks, before, queue)
+    space.engine.find_shortest_path(space.graph, start, end, marks, before, queue)
     found = [end]
     while int(before[found[-1]]) != start:
         found.append(int(before[found[-1]]))

@@ -7,7 +7,7 @@ the caller adds it and calls again. This module uses only the subset of Python t
 
 from __future__ import annotations
 
-from kitrobot.verifier.absence_detection import is_over, watch
+from kitrobot.verifier.absence_detection import detect_absences, is_team_over
 from kitrobot.verifier.columns import (
     A_PLACE,
     A_ROAD,
@@ -41,11 +41,11 @@ from kitrobot.verifier.columns import (
     WATCHED,
 )
 from kitrobot.verifier.events import FAIL, MUTE, TICK
-from kitrobot.verifier.simultaneous_ticks import tick_together
-from kitrobot.verifier.state_decoding import changed, decode, emit, react, stays
+from kitrobot.verifier.simultaneous_ticks import add_simultaneous_ticks
+from kitrobot.verifier.state_decoding import decode, emit_step, find_reactions, look_up_change, may_idle
 from kitrobot.verifier.tables import Tables
-from kitrobot.verifier.traffic import after_tick, fill_moves
-from kitrobot.verifier.world_transitions import RESUMES, ends_of, harms_of
+from kitrobot.verifier.traffic import conf_after_tick, fill_moves
+from kitrobot.verifier.world_transitions import RESUMES, write_completions, write_faults
 
 
 def expand_interleaved(t: Tables, x: int, y: int) -> int:
@@ -54,34 +54,34 @@ def expand_interleaved(t: Tables, x: int, y: int) -> int:
     regs[NEXTS] = 0
     decode(t, x, y)
     is_prompt = fixed[TIMING] == PROMPT
-    if is_over(t):
+    if is_team_over(t):
         return 0
     due = now[fixed[DUE_FIELD]] if is_prompt else 0
-    if not tick_each(t, x, y, is_prompt):
+    if not add_ticks(t, x, y, is_prompt):
         return -1
-    if due == 0 and not happen(t, x, y):
+    if due == 0 and not add_world_events(t, x, y):
         return -1
     if fixed[MAY_FAIL]:
         for i in range(fixed[AGENTS]):
-            found = harms_of(t, x, y, i, 0, RESUMES)
+            found = write_faults(t, x, y, i, 0, RESUMES)
             if found < 0:
                 return -1
             for n in range(found):
-                event, row = t.harm[n * LINE + 2], n * LINE
+                event, row = t.faults[n * LINE + 2], n * LINE
                 if fixed[WATCHED]:
-                    if watch(t, n, found, 0) < 0:
+                    if detect_absences(t, n, found, 0) < 0:
                         return -1
                     row = found * LINE
-                if not emit(t, t.harm[row], t.harm[row + 1], event, 0):
+                if not emit_step(t, t.faults[row], t.faults[row + 1], event, 0):
                     return -1
             if fixed[WATCHED]:
                 decode(t, x, y)
-    if fixed[WATCHED] and due == 0 and not pass_time(t, x, y):
+    if fixed[WATCHED] and due == 0 and not add_absences(t, x, y):
         return -1
     return make_due(t, x, y, due) if is_prompt else regs[NEXTS]
 
 
-def tick_each(t: Tables, x: int, y: int, keeps: bool) -> bool:
+def add_ticks(t: Tables, x: int, y: int, keeps: bool) -> bool:
     """Adds the ticks of all agents, one each, and those in one moment that come to anything else; where nothing `keeps`
     them, without those that change nothing.
     """
@@ -94,7 +94,7 @@ def tick_each(t: Tables, x: int, y: int, keeps: bool) -> bool:
         inside = now[1 + i]
         if not insides[(i * stride + inside) * width + I_TICKS]:
             continue
-        got = react(t, i)
+        got = find_reactions(t, i)
         if got < 0:
             return False
         road = agents[i * AGENT + A_ROAD]
@@ -112,7 +112,7 @@ def tick_each(t: Tables, x: int, y: int, keeps: bool) -> bool:
                 told, k = outcomes[o * OUTCOME + 1], agents[i * AGENT + A_PLACE]
                 to = confs[now[f] * conf_width + ticks_at + 8 * k + told]
                 if to < 0:
-                    to = after_tick(t, now[f], k, told)
+                    to = conf_after_tick(t, now[f], k, told)
                     if to < 0:
                         return False
                 d = now[f] ^ to
@@ -123,28 +123,28 @@ def tick_each(t: Tables, x: int, y: int, keeps: bool) -> bool:
                         nx ^= d << shift[f]
             if outcomes[o * OUTCOME + 2]:
                 writers |= 1 << i
-                after = changed(t, now[0], outcomes[o * OUTCOME + 2])
+                after = look_up_change(t, now[0], outcomes[o * OUTCOME + 2])
                 if after < 0:
                     return False
                 nx ^= (now[0] ^ after) << shift[0]
-            if (keeps or nx != x or ny != y) and not emit(t, nx, ny, TICK | i << E_AGENT, 1 + i):
+            if (keeps or nx != x or ny != y) and not emit_step(t, nx, ny, TICK | i << E_AGENT, 1 + i):
                 return False
-    return writers & writers - 1 == 0 or tick_together(t, x, y, writers)
+    return writers & writers - 1 == 0 or add_simultaneous_ticks(t, x, y, writers)
 
 
-def happen(t: Tables, x: int, y: int) -> bool:
+def add_world_events(t: Tables, x: int, y: int) -> bool:
     """Adds the events of the world: what ends, and how robots on roads move."""
     fixed, now = t.fixed, t.now
     stride, width = fixed[INSIDE_STRIDE], fixed[INSIDE_WIDTH]
     for i in range(fixed[AGENTS]):
         if not t.insides[(i * stride + now[1 + i]) * width + I_ENDS]:
             continue
-        found = ends_of(t, x, y, i, 0)
+        found = write_completions(t, x, y, i, 0)
         if found < 0:
             return False
         for n in range(found):
             row = n * LINE
-            if not emit(t, t.line[row], t.line[row + 1], t.line[row + 2], 1 + 2 * fixed[AGENTS] + i):
+            if not emit_step(t, t.line[row], t.line[row + 1], t.line[row + 2], 1 + 2 * fixed[AGENTS] + i):
                 return False
     for road in range(fixed[ROADS]):
         f = fixed[ROAD_FIELD] + road
@@ -159,22 +159,24 @@ def happen(t: Tables, x: int, y: int) -> bool:
         for m in range(first, first + count):
             d = (conf ^ t.moves[m * MOVE]) << t.shift[f]
             nx, ny = (x, y ^ d) if t.word[f] else (x ^ d, y)
-            if not emit(t, nx, ny, t.moves[m * MOVE + 1], t.moves[m * MOVE + 2]):
+            if not emit_step(t, nx, ny, t.moves[m * MOVE + 1], t.moves[m * MOVE + 2]):
                 return False
     return True
 
 
-def pass_time(t: Tables, x: int, y: int) -> bool:
+def add_absences(t: Tables, x: int, y: int) -> bool:
     """Adds that a team waits for somebody no longer, or that the lease of a unit of work is over."""
-    harm, chosen, choices = t.harm, 0, 1
-    harm[0], harm[1], harm[4] = x, y, 0
+    faults, chosen, choices = t.faults, 0, 1
+    faults[0], faults[1], faults[4] = x, y, 0
     while chosen < choices:
-        rows = watch(t, 0, 1, 1 << chosen)
+        rows = detect_absences(t, 0, 1, 1 << chosen)
         if rows < 0:
             return False
         choices = t.regs[CHOICES]
-        event = harm[LINE + 2]
-        if rows and not emit(t, harm[LINE], harm[LINE + 1], event, 1 + 4 * t.fixed[AGENTS] + (event >> E_AGENT)):
+        event = faults[LINE + 2]
+        if rows and not emit_step(
+            t, faults[LINE], faults[LINE + 1], event, 1 + 4 * t.fixed[AGENTS] + (event >> E_AGENT)
+        ):
             return False
         chosen += 1
     return True
@@ -217,7 +219,7 @@ def due_in(t: Tables, x: int, y: int, wanted: int) -> int:
     for i in range(fixed[AGENTS]):
         row = (i * fixed[INSIDE_STRIDE] + t.now[1 + i]) * fixed[INSIDE_WIDTH]
         if wanted >> i & 1 and t.insides[row + I_TICKS]:
-            is_idle = stays(t, i)
+            is_idle = may_idle(t, i)
             if is_idle < 0:
                 return -1
             left |= (1 - is_idle) << i

@@ -5,13 +5,13 @@ This module uses only the subset of Python that Numba compiles; -1 means the sam
 
 from __future__ import annotations
 
-from kitrobot.verifier.absence_detection import is_over
+from kitrobot.verifier.absence_detection import is_team_over
 from kitrobot.verifier.columns import (
     AFTER,
     AGENTS,
     ALL_BITS,
-    C_MOMENT,
-    C_MOMENTS,
+    C_MOVE_SET,
+    C_MOVE_SETS,
     CODE,
     CONF_WIDTH,
     E_AGENT,
@@ -22,7 +22,7 @@ from kitrobot.verifier.columns import (
     INSIDE_STRIDE,
     INSIDE_WIDTH,
     LINE,
-    MOMENT,
+    MOVE_SET,
     MULTIPLIER,
     NEXTS,
     OTHER_MULTIPLIER,
@@ -34,15 +34,15 @@ from kitrobot.verifier.columns import (
     TAKEN_WIDTH,
     TOO_MANY,
 )
-from kitrobot.verifier.lockstep_ticks import MOST_TRIED, after_all
-from kitrobot.verifier.move_sets import fill_moments
+from kitrobot.verifier.lockstep_ticks import MOST_TRIED, find_ticks
+from kitrobot.verifier.move_sets import fill_move_sets
 from kitrobot.verifier.state_decoding import decode
 from kitrobot.verifier.tables import Tables
-from kitrobot.verifier.world_transitions import ends_of
+from kitrobot.verifier.world_transitions import write_completions
 
 
 def expand_lockstep(t: Tables, x: int, y: int) -> int:
-    """Finds the steps out of a state; of those that lead to the same one with the same progress one is kept."""
+    """Finds the steps out of a state; steps to the same state with the same progress are stored once."""
     regs, fixed, line = t.regs, t.fixed, t.line
     for n in range(regs[NEXTS]):
         t.next_slots[t.next_event[n]] = 0
@@ -52,14 +52,14 @@ def expand_lockstep(t: Tables, x: int, y: int) -> int:
     count, at, tried = 1, 0, 0
     while at < count:
         decode(t, line[at * LINE], line[at * LINE + 1])
-        if at == 0 and is_over(t):
+        if at == 0 and is_team_over(t):
             return 0
         last = -1 if at == 0 else line[at * LINE + 2] >> E_AGENT & E_MASK
         for i in range(last + 1, fixed[AGENTS]):
             row = (i * fixed[INSIDE_STRIDE] + t.now[1 + i]) * fixed[INSIDE_WIDTH]
             if not t.insides[row + I_ENDS]:
                 continue
-            found = ends_of(t, line[at * LINE], line[at * LINE + 1], i, count)
+            found = write_completions(t, line[at * LINE], line[at * LINE + 1], i, count)
             if found < 0:
                 return -1
             for n in range(count, count + found):
@@ -67,17 +67,17 @@ def expand_lockstep(t: Tables, x: int, y: int) -> int:
                 line[n * LINE + 4] = line[at * LINE + 4] | 1 << (line[n * LINE + 2] & E_KIND)
                 line[n * LINE + 5] = line[at * LINE + 5] | 1 << i
             count += found
-        tried = move_all(t, at, tried)
+        tried = combine_moves(t, at, tried)
         if tried < 0:
             return -1
         at += 1
     return regs[NEXTS]
 
 
-def move_all(t: Tables, ended: int, tried: int) -> int:
-    """After the ends of a row of `line`: every way in which the robots of all roads move, and then all tick.
+def combine_moves(t: Tables, ended: int, tried: int) -> int:
+    """Adds, after the completions of a row of `line`, every combination of moves on all roads, and then all ticks.
 
-    `seen` has, behind the reactions of the agents and their choices, of each road which way is taken.
+    Behind the reactions of the agents and their choices, `seen` has the chosen move set of each road.
     """
     fixed, seen = t.fixed, t.seen
     roads, n = fixed[ROADS], fixed[AGENTS]
@@ -86,9 +86,9 @@ def move_all(t: Tables, ended: int, tried: int) -> int:
     for road in range(roads):
         f = fixed[ROAD_FIELD] + road
         conf = (was_y if t.word[f] else was_x) >> t.shift[f] & t.mask[f]
-        if t.confs[conf * fixed[CONF_WIDTH] + C_MOMENTS] < 0 and fill_moments(t, conf) < 0:
+        if t.confs[conf * fixed[CONF_WIDTH] + C_MOVE_SETS] < 0 and fill_move_sets(t, conf) < 0:
             return -1
-        if t.confs[conf * fixed[CONF_WIDTH] + C_MOMENTS] == 0:
+        if t.confs[conf * fixed[CONF_WIDTH] + C_MOVE_SETS] == 0:
             return tried
         seen[chosen + road] = 0
     while True:
@@ -97,14 +97,14 @@ def move_all(t: Tables, ended: int, tried: int) -> int:
         for road in range(roads):
             f = fixed[ROAD_FIELD] + road
             conf = (was_y if t.word[f] else was_x) >> t.shift[f] & t.mask[f]
-            m = (t.confs[conf * fixed[CONF_WIDTH] + C_MOMENT] + seen[chosen + road]) * MOMENT
-            d = (conf ^ t.moments[m]) << t.shift[f]
+            m = (t.confs[conf * fixed[CONF_WIDTH] + C_MOVE_SET] + seen[chosen + road]) * MOVE_SET
+            d = (conf ^ t.move_sets[m]) << t.shift[f]
             if t.word[f]:
                 y ^= d
             else:
                 x ^= d
-            begins, zones, kinds = begins | t.moments[m + 1], zones | t.moments[m + 2], kinds | t.moments[m + 3]
-        tried = give_all(t, x, y, ended, begins, zones, kinds, tried)
+            begins, zones, kinds = begins | t.move_sets[m + 1], zones | t.move_sets[m + 2], kinds | t.move_sets[m + 3]
+        tried = add_steps(t, x, y, ended, begins, zones, kinds, tried)
         if tried < 0:
             return -1
         road = 0
@@ -112,7 +112,7 @@ def move_all(t: Tables, ended: int, tried: int) -> int:
             f = fixed[ROAD_FIELD] + road
             conf = (was_y if t.word[f] else was_x) >> t.shift[f] & t.mask[f]
             seen[chosen + road] += 1
-            if seen[chosen + road] < t.confs[conf * fixed[CONF_WIDTH] + C_MOMENTS]:
+            if seen[chosen + road] < t.confs[conf * fixed[CONF_WIDTH] + C_MOVE_SETS]:
                 break
             seen[chosen + road] = 0
             road += 1
@@ -120,10 +120,10 @@ def move_all(t: Tables, ended: int, tried: int) -> int:
             return tried
 
 
-def give_all(t: Tables, x: int, y: int, ended: int, begins: int, zones: int, kinds: int, tried: int) -> int:
-    """After robots moved: adds what may follow once something befell agents, or nothing, and all ticked."""
+def add_steps(t: Tables, x: int, y: int, ended: int, begins: int, zones: int, kinds: int, tried: int) -> int:
+    """Adds the steps after robots moved: with faults or without, and then the ticks of all agents."""
     regs, after = t.regs, t.after
-    head = after_all(t, x, y, regs[SEEK] >= 0)
+    head = find_ticks(t, x, y, regs[SEEK] >= 0)
     if head < 0:
         return -1
     first = t.after_heads[head + 2]
@@ -135,16 +135,16 @@ def give_all(t: Tables, x: int, y: int, ended: int, begins: int, zones: int, kin
     for row in range(first * AFTER, (first + count) * AFTER, AFTER):
         ticks, nx, ny = after[row + 2], after[row], after[row + 1]
         taken = intern_taken(t, ticks, begins, progress, zones, after[row + 5])
-        if taken < 0 or not emit_once(t, nx, ny, taken, came | after[row + 3]):
+        if taken < 0 or not emit_unique(t, nx, ny, taken, came | after[row + 3]):
             return -1
         if regs[SEEK] == regs[NEXTS] - 1:
-            tell(t, ended, after[row + 4])
+            write_events(t, ended, after[row + 4])
             return -1
     return tried + count
 
 
-def emit_once(t: Tables, x: int, y: int, taken: int, kinds: int) -> bool:
-    """Adds a step unless there is one to the same state with the same progress; False where there is no room."""
+def emit_unique(t: Tables, x: int, y: int, taken: int, kinds: int) -> bool:
+    """Adds a step unless one leads to the same state with the same progress; returns False if there is no room."""
     regs = t.regs
     count = regs[NEXTS]
     h = ((x ^ taken) * MULTIPLIER ^ y * OTHER_MULTIPLIER) & ALL_BITS
@@ -188,23 +188,23 @@ def intern_taken(t: Tables, ticks: int, begins: int, ends: int, zones: int, pass
     return number
 
 
-def tell(t: Tables, ended: int, harmed: int) -> None:
-    """Writes the events of a step into `events`; how many there are into `regs`."""
+def write_events(t: Tables, ended: int, faulted: int) -> None:
+    """Writes the events of a step into `events`, and their number into `regs`."""
     fixed = t.fixed
     room = len(t.events)
     count = 0
-    at = harmed
+    at = faulted
     while at > 0 and count < room:
-        t.events[count] = t.harm[at * LINE + 2]
+        t.events[count] = t.faults[at * LINE + 2]
         count += 1
-        at = t.harm[at * LINE + 3]
+        at = t.faults[at * LINE + 3]
     decode(t, t.line[ended * LINE], t.line[ended * LINE + 1])
     for road in range(fixed[ROADS] - 1, -1, -1):
         conf = t.now[fixed[ROAD_FIELD] + road]
-        m = (t.confs[conf * fixed[CONF_WIDTH] + C_MOMENT] + t.seen[3 * fixed[AGENTS] + road]) * MOMENT
-        for n in range(t.moments[m + 5] - 1, -1, -1):
+        m = (t.confs[conf * fixed[CONF_WIDTH] + C_MOVE_SET] + t.seen[3 * fixed[AGENTS] + road]) * MOVE_SET
+        for n in range(t.move_sets[m + 5] - 1, -1, -1):
             if count < room:
-                t.events[count] = t.log[t.moments[m + 4] + n]
+                t.events[count] = t.log[t.move_sets[m + 4] + n]
                 count += 1
     at = ended
     while at > 0 and count < room:

@@ -7,7 +7,7 @@ there is room. This module uses only the subset of Python that Numba compiles; -
 
 from __future__ import annotations
 
-from kitrobot.verifier.absence_detection import watch
+from kitrobot.verifier.absence_detection import detect_absences
 from kitrobot.verifier.bodies import STALLED
 from kitrobot.verifier.columns import (
     A_PLACE,
@@ -46,19 +46,19 @@ from kitrobot.verifier.columns import (
     WATCHED,
 )
 from kitrobot.verifier.events import MOST_AT_ONCE, RESUME, STALL
-from kitrobot.verifier.state_decoding import changed, decode, react
+from kitrobot.verifier.state_decoding import decode, find_reactions, look_up_change
 from kitrobot.verifier.tables import Tables
-from kitrobot.verifier.traffic import after_tick
-from kitrobot.verifier.world_transitions import MUTES, RESUMES, harms_of
+from kitrobot.verifier.traffic import conf_after_tick
+from kitrobot.verifier.world_transitions import MUTES, RESUMES, write_faults
 
 MOST_TRIED = 20_000_000
-"""Ways out of one state that are tried at most, those that come to the same counted apart."""
+"""The most combinations tried out of one state; those with the same result count separately."""
 
 
-def after_all(t: Tables, x: int, y: int, is_sought: bool) -> int:
-    """Where in `after_heads` that is which may follow once robots moved: it is found, or worked out and kept.
+def find_ticks(t: Tables, x: int, y: int, is_sought: bool) -> int:
+    """The place in `after_heads` of the ticks after robots moved: from the cache, or computed and stored.
 
-    What befell agents is in `harm` only where it `is_sought`: then it is worked out anew.
+    `faults` holds the faults of agents only if `is_sought`, which computes them again.
     """
     regs, heads, slots = t.regs, t.after_heads, t.after_slots
     last = len(slots) - 1
@@ -73,7 +73,7 @@ def after_all(t: Tables, x: int, y: int, is_sought: bool) -> int:
     if head + AFTER_HEAD > len(heads) or 2 * number >= len(slots):
         regs[CODE] = ROOM_AFTERS
         return -1
-    if not befall_all(t, x, y):
+    if not combine_faults(t, x, y):
         regs[AFTER_ROWS] = first
         return -1
     slots[at] = number + 1
@@ -82,53 +82,53 @@ def after_all(t: Tables, x: int, y: int, is_sought: bool) -> int:
     return head
 
 
-def befall_all(t: Tables, x: int, y: int) -> bool:
-    """Nothing befalls anybody, or something some agents; then all tick. False where something is missing."""
-    fixed, harm, insides = t.fixed, t.harm, t.insides
-    harm[0], harm[1], harm[2], harm[3], harm[4], harm[5] = x, y, 0, -1, 0, 0
+def combine_faults(t: Tables, x: int, y: int) -> bool:
+    """Adds every combination of faults, none included, and then all ticks; returns False if a table lacks an entry."""
+    fixed, faults, insides = t.fixed, t.faults, t.insides
+    faults[0], faults[1], faults[2], faults[3], faults[4], faults[5] = x, y, 0, -1, 0, 0
     count, at, tried = 1, 0, 0
     while at < count:
-        nx, ny = harm[at * LINE], harm[at * LINE + 1]
+        nx, ny = faults[at * LINE], faults[at * LINE + 1]
         decode(t, nx, ny)
         if fixed[MAY_FAIL]:
-            last = -1 if at == 0 else harm[at * LINE + 2] >> E_AGENT & E_MASK
+            last = -1 if at == 0 else faults[at * LINE + 2] >> E_AGENT & E_MASK
             left = t.shared[t.now[0] * fixed[SHARED_WIDTH] + G_FAILURES]
             # Who goes on or stalls may lose its radio in the same moment.
-            is_more = at > 0 and harm[at * LINE + 2] & E_KIND in (RESUME, STALL)
+            is_more = at > 0 and faults[at * LINE + 2] & E_KIND in (RESUME, STALL)
             for i in range(last if is_more else last + 1, fixed[AGENTS]):
                 row = (i * fixed[INSIDE_STRIDE] + t.now[1 + i]) * fixed[INSIDE_WIDTH]
                 if left == 0 and insides[row + I_DOWN] != STALLED:
                     continue
-                found = harms_of(t, nx, ny, i, count, MUTES if i == last else RESUMES)
+                found = write_faults(t, nx, ny, i, count, MUTES if i == last else RESUMES)
                 if found < 0:
                     return False
                 for n in range(count, count + found):
-                    harm[n * LINE + 3] = at
-                    harm[n * LINE + 4] = harm[at * LINE + 4] | 1 << (harm[n * LINE + 2] & E_KIND)
-                    harm[n * LINE + 5] = 0
+                    faults[n * LINE + 3] = at
+                    faults[n * LINE + 4] = faults[at * LINE + 4] | 1 << (faults[n * LINE + 2] & E_KIND)
+                    faults[n * LINE + 5] = 0
                 count += found
         if not fixed[WATCHED]:
-            tried = tick_all(t, nx, ny, at, tried)
+            tried = combine_ticks(t, nx, ny, at, tried)
             if tried < 0:
                 return False
         at += 1
-    return fixed[WATCHED] == 0 or watch_all(t, count)
+    return fixed[WATCHED] == 0 or combine_absences(t, count)
 
 
-def watch_all(t: Tables, count: int) -> bool:
-    """After each of so many rows of `harm`: every way in which a team may miss agents, or not yet; then all tick."""
-    harm, tried, room = t.harm, 0, count
+def combine_absences(t: Tables, count: int) -> bool:
+    """Adds, after each of `count` rows of `faults`, every combination of absences, and then all ticks."""
+    faults, tried, room = t.faults, 0, count
     for at in range(count):
         chosen = choices = 0
         while chosen >> choices == 0:
-            rows = watch(t, at, room, chosen)
+            rows = detect_absences(t, at, room, chosen)
             if rows < 0:
                 return False
             choices = t.regs[CHOICES]
             last = room + max(rows, 1) - 1
-            x, y = harm[last * LINE], harm[last * LINE + 1]
+            x, y = faults[last * LINE], faults[last * LINE + 1]
             decode(t, x, y)
-            tried = tick_all(t, x, y, last if rows else at, tried)
+            tried = combine_ticks(t, x, y, last if rows else at, tried)
             if tried < 0:
                 return False
             room += rows
@@ -136,14 +136,14 @@ def watch_all(t: Tables, count: int) -> bool:
     return True
 
 
-def tick_all(t: Tables, x: int, y: int, harmed: int, tried: int) -> int:
-    """A tick of all agents in the state of `now`; those whose ticks are longer than others' may have none."""
+def combine_ticks(t: Tables, x: int, y: int, faulted: int, tried: int) -> int:
+    """Adds a tick of all agents in the state of `now`; agents with longer ticks than others may have none."""
     fixed, seen, insides = t.fixed, t.seen, t.insides
     n, slower = fixed[AGENTS], fixed[SLOWER]
     for i in range(n):
         seen[i] = 0
         if insides[(i * fixed[INSIDE_STRIDE] + t.now[1 + i]) * fixed[INSIDE_WIDTH] + I_TICKS]:
-            got = react(t, i)
+            got = find_reactions(t, i)
             if got < 0:
                 return -1
             seen[i] = got
@@ -158,7 +158,7 @@ def tick_all(t: Tables, x: int, y: int, harmed: int, tried: int) -> int:
             if tried > MOST_TRIED or made > MOST_AT_ONCE:
                 t.regs[CODE] = TOO_MANY
                 return -1
-            if not tick_once(t, x, y, paused, harmed):
+            if not emit_tick(t, x, y, paused, faulted):
                 return -1
             i = 0
             while i < n:
@@ -172,8 +172,8 @@ def tick_all(t: Tables, x: int, y: int, harmed: int, tried: int) -> int:
         paused = (paused | ~slower) + 1 & slower
 
 
-def tick_once(t: Tables, x: int, y: int, paused: int, harmed: int) -> bool:
-    """Adds the step in which each agent has the reaction that is chosen; False where something is missing."""
+def emit_tick(t: Tables, x: int, y: int, paused: int, faulted: int) -> bool:
+    """Adds the step in which each agent has the chosen reaction; returns False if a table lacks an entry."""
     fixed, now, seen = t.fixed, t.now, t.seen
     n = fixed[AGENTS]
     shared = now[0]
@@ -189,18 +189,18 @@ def tick_once(t: Tables, x: int, y: int, paused: int, harmed: int) -> bool:
         else:
             x ^= d
         if t.outcomes[o + 2]:
-            shared = changed(t, shared, t.outcomes[o + 2])
+            shared = look_up_change(t, shared, t.outcomes[o + 2])
             if shared < 0:
                 return False
         road = t.agents[i * AGENT + A_ROAD]
         if road >= 0:
             at = 3 * n + fixed[ROADS] + road
-            to = after_tick(t, seen[at], t.agents[i * AGENT + A_PLACE], t.outcomes[o + 1])
+            to = conf_after_tick(t, seen[at], t.agents[i * AGENT + A_PLACE], t.outcomes[o + 1])
             if to < 0:
                 return False
             seen[at] = to
     if fixed[SETTLES]:
-        shared = changed(t, shared, 2 + 2 * fixed[HOUSES])
+        shared = look_up_change(t, shared, 2 + 2 * fixed[HOUSES])
         if shared < 0:
             return False
     x ^= (now[0] ^ shared) << t.shift[0]
@@ -217,6 +217,6 @@ def tick_once(t: Tables, x: int, y: int, paused: int, harmed: int) -> bool:
         regs[CODE] = ROOM_AFTERS
         return False
     after[row], after[row + 1], after[row + 2] = x, y, fixed[SLOWER] & ~paused
-    after[row + 3], after[row + 4], after[row + 5] = t.harm[harmed * LINE + 4], harmed, t.harm[harmed * LINE + 5]
+    after[row + 3], after[row + 4], after[row + 5] = t.faults[faulted * LINE + 4], faulted, t.faults[faulted * LINE + 5]
     regs[AFTER_ROWS] += 1
     return True

@@ -18,11 +18,11 @@ from kitrobot.verifier import reactions
 from kitrobot.verifier.absence import ENDS
 from kitrobot.verifier.bodies import ANEW, FAILED, LOST, RUNS, Inside
 from kitrobot.verifier.components import Components, Shared, State
-from kitrobot.verifier.dynamic_arrays import find_confs_again, put
+from kitrobot.verifier.dynamic_arrays import insert, rebuild_conf_slots
 from kitrobot.verifier.events import ModelTooLargeError
 from kitrobot.verifier.interleaved_successors import due_in
 from kitrobot.verifier.programs import Reaction
-from kitrobot.verifier.state_decoding import decode, sensed
+from kitrobot.verifier.state_decoding import decode, sense_key
 from kitrobot.verifier.team_agreement import TeamCommand, TeamState
 from kitrobot.verifier.timing import Timing
 from kitrobot.verifier.traffic import intern_conf
@@ -84,7 +84,7 @@ class Model(Components):
             while len(slots) < 4 * (len(self.t.confs) // int(self.t.fixed[v.CONF_WIDTH])):
                 self._more("conf_slots")
                 slots = self.t.conf_slots
-            find_confs_again(self.t)
+            rebuild_conf_slots(self.t)
         elif code == v.ROOM_NEXT:
             if len(self.t.next_x) > 1_000_000:
                 raise ModelTooLargeError
@@ -125,7 +125,7 @@ class Model(Components):
     def reactions_to(self, i: int, key: int) -> list[tuple[Reaction, reactions.Change]]:
         """All reactions of a tick of agent i, each with its change of the shared state.
 
-        `key` is what the agent senses (`state_decoding.sensed`).
+        `key` is what the agent senses (`state_decoding.sense_key`).
         """
         part, inside = self.parts[i], self._insides[i][key & v.MOST_INSIDES - 1]
         choices = {at: sense.choices for at, sense in enumerate(part.senses)}
@@ -136,10 +136,10 @@ class Model(Components):
     def sensed(self, i: int, state: State) -> tuple[tuple[int | None, ...], tuple[int, ...]]:
         """What agent i reads in a state, None of an input that may read anything; and its shared variables."""
         decode(self.t, *self.layout.key(state))
-        return self._sensed(i, sensed(self.t, i))
+        return self._sensed(i, sense_key(self.t, i))
 
     def _sensed(self, i: int, key: int) -> tuple[tuple[int | None, ...], tuple[int, ...]]:
-        """The same, by what it senses (`state_decoding.sensed`)."""
+        """The same, by what it senses (`state_decoding.sense_key`)."""
         part, inside = self.parts[i], self._insides[i][key & v.MOST_INSIDES - 1]
         seen = self._seen_tuples[i][key >> v.S_SHARED & v.MOST_SEEN - 1]
         about = key >> v.S_SHARED, inside.load, inside.busy
@@ -160,14 +160,14 @@ class Model(Components):
         rows = [one for row in found for one in row]
         self.t.outcomes[first * v.OUTCOME : self._outcomes * v.OUTCOME] = rows
         self._reactions += 1
-        self.t = put(self.t, "reaction_keys", "reaction_at", self._reactions, key, first << v.S_COUNT | len(found))
+        self.t = insert(self.t, "reaction_keys", "reaction_at", self._reactions, key, first << v.S_COUNT | len(found))
 
     def _fill_silenced(self, i: int, key: int) -> None:
         inside = self._insides[i][key & v.MOST_INSIDES - 1]
         seen = self._seen_tuples[i][key >> v.S_SHARED & v.MOST_SEEN - 1]
         number = self.inside_number(i, reactions.after_silence(self.parts[i], inside, key, seen))
         self._reactions += 1
-        self.t = put(self.t, "reaction_keys", "reaction_at", self._reactions, key, number)
+        self.t = insert(self.t, "reaction_keys", "reaction_at", self._reactions, key, number)
 
     def _write_number(self, change: reactions.Change) -> int:
         """The number of a change of what is shared."""
@@ -192,7 +192,7 @@ class Model(Components):
         elif write < self._first_write:
             assert self.absence is not None, "only a team that misses members is watched"
             i, what = divmod(write - self._first_watched, self._watched_each)
-            agreed = self.absence.befallen(tuple(shared[self._agreed_at :]), self.parts[i].agent.index, what)
+            agreed = self.absence.after_event(tuple(shared[self._agreed_at :]), self.parts[i].agent.index, what)
             shared[self._agreed_at :] = self._settled(agreed, shared[0])
         else:
             changes, told = self._writes[write - self._first_write]
@@ -203,7 +203,7 @@ class Model(Components):
                 shared[self._agreed_at :] = self._settled(agreed, shared[0])
         after = self.shared_number(tuple(shared))
         self._changes += 1
-        self.t = put(self.t, "change_keys", "change_to", self._changes, number << v.S_WRITE | write, after)
+        self.t = insert(self.t, "change_keys", "change_to", self._changes, number << v.S_WRITE | write, after)
 
     def _settled(self, agreed: TeamState, left: int) -> TeamState:
         """A state of the team after all has been agreed on that can be, where that is not left to the end of a step."""
@@ -251,4 +251,4 @@ class Model(Components):
 
 _MOST_AFTER = 2_000_000
 """Numbers that are kept of what follows in lockstep; a table that needs more is emptied."""
-_ROOM = {v.ROOM_MOVES: "moves", v.ROOM_MOMENTS: "moments", v.ROOM_LOG: "log"}
+_ROOM = {v.ROOM_MOVES: "moves", v.ROOM_MOVE_SETS: "move_sets", v.ROOM_LOG: "log"}

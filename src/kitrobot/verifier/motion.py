@@ -14,15 +14,15 @@ from kitrobot.verifier.bodies import (
     NEW_GAP,
     NEW_ZONE,
     TICKS,
-    at_gap,
-    begun,
-    closed_in,
-    entered,
+    after_approach,
+    after_gap_change,
+    after_start,
+    after_stop,
+    after_zone_entry,
     gap_of,
-    halted,
-    in_gap,
     want_of,
     way_of,
+    with_gap,
     zone_of,
 )
 from kitrobot.verifier.columns import (
@@ -72,7 +72,7 @@ def zones_ahead(agents: Row, i: int, me: int, leader: int) -> int:
     return (zone_of(leader) - zone_of(me)) % zones
 
 
-def can_be(agents: Row, geo: Row, i: int, zone: int, ahead: int, gap: int) -> bool:
+def is_gap_possible(agents: Row, geo: Row, i: int, zone: int, ahead: int, gap: int) -> bool:
     """Whether the gap from agent i in a zone to one that is `ahead` zones further can be of this class."""
     a = i * AGENT
     return (
@@ -80,16 +80,16 @@ def can_be(agents: Row, geo: Row, i: int, zone: int, ahead: int, gap: int) -> bo
     )
 
 
-def gap_in(agents: Row, geo: Row, i: int, gap: int, zone: int, ahead: int) -> int:
+def gap_after_zone(agents: Row, geo: Row, i: int, gap: int, zone: int, ahead: int) -> int:
     """The class of gap after a zone changed: the same, or the one with a lap between; -1 where it cannot be."""
     a = i * AGENT
     zones, beyond = agents[a + A_ZONES], agents[a + A_BEYOND]
     if ahead < 0 or ahead > zones:
         return -1
     if agents[a + A_CLOSED] and ahead == zones:
-        return beyond + 1 if gap >= beyond and can_be(agents, geo, i, zone, ahead, beyond) else -1
+        return beyond + 1 if gap >= beyond and is_gap_possible(agents, geo, i, zone, ahead, beyond) else -1
     kept = gap if gap < beyond else beyond
-    return kept if can_be(agents, geo, i, zone, ahead, kept) else -1
+    return kept if is_gap_possible(agents, geo, i, zone, ahead, kept) else -1
 
 
 def next_zone(agents: Row, i: int, zone: int, way: int) -> int:
@@ -133,12 +133,12 @@ def move(t: Tables, bodies: int, k: int, i: int, which: int, behind: int) -> int
     if which == 0:
         if want == 0 or way != 0 or is_blocked(want, leader, gap, follower):
             return NOTHING
-        made[k] = begun(me)
+        made[k] = after_start(me)
         return BEGIN
     if which == 1:
         if way == 0 or not (want != way or (way > 0 and gap == PRESSED and leader >= 0)):
             return NOTHING
-        made[k] = halted(me)
+        made[k] = after_stop(me)
         return HALT
     if which == 2:
         if way == 0 or (agents[a + A_ZONES] < 2 and agents[a + A_CLOSED]):
@@ -150,45 +150,49 @@ def move(t: Tables, bodies: int, k: int, i: int, which: int, behind: int) -> int
         if to < 0:
             if want != way:
                 return NOTHING
-            made[k] = halted(me)
+            made[k] = after_stop(me)
             return HALT
-        after = entered(me, to)
+        after = after_zone_entry(me, to)
         if leader >= 0:
-            further = gap_in(agents, geo, i, gap, to, zones_ahead(agents, i, me, leader) - way)
+            further = gap_after_zone(agents, geo, i, gap, to, zones_ahead(agents, i, me, leader) - way)
             if further < 0:
                 return NOTHING
-            after = in_gap(after, further)
+            after = with_gap(after, further)
         if follower >= 0:
             theirs = gap_of(follower)
-            nearer = gap_in(
+            nearer = gap_after_zone(
                 agents, geo, behind, theirs, zone_of(follower), zones_ahead(agents, behind, follower, me) + way
             )
             if nearer < 0:
                 return NOTHING
             if nearer != theirs:
-                made[behind_at] = at_gap(follower, nearer)
+                made[behind_at] = after_gap_change(follower, nearer)
         made[k] = after
         return ZONE
     if leader < 0 or gap > beyond:
         return NOTHING
     ahead = zones_ahead(agents, i, me, leader)
     if which == 5:
-        if gap >= beyond or not (way_of(leader) > 0 or way < 0) or not can_be(agents, geo, i, zone, ahead, gap + 1):
+        if (
+            gap >= beyond
+            or not (way_of(leader) > 0 or way < 0)
+            or not is_gap_possible(agents, geo, i, zone, ahead, gap + 1)
+        ):
             return NOTHING
-        made[k] = at_gap(me, gap + 1)
+        made[k] = after_gap_change(me, gap + 1)
         return WIDER
-    if gap <= PRESSED or not can_be(agents, geo, i, zone, ahead, gap - 1):
+    if gap <= PRESSED or not is_gap_possible(agents, geo, i, zone, ahead, gap - 1):
         return NOTHING
     if which == 3:
         at = agents[a + A_GAP_AT] + gap * GAP_NUMBERS
         if way <= 0 or (me & NEW_GAP and me & TICKS and geo[at]) or (me & HELD_GAP and geo[at + 1]):
             return NOTHING
-        after = closed_in(me, gap - 1)
-        made[k] = halted(after) if gap - 1 == PRESSED else after
+        after = after_approach(me, gap - 1)
+        made[k] = after_stop(after) if gap - 1 == PRESSED else after
     else:
         if way_of(leader) >= 0:
             return NOTHING
-        made[k] = at_gap(me, gap - 1)
+        made[k] = after_gap_change(me, gap - 1)
         if gap - 1 == PRESSED:
-            made[ahead_at] = halted(leader)
+            made[ahead_at] = after_stop(leader)
     return CLOSER if gap - 1 > TOUCHING else TOUCH

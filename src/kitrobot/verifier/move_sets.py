@@ -8,9 +8,9 @@ from __future__ import annotations
 from kitrobot.verifier.bodies import gap_of
 from kitrobot.verifier.columns import (
     ALL_BITS,
-    C_MOMENT,
-    C_MOMENTS,
     C_MOVE,
+    C_MOVE_SET,
+    C_MOVE_SETS,
     C_MOVES,
     C_MUST,
     C_ROAD,
@@ -22,14 +22,14 @@ from kitrobot.verifier.columns import (
     E_KIND,
     E_MASK,
     LOG,
-    MOMENT,
-    MOMENTS,
     MOVE,
+    MOVE_SET,
+    MOVE_SETS,
     MULTIPLIER,
     PLACES,
     POOL_WIDTH,
     ROOM_LOG,
-    ROOM_MOMENTS,
+    ROOM_MOVE_SETS,
     TOO_MANY,
     USED_BITS,
 )
@@ -46,7 +46,7 @@ P_USED = 5
 USED_PER_WORD = 60
 
 
-def fill_moments(t: Tables, conf: int) -> int:
+def fill_move_sets(t: Tables, conf: int) -> int:
     """Finds what may happen on a road before all tick again; how many ways, behind one another in `move_sets`.
 
     A robot begins to roll, or halts, once, comes into another zone once, and to each class of gap once from either
@@ -55,7 +55,7 @@ def fill_moments(t: Tables, conf: int) -> int:
     regs, fixed, pool = t.regs, t.fixed, t.pool
     width, conf_width = fixed[POOL_WIDTH], fixed[CONF_WIDTH]
     used = width - P_USED
-    first, first_log = regs[MOMENTS], regs[LOG]
+    first, first_log = regs[MOVE_SETS], regs[LOG]
     for k in range(width):
         pool[k] = 0
     pool[P_CONF], pool[P_PARENT], pool[P_GIVEN] = conf, -1, -1
@@ -76,7 +76,7 @@ def fill_moments(t: Tables, conf: int) -> int:
             if t.given_slots[slot] == 0:
                 t.given_slots[slot] = at + 1
                 pool[row + P_GIVEN] = slot
-                code = give(t, at)
+                code = write_move_set(t, at)
         begins = t.confs[now * conf_width + C_MOVE]
         for m in range(begins, begins + moves):
             after, event = t.moves[m * MOVE], t.moves[m * MOVE + 1]
@@ -104,11 +104,11 @@ def fill_moments(t: Tables, conf: int) -> int:
             t.given_slots[pool[k * width + P_GIVEN]] = 0
     if code != 0:
         regs[CODE] = code
-        regs[MOMENTS], regs[LOG] = first, first_log
+        regs[MOVE_SETS], regs[LOG] = first, first_log
         return -1
-    t.confs[conf * conf_width + C_MOMENT] = first
-    t.confs[conf * conf_width + C_MOMENTS] = regs[MOMENTS] - first
-    return regs[MOMENTS] - first
+    t.confs[conf * conf_width + C_MOVE_SET] = first
+    t.confs[conf * conf_width + C_MOVE_SETS] = regs[MOVE_SETS] - first
+    return regs[MOVE_SETS] - first
 
 
 def own_bit(t: Tables, after: int, event: int) -> int:
@@ -165,7 +165,7 @@ def pool_slot(t: Tables, number: int, is_given: bool) -> int:
     return at
 
 
-def give(t: Tables, number: int) -> int:
+def write_move_set(t: Tables, number: int) -> int:
     """Writes a row of the pool behind the moments, and its events into the log; 0, or why there is no room."""
     regs, pool, width = t.regs, t.pool, t.fixed[POOL_WIDTH]
     events = 0
@@ -173,9 +173,9 @@ def give(t: Tables, number: int) -> int:
     while pool[at * width + P_PARENT] >= 0:
         events += 1
         at = pool[at * width + P_PARENT]
-    to, log = regs[MOMENTS] * MOMENT, regs[LOG]
-    if to + MOMENT > len(t.moments):
-        return ROOM_MOMENTS
+    to, log = regs[MOVE_SETS] * MOVE_SET, regs[LOG]
+    if to + MOVE_SET > len(t.move_sets):
+        return ROOM_MOVE_SETS
     if log + events > len(t.log):
         return ROOM_LOG
     begins = zones = kinds = 0
@@ -190,8 +190,8 @@ def give(t: Tables, number: int) -> int:
         elif event & E_KIND == ZONE:
             zones |= 1 << (event >> E_AGENT & E_MASK)
         at = pool[at * width + P_PARENT]
-    t.moments[to], t.moments[to + 1], t.moments[to + 2] = pool[number * width + P_CONF], begins, zones
-    t.moments[to + 3], t.moments[to + 4], t.moments[to + 5] = kinds, log, events
-    regs[MOMENTS] += 1
+    t.move_sets[to], t.move_sets[to + 1], t.move_sets[to + 2] = pool[number * width + P_CONF], begins, zones
+    t.move_sets[to + 3], t.move_sets[to + 4], t.move_sets[to + 5] = kinds, log, events
+    regs[MOVE_SETS] += 1
     regs[LOG] += events
     return 0

@@ -9,14 +9,14 @@ from typing import Any
 from kitrobot.sim.jit_cache import CALLED, Compilation, folder_of, functions_called, njit
 from kitrobot.sim.table_pointer import TablePointer
 from kitrobot.verifier import engines
-from kitrobot.verifier.fairness import Search
+from kitrobot.verifier.fairness import ComponentSearch
 
-_INLINED = frozenset({"changed", "decode", "emit", "find", "key_hash", "sensed", "touch"})
+_INLINED = frozenset({"look_up_change", "decode", "emit_step", "find", "key_hash", "sense_key", "touch"})
 """Short functions that each state goes through many times. With longer ones inlined too, exploring is no faster and
 compiling takes half as long again."""
 
 
-def called() -> dict[str, Callable[..., Any]]:
+def compiled_functions() -> dict[str, Callable[..., Any]]:
     """What the functions of `engines` call, and what that calls, and so on, by module and name."""
     return functions_called(engines.FUNCTIONS.values())
 
@@ -35,7 +35,7 @@ def _build(folder: Path) -> engines.Engine:
 
     typeof: Any = numba.typeof
     # Numba's annotations know fewer options than Numba does.
-    for function in called().values():
+    for function in compiled_functions().values():
         options: Any = {**CALLED, "forceinline": True} if function.__name__ in _INLINED else CALLED
         extending.register_jitable(**options)(function)
     made = dict(zip(engines.FUNCTIONS, njit(folder, engines.FUNCTIONS.values()), strict=True))
@@ -45,7 +45,7 @@ def _build(folder: Path) -> engines.Engine:
         made[name].compile(types)
         # Past Numba's look at the types of arguments, which takes longer than most calls do.
         entries[name] = made[name].overloads[types].entry_point
-    return engines.arrays(entries)
+    return engines.array_engine(entries)
 
 
 def samples() -> dict[str, tuple[Any, ...]]:
@@ -55,23 +55,23 @@ def samples() -> dict[str, tuple[Any, ...]]:
     words, numbers, marks = np.zeros(1, np.int64), np.zeros(1, np.int32), np.zeros(1, np.uint8)
     kinds: dict[str, Any] = {"x": words, "y": words, "taken": np.zeros(1, np.uint16)}
     tables: list[Any] = [words] * len(engines.ArrayTables._fields)
-    rows: list[Any] = [words if name in ("numbers", "masks") else numbers for name in Search._fields]
+    rows: list[Any] = [words if name in ("numbers", "masks") else numbers for name in ComponentSearch._fields]
     t = engines.ArrayTables(*tables).pointer
     g = engines.ArrayGraph(*(kinds.get(name, numbers) for name in engines.ArrayGraph._fields)).pointer
-    s = TablePointer(Search(*rows))
+    s = TablePointer(ComponentSearch(*rows))
     return {
         "advance": (t, g, 1),
         "expand": (t, 1, 1),
         "rehash": (g, 1, True),
         "repack": (g, 1, 1, words, words, True, True),
-        "mark": (t, g, 1, 1, True, words, words, marks),
-        "observe": (t, g, 1, 1, True, 1, words),
-        "crossing": (g, 1, 1, marks, marks),
-        "prune": (g, numbers, 1, marks, marks),
-        "search": (t, g, s, 1),
-        "reach": (g, marks, marks, numbers, numbers, numbers, words, 1),
-        "sample": (g, numbers, marks, numbers),
-        "way": (g, 1, 1, marks, numbers, numbers),
+        "mark_states": (t, g, 1, 1, True, words, words, marks),
+        "sense_agent": (t, g, 1, 1, True, 1, words),
+        "find_crossing": (g, 1, 1, marks, marks),
+        "prune_open_states": (g, numbers, 1, marks, marks),
+        "find_fair_component": (t, g, s, 1),
+        "mark_reachable": (g, marks, marks, numbers, numbers, numbers, words, 1),
+        "sample_steps": (g, numbers, marks, numbers),
+        "find_shortest_path": (g, 1, 1, marks, numbers, numbers),
     }
 
 

@@ -46,7 +46,7 @@ class DockFact:
 
 @dataclass(frozen=True)
 class SensedCondition:
-    """A condition on a state by what some agents read and store there, as their keys (`state_decoding.sensed`).
+    """A condition on a state by what some agents read and store there, as their keys (`state_decoding.sense_key`).
 
     If it `asks_shared`, the number of the shared state follows the keys.
     """

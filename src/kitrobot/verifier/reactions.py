@@ -61,7 +61,7 @@ def change_by(part: AgentModel, inside: Inside, shared: tuple[int, ...], reactio
 
 
 def after_silence(part: AgentModel, inside: Inside, key: int, seen: tuple[int, ...]) -> Inside:
-    """What an agent is once it hears nobody (`state_decoding.silenced`): what it saw of shared variables is its own."""
+    """The agent once it hears nobody (`state_decoding.find_silenced`), with its own copy of the shared variables."""
     down = FAILED if key >> v.S_VIEW & 1 else inside.down
     return inside._replace(own=seen[: len(part.shared)], down=down, is_muted=True)
 
@@ -87,7 +87,7 @@ def around(part: AgentModel, signs: Sequence[tuple[int, ...]], key: int, shared:
     Args:
         part: the agent.
         signs: what its sensors for signs read in the classes of zones; none on no road.
-        key: what it senses (`state_decoding.sensed`).
+        key: what it senses (`state_decoding.sense_key`).
         shared: what it senses of what is shared.
     """
     gaps = sum(sense.discrete is Discrete.GAP for sense in part.senses)

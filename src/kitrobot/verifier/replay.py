@@ -19,9 +19,9 @@ from kitrobot.verifier.properties import Property
 from kitrobot.verifier.verdicts import Counterexample
 
 SEEDS = 8
-"""Seeds that are tried where nothing befalls anybody."""
+"""Seeds that are tried without faults."""
 MOMENTS = 24
-"""Moments that are tried where something does."""
+"""Times that are tried for each fault."""
 MOST_RUNS = 300
 _CHUNK = 50
 _KINDS: dict[int, str] = {
@@ -34,7 +34,7 @@ _KINDS: dict[int, str] = {
 
 @dataclass(frozen=True)
 class InjectedFault:
-    """Something that befalls an agent in the simulator: the step before which it does, the agent's name, and what."""
+    """A fault injected into the simulator: the step before which it occurs, the agent's name, and its kind."""
 
     tick: int
     agent: str
@@ -43,7 +43,7 @@ class InjectedFault:
 
 @dataclass(frozen=True)
 class ConfirmedRun:
-    """A run of the simulator that breaks a property: its seed, what befell agents, and the step in which it broke."""
+    """A run of the simulator that breaks a property: its seed, its faults, and the step of the violation."""
 
     seed: int
     faults: tuple[InjectedFault, ...]
@@ -57,14 +57,14 @@ def confirm(
     fresh: Callable[[int], Simulation],
     stop: Callable[[], bool],
 ) -> ConfirmedRun | None:
-    """A run of the simulator that breaks the property, or None where none was found.
+    """Finds a run of the simulator that breaks the property; None if it finds none.
 
     Args:
         one: the property.
         counterexample: the run of the model that breaks it.
         model: the model.
-        fresh: gives the run of a seed before its first step; it needs a time limit.
-        stop: asked now and then whether to give up.
+        fresh: makes the run of a seed, before its first step; it needs a time limit.
+        stop: polled now and then; True stops the search.
     """
     wanted = injected_faults(counterexample, model)
     if not wanted:
@@ -81,7 +81,7 @@ def confirm(
 
 
 def injected_faults(counterexample: Counterexample, model: Model) -> tuple[tuple[str, str], ...]:
-    """What befalls agents in a run of the model, in order: the agent's name, and what. `confirm` looks for no more."""
+    """The faults in a run of the model, in order: the agent's name and the kind. `confirm` injects no others."""
     return tuple(
         (model.parts[event.agent].agent.name, _KINDS[event.what])
         for step in counterexample.steps
@@ -93,13 +93,13 @@ def injected_faults(counterexample: Counterexample, model: Model) -> tuple[tuple
 def _moments(
     injected_faults: Sequence[tuple[str, str]], run: Simulation, stop: Callable[[], bool]
 ) -> Iterator[tuple[int, tuple[InjectedFault, ...]]]:
-    """What befell agents, at moments in order, spread over the run in which nothing does."""
+    """The same faults at ascending times, spread over the run without faults."""
     while run.outcome is None:
         if stop():
             return
         run.advance(1000)
     moments = dict.fromkeys(max(1, run.tick * number // MOMENTS) for number in range(MOMENTS))
-    # Before the first step at last: what befalls then is seldom what people mean.
+    # Faults before the first step are tried last: people seldom mean them.
     at_first = ((0, *later) for later in combinations(moments, len(injected_faults) - 1))
     for chosen in chain(combinations(moments, len(injected_faults)), at_first):
         yield (
@@ -111,7 +111,7 @@ def _moments(
 
 
 def _broken_at(one: Property, run: Simulation, faults: Sequence[InjectedFault], stop: Callable[[], bool]) -> int:
-    """The step in which a run broke the property; -1 if it did not, or was given up."""
+    """The step in which a run broke the property; -1 if it did not, or the search was stopped."""
     left = list(faults)
     monitor = one.monitor(run) if one.monitor is not None else None
     chunk = _CHUNK if monitor is None else 1

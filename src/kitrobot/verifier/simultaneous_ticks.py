@@ -32,9 +32,9 @@ from kitrobot.verifier.columns import (
     TOO_MANY,
 )
 from kitrobot.verifier.events import MOST_AT_ONCE, TICK
-from kitrobot.verifier.state_decoding import changed, emit, react, reaction, sensed
+from kitrobot.verifier.state_decoding import emit_step, find_reactions, look_up_change, look_up_reaction, sense_key
 from kitrobot.verifier.tables import Tables
-from kitrobot.verifier.traffic import after_tick
+from kitrobot.verifier.traffic import conf_after_tick
 
 MOST_WRITERS = 14
 """Agents that may write something in one moment that others read in it."""
@@ -44,15 +44,15 @@ _SEEN = (1 << S_VIEW) - (1 << S_SHARED)
 """The bits of the key of a reaction that say what an agent sees of what is shared."""
 
 
-def tick_together(t: Tables, x: int, y: int, writers: int) -> bool:
+def add_simultaneous_ticks(t: Tables, x: int, y: int, writers: int) -> bool:
     """Adds the ticks in one moment of sets of these agents, as bits, whose ticks may write something.
 
     `seen` has, for each agent, the row of `outcomes` that is chosen.
     """
-    met = meet(t, writers)
-    if met < 0:
+    conflicts = may_conflict(t, writers)
+    if conflicts < 0:
         return False
-    if met == 0:
+    if conflicts == 0:
         return True
     count = 0
     for i in range(t.fixed[AGENTS]):
@@ -70,35 +70,35 @@ def tick_together(t: Tables, x: int, y: int, writers: int) -> bool:
                 if tried > MOST_AT_ONCE:
                     t.regs[CODE] = TOO_MANY
                     return False
-                apart = falls_apart(t, who)
-                if apart < 0 or (apart == 0 and not emit_together(t, x, y, who)):
+                apart = is_serializable(t, who)
+                if apart < 0 or (apart == 0 and not emit_simultaneous(t, x, y, who)):
                     return False
                 more = next_choice(t, who)
         who = who - 1 & writers
     return True
 
 
-def meet(t: Tables, writers: int) -> int:
+def may_conflict(t: Tables, writers: int) -> int:
     """Whether one of these agents may write what one that stands later in the team sees: else no tick in one moment is
     anything new.
     """
     for i in range(t.fixed[AGENTS]):
         if writers >> i & 1 == 0:
             continue
-        got = react(t, i)
+        got = find_reactions(t, i)
         first = got >> S_COUNT
         for o in range(first, first + (got & (1 << S_COUNT) - 1)):
             if t.outcomes[o * OUTCOME + 2]:
-                after = changed(t, t.now[0], t.outcomes[o * OUTCOME + 2])
+                after = look_up_change(t, t.now[0], t.outcomes[o * OUTCOME + 2])
                 if after < 0:
                     return -1
                 for j in range(i + 1, t.fixed[AGENTS]):
-                    if writers >> j & 1 and seen_by(t, j, after) != seen_by(t, j, t.now[0]):
+                    if writers >> j & 1 and shared_view(t, j, after) != shared_view(t, j, t.now[0]):
                         return 1
     return 0
 
 
-def seen_by(t: Tables, i: int, shared: int) -> int:
+def shared_view(t: Tables, i: int, shared: int) -> int:
     """What agent i sees of what is shared, by its number."""
     return t.shared[shared * t.fixed[SHARED_WIDTH] + G_STOCK + t.fixed[HOUSES] + i]
 
@@ -107,7 +107,7 @@ def first_choice(t: Tables, who: int) -> bool:
     """Chooses the first outcome that writes something of each of these agents."""
     for i in range(t.fixed[AGENTS]):
         if who >> i & 1:
-            t.seen[i] = react(t, i) >> S_COUNT
+            t.seen[i] = find_reactions(t, i) >> S_COUNT
             while not t.outcomes[t.seen[i] * OUTCOME + 2]:
                 t.seen[i] += 1
     return True
@@ -117,7 +117,7 @@ def next_choice(t: Tables, who: int) -> bool:
     """Chooses what comes next; False where all was chosen."""
     for i in range(t.fixed[AGENTS]):
         if who >> i & 1:
-            got = react(t, i)
+            got = find_reactions(t, i)
             end = (got >> S_COUNT) + (got & (1 << S_COUNT) - 1)
             t.seen[i] += 1
             while t.seen[i] < end and not t.outcomes[t.seen[i] * OUTCOME + 2]:
@@ -130,7 +130,7 @@ def next_choice(t: Tables, who: int) -> bool:
     return False
 
 
-def falls_apart(t: Tables, who: int) -> int:
+def is_serializable(t: Tables, who: int) -> int:
     """Whether the chosen ticks come to what these agents come to one after another, in parts.
 
     Of two it is known; of more a part is taken to come first only where nothing of it is seen by those that follow.
@@ -141,45 +141,45 @@ def falls_apart(t: Tables, who: int) -> int:
             first, last = (i, last) if first < 0 else (first, i)
             count += 1
     if count == 2:
-        return two_fall_apart(t, first, last)
+        return are_serializable(t, first, last)
     furthest = -1
     for i in range(n):
         if who >> i & 1 == 0:
             continue
-        after = changed(t, t.now[0], t.outcomes[t.seen[i] * OUTCOME + 2])
+        after = look_up_change(t, t.now[0], t.outcomes[t.seen[i] * OUTCOME + 2])
         if after < 0:
             return -1
         for j in range(i + 1, n):
-            if who >> j & 1 and j > furthest and seen_by(t, j, after) != seen_by(t, j, t.now[0]):
+            if who >> j & 1 and j > furthest and shared_view(t, j, after) != shared_view(t, j, t.now[0]):
                 furthest = j
         if i != last and furthest <= i:
             return 1
     return 0
 
 
-def two_fall_apart(t: Tables, i: int, j: int) -> int:
+def are_serializable(t: Tables, i: int, j: int) -> int:
     """The same of two, of which i comes first in the team."""
     first, second = t.outcomes[t.seen[i] * OUTCOME + 2], t.outcomes[t.seen[j] * OUTCOME + 2]
-    after_first, after_second = changed(t, t.now[0], first), changed(t, t.now[0], second)
+    after_first, after_second = look_up_change(t, t.now[0], first), look_up_change(t, t.now[0], second)
     if after_first < 0 or after_second < 0:
         return -1
-    does_the_same = acts_alike(t, j, after_first)
+    does_the_same = has_same_outcome(t, j, after_first)
     if does_the_same:
         return does_the_same
-    does_the_same = acts_alike(t, i, after_second)
+    does_the_same = has_same_outcome(t, i, after_second)
     if does_the_same <= 0:
         return does_the_same
-    both, other = changed(t, after_first, second), changed(t, after_second, first)
+    both, other = look_up_change(t, after_first, second), look_up_change(t, after_second, first)
     if both < 0 or other < 0:
         return -1
     return 1 if both == other else 0
 
 
-def acts_alike(t: Tables, i: int, shared: int) -> int:
+def has_same_outcome(t: Tables, i: int, shared: int) -> int:
     """Whether the chosen outcome of agent i is one of those that it has where this is shared."""
     outcomes = t.outcomes
-    key = sensed(t, i) & ~_SEEN | seen_by(t, i, shared)
-    got = reaction(t, i, key)
+    key = sense_key(t, i) & ~_SEEN | shared_view(t, i, shared)
+    got = look_up_reaction(t, i, key)
     if got < 0:
         return -1
     chosen = t.seen[i] * OUTCOME
@@ -191,7 +191,7 @@ def acts_alike(t: Tables, i: int, shared: int) -> int:
     return 0
 
 
-def emit_together(t: Tables, x: int, y: int, who: int) -> bool:
+def emit_simultaneous(t: Tables, x: int, y: int, who: int) -> bool:
     """Adds the step in which these agents have the ticks that are chosen."""
     fixed, now, seen = t.fixed, t.now, t.seen
     n, shared, first = fixed[AGENTS], now[0], -1
@@ -205,12 +205,12 @@ def emit_together(t: Tables, x: int, y: int, who: int) -> bool:
         o = seen[i] * OUTCOME
         d = (now[1 + i] ^ t.outcomes[o]) << t.shift[1 + i]
         x, y = (x, y ^ d) if t.word[1 + i] else (x ^ d, y)
-        shared = changed(t, shared, t.outcomes[o + 2])
+        shared = look_up_change(t, shared, t.outcomes[o + 2])
         if shared < 0:
             return False
         road = t.agents[i * AGENT + A_ROAD]
         if road >= 0:
-            to = after_tick(t, seen[confs + road], t.agents[i * AGENT + A_PLACE], t.outcomes[o + 1])
+            to = conf_after_tick(t, seen[confs + road], t.agents[i * AGENT + A_PLACE], t.outcomes[o + 1])
             if to < 0:
                 return False
             seen[confs + road] = to
@@ -219,11 +219,11 @@ def emit_together(t: Tables, x: int, y: int, who: int) -> bool:
         f = fixed[ROAD_FIELD] + road
         d = (now[f] ^ seen[confs + road]) << t.shift[f]
         x, y = (x, y ^ d) if t.word[f] else (x ^ d, y)
-    taken = taken_by(t, who)
-    return taken >= 0 and emit(t, x, y, TICK | first << E_AGENT, taken)
+    taken = intern_tick_set(t, who)
+    return taken >= 0 and emit_step(t, x, y, TICK | first << E_AGENT, taken)
 
 
-def taken_by(t: Tables, who: int) -> int:
+def intern_tick_set(t: Tables, who: int) -> int:
     """The number of the progress of these agents' ticks."""
     regs, taken = t.regs, t.taken
     number = 1 + TAKEN_WIDTH * t.fixed[AGENTS]

@@ -14,7 +14,7 @@ from typing import Any
 from kitrobot.verifier import columns as v
 from kitrobot.verifier.bodies import RUNS
 from kitrobot.verifier.exploration import StateSpace
-from kitrobot.verifier.fair_cycles import CHUNK, mark
+from kitrobot.verifier.fair_cycles import CHUNK, mark_states
 from kitrobot.verifier.model import Model
 from kitrobot.verifier.properties import Condition
 
@@ -26,7 +26,7 @@ def find_standstill(space: StateSpace, condition: Condition) -> int:
     """The first state that nothing leaves, or, where there is none, from which on programs only go round, and say
     nothing new; the condition holds in it, and in all that follow. -1 for none.
     """
-    marks, _ = mark(space, condition)
+    marks, _ = mark_states(space, condition)
     states = _closed(space, marks)
     graph = space.graph
     begins = [(int(graph.first_edge[state]), int(graph.first_edge[state + 1])) for state in states]
@@ -51,7 +51,7 @@ def _closed(space: StateSpace, marks: Any) -> list[int]:
         if cut := space.interruption():
             space.interrupted_by = cut
             return []
-        count, left = int(engine.prune(graph, states, count, marks, inside)), count
+        count, left = int(engine.prune_open_states(graph, states, count, marks, inside)), count
     return [int(state) for state in states[:count]]
 
 
@@ -94,7 +94,7 @@ class _CommandBits:
             here = [state - first for state in states[at:end]]
             bits = [0] * len(here)
             for i, known in enumerate(self._known):
-                engine.observe(space.model.t, space.graph, first, first + here[-1] + 1, two, i, keys)
+                engine.sense_agent(space.model.t, space.graph, first, first + here[-1] + 1, two, i, keys)
                 for n, offset in enumerate(here):
                     key = int(keys[offset])
                     if key not in known:

@@ -46,11 +46,11 @@ from kitrobot.verifier.columns import (
     VISIT,
 )
 from kitrobot.verifier.tables import Tables, find
-from kitrobot.verifier.traffic import after_tick
+from kitrobot.verifier.traffic import conf_after_tick
 
 
 def decode(t: Tables, x: int, y: int) -> None:
-    """Puts the fields of a key into `now`, and behind them who is loaded, as bits."""
+    """Writes the fields of a key into `now`, and behind them the loaded agents, as bits."""
     now, word, shift, mask, agents = t.now, t.word, t.shift, t.mask, t.agents
     for f in range(t.fixed[FIELDS]):
         now[f] = (y if word[f] else x) >> shift[f] & mask[f]
@@ -62,10 +62,8 @@ def decode(t: Tables, x: int, y: int) -> None:
     now[t.fixed[FIELDS]] = loaded
 
 
-def sensed(t: Tables, i: int) -> int:
-    """All of the state of `now` that decides what a tick of agent i does, and what it reads and keeps: the key of its
-    reaction.
-    """
+def sense_key(t: Tables, i: int) -> int:
+    """The key of agent i's reaction in the state of `now`: everything that decides its tick, and its stored values."""
     fixed, now, agents = t.fixed, t.now, t.agents
     a = i * AGENT
     key = now[1 + i] | i << S_AGENT | t.shared[now[0] * fixed[SHARED_WIDTH] + G_STOCK + fixed[HOUSES] + i]
@@ -88,22 +86,23 @@ def sensed(t: Tables, i: int) -> int:
     return key
 
 
-def react(t: Tables, i: int) -> int:
-    """What a tick of agent i can bring in the state of `now`: rows of `outcomes` (see `S_COUNT`)."""
-    return reaction(t, i, sensed(t, i))
+def find_reactions(t: Tables, i: int) -> int:
+    """The possible outcomes of a tick of agent i in the state of `now`: rows of `outcomes` (see `S_COUNT`)."""
+    return look_up_reaction(t, i, sense_key(t, i))
 
 
-def silenced(t: Tables, i: int, fails: int) -> int:
-    """The number of what agent i is in the state of `now` once it hears nobody, and where it `fails` (1) has failed: it
-    keeps what it knew.
+def find_silenced(t: Tables, i: int, fails: int) -> int:
+    """The number of agent i's own state once it hears nobody, and, if it `fails` (1), has failed.
+
+    It stores the shared variables as it last saw them in the state of `now`.
     """
     fixed, now = t.fixed, t.now
     seen = t.shared[now[0] * fixed[SHARED_WIDTH] + G_STOCK + fixed[HOUSES] + i]
-    return reaction(t, i, 1 << S_MUTE | i << S_AGENT | fails << S_VIEW | seen | now[1 + i])
+    return look_up_reaction(t, i, 1 << S_MUTE | i << S_AGENT | fails << S_VIEW | seen | now[1 + i])
 
 
-def reaction(t: Tables, i: int, key: int) -> int:
-    """What `reaction_at` holds for a key of agent i."""
+def look_up_reaction(t: Tables, i: int, key: int) -> int:
+    """The value of `reaction_at` for a key of agent i; -1 if it is missing."""
     keys = t.reaction_keys
     last = len(keys) - 1
     at = (key * MULTIPLIER & ALL_BITS) >> 31 & last
@@ -115,8 +114,8 @@ def reaction(t: Tables, i: int, key: int) -> int:
     return t.reaction_at[at]
 
 
-def changed(t: Tables, number: int, write: int) -> int:
-    """The number of what is shared after a write."""
+def look_up_change(t: Tables, number: int, write: int) -> int:
+    """The number of the shared state after a write; -1 if it is missing."""
     key = number << S_WRITE | write
     at = find(t.change_keys, key)
     if t.change_keys[at] < 0:
@@ -125,9 +124,9 @@ def changed(t: Tables, number: int, write: int) -> int:
     return t.change_to[at]
 
 
-def stays(t: Tables, i: int) -> int:
-    """Whether a tick of agent i may change nothing in the state of `now`."""
-    got = react(t, i)
+def may_idle(t: Tables, i: int) -> int:
+    """Whether a tick of agent i may change nothing in the state of `now`: 1, 0, or -1 if an entry is missing."""
+    got = find_reactions(t, i)
     if got < 0:
         return -1
     road = t.agents[i * AGENT + A_ROAD]
@@ -136,7 +135,7 @@ def stays(t: Tables, i: int) -> int:
             if road < 0:
                 return 1
             conf = t.now[t.fixed[ROAD_FIELD] + road]
-            to = after_tick(t, conf, t.agents[i * AGENT + A_PLACE], t.outcomes[o * OUTCOME + 1])
+            to = conf_after_tick(t, conf, t.agents[i * AGENT + A_PLACE], t.outcomes[o * OUTCOME + 1])
             if to < 0:
                 return -1
             if to == conf:
@@ -144,8 +143,8 @@ def stays(t: Tables, i: int) -> int:
     return 0
 
 
-def emit(t: Tables, x: int, y: int, event: int, taken: int) -> bool:
-    """Adds a step of one event; False where there is no room."""
+def emit_step(t: Tables, x: int, y: int, event: int, taken: int) -> bool:
+    """Adds a step of one event; returns False if there is no room."""
     count = t.regs[NEXTS]
     if count >= len(t.next_x):
         t.regs[CODE] = ROOM_NEXT

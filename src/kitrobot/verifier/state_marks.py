@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-from kitrobot.verifier.state_decoding import decode, sensed
+from kitrobot.verifier.state_decoding import decode, sense_key
 from kitrobot.verifier.tables import Graph, Row, Tables
 
 FACT = 3
 """A row of `facts`: the number of its clause, a field, where its truth begins in `truths`, by the field's number."""
 
 
-def mark(t: Tables, g: Graph, first: int, end: int, two: bool, facts: Row, truths: Row, marks: Row) -> int:
+def mark_states(t: Tables, g: Graph, first: int, end: int, two: bool, facts: Row, truths: Row, marks: Row) -> int:
     """Marks those of the states from `first` to before `end` for which all facts of one clause hold; how many."""
     count = 0
     rows = len(facts) // FACT
@@ -28,15 +28,15 @@ def mark(t: Tables, g: Graph, first: int, end: int, two: bool, facts: Row, truth
     return count
 
 
-def observe(t: Tables, g: Graph, first: int, end: int, two: bool, i: int, keys: Row) -> int:
-    """Writes for each of the states from `first` to before `end` what agent i senses and is (`sensed`); how many."""
+def sense_agent(t: Tables, g: Graph, first: int, end: int, two: bool, i: int, keys: Row) -> int:
+    """Writes for each of the states from `first` to before `end` what agent i senses and is (`sense_key`); how many."""
     for number in range(first, end):
         decode(t, g.x[number], g.y[number] if two else 0)
-        keys[number - first] = sensed(t, i)
+        keys[number - first] = sense_key(t, i)
     return end - first
 
 
-def crossing(g: Graph, first: int, end: int, before: Row, after: Row) -> int:
+def find_crossing(g: Graph, first: int, end: int, before: Row, after: Row) -> int:
     """Of the states from `first` to before `end`, which have all their steps, the first one marked `before` out of
     which a step leads into one marked `after`; -1 for none.
     """
@@ -48,7 +48,7 @@ def crossing(g: Graph, first: int, end: int, before: Row, after: Row) -> int:
     return -1
 
 
-def prune(g: Graph, states: Row, count: int, marks: Row, inside: Row) -> int:
+def prune_open_states(g: Graph, states: Row, count: int, marks: Row, inside: Row) -> int:
     """Of so many states those that are marked and that no step leads out of into another one than these, or nearly: it
     is to be called until it leaves as many as before. They stay in `states`, in order; how many are left.
 

@@ -27,12 +27,12 @@ _TIMINGS = {Timing.LOCKSTEP: v.LOCKSTEP, Timing.PROMPT: v.PROMPT, Timing.FREE: v
 MOST_TAKEN = 65_535
 
 KINDS = {FailureKind.FAIL: v.MAY_CRASH, FailureKind.STALL: v.MAY_STALL, FailureKind.MUTE: v.MAY_MUTE}
-"""What can befall agents in a model, and the bits of it in the tables."""
+"""The possible kinds of faults in a model, and their bits in the tables."""
 USUAL_KINDS = (FailureKind.FAIL, FailureKind.STALL)
 
 
 class Roads:
-    """The roads that somebody is on: who is on each, in team order, and what these can tell apart there."""
+    """The roads with robots: the agents on each, in team order, and what they can distinguish there."""
 
     def __init__(self, run: Simulation, parts: Sequence[AgentModel]) -> None:
         self.numbers = sorted({part.road for part in parts if part.road >= 0})
@@ -48,7 +48,7 @@ class Roads:
 
 
 def check_size(parts: Sequence[AgentModel]) -> None:
-    """Makes sure that agents and sensors are few enough for the numbers of the tables.
+    """Checks that agents and sensors are few enough for the numbers of the tables.
 
     Raises:
         AbstractionError: they are too many.
@@ -70,7 +70,7 @@ def check_size(parts: Sequence[AgentModel]) -> None:
 def build(
     run: Simulation, parts: Sequence[AgentModel], roads: Roads, timing: Timing, may_fail: int, slower: int, watched: int
 ) -> tuple[Tables, int]:
-    """The tables, as lists, with nothing in them yet; how many fields a key has besides.
+    """Builds the empty tables, as lists; also returns the number of fields of a key.
 
     `watched`: 0, or 1 and how many works the team has that misses members.
     """
@@ -126,7 +126,7 @@ def build(
         confs=[0] * (64 * fixed[v.CONF_WIDTH]),
         conf_slots=[0] * 256,
         moves=[0] * (256 * v.MOVE),
-        moments=[0] * (256 * v.MOMENT if is_lockstep else 1),
+        move_sets=[0] * (256 * v.MOVE_SET if is_lockstep else 1),
         log=[0] * (256 if is_lockstep else 1),
         taken=taken,
         taken_slots=[0] * (131_072 if is_lockstep else 1),
@@ -137,7 +137,7 @@ def build(
         pool_slots=[0] * (65_536 if is_lockstep else 1),
         given_slots=[0] * (65_536 if is_lockstep else 1),
         line=[0] * lines,
-        harm=[0] * lines,
+        faults=[0] * lines,
         after_heads=[0] * (1024 * v.AFTER_HEAD if is_lockstep else 1),
         after_slots=[0] * (2048 if is_lockstep else 1),
         after=[0] * (4096 * v.AFTER if is_lockstep else 1),

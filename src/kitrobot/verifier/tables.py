@@ -22,12 +22,12 @@ class Tables(NamedTuple):
         reaction_keys, reaction_at: (see `S_SHARED`) → its first row in `outcomes` and how many (see `S_COUNT`).
         outcomes: what ticks bring.
         confs, conf_slots: motions on roads, and where to find them by their bodies (number + 1; 0 is free).
-        moves, moments, log: what can follow each.
+        moves, move_sets, log: what can follow each.
         taken, taken_slots: sets of progress classes that steps belong to, by number (see `TAKEN_WIDTH`).
         made: the bodies of a road that are being put together.
         now, seen: the fields of the state that is looked at; the reactions of its agents.
-        pool, pool_slots, given_slots: what `traffic.fill_moments` looks through.
-        line, harm: states between two ticks of lockstep: after ends, and after failures.
+        pool, pool_slots, given_slots: what `traffic.fill_move_sets` looks through.
+        line, faults: states between two ticks of lockstep: after completed actions, and after faults.
         after_heads, after_slots, after: what may follow in lockstep once robots moved (see `lockstep_ticks`).
         next_x, next_y, next_taken, next_kinds, next_slots: the steps out of a state: keys, progress, kinds of events.
         next_event: of steps that are one event that event.
@@ -54,7 +54,7 @@ class Tables(NamedTuple):
     confs: Row
     conf_slots: Row
     moves: Row
-    moments: Row
+    move_sets: Row
     log: Row
     taken: Row
     taken_slots: Row
@@ -65,7 +65,7 @@ class Tables(NamedTuple):
     pool_slots: Row
     given_slots: Row
     line: Row
-    harm: Row
+    faults: Row
     after_heads: Row
     after_slots: Row
     after: Row

@@ -59,17 +59,17 @@ from kitrobot.verifier.events import (
     STALL,
     UNLOADED,
 )
-from kitrobot.verifier.state_decoding import changed, silenced
+from kitrobot.verifier.state_decoding import find_silenced, look_up_change
 from kitrobot.verifier.tables import Tables
-from kitrobot.verifier.traffic import after_harm
+from kitrobot.verifier.traffic import conf_after_fault
 
 RESUMES, CRASHES, STALLS, MUTES = range(4)
-HARMS = 4
-"""What may befall an agent, in the order in which `harms_of` writes it."""
+FAULT_KINDS = 4
+"""How many kinds of faults an agent can have, in the order in which `write_faults` writes them."""
 
 
-def ends_of(t: Tables, x: int, y: int, i: int, first: int) -> int:
-    """Writes what of agent i can come to its end, in the state of `now`, into rows of `line`; how many."""
+def write_completions(t: Tables, x: int, y: int, i: int, first: int) -> int:
+    """Writes the possible completions of agent i in the state of `now` into rows of `line`; returns how many."""
     fixed, now, insides, line = t.fixed, t.now, t.insides, t.line
     stride, width = fixed[INSIDE_STRIDE], fixed[INSIDE_WIDTH]
     row = (i * stride + now[1 + i]) * width
@@ -123,7 +123,7 @@ def ends_of(t: Tables, x: int, y: int, i: int, first: int) -> int:
                     d = (now[1 + carrier] ^ to) << t.shift[1 + carrier]
                     nx, ny = (nx, ny ^ d) if t.word[1 + carrier] else (nx ^ d, ny)
                 if write:
-                    after = changed(t, now[0], write)
+                    after = look_up_change(t, now[0], write)
                     if after < 0:
                         return -1
                     nx ^= (now[0] ^ after) << t.shift[0]
@@ -135,9 +135,10 @@ def ends_of(t: Tables, x: int, y: int, i: int, first: int) -> int:
     return found
 
 
-def harms_of(t: Tables, x: int, y: int, i: int, first: int, since: int) -> int:
-    """Writes what may befall agent i, in the state of `now`, into rows of `harm`, from one of the four kinds on; how
-    many.
+def write_faults(t: Tables, x: int, y: int, i: int, first: int, since: int) -> int:
+    """Writes the possible faults of agent i in the state of `now` into rows of `faults`; returns how many.
+
+    Only the kinds from `since` on are written.
     """
     fixed, now, insides = t.fixed, t.now, t.insides
     row = (i * fixed[INSIDE_STRIDE] + now[1 + i]) * fixed[INSIDE_WIDTH]
@@ -146,7 +147,7 @@ def harms_of(t: Tables, x: int, y: int, i: int, first: int, since: int) -> int:
     kinds = fixed[MAY_FAIL] if left > 0 and down != FAILED and not insides[row + I_ENDED] else 0
     shares = t.agents[i * AGENT + A_SHARES]
     found = 0
-    for n in range(since, HARMS):
+    for n in range(since, FAULT_KINDS):
         if n == 0:
             to, event, may = RUNS, RESUME, down == STALLED
         elif n == 1:
@@ -158,11 +159,11 @@ def harms_of(t: Tables, x: int, y: int, i: int, first: int, since: int) -> int:
             may = kinds & MAY_MUTE != 0 and shares != UNSHARED and insides[row + I_MUTED] == 0
         if not may:
             continue
-        if (first + found + 1) * LINE > len(t.harm):
+        if (first + found + 1) * LINE > len(t.faults):
             t.regs[CODE] = TOO_MANY
             return -1
         is_silenced = event == MUTE or (event == FAIL and shares == KEPT and insides[row + I_MUTED] == 0)
-        inside = silenced(t, i, int(event == FAIL)) if is_silenced else insides[row + I_BEFALLEN + to]
+        inside = find_silenced(t, i, int(event == FAIL)) if is_silenced else insides[row + I_BEFALLEN + to]
         if inside < 0 and is_silenced:
             return -1
         if inside < 0:
@@ -171,19 +172,19 @@ def harms_of(t: Tables, x: int, y: int, i: int, first: int, since: int) -> int:
         d = (now[1 + i] ^ inside) << t.shift[1 + i]
         nx, ny = (x, y ^ d) if t.word[1 + i] else (x ^ d, y)
         if n > 0:
-            after = changed(t, now[0], 1 + 2 * fixed[HOUSES])
+            after = look_up_change(t, now[0], 1 + 2 * fixed[HOUSES])
             if after < 0:
                 return -1
             nx ^= (now[0] ^ after) << t.shift[0]
         road = t.agents[i * AGENT + A_ROAD]
         if road >= 0 and event != MUTE:
             f = fixed[ROAD_FIELD] + road
-            conf = after_harm(t, now[f], t.agents[i * AGENT + A_PLACE], to)
+            conf = conf_after_fault(t, now[f], t.agents[i * AGENT + A_PLACE], to)
             if conf < 0:
                 return -1
             d = (now[f] ^ conf) << t.shift[f]
             nx, ny = (nx, ny ^ d) if t.word[f] else (nx ^ d, ny)
         at = (first + found) * LINE
-        t.harm[at], t.harm[at + 1], t.harm[at + 2], t.harm[at + 3] = nx, ny, event | i << E_AGENT, -1
+        t.faults[at], t.faults[at + 1], t.faults[at + 2], t.faults[at + 3] = nx, ny, event | i << E_AGENT, -1
         found += 1
     return found
