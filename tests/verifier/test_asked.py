@@ -12,10 +12,10 @@ from kitrobot.verifier import (
     PropertyError,
     Verdict,
     abstract_run,
-    ask,
     build_custom_properties,
     check_properties,
     confirm,
+    parse_condition,
     property_variables,
 )
 from kitrobot.verifier.custom_properties import team_of
@@ -134,6 +134,6 @@ def test_a_run_of_the_simulator_does_not_break_what_holds(judged) -> None:
 )
 def test_a_condition_that_is_none_is_refused_in_a_sentence(text: str, words: str, help: str) -> None:
     with pytest.raises(PropertyError) as refused:
-        ask(text, team_of(fresh()))
+        parse_condition(text, team_of(fresh()))
     assert words in refused.value.message
     assert help in refused.value.help

@@ -16,10 +16,10 @@ from kitrobot.verifier import (
     Model,
     PropertyError,
     abstract_run,
-    ask,
     build_custom_properties,
     check_properties,
     confirm,
+    parse_condition,
     property_variables,
 )
 from kitrobot.verifier.custom_properties import declared_of, team_of
@@ -86,9 +86,9 @@ def test_what_is_no_role_and_no_group_is_refused_and_so_is_a_part_that_a_member_
 ) -> None:
     run = fresh(1)
     with pytest.raises(PropertyError, match="`scouts` is no agent") as refused:
-        ask("any scouts (Count.EqualTo(1))", team_of(run), declared_of(run))
+        parse_condition("any scouts (Count.EqualTo(1))", team_of(run), declared_of(run))
     assert "scout" in refused.value.help
     with pytest.raises(PropertyError, match="Cargo"):
-        ask("any whole (Cargo.IsPressed())", team_of(run), declared_of(run))
+        parse_condition("any whole (Cargo.IsPressed())", team_of(run), declared_of(run))
     with pytest.raises(PropertyError, match="`whole` is no agent"):
-        ask("any whole (Count.EqualTo(1))", team_of(run))
+        parse_condition("any whole (Count.EqualTo(1))", team_of(run))

@@ -7,7 +7,7 @@ made from the numbers of a run (`abstraction`). Every verdict names the assumpti
 
 from kitrobot.verifier.abstraction import Abstraction, abstract_run
 from kitrobot.verifier.budget import Budget, CutReason
-from kitrobot.verifier.conditions import Asked, Member, PropertyError, ask
+from kitrobot.verifier.conditions import AgentCondition, Member, PropertyError, parse_condition
 from kitrobot.verifier.counterexample_text import describe_run, free_readings
 from kitrobot.verifier.custom_properties import build_custom_properties, property_variables
 from kitrobot.verifier.model import Model
@@ -23,8 +23,8 @@ __all__ = [
     "USUAL_KINDS",
     "Abstraction",
     "AbstractionError",
+    "AgentCondition",
     "Answer",
-    "Asked",
     "Budget",
     "CheckResult",
     "ConfirmedRun",
@@ -38,13 +38,13 @@ __all__ = [
     "Timing",
     "Verdict",
     "abstract_run",
-    "ask",
     "build_custom_properties",
     "check_properties",
     "confirm",
     "describe_run",
     "free_readings",
     "injected_faults",
+    "parse_condition",
     "property_variables",
     "ready_properties",
 ]

@@ -115,9 +115,9 @@ class AbsenceAgreement(Agreement):
         procedure, done = self._team.halts[actuator], self._state.actuators.ints[c.A_DONE]
         if procedure < 0:
             return False
-        kept, done[actuator] = done[actuator], 0
+        saved, done[actuator] = done[actuator], 0
         start(actuator, Command(procedure, 0, 0, 0, 0), 0.0, self._state)
-        rests, done[actuator] = bool(done[actuator]), kept
+        rests, done[actuator] = bool(done[actuator]), saved
         return rests
 
     # -- what is seen of it

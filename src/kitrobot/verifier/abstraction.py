@@ -29,24 +29,24 @@ _WAYS = (0, 1, -1)
 """The directions of the procedures of wheels: stop, forward, back."""
 
 NOISE_DEVIATIONS = 4.0
-"""Speeds may be off by so many standard deviations."""
+"""The most standard deviations by which a speed may differ from its nominal value."""
 
 
 @dataclass(frozen=True)
 class InputModel:
-    """One input of a program.
+    """The discrete form of one input of a program.
 
     Attributes:
-        discrete: where its value comes from; ANY for one that may read anything.
+        discrete: the source of its value; ANY for an input that may read anything.
         signs: SECTION: its value in each zone.
-        reach_mm: GAP: how far it looks.
+        reach_mm: GAP: its range, mm.
         dock: VISIT: the dock, by its number.
-        load: VISIT: the load that is wanted, 0 or 1; 2 for any.
+        load: VISIT: the required load, 0 or 1; 2 for any.
         store: EXACT: the storehouse, by its number; -1 for the robot's own bed.
-        choices: ANY: the values it may have.
-        least, most: the range that values are kept in.
-        actuator: BUSY: the place in `Inside.busy` of the actuator whose end it tells.
-        agreed: TEAM: the place in `team_agreement.TeamState`; -1 where it reads 0.
+        choices: ANY: its possible values.
+        least, most: the range that values are clamped to.
+        actuator: BUSY: the place in `Inside.busy` of the actuator whose completion it reports.
+        agreed: TEAM: the place in `team_agreement.TeamState`; -1 if it reads 0.
     """
 
     discrete: Discrete
@@ -64,18 +64,18 @@ class InputModel:
 
 @dataclass(frozen=True)
 class ActuatorModel:
-    """One actuator of a robot.
+    """The discrete form of one actuator of a robot.
 
     Attributes:
         name: its name.
         discrete: MOTION, BUSY or INSTANT.
-        ways: of each command of the robot that is for this actuator: the direction it gives the wheels (MOTION), or the
-            number of the procedure (BUSY); by the command's number.
+        ways: for each command to this actuator, by the command's number: the direction of the wheels (MOTION), or the
+            number of the procedure (BUSY).
         later: the commands that take longer, by their numbers.
-        busy: its place in `Inside.busy`; -1 for one that nothing waits for.
+        busy: its place in `Inside.busy`; -1 if nothing waits for it.
         is_arm: whether it moves boxes.
-        dock, store: where it does, by their numbers.
-        agrees: the number in the run of an actuator that takes part in what a team agrees on; -1 for any other.
+        dock, store: its dock and storehouse, by their numbers.
+        agrees: its number in the run if it takes part in team agreement; -1 otherwise.
     """
 
     name: str
@@ -98,14 +98,14 @@ class AgentModel:
         table: its program's reactions; agents of one program have the same.
         senses: its inputs, in the order of their cells.
         acts: its actuators, in the order of its XML.
-        shared: which shared variables it has, by their numbers, in the order of its XML.
-        road: the number of its road; -1 on none.
-        track: what its road is like.
+        shared: the numbers of its shared variables, in the order of its XML.
+        road: the number of its road; -1 for none.
+        track: the discrete form of its road.
         leader, follower: the agents ahead and behind on the same road, by their numbers; -1 for none.
         drive: the number of the actuator that moves it along its road; -1 for none.
-        is_late: whether commands reach that one late, or may be lost.
+        is_late: whether commands reach that actuator late, or may be lost.
         is_member: whether it is of the team.
-        is_spare: whether it plays no role in that, so that it does nothing as long as nobody fails.
+        is_spare: whether it plays no role in the team, so that it does nothing until a robot fails.
         is_asked: whether properties ask for a shared variable of it: its own copy, also once it has failed.
     """
 
@@ -122,39 +122,39 @@ class AgentModel:
     is_late: bool = False
     is_member: bool = False
     is_spare: bool = False
-    is_asked: bool = False
+    is_observed: bool = False
 
 
 @dataclass
 class Abstraction:
-    """All agents, and what cannot be abstracted exactly, in sentences; what their team agrees on, if they are one."""
+    """All agents; the inexact abstractions, in sentences; and the agreement of their team, if they are one."""
 
     parts: list[AgentModel]
     limits: list[str] = field(default_factory=list)
     agreement: Agreement | None = None
 
 
-def abstract_run(run: Simulation, kept: Collection[str] = ()) -> Abstraction:
-    """The parts of a run that is before its first step.
+def abstract_run(run: Simulation, observed: Collection[str] = ()) -> Abstraction:
+    """Makes the discrete abstraction of a run that is before its first step.
 
     Args:
         run: the run.
-        kept: names of variables whose values properties ask for.
+        observed: names of variables that properties read.
 
     Raises:
-        AbstractionError: something in the mission has no discrete form.
+        AbstractionError: a part of the mission has no discrete form.
     """
-    return _Builder(run, kept).build()
+    return _Builder(run, observed).build()
 
 
 class _Builder:
-    def __init__(self, run: Simulation, kept: Collection[str]) -> None:
+    def __init__(self, run: Simulation, observed: Collection[str]) -> None:
         self.run = run
         self.state: State = run.state
-        self.kept = kept
+        self.observed = observed
         self.limits: dict[str, None] = {}
         self.free: dict[Label, list[str]] = {}
-        """By the name on the page of a sensor that is taken to read anything the agents that have it, and can tell."""
+        """For each sensor that may read anything, by its name on the page: the agents that distinguish its values."""
         self.rows = sensor_names(run.state, run.members)
         self.tables: dict[str, ProgramTable] = {}
         self.numbers: dict[str, int] = {}
@@ -183,7 +183,7 @@ class _Builder:
         for agent in members:
             table = self.tables.get(agent.image_name)
             if table is None:
-                table = ProgramTable(agent.machine.image, agent.robot, self.kept)
+                table = ProgramTable(agent.machine.image, agent.robot, self.observed)
                 self.tables[agent.image_name] = table
             acts = self._acts(agent)
             road = int(self.state.robots.ints[c.ROAD][agent.index])
@@ -193,7 +193,7 @@ class _Builder:
             if self.agreement is not None:
                 part.is_member = self.agreement.is_member(agent.index)
                 part.is_spare = part.is_member and not self.agreement.plays(agent.index)
-            part.is_asked = any(one.shared and one.name in self.kept for one in agent.robot.variables)
+            part.is_observed = any(one.shared and one.name in self.observed for one in agent.robot.variables)
             parts.append(part)
         self._neighbours(parts, zones)
         for sensor, names in self.free.items():
@@ -217,7 +217,7 @@ class _Builder:
     # -- roads
 
     def _zones(self) -> dict[int, Zones]:
-        """The zones of each road that somebody is on."""
+        """The zones of each road with robots."""
         state = self.state
         roads, robots = state.roads, state.robots.ints
         found: dict[int, Zones] = {}
@@ -240,7 +240,7 @@ class _Builder:
         return found
 
     def _neighbours(self, parts: Sequence[AgentModel], zones: dict[int, Zones]) -> None:
-        """Who follows whom, and the classes of the gaps between them."""
+        """Sets leaders and followers, and the classes of the gaps between them."""
         state = self.state
         at, length = state.robots.floats[c.AT], state.robots.floats[c.LENGTH]
         for road, its_zones in zones.items():
@@ -255,12 +255,12 @@ class _Builder:
                 reaches = {sense.reach_mm for one in (i, part.leader) if one >= 0 for sense in parts[one].senses}
                 half = (length[i] + length[part.leader]) / 2 if part.leader >= 0 else length[i]
                 gaps = Gaps(tuple(sorted(reach for reach in reaches if reach > 0.5)), half)
-                part.track = Track(its_zones, gaps, *self._ways(part))
+                part.track = Track(its_zones, gaps, *self._distances(part))
         if len(zones) > 1:
             self._limit(Sentence("robots on different roads are taken to pass each other without touching"))
 
-    def _ways(self, part: AgentModel) -> tuple[float, float]:
-        """How far a robot rolls until it stands, and from tick to tick, at its full speed."""
+    def _distances(self, part: AgentModel) -> tuple[float, float]:
+        """The distances, mm, that a robot rolls at full speed until it stands, and from tick to tick."""
         i = part.agent.index
         floats, actuator = self.state.robots.floats, self.state.actuators
         k = self._row(part.agent, part.drive) if part.drive >= 0 else -1
@@ -339,7 +339,7 @@ class _Builder:
         if not is_plain or discrete is Discrete.ANY:
             cell = agent.machine.layout.sensors[part.name]
             choices = value_classes(agent.machine.image, cell, least, most)
-            # What a person does may come at any time indeed.
+            # What a person does may really come at any time.
             if discrete is not Discrete.ANY or (len(choices) > 1 and not sensors()[part.model].by_hand):
                 self.free.setdefault(Label(part.name, part.label), []).append(agent.name)
             return InputModel(Discrete.ANY, choices=choices)
@@ -356,7 +356,7 @@ class _Builder:
         return InputModel(discrete, store=int(ints[c.S_STORE][k]) if is_store else -1, least=least, most=most)
 
     def _agreed(self, agent: Agent, part: RobotObject, number: float) -> int:
-        """Where in what is agreed a sensor of the team looks."""
+        """The place in the team's state that a team sensor reads."""
         if self.agreement is None:
             return -1
         if sensors()[part.model].name == "team":
@@ -384,7 +384,7 @@ def _named(part: RobotObject, method: str) -> int:
 
 
 def _fastest(agent: Agent, act: ActuatorModel) -> float:
-    """The greatest speed, percent, that a program can ask of the wheels of its robot."""
+    """The greatest speed, percent, that a program can command."""
     part = next(one for one in agent.robot.actuators if one.name == act.name)
     most = max((parameter.maximum for method in part.methods for parameter in method.parameters[:1]), default=0)
     moving = [command for command, way in act.ways.items() if way]

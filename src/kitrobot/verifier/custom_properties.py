@@ -18,24 +18,24 @@ from kitrobot.sim.meetings import in_group
 from kitrobot.sim.state import Team as TeamTables
 from kitrobot.sim.team_columns import T_ROLE
 from kitrobot.text import Sentence
-from kitrobot.verifier.conditions import Asked, Member, Members, PropertyError, Truth, ask
+from kitrobot.verifier.conditions import AgentCondition, Member, Members, PropertyError, Truth, parse_condition
 from kitrobot.verifier.model import Model
 from kitrobot.verifier.properties import Property, SensedCondition
 from kitrobot.verifier.run_monitors import RunMonitor, waited_long_enough
 
 
 def team_of(run: Simulation) -> list[Member]:
-    """The agents of a run, as conditions speak of them."""
+    """The agents of a run, as conditions name them."""
     return [Member(agent.name, agent.program, agent.robot) for agent in run.members]
 
 
 def declared_of(run: Simulation) -> Team | None:
-    """The team of a run whose robots run a program of one."""
+    """The team of a run if its robots run a team program; None otherwise."""
     return run.mission.team if run.team_plan is not None else None
 
 
 def _in_set(run: Simulation, team: TeamTables, name: str) -> tuple[int, ...]:
-    """Who is in a role or a group, by the numbers of the agents."""
+    """The numbers of the agents that are in a role or a group."""
     playing, groups = team.robots[T_ROLE], run.team_plan.groups if run.team_plan is not None else []
     if name in groups:
         group = list(groups).index(name)
@@ -45,24 +45,24 @@ def _in_set(run: Simulation, team: TeamTables, name: str) -> tuple[int, ...]:
 
 
 def property_variables(run: Simulation, properties: Iterable[AskedProperty]) -> set[str]:
-    """The names of variables that properties speak of; see `abstract_run`."""
+    """The names of the variables in properties; see `abstract_run`."""
     team = team_of(run)
     found: set[str] = set()
-    for _, asked, _ in _understood(properties, team, declared_of(run)):
-        for one in asked:
+    for _, conditions, _ in _understood(properties, team, declared_of(run)):
+        for one in conditions:
             found.update(*one.names.values())
     return found
 
 
 def build_custom_properties(model: Model, properties: Sequence[AskedProperty]) -> tuple[list[Property], list[Sentence]]:
-    """The properties that a mission asks for, and why some of them are left out."""
+    """Builds the custom properties of a mission; also returns why some of them are left out."""
     found: list[Property] = []
     left_out: list[Sentence] = []
-    for one, asked, error in _understood(properties, team_of(model.run), declared_of(model.run)):
+    for one, conditions, error in _understood(properties, team_of(model.run), declared_of(model.run)):
         try:
             if error is not None:
                 raise error
-            found.append(_property(model, one, asked))
+            found.append(_property(model, one, conditions))
         except PropertyError as wrong:
             left_out.append(Sentence("the property {name} is left out: {reason}", one.name, wrong.message))
     return found, left_out
@@ -70,30 +70,30 @@ def build_custom_properties(model: Model, properties: Sequence[AskedProperty]) -
 
 def _understood(
     properties: Iterable[AskedProperty], team: Sequence[Member], declared: Team | None
-) -> Iterator[tuple[AskedProperty, list[Asked], PropertyError | None]]:
+) -> Iterator[tuple[AskedProperty, list[AgentCondition], PropertyError | None]]:
     for one in properties:
         try:
-            yield one, [ask(text, team, declared) for _, text in one.conditions], None
+            yield one, [parse_condition(text, team, declared) for _, text in one.conditions], None
         except PropertyError as error:
             yield one, [], error
 
 
 class _ModelCondition:
-    """A condition, asked of states of a model."""
+    """Evaluates a condition on states of a model."""
 
-    def __init__(self, model: Model, asked: Asked) -> None:
+    def __init__(self, model: Model, condition: AgentCondition) -> None:
         self._model = model
-        self._asked = asked
+        self._condition = condition
         self._tests = {
             (agent, test): Test(test, model.parts[agent].agent.robot)
-            for test, agents in asked.tests.items()
+            for test, agents in condition.tests.items()
             for agent in agents
         }
         self._known: dict[tuple[int, str, int], bool] = {}
         self._sets: dict[tuple[str, int], tuple[int, ...]] = {}
-        for test, agents in asked.tests.items():
+        for test, agents in condition.tests.items():
             for agent in agents:
-                self._expect_known(agent, asked.names[test])
+                self._expect_known(agent, condition.names[test])
 
     def _expect_known(self, agent: int, names: Iterable[str]) -> None:
         part = self._model.parts[agent]
@@ -105,18 +105,18 @@ class _ModelCondition:
                 )
 
     def when(self, wanted: Callable[[Truth, Members], bool]) -> SensedCondition:
-        """The states of which something is true that is asked of tests of agents."""
-        agents = tuple(sorted({agent for agents in self._asked.tests.values() for agent in agents}))
+        """The states in which a predicate over the tests of agents holds."""
+        agents = tuple(sorted({agent for agents in self._condition.tests.values() for agent in agents}))
 
         def holds(keys: tuple[int, ...]) -> bool:
             return wanted(
                 self._truths(dict(zip(agents, keys, strict=False))), lambda name: self._in_set(name, keys[-1])
             )
 
-        return SensedCondition(agents, holds, bool(self._asked.sets))
+        return SensedCondition(agents, holds, bool(self._condition.sets))
 
     def _in_set(self, name: str, shared: int) -> tuple[int, ...]:
-        """Who is in a role or a group where this is shared."""
+        """The agents that are in a role or a group in a shared state."""
         known = self._sets.get((name, shared))
         if known is None:
             model = self._model
@@ -127,15 +127,15 @@ class _ModelCondition:
 
     @property
     def holds(self) -> SensedCondition:
-        """The states in which it holds."""
-        return self.when(self._asked.holds)
+        """The states in which the condition holds."""
+        return self.when(self._condition.holds)
 
     def _truths(self, keys: Mapping[int, int]) -> Truth:
         return lambda agent, test: self._truth(agent, test, keys.get(agent, 0))
 
     def _truth(self, agent: int, test: str, key: int) -> bool:
         if (agent, test) not in self._tests:
-            return False  # It is in a group whose other members have what it lacks.
+            return False  # It lacks a part that other members of its group have.
         known = self._known.get((agent, test, key))
         if known is None:
             mind = AgentValuation(self._model.cells(agent, key))
@@ -145,23 +145,23 @@ class _ModelCondition:
 
 @dataclass
 class AgentValuation:
-    """What an agent reads and keeps (`sim.breakpoints.Mind`)."""
+    """The values that an agent reads and stores (`sim.breakpoints.Mind`)."""
 
     cells: Sequence[int]
     seen: Sequence[int] = ()
 
 
-def _property(model: Model, one: AskedProperty, asked: Sequence[Asked]) -> Property:
-    conditions = [_ModelCondition(model, condition) for condition in asked]
+def _property(model: Model, one: AskedProperty, parsed: Sequence[AgentCondition]) -> Property:
+    conditions = [_ModelCondition(model, condition) for condition in parsed]
     first, second = conditions[0], conditions[-1]
 
     def monitor(run: Simulation) -> RunMonitor:
-        return _ConditionMonitor(one.form, asked, run)
+        return _ConditionMonitor(one.form, parsed, run)
 
     match one.form:
         case Form.NEVER:
             return Property(
-                one.name, one.words, never=first.holds, concerned=first.when(asked[0].is_concerned), monitor=monitor
+                one.name, one.words, never=first.holds, concerned=first.when(parsed[0].is_concerned), monitor=monitor
             )
         case Form.EVENTUALLY:
             return Property(one.name, one.words, waits=_not(first.holds), from_start=True, monitor=monitor)
@@ -181,29 +181,29 @@ def _property(model: Model, one: AskedProperty, asked: Sequence[Asked]) -> Prope
 
 
 def _not(one: SensedCondition) -> SensedCondition:
-    return SensedCondition(one.agents, lambda keys: not one.test(keys), one.asks_shared)
+    return SensedCondition(one.agents, lambda keys: not one.test(keys), one.reads_shared)
 
 
 def _both(one: SensedCondition, other: SensedCondition) -> SensedCondition:
     size = len(one.agents)
 
     def holds(keys: tuple[int, ...]) -> bool:
-        # The last key is what is shared, where that is asked for; else nobody looks at it.
+        # The last key is what is shared, where that is conditions for; else nobody looks at it.
         return one.test((*keys[:size], *keys[-1:])) and other.test(keys[size:])
 
-    return SensedCondition((*one.agents, *other.agents), holds, one.asks_shared or other.asks_shared)
+    return SensedCondition((*one.agents, *other.agents), holds, one.reads_shared or other.reads_shared)
 
 
 class _ConditionMonitor:
-    """Looks at a run of the simulator step by step."""
+    """Monitors a custom property in a run of the simulator."""
 
-    def __init__(self, form: Form, asked: Sequence[Asked], run: Simulation) -> None:
+    def __init__(self, form: Form, conditions: Sequence[AgentCondition], run: Simulation) -> None:
         self._form = form
-        self._asked = asked
+        self._conditions = conditions
         self._run = run
         self._tests = {
             (agent, test): Test(test, run.members[agent].robot)
-            for one in asked
+            for one in conditions
             for test, agents in one.tests.items()
             for agent in agents
         }
@@ -212,7 +212,7 @@ class _ConditionMonitor:
         self._stayed = False
 
     def after_step(self) -> bool:
-        first, second = self._holds(self._asked[0]), self._holds(self._asked[-1])
+        first, second = self._holds(self._conditions[0]), self._holds(self._conditions[-1])
         match self._form:
             case Form.NEVER:
                 return first
@@ -232,8 +232,8 @@ class _ConditionMonitor:
     def at_end(self) -> bool:
         return self._waits_since >= 0 and waited_long_enough(self._run, self._waits_since)
 
-    def _holds(self, asked: Asked) -> bool:
-        return asked.holds(self._truth, lambda name: _in_set(self._run, self._run.state.team, name))
+    def _holds(self, condition: AgentCondition) -> bool:
+        return condition.holds(self._truth, lambda name: _in_set(self._run, self._run.state.team, name))
 
     def _truth(self, agent: int, test: str) -> bool:
         if (agent, test) not in self._tests:

@@ -10,13 +10,13 @@ from kitrobot.verifier.tables import Tables, find
 from kitrobot.verifier.traffic import fill_conf_slots
 
 _AT_ONCE = 100_000
-"""Numbers that an array of Python's grows by at once."""
+"""The numbers that a Python `array` grows by at once."""
 
 
 def grow_table(table: Any, size: int, free: int = 0) -> Any:
-    """A table of this size, which begins with what it held; a list or an array as before.
+    """Enlarges a table to this size, as the same type; new places hold `free`.
 
-    An array of Python's is the same one: a large one is moved without a second copy of it.
+    A Python `array` is enlarged in place: a large one needs no second copy.
     """
     if isinstance(table, list):
         return table + [free] * (size - len(table))
@@ -32,7 +32,7 @@ def grow_table(table: Any, size: int, free: int = 0) -> Any:
 
 
 def insert(t: Tables, keys: str, values: str, count: int, key: int, value: int) -> Tables:
-    """Puts a value into a table of open addressing, of which at most half is used."""
+    """Inserts a value into a table with open addressing, at most half of which is used."""
     if 2 * count > len(getattr(t, keys)):
         old_keys, old = getattr(t, keys), getattr(t, values)
         size = 2 * len(old_keys)
@@ -48,7 +48,7 @@ def insert(t: Tables, keys: str, values: str, count: int, key: int, value: int) 
 
 
 def widen_insides(t: Tables, agents: int) -> Tables:
-    """Twice as many rows of `insides` for each agent."""
+    """Doubles the rows of `insides` of each agent."""
     fixed, old = t.fixed, t.insides
     stride, size = int(fixed[v.INSIDE_STRIDE]), int(fixed[v.INSIDE_STRIDE]) * int(fixed[v.INSIDE_WIDTH])
     new = grow_table(old[:0], 2 * len(old), -1)
@@ -59,11 +59,11 @@ def widen_insides(t: Tables, agents: int) -> Tables:
 
 
 def rebuild_conf_slots(t: Tables) -> None:
-    """Fills the slots of confs anew."""
+    """Rebuilds the slots of confs."""
     if isinstance(t.confs, list):
         fill_conf_slots(t)
         return
-    # Lists: to look at one number of an array from here takes several times as long.
+    # Lists: reading one number of an array from here takes several times as long.
     names = ("regs", "fixed", "confs", "conf_slots")
     lists = t._replace(**{name: getattr(t, name).tolist() for name in names})
     fill_conf_slots(lists)

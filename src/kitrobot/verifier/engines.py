@@ -20,15 +20,15 @@ from kitrobot.verifier.tables import Graph, Tables
 
 
 class Engine(NamedTuple):
-    """One way to run it.
+    """The functions of one engine.
 
     Attributes:
         advance, expand, rehash, repack: of `breadth_first_search`.
         mark, observe, crossing, prune: of `state_marks`.
         search, reach, sample, way: of `fairness`.
-        row: a list of numbers as the functions take it.
-        zeros, bytes, words: so many zeros, of 32 bits, of 8 or of 64.
-        take: the same tables and graph as the functions take them, with room for so many states.
+        row: converts a list of numbers to the type that the functions take.
+        zeros, bytes, words: make arrays of so many zeros, of 32, 8 or 64 bits.
+        take: converts tables and graph to the types that the functions take, with room for so many states.
     """
 
     advance: Callable[..., int]
@@ -64,7 +64,7 @@ FUNCTIONS: dict[str, Callable[..., Any]] = {
     "sample_steps": fairness.sample_steps,
     "find_shortest_path": fairness.find_shortest_path,
 }
-"""What is called from Python, by name."""
+"""The functions called from Python, by name."""
 
 
 def _as_lists(tables: Tables, graph: Graph, most: int) -> tuple[Tables, Graph]:
@@ -90,8 +90,9 @@ class ArrayTables(Tables):
 
     @cached_property
     def pointer(self) -> TablePointer:
-        """What compiled code is given. It knows nothing of this value, or both would stay, with all arrays, until the
-        collector comes by.
+        """The pointer passed to compiled code.
+
+        It does not refer back to this value: a cycle would keep all arrays alive until the garbage collector runs.
         """
         return TablePointer(Tables(*self))
 
@@ -101,12 +102,12 @@ class ArrayGraph(Graph):
 
     @cached_property
     def pointer(self) -> TablePointer:
-        """What compiled code is given; see `ArrayTables`."""
+        """The pointer passed to compiled code; see `ArrayTables`."""
         return TablePointer(Graph(*self))
 
 
 def _to_argument(argument: Any) -> Any:
-    """An argument as compiled code takes it."""
+    """Converts an argument to the type that compiled code takes."""
     if isinstance(argument, fairness.ComponentSearch):
         return TablePointer(argument)
     return argument.pointer if isinstance(argument, ArrayTables | ArrayGraph) else argument
@@ -147,32 +148,32 @@ def array_engine(functions: dict[str, Callable[..., Any]]) -> Engine:
 
 
 WORTH_STATES, WORTH_S = 50_000, 5.0
-"""States, or seconds of plain work, of all that this process has explored, after which the compiled functions are made.
-"""
+"""The compiled functions are made after so many states, or seconds, of plain exploration in this process."""
 LOADED_S = 1.0
-"""Seconds after which they are loaded where they are kept on this machine."""
+"""Seconds after which they are loaded if this machine has them in its cache."""
 
 
 @dataclass
 class PlainWork:
-    """States that were explored plain, and the seconds that it took."""
+    """The states explored by the plain engine, and the seconds that it took."""
 
     states: int = 0
     seconds: float = 0.0
 
 
 plain_work = PlainWork()
-"""All that this process has done and is over."""
+"""The finished plain explorations of this process."""
 
 
 def would_gain(states: int) -> bool:
-    """Whether exploring so many states would have been much quicker if Numba were installed."""
+    """Whether exploring so many states would have been much faster with Numba installed."""
     return states >= WORTH_STATES and is_missed()
 
 
 def choose_engine(states: int, seconds: float) -> Engine | None:
-    """The compiled engine, where it is there and worth it after so many states and so many seconds of plain work, and
-    what was `plain_work` before.
+    """The compiled engine, if it is available and worth it; None otherwise.
+
+    It is worth it after enough states or seconds of plain exploration, earlier ones (`plain_work`) included.
     """
     states, seconds = plain_work.states + states, plain_work.seconds + seconds
     if states < WORTH_STATES and seconds < LOADED_S:

@@ -19,26 +19,26 @@ from kitrobot.verifier.model import Model, State
 from kitrobot.verifier.tables import Graph
 
 _PAUSE_S = 0.1
-"""How long exploring goes on before it is asked whether to break off."""
+"""Seconds of exploration between two polls of the limits."""
 _ROOM_AT_FIRST = 16_000_000
-"""States that arrays have room for from the beginning; memory is taken only as it is used."""
+"""The initial capacity of arrays, in states; memory is taken only as it is used."""
 MOST_STATES = (1 << 31) - 2
 
 
 @dataclass
 class StateSpace:
-    """What was explored.
+    """The explored states of a model.
 
     Attributes:
-        model: of which mission.
-        graph: states and steps.
-        engine: what goes through them.
+        model: the model.
+        graph: its states and steps.
+        engine: the engine that explores and searches them.
         expanded: how many of the states, from the first on, have all their steps.
-        cut: why there may be states beyond; None where there are none.
-        seconds: how long it took.
-        breaks_off: asked whether time is up or it is stopped.
-        unseen: why not all was looked through for a property; None where it was.
-        reserve: bytes for each state that are to be left for what comes after exploring.
+        cut: why there may be more states; None if there are none.
+        seconds: the duration of the exploration.
+        interruption: returns why a search has to end now (time, stop); None otherwise.
+        interrupted_by: why the search for a property ended early; None if it did not.
+        reserve: bytes for each state reserved for the searches after the exploration.
     """
 
     model: Model
@@ -56,11 +56,11 @@ class StateSpace:
         return self.cut is None
 
     def begin_property(self) -> None:
-        """From here on it is looked through for another property."""
+        """Resets `interrupted_by` before the search for another property."""
         self.interrupted_by = None
 
     def __len__(self) -> int:
-        """How many states were reached."""
+        """The number of states."""
         return int(self.model.t.regs[v.COUNT])
 
     @property
@@ -84,11 +84,11 @@ class StateSpace:
 
     @property
     def process_memory(self) -> int:
-        """Bytes that the process will have taken once judging is over."""
+        """Bytes that the process will have taken when all properties are decided."""
         return (resident() or USUAL + self.memory) + self.reserve * len(self)
 
     def growth(self, code: int) -> int:
-        """Bytes that the process takes for a while, or for good, when what exploring asked for is put there."""
+        """Bytes that the process takes, at least for a while, when `fill` is called with this code."""
         # Arrays grow one after another; of what is not used yet nothing is taken.
         if code == v.ROOM_STATES:
             return max(8 * len(self) if self._needs_states() else 0, 4 * len(self.graph.slots))
@@ -107,12 +107,12 @@ class StateSpace:
         )
 
     def first_occurrences(self) -> dict[int, int]:
-        """Of each kind of event that came up the state out of which it came first."""
+        """For each kind of event that occurred, the first state in which it did."""
         regs = self.model.t.regs
         return {kind: int(regs[v.FIRST_OF + kind]) for kind in range(v.KINDS) if regs[v.SEEN_KINDS] >> kind & 1}
 
     def path(self, number: int) -> list[int]:
-        """The numbers of the states on a shortest way to a state, from the first one on."""
+        """The numbers of the states on a shortest path to a state, from the first one on."""
         found = []
         while number >= 0:
             found.append(number)
@@ -146,10 +146,10 @@ class StateSpace:
             self.fill(int(t.regs[v.CODE]))
 
     def fill(self, code: int) -> None:
-        """Puts what exploring asked for into tables and graph.
+        """Adds the missing entries or room that a pause code asks for, to the tables or the graph.
 
         Raises:
-            TooManyError: that cannot be.
+            ModelTooLargeError: there is no room left.
         """
         before = self.model.layout
         regs = self.model.t.regs
@@ -189,7 +189,7 @@ class StateSpace:
         self.engine.rehash(self.graph, len(self), self.model.layout.words == 2)
 
     def _repack(self, before: Any) -> None:
-        """Writes all keys in the new layout."""
+        """Rewrites all keys in the new layout."""
         model = self.model
         if model.layout.words == 2 and len(self.graph.y) < len(self.graph.x):
             self.graph = self.graph._replace(y=grow_table(self.graph.y, len(self.graph.x)))
@@ -206,11 +206,11 @@ def explore(
     """Explores the states of a model.
 
     Args:
-        model: the model, of which nothing was explored yet.
-        budget: how far.
-        keeps_steps: whether steps are kept, as judging what happens in the end needs them.
-        engine: what goes through the states; None for the plain one until the compiled one is worth it and there.
-        reserve: bytes of memory for each state that are to be left.
+        model: a model that has not been explored.
+        budget: the limits.
+        keeps_steps: whether steps are stored, as deciding liveness needs them.
+        engine: the engine; None for the plain one until the compiled one is available and worth it.
+        reserve: bytes of memory for each state to leave free.
     """
     began = budget.clock()
     space = StateSpace(model, fresh_graph(), engines.PLAIN, interruption=budget.interruption(began), reserve=reserve)
@@ -249,7 +249,7 @@ def fresh_graph() -> Graph:
 
 
 def _begin(space: StateSpace, most: int, keeps_steps: bool) -> None:
-    """Puts the first state into the graph."""
+    """Adds the first state to the graph."""
     model = space.model
     first = model.begin()
     regs = model.t.regs
@@ -267,7 +267,7 @@ def _begin(space: StateSpace, most: int, keeps_steps: bool) -> None:
 
 def _explore(space: StateSpace, budget: Budget, may_change: bool) -> CutReason | None:
     batch, begun = 256, budget.clock()
-    told = begun
+    reported = begun
     while space.expanded < len(space):
         if cut := space.interruption():
             return cut
@@ -275,7 +275,7 @@ def _explore(space: StateSpace, budget: Budget, may_change: bool) -> CutReason |
             return CutReason.MEMORY
         if may_change and space.engine is engines.PLAIN:
             better = engines.choose_engine(len(space), budget.clock() - begun)
-            # Both kinds are there for a moment.
+            # For a moment both copies exist.
             if better is not None and (budget.memory is None or space.process_memory + space.memory < budget.memory):
                 _use(space, better)
         began = budget.clock()
@@ -290,14 +290,14 @@ def _explore(space: StateSpace, budget: Budget, may_change: bool) -> CutReason |
             continue
         now = budget.clock()
         batch = max(1, min(4 * batch, int(batch * _PAUSE_S / max(now - began, 1e-3))))
-        if now - told > _PAUSE_S:
-            told = now
+        if now - reported > _PAUSE_S:
+            reported = now
             budget.progress(len(space), space.depth)
     return None
 
 
 def _use(space: StateSpace, engine: Engine) -> None:
-    """Goes on with another engine, whose tables and graph are its own kind."""
+    """Switches to another engine, converting tables and graph."""
     most = min(space.model.t.regs[v.MOST] or _ROOM_AT_FIRST, _ROOM_AT_FIRST)
     space.model.t, space.graph = engine.take(space.model.t, space.graph, int(most))
     space.engine = engine

@@ -13,13 +13,13 @@ from kitrobot.verifier.exploration import StateSpace
 from kitrobot.verifier.properties import AgentFact, Condition, DockFact, Fact, Property, SensedCondition, SharedFact
 
 _STEPS, _PLAIN_STEPS = 500_000, 20_000
-"""Steps of a search, compiled or not, until it is asked whether to break off: a quarter of a second."""
+"""Steps of a search between two polls of the limits, compiled or plain: about a quarter of a second."""
 CHUNK = 20_000
-"""States that conditions are decided of at once."""
+"""The number of states on which conditions are evaluated at once."""
 
 
 def holds_somewhere(space: StateSpace, condition: Condition) -> bool:
-    """Whether a condition holds in a state that was reached."""
+    """Whether a condition holds in any reached state."""
     return sum(mark_states(space, condition)[1]) > 0
 
 
@@ -31,8 +31,10 @@ def find_first(space: StateSpace, condition: Condition) -> int:
 
 
 def find_first_crossing(space: StateSpace, before: Condition, after: Condition) -> tuple[int, int]:
-    """The first state in which a condition holds and out of which a step leads into one in which another does, and
-    which of its steps that is; -1, -1 for none. Where time is up, not all states are looked at.
+    """Finds the first step from a state in which one condition holds to a state in which another does.
+
+    Returns the state and the place of the step among its steps; -1, -1 for none. If time is up, not all states are
+    searched.
     """
     was, _ = mark_states(space, before)
     now, _ = mark_states(space, after)
@@ -53,7 +55,7 @@ def find_first_crossing(space: StateSpace, before: Condition, after: Condition) 
 
 
 def mark_states(space: StateSpace, condition: Condition) -> tuple[Any, list[int]]:
-    """A mark for each state for which a condition holds, and how many there are in each part of the states."""
+    """Marks each state in which a condition holds; also returns how many there are in each chunk of states."""
     if isinstance(condition, SensedCondition):
         return _mark_sensed(space, condition)
     facts: list[int] = []
@@ -74,7 +76,7 @@ def mark_states(space: StateSpace, condition: Condition) -> tuple[Any, list[int]
 
 
 def _mark_sensed(space: StateSpace, condition: SensedCondition) -> tuple[Any, list[int]]:
-    """The same of what agents sense; where time is up, the states that were not looked at are left unmarked."""
+    """The same for a condition on sensed values; if time is up, the remaining states are left unmarked."""
     engine, two, model = space.engine, space.model.layout.words == 2, space.model
     marks, counts = engine.bytes(max(1, len(space))), []
     columns = [engine.words(CHUNK) for _ in condition.agents]
@@ -87,10 +89,10 @@ def _mark_sensed(space: StateSpace, condition: SensedCondition) -> tuple[Any, li
         for i, keys in zip(condition.agents, columns, strict=True):
             engine.sense_agent(model.t, space.graph, first, end, two, i, keys)
         count = 0
-        asked = [keys.tolist() for keys in columns]
-        if condition.asks_shared:
-            asked.append(_shared_numbers(space, first, first + CHUNK))
-        rows = zip(*asked, strict=False)
+        keys_by_agent = [keys.tolist() for keys in columns]
+        if condition.reads_shared:
+            keys_by_agent.append(_shared_numbers(space, first, first + CHUNK))
+        rows = zip(*keys_by_agent, strict=False)
         for number, row in zip(range(first, end), rows, strict=False):
             holds = known.get(row)
             if holds is None:
@@ -103,14 +105,14 @@ def _mark_sensed(space: StateSpace, condition: SensedCondition) -> tuple[Any, li
 
 
 def _shared_numbers(space: StateSpace, first: int, end: int) -> list[int]:
-    """Of some states the number of what is shared."""
+    """The numbers of the shared states of a range of states."""
     layout, graph = space.model.layout, space.graph
     keys = (graph.y if layout.word[0] else graph.x)[first:end]
     return [int(key) >> layout.shift[0] & layout.mask[0] for key in keys]
 
 
 def _truth(space: StateSpace, fact: Fact) -> tuple[int, list[int]]:
-    """The field that a fact is about, and whether it is true, by the field's number."""
+    """The field of a fact, and the truth of the fact for each number in that field."""
     model = space.model
     if isinstance(fact, SharedFact):
         return 0, [int(fact.test(one)) for one in model.shareds()]
@@ -128,9 +130,10 @@ def _truth(space: StateSpace, fact: Fact) -> tuple[int, list[int]]:
 
 
 def find_fair_cycle(space: StateSpace, one: Property) -> tuple[list[int], list[int]]:
-    """The states of a run that waits for ever, of a property of liveness: from where waiting counts up to where the
-    round begins, through states that wait; that one and those that follow, up to there again. Both are empty where
-    there is none, or none was found before it was broken off (`StateSpace.interrupted_by`).
+    """Finds a fair run that waits for ever, for a property of liveness.
+
+    Returns two lists of states: the path from where waiting counts to the start of the cycle, and the cycle from its
+    start back to it. Both are empty if there is none, or if the search ended early (`StateSpace.interrupted_by`).
     """
     assert one.waits is not None
     space.interrupted_by = space.interrupted_by or space.interruption()
@@ -222,7 +225,7 @@ def _fair_cycle(space: StateSpace, part: Any, search: f.ComponentSearch) -> list
 
 
 def _shortest_path(space: StateSpace, start: int, end: int, marks: Any, before: Any, queue: Any) -> list[int]:
-    """The states of a shortest way, without the start."""
+    """The states of a shortest path, without the start."""
     space.engine.find_shortest_path(space.graph, start, end, marks, before, queue)
     found = [end]
     while int(before[found[-1]]) != start:

@@ -334,7 +334,7 @@ def sample_steps(g: Graph, part: Row, marks: Row, steps: Row) -> None:
 
 
 def find_shortest_path(g: Graph, start: int, end: int, marks: Row, before: Row, queue: Row) -> int:
-    """Finds a shortest path of at least one step within a component, backwards in `before`; returns whether it exists."""
+    """Finds a shortest path of at least one step within a component, backwards in `before`; returns 1 if it exists."""
     queue[0] = start
     count, at = 1, 0
     for n in range(len(before)):

@@ -186,7 +186,7 @@ def make_due(t: Tables, x: int, y: int, due: int) -> int:
     """Puts into each step of *prompt* who has a tick to make then; how many steps there are."""
     fixed = t.fixed
     f = fixed[DUE_FIELD]
-    kept = 0
+    stored = 0
     for n in range(t.regs[NEXTS]):
         event, nx, ny = t.next_event[n], t.next_x[n], t.next_y[n]
         kind = event & E_KIND
@@ -202,11 +202,11 @@ def make_due(t: Tables, x: int, y: int, due: int) -> int:
         nx, ny = (nx, ny ^ d) if t.word[f] else (nx ^ d, ny)
         if kind == TICK and nx == x and ny == y:
             continue
-        t.next_x[kept], t.next_y[kept], t.next_event[kept] = nx, ny, event
-        t.next_taken[kept], t.next_kinds[kept] = t.next_taken[n], t.next_kinds[n]
-        kept += 1
-    t.regs[NEXTS] = kept
-    return kept
+        t.next_x[stored], t.next_y[stored], t.next_event[stored] = nx, ny, event
+        t.next_taken[stored], t.next_kinds[stored] = t.next_taken[n], t.next_kinds[n]
+        stored += 1
+    t.regs[NEXTS] = stored
+    return stored
 
 
 def due_in(t: Tables, x: int, y: int, wanted: int) -> int:

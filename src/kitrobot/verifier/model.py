@@ -239,7 +239,7 @@ class Model(Components):
         """
         part, busy = self.parts[i], list(inside.busy)
         assert self.absence is not None, "only a team misses members"
-        if how == LOST and part.table.is_asked:
+        if how == LOST and part.table.is_observed:
             return inside
         first = int(self.run.state.robots.ints[c.ACTUATOR_INDEX][part.agent.index])
         for at, act in enumerate(part.acts):

@@ -88,8 +88,8 @@ def gap_after_zone(agents: Row, geo: Row, i: int, gap: int, zone: int, ahead: in
         return -1
     if agents[a + A_CLOSED] and ahead == zones:
         return beyond + 1 if gap >= beyond and is_gap_possible(agents, geo, i, zone, ahead, beyond) else -1
-    kept = gap if gap < beyond else beyond
-    return kept if is_gap_possible(agents, geo, i, zone, ahead, kept) else -1
+    same = gap if gap < beyond else beyond
+    return same if is_gap_possible(agents, geo, i, zone, ahead, same) else -1
 
 
 def next_zone(agents: Row, i: int, zone: int, way: int) -> int:

@@ -12,22 +12,22 @@ from kitrobot.verifier import engines
 from kitrobot.verifier.fairness import ComponentSearch
 
 _INLINED = frozenset({"look_up_change", "decode", "emit_step", "find", "key_hash", "sense_key", "touch"})
-"""Short functions that each state goes through many times. With longer ones inlined too, exploring is no faster and
-compiling takes half as long again."""
+"""Short functions that run many times for each state. Inlining longer ones too makes exploration no faster, and
+compilation half as long again."""
 
 
 def compiled_functions() -> dict[str, Callable[..., Any]]:
-    """What the functions of `engines` call, and what that calls, and so on, by module and name."""
+    """All functions that the functions of `engines` call, directly or not, by module and name."""
     return functions_called(engines.FUNCTIONS.values())
 
 
 def cache_folder() -> Path:
-    """Where the functions are kept, compiled for this machine."""
+    """The cache folder of the functions compiled for this machine."""
     return folder_of("step-check", Path(__file__).parent.glob("*.py"))
 
 
 def _build(folder: Path) -> engines.Engine:
-    """The functions as Numba's, compiled for arrays."""
+    """Compiles the functions for arrays."""
     import numba
     from numba import extending
 
@@ -43,13 +43,13 @@ def _build(folder: Path) -> engines.Engine:
     for name, arguments in samples().items():
         types = tuple(typeof(one) for one in arguments)
         made[name].compile(types)
-        # Past Numba's look at the types of arguments, which takes longer than most calls do.
+        # The entry point skips Numba's dispatch on argument types, which takes longer than most calls.
         entries[name] = made[name].overloads[types].entry_point
     return engines.array_engine(entries)
 
 
 def samples() -> dict[str, tuple[Any, ...]]:
-    """Arguments of the very types that each function is given: for others Numba would compile again, in a check."""
+    """Sample arguments of the exact types that each function gets: for others Numba would compile again, in a check."""
     import numpy as np
 
     words, numbers, marks = np.zeros(1, np.int64), np.zeros(1, np.int32), np.zeros(1, np.uint8)

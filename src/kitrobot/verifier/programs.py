@@ -63,7 +63,7 @@ class ProgramTable:
         kept: names of variables whose values are asked for from outside, so that they are never dead.
     """
 
-    def __init__(self, image: Image, robot: Robot, kept: Collection[str] = ()) -> None:
+    def __init__(self, image: Image, robot: Robot, observed: Collection[str] = ()) -> None:
         self.machine = Machine(image, robot, watch=True)
         layout = self.machine.layout
         self.inputs = layout.inputs
@@ -73,7 +73,7 @@ class ProgramTable:
         self._read_by: dict[tuple[int, ...], frozenset[int]] = {}
         """The cells that are read where these instructions run."""
         self._apart = {*range(1, 1 + layout.inputs), *self.shared}
-        self._kept = {layout.variables[name] for name in kept if name in layout.variables}
+        self._observed = {layout.variables[name] for name in observed if name in layout.variables}
         self._live = live_cells(image)
         self._dead: dict[tuple[int, ...], list[int]] = {}
         slots = 2 * len(image.slots)
@@ -97,16 +97,16 @@ class ProgramTable:
         """How many times the interpreter was asked."""
 
     @property
-    def is_asked(self) -> bool:
+    def is_observed(self) -> bool:
         """Whether values of its variables are asked for from outside."""
-        return bool(self._kept)
+        return bool(self._observed)
 
     def __len__(self) -> int:
         """How many local states have come up."""
         return len(self._locals)
 
     def value(self, local: int, cell: int) -> int:
-        """What a cell of the robot's own holds in a local state; it must be one of `kept`."""
+        """What a cell of the robot's own holds in a local state; it must be one of `observed`."""
         return self._locals[local][cell]
 
     def has_ended(self, local: int) -> bool:
@@ -237,7 +237,7 @@ class ProgramTable:
         """The cells that are left out of a local state where the threads stand there (-1: not running)."""
         found = self._dead.get(places)
         if found is None:
-            live = self._kept.union(*(self._live[pc] for pc in places if pc >= 0)) - self._apart
+            live = self._observed.union(*(self._live[pc] for pc in places if pc >= 0)) - self._apart
             count = self.machine.image.first_constant
             found = self._dead[places] = [cell for cell in range(count) if cell not in live]
         return found

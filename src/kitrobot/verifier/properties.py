@@ -48,12 +48,12 @@ class DockFact:
 class SensedCondition:
     """A condition on a state by what some agents read and store there, as their keys (`state_decoding.sense_key`).
 
-    If it `asks_shared`, the number of the shared state follows the keys.
+    If it `reads_shared`, the number of the shared state follows the keys.
     """
 
     agents: tuple[int, ...]
     test: Callable[[tuple[int, ...]], bool]
-    asks_shared: bool = False
+    reads_shared: bool = False
 
 
 Fact = SharedFact | AgentFact | DockFact

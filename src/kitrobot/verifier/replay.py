@@ -115,10 +115,10 @@ def _broken_at(one: Property, run: Simulation, faults: Sequence[InjectedFault], 
     left = list(faults)
     monitor = one.monitor(run) if one.monitor is not None else None
     chunk = _CHUNK if monitor is None else 1
-    asked = 0
+    next_poll = 0
     while run.outcome is None or left:
-        if run.tick >= asked:
-            asked = run.tick + _CHUNK
+        if run.tick >= next_poll:
+            next_poll = run.tick + _CHUNK
             if stop():
                 return -1
         if left and run.tick >= left[0].tick:

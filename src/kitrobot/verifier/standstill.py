@@ -19,12 +19,13 @@ from kitrobot.verifier.model import Model
 from kitrobot.verifier.properties import Condition
 
 _STIRS = 1
-"""The bit of what keeps a mission from standing still; each command has one of its own above."""
+"""The bit of anything that prevents a standstill; each command has a bit of its own above it."""
 
 
 def find_standstill(space: StateSpace, condition: Condition) -> int:
-    """The first state that nothing leaves, or, where there is none, from which on programs only go round, and say
-    nothing new; the condition holds in it, and in all that follow. -1 for none.
+    """Finds the first state that no step leaves, or else from which on programs only repeat themselves without effect.
+
+    The condition holds in it and in all states after it. Returns -1 for none.
     """
     marks, _ = mark_states(space, condition)
     states = _closed(space, marks)
@@ -41,7 +42,7 @@ def find_standstill(space: StateSpace, condition: Condition) -> int:
 
 
 def _closed(space: StateSpace, marks: Any) -> list[int]:
-    """The marked states that are calm, and out of which all steps lead to others of them."""
+    """The marked calm states whose steps all lead to others of them."""
     graph, engine = space.graph, space.engine
     count = int(space.model.t.regs[v.CALMS])
     states, inside = engine.zeros(count), engine.bytes(max(1, len(space)))
@@ -56,7 +57,7 @@ def _closed(space: StateSpace, marks: Any) -> list[int]:
 
 
 def _reached(following: list[list[int]], out: list[int], space: StateSpace) -> list[int]:
-    """Of each state the bits of all states that can be reached from it; empty where it was broken off."""
+    """For each state, the bits of all states reachable from it; empty if the search ended early."""
     changed = True
     while changed:
         changed = False
@@ -73,7 +74,7 @@ def _reached(following: list[list[int]], out: list[int], space: StateSpace) -> l
 
 
 class _CommandBits:
-    """What agents tell their devices, as bits: of a device that is told two things in turn each is something new."""
+    """The commands of agents to their devices, as bits: a device with two different commands in turn has an effect."""
 
     def __init__(self, model: Model) -> None:
         self._model = model
@@ -104,7 +105,7 @@ class _CommandBits:
             at = end
 
     def stirs(self, bits: int) -> bool:
-        """Whether among what these bits say there is something new, again and again."""
+        """Whether the commands of these bits have an effect, again and again."""
         return bool(bits & _STIRS) or any((bits & device).bit_count() > 1 for device in self._of_device.values())
 
     def _of_tick(self, i: int, key: int) -> int:

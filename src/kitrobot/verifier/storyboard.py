@@ -95,11 +95,11 @@ def _at(model: Model, state: State, agents: tuple[int, ...], sentence: Sentence)
 def _for_ever(model: Model, verdict: Verdict, counterexample: Counterexample) -> list[Culprit]:
     """Who stands at the same vertex in all that repeats; where there is nobody, who goes round."""
     states = counterexample.states[counterexample.repeats_from :]
-    asked = _agents_of(verdict.property.waits)
+    concerned = _agents_of(verdict.property.waits)
     agents = [
         i
         for i in range(model.count)
-        if (not asked or i in asked)
+        if (not concerned or i in concerned)
         and not model.has_ended(i, inside := model.inside(i, states[0][1 + i]))
         and inside.down != FAILED
     ]

@@ -182,7 +182,7 @@ def _static(
         row[v.A_FOLLOWER] = roads.place[part.follower] if part.follower >= 0 else -1
         row[v.A_LATE], row[v.A_BED] = int(part.is_late), int(bool(run.state.robots.ints[c.BED][part.agent.index]))
         is_heard = bool(part.shared) or (is_watched and part.is_member)
-        row[v.A_SHARES] = v.KEPT if part.is_asked else v.SHARED if is_heard else v.UNSHARED
+        row[v.A_SHARES] = v.KEPT if part.is_observed else v.SHARED if is_heard else v.UNSHARED
         row[v.A_VISIT] = len(visits) // v.VISIT
         for sense in part.senses:
             if sense.discrete is Discrete.VISIT:

@@ -21,14 +21,14 @@ from kitrobot.verifier.exploration import StateSpace
 from kitrobot.verifier.programs import ProgramTable, Reaction
 
 _CHUNK = 10
-"""Steps of the simulator between two looks at where a thread stands."""
+"""Steps of the simulator between two polls of the position of a thread."""
 SEEDS = 4
 """Seeds with which the simulator is run in search of a trap."""
 
 
 @dataclass(frozen=True)
 class Loop:
-    """A loop of a program: its first instruction, and all of them; it can be left."""
+    """A loop of a program that has an exit: its first instruction, and all of them."""
 
     head: int
     body: frozenset[int]
@@ -42,8 +42,8 @@ class Trap:
         agent: the number of the agent.
         slot: the thread.
         loop: the innermost loop that holds it.
-        standing: the instructions at which the thread stands from then on.
-        state: the number of the first state in which it is so.
+        standing: the instructions at which the thread is from then on.
+        state: the number of the first such state.
     """
 
     agent: int
@@ -62,7 +62,7 @@ class TrapRun:
 
 
 class _CoverageTable(ProgramTable):
-    """Reactions of a program, with the instructions that ran in any of them."""
+    """The reactions of a program, with the instructions that ran in any of them."""
 
     ran: frozenset[int] = frozenset()
 
@@ -75,7 +75,7 @@ class _CoverageTable(ProgramTable):
 
 
 def record_coverage(parts: Abstraction) -> None:
-    """Has tables of programs remember which instructions ran; before a model is made of the parts."""
+    """Replaces the program tables with ones that record which instructions run; call it before making a model."""
     watched: dict[int, ProgramTable] = {}
     for part in parts.parts:
         old = part.table
@@ -85,7 +85,7 @@ def record_coverage(parts: Abstraction) -> None:
 
 
 def unexecuted_instructions(parts: Abstraction) -> dict[str, frozenset[int]]:
-    """By the name of the image the instructions that ran in no reaction of any agent; see `record_coverage`."""
+    """For each image, by name, the instructions that ran in no reaction of any agent; see `record_coverage`."""
     found = {}
     for part in parts.parts:
         assert isinstance(part.table, _CoverageTable)
@@ -96,7 +96,7 @@ def unexecuted_instructions(parts: Abstraction) -> dict[str, frozenset[int]]:
 
 @lru_cache(64)
 def loops_of(image: Image) -> tuple[Loop, ...]:
-    """The loops of an image that can be left, from the inner to the outer ones."""
+    """The loops of an image that have an exit, from the inner to the outer ones."""
     code = image.code
     nexts: list[list[int]] = []
     for pc in range(image.instructions):
@@ -127,7 +127,7 @@ def loops_of(image: Image) -> tuple[Loop, ...]:
 
 
 def find_traps(space: StateSpace, stop: Callable[[], bool]) -> list[Trap]:
-    """The first trap of each loop of each program; none where not all was explored, or it was stopped."""
+    """The first trap of each loop of each program; none if the exploration is incomplete, or the search was stopped."""
     if not space.complete:
         return []
     model = space.model
@@ -140,7 +140,7 @@ def find_traps(space: StateSpace, stop: Callable[[], bool]) -> list[Trap]:
         state = space.state(number)
         leaves = (reached - 1) & ~places.held(state)
         out.append(leaves | (reached if model.goals and model.goals_hold(model.shareds()[state[0]]) else 0))
-    # Lists: to look at one number of an array from here takes several times as long.
+    # Lists: reading one number of an array from here takes several times as long.
     begins = list(map(int, space.graph.first_edge[: len(space) + 1]))
     targets = list(map(int, space.graph.targets[: begins[-1]]))
     changed = True
@@ -168,7 +168,7 @@ def find_traps(space: StateSpace, stop: Callable[[], bool]) -> list[Trap]:
 
 
 class _ThreadPlaces:
-    """Where threads stand: a bit for each agent, thread and loop."""
+    """The positions of threads: a bit for each agent, thread and loop."""
 
     def __init__(self, space: StateSpace) -> None:
         self._model = space.model
@@ -201,12 +201,12 @@ class _ThreadPlaces:
         return found
 
     def at(self, state: tuple[int, ...], agent: int, slot: int) -> int:
-        """Where a thread stands; -1 nowhere."""
+        """The instruction of a thread; -1 if it is not running."""
         inside = self._model.inside(agent, state[1 + agent])
         return dict(self._model.parts[agent].table.places(inside.local)).get(slot, -1)
 
     def trapped(self, leaves: int, state: tuple[int, ...]) -> Iterator[tuple[int, int, Loop]]:
-        """Of each agent and thread the innermost loop that it is not to leave, but for threads that wait for others."""
+        """The innermost loop that each thread of each agent never leaves; threads that wait for others are skipped."""
         seen = set()
         for bit, (agent, slot, loop) in enumerate(self.known):
             if leaves >> bit & 1 or (agent, slot) in seen:
@@ -217,7 +217,7 @@ class _ThreadPlaces:
                 yield agent, slot, loop
 
     def standing_from(self, space: StateSpace, number: int, agent: int, slot: int) -> frozenset[int]:
-        """Where a thread stands in all states that can be reached from one."""
+        """The instructions of a thread in all states reachable from one."""
         graph, seen, waiting, found = space.graph, {number}, [number], set()
         while waiting:
             one = waiting.pop()
@@ -231,8 +231,10 @@ class _ThreadPlaces:
 
 
 def find_trap_run(trap: Trap, fresh: Callable[[int], Simulation], stop: Callable[[], bool]) -> TrapRun | None:
-    """A run of the simulator in which the agent is in its loop from a step on up to the end, or for half of the run
-    where its time is up; None where none was found. `fresh` gives the run of a seed, which has a time limit.
+    """Finds a run of the simulator that shows a trap; None if it finds none.
+
+    In it the agent stays in its loop from a step on up to the end, or for half of a run whose time is up. `fresh` makes
+    the run of a seed, with a time limit.
     """
     for seed in range(1, SEEDS + 1):
         run = fresh(seed)

@@ -19,7 +19,7 @@ from kitrobot.verifier.timing import Timing
 
 
 class Answer(Enum):
-    """What came of checking one property."""
+    """The result of checking one property."""
 
     HOLDS = "holds"
     BROKEN = "broken"
@@ -28,7 +28,7 @@ class Answer(Enum):
 
 
 class Step(NamedTuple):
-    """A step of a run: what happens, and the state after it."""
+    """A step of a run: its events, and the state after it."""
 
     events: tuple[Event, ...]
     state: State
@@ -36,8 +36,13 @@ class Step(NamedTuple):
 
 @dataclass(frozen=True)
 class Counterexample:
-    """A run of the model: the states in order, the steps between them, and the state from which on it repeats (-1: it
-    does not). After the last one nothing happens any more, at most programs go round (see `standstill`).
+    """A run of the model that breaks a property.
+
+    Attributes:
+        states: the states in order.
+        steps: the steps between them.
+        repeats_from: the state from which on the run repeats; -1 if it does not. If that is the last state, nothing
+            happens after it except that programs repeat themselves (see `standstill`).
     """
 
     states: tuple[State, ...]
@@ -47,11 +52,11 @@ class Counterexample:
 
 @dataclass(frozen=True)
 class Verdict:
-    """What came of one property under one assumption.
+    """The result of one property under one assumption.
 
     Attributes:
         property: the property.
-        answer: never HOLDS when the search was cut short.
+        answer: never HOLDS if the search ended early.
         counterexample: a run that breaks it; None unless there is one.
     """
 
@@ -67,12 +72,12 @@ class CheckResult:
     Attributes:
         timing, failures: the assumption.
         verdicts: one for each property.
-        states: how many states were reached.
-        depth: steps to the one furthest away.
-        cut: why answers are not finished; None where all are.
+        states: the number of states reached.
+        depth: the number of steps to the furthest state.
+        cut: why answers are not finished; None if all are.
         complete: whether there are no more states.
-        seconds: how long exploring took.
-        memory: bytes that states, steps and tables took.
+        seconds: the duration of the exploration.
+        memory: the bytes of states, steps and tables.
     """
 
     timing: Timing
@@ -86,26 +91,24 @@ class CheckResult:
     cut: CutReason | None = None
 
 
-_PLAIN_JUDGING, _JUDGING = 12, 48
-"""Bytes for each state that judging takes: marks, and the states that are calm; and where something is waited for what
-a search through all of them keeps.
-"""
+_SAFETY_BYTES, _LIVENESS_BYTES = 12, 48
+"""Bytes for each state that deciding properties takes: marks and calm states; for liveness also a search."""
 _SHARE = 0.75
-"""Of the time, for exploring where steps are kept; the rest is for what happens in the end."""
+"""The share of the time for exploring if steps are stored; the rest is for deciding liveness."""
 
 
 def check_properties(
     model: Model, properties: Sequence[Property], budget: Budget, engine: Engine | None = None
 ) -> CheckResult:
-    """Explores a model, of which nothing was explored yet, and judges properties by it."""
+    """Explores a model that has not been explored, and decides properties on its states."""
     keeps_steps = any(one.keeps_steps for one in properties)
     began = budget.clock()
     share = None if budget.seconds is None else budget.seconds * (_SHARE if keeps_steps else 1.0)
-    reserve = _JUDGING if any(one.waits is not None for one in properties) else _PLAIN_JUDGING
+    reserve = _LIVENESS_BYTES if any(one.waits is not None for one in properties) else _SAFETY_BYTES
     space = explore(model, replace(budget, seconds=share), keeps_steps, engine, reserve)
     space.interruption = budget.interruption(began)
     first = space.first_occurrences()
-    # What one state or event breaks is found at once; what is waited for takes the time that is left.
+    # Violations of safety are found at once; liveness takes the time that is left.
     quick_first = sorted(range(len(properties)), key=lambda n: properties[n].waits is not None)
     judged: dict[int, Verdict] = {}
     cut = space.cut
@@ -144,7 +147,7 @@ def _verdict(space: StateSpace, one: Property, first: dict[int, int]) -> Verdict
 
 
 def _is_concerned(space: StateSpace, one: Property, first: dict[int, int]) -> bool:
-    """Whether what a property is about came up."""
+    """Whether an event or state that the property is about occurred."""
     if not one.about and one.concerned is None:
         return True
     if any(what in first for what in one.about):
@@ -153,7 +156,7 @@ def _is_concerned(space: StateSpace, one: Property, first: dict[int, int]) -> bo
 
 
 def _find_safety_violation(space: StateSpace, one: Property) -> Counterexample | None:
-    """A run that breaks a property by a state, or by a step from one to another."""
+    """A run that breaks a property by a state or a step; None for none."""
     if one.never is not None:
         number = find_first(space, one.never)
         return None if number < 0 else _counterexample_to(space, space.path(number))
@@ -164,7 +167,7 @@ def _find_safety_violation(space: StateSpace, one: Property) -> Counterexample |
 
 
 def _find_liveness_violation(space: StateSpace, one: Property) -> Counterexample | None:
-    """A run that breaks a property by standing still or by waiting for ever."""
+    """A run that breaks a property by standing still or waiting for ever; None for none."""
     if one.is_wrong is not None:
         number = find_standstill(space, one.is_wrong)
         return None if number < 0 else _counterexample_to(space, space.path(number), repeats=True)
@@ -180,7 +183,7 @@ def _find_liveness_violation(space: StateSpace, one: Property) -> Counterexample
 def _counterexample_to(
     space: StateSpace, numbers: Sequence[int], last: int = -1, repeats: bool = False, first: int = -1
 ) -> Counterexample:
-    """The run through these states, with its steps found again, and a step out of the last one (-1: none)."""
+    """Rebuilds the run through these states, with a step out of the last one (-1: none)."""
     states = [space.state(number) for number in numbers]
     steps = []
     for number, after in zip(numbers, states[1:], strict=False):

@@ -278,8 +278,8 @@ class Model:
                 continue
             knows = inside.own or tuple(state[self.shared_at + v] for v in part.shared)
             if FailureKind.FAIL in self._kinds:
-                kept = knows if part.is_asked else inside.own
-                yield Event(i, EventKind.FAIL), self._befallen(state, i, FAILED, 1, kept)
+                copies = knows if part.is_observed else inside.own
+                yield Event(i, EventKind.FAIL), self._befallen(state, i, FAILED, 1, copies)
             if inside.down == RUNS and FailureKind.STALL in self._kinds:
                 yield Event(i, EventKind.STALL), self._befallen(state, i, STALLED, 1)
             if part.shared and not inside.own and FailureKind.MUTE in self._kinds:
