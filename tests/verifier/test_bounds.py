@@ -24,7 +24,7 @@ from kitrobot.verifier import (
 from kitrobot.verifier.engines import PLAIN
 from kitrobot.verifier.events import ModelTooLargeError
 from tests.sim.building import avatar, empty_world, run_of, transport
-from tests.verifier.building import EXAMPLES, prepared
+from tests.verifier.check_fixtures import EXAMPLES, prepared
 
 KEY = '<sensor name="Key" device="button" type="boolean"><operation name="IsPressed" test="equal" to="1"/></sensor>'
 LEVEL = """<sensor name="Level" device="range" min="0" max="65535"><operation name="Value" value="yes"/></sensor>

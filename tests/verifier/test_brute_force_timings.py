@@ -34,11 +34,11 @@ from kitrobot.world import Corner, Road, Section, Start, Storehouse, World
 from tests.effort import examples
 from tests.sim.building import WHEEL, avatar, empty_world, run_of
 from tests.strategies.programs import Shape, random_program
-from tests.verifier.reference import exploring as plain_exploring
-from tests.verifier.reference import judging as plain_judging
+from tests.verifier.reference import exploration as plain_exploration
 from tests.verifier.reference import model as plain_model
 from tests.verifier.reference import properties as plain_properties
 from tests.verifier.reference import timing as plain_timing
+from tests.verifier.reference import verdicts as plain_verdicts
 
 MOST_STATES = 400
 """Missions with more are left out: both explorers would take long."""
@@ -325,12 +325,12 @@ def test_random_missions_on_a_road_have_the_states_and_answers_of_the_plain_mode
         if not ours.complete:
             continue
         plain = plain_model.Model(run, parts, 0)
-        theirs = plain_judging.check_properties(
+        theirs = plain_verdicts.check_properties(
             plain,
             plain_properties.ready_properties(plain),
             plain_timing.Timing(timing.value),
             0,
-            plain_exploring.Budget(10 * MOST_STATES),
+            plain_exploration.Budget(10 * MOST_STATES),
         )
         assert ours.states == theirs.states, (seed, texts)
         assert ours.depth == theirs.depth or (timing is not Timing.LOCKSTEP and ours.depth < theirs.depth), (

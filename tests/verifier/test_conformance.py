@@ -20,7 +20,7 @@ from kitrobot.verifier import abstract_run
 from kitrobot.world import Corner, Dock, Road, Start, Storehouse, World
 from tests.effort import cases
 from tests.sim.building import WHEEL, avatar, run_of, transport
-from tests.verifier.building import EXAMPLES, prepared
+from tests.verifier.check_fixtures import EXAMPLES, prepared
 from tests.verifier.reference.model import Model, State
 from tests.verifier.reference.timing import Clock, Timing
 

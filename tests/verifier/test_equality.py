@@ -15,12 +15,12 @@ from kitrobot.verifier.exploration import explore
 from kitrobot.verifier.table_builder import USUAL_KINDS
 from tests.effort import cases
 from tests.sim.building import transport
-from tests.verifier.building import EXAMPLES, mutant, prepared
-from tests.verifier.reference import exploring as plain_exploring
-from tests.verifier.reference import judging as plain_judging
+from tests.verifier.check_fixtures import EXAMPLES, mutant, prepared
+from tests.verifier.reference import exploration as plain_exploration
 from tests.verifier.reference import model as plain_model
 from tests.verifier.reference import properties as plain_properties
 from tests.verifier.reference import timing as plain_timing
+from tests.verifier.reference import verdicts as plain_verdicts
 
 
 def agrees(run: Simulation, timing: Timing, failures: int = 0, kinds: Sequence[FailureKind] = USUAL_KINDS) -> None:
@@ -29,12 +29,12 @@ def agrees(run: Simulation, timing: Timing, failures: int = 0, kinds: Sequence[F
     model = Model(run, parts, failures, timing, kinds)
     ours = check_properties(model, ready_properties(model), Budget(200_000))
     plain = plain_model.Model(run, parts, failures, kinds)
-    theirs = plain_judging.check_properties(
+    theirs = plain_verdicts.check_properties(
         plain,
         plain_properties.ready_properties(plain),
         plain_timing.Timing(timing.value),
         failures,
-        plain_exploring.Budget(200_000),
+        plain_exploration.Budget(200_000),
     )
     assert ours.complete
     assert (ours.states, ours.complete) == (theirs.states, theirs.complete)

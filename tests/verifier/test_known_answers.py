@@ -20,7 +20,7 @@ from kitrobot.verifier import (
 )
 from kitrobot.workspace.verification import VerificationOptions, runs_of, verify
 from tests.sim.building import transport
-from tests.verifier.building import EXAMPLES, answers, judged, mutant, prepared
+from tests.verifier.check_fixtures import EXAMPLES, answers, judged, mutant, prepared
 
 SAFE = ("contact", "empty-storehouse", "empty-swing", "stock", "deadlock", "stopped")
 COUNTS = '<vertex id="v11" element="Loaded.Add"><set name="value">1</set></vertex>'

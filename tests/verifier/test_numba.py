@@ -23,7 +23,7 @@ from kitrobot.verifier.engines import PLAIN, Engine
 from kitrobot.verifier.exploration import StateSpace, explore
 from kitrobot.verifier.numba_engine import engine
 from tests.sim.building import transport
-from tests.verifier.test_asked import AT_A, LOADED
+from tests.verifier.test_custom_properties import AT_A, LOADED
 from tests.verifier.test_teams import team
 
 pytestmark = pytest.mark.thorough("test_equality.py holds the plain engine; sim/test_numba.py that Numba is used")

@@ -12,8 +12,8 @@ from kitrobot.verifier.budget import Budget
 from kitrobot.verifier.exploration import explore
 from kitrobot.workspace.verification import Verification, VerificationOptions, verify, verify_runs
 from tests.sim.building import transport
-from tests.verifier.building import mutant
-from tests.verifier.reference import exploring as plain_exploring
+from tests.verifier.check_fixtures import mutant
+from tests.verifier.reference import exploration as plain_exploration
 from tests.verifier.reference import model as plain_model
 from tests.verifier.reference import timing as plain_timing
 
@@ -64,7 +64,7 @@ def test_what_is_asked_of_robots_that_fail_has_the_states_of_the_plain_model() -
     parts = abstract_run(run, {"Order"})
     ours = explore(Model(run, parts, 1, Timing.LOCKSTEP, kinds), Budget(), False)
     clock = plain_timing.Clock(plain_model.Model(run, parts, 1, kinds), plain_timing.Timing.LOCKSTEP)
-    theirs = plain_exploring.explore(clock, plain_exploring.Budget(), lambda *_: True, False)
+    theirs = plain_exploration.explore(clock, plain_exploration.Budget(), lambda *_: True, False)
     assert (
         len(ours) == len(theirs.states) > len(explore(Model(run, abstract_run(run), 1, kinds=kinds), Budget(), False))
     )

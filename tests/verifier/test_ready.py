@@ -30,7 +30,7 @@ from kitrobot.verifier.exploration import explore
 from kitrobot.workspace.verification import VerificationOptions, verify_runs
 from tests.sim.building import WHEEL, avatar, empty_world, run_of, transport
 from tests.sim.team_building import RunningTeam
-from tests.verifier.building import mutant
+from tests.verifier.check_fixtures import mutant
 
 KEY = '<sensor name="Key" device="button" type="boolean"><operation name="IsPressed" test="equal" to="1"/></sensor>'
 

@@ -12,7 +12,7 @@ from kitrobot.verifier import Budget, Model, Timing, abstract_run, check_propert
 from tests.effort import examples
 from tests.sim.building import avatar, empty_world, run_of
 from tests.strategies.programs import Shape, random_program
-from tests.verifier.building import answers, judged
+from tests.verifier.check_fixtures import answers, judged
 from tests.verifier.test_brute_force_timings import random_road
 from tests.verifier.test_teams import team
 

@@ -37,7 +37,7 @@ from tests.effort import cases
 from tests.sim.team_building import RunningTeam, random_team_program
 from tests.team_programs.blocks import BlocksMaker
 from tests.team_programs.hosting import TooLarge
-from tests.verifier.building import EXAMPLES, answers, judged, prepared
+from tests.verifier.check_fixtures import EXAMPLES, answers, judged, prepared
 
 DECLARED = "role scout: ant 2; group all-of-us = {scout}; work Boxes = 1;"
 

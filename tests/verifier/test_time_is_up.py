@@ -31,7 +31,7 @@ from kitrobot.verifier.exploration import explore
 from kitrobot.verifier.properties import AgentFact
 from kitrobot.workspace.verification import VerificationOptions, verify
 from tests.sim.building import transport
-from tests.verifier.building import EXAMPLES, answers, mutant, prepared
+from tests.verifier.check_fixtures import EXAMPLES, answers, mutant, prepared
 
 STEP_S, ENOUGH_S = 0.4, 400.0
 

@@ -20,7 +20,7 @@ from kitrobot.workspace.verification import runs_of
 from tests.effort import cases
 from tests.sim.team_building import RunningTeam, random_team_program
 from tests.team_programs.hosting import TooLarge
-from tests.verifier.building import EXAMPLES, mutant
+from tests.verifier.check_fixtures import EXAMPLES, mutant
 from tests.verifier.test_brute_force import random_run
 
 

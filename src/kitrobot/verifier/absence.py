@@ -32,15 +32,15 @@ ENDS = -1
 """In `TeamCommand`, in place of an actuator: the program of the robot given as the procedure has ended."""
 
 
-class Standing(NamedTuple):
-    """Who plays a role, as bits by the robot's number in the run, and whether the team is over."""
+class TeamStatus(NamedTuple):
+    """The robots that play a role, as bits by their numbers in the run, and whether the team is over."""
 
     plays: int
     is_over: bool
 
 
 def gave_up(team: Team) -> bool:
-    """Whether a team cannot go on, and says so: it is over, or nobody is left of a block who could do it."""
+    """Whether a team has reported that it cannot continue: it is over, or a block has no members left."""
     kinds, members = team.points[tc.P_KIND], team.points[tc.P_MEMBERS]
     return bool(team.numbers[tc.TEAM_OVER]) or any(
         kind == tc.BLOCK and is_left_empty(chosen, team) and team.emptied[chosen] - 2 <= p
@@ -49,11 +49,11 @@ def gave_up(team: Team) -> bool:
 
 
 class AbsenceAgreement(Agreement):
-    """The team of a run that is before its first step, of whose robots some may fail.
+    """The team of a run whose robots may fail, before the first step of the run.
 
     Args:
         run: the run.
-        actuators: those that take part in agreeing, by their numbers in the run.
+        actuators: those that take part in team agreement, by their numbers in the run.
     """
 
     def __init__(self, run: Simulation, actuators: Sequence[int]) -> None:
@@ -69,14 +69,14 @@ class AbsenceAgreement(Agreement):
         self.works = len(self._team.holds)
         """How many works the team has."""
 
-    def _apart(self, state: State) -> State:
+    def _copy_state(self, state: State) -> State:
         copied: State = copy.deepcopy(state)
         return replace(copied, clock=[0] * len(state.clock), events=[0] * len(state.events), radio=no_radio())
 
     # -- what happens
 
     def after_event(self, agreed: TeamState, robot: int, what: int) -> TeamState:
-        """After a robot, by its number in the run, fell silent, is heard again, or is missed; or lost a unit of work.
+        """The team's state after a robot fell silent, is heard again, is missed, or lost a unit of work.
 
         `what` is one of `columns.W_SILENT` and those behind it.
         """
@@ -109,9 +109,7 @@ class AbsenceAgreement(Agreement):
         return self._read()
 
     def halts(self, actuator: int) -> bool:
-        """Whether an actuator, by its number in the run, has come to rest when a program begins anew that left it busy;
-        else it goes on.
-        """
+        """Whether a busy actuator, by its number in the run, stops when its program restarts; otherwise it goes on."""
         procedure, done = self._team.halts[actuator], self._state.actuators.ints[c.A_DONE]
         if procedure < 0:
             return False
@@ -123,7 +121,7 @@ class AbsenceAgreement(Agreement):
     # -- what is seen of it
 
     def seen(self, agreed: TeamState) -> list[int]:
-        """What the model's tables hold of a state: the columns from `G_MEMBERS` on."""
+        """The columns of a team's state in the model's tables, from `G_MEMBERS` on."""
         self._write(agreed)
         team, ended = self._team, self._state.robots.ints[c.ENDED]
         robots = team.robots
@@ -142,10 +140,10 @@ class AbsenceAgreement(Agreement):
         """Whether a robot's program has ended."""
         return bool(self._of_robot(agreed, 0, robot))
 
-    def standing(self, agreed: TeamState) -> Standing:
-        """Who plays a role, and whether the team is over."""
+    def status(self, agreed: TeamState) -> TeamStatus:
+        """The robots that play a role, and whether the team is over."""
         seen = self.seen(agreed)
-        return Standing(seen[v.G_PLAYING], seen[v.G_OVER] > 0)
+        return TeamStatus(seen[v.G_PLAYING], seen[v.G_OVER] > 0)
 
     def takes_no_part(self, agreed: TeamState, robot: int) -> bool:
         """Whether a robot of the team plays no role in it (any more)."""
@@ -165,7 +163,7 @@ class AbsenceAgreement(Agreement):
         return agreed[rows + row * len(self._has_spare) + robot]
 
     def reduced(self, agreed: TeamState, left: int) -> TeamState:
-        """The same without what leads substitutes of those who cannot be missed where so many failures are left."""
+        """The same state without the history for substitutes of robots that can no longer be missed."""
         self._write(agreed)
         robots = self._team.robots
         silent = any(one >= 0 <= role for one, role in zip(robots[tc.T_SILENT], robots[tc.T_ROLE], strict=True))
@@ -188,7 +186,7 @@ class AbsenceAgreement(Agreement):
     # -- states
 
     def _robot_rows(self) -> list[list[int]]:
-        """The rows that change besides, of which `ENDED` is the first and `T_ROLE` the fourth."""
+        """The additional rows that change; `ENDED` is the first and `T_ROLE` the fourth."""
         robots = self._team.robots
         own = (tc.T_MISSED, tc.T_ROLE, tc.T_SEAT, tc.T_HOLDER, tc.T_ANCHOR, tc.T_ANCHOR_ANSWER, tc.T_SINCE)
         leads = (tc.T_LED, tc.T_TOLD, tc.T_TELL, tc.T_LEFT, tc.T_BRANCH)
@@ -222,7 +220,7 @@ class AbsenceAgreement(Agreement):
         team.numbers[tc.TEAM_OVER] = next(values)
 
     def _codes(self) -> int:
-        """How many different things are kept of a point that somebody goes on from."""
+        """The number of codes in the history of a point of the team's program."""
         return 2 * len(self._team.points[tc.P_KIND])
 
 

@@ -30,7 +30,7 @@ MISS_A, MISS_B, MISS_C, SEEK, FOUND = range(7, 12)
 AT, COUNT, EDGES, LEVEL_END, DEPTH, CALMS, MOST, SEEN_KINDS, KEEPS, WORDS, TOUCHED = range(12, 23)
 AFTERS, AFTER_ROWS, CHOICES = range(23, 26)
 FIRST_OF = 26
-"""From here on: of each kind of event the state out of which it came first."""
+"""From here on: for each kind of event, the first state in which it occurs."""
 KINDS = 24
 REGS = FIRST_OF + KINDS
 
@@ -85,7 +85,7 @@ AFTER_HEAD, AFTER = 4, 6
 follow, who of the slower agents ticked, kinds of faults, the row of `faults` with them, and for whom the
 team did not wait any longer."""
 OUTCOME = 3
-"""A row of `outcomes`: the agent's number after it, what its wheels were told (`told_column`), what it writes."""
+"""A row of `outcomes`: the agent's number after it, the command of its wheels (`conf_after_tick`), its write."""
 S_COUNT = 13
 """A value of `reaction_at`: the first row, above how many there are."""
 TAKEN_WIDTH = 5
@@ -100,7 +100,7 @@ so far, and who came to an end; of `faults`, for whom a team did not wait any lo
 S_SHARED, S_VIEW, S_VISITS, S_AGENT, S_MUTE = 18, 34, 48, 56, 62
 MOST_INSIDES, MOST_SEEN, MOST_VIEWS, MOST_VISITS = 1 << 18, 1 << 16, 1 << 14, 1 << 8
 S_WRITE = 24
-"""The key of a change of what is shared: the number before it, above the write."""
+"""The key of a change of the shared state: the number before it, above the write."""
 
 # -- an event as one number
 E_AGENT, E_OTHER = 6, 16

@@ -25,21 +25,21 @@ from kitrobot.verifier.team_agreement import TeamState
 from kitrobot.verifier.timing import Timing
 
 State = tuple[int, ...]
-"""The numbers of a state's components: what is shared, each agent, each road; under *prompt* who has a tick to make."""
+"""The numbers of a state's components: the shared state, each agent, each road; under *prompt* the due agents."""
 
 Shared = tuple[int, ...]
-"""How many failures may still come, the boxes in each storehouse, the shared variables, what the team agreed on."""
+"""The remaining failures, the boxes in each storehouse, the shared variables, the team's state."""
 
 
 class Components:
-    """What the states of a model are made of; see `model.Model`.
+    """The components of a model's states; see `model.Model`.
 
     Args:
         run: the run.
-        parts: its agents, taken apart.
-        failures: how many failures there may be, together.
+        parts: its discrete abstraction.
+        failures: the most failures in one run, together.
         timing: when agents tick.
-        kinds: what kinds of failures: those of `KINDS`.
+        kinds: the kinds of failures, of `KINDS`.
 
     Raises:
         AbstractionError: the mission is too large for the numbers of the tables.
@@ -57,7 +57,7 @@ class Components:
         self.run = run
         self.agreement = parts.agreement
         self.absence: AbsenceAgreement | None = None
-        """What becomes of a team's members that fail; None where nobody does."""
+        """The absence model of a team; None if no member can fail."""
         if self.agreement is not None and failures:
             self.agreement = self.absence = AbsenceAgreement(run, self.agreement.actuators)
         self.timing = timing
@@ -91,7 +91,7 @@ class Components:
         self._changes = self._reactions = self._outcomes = 0
         self.failures = failures
         loads, at = state.robots.ints[c.LOAD], [float(one) for one in state.robots.floats[c.AT]]
-        # The run may be gone on with before exploring begins.
+        # The run may continue before the exploration begins.
         self._first_shared = [*(int(one) for one in state.docks.stock), *(int(one) for one in state.shared.ints[0])]
         self._agreed_at = 1 + len(self._first_shared)
         if self.agreement is not None:
@@ -106,15 +106,15 @@ class Components:
     # -- components
 
     def inside(self, i: int, number: int) -> Inside:
-        """What an agent is, but for its motion."""
+        """The state of an agent except its motion."""
         return self._insides[i][number]
 
     def insides(self, i: int) -> list[Inside]:
-        """Everything that came up of it, by number."""
+        """All known states of an agent except its motion, by number."""
         return self._insides[i]
 
     def shareds(self) -> list[Shared]:
-        """Everything that came up of what is shared, by number."""
+        """All known shared states, by number."""
         return self._shareds
 
     def has_ended(self, i: int, inside: Inside) -> bool:
@@ -123,7 +123,7 @@ class Components:
         return inside.is_over or part.table.has_ended(inside.local) or (part.is_spare and self.absence is None)
 
     def agreed(self, shared: Shared) -> TeamState:
-        """What a team has agreed on; nothing without one."""
+        """The team's state; empty without a team."""
         return shared[self._agreed_at :]
 
     def goals_hold(self, shared: Shared) -> bool:
@@ -131,7 +131,7 @@ class Components:
         return all(shared[1 + house] == wanted for house, wanted in self.goals)
 
     def body(self, state: State, i: int) -> int:
-        """How an agent on a road moves (see `bodies`)."""
+        """The motion of an agent on a road (see `bodies`)."""
         number = state[1 + self.count + self.roads.of[i]]
         fixed = self.t.fixed
         at = v.C_STAND + fixed[v.DOCKS] + fixed[v.PLACES] + self.roads.place[i]
@@ -142,7 +142,7 @@ class Components:
         return zone_of(self.body(state, i))
 
     def inside_number(self, i: int, inside: Inside) -> int:
-        """The number of what an agent is."""
+        """The number of an agent's own state; assigns one if it is new."""
         known = self._inside_numbers[i]
         if (number := known.get(inside)) is not None:
             return number
@@ -168,7 +168,7 @@ class Components:
         return number
 
     def shared_number(self, shared: Shared) -> int:
-        """The number of what is shared."""
+        """The number of a shared state; assigns one if it is new."""
         if (number := self._shared_numbers.get(shared)) is not None:
             return number
         number = len(self._shareds)
@@ -184,8 +184,9 @@ class Components:
         return number
 
     def _seen_number(self, i: int, shared: Shared) -> int:
-        """The number of what agent i sees of what is shared: its variables, and the storehouses and answers that it
-        senses; then whether its team ended its program.
+        """The number of agent i's view of the shared state.
+
+        The view is its variables, the storehouses and answers that it senses, and whether its team ended its program.
         """
         part, ends = self.parts[i], []
         if self.absence is not None:
@@ -215,7 +216,11 @@ class Components:
         layout = part.agent.machine.layout
         found = [0] * layout.cells
         for at, (sense, there) in enumerate(
-            zip(part.senses, reactions.around(part, self._signs_of(i), key, seen[len(part.shared) :]), strict=True)
+            zip(
+                part.senses,
+                reactions.external_values(part, self._signs_of(i), key, seen[len(part.shared) :]),
+                strict=True,
+            )
         ):
             found[1 + at] = reactions.read(inside, sense, there) or 0
         for cell in layout.variables.values():
@@ -225,13 +230,13 @@ class Components:
         return found
 
     def _signs_of(self, i: int) -> list[tuple[int, ...]]:
-        """What the sensors for signs of agent i read in the classes of zones; none on no road."""
+        """The values of agent i's sign sensors in the classes of zones; empty if it is on no road."""
         return self.roads.signs[i] if self.roads.of[i] >= 0 else []
 
     # -- room in the tables
 
     def _hold(self, field: int, number: int) -> None:
-        """Makes sure that a field is wide enough for a number; keys are written anew where it was not."""
+        """Widens a field if a number does not fit; keys are then rewritten."""
         if number > int(self.t.mask[field]):
             self.layout = self.widths.widen(field, number)
             self.place_fields()
@@ -243,7 +248,7 @@ class Components:
         self._forget_after()
 
     def _forget_after(self) -> None:
-        """Empties `after`, whose keys are those of one layout, and which has room for so many states."""
+        """Empties the cache `after`, whose keys belong to one layout."""
         self.t.regs[v.AFTERS] = self.t.regs[v.AFTER_ROWS] = 0
         self.t.after_slots[:] = [0] * len(self.t.after_slots)
 

@@ -79,10 +79,10 @@ def _chosen(model: Model, i: int, before: State, after: State) -> dict[int, int]
 
 
 def _of_team(model: Model, before: State, after: State) -> Iterator[Sentence]:
-    """What a team that misses somebody makes of that in a step: who takes a role over, and whether it gives up."""
+    """The effects of an absence on a team in a step: roles taken over, and whether the team gives up."""
     if model.absence is None:
         return
-    was, now = (model.absence.standing(model.agreed(model.shareds()[state[0]])) for state in (before, after))
+    was, now = (model.absence.status(model.agreed(model.shareds()[state[0]])) for state in (before, after))
     for part in model.parts:
         if now.plays >> part.agent.index & 1 and not was.plays >> part.agent.index & 1:
             yield Sentence("{agent} takes over a role", part.agent.name)

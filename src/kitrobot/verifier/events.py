@@ -10,7 +10,7 @@ from kitrobot.verifier.motion import Move
 
 
 class EventKind(IntEnum):
-    """What happens besides the moves of robots on roads."""
+    """The kinds of events besides the moves of robots on roads."""
 
     TICK = 11
     DONE = 12
@@ -38,13 +38,13 @@ SWINGS = (
     EventKind.NO_EMPTY_CARRIER,
     EventKind.NO_LOADED_CARRIER,
 )
-"""An arm came to the end of its motion."""
+"""The completions of an arm's motion."""
 ENDS = (EventKind.DONE, *SWINGS)
-"""What takes longer than a tick came to its end."""
+"""The completions of actions that take longer than a tick."""
 
 
 MOST_AT_ONCE = 20_000
-"""Ways in which one step of a model can go, at most."""
+"""The most outcomes of one step of a model."""
 
 
 class ModelTooLargeError(Exception):
@@ -52,7 +52,7 @@ class ModelTooLargeError(Exception):
 
 
 class Event(NamedTuple):
-    """Something that happens: to which agent, and where it matters to which other one, dock or storehouse."""
+    """An event of an agent, and the other agent, dock or storehouse that takes part (-1: none)."""
 
     agent: int
     what: Move | EventKind
@@ -60,7 +60,7 @@ class Event(NamedTuple):
 
 
 def event_of(number: int) -> Event:
-    """An event that is written as one number (see `columns.E_AGENT`)."""
+    """Decodes an event from one number (see `columns.E_AGENT`)."""
     kind = number & E_KIND
     what = EventKind(kind) if kind >= EventKind.TICK else Move(kind)
     return Event(number >> E_AGENT & E_MASK, what, (number >> E_OTHER) - 1)

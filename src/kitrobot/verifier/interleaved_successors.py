@@ -82,8 +82,9 @@ def expand_interleaved(t: Tables, x: int, y: int) -> int:
 
 
 def add_ticks(t: Tables, x: int, y: int, keeps: bool) -> bool:
-    """Adds the ticks of all agents, one each, and those in one moment that come to anything else; where nothing `keeps`
-    them, without those that change nothing.
+    """Adds the ticks of all agents, one each, and the simultaneous ticks with other results.
+
+    Ticks that change nothing are added only if steps are stored (`keeps`).
     """
     fixed, now, agents, insides, outcomes = t.fixed, t.now, t.agents, t.insides, t.outcomes
     shift, word, confs = t.shift, t.word, t.confs
@@ -133,7 +134,7 @@ def add_ticks(t: Tables, x: int, y: int, keeps: bool) -> bool:
 
 
 def add_world_events(t: Tables, x: int, y: int) -> bool:
-    """Adds the events of the world: what ends, and how robots on roads move."""
+    """Adds the events of the world: completed actions, and moves of robots on roads."""
     fixed, now = t.fixed, t.now
     stride, width = fixed[INSIDE_STRIDE], fixed[INSIDE_WIDTH]
     for i in range(fixed[AGENTS]):
@@ -165,7 +166,7 @@ def add_world_events(t: Tables, x: int, y: int) -> bool:
 
 
 def add_absences(t: Tables, x: int, y: int) -> bool:
-    """Adds that a team waits for somebody no longer, or that the lease of a unit of work is over."""
+    """Adds absences: a team stops waiting for a member, or the lease of a unit of work ends."""
     faults, chosen, choices = t.faults, 0, 1
     faults[0], faults[1], faults[4] = x, y, 0
     while chosen < choices:
@@ -183,7 +184,7 @@ def add_absences(t: Tables, x: int, y: int) -> bool:
 
 
 def make_due(t: Tables, x: int, y: int, due: int) -> int:
-    """Puts into each step of *prompt* who has a tick to make then; how many steps there are."""
+    """Writes the due ticks into each step of *prompt*; returns the number of steps."""
     fixed = t.fixed
     f = fixed[DUE_FIELD]
     stored = 0
@@ -210,7 +211,7 @@ def make_due(t: Tables, x: int, y: int, due: int) -> int:
 
 
 def due_in(t: Tables, x: int, y: int, wanted: int) -> int:
-    """Of these agents, as bits, those that have a tick to make in a state, which would change something."""
+    """The agents among `wanted`, as bits, with a due tick in a state: one that would change something."""
     if wanted == 0:
         return 0
     decode(t, x, y)

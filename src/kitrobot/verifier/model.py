@@ -62,7 +62,7 @@ class Model(Components):
     # -- filling
 
     def fill(self, code: int) -> None:
-        """Puts into the tables what exploring asked for.
+        """Adds the entry or the room that a pause code asks for to the tables.
 
         Raises:
             TooManyError: there is no number left for it, or a step goes in too many ways.
@@ -134,7 +134,7 @@ class Model(Components):
         return [(one, reactions.change_by(part, inside, shared, one)) for one in found]
 
     def sensed(self, i: int, state: State) -> tuple[tuple[int | None, ...], tuple[int, ...]]:
-        """What agent i reads in a state, None of an input that may read anything; and its shared variables."""
+        """The input values of agent i in a state (None for one that may read anything), and its shared variables."""
         decode(self.t, *self.layout.key(state))
         return self._sensed(i, sense_key(self.t, i))
 
@@ -145,7 +145,7 @@ class Model(Components):
         about = key >> v.S_SHARED, inside.load, inside.busy
         read = self._read.get(about)
         if read is None:
-            outside = reactions.around(part, self._signs_of(i), key, seen[len(part.shared) :])
+            outside = reactions.external_values(part, self._signs_of(i), key, seen[len(part.shared) :])
             read = tuple(
                 reactions.read(inside, sense, there) for sense, there in zip(part.senses, outside, strict=True)
             )
@@ -153,7 +153,7 @@ class Model(Components):
         return read, inside.own or seen[: len(part.shared)]
 
     def _put_reactions(self, key: int, found: Collection[tuple[int, int, int]]) -> None:
-        """Puts what a tick can bring behind the outcomes."""
+        """Appends the outcomes of a tick."""
         first = self._outcomes
         self._outcomes += len(found)
         self._room("outcomes", self._outcomes * v.OUTCOME)
@@ -170,7 +170,7 @@ class Model(Components):
         self.t = insert(self.t, "reaction_keys", "reaction_at", self._reactions, key, number)
 
     def _write_number(self, change: reactions.Change) -> int:
-        """The number of a change of what is shared."""
+        """The number of a change of the shared state; assigns one if it is new."""
         if change == ((), ()):
             return v.NO_WRITE
         number = self._write_numbers.get(change)
@@ -233,7 +233,7 @@ class Model(Components):
         self.t.insides[(i * fixed[v.INSIDE_STRIDE] + number) * fixed[v.INSIDE_WIDTH] + column] = to
 
     def _left_behind(self, i: int, inside: Inside, how: int) -> Inside:
-        """What agent i is once its program begins `ANEW`, or is `LOST` while it is down.
+        """The state of agent i once its program restarts (`ANEW`), or once it is `LOST` while it is down.
 
         Devices that are told to stop by that have stopped, and those of a robot that failed do nothing any more.
         """
@@ -250,5 +250,5 @@ class Model(Components):
 
 
 _MOST_AFTER = 2_000_000
-"""Numbers that are kept of what follows in lockstep; a table that needs more is emptied."""
+"""The most numbers in the cache of ticks in lockstep; a larger cache is emptied."""
 _ROOM = {v.ROOM_MOVES: "moves", v.ROOM_MOVE_SETS: "move_sets", v.ROOM_LOG: "log"}

@@ -42,7 +42,7 @@ from kitrobot.verifier.tables import Row, Tables
 
 
 class Move(IntEnum):
-    """What happens to a robot that is on a road; the numbers are none of those of `events.EventKind`."""
+    """The moves of a robot on a road; the numbers differ from those of `events.EventKind`."""
 
     BEGIN = 1
     HALT = 2
@@ -102,7 +102,7 @@ def next_zone(agents: Row, i: int, zone: int, way: int) -> int:
 
 
 def is_blocked(want: int, leader: int, gap: int, follower: int) -> bool:
-    """Whether a robot presses on one that stands in the direction that its wheels were told; a body of -1 is nobody."""
+    """Whether a robot presses on a standing one in the direction of its command; a body of -1 is no robot."""
     if want > 0:
         return leader >= 0 and gap == PRESSED and way_of(leader) <= 0
     return follower >= 0 and gap_of(follower) == PRESSED and way_of(follower) >= 0

@@ -23,14 +23,14 @@ from kitrobot.verifier.run_monitors import RunMonitor, loose_action_monitor, los
 
 @dataclass(frozen=True)
 class SharedFact:
-    """What is true of boxes, shared variables and failures."""
+    """A condition on the shared state: boxes, shared variables and failures."""
 
     test: Callable[[Shared], bool]
 
 
 @dataclass(frozen=True)
 class AgentFact:
-    """What is true of an agent, but for its motion."""
+    """A condition on the state of an agent except its motion."""
 
     agent: int
     test: Callable[[Inside], bool]
@@ -38,7 +38,7 @@ class AgentFact:
 
 @dataclass(frozen=True)
 class DockFact:
-    """Whether an agent with a bed stands in one of these docks."""
+    """The condition that an agent with a bed stands in one of these docks."""
 
     agent: int
     docks: tuple[int, ...]
@@ -57,9 +57,9 @@ class SensedCondition:
 
 
 Fact = SharedFact | AgentFact | DockFact
-"""What one component of a state says."""
+"""A condition on one component of a state."""
 Condition = tuple[tuple[Fact, ...], ...] | SensedCondition
-"""What is true of a state: all facts of one of these clauses, or what agents sense."""
+"""A condition on a state: all facts of one of these clauses, or a condition on sensed values."""
 
 
 @dataclass(frozen=True)
@@ -183,7 +183,7 @@ def _carriers(model: Model) -> list[int]:
 
 
 def _served(model: Model, i: int) -> Property:
-    """That agent i, where it stands in a dock, is loaded or unloaded, drives on, or ends."""
+    """The property that agent i, once in a dock, is loaded or unloaded, drives on, or ends."""
     arms = tuple(sorted({act.dock for part in model.parts for act in part.acts if act.is_arm}))
     name = model.parts[i].agent.name
     stands: Condition = ((AgentFact(i, lambda inside: not model.has_ended(i, inside)), DockFact(i, arms)),)
@@ -197,7 +197,7 @@ def _served(model: Model, i: int) -> Property:
 
 
 def _stock(model: Model) -> list[Property]:
-    """That no box and no unit of work is lost by a program: a robot that failed holds what it held.
+    """The property that no program loses a box or a unit of work: a robot that failed still holds what it held.
 
     An arm moves a box from a storehouse to a carrier in one moment, or back, so no program can lose one. Where robots
     that fail are towed, which is not in the model, their boxes go back, if there is room.
@@ -224,7 +224,7 @@ def _stock(model: Model) -> list[Property]:
 
 
 def _meetings(model: Model) -> list[Property]:
-    """That each member of a team that waits for others at a point of its program gets on."""
+    """The properties that each member of a team that waits at a point of its program continues eventually."""
     agreement = model.agreement
     if agreement is None or not agreement.has_meetings:
         return []
@@ -249,7 +249,7 @@ def _meets(model: Model, i: int) -> Property:
 
 
 def _stopped(model: Model) -> list[Property]:
-    """That whatever marked actions started stands when their program has ended (see `stops`)."""
+    """The property that everything a marked action started has stopped when its program ends (see `stops`)."""
     agents = [i for i, part in enumerate(model.parts) if part.table.machine.image.stops and part.table.may_end]
     if not agents:
         return []

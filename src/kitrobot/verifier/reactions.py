@@ -12,14 +12,14 @@ from kitrobot.verifier.programs import Reaction
 from kitrobot.verifier.team_agreement import TeamCommand
 
 Change = tuple[tuple[tuple[int, int], ...], tuple[TeamCommand, ...]]
-"""What a tick makes of what is shared: the variables that it changes, with their values, and what the team is told."""
+"""The change of the shared state by a tick: the variables that it changes, with their values, and its team commands."""
 
 _AS_BEFORE = -2
-"""What wheels are told that are told nothing."""
+"""The wheels' command if there is none."""
 
 
 def idle_actuators(part: AgentModel) -> tuple[int, ...]:
-    """`Inside.busy` of an agent that does nothing."""
+    """The value of `Inside.busy` of an idle agent."""
     return (0,) * sum(act.busy >= 0 for act in part.acts)
 
 
@@ -29,7 +29,7 @@ def is_store(sense: InputModel) -> bool:
 
 
 def is_shared(sense: InputModel) -> bool:
-    """Whether an input reads something of what is shared."""
+    """Whether an input reads a value of the shared state."""
     return is_store(sense) or (sense.discrete is Discrete.TEAM and sense.agreed >= 0)
 
 
@@ -44,7 +44,7 @@ def read(inside: Inside, sense: InputModel, there: int) -> int | None:
 
 
 def team_commands(part: AgentModel, reaction: Reaction) -> tuple[TeamCommand, ...]:
-    """What a reaction tells the team: in the order of the actuators."""
+    """The commands of a reaction to the team, in the order of the actuators."""
     return tuple(
         TeamCommand(part.acts[actuator].agrees, part.acts[actuator].ways[command], first, second)
         for (actuator, command, first), second in zip(reaction.commands, reaction.seconds, strict=True)
@@ -53,7 +53,7 @@ def team_commands(part: AgentModel, reaction: Reaction) -> tuple[TeamCommand, ..
 
 
 def change_by(part: AgentModel, inside: Inside, shared: tuple[int, ...], reaction: Reaction) -> Change:
-    """What a reaction makes of what is shared, where the variables held this; without a radio nobody hears of it."""
+    """The change of the shared state by a reaction; without a radio it changes no shared variable."""
     if inside.is_muted:
         return (), team_commands(part, reaction)
     held = zip(part.shared, shared, reaction.shared, strict=True)
@@ -67,7 +67,7 @@ def after_silence(part: AgentModel, inside: Inside, key: int, seen: tuple[int, .
 
 
 def after_reaction(part: AgentModel, inside: Inside, reaction: Reaction) -> tuple[int, Inside]:
-    """What a reaction tells the wheels, and what the agent is after it."""
+    """The command of a reaction to the wheels, and the state of the agent after it."""
     want, busy = _AS_BEFORE, list(inside.busy)
     for actuator, command, argument in reaction.commands:
         act = part.acts[actuator]
@@ -81,8 +81,10 @@ def after_reaction(part: AgentModel, inside: Inside, reaction: Reaction) -> tupl
     return want, inside._replace(local=reaction.local, busy=tuple(busy), own=own, loose=loose)
 
 
-def around(part: AgentModel, signs: Sequence[tuple[int, ...]], key: int, shared: tuple[int, ...]) -> Iterator[int]:
-    """What each input of an agent reads outside of the agent itself; 0 where there is nothing to read.
+def external_values(
+    part: AgentModel, signs: Sequence[tuple[int, ...]], key: int, shared: tuple[int, ...]
+) -> Iterator[int]:
+    """Yields the value that each input of an agent reads outside the agent itself; 0 if there is none.
 
     Args:
         part: the agent.

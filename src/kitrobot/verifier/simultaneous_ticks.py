@@ -37,11 +37,11 @@ from kitrobot.verifier.tables import Tables
 from kitrobot.verifier.traffic import conf_after_tick
 
 MOST_WRITERS = 14
-"""Agents that may write something in one moment that others read in it."""
+"""The most agents that may write, in one moment, a value that others read in it."""
 MOST_TOGETHER = 4096
 """Sets of agents that tick in one moment, in one mission."""
 _SEEN = (1 << S_VIEW) - (1 << S_SHARED)
-"""The bits of the key of a reaction that say what an agent sees of what is shared."""
+"""The bits of a reaction's key with the agent's view of the shared state."""
 
 
 def add_simultaneous_ticks(t: Tables, x: int, y: int, writers: int) -> bool:
@@ -99,12 +99,12 @@ def may_conflict(t: Tables, writers: int) -> int:
 
 
 def shared_view(t: Tables, i: int, shared: int) -> int:
-    """What agent i sees of what is shared, by its number."""
+    """Agent i's view of a shared state, given by its number."""
     return t.shared[shared * t.fixed[SHARED_WIDTH] + G_STOCK + t.fixed[HOUSES] + i]
 
 
 def first_choice(t: Tables, who: int) -> bool:
-    """Chooses the first outcome that writes something of each of these agents."""
+    """Chooses, for each of these agents, the first outcome with a write."""
     for i in range(t.fixed[AGENTS]):
         if who >> i & 1:
             t.seen[i] = find_reactions(t, i) >> S_COUNT
@@ -114,7 +114,7 @@ def first_choice(t: Tables, who: int) -> bool:
 
 
 def next_choice(t: Tables, who: int) -> bool:
-    """Chooses what comes next; False where all was chosen."""
+    """Advances to the next choice; returns False after the last one."""
     for i in range(t.fixed[AGENTS]):
         if who >> i & 1:
             got = find_reactions(t, i)
@@ -158,7 +158,7 @@ def is_serializable(t: Tables, who: int) -> int:
 
 
 def are_serializable(t: Tables, i: int, j: int) -> int:
-    """The same of two, of which i comes first in the team."""
+    """The same for two agents; i is earlier in the team."""
     first, second = t.outcomes[t.seen[i] * OUTCOME + 2], t.outcomes[t.seen[j] * OUTCOME + 2]
     after_first, after_second = look_up_change(t, t.now[0], first), look_up_change(t, t.now[0], second)
     if after_first < 0 or after_second < 0:

@@ -20,7 +20,7 @@ from kitrobot.verifier.verdicts import Counterexample, Verdict
 
 MOST_SCENES = 120
 """Scenes of one run; of a longer one the first and the last."""
-_MOST_GUILTY = 6
+_MOST_CULPRITS = 6
 
 Vertex = tuple[str, str]
 """A program and one of its vertices."""
@@ -28,7 +28,7 @@ Vertex = tuple[str, str]
 
 @dataclass(frozen=True)
 class SceneRobot:
-    """One robot in a scene: mm, radians, and the vertices at which its program stands."""
+    """One robot in a scene: its pose (mm, radians), and the vertices at which its program is."""
 
     x_mm: float
     y_mm: float
@@ -38,7 +38,7 @@ class SceneRobot:
 
 @dataclass(frozen=True)
 class Scene:
-    """What it looks like before a step; the last one: after all steps. Robots are in the order of the team."""
+    """The picture before a step (the last one: after all steps). Robots are in the order of the team."""
 
     step: int
     robots: tuple[SceneRobot, ...]
@@ -46,7 +46,7 @@ class Scene:
 
 @dataclass(frozen=True)
 class Culprit:
-    """A vertex at which a property is broken: whose, what happens there, and whether it goes on for ever."""
+    """A vertex at which a property is broken: its agent, what happens there, and whether it repeats for ever."""
 
     agent: str
     vertex: Vertex
@@ -64,12 +64,12 @@ def draw_scenes(model: Model, counterexample: Counterexample) -> tuple[Scene, ..
 
 
 def find_culprits(model: Model, verdict: Verdict) -> tuple[Culprit, ...]:
-    """Where a property is broken; nothing where no program stands anywhere."""
+    """Finds the vertices at which a property is broken; empty if no program is at any vertex."""
     counterexample = verdict.counterexample
     if counterexample is None:
         return ()
     if counterexample.repeats_from >= 0:
-        return tuple(_for_ever(model, verdict, counterexample)[:_MOST_GUILTY])
+        return tuple(_for_ever(model, verdict, counterexample)[:_MOST_CULPRITS])
     before = counterexample.states[-2] if len(counterexample.states) > 1 else counterexample.states[-1]
     event = (
         next((one for one in reversed(counterexample.steps[-1].events) if one.what is not EventKind.TICK), None)
@@ -87,13 +87,13 @@ def find_culprits(model: Model, verdict: Verdict) -> tuple[Culprit, ...]:
 def _at(model: Model, state: State, agents: tuple[int, ...], sentence: Sentence) -> tuple[Culprit, ...]:
     return tuple(
         Culprit(model.parts[i].agent.name, vertex, sentence, False)
-        for i in agents[:_MOST_GUILTY]
+        for i in agents[:_MOST_CULPRITS]
         for vertex in _vertices(model, state, i)[:1]
     )
 
 
 def _for_ever(model: Model, verdict: Verdict, counterexample: Counterexample) -> list[Culprit]:
-    """Who stands at the same vertex in all that repeats; where there is nobody, who goes round."""
+    """The agents that stay at one vertex in the repeated part; if there are none, the agents that go round."""
     states = counterexample.states[counterexample.repeats_from :]
     concerned = _agents_of(verdict.property.waits)
     agents = [
@@ -117,7 +117,7 @@ def _for_ever(model: Model, verdict: Verdict, counterexample: Counterexample) ->
 
 
 def _agents_of(condition: Condition | None) -> set[int]:
-    """Whom a condition speaks of; none: all."""
+    """The agents that a condition names; empty for all."""
     if condition is None:
         return set()
     if isinstance(condition, SensedCondition):
@@ -126,7 +126,7 @@ def _agents_of(condition: Condition | None) -> set[int]:
 
 
 def _vertices(model: Model, state: State, i: int) -> tuple[Vertex, ...]:
-    """Where the threads of an agent stand, but for those that wait for others."""
+    """The vertices of an agent's threads, except those that wait for others."""
     part = model.parts[i]
     debug, code = model.run.debug[part.agent.image_name], part.table.machine.image.code
     found: dict[Vertex, None] = {}

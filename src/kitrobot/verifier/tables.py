@@ -10,7 +10,7 @@ Row = MutableSequence[int]
 
 
 class Tables(NamedTuple):
-    """What is known of a model; filled as exploring asks for it.
+    """The tables of a model, filled on demand during the exploration.
 
     Attributes:
         regs, fixed: numbers that change while exploring, and that do not.

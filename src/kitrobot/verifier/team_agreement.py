@@ -23,11 +23,11 @@ from kitrobot.sim.state import State, Team, numbers
 from kitrobot.sim.work import is_taken, share_out
 
 TeamState = tuple[int, ...]
-"""A state of a team: of each robot where it waits, what it gave and was answered; passes; groups; works."""
+"""A state of a team: each robot's waiting point, argument and answer; passes; groups; works."""
 
 
 class TeamCommand(NamedTuple):
-    """A command to what agrees: the actuator by its number in the run, the procedure and its arguments."""
+    """A command to the team or a work: the actuator by its number in the run, the procedure and its arguments."""
 
     actuator: int
     procedure: int
@@ -40,20 +40,20 @@ class Agreement:
 
     Args:
         run: the run.
-        actuators: those that take part in agreeing, by their numbers in the run.
+        actuators: those that take part in team agreement, by their numbers in the run.
     """
 
     def __init__(self, run: Simulation, actuators: Sequence[int]) -> None:
         self.actuators = tuple(actuators)
-        self._state = self._apart(run.state)
+        self._state = self._copy_state(run.state)
         self._team = self._state.team
         self._rows = self._own_rows()
         self._sizes = [len(row) for row in self._rows]
         self.first = self._read()
         """The state before the first step."""
 
-    def _apart(self, state: State) -> State:
-        """A state of which everything is its own that what is done to it changes."""
+    def _copy_state(self, state: State) -> State:
+        """Copies everything of a state that team commands change."""
         ints = [list(numbers(row)) for row in state.actuators.ints]
         return replace(
             state,
@@ -73,7 +73,7 @@ class Agreement:
         return self._team.robots[tc.T_ROLE][robot] >= 0
 
     def answer(self, robot: int) -> int:
-        """The place in a state of what a robot was answered last."""
+        """The place in a team's state of a robot's last answer."""
         return self._place(2) + robot
 
     def left(self, work: int) -> int:
@@ -81,7 +81,7 @@ class Agreement:
         return self._place(4) + work if work < self._sizes[4] else -1
 
     def tables(self, agreed: TeamState) -> Team:
-        """The tables of the team as they are in a state, up to the next that is asked."""
+        """The tables of the team in a state; valid until the next call."""
         self._write(agreed)
         return self._team
 
@@ -103,11 +103,11 @@ class Agreement:
         ]
 
     def done(self, actuator: int) -> int:
-        """The place in a state of whether an actuator has done what it was told."""
+        """The place in a team's state of whether an actuator has completed its command."""
         return self._place(len(self._rows)) + self.actuators.index(actuator)
 
     def after(self, agreed: TeamState, told: Sequence[TeamCommand]) -> TeamState:
-        """After commands, with nothing agreed on yet."""
+        """The state after commands, before any agreement."""
         self._write(agreed)
         for one in told:
             command = Command(one.procedure, 2, one.first, one.second, one.second)
@@ -115,7 +115,7 @@ class Agreement:
         return self._read()
 
     def settled(self, agreed: TeamState) -> TeamState:
-        """After one step in which all go on who need not wait any longer."""
+        """The state after one step in which all robots continue that need not wait any longer."""
         self._write(agreed)
         agree(self._state)
         if len(self._team.holds) > 0:
@@ -123,7 +123,7 @@ class Agreement:
         return self._read()
 
     def all_settled(self, agreed: TeamState) -> TeamState:
-        """After as many such steps as change something."""
+        """The state after such steps until nothing changes."""
         while True:
             after = self.settled(agreed)
             if after == agreed:
@@ -134,7 +134,7 @@ class Agreement:
         return sum(self._sizes[:row])
 
     def _own_rows(self) -> list[list[int]]:
-        """The rows that change, of which `answer` is the third and `left` the fifth."""
+        """The rows that change; `answer` is the third and `left` the fifth."""
         team = self._team
         return [
             team.robots[tc.T_AT],
@@ -158,7 +158,7 @@ class Agreement:
         return agreed + self._read_robots()
 
     def _read_robots(self) -> TeamState:
-        """The rest of a state: what becomes of robots that fail."""
+        """The rest of a state: the fate of robots that fail."""
         return ()
 
     def _write(self, agreed: TeamState) -> None:

@@ -101,7 +101,7 @@ def bodies_hash(table: Row, first: int, places: int, road: int) -> int:
 
 
 def fill_conf_slots(t: Tables) -> None:
-    """Fills the slots of confs anew."""
+    """Rebuilds the slots of confs."""
     fixed, confs, slots = t.fixed, t.confs, t.conf_slots
     last = len(slots) - 1
     for at in range(last + 1):
@@ -116,7 +116,7 @@ def fill_conf_slots(t: Tables) -> None:
 
 
 def fill_views(t: Tables, row: int, road: int) -> None:
-    """Fills what can be seen of the robots on a road: who gets on, who stands in which dock, what each senses."""
+    """Fills the derived columns of a conf: moving robots, robots in each dock, and what each robot senses."""
     fixed, confs, agents, geo = t.fixed, t.confs, t.agents, t.geo
     places, docks = fixed[PLACES], fixed[DOCKS]
     views, bodies = row + C_STAND + docks, row + C_STAND + docks + places
@@ -173,23 +173,26 @@ def view_of(t: Tables, bodies: int, i: int, k: int, zone_class: int) -> int:
     return found
 
 
-def conf_after_tick(t: Tables, conf: int, k: int, told: int) -> int:
-    """After a tick of the robot at place k; `told` is its direction and 2, times 2, and 1 if it ticks on."""
+def conf_after_tick(t: Tables, conf: int, k: int, command: int) -> int:
+    """The conf after a tick of the robot at place k.
+
+    `command` is twice its direction + 2, plus 1 if it has more ticks.
+    """
     fixed, confs = t.fixed, t.confs
     places = fixed[PLACES]
     row = conf * fixed[CONF_WIDTH]
     bodies = row + C_STAND + fixed[DOCKS] + places
-    at = bodies + places + 8 * k + told
+    at = bodies + places + 8 * k + command
     if confs[at] < 0:
         for other in range(places):
             t.made[other] = confs[bodies + other]
-        t.made[k] = after_tick(confs[bodies + k], (told >> 1) - 2, told & 1 == 1)
+        t.made[k] = after_tick(confs[bodies + k], (command >> 1) - 2, command & 1 == 1)
         confs[at] = intern_conf(t, confs[row + C_ROAD])
     return confs[at]
 
 
 def conf_after_fault(t: Tables, conf: int, k: int, down: int) -> int:
-    """After the robot at place k failed, stalled or runs again."""
+    """The conf after the robot at place k failed, stalled or runs again."""
     fixed, confs = t.fixed, t.confs
     row = conf * fixed[CONF_WIDTH]
     bodies = row + C_STAND + fixed[DOCKS] + fixed[PLACES]
@@ -250,7 +253,7 @@ def fill_moves(t: Tables, conf: int) -> int:
 
 
 def is_last(t: Tables, bodies: int, k: int, i: int) -> bool:
-    """Whether a robot is in the last zone in the direction that its wheels were told: it may be at the road's end,
+    """Whether a robot is in the last zone in the direction of its command: it may be at the road's end,
     where it stands for ever.
     """
     me = t.confs[bodies + k]
@@ -258,7 +261,7 @@ def is_last(t: Tables, bodies: int, k: int, i: int) -> bool:
 
 
 def is_pressing(t: Tables, bodies: int, k: int, i: int) -> bool:
-    """Whether a robot presses on the one before it, in the direction that its wheels were told."""
+    """Whether a robot presses on the one before it, in the direction of its command."""
     me = t.confs[bodies + k]
     if want_of(me) > 0:
         return gap_of(me) == PRESSED

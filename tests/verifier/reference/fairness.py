@@ -11,7 +11,7 @@ from __future__ import annotations
 from collections import deque
 from collections.abc import Iterator, Sequence
 
-from tests.verifier.reference.exploring import StateSpace
+from tests.verifier.reference.exploration import StateSpace
 
 
 def fair_part(made: StateSpace, within: Sequence[int], agents: int) -> list[int] | None:

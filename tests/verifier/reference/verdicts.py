@@ -9,7 +9,7 @@ from itertools import pairwise
 from operator import itemgetter
 
 from tests.verifier.reference.events import EventKind
-from tests.verifier.reference.exploring import Budget, StateSpace, explore
+from tests.verifier.reference.exploration import Budget, StateSpace, explore
 from tests.verifier.reference.fairness import fair_part, reachable, targets, way
 from tests.verifier.reference.model import Model, State
 from tests.verifier.reference.motion import Move
