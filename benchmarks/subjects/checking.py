@@ -19,7 +19,7 @@ from dataclasses import dataclass, replace
 from functools import partial
 from pathlib import Path
 
-from benchmarks.measuring import Rate, Row, in_turns
+from benchmarks.measurement import Rate, Row, in_turns
 from kitrobot.mission import Agent
 from kitrobot.sim import Simulation
 from kitrobot.sim.jit_cache import available

@@ -1,4 +1,4 @@
-"""A micro:bit of 2016 in QEMU whose ticks are timed from outside: nothing is added to its program or its memory.
+"""Times the ticks of a micro:bit of 2016 in QEMU from outside: it adds nothing to the board's program or memory.
 
 Two functions of the firmware that the loop of a robot calls, `ticks_diff` (is the next tick due?) and `ticks_add` (when
 is the one after it?), are led through a few instructions of ours, which write the time and both arguments to an address
@@ -41,10 +41,10 @@ _NOW = (0x2301, 0x6413, 0x2354, 0x011B, 0x58D3)
 
 
 @dataclass(frozen=True)
-class Called:
-    """The loop asked whether a tick is due, or, when it was done, for when the next one is (`is_end`).
+class ProbedCall:
+    """A call of the board's loop: whether a tick is due, or, after a tick (`is_end`), when the next one is due.
 
-    `at_us`: when; `first`, `second`: both arguments, in ms of the board.
+    `at_us`: the time of the call; `first`, `second`: its arguments, in ms of the board.
     """
 
     is_end: bool
@@ -53,8 +53,8 @@ class Called:
     second: int
 
 
-class Outside:
-    """A running board, and the ways to look into it."""
+class FirmwareProbe:
+    """A running board, with access to its pins, clock and calls."""
 
     def __init__(self, board: Emulated, folder: Path) -> None:
         self.board = board
@@ -89,7 +89,7 @@ class Outside:
         """Begins with the calls that come from now on."""
         self._seen, self._values = self.written(), []
 
-    def calls(self) -> list[Called]:
+    def calls(self) -> list[ProbedCall]:
         """What the loop called since this was asked before."""
         text = self.logged(self._seen)
         text = text[: text.rfind(b"\n") + 1]
@@ -101,7 +101,8 @@ class Outside:
         whole = range(0, len(numbers) // 3 * 3, 3)
         # Small numbers of the firmware: twice the number, and 1.
         made = [
-            Called(self._values[at][0] == b"1", numbers[at], numbers[at + 1] >> 1, numbers[at + 2] >> 1) for at in whole
+            ProbedCall(self._values[at][0] == b"1", numbers[at], numbers[at + 1] >> 1, numbers[at + 2] >> 1)
+            for at in whole
         ]
         del self._values[: 3 * len(whole)]
         return made
@@ -120,7 +121,7 @@ class Outside:
         room = -(-room // 4) * 4
         self._write(pulse, _echo(functions["utime.sleep_us"]))
         for number, name in enumerate(("utime.ticks_diff", "utime.ticks_add")):
-            code = _told(functions[name], _NOWHERE + 16 * number)
+            code = _reporting_code(functions[name], _NOWHERE + 16 * number)
             self._write(room, code)
             self._write(pointers[name], struct.pack("<I", room | 1))
             room += len(code)
@@ -184,7 +185,7 @@ class Outside:
 
 
 @contextlib.contextmanager
-def outside() -> Iterator[Outside]:
+def open_probe() -> Iterator[FirmwareProbe]:
     """A board that has started, with nothing on it, and whose firmware tells when ticks begin."""
     with tempfile.TemporaryDirectory() as name:
         folder = Path(name)
@@ -195,7 +196,7 @@ def outside() -> Iterator[Outside]:
             *("-qtest", f"unix:{folder / 'qtest'},server=on,wait=off", "-qtest-log", "/dev/null"),
         ]
         with running(*options) as board:
-            found = Outside(board, folder)
+            found = FirmwareProbe(board, folder)
             try:
                 found._debugger.sendall(_packet("c"))
                 found.patch()
@@ -217,7 +218,7 @@ def _echo(sleep: int) -> bytes:
     )
 
 
-def _told(function: int, address: int) -> bytes:
+def _reporting_code(function: int, address: int) -> bytes:
     """Writes the time and the arguments r0 and r1 to an address, then goes on with a function."""
     return _assembled(
         (

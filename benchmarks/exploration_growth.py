@@ -1,7 +1,7 @@
-"""How exploring slows with the number of carriers, ours and SPIN, as a picture:
+"""Plots how exploration slows with the number of carriers, ours and SPIN:
 
     python -m benchmarks --json checking > ROWS.json
-    python -m benchmarks.checking_growth ROWS.json FILE.svg
+    python -m benchmarks.exploration_growth ROWS.json FILE.svg
 
 States a second of processor time, logarithmic, from the rows of `benchmarks.subjects.checking`.
 """

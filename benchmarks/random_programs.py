@@ -1,4 +1,4 @@
-"""Programs to measure with: made at random from a seed, shaped like what people write, for the shipped mini-robot.
+"""Random programs for benchmarks, made from a seed and shaped like what people write, for the shipped mini-robot.
 
 A program is a row of *tasks*: a few calls, loops around them, choices inside, now and then branches side by side, with
 a comment above. The same seed gives the same program.
