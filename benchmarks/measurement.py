@@ -1,7 +1,8 @@
 """Rates from repeated runs, and the rows that compare our rate with a peer's.
 
-Seconds are processor time of the measuring thread: the time that the work takes on an otherwise idle machine. Several pieces of work are measured in turns (one round of each, then the next round), so that a machine
-that is slower for a while is slower for all of them. A rate is the median of its rounds, never the best.
+Seconds are processor time of the measuring thread: the time that the work takes on an otherwise idle machine. Several
+pieces of work are measured in turns (one round of each, then the next round), so that a machine that is slower for a
+while is slower for all of them. A rate is the median of its rounds, never the best.
 """
 
 from __future__ import annotations
