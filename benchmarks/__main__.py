@@ -10,7 +10,7 @@ import sys
 import time
 from dataclasses import asdict
 
-from benchmarks.measuring import Rate, Row
+from benchmarks.measurement import Rate, Row
 from benchmarks.subjects import names, subject
 
 

@@ -11,7 +11,7 @@ import sys
 from pathlib import Path
 
 from benchmarks.__main__ import machine
-from benchmarks.measuring import in_turns
+from benchmarks.measurement import in_turns
 from benchmarks.plots import BOTTOM, HEIGHT, LEFT, RIGHT, TOP, WIDTH, Plot
 from benchmarks.subjects.simulating import go, hurried
 from benchmarks.swarm import swarm

@@ -15,8 +15,8 @@ from collections.abc import Sequence
 from itertools import pairwise
 from pathlib import Path
 
+from benchmarks.firmware_probe import open_probe
 from benchmarks.microbit_ticks import largest_program
-from benchmarks.outside import outside
 from kitrobot.deploy import deploy
 from tools import qemu
 from tools.microbit_kits import small_kits
@@ -70,7 +70,7 @@ def mean(places: Sequence[int], flash: bytes) -> tuple[float, int]:
 def main() -> None:
     """Prints it."""
     program = largest_program("square/square", small_kits()["cutebot"])
-    with outside() as found:
+    with open_probe() as found:
         deploy(found.board.address, program.file.to_bytes(), program.package, fresh=True)
         begin = found.written()
         found.tell_emulator("singlestep on")

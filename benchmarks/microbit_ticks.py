@@ -4,7 +4,7 @@
     python -m benchmarks.microbit_ticks --write  and write it down for docs/kits.md (tools/microbit-ticks.json)
 
 Of each kit the program that leaves least memory of those that run there (`tools.microbit_kits`), and programs that
-drive. They run as they are deployed, on the firmware in QEMU (`benchmarks.outside`), with nobody listening: the range
+drive. They run as they are deployed, on the firmware in QEMU (`benchmarks.firmware_probe`), with no listener: the range
 finder sees something else each time, and the eyes for the ground see lines come and go.
 """
 
@@ -19,7 +19,7 @@ from collections.abc import Sequence
 from dataclasses import asdict, dataclass
 from itertools import pairwise
 
-from benchmarks.outside import Called, Outside, outside
+from benchmarks.firmware_probe import FirmwareProbe, ProbedCall, open_probe
 from kitrobot.deploy import Line, RawRepl, Receiver, connect, deploy
 from kitrobot.deploy.flash import Flash
 from kitrobot.primitives import Kit
@@ -54,7 +54,7 @@ class Tick:
     over_ms: int
 
 
-def ticks_of(calls: Sequence[Called], period_ms: int) -> list[Tick]:
+def ticks_of(calls: Sequence[ProbedCall], period_ms: int) -> list[Tick]:
     """The ticks that are whole in these calls: the loop asks whether one is due, does it, and adds a period to that."""
     found = []
     before = 0
@@ -104,7 +104,7 @@ def measured(program: BoardProgram, ticks: int = TICKS) -> TickRow:
         RuntimeError: a part failed, or it does not get on with its ticks.
     """
     period_ms = program.names.tick_ms
-    with outside() as found:
+    with open_probe() as found:
         done = deploy(found.board.address, program.file.to_bytes(), program.package, fresh=True)
         found.start_clock()
         runs: list[list[Tick]] = []
@@ -121,11 +121,11 @@ def measured(program: BoardProgram, ticks: int = TICKS) -> TickRow:
         return row_of(runs, period_ms, (done.free, hello.free), _flash_left(found.board.address))
 
 
-def _ran(found: Outside, ticks: int, period_ms: int) -> list[Tick]:
+def _ran(found: FirmwareProbe, ticks: int, period_ms: int) -> list[Tick]:
     """So many ticks of a program that was just started, behind those that do not count; fewer where it ends."""
     found.forget_calls()
     until = time.monotonic() + PATIENCE_S
-    calls: list[Called] = []
+    calls: list[ProbedCall] = []
     looks = 0
     while sum(one.is_end and one.second == period_ms for one in calls) <= _SETTLING + ticks:
         if time.monotonic() > until:

@@ -99,7 +99,7 @@ def _of_the_page() -> Iterator[tuple[str, str | None, Id]]:
 
 
 @dataclass(frozen=True)
-class Half:
+class CatalogueSet:
     """The program or the page: where its catalogues are, its sentences, and the contexts that are kept by hand."""
 
     folder: Path
@@ -142,8 +142,8 @@ class Half:
             write_po(stream, known, width=110, omit_header=True, include_lineno=False)
 
 
-PROGRAM = Half(SOURCES / "translation", _of_the_program, ("word", "part"))
-HALVES = {"program": PROGRAM, "page": Half(PAGE, _of_the_page)}
+PROGRAM = CatalogueSet(SOURCES / "translation", _of_the_program, ("word", "part"))
+CATALOGUE_SETS = {"program": PROGRAM, "page": CatalogueSet(PAGE, _of_the_page)}
 
 
 def entries(known: Catalog) -> dict[Key, Message]:
@@ -163,7 +163,7 @@ def forms(message: Message) -> tuple[str, ...]:
 
 def main() -> int:
     missing = 0
-    for name, half in HALVES.items():
+    for name, half in CATALOGUE_SETS.items():
         for language in LANGUAGES:
             lacking, idle = half.faults(language)
             missing += len(lacking) + len(idle)

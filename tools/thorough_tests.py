@@ -28,7 +28,7 @@ out, the right column says what holds the same fact in `make test`. This page is
 """
 
 
-class Left(NamedTuple):
+class SkippedTest(NamedTuple):
     """A test that only the thorough profile runs."""
 
     file: str
@@ -54,34 +54,38 @@ def _marks(node: ast.AST) -> Iterator[str]:
         raise ValueError(f"line {uses[-1].lineno}: `thorough` needs a sentence: what holds the fact usually")
 
 
-def left_out(source: str, file: str) -> list[Left]:
+def find_skipped_tests(source: str, file: str) -> list[SkippedTest]:
     """The tests of a file that are left out; a `ValueError` with the place of a mark without its sentence."""
     found = []
     try:
         for node in ast.parse(source).body:
             match node:
                 case ast.FunctionDef(name=name, decorator_list=decorators):
-                    found += [Left(file, name, text) for one in decorators for text in _marks(one)]
+                    found += [SkippedTest(file, name, text) for one in decorators for text in _marks(one)]
                 case ast.Assign() | ast.AnnAssign():
-                    found += [Left(file, "all of it", text) for text in _marks(node)]
+                    found += [SkippedTest(file, "all of it", text) for text in _marks(node)]
     except ValueError as error:
         raise ValueError(f"{file}, {error}") from None
     return found
 
 
-def everything() -> list[Left]:
+def all_skipped_tests() -> list[SkippedTest]:
     files = sorted(TESTS.rglob("test_*.py"))
-    return [left for file in files for left in left_out(file.read_text("utf-8"), file.relative_to(ROOT).as_posix())]
+    return [
+        left
+        for file in files
+        for left in find_skipped_tests(file.read_text("utf-8"), file.relative_to(ROOT).as_posix())
+    ]
 
 
 def _cell(text: str) -> str:
     return " ".join(text.split()).replace("|", "\\|")
 
 
-def page(lefts: list[Left]) -> str:
+def page(skipped: list[SkippedTest]) -> str:
     """The page in Markdown."""
     parts = [HEAD]
-    for folder, rows in groupby(lefts, key=lambda left: left.file.split("/")[1]):
+    for folder, rows in groupby(skipped, key=lambda left: left.file.split("/")[1]):
         parts.append(f"\n## {folder}\n\n| test | what holds the fact in `make test` |\n|---|---|\n")
         for file, test, held_by in rows:
             name = "/".join(file.split("/")[2:])
@@ -92,7 +96,7 @@ def page(lefts: list[Left]) -> str:
 
 def main(arguments: list[str]) -> int:
     try:
-        text = page(everything())
+        text = page(all_skipped_tests())
     except ValueError as error:
         print(error)
         return 1

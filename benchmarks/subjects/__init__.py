@@ -6,7 +6,7 @@ import importlib
 import pkgutil
 from typing import Any, Protocol, cast
 
-from benchmarks.measuring import Row
+from benchmarks.measurement import Row
 
 
 class Subject(Protocol):

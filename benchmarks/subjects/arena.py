@@ -18,7 +18,7 @@ from pathlib import Path
 from playwright.sync_api import Browser, Page
 
 from benchmarks import browser as web
-from benchmarks.measuring import Rate, Row
+from benchmarks.measurement import Rate, Row
 from benchmarks.swarm import PROGRAM, ROBOT, arena, rover
 from kitrobot.compiler import lll_to_graph
 from kitrobot.lll import parse

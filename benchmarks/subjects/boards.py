@@ -13,7 +13,7 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
 
-from benchmarks.measuring import Rate, Row, in_turns
+from benchmarks.measurement import Rate, Row, in_turns
 from benchmarks.subjects import interpreting
 from tests.boards.modern import onboard_files, version
 from tests.boards.modern import run as run_micropython

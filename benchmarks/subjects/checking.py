@@ -19,14 +19,14 @@ from dataclasses import dataclass, replace
 from functools import partial
 from pathlib import Path
 
-from benchmarks.measuring import Rate, Row, in_turns
+from benchmarks.measurement import Rate, Row, in_turns
 from kitrobot.mission import Agent
 from kitrobot.sim import Simulation
 from kitrobot.sim.jit_cache import available
-from kitrobot.verifier import Budget, Model, Timing, take_apart
-from kitrobot.verifier.compiling import engine
+from kitrobot.verifier import Budget, Model, Timing, abstract_run
 from kitrobot.verifier.engines import PLAIN
-from kitrobot.verifier.exploring import explore
+from kitrobot.verifier.exploration import explore
+from kitrobot.verifier.numba_engine import engine
 from kitrobot.workspace import RunOptions, open_mission
 from kitrobot.world import Start
 
@@ -72,7 +72,7 @@ def run(size: Size, *, peers: bool) -> list[Row]:
             found: dict[str, tuple[int, int]] = found,
         ) -> None:
             most = size.states if name == "plain" else size.compiled
-            model = Model(run, take_apart(run), 0, Timing.FREE)
+            model = Model(run, abstract_run(run), 0, Timing.FREE)
             made = explore(model, Budget(most), what == "liveness", engines[name])
             found[f"{what}, {name}"] = len(made), made.memory
 

@@ -32,7 +32,7 @@ from playwright.async_api import Browser, Page, async_playwright
 from websockets.asyncio.client import ClientConnection, connect
 from websockets.exceptions import WebSocketException
 
-from benchmarks.measuring import Rate, Row
+from benchmarks.measurement import Rate, Row
 from kitrobot.files import revision_of
 from kitrobot.server.first_missions import first_missions
 from kitrobot.workspace.site import make_site

@@ -11,9 +11,9 @@ from __future__ import annotations
 import json
 from dataclasses import dataclass
 
-from benchmarks.material import ROBOT, catalogue, graph_of, tree_of_vertices
-from benchmarks.measuring import Rate, Row, in_turns
+from benchmarks.measurement import Rate, Row, in_turns
 from benchmarks.peers import blockly, node
+from benchmarks.random_programs import ROBOT, catalogue, graph_of, tree_of_vertices
 from kitrobot.compiler import compile_program
 from kitrobot.graph import Program
 from kitrobot.image import verify

@@ -16,7 +16,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from benchmarks.measuring import Rate, Row, checkout_environment
+from benchmarks.measurement import Rate, Row, checkout_environment
 
 TITLE = "fleets"
 MOST_S = 300

@@ -11,7 +11,7 @@ import sys
 from dataclasses import dataclass
 
 from benchmarks.gallery import KITS, figures_of
-from benchmarks.measuring import Rate, Row
+from benchmarks.measurement import Rate, Row
 from kitrobot.workspace.kit_files import kit_named
 
 TITLE = "gallery"

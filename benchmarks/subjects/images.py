@@ -9,8 +9,8 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass
 
-from benchmarks.material import ROBOT, catalogue, graph_of, tree_of_vertices
-from benchmarks.measuring import Row, in_turns, milliseconds
+from benchmarks.measurement import Row, in_turns, milliseconds
+from benchmarks.random_programs import ROBOT, catalogue, graph_of, tree_of_vertices
 from kitrobot.compiler import compile_program
 from kitrobot.image import Image, Machine, verify
 from kitrobot_onboard.image import load

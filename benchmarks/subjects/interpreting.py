@@ -16,7 +16,7 @@ from typing import Any
 
 import numpy as np
 
-from benchmarks.measuring import Rate, Row, in_turns
+from benchmarks.measurement import Rate, Row, in_turns
 from benchmarks.peers import behaviour_tree, node
 from kitrobot.compiler import compile_text
 from kitrobot.image import Machine

@@ -20,7 +20,7 @@ from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
 
-from benchmarks.measuring import Rate, Row, checkout_environment
+from benchmarks.measurement import Rate, Row, checkout_environment
 from benchmarks.meeting import FLEET, KEY
 
 TITLE = "meetings"

@@ -9,9 +9,9 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass
 
-from benchmarks.material import text_of_lines
-from benchmarks.measuring import Rate, Row, in_turns
+from benchmarks.measurement import Rate, Row, in_turns
 from benchmarks.peers.lark_parser import LarkParser, calls
+from benchmarks.random_programs import text_of_lines
 from kitrobot.lll import Call, nodes, parse
 
 TITLE = "parsing"

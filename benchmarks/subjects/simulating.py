@@ -15,7 +15,7 @@ from functools import partial
 from pathlib import Path
 
 import kitrobot
-from benchmarks.measuring import Rate, Row, in_turns
+from benchmarks.measurement import Rate, Row, in_turns
 from benchmarks.swarm import SPACING_MM, instructions_a_tick, swarm
 from benchmarks.table import table
 from kitrobot.mission import Radio

@@ -27,7 +27,7 @@ from pathlib import Path
 from playwright.sync_api import Browser, Page
 
 from benchmarks import browser as web
-from benchmarks.measuring import Rate, Row
+from benchmarks.measurement import Rate, Row
 from benchmarks.subjects.studio import WORKING, mission_of, studio_of, type_in_code
 from kitrobot.server.first_missions import first_missions
 from kitrobot.workspace.site import make_site

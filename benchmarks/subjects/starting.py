@@ -14,8 +14,8 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
-from benchmarks.material import text_of_lines
-from benchmarks.measuring import Row, milliseconds
+from benchmarks.measurement import Row, milliseconds
+from benchmarks.random_programs import text_of_lines
 
 TITLE = "starting"
 _BARE = ("-c", "pass")

@@ -22,9 +22,9 @@ from pathlib import Path
 from playwright.sync_api import Browser, Page
 
 from benchmarks import browser as web
-from benchmarks.material import ROBOT, catalogue, graph_of, tree_of_vertices
-from benchmarks.measuring import Rate, Row
+from benchmarks.measurement import Rate, Row
 from benchmarks.peers import blockly, node
+from benchmarks.random_programs import ROBOT, catalogue, graph_of, tree_of_vertices
 from kitrobot.mission import Agent, Mission, Team, write_mission
 
 TITLE = "studio"

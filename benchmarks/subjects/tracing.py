@@ -14,7 +14,7 @@ import time
 from dataclasses import dataclass
 from pathlib import Path
 
-from benchmarks.measuring import Rate, Row, milliseconds
+from benchmarks.measurement import Rate, Row, milliseconds
 from benchmarks.swarm import swarm
 from kitrobot.sim import simulate
 from kitrobot.workspace import open_trace

@@ -23,7 +23,7 @@ from pathlib import Path
 
 import uvicorn
 
-from benchmarks.measuring import Rate, Row
+from benchmarks.measurement import Rate, Row
 from kitrobot.files import examples_folder
 from kitrobot.server import create_app
 from kitrobot.server.serving import server_config

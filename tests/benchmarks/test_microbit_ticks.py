@@ -2,25 +2,25 @@
 
 from __future__ import annotations
 
+from benchmarks.firmware_probe import ProbedCall
 from benchmarks.m0_cycles import cycles
 from benchmarks.microbit_ticks import Tick, chosen, row_of, ticks_of
-from benchmarks.outside import Called
 from tools.kit_pages import ticks_2016
 from tools.microbit_kits import small_kits
 
 CALLS = [
-    Called(False, 900, 100, 99),  # not due yet
-    Called(False, 2_000, 100, 100),  # due: it begins
-    Called(False, 4_000, 101, 40),  # of a part that is busy
-    Called(True, 9_000, 100, 20),  # done
-    Called(False, 9_100, 120, 107),  # there is time until the next one
-    Called(True, 9_200, 107, 13),  # waits for requests so long
-    Called(False, 22_000, 120, 120),
-    Called(True, 45_000, 120, 20),
-    Called(False, 45_100, 140, 143),  # which is late by 3 ms
-    Called(False, 45_300, 143, 143),
-    Called(True, 52_000, 143, 20),
-    Called(False, 52_100, 163, 150),
+    ProbedCall(False, 900, 100, 99),  # not due yet
+    ProbedCall(False, 2_000, 100, 100),  # due: it begins
+    ProbedCall(False, 4_000, 101, 40),  # of a part that is busy
+    ProbedCall(True, 9_000, 100, 20),  # done
+    ProbedCall(False, 9_100, 120, 107),  # there is time until the next one
+    ProbedCall(True, 9_200, 107, 13),  # waits for requests so long
+    ProbedCall(False, 22_000, 120, 120),
+    ProbedCall(True, 45_000, 120, 20),
+    ProbedCall(False, 45_100, 140, 143),  # which is late by 3 ms
+    ProbedCall(False, 45_300, 143, 143),
+    ProbedCall(True, 52_000, 143, 20),
+    ProbedCall(False, 52_100, 163, 150),
 ]
 
 

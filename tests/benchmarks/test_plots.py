@@ -5,7 +5,7 @@ from __future__ import annotations
 import xml.etree.ElementTree as ElementTree
 from typing import Any
 
-from benchmarks.checking_growth import picture, series
+from benchmarks.exploration_growth import picture, series
 from benchmarks.growth import ROBOTS
 from benchmarks.growth import picture as steps_by_robots
 

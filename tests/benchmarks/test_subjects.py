@@ -12,9 +12,9 @@ from typing import Any
 import pytest
 
 from benchmarks.__main__ import main, table
-from benchmarks.material import ROBOT, catalogue, graph_of, text_of_lines, tree_of_vertices
-from benchmarks.measuring import Rate, Row, in_turns
+from benchmarks.measurement import Rate, Row, in_turns
 from benchmarks.peers import behaviour_tree, blockly, lark_parser
+from benchmarks.random_programs import ROBOT, catalogue, graph_of, text_of_lines, tree_of_vertices
 from benchmarks.subjects import names, subject
 from kitrobot.compiler import compile_program
 from kitrobot.lll import Call, nodes, parse, print_program

@@ -8,7 +8,7 @@ from kitrobot.deploy import Line, NoMemoryError, RawRepl, Receiver, deploy
 from kitrobot.workspace import open_mission
 from tests.boards.qemu import Emulated
 from tests.effort import cases
-from tests.verifier.building import EXAMPLES
+from tests.verifier.check_fixtures import EXAMPLES
 from tools.microbit_kits import programs, small_kits, try_out
 
 pytestmark = pytest.mark.boards

@@ -15,7 +15,7 @@ from kitrobot.deploy import Board, Line, RawRepl, Receiver, SilentError, connect
 from kitrobot.workspace import open_mission
 from tests.boards.modern import ModernBoard, onboard_files
 from tests.patience import PATIENCE_S
-from tests.verifier.building import EXAMPLES
+from tests.verifier.check_fixtures import EXAMPLES
 from tools.microbit_kits import programs, small_kits
 
 BOOT = b"""

@@ -5,7 +5,7 @@ from __future__ import annotations
 import json
 from pathlib import Path
 
-from tests.verifier.building import EXAMPLES
+from tests.verifier.check_fixtures import EXAMPLES
 
 GOOD = "Wheel.Advance(40); WAIT(5); Wheel.Stop();"
 

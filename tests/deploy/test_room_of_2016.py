@@ -14,7 +14,7 @@ from kitrobot.robots import BoardProgram
 from kitrobot.workspace import open_mission
 from tests.deploy.small_flash import CHUNK, SmallFlash
 from tests.effort import cases
-from tests.verifier.building import EXAMPLES
+from tests.verifier.check_fixtures import EXAMPLES
 from tools.kit_pages import measured_2016
 from tools.microbit_kits import programs, sendable, small_kits
 

@@ -12,7 +12,7 @@ from kitrobot.mission import AskedProperty, Form, Mission, read_mission, write_m
 from kitrobot.server.shapes import MissionShape, mission_from_shape, mission_shape
 from kitrobot.versions import differences, merge_missions
 from kitrobot.workspace import open_mission
-from tests.verifier.building import EXAMPLES
+from tests.verifier.check_fixtures import EXAMPLES
 
 HEAD = """<kitrobot version="1"><program name="p" robot="mini-robot"><vertex id="start" element="Start"/>
 <vertex id="stop" element="Stop"/><arc from="start" to="stop"/></program>

@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from tools import thorough_tests
-from tools.thorough_tests import Left, left_out
+from tools.thorough_tests import SkippedTest, find_skipped_tests
 
 MARKED = """
 import pytest
@@ -22,14 +22,14 @@ def test_the_page_is_current() -> None:
 
 
 def test_marks_are_found_at_files_tests_and_cases() -> None:
-    assert left_out(MARKED, "tests/a/test_c.py") == [
-        Left("tests/a/test_c.py", "all of it", "test_a.py, on one mission"),
-        Left("tests/a/test_c.py", "test_c", "test_b.py"),
-        Left("tests/a/test_c.py", "test_c", "the first case"),
+    assert find_skipped_tests(MARKED, "tests/a/test_c.py") == [
+        SkippedTest("tests/a/test_c.py", "all of it", "test_a.py, on one mission"),
+        SkippedTest("tests/a/test_c.py", "test_c", "test_b.py"),
+        SkippedTest("tests/a/test_c.py", "test_c", "the first case"),
     ]
 
 
 @pytest.mark.parametrize("mark", ["pytest.mark.thorough", "pytest.mark.thorough()", "pytest.mark.thorough(' ')"])
 def test_a_mark_that_says_nothing_is_told_with_its_place(mark: str) -> None:
     with pytest.raises(ValueError, match=r"test_c\.py, line 2: `thorough`"):
-        left_out(f"import pytest\n@{mark}\ndef test_c(): ...", "tests/a/test_c.py")
+        find_skipped_tests(f"import pytest\n@{mark}\ndef test_c(): ...", "tests/a/test_c.py")

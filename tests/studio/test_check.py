@@ -10,7 +10,7 @@ from playwright.sync_api import expect
 from kitrobot.server import drawing_checks
 from tests.patience import PATIENCE_S
 from tests.studio.test_reach import find_nothing
-from tests.verifier.building import EXAMPLES
+from tests.verifier.check_fixtures import EXAMPLES
 from tests.workspace.test_drawing_check import WAIT
 
 pytestmark = pytest.mark.browser

@@ -11,18 +11,20 @@ from babel.messages.catalog import Message
 from kitrobot.primitives import load_catalogue
 from kitrobot.text import HOLE
 from kitrobot.translation.catalogue import catalogue as read_catalogue
-from tools.sentences import HALVES, LANGUAGES, PROGRAM, english, entries, forms
+from tools.sentences import CATALOGUE_SETS, LANGUAGES, PROGRAM, english, entries, forms
 
 COUNTS = (0, 1, 2, 3, 10, 11, 21, 100, 1_000_000)
 ANY_HOLE = re.compile(r"\{(\w+)\}")
 
-each_catalogue = pytest.mark.parametrize(("half", "language"), [(half, one) for half in HALVES for one in LANGUAGES])
+each_catalogue = pytest.mark.parametrize(
+    ("half", "language"), [(half, one) for half in CATALOGUE_SETS for one in LANGUAGES]
+)
 each_language = pytest.mark.parametrize("language", LANGUAGES)
 
 
 def filled(half: str, language: str) -> list[Message]:
     """The entries that are translated; the first test tells of the others."""
-    return [one for one in entries(HALVES[half].catalogue(language)).values() if all(forms(one))]
+    return [one for one in entries(CATALOGUE_SETS[half].catalogue(language)).values() if all(forms(one))]
 
 
 def pairs(half: str, language: str) -> Iterator[tuple[str, str]]:
@@ -34,18 +36,20 @@ def pairs(half: str, language: str) -> Iterator[tuple[str, str]]:
 
 @each_catalogue
 def test_every_sentence_has_a_translation_and_every_translation_a_sentence(half: str, language: str) -> None:
-    assert HALVES[half].faults(language) == ([], []), "python tools/sentences.py --write, then fill in what is empty"
+    assert CATALOGUE_SETS[half].faults(language) == ([], []), (
+        "python tools/sentences.py --write, then fill in what is empty"
+    )
 
 
-@pytest.mark.parametrize("half", HALVES)
+@pytest.mark.parametrize("half", CATALOGUE_SETS)
 def test_the_languages_have_the_same_entries(half: str) -> None:
-    first, *others = (list(entries(HALVES[half].catalogue(language))) for language in LANGUAGES)
+    first, *others = (list(entries(CATALOGUE_SETS[half].catalogue(language))) for language in LANGUAGES)
     assert all(other == first for other in others)
 
 
 @each_catalogue
 def test_no_entry_waits_for_somebody_to_look_at_it(half: str, language: str) -> None:
-    assert [one.id for one in HALVES[half].catalogue(language) if one.fuzzy] == []
+    assert [one.id for one in CATALOGUE_SETS[half].catalogue(language) if one.fuzzy] == []
 
 
 @each_catalogue
@@ -59,7 +63,7 @@ def test_a_translation_has_the_holes_of_its_sentence_and_pairs_its_back_quotes(h
 
 @each_catalogue
 def test_what_counts_has_each_plural_form_of_its_language(half: str, language: str) -> None:
-    known = HALVES[half].catalogue(language)
+    known = CATALOGUE_SETS[half].catalogue(language)
     counting = [one for one in known if one.id and one.pluralizable]
     assert counting
     for one in counting:
@@ -90,7 +94,7 @@ def test_a_template_of_recordings_names_each_hole_once_and_its_plural_in_the_sam
         assert not one.id or HOLE.findall(english(one)[-1]) == names, one.id
 
 
-@pytest.mark.parametrize("half", HALVES)
+@pytest.mark.parametrize("half", CATALOGUE_SETS)
 def test_urdu_is_written_in_urdu(half: str) -> None:
     for said, other in pairs(half, "ur"):
         name = half == "page" or re.fullmatch(r"[^a-z]*", HOLE.sub("", said))

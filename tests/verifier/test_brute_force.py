@@ -25,13 +25,13 @@ from kitrobot.verifier import (
     Budget,
     Model,
     Timing,
-    asked_properties,
-    judge,
+    abstract_run,
+    build_custom_properties,
+    check_properties,
+    property_variables,
     ready_properties,
-    take_apart,
-    variables_asked,
 )
-from kitrobot.verifier.exploring import Explored, explore
+from kitrobot.verifier.exploration import StateSpace, explore
 from tests.effort import examples
 from tests.sim.building import avatar, empty_world, run_of
 from tests.strategies.programs import Shape, random_program
@@ -252,12 +252,12 @@ def test_random_missions_stand_still_where_brute_force_says_so(
     said = {True: 0, False: 0}
     for seed in range(examples(40, 2000)):
         run, texts = random_run(random.Random(seed))
-        model = Model(run, take_apart(run), 0, timing)
+        model = Model(run, abstract_run(run), 0, timing)
         stands = brute_force(run)
         if stands is None:
             continue
         ready = [one for one in ready_properties(model) if one.name == "deadlock"]
-        made = judge(model, ready, Budget(10 * MOST_STATES))
+        made = check_properties(model, ready, Budget(10 * MOST_STATES))
         assert made.complete, texts
         broken = made.verdicts[0].answer.value == "broken"
         assert stands.strictly <= broken <= stands.as_seen, (seed, texts)
@@ -265,7 +265,7 @@ def test_random_missions_stand_still_where_brute_force_says_so(
     assert min(said.values()) > 5
 
 
-def shown(made: Explored) -> set[State]:
+def shown(made: StateSpace) -> set[State]:
     """What `Free.shown` shows, of the states of a model."""
     model, found = made.model, set()
     for number in range(len(made)):
@@ -288,7 +288,7 @@ def test_random_missions_with_failures_come_where_brute_force_comes_and_nowhere_
         found = explored(free.first, free.after)
         if found is None:
             continue
-        model = Model(run, take_apart(run), failures, Timing.FREE)
+        model = Model(run, abstract_run(run), failures, Timing.FREE)
         made = explore(model, Budget(10 * MOST_STATES), False)
         assert made.complete, texts
         assert shown(made) == {free.shown(state) for state in found}, (seed, texts)
@@ -301,7 +301,7 @@ def test_whoever_lags_as_he_likes_comes_wherever_he_comes_in_step() -> None:
     compared = more = 0
     for seed in range(examples(25, 2000)):
         run, texts = random_run(random.Random(seed), 3)
-        models = {timing: Model(run, take_apart(run), 0, timing) for timing in Timing}
+        models = {timing: Model(run, abstract_run(run), 0, timing) for timing in Timing}
         made = {timing: explore(model, Budget(10 * MOST_STATES), False) for timing, model in models.items()}
         if all(one.complete for one in made.values()):
             seen = {timing: shown(one) for timing, one in made.items()}
@@ -328,8 +328,8 @@ def test_two_that_ask_in_the_same_moment_enter_together_in_every_timing(timing: 
     a, b = ENTERS.format(own="A", number=1, other="B", turn=2), ENTERS.format(own="B", number=2, other="A", turn=1)
     run = run_of({"a": (robot, a), "b": (robot, b)}, empty_world(a=(200, 200, 0), b=(600, 600, 0)))
     asked = [AskedProperty("mutex", Form.NEVER, "any a (InA.EqualTo(1)) & any b (InB.EqualTo(1))")]
-    model = Model(run, take_apart(run, variables_asked(run, asked)), 0, timing)
-    properties, left_out = asked_properties(model, asked)
+    model = Model(run, abstract_run(run, property_variables(run, asked)), 0, timing)
+    properties, left_out = build_custom_properties(model, asked)
     assert left_out == []
-    (verdict,) = judge(model, properties, Budget(10_000)).verdicts
+    (verdict,) = check_properties(model, properties, Budget(10_000)).verdicts
     assert verdict.answer.value == "broken"

@@ -23,22 +23,22 @@ from kitrobot.verifier import (
     Budget,
     Model,
     Timing,
-    asked_properties,
-    judge,
+    abstract_run,
+    build_custom_properties,
+    check_properties,
+    property_variables,
     ready_properties,
-    take_apart,
-    variables_asked,
 )
-from kitrobot.verifier.exploring import explore
+from kitrobot.verifier.exploration import explore
 from kitrobot.world import Corner, Road, Section, Start, Storehouse, World
 from tests.effort import examples
 from tests.sim.building import WHEEL, avatar, empty_world, run_of
 from tests.strategies.programs import Shape, random_program
-from tests.verifier.reference import exploring as plain_exploring
-from tests.verifier.reference import judging as plain_judging
+from tests.verifier.reference import exploration as plain_exploration
 from tests.verifier.reference import model as plain_model
 from tests.verifier.reference import properties as plain_properties
 from tests.verifier.reference import timing as plain_timing
+from tests.verifier.reference import verdicts as plain_verdicts
 
 MOST_STATES = 400
 """Missions with more are left out: both explorers would take long."""
@@ -257,7 +257,7 @@ def test_random_missions_come_where_brute_force_comes_and_break_what_it_breaks(t
         if graph is None:
             continue
         asked = [AskedProperty(f"{form.value}-{n}", form, *rng.sample(list(FACTS), 2)) for form in Form for n in "123"]
-        model = Model(run, take_apart(run, variables_asked(run, asked)), 0, timing)
+        model = Model(run, abstract_run(run, property_variables(run, asked)), 0, timing)
         made = explore(model, Budget(10 * MOST_STATES), False)
         assert made.complete, texts
         ours = set()
@@ -270,10 +270,12 @@ def test_random_missions_come_where_brute_force_comes_and_break_what_it_breaks(t
         shown = {state: machines.shown(state) for state in graph.steps}
         assert ours == set(shown.values()), (seed, texts)
         values = {state: one[0] for state, one in shown.items()}
-        model = Model(run, take_apart(run, variables_asked(run, asked)), 0, timing)
-        properties, left_out = asked_properties(model, asked)
+        model = Model(run, abstract_run(run, property_variables(run, asked)), 0, timing)
+        properties, left_out = build_custom_properties(model, asked)
         assert left_out == []
-        for one, verdict in zip(asked, judge(model, properties, Budget(10 * MOST_STATES)).verdicts, strict=True):
+        for one, verdict in zip(
+            asked, check_properties(model, properties, Budget(10 * MOST_STATES)).verdicts, strict=True
+        ):
             broken = is_broken(machines, graph, values, one)
             assert (verdict.answer.value == "broken") == broken, (seed, one, texts)
             said[one.form, broken] += 1
@@ -317,18 +319,18 @@ def test_random_missions_on_a_road_have_the_states_and_answers_of_the_plain_mode
     compared, answers = 0, set()
     for seed in (*range(examples(16, 400)), 128):
         run, texts = random_road(random.Random(seed))
-        parts = take_apart(run)
+        parts = abstract_run(run)
         model = Model(run, parts, 0, timing)
-        ours = judge(model, ready_properties(model), Budget(3 * MOST_STATES))
+        ours = check_properties(model, ready_properties(model), Budget(3 * MOST_STATES))
         if not ours.complete:
             continue
         plain = plain_model.Model(run, parts, 0)
-        theirs = plain_judging.judge(
+        theirs = plain_verdicts.check_properties(
             plain,
             plain_properties.ready_properties(plain),
             plain_timing.Timing(timing.value),
             0,
-            plain_exploring.Budget(10 * MOST_STATES),
+            plain_exploration.Budget(10 * MOST_STATES),
         )
         assert ours.states == theirs.states, (seed, texts)
         assert ours.depth == theirs.depth or (timing is not Timing.LOCKSTEP and ours.depth < theirs.depth), (

@@ -16,11 +16,11 @@ import pytest
 from kitrobot.mission import Failure, FailureKind
 from kitrobot.sim import Simulation
 from kitrobot.sim import columns as c
-from kitrobot.verifier import take_apart
+from kitrobot.verifier import abstract_run
 from kitrobot.world import Corner, Dock, Road, Start, Storehouse, World
 from tests.effort import cases
 from tests.sim.building import WHEEL, avatar, run_of, transport
-from tests.verifier.building import EXAMPLES, prepared
+from tests.verifier.check_fixtures import EXAMPLES, prepared
 from tests.verifier.reference.model import Model, State
 from tests.verifier.reference.timing import Clock, Timing
 
@@ -80,7 +80,7 @@ def follow(
 
     `harms` is what is done by hand: before which step, to whom, and what.
     """
-    model = Model(run, take_apart(run), failures, kinds)
+    model = Model(run, abstract_run(run), failures, kinds)
     clock = Clock(model, Timing.LOCKSTEP)
     fitting = {model.first}
     different = set()
@@ -93,14 +93,14 @@ def follow(
         run.step()
         now = seen(run, model)
         different.add(now)
-        befallen = {state for one in fitting for state in befell(one, now, model)}
+        befallen = {state for one in fitting for state in injected_faults(one, now, model)}
         ticked = {after for state in befallen for after in model.after_all(state)}
         fitting = {moved for state in ticked for moved, _, _ in clock.moments(state) if shown(moved, model) == now}
         assert fitting, f"step {before}: {now}"
     return len(different)
 
 
-def befell(state: State, now: Any, model: Model) -> set[State]:
+def injected_faults(state: State, now: Any, model: Model) -> set[State]:
     """A state of the model, and those after failures that agents were seen to have."""
     down = [agent[2] for agent in now[0]]
     found = {state}

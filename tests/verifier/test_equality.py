@@ -9,32 +9,32 @@ import pytest
 
 from kitrobot.mission import FailureKind
 from kitrobot.sim import Simulation
-from kitrobot.verifier import AbstractionError, Budget, Model, Timing, judge, ready_properties, take_apart
+from kitrobot.verifier import AbstractionError, Budget, Model, Timing, abstract_run, check_properties, ready_properties
 from kitrobot.verifier import columns as v
-from kitrobot.verifier.building import USUAL_KINDS
-from kitrobot.verifier.exploring import explore
+from kitrobot.verifier.exploration import explore
+from kitrobot.verifier.table_builder import USUAL_KINDS
 from tests.effort import cases
 from tests.sim.building import transport
-from tests.verifier.building import EXAMPLES, mutant, prepared
-from tests.verifier.reference import exploring as plain_exploring
-from tests.verifier.reference import judging as plain_judging
+from tests.verifier.check_fixtures import EXAMPLES, mutant, prepared
+from tests.verifier.reference import exploration as plain_exploration
 from tests.verifier.reference import model as plain_model
 from tests.verifier.reference import properties as plain_properties
 from tests.verifier.reference import timing as plain_timing
+from tests.verifier.reference import verdicts as plain_verdicts
 
 
 def agrees(run: Simulation, timing: Timing, failures: int = 0, kinds: Sequence[FailureKind] = USUAL_KINDS) -> None:
     """Explores a mission both ways and compares what came of it."""
-    parts = take_apart(run)
+    parts = abstract_run(run)
     model = Model(run, parts, failures, timing, kinds)
-    ours = judge(model, ready_properties(model), Budget(200_000))
+    ours = check_properties(model, ready_properties(model), Budget(200_000))
     plain = plain_model.Model(run, parts, failures, kinds)
-    theirs = plain_judging.judge(
+    theirs = plain_verdicts.check_properties(
         plain,
         plain_properties.ready_properties(plain),
         plain_timing.Timing(timing.value),
         failures,
-        plain_exploring.Budget(200_000),
+        plain_exploration.Budget(200_000),
     )
     assert ours.complete
     assert (ours.states, ours.complete) == (theirs.states, theirs.complete)
@@ -43,8 +43,8 @@ def agrees(run: Simulation, timing: Timing, failures: int = 0, kinds: Sequence[F
     for other in theirs.verdicts:
         one = verdicts[other.property.name]
         assert one.answer.value == other.answer.value
-        if one.way is not None and other.way is not None and one.property.waits is None:
-            is_as_short(len(one.way.steps), len(other.way.steps), timing)
+        if one.counterexample is not None and other.way is not None and one.property.waits is None:
+            is_as_short(len(one.counterexample.steps), len(other.way.steps), timing)
 
 
 def is_as_short(ours: int, theirs: int, timing: Timing) -> None:
@@ -106,8 +106,8 @@ def test_a_mission_on_two_roads_has_the_states_and_answers_of_the_plain_model() 
 def test_keys_of_two_words_have_the_states_of_one() -> None:
     """A field that is far wider than it needs to be pushes others into the second word."""
     run = transport(stock=1, carriers=1)
-    narrow = explore(Model(run, take_apart(run), 0, Timing.FREE), Budget(), True)
-    model = Model(run, take_apart(run), 0, Timing.FREE)
+    narrow = explore(Model(run, abstract_run(run), 0, Timing.FREE), Budget(), True)
+    model = Model(run, abstract_run(run), 0, Timing.FREE)
     model.begin()
     for field in range(1, 4):
         model.layout = model.widths.widen(field, (1 << 20) - 1)
@@ -120,7 +120,7 @@ def test_keys_of_two_words_have_the_states_of_one() -> None:
 
 def test_what_a_field_holds_no_more_widens_it_and_changes_no_state() -> None:
     run = transport(stock=1, carriers=1)
-    made = explore(Model(run, take_apart(run), 0, Timing.FREE), Budget(), False)
+    made = explore(Model(run, abstract_run(run), 0, Timing.FREE), Budget(), False)
     states = [made.state(n) for n in range(len(made))]
     assert len(set(states)) == len(states) == 1666
     assert all(
@@ -131,8 +131,8 @@ def test_what_a_field_holds_no_more_widens_it_and_changes_no_state() -> None:
 @pytest.mark.parametrize("memory", [0, 500_000])
 def test_a_search_without_memory_left_ends_and_nothing_holds(memory: int) -> None:
     run = transport(stock=12, carriers=3)
-    model = Model(run, take_apart(run), 0, Timing.FREE)
-    made = judge(model, ready_properties(model), Budget(10_000_000, memory=memory))
+    model = Model(run, abstract_run(run), 0, Timing.FREE)
+    made = check_properties(model, ready_properties(model), Budget(10_000_000, memory=memory))
     assert not made.complete
     assert made.memory < memory + 3_000_000
     assert "holds" not in {verdict.answer.value for verdict in made.verdicts}
@@ -149,7 +149,7 @@ def test_a_search_is_stopped_between_two_looks() -> None:
 
     told: list[int] = []
     made = explore(
-        Model(run, take_apart(run), 0, Timing.FREE),
+        Model(run, abstract_run(run), 0, Timing.FREE),
         Budget(10_000_000, stop=stop, progress=lambda states, depth: told.append(states)),
         True,
     )
@@ -160,7 +160,7 @@ def test_a_search_is_stopped_between_two_looks() -> None:
 
 def test_too_many_robots_are_refused_in_a_sentence() -> None:
     run = transport(stock=1, carriers=1)
-    parts = take_apart(run)
+    parts = abstract_run(run)
     parts.parts = (parts.parts * 63)[:63]
     with pytest.raises(AbstractionError, match="too many robots"):
         Model(run, parts)

@@ -6,7 +6,7 @@ import pytest
 
 from kitrobot.sim import Simulation
 from kitrobot.translation.rendering import translated
-from kitrobot.verifier import Timing, take_apart
+from kitrobot.verifier import Timing, abstract_run
 from kitrobot.workspace.verification import Verification, VerificationOptions, verify_runs
 from tests.sim.building import avatar, empty_world, run_of
 
@@ -55,8 +55,8 @@ def test_a_run_that_reads_what_is_there_is_confirmed_and_needs_nothing() -> None
 def test_what_a_person_presses_may_come_at_any_time_and_is_no_limit() -> None:
     robot = avatar(HAND)
     world = empty_world(a=(200.0, 200.0, 0.0))
-    assert take_apart(run_of({"a": (robot, "<Hand.IsPressed()>();")}, world)).limits == []
-    assert take_apart(run_of({"a": (avatar(GROUND), "WAIT(2);")}, world)).limits == []
+    assert abstract_run(run_of({"a": (robot, "<Hand.IsPressed()>();")}, world)).limits == []
+    assert abstract_run(run_of({"a": (avatar(GROUND), "WAIT(2);")}, world)).limits == []
 
 
 SEEN = """<sensor name="Ground" device="colour" min="0" max="9" unit="%">

@@ -11,16 +11,16 @@ from kitrobot.verifier import (
     Budget,
     Model,
     Timing,
-    asked_properties,
+    abstract_run,
+    build_custom_properties,
+    check_properties,
     confirm,
-    judge,
+    property_variables,
     ready_properties,
-    take_apart,
-    variables_asked,
 )
 from kitrobot.workspace.verification import VerificationOptions, runs_of, verify
 from tests.sim.building import transport
-from tests.verifier.building import EXAMPLES, answers, judged, mutant, prepared
+from tests.verifier.check_fixtures import EXAMPLES, answers, judged, mutant, prepared
 
 SAFE = ("contact", "empty-storehouse", "empty-swing", "stock", "deadlock", "stopped")
 COUNTS = '<vertex id="v11" element="Loaded.Add"><set name="value">1</set></vertex>'
@@ -89,9 +89,12 @@ def test_a_mission_made_wrong_is_found_out(tmp_path: Path, old: str, new: str, b
     made = judged(run, Timing.LOCKSTEP)
     verdict = next(verdict for verdict in made.verdicts if verdict.property.name == broken)
     assert verdict.answer.value == "broken"
-    assert verdict.way is not None
-    assert len(verdict.way.states) == len(verdict.way.steps) + 1
-    assert all(step.state == state for step, state in zip(verdict.way.steps, verdict.way.states[1:], strict=True))
+    assert verdict.counterexample is not None
+    assert len(verdict.counterexample.states) == len(verdict.counterexample.steps) + 1
+    assert all(
+        step.state == state
+        for step, state in zip(verdict.counterexample.steps, verdict.counterexample.states[1:], strict=True)
+    )
 
 
 FALL = (
@@ -138,19 +141,19 @@ def test_the_narrow_way_of_merge_needs_its_gate(tmp_path: Path, minded: bool) ->
     path.write_text(text, encoding="utf-8")
     fresh = runs_of(prepared(path).parts())
     run = fresh(1)
-    model = Model(run, take_apart(run, variables_asked(run, [ALONE])))
-    [alone], left_out = asked_properties(model, [ALONE])
+    model = Model(run, abstract_run(run, property_variables(run, [ALONE])))
+    [alone], left_out = build_custom_properties(model, [ALONE])
     assert left_out == []
     # With its gate the mission is right in all else too, which is looked at in the same search.
-    made = judge(model, [alone, *(ready_properties(model) if minded else [])], Budget(200_000))
+    made = check_properties(model, [alone, *(ready_properties(model) if minded else [])], Budget(200_000))
     verdict = made.verdicts[0]
     assert verdict.answer.value == ("holds" if minded else "broken")
     if minded:
         assert made.complete
         assert set(answers(made).values()) == {"holds"}
     else:
-        assert verdict.way is not None
-        assert confirm(alone, verdict.way, model, fresh, lambda: False) is not None
+        assert verdict.counterexample is not None
+        assert confirm(alone, verdict.counterexample, model, fresh, lambda: False) is not None
 
 
 def test_a_loader_that_does_not_count_is_confirmed_in_the_simulator(tmp_path: Path) -> None:
@@ -160,7 +163,7 @@ def test_a_loader_that_does_not_count_is_confirmed_in_the_simulator(tmp_path: Pa
     )
     finding = made.columns[0].findings[0]
     assert finding.confirmed is not None
-    assert finding.confirmed.harms == ()
+    assert finding.confirmed.faults == ()
     assert str(finding.story[-1][1]) == "loader reaches into the empty storehouse A"
 
 
@@ -174,7 +177,7 @@ def test_a_carrier_that_fails_stops_the_others_and_the_simulator_shows_it(tmp_pa
     assert holds.verdict.answer.value == "holds"
     assert broken.verdict.answer.value == "broken"
     assert broken.confirmed is not None
-    assert broken.confirmed.harms
+    assert broken.confirmed.faults
 
 
 def test_a_mission_with_two_roads_is_right_in_lockstep() -> None:

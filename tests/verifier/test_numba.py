@@ -13,17 +13,17 @@ from kitrobot.verifier import (
     Budget,
     Model,
     Timing,
-    asked_properties,
-    judge,
+    abstract_run,
+    build_custom_properties,
+    check_properties,
+    property_variables,
     ready_properties,
-    take_apart,
-    variables_asked,
 )
-from kitrobot.verifier.compiling import engine
 from kitrobot.verifier.engines import PLAIN, Engine
-from kitrobot.verifier.exploring import Explored, explore
+from kitrobot.verifier.exploration import StateSpace, explore
+from kitrobot.verifier.numba_engine import engine
 from tests.sim.building import transport
-from tests.verifier.test_asked import AT_A, LOADED
+from tests.verifier.test_custom_properties import AT_A, LOADED
 from tests.verifier.test_teams import team
 
 pytestmark = pytest.mark.thorough("test_equality.py holds the plain engine; sim/test_numba.py that Numba is used")
@@ -50,9 +50,9 @@ def test_compiled_and_plain_give_the_same_numbers(
         AskedProperty("e", Form.EVENTUALLY, "any store-manager-B (Goal.EqualTo(1))"),
         AskedProperty("s", Form.STAYS, LOADED, AT_A),
     ]
-    parts = take_apart(run, variables_asked(run, asked))
+    parts = abstract_run(run, property_variables(run, asked))
 
-    def made(engine: Engine) -> Explored:
+    def made(engine: Engine) -> StateSpace:
         return explore(Model(run, parts, failures, timing, KINDS), Budget(30_000), True, engine)
 
     plain, fast = made(PLAIN), made(compiled)
@@ -63,10 +63,10 @@ def test_compiled_and_plain_give_the_same_numbers(
     verdicts = []
     for each in (PLAIN, compiled):
         model = Model(run, parts, failures, timing, KINDS)
-        own, left_out = asked_properties(model, asked)
+        own, left_out = build_custom_properties(model, asked)
         assert left_out == []
-        judged = judge(model, [*ready_properties(model), *own], Budget(30_000), each)
-        verdicts.append([(one.answer, one.way) for one in judged.verdicts])
+        judged = check_properties(model, [*ready_properties(model), *own], Budget(30_000), each)
+        verdicts.append([(one.answer, one.counterexample) for one in judged.verdicts])
     assert verdicts[0] == verdicts[1]
 
 
@@ -74,7 +74,7 @@ def test_compiled_and_plain_give_the_same_numbers(
 @pytest.mark.parametrize("timing", list(Timing))
 def test_a_team_has_the_same_numbers_too(compiled: Engine, timing: Timing) -> None:
     run = team("2*( SeqOfPar scout ( Arm.Do(1); Arm.Do(2); ); ); ParOfSeq scout ( Boxes.Take(); Boxes.Done(); );").run
-    plain, fast = (explore(Model(run, take_apart(run), 0, timing), Budget(), True, one) for one in (PLAIN, compiled))
+    plain, fast = (explore(Model(run, abstract_run(run), 0, timing), Budget(), True, one) for one in (PLAIN, compiled))
     assert [plain.state(n) for n in range(len(plain))] == [fast.state(n) for n in range(len(fast))]
     assert plain.complete
     assert fast.complete

@@ -7,13 +7,13 @@ from pathlib import Path
 import pytest
 
 from kitrobot.mission import FailureKind
-from kitrobot.verifier import Answer, Model, Timing, take_apart
+from kitrobot.verifier import Answer, Model, Timing, abstract_run
 from kitrobot.verifier.budget import Budget
-from kitrobot.verifier.exploring import explore
+from kitrobot.verifier.exploration import explore
 from kitrobot.workspace.verification import Verification, VerificationOptions, verify, verify_runs
 from tests.sim.building import transport
-from tests.verifier.building import mutant
-from tests.verifier.reference import exploring as plain_exploring
+from tests.verifier.check_fixtures import mutant
+from tests.verifier.reference import exploration as plain_exploration
 from tests.verifier.reference import model as plain_model
 from tests.verifier.reference import timing as plain_timing
 
@@ -40,7 +40,7 @@ def test_a_loader_that_hears_nobody_is_waited_for_and_the_simulator_shows_it() -
     assert broken.verdict.answer is Answer.BROKEN
     assert "loader loses its radio" in [str(text) for _, text in broken.story]
     assert broken.confirmed is not None
-    assert [(harm.agent, harm.kind) for harm in broken.confirmed.harms] == [("loader", "mute")]
+    assert [(harm.agent, harm.kind) for harm in broken.confirmed.faults] == [("loader", "mute")]
     assert [column.judged.states for column in made.columns] == [35, 468]
     assert [check["kinds"] for check in made.to_json()["checks"]] == [[], ["mute"]]
     assert [str(limit) for limit in made.limits] == ["a robot that loses its radio is taken never to have it again"]
@@ -56,13 +56,15 @@ def test_a_property_asks_for_what_a_robot_that_hears_nobody_knows(tmp_path: Path
     assert alone.verdict.answer is Answer.HOLDS
     assert befallen.verdict.answer is Answer.BROKEN
     assert befallen.confirmed is not None
-    assert [(harm.agent, harm.kind) for harm in befallen.confirmed.harms] == [("loader", kind.value)]
+    assert [(harm.agent, harm.kind) for harm in befallen.confirmed.faults] == [("loader", kind.value)]
 
 
 def test_what_is_asked_of_robots_that_fail_has_the_states_of_the_plain_model() -> None:
     run, kinds = transport(stock=1, carriers=1), (FailureKind.FAIL, FailureKind.MUTE)
-    parts = take_apart(run, {"Order"})
+    parts = abstract_run(run, {"Order"})
     ours = explore(Model(run, parts, 1, Timing.LOCKSTEP, kinds), Budget(), False)
     clock = plain_timing.Clock(plain_model.Model(run, parts, 1, kinds), plain_timing.Timing.LOCKSTEP)
-    theirs = plain_exploring.explore(clock, plain_exploring.Budget(), lambda *_: True, False)
-    assert len(ours) == len(theirs.states) > len(explore(Model(run, take_apart(run), 1, kinds=kinds), Budget(), False))
+    theirs = plain_exploration.explore(clock, plain_exploration.Budget(), lambda *_: True, False)
+    assert (
+        len(ours) == len(theirs.states) > len(explore(Model(run, abstract_run(run), 1, kinds=kinds), Budget(), False))
+    )

@@ -15,25 +15,37 @@ from kitrobot.lll import parse_team
 from kitrobot.mission import BreakdownRule, FailureKind
 from kitrobot.sim import Simulation
 from kitrobot.sim import columns as c
-from kitrobot.verifier import Budget, Confirmed, Model, Timing, Verdict, confirm, judge, ready_properties, take_apart
-from kitrobot.verifier.exploring import explore
+from kitrobot.verifier import (
+    Budget,
+    ConfirmedRun,
+    Model,
+    Timing,
+    Verdict,
+    abstract_run,
+    check_properties,
+    confirm,
+    ready_properties,
+)
+from kitrobot.verifier.exploration import explore
 from kitrobot.workspace.verification import VerificationOptions, verify_runs
 from tests.sim.building import WHEEL, avatar, empty_world, run_of, transport
 from tests.sim.team_building import RunningTeam
-from tests.verifier.building import mutant
+from tests.verifier.check_fixtures import mutant
 
 KEY = '<sensor name="Key" device="button" type="boolean"><operation name="IsPressed" test="equal" to="1"/></sensor>'
 
 
-def checked(fresh: Callable[[int], Simulation], name: str, failures: int = 0) -> tuple[Verdict, Confirmed | None]:
+def checked(fresh: Callable[[int], Simulation], name: str, failures: int = 0) -> tuple[Verdict, ConfirmedRun | None]:
     """The verdict on one property in lockstep, and the run of the simulator that confirms it where it is broken."""
     run = fresh(1)
-    model = Model(run, take_apart(run), failures, Timing.LOCKSTEP, (FailureKind.FAIL,))
+    model = Model(run, abstract_run(run), failures, Timing.LOCKSTEP, (FailureKind.FAIL,))
     [one] = [one for one in ready_properties(model) if one.name == name]
-    made = judge(model, [one], Budget(50_000))
+    made = check_properties(model, [one], Budget(50_000))
     [verdict] = made.verdicts
     assert made.complete
-    return verdict, None if verdict.way is None else confirm(one, verdict.way, model, fresh, lambda: False)
+    return verdict, None if verdict.counterexample is None else confirm(
+        one, verdict.counterexample, model, fresh, lambda: False
+    )
 
 
 def team(body: str) -> Callable[[int], Simulation]:
@@ -53,7 +65,7 @@ def test_no_box_is_lost_as_long_as_nobody_fails_and_their_number_is_the_same_in_
     verdict, _ = checked(fresh, "stock")
     assert verdict.answer.value == "holds"
     run = fresh(1)
-    made = explore(Model(run, take_apart(run)), Budget(), False)
+    made = explore(Model(run, abstract_run(run)), Budget(), False)
     model = made.model
     states = [made.state(number) for number in range(len(made))]
     boxes = {
@@ -73,20 +85,20 @@ def test_a_box_on_a_robot_that_fails_is_held_by_it_and_not_delivered() -> None:
     missed, shown = checked(fresh, "delivered", failures=1)
     assert missed.answer.value == "broken"
     assert shown is not None
-    run, watch = fresh(1), verdict.property.watch
-    assert watch is not None
-    looks = watch(run)
+    run, start_monitor = fresh(1), verdict.property.monitor
+    assert start_monitor is not None
+    monitor = start_monitor(run)
     while not run.state.robots.ints[c.LOAD][0]:
         run.advance(1)
     run.inject_fault("carrier-1", "fail")
     for _ in range(100):
         run.advance(1)
-        assert not looks.after_step()
+        assert not monitor.after_step()
     towed = fresh(1)
     towed.mission.breakdown = type(towed.mission.breakdown)(BreakdownRule.TOW)
-    model = Model(towed, take_apart(towed), 1)
+    model = Model(towed, abstract_run(towed), 1)
     assert "stock" not in [one.name for one in ready_properties(model)]
-    assert "stock" in [one.name for one in ready_properties(Model(towed, take_apart(towed)))]
+    assert "stock" in [one.name for one in ready_properties(Model(towed, abstract_run(towed)))]
 
 
 @pytest.mark.parametrize(("failures", "holder"), [(0, ""), (1, "a box or a unit of work that a robot holds")])
@@ -172,7 +184,7 @@ def test_a_program_without_an_end_or_without_marked_actions_is_not_asked_whether
         "Wheel.Advance(50); WAIT(5); Wheel.Stop();",
     ):
         run = run_of({"a": (robot, text)}, world)
-        assert "stopped" not in [one.name for one in ready_properties(Model(run, take_apart(run)))]
+        assert "stopped" not in [one.name for one in ready_properties(Model(run, abstract_run(run)))]
 
 
 def test_a_carrier_that_nobody_serves_waits_in_its_dock_for_ever(tmp_path: Path) -> None:
@@ -181,6 +193,6 @@ def test_a_carrier_that_nobody_serves_waits_in_its_dock_for_ever(tmp_path: Path)
     prepared = mutant(tmp_path, (old, old.replace("IsTrue", "IsFalse")), carriers=1, stock=1)
     verdict, shown = checked(lambda seed: prepared.again(), "served-carrier-1")
     assert verdict.answer.value == "broken"
-    assert verdict.way is not None
-    assert verdict.way.repeats_from >= 0
+    assert verdict.counterexample is not None
+    assert verdict.counterexample.repeats_from >= 0
     assert shown is not None

@@ -8,11 +8,11 @@ import pytest
 
 from kitrobot.lll import print_program
 from kitrobot.sim import Simulation
-from kitrobot.verifier import Budget, Model, Timing, judge, ready_properties, take_apart
+from kitrobot.verifier import Budget, Model, Timing, abstract_run, check_properties, ready_properties
 from tests.effort import examples
 from tests.sim.building import avatar, empty_world, run_of
 from tests.strategies.programs import Shape, random_program
-from tests.verifier.building import answers, judged
+from tests.verifier.check_fixtures import answers, judged
 from tests.verifier.test_brute_force_timings import random_road
 from tests.verifier.test_teams import team
 
@@ -50,9 +50,9 @@ def to_the_end(run: Simulation) -> None:
 
 def deadlock(run: Simulation, states: int = 20_000) -> str:
     """What Check says in lockstep, which is the simulator's own timing."""
-    model = Model(run, take_apart(run), 0, Timing.LOCKSTEP)
+    model = Model(run, abstract_run(run), 0, Timing.LOCKSTEP)
     ready = [one for one in ready_properties(model) if one.name == "deadlock"]
-    return judge(model, ready, Budget(states)).verdicts[0].answer.value
+    return check_properties(model, ready, Budget(states)).verdicts[0].answer.value
 
 
 WAITS_FOR_FLAG = "*[Flag.IsFalse()]( WAIT(20); ); Count.Add(1);"

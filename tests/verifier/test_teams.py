@@ -14,21 +14,30 @@ from kitrobot.mission import FailureKind
 from kitrobot.sim import Simulation
 from kitrobot.sim import columns as c
 from kitrobot.sim.team_columns import T_MISSED
-from kitrobot.verifier import Budget, Model, Timing, confirm, judge, ready_properties, take_apart, told
+from kitrobot.verifier import (
+    Budget,
+    Model,
+    Timing,
+    abstract_run,
+    check_properties,
+    confirm,
+    describe_run,
+    ready_properties,
+)
 from kitrobot.verifier import columns as v
-from kitrobot.verifier.agreeing import Agreement
+from kitrobot.verifier.absence import AbsenceAgreement
 from kitrobot.verifier.bodies import RUNS
-from kitrobot.verifier.building import KINDS
 from kitrobot.verifier.engines import PLAIN
-from kitrobot.verifier.exploring import Explored, explore
-from kitrobot.verifier.missing import Watch
+from kitrobot.verifier.exploration import StateSpace, explore
 from kitrobot.verifier.model import State
-from kitrobot.verifier.replay import Harm
+from kitrobot.verifier.replay import InjectedFault
+from kitrobot.verifier.table_builder import KINDS
+from kitrobot.verifier.team_agreement import Agreement
 from tests.effort import cases
 from tests.sim.team_building import RunningTeam, random_team_program
 from tests.team_programs.blocks import BlocksMaker
 from tests.team_programs.hosting import TooLarge
-from tests.verifier.building import EXAMPLES, answers, judged, prepared
+from tests.verifier.check_fixtures import EXAMPLES, answers, judged, prepared
 
 DECLARED = "role scout: ant 2; group all-of-us = {scout}; work Boxes = 1;"
 
@@ -42,7 +51,7 @@ def team(body: str) -> RunningTeam:
     return RunningTeam(maker, parsed.program, 1)
 
 
-def following(made: Explored, state: State) -> set[State]:
+def following(made: StateSpace, state: State) -> set[State]:
     """The states after a step."""
     model = made.model
     while True:
@@ -53,15 +62,15 @@ def following(made: Explored, state: State) -> set[State]:
         made.fill(int(t.regs[0]))
 
 
-def follow(run: Simulation, steps: int, harms: Sequence[Harm] = ()) -> int:
+def follow(run: Simulation, steps: int, faults: Sequence[InjectedFault] = ()) -> int:
     """Follows a run of a team, and all states of the model in lockstep that fit; gives how much was agreed on.
 
-    `harms`: what is done before which step, and to whom.
+    `faults`: what is done before which step, and to whom.
     """
-    parts = take_apart(run)
-    failures = sum(harm.kind != "revive" for harm in harms)
+    parts = abstract_run(run)
+    failures = sum(fault.kind != "revive" for fault in faults)
     names = [agent.name for agent in run.members]
-    model = Model(run, parts, failures, kinds=[kind for kind in KINDS if any(harm.kind == kind for harm in harms)])
+    model = Model(run, parts, failures, kinds=[kind for kind in KINDS if any(fault.kind == kind for fault in faults)])
     assert model.agreement is not None
     made = explore(model, Budget(1), True, PLAIN)
     may_fail = model.t.fixed[v.MAY_FAIL]
@@ -71,13 +80,13 @@ def follow(run: Simulation, steps: int, harms: Sequence[Harm] = ()) -> int:
         if run.outcome is not None:
             break
         now_harmed = [
-            harm
-            for harm in harms
-            if harm.tick == run.tick
-            and not run.members[names.index(harm.agent)].ended
-            and run.inject_fault(harm.agent, harm.kind)
+            fault
+            for fault in faults
+            if fault.tick == run.tick
+            and not run.members[names.index(fault.agent)].ended
+            and run.inject_fault(fault.agent, fault.kind)
         ]
-        failures -= sum(harm.kind != "revive" for harm in now_harmed)
+        failures -= sum(fault.kind != "revive" for fault in now_harmed)
         # What else could befall somebody in this step is left out: it would only take time.
         if bool(model.t.fixed[v.MAY_FAIL]) != bool(now_harmed):
             model.t.fixed[v.MAY_FAIL] = may_fail if now_harmed else 0
@@ -103,9 +112,9 @@ def seen(run: Simulation, model: Model, left: int) -> tuple[Any, ...]:
         agents.append((local, robots[c.DOWN][i], is_well and robots[c.MUTED][i]))
     assert model.agreement is not None
     actuators = model.agreement.actuators
-    if model.watch is None:
+    if model.absence is None:
         return tuple(agents), Agreement(run, actuators).first
-    return tuple(agents), model.watch.reduced(Watch(run, actuators).first, left)
+    return tuple(agents), model.absence.reduced(AbsenceAgreement(run, actuators).first, left)
 
 
 def shown(model: Model, state: State, left: int) -> tuple[Any, ...]:
@@ -141,13 +150,13 @@ def test_a_team_of_which_some_fail_does_nothing_that_the_model_does_not(seed: in
         running = RunningTeam(maker, program, seed)
     except TooLarge:
         return
-    harms = []
+    faults = []
     for who in chance.sample(running.names, 1 if len(running.names) > 5 else 2):
         when, kind = chance.randint(0, 60), chance.choice(list(KINDS))
-        harms.append(Harm(when, who, kind.value))
+        faults.append(InjectedFault(when, who, kind.value))
         if kind is FailureKind.STALL and chance.random() < 0.8:
-            harms.append(Harm(when + chance.randint(1, 120), who, "revive"))
-    follow(running.run, 200, sorted(harms, key=lambda harm: harm.tick))
+            faults.append(InjectedFault(when + chance.randint(1, 120), who, "revive"))
+    follow(running.run, 200, sorted(faults, key=lambda fault: fault.tick))
 
 
 @pytest.mark.parametrize("seed", cases([0, 3], [*range(1, 3), *range(4, 200)]))
@@ -159,9 +168,12 @@ def test_branches_that_are_lost_and_places_that_are_taken_again_are_in_the_model
     except TooLarge:
         return
     first, second = chance.sample(running.names, 2)
-    harms = [Harm(chance.randint(0, 40), first, "stall"), Harm(chance.randint(80, 150), first, "revive")]
-    harms.append(Harm(chance.randint(0, 150), second, "fail"))
-    follow(running.run, 300, sorted(harms, key=lambda harm: harm.tick))
+    faults = [
+        InjectedFault(chance.randint(0, 40), first, "stall"),
+        InjectedFault(chance.randint(80, 150), first, "revive"),
+    ]
+    faults.append(InjectedFault(chance.randint(0, 150), second, "fail"))
+    follow(running.run, 300, sorted(faults, key=lambda fault: fault.tick))
 
 
 @pytest.mark.parametrize("timing", list(Timing))
@@ -218,15 +230,15 @@ def test_who_waits_for_what_nobody_does_any_more_waits_for_ever(rule: str, answe
     maker: Any = SimpleNamespace(agents=agents, programs={})
     team = RunningTeam(maker, parsed.program, 1)
     assert set(answers(judged(team.run, timing)).values()) <= {"holds", "vacuous"}
-    model = Model(team.run, take_apart(team.run), 1, timing, (FailureKind.FAIL,))
-    made = judge(model, ready_properties(model), Budget(50_000))
+    model = Model(team.run, abstract_run(team.run), 1, timing, (FailureKind.FAIL,))
+    made = check_properties(model, ready_properties(model), Budget(50_000))
     assert made.complete
     deadlock = next(verdict for verdict in made.verdicts if verdict.property.name == "deadlock")
     assert deadlock.answer.value == answer
-    way = deadlock.way
-    if way is not None:
-        assert any("the team misses giver-0" in str(words) for _, words in told(model, way))
-        assert confirm(deadlock.property, way, model, lambda seed: team.anew(), lambda: False) is not None
+    counterexample = deadlock.counterexample
+    if counterexample is not None:
+        assert any("the team misses giver-0" in str(words) for _, words in describe_run(model, counterexample))
+        assert confirm(deadlock.property, counterexample, model, lambda seed: team.anew(), lambda: False) is not None
 
 
 @pytest.mark.parametrize("rule", ["drop", "substitute", "abort"])
@@ -242,7 +254,7 @@ def test_members_that_meet_go_on_or_give_up_after_any_one_failure(timing: Timing
 
 def test_a_shipped_team_on_a_road_is_followed() -> None:
     run = prepared(EXAMPLES / "transport-team" / "transport-team.krt").again()
-    model = Model(run, take_apart(run))
-    made = judge(model, ready_properties(model), Budget(300))
+    model = Model(run, abstract_run(run))
+    made = check_properties(model, ready_properties(model), Budget(300))
     assert made.states == 300
     assert not any("no discrete form" in str(limit) for limit in model.limits)

@@ -14,24 +14,24 @@ from kitrobot.sim import Simulation
 from kitrobot.text import Sentence
 from kitrobot.verifier import (
     Budget,
-    Confirmed,
-    Cut,
+    ConfirmedRun,
+    Counterexample,
+    CutReason,
     Model,
     Property,
     Timing,
-    Way,
+    abstract_run,
+    check_properties,
     confirm,
-    judge,
+    fair_cycles,
     ready_properties,
-    rounds,
-    take_apart,
 )
 from kitrobot.verifier.engines import PLAIN
-from kitrobot.verifier.exploring import explore
-from kitrobot.verifier.properties import OfAgent
+from kitrobot.verifier.exploration import explore
+from kitrobot.verifier.properties import AgentFact
 from kitrobot.workspace.verification import VerificationOptions, verify
 from tests.sim.building import transport
-from tests.verifier.building import EXAMPLES, answers, mutant, prepared
+from tests.verifier.check_fixtures import EXAMPLES, answers, mutant, prepared
 
 STEP_S, ENOUGH_S = 0.4, 400.0
 
@@ -55,9 +55,9 @@ def a_carrier_that_does_not_stop(folder: Path) -> Simulation:
 @pytest.mark.parametrize("timing", Timing)
 def test_what_was_found_is_kept_and_the_rest_is_not_finished(tmp_path: Path, timing: Timing) -> None:
     run = a_carrier_that_does_not_stop(tmp_path)
-    model, clock = Model(run, take_apart(run), 0, timing), Clock()
+    model, clock = Model(run, abstract_run(run), 0, timing), Clock()
     properties = ready_properties(model)
-    made = judge(model, properties, Budget(10_000_000, ENOUGH_S, clock=clock), PLAIN)
+    made = check_properties(model, properties, Budget(10_000_000, ENOUGH_S, clock=clock), PLAIN)
     assert not made.complete
     said = answers(made)
     assert list(said) == [one.name for one in properties]
@@ -72,32 +72,32 @@ def test_each_assumption_has_time_though_the_first_could_use_all_of_it() -> None
         prepared(EXAMPLES / "transport" / "transport.krt"), VerificationOptions(seconds=1000 * STEP_S, clock=Clock())
     )
     assert [column.judged.timing for column in made.columns] == list(Timing)
-    assert {column.judged.cut for column in made.columns} == {Cut.TIME}
+    assert {column.judged.cut for column in made.columns} == {CutReason.TIME}
     assert all(column.judged.states > 1 for column in made.columns)
 
 
 def test_what_is_waited_for_has_a_share_of_the_time_and_is_not_searched_for_without_it() -> None:
     run = transport(stock=1, carriers=1)
-    model, clock = Model(run, take_apart(run), 0, Timing.LOCKSTEP), Clock()
+    model, clock = Model(run, abstract_run(run), 0, Timing.LOCKSTEP), Clock()
     explored: list[float] = []
     whole = Budget(clock=clock, progress=lambda states, depth: explored.append(clock.now))
-    assert set(answers(judge(model, ready_properties(model), whole, PLAIN)).values()) == {"holds"}
+    assert set(answers(check_properties(model, ready_properties(model), whole, PLAIN)).values()) == {"holds"}
     took = explored[-1]
     for seconds in (took * 0.5, took * 4):
-        model, clock = Model(run, take_apart(run), 0, Timing.LOCKSTEP), Clock()
-        made = judge(model, ready_properties(model), Budget(seconds=seconds, clock=clock), PLAIN)
+        model, clock = Model(run, abstract_run(run), 0, Timing.LOCKSTEP), Clock()
+        made = check_properties(model, ready_properties(model), Budget(seconds=seconds, clock=clock), PLAIN)
         assert made.complete == (seconds > took)
         if not made.complete:
-            assert made.cut is Cut.TIME
+            assert made.cut is CutReason.TIME
             assert set(answers(made).values()) == {"not finished"}
     assert set(answers(made).values()) == {"holds"}
 
 
-@pytest.mark.parametrize("which", ["reach", "crossing"])
+@pytest.mark.parametrize("which", ["mark_reachable", "find_crossing"])
 def test_what_goes_through_all_states_is_broken_off_in_its_midst(monkeypatch: pytest.MonkeyPatch, which: str) -> None:
     """Without a clock: it is asked whether to break off after each piece, and says so after the third one."""
-    monkeypatch.setattr(rounds, "_STEPS", 50)
-    monkeypatch.setattr(rounds, "CHUNK", 50)
+    monkeypatch.setattr(fair_cycles, "_STEPS", 50)
+    monkeypatch.setattr(fair_cycles, "CHUNK", 50)
     run, calls, most = transport(stock=1, carriers=1), 0, 10_000
 
     def counting(*arguments: Any) -> int:
@@ -105,28 +105,30 @@ def test_what_goes_through_all_states_is_broken_off_in_its_midst(monkeypatch: py
         calls += 1
         return int(getattr(PLAIN, which)(*arguments))
 
-    model = Model(run, take_apart(run), 0, Timing.FREE)
-    engine = PLAIN._replace(reach=counting) if which == "reach" else PLAIN._replace(crossing=counting)
+    model = Model(run, abstract_run(run), 0, Timing.FREE)
+    engine = (
+        PLAIN._replace(mark_reachable=counting) if which == "mark_reachable" else PLAIN._replace(find_crossing=counting)
+    )
     made = explore(model, Budget(), True, engine)
-    made.breaks_off = lambda: Cut.TIME if calls >= most else None
-    ends = OfAgent(0, lambda inside: not model.has_ended(0, inside))
-    nobody = OfAgent(0, lambda inside: False)
+    made.interruption = lambda: CutReason.TIME if calls >= most else None
+    ends = AgentFact(0, lambda inside: not model.has_ended(0, inside))
+    nobody = AgentFact(0, lambda inside: False)
     one = Property("one", Sentence("one"), waits=((ends,),), breaks=(((ends,),), ((nobody,),)))
 
     def looked_through() -> bool:
-        made.look_anew()
-        if which == "reach":
-            assert rounds.fair_round(made, one) == ([], [])
+        made.begin_property()
+        if which == "mark_reachable":
+            assert fair_cycles.find_fair_cycle(made, one) == ([], [])
         else:
             assert one.breaks is not None
-            assert rounds.first_crossing(made, *one.breaks) == (-1, -1)
-        return made.unseen is None
+            assert fair_cycles.find_first_crossing(made, *one.breaks) == (-1, -1)
+        return made.interrupted_by is None
 
     assert looked_through()
     assert calls > 10
     calls, most = 0, 3
     assert not looked_through()
-    assert made.unseen is Cut.TIME
+    assert made.interrupted_by is CutReason.TIME
     assert calls == 3
 
 
@@ -138,7 +140,7 @@ def test_a_run_of_the_simulator_is_given_up_in_its_midst(tmp_path: Path) -> None
         return runs[-1]
 
     run = transport(stock=12, carriers=3)
-    model = Model(run, take_apart(run))
+    model = Model(run, abstract_run(run))
     [contact] = [one for one in ready_properties(model) if one.name == "contact"]
     asked = 0
 
@@ -147,7 +149,7 @@ def test_a_run_of_the_simulator_is_given_up_in_its_midst(tmp_path: Path) -> None
         asked += 1
         return asked > 3
 
-    nothing: Confirmed | None = confirm(contact, Way((model.begin(),), ()), model, fresh, stop)
+    nothing: ConfirmedRun | None = confirm(contact, Counterexample((model.begin(),), ()), model, fresh, stop)
     assert nothing is None
     assert len(runs) == 1
     assert 0 < runs[0].tick < 500

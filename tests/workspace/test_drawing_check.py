@@ -9,10 +9,10 @@ from pathlib import Path
 import pytest
 
 from kitrobot.sim import Simulation
-from kitrobot.verifier import Budget, Model, take_apart
+from kitrobot.verifier import Budget, Model, abstract_run
 from kitrobot.verifier.engines import PLAIN
-from kitrobot.verifier.exploring import explore
-from kitrobot.verifier.traps import never_ran, watch_programs
+from kitrobot.verifier.exploration import explore
+from kitrobot.verifier.trap_detection import record_coverage, unexecuted_instructions
 from kitrobot.workspace import RunOptions, child_processes, open_mission
 from kitrobot.workspace.drawing_check import RUN_S, look, look_through
 from kitrobot.workspace.running import PreparedRun
@@ -20,7 +20,7 @@ from kitrobot.workspace.verification import runs_of
 from tests.effort import cases
 from tests.sim.team_building import RunningTeam, random_team_program
 from tests.team_programs.hosting import TooLarge
-from tests.verifier.building import EXAMPLES, mutant
+from tests.verifier.check_fixtures import EXAMPLES, mutant
 from tests.verifier.test_brute_force import random_run
 
 
@@ -101,7 +101,7 @@ def test_a_wait_that_nothing_can_end_is_told_with_a_run_that_shows_it_and_what_n
     assert (wait.problem.code, wait.problem.program, wait.problem.vertices) == ("waits-for-ever", "drive", ("first",))
     assert str(wait.problem.message) == "`carrier-1` can come to wait here for ever"
     assert wait.shown is not None
-    assert wait.shown.harms == ()
+    assert wait.shown.faults == ()
     assert wait.shown.tick < 100
     assert (idle.problem.code, idle.problem.vertices, idle.shown) == ("never-reached", ("on", "halt"), None)
 
@@ -189,11 +189,11 @@ def test_of_random_programs_nothing_that_runs_is_told_to_be_never_reached(seed: 
 
 def none_that_never_run_does(explored: Simulation, run: Simulation, before_step: Callable[[], object] = int) -> None:
     """Goes through a mission, and holds a run of it, of a minute at most, against what is said to run in none."""
-    parts = take_apart(explored)
-    watch_programs(parts)
+    parts = abstract_run(explored)
+    record_coverage(parts)
     if not explore(Model(explored, parts), Budget(2_000), False, PLAIN).complete:
         return
-    never = never_ran(parts)
+    never = unexecuted_instructions(parts)
     ran: set[tuple[str, int]] = set()
     run.watch_programs()
     while run.outcome is None and run.tick < 3000:

@@ -15,7 +15,7 @@ import typer
 from kitrobot.cli.output import give, json_text, show, tell
 
 if TYPE_CHECKING:
-    from kitrobot.verifier import Cut, Timing
+    from kitrobot.verifier import CutReason, Timing
     from kitrobot.workspace.verification import Finding, Progress, Verification
 
 _MEGA = 1_000_000
@@ -166,7 +166,7 @@ def _table(made: Verification) -> str:
     explored = (f"{column.judged.states:,}" for column in made.columns)
     cells = (text.ljust(width) for text, width in zip(explored, widths, strict=True))
     lines += ["", "  ".join(["states".ljust(names), *cells]).rstrip()]
-    cuts: dict[Cut, list[str]] = {}
+    cuts: dict[CutReason, list[str]] = {}
     for column, head in zip(made.columns, heads, strict=True):
         if column.judged.cut is not None:
             cuts.setdefault(column.judged.cut, []).append(head)
@@ -176,7 +176,7 @@ def _table(made: Verification) -> str:
     for column, head in zip(made.columns, heads, strict=True):
         for finding in column.findings:
             name = finding.verdict.property.name
-            if finding.verdict.way is None or name in told:
+            if finding.verdict.counterexample is None or name in told:
                 continue
             if not told:
                 lines += ["", *_told(finding, head, made.tick_ms)]
@@ -186,7 +186,7 @@ def _table(made: Verification) -> str:
     return "\n".join(lines) + "\n"
 
 
-def _cut_words(cut: Cut, where: str) -> str:
+def _cut_words(cut: CutReason, where: str) -> str:
     """Why a search was not finished under these assumptions, and what helps."""
     return {
         "states": f"{where} came to the limit of states; --max-states sets another",
@@ -198,29 +198,33 @@ def _cut_words(cut: Cut, where: str) -> str:
 
 
 def _answer(finding: Finding) -> str:
-    if finding.verdict.way is None:
+    if finding.verdict.counterexample is None:
         return finding.verdict.answer.value
     return "broken" if finding.confirmed is not None else "broken?"
 
 
 def _told(finding: Finding, head: str, tick_ms: int) -> Sequence[str]:
     """One broken property: what it demands, the run, and whether the simulator shows it too."""
-    verdict, way = finding.verdict, finding.verdict.way
-    assert way is not None
+    verdict, counterexample = finding.verdict, finding.verdict.counterexample
+    assert counterexample is not None
     lines = [f"{verdict.property.name} ({head}): not always: {verdict.property.sentence}"]
     story = [f"  {step:>4}  {text}" for step, text in finding.story]
     left_out = len(story) - _FIRST - _LAST
     if left_out > 1:
         story[_FIRST:-_LAST] = [f"        … {left_out} events …"]
     lines += story
-    if way.repeats_from >= 0:
-        whole = way.repeats_from >= len(way.steps)
-        lines.append("        and so it stays" if whole else f"        from step {way.repeats_from} on again and again")
+    if counterexample.repeats_from >= 0:
+        whole = counterexample.repeats_from >= len(counterexample.steps)
+        lines.append(
+            "        and so it stays"
+            if whole
+            else f"        from step {counterexample.repeats_from} on again and again"
+        )
     confirmed = finding.confirmed
     if confirmed is None:
         lines.append("  not reproduced in the simulator")
         return lines
-    harms = [f"{harm.agent}: {harm.kind} at {harm.tick * tick_ms / 1000:.2f} s" for harm in confirmed.harms]
+    harms = [f"{harm.agent}: {harm.kind} at {harm.tick * tick_ms / 1000:.2f} s" for harm in confirmed.faults]
     lines.append(
         f"  confirmed in the simulator: seed {confirmed.seed}, at {confirmed.tick * tick_ms / 1000:.2f} s"
         + (f" ({', '.join(harms)})" if harms else "")

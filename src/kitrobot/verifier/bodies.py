@@ -1,13 +1,13 @@
-"""What one robot of the model is: how it moves along its road, and what else it is.
+"""The packed motion state of one robot on a road (a *body*), and the rest of its state (`Inside`).
 
-A robot on a road is in a zone and at a class of gap to the robot ahead (`roads`). Its wheels stand, drive or brake.
-It comes into the next zone, or nearer than a class of gap, only after a tick of its own in the one where it is. Where
-that very tick lets it brake, or it was braking when it came, it leaves only a zone (or a class of gap) that is shorter
-than its braking distance; where it brakes later, it may leave any.
+A robot on a road is in a zone and at a class of gap to the robot ahead (`roads`). Its wheels stop, drive or brake. It
+enters the next zone, or a narrower class of gap, only after a tick of its own in its current one. If that tick lets it
+brake, or it was already braking when it arrived, it can leave only a zone (or class of gap) that is shorter than its
+braking distance; if it brakes later, it can leave any.
 
-A *body* is this motion as one number: the direction that its wheels were told (`want`) and the one in which it rolls
-(`way`), each 1 (forward), -1 (back) or 0 (stands); the class of the gap to the robot ahead; the zone; and five flags.
-What is here is in the part of Python that Numba takes.
+A *body* packs this motion into one number: the direction that its wheels were commanded (`want`) and the one in which
+it rolls (`way`), each 1 (forward), -1 (back) or 0 (stopped); the class of the gap to the robot ahead; the zone; five
+flags. This module uses only the subset of Python that Numba compiles.
 """
 
 from __future__ import annotations
@@ -17,22 +17,22 @@ from typing import NamedTuple
 RUNS, STALLED, FAILED = range(3)
 """`Inside.down`: the order of `columns.WELL`, `STALLED` and `FAILED`."""
 ANEW = 3
-"""What befalls a robot whose program begins anew: it is told to stop."""
+"""A fault code: the robot's program restarts, and the robot is commanded to stop."""
 LOST = 4
-"""What befalls one that is down, and missed: where its program stood makes no difference any more."""
+"""A fault code: a robot that is down is missed; the position of its program no longer matters."""
 
 
 class Inside(NamedTuple):
-    """One robot but for its motion.
+    """The state of one robot except its motion.
 
     Attributes:
         local: the state of its program (see `programs`).
         load: whether a box is on its bed.
-        busy: of each of its actuators that take longer: 0, or 1 and the number of the procedure.
+        busy: for each actuator that takes longer, 0, or 1 plus the number of the procedure.
         down: RUNS, STALLED (it rolls on and does not tick) or FAILED.
-        own: its copies of the shared variables, once it hears nobody; empty as long as it does.
+        own: its own copies of the shared variables once it hears nobody; empty until then.
         is_muted: whether it hears nobody.
-        is_over: whether its team ended its program, since nobody needs it any more.
+        is_over: whether its team ended its program because nobody needs it any more.
         loose: the bits of its actuators that go on although the parallel of a marked action that started them is over
             (see `stops`).
     """
@@ -56,7 +56,7 @@ HELD_ZONE = 1 << 6
 HELD_GAP = 1 << 7
 """The same of its class of gap."""
 TICKS = 1 << 8
-"""It has ticks: its program goes on, and nothing befell it."""
+"""It has ticks: its program runs, and it has no fault."""
 _GAP, _ZONE = 9, 15
 _GAPS = 63
 _NEW = NEW_ZONE | NEW_GAP
@@ -66,12 +66,12 @@ MOST_GAPS = _GAPS
 
 
 def body(want: int, way: int, zone: int, gap: int, flags: int) -> int:
-    """A body of these."""
+    """Packs a body."""
     return want + 1 | way + 1 << 2 | flags | gap << _GAP | zone << _ZONE
 
 
 def want_of(one: int) -> int:
-    """The direction that its wheels were told."""
+    """The direction that its wheels were commanded."""
     return (one & 3) - 1
 
 
@@ -90,8 +90,8 @@ def zone_of(one: int) -> int:
     return one >> _ZONE
 
 
-def told(one: int, want: int) -> int:
-    """After its wheels were told a direction, in a tick of its own."""
+def with_command(one: int, want: int) -> int:
+    """The body after its wheels were commanded a direction, in a tick of its own."""
     was, way = want_of(one), way_of(one)
     if want == was:
         return one
@@ -103,47 +103,50 @@ def told(one: int, want: int) -> int:
     return after & ~_HELD | (one & _NEW) << 2
 
 
-def ticked(one: int, want: int, ticks: bool) -> int:
-    """After a tick of its own that told its wheels a direction (less than -1: nothing); whether it ticks on."""
-    after = told(one, want) if want >= -1 else one
+def after_tick(one: int, want: int, ticks: bool) -> int:
+    """The body after a tick of its own.
+
+    `want` is the direction that the tick commanded (less than -1: none); `ticks` is whether the robot has more ticks.
+    """
+    after = with_command(one, want) if want >= -1 else one
     return after & ~(_NEW | TICKS) | (TICKS if ticks else 0)
 
 
-def begun(one: int) -> int:
-    """After it began to roll as it was told."""
+def after_start(one: int) -> int:
+    """The body after it began to roll as commanded."""
     return one & ~(_HELD | 12) | (one & 3) << 2
 
 
-def halted(one: int) -> int:
-    """After it came to stand; what its wheels were told stays."""
+def after_stop(one: int) -> int:
+    """The body after it came to stand; the command of its wheels remains."""
     return one & ~(_NEW | _HELD | 12) | 1 << 2
 
 
-def entered(one: int, zone: int) -> int:
-    """After it came into a zone by its own motion."""
+def after_zone_entry(one: int, zone: int) -> int:
+    """The body after it entered a zone by its own motion."""
     flag = HELD_ZONE if want_of(one) != way_of(one) else NEW_ZONE
     return one & ((1 << _ZONE) - 1) & ~(NEW_ZONE | HELD_ZONE) | zone << _ZONE | flag
 
 
-def closed_in(one: int, gap: int) -> int:
-    """After its own motion brought it to a narrower class of gap."""
+def after_approach(one: int, gap: int) -> int:
+    """The body after its own motion narrowed the gap to this class."""
     flag = HELD_GAP if want_of(one) != way_of(one) else NEW_GAP
     return one & ~(_GAPS << _GAP | NEW_GAP | HELD_GAP) | gap << _GAP | flag
 
 
-def at_gap(one: int, gap: int) -> int:
-    """After the gap ahead became of another class without its doing."""
+def after_gap_change(one: int, gap: int) -> int:
+    """The body after another robot changed the gap ahead to this class."""
     return one & ~(_GAPS << _GAP | NEW_GAP | HELD_GAP) | gap << _GAP
 
 
-def in_gap(one: int, gap: int) -> int:
-    """The same at another class of gap; its flags stay."""
+def with_gap(one: int, gap: int) -> int:
+    """The body with another class of gap; its flags remain."""
     return one & ~(_GAPS << _GAP) | gap << _GAP
 
 
-def befallen(one: int, down: int) -> int:
-    """After it failed, stalled, runs again or has its program begin `ANEW`."""
+def after_fault(one: int, down: int) -> int:
+    """The body after it failed, stalled, runs again or its program restarted (`ANEW`)."""
     if down == ANEW:
-        return told(one, 0)
+        return with_command(one, 0)
     after = one & ~TICKS | (TICKS if down == RUNS else 0)
     return after & ~(_HELD | 3) | 1 if down == FAILED else after

@@ -1,4 +1,4 @@
-"""How far a check may go, and why it ended before it had seen all."""
+"""The limits of a check (states, seconds, bytes), and the reasons why one ends early."""
 
 from __future__ import annotations
 
@@ -8,31 +8,31 @@ from dataclasses import dataclass
 from enum import Enum
 
 
-class Cut(Enum):
-    """Why exploring, or looking through what was explored, ended before all was seen."""
+class CutReason(Enum):
+    """Why the exploration, or a later search of the state space, ended early."""
 
     STATES = "states"
-    """There were as many states as were allowed."""
+    """The limit of states was reached."""
     MEMORY = "memory"
-    """They took as much memory as was allowed."""
+    """The limit of memory was reached."""
     TIME = "time"
     STOPPED = "stopped"
-    """Somebody broke it off."""
+    """The user stopped it."""
     SIZE = "size"
-    """The model is too large to be kept: a step goes in too many ways, or a state has no room in a key."""
+    """The model is too large: a step has too many outcomes, or a state does not fit into a key."""
 
 
 @dataclass(frozen=True)
 class Budget:
-    """How far to explore.
+    """The limits of an exploration.
 
     Attributes:
-        states: at most so many; None for as many as there is time and memory for.
-        seconds: at most so long, on the clock on the wall; None for no limit.
-        memory: at most so many bytes of the whole process, about (see `memory`); None for no limit.
-        stop: asked now and then whether to break off.
-        progress: told now and then how many states there are and how deep.
-        clock: what tells the time, in seconds.
+        states: the most states; None for as many as time and memory allow.
+        seconds: the most seconds of wall-clock time; None for no limit.
+        memory: about the most bytes of the whole process (see `memory`); None for no limit.
+        stop: polled now and then; True stops the exploration.
+        progress: called now and then with the number of states and the depth.
+        clock: the clock, in seconds.
     """
 
     states: int | None = 1_000_000
@@ -42,13 +42,13 @@ class Budget:
     progress: Callable[[int, int], None] = lambda states, depth: None
     clock: Callable[[], float] = time.monotonic
 
-    def breaks_off(self, began: float) -> Callable[[], Cut | None]:
-        """Asked whether it is stopped, or time is up for what began then."""
+    def interruption(self, began: float) -> Callable[[], CutReason | None]:
+        """Makes a function that returns whether a task that started at `began` has to end: stopped, or out of time."""
         ends = None if self.seconds is None else began + self.seconds
 
-        def breaks_off() -> Cut | None:
+        def interruption() -> CutReason | None:
             if self.stop():
-                return Cut.STOPPED
-            return Cut.TIME if ends is not None and self.clock() >= ends else None
+                return CutReason.STOPPED
+            return CutReason.TIME if ends is not None and self.clock() >= ends else None
 
-        return breaks_off
+        return interruption

@@ -1,8 +1,8 @@
-"""Names of the columns of the model's tables, and of the numbers that exploring keeps beside them.
+"""Names of the columns of the model's tables, and of the registers of an exploration.
 
-A state is a key of one or two words of 63 bits, cut into *fields*: field 0 is what is shared (boxes in storehouses,
-shared variables, failures that may still come), then one field for each agent (what it is but for its motion), one for
-each road (the motion of all robots on it), and under *prompt* one of bits: who has a tick to make. A field holds the
+A state is a key of one or two words of 63 bits, cut into *fields*: field 0 is the shared state (boxes in storehouses,
+shared variables, remaining failures), then one field for each agent (its state except its motion), one for each road
+(the motion of all robots on it), and under *prompt* one of bits: which agents have a tick to make. A field holds the
 number of a *component*; tables say what each component is.
 """
 
@@ -13,7 +13,7 @@ WORD_BITS = 63
 MOST_AGENTS = 62
 """Agents at most: sets of them are bits of one word."""
 
-# -- numbers that do not change while exploring (`fixed`)
+# -- numbers that do not change during an exploration (`fixed`)
 AGENTS, ROADS, PLACES, DOCKS, HOUSES, TIMING, ACTS, FIELDS, ROAD_FIELD, DUE_FIELD = range(10)
 INSIDE_WIDTH, INSIDE_STRIDE, CONF_WIDTH, SHARED_WIDTH, POOL_WIDTH, USED_BITS, MAY_FAIL, SLOWER, SETTLES = range(10, 19)
 WATCHED = 19
@@ -21,21 +21,21 @@ WATCHED = 19
 FIXED = 20
 LOCKSTEP, PROMPT, FREE = range(3)
 MAY_CRASH, MAY_STALL, MAY_MUTE = 1, 2, 4
-"""Bits of `MAY_FAIL`: what may befall agents; 0 where nothing does."""
+"""Bits of `MAY_FAIL`: the possible faults of agents; 0 for none."""
 
 # -- numbers that do (`regs`)
-CODE, CONFS, MOVES, MOMENTS, LOG, NEXTS, TAKEN = range(7)
-"""Why exploring paused, and how many rows there are of each table."""
+CODE, CONFS, MOVES, MOVE_SETS, LOG, NEXTS, TAKEN = range(7)
+"""Why the exploration paused, and the number of rows of each table."""
 MISS_A, MISS_B, MISS_C, SEEK, FOUND = range(7, 12)
 AT, COUNT, EDGES, LEVEL_END, DEPTH, CALMS, MOST, SEEN_KINDS, KEEPS, WORDS, TOUCHED = range(12, 23)
 AFTERS, AFTER_ROWS, CHOICES = range(23, 26)
 FIRST_OF = 26
-"""From here on: of each kind of event the state out of which it came first."""
+"""From here on: for each kind of event, the first state in which it occurs."""
 KINDS = 24
 REGS = FIRST_OF + KINDS
 
-# -- why exploring paused
-GOES_ON, ROOM_CONFS, ROOM_MOVES, ROOM_MOMENTS, ROOM_LOG, ROOM_NEXT, ROOM_STATES, ROOM_EDGES, ROOM_CALM = range(9)
+# -- why the exploration paused
+GOES_ON, ROOM_CONFS, ROOM_MOVES, ROOM_MOVE_SETS, ROOM_LOG, ROOM_NEXT, ROOM_STATES, ROOM_EDGES, ROOM_CALM = range(9)
 WIDEN, MISS_REACTION, MISS_SHARED, MISS_DONE, MISS_LOADED, MISS_DOWN, TOO_MANY, CUT = range(9, 17)
 ROOM_AFTERS = 17
 
@@ -52,7 +52,7 @@ ACT = 5
 
 # -- a row of `insides`
 I_TICKS, I_LOAD, I_DOWN, I_ENDS, I_ENDED, I_LOADED, I_BEFALLEN = range(7)
-"""Whether it has ticks; its load; what befell it; whether something can end; whether its program has ended; the
+"""Whether it has ticks; its load; its fault; whether an action can complete; whether its program has ended; the
 number with the other load; with RUNS, STALLED and FAILED, once its program began anew, and once it is missed (five);
 whether it has lost its radio."""
 I_MUTED = 11
@@ -71,36 +71,36 @@ W_SILENT, W_BACK, W_MISSED, W_ANEW, W_FREED = range(5)
 """That it is silent, is heard again, is missed, is missed and begins anew; of each work that its unit is free again."""
 
 # -- a row of `confs`: the motion of all robots on a road
-(C_ROAD, C_FORWARD, C_BACKWARD, C_BEGIN, C_MUST, C_MOVE, C_MOVES, C_MOMENT, C_MOMENTS) = range(9)
+(C_ROAD, C_FORWARD, C_BACKWARD, C_BEGIN, C_MUST, C_MOVE, C_MOVES, C_MOVE_SET, C_MOVE_SETS) = range(9)
 C_STAND = 9
 """From here on: who stands in each dock; what each robot senses of the road; how it moves; and after a tick of its own,
 eight for each."""
 MOVE = 3
 """A row of `moves`: the number after it, the event, its progress class."""
-MOMENT = 6
-"""A row of `moments`: the number after it, who began to roll, who came into a zone, kinds, the first event in `log`,
+MOVE_SET = 6
+"""A row of `move_sets`: the number after it, who began to roll, who came into a zone, kinds, the first event in `log`,
 how many."""
 AFTER_HEAD, AFTER = 4, 6
 """A row of `after_heads`: a key (two words), its first row in `after`, how many. One of `after`: the key of what may
-follow, who of the slower agents ticked, kinds of what befell agents, the row of `harm` that says it, and for whom the
+follow, who of the slower agents ticked, kinds of faults, the row of `faults` with them, and for whom the
 team did not wait any longer."""
 OUTCOME = 3
-"""A row of `outcomes`: the agent's number after it, what its wheels were told (`told_column`), what it writes."""
+"""A row of `outcomes`: the agent's number after it, the command of its wheels (`conf_after_tick`), its write."""
 S_COUNT = 13
 """A value of `reaction_at`: the first row, above how many there are."""
 TAKEN_WIDTH = 5
 """A row of `taken`: who ticked, began to roll, came to an end, came into another zone, and for whom a team did not wait
 any longer, as bits."""
 LINE = 6
-"""A row of `line` and `harm`: a key (two words), the event that led to it, the row it came from (-1), kinds of events
-so far, and who came to an end; of `harm`, for whom a team did not wait any longer."""
+"""A row of `line` and `faults`: a key (two words), the event that led to it, the row it came from (-1), kinds of events
+so far, and who came to an end; of `faults`, for whom a team did not wait any longer."""
 
 # -- the key of a reaction: inside, seen of shared, seen of the road, visits, agent; or, with the bit above these, of
 # what an agent is once it has lost its radio: inside, seen of shared, agent
 S_SHARED, S_VIEW, S_VISITS, S_AGENT, S_MUTE = 18, 34, 48, 56, 62
 MOST_INSIDES, MOST_SEEN, MOST_VIEWS, MOST_VISITS = 1 << 18, 1 << 16, 1 << 14, 1 << 8
 S_WRITE = 24
-"""The key of a change of what is shared: the number before it, above the write."""
+"""The key of a change of the shared state: the number before it, above the write."""
 
 # -- an event as one number
 E_AGENT, E_OTHER = 6, 16

@@ -1,8 +1,8 @@
-"""The components of a model's states: each is given a number when it first comes up, and a row in the tables.
+"""The components of a model's states: each gets a number when it first comes up, and a row in the tables.
 
-The state of a mission is cut into *components*: what is shared (boxes, shared variables, failures that may still come,
-what a team agreed on), each agent but for its motion (`Inside`), and the motion of all robots on each road (`traffic`).
-A state is the numbers of these in one key (`columns`).
+The state of a mission is split into *components*: the shared state (boxes, shared variables, remaining failures, the
+team's state), each agent except its motion (`Inside`), and the motion of all robots on each road (`traffic`). A state
+is the numbers of its components, packed into one key (`columns`).
 """
 
 from __future__ import annotations
@@ -14,32 +14,32 @@ from kitrobot.sim import Simulation
 from kitrobot.sim import columns as c
 from kitrobot.verifier import columns as v
 from kitrobot.verifier import reactions
-from kitrobot.verifier.agreeing import Agreed
+from kitrobot.verifier.absence import AbsenceAgreement
+from kitrobot.verifier.abstraction import Abstraction
 from kitrobot.verifier.bodies import FAILED, RUNS, Inside, zone_of
-from kitrobot.verifier.building import KINDS, USUAL_KINDS, Roads, build, check_size, first_body
-from kitrobot.verifier.events import TooManyError
-from kitrobot.verifier.growing import longer, widen_insides
-from kitrobot.verifier.missing import Watch
-from kitrobot.verifier.packing import Layout, Widths
-from kitrobot.verifier.parts import Parts
+from kitrobot.verifier.dynamic_arrays import grow_table, widen_insides
+from kitrobot.verifier.events import ModelTooLargeError
+from kitrobot.verifier.key_layout import Layout, Widths
+from kitrobot.verifier.table_builder import KINDS, USUAL_KINDS, Roads, build, check_size, first_body
+from kitrobot.verifier.team_agreement import TeamState
 from kitrobot.verifier.timing import Timing
 
 State = tuple[int, ...]
-"""The numbers of a state's components: what is shared, each agent, each road; under *prompt* who has a tick to make."""
+"""The numbers of a state's components: the shared state, each agent, each road; under *prompt* the due agents."""
 
 Shared = tuple[int, ...]
-"""How many failures may still come, the boxes in each storehouse, the shared variables, what the team agreed on."""
+"""The remaining failures, the boxes in each storehouse, the shared variables, the team's state."""
 
 
 class Components:
-    """What the states of a model are made of; see `model.Model`.
+    """The components of a model's states; see `model.Model`.
 
     Args:
         run: the run.
-        parts: its agents, taken apart.
-        failures: how many failures there may be, together.
+        parts: its discrete abstraction.
+        failures: the most failures in one run, together.
         timing: when agents tick.
-        kinds: what kinds of failures: those of `KINDS`.
+        kinds: the kinds of failures, of `KINDS`.
 
     Raises:
         AbstractionError: the mission is too large for the numbers of the tables.
@@ -48,7 +48,7 @@ class Components:
     def __init__(
         self,
         run: Simulation,
-        parts: Parts,
+        parts: Abstraction,
         failures: int = 0,
         timing: Timing = Timing.LOCKSTEP,
         kinds: Collection[FailureKind] = USUAL_KINDS,
@@ -56,10 +56,10 @@ class Components:
         state = run.state
         self.run = run
         self.agreement = parts.agreement
-        self.watch: Watch | None = None
-        """What becomes of a team's members that fail; None where nobody does."""
+        self.absence: AbsenceAgreement | None = None
+        """The absence model of a team; None if no member can fail."""
         if self.agreement is not None and failures:
-            self.agreement = self.watch = Watch(run, self.agreement.actuators)
+            self.agreement = self.absence = AbsenceAgreement(run, self.agreement.actuators)
         self.timing = timing
         self.parts = parts.parts
         self.limits = parts.limits
@@ -71,7 +71,7 @@ class Components:
         fastest = min((part.agent.period for part in self.parts), default=1)
         slower = sum(1 << i for i, part in enumerate(self.parts) if part.agent.period > fastest)
         may_fail = sum(KINDS[kind] for kind in set(kinds)) if failures else 0
-        watched = 0 if self.watch is None else 1 + self.watch.works
+        watched = 0 if self.absence is None else 1 + self.absence.works
         self.t, due = build(run, self.parts, self.roads, timing, may_fail, slower, watched)
         self.widths = Widths(self.t.fixed[v.FIELDS], due if timing is Timing.PROMPT else -1, self.count)
         self.layout: Layout = self.widths.layout()
@@ -91,12 +91,12 @@ class Components:
         self._changes = self._reactions = self._outcomes = 0
         self.failures = failures
         loads, at = state.robots.ints[c.LOAD], [float(one) for one in state.robots.floats[c.AT]]
-        # The run may be gone on with before exploring begins.
+        # The run may continue before the exploration begins.
         self._first_shared = [*(int(one) for one in state.docks.stock), *(int(one) for one in state.shared.ints[0])]
         self._agreed_at = 1 + len(self._first_shared)
         if self.agreement is not None:
             first = self.agreement.first
-            self._first_shared += first if self.watch is None else self.watch.reduced(first, failures)
+            self._first_shared += first if self.absence is None else self.absence.reduced(first, failures)
         self._first_insides = [
             Inside(part.table.first, int(loads[part.agent.index]), reactions.idle_actuators(part), RUNS)
             for part in self.parts
@@ -106,24 +106,24 @@ class Components:
     # -- components
 
     def inside(self, i: int, number: int) -> Inside:
-        """What an agent is, but for its motion."""
+        """The state of an agent except its motion."""
         return self._insides[i][number]
 
     def insides(self, i: int) -> list[Inside]:
-        """Everything that came up of it, by number."""
+        """All known states of an agent except its motion, by number."""
         return self._insides[i]
 
     def shareds(self) -> list[Shared]:
-        """Everything that came up of what is shared, by number."""
+        """All known shared states, by number."""
         return self._shareds
 
     def has_ended(self, i: int, inside: Inside) -> bool:
         """Whether the program of agent i has ended."""
         part = self.parts[i]
-        return inside.is_over or part.table.has_ended(inside.local) or (part.is_spare and self.watch is None)
+        return inside.is_over or part.table.has_ended(inside.local) or (part.is_spare and self.absence is None)
 
-    def agreed(self, shared: Shared) -> Agreed:
-        """What a team has agreed on; nothing without one."""
+    def agreed(self, shared: Shared) -> TeamState:
+        """The team's state; empty without a team."""
         return shared[self._agreed_at :]
 
     def goals_hold(self, shared: Shared) -> bool:
@@ -131,7 +131,7 @@ class Components:
         return all(shared[1 + house] == wanted for house, wanted in self.goals)
 
     def body(self, state: State, i: int) -> int:
-        """How an agent on a road moves (see `bodies`)."""
+        """The motion of an agent on a road (see `bodies`)."""
         number = state[1 + self.count + self.roads.of[i]]
         fixed = self.t.fixed
         at = v.C_STAND + fixed[v.DOCKS] + fixed[v.PLACES] + self.roads.place[i]
@@ -142,13 +142,13 @@ class Components:
         return zone_of(self.body(state, i))
 
     def inside_number(self, i: int, inside: Inside) -> int:
-        """The number of what an agent is."""
+        """The number of an agent's own state; assigns one if it is new."""
         known = self._inside_numbers[i]
         if (number := known.get(inside)) is not None:
             return number
         number = len(known)
         if number >= v.MOST_INSIDES:
-            raise TooManyError
+            raise ModelTooLargeError
         self._hold(1 + i, number)
         fixed = self.t.fixed
         if number >= fixed[v.INSIDE_STRIDE]:
@@ -168,15 +168,15 @@ class Components:
         return number
 
     def shared_number(self, shared: Shared) -> int:
-        """The number of what is shared."""
+        """The number of a shared state; assigns one if it is new."""
         if (number := self._shared_numbers.get(shared)) is not None:
             return number
         number = len(self._shareds)
         self._hold(0, number)
         seen = [self._seen_number(i, shared) << v.S_SHARED for i in range(self.count)]
         row = [*shared[: 1 + self.houses], *seen]
-        if self.watch is not None:
-            row += self.watch.seen(self.agreed(shared))
+        if self.absence is not None:
+            row += self.absence.seen(self.agreed(shared))
         self._room("shared", (number + 1) * len(row))
         self.t.shared[number * len(row) : (number + 1) * len(row)] = row
         self._shared_numbers[shared] = number
@@ -184,12 +184,13 @@ class Components:
         return number
 
     def _seen_number(self, i: int, shared: Shared) -> int:
-        """The number of what agent i sees of what is shared: its variables, and the storehouses and answers that it
-        senses; then whether its team ended its program.
+        """The number of agent i's view of the shared state.
+
+        The view is its variables, the storehouses and answers that it senses, and whether its team ended its program.
         """
         part, ends = self.parts[i], []
-        if self.watch is not None:
-            ends = [int(self.watch.has_ended(self.agreed(shared), part.agent.index))]
+        if self.absence is not None:
+            ends = [int(self.absence.has_ended(self.agreed(shared), part.agent.index))]
         sensed = (
             shared[1 + sense.store if sense.store >= 0 else self._agreed_at + sense.agreed]
             for sense in part.senses
@@ -201,20 +202,25 @@ class Components:
             number = self._seen[i][seen] = len(self._seen[i])
             self._seen_tuples[i].append(seen)
             if number >= v.MOST_SEEN:
-                raise TooManyError
+                raise ModelTooLargeError
         return number
 
     def cells(self, i: int, key: int) -> list[int]:
-        """The first cells of agent i as its program would find them where it senses this (`looking.sensed`): inputs,
-        then variables, each at its place. An input that may read anything is 0, and so is a variable that `take_apart`
-        was not told of.
+        """The first cells of agent i as its program finds them: inputs, then variables, each at its place.
+
+        `key` is what the agent senses (`state_decoding.sense_key`). An input that may read anything is 0, and so is a
+        variable that was not requested from `abstract_run`.
         """
         part, inside = self.parts[i], self._insides[i][key & v.MOST_INSIDES - 1]
         seen = self._seen_tuples[i][key >> v.S_SHARED & v.MOST_SEEN - 1]
         layout = part.agent.machine.layout
         found = [0] * layout.cells
         for at, (sense, there) in enumerate(
-            zip(part.senses, reactions.around(part, self._signs_of(i), key, seen[len(part.shared) :]), strict=True)
+            zip(
+                part.senses,
+                reactions.external_values(part, self._signs_of(i), key, seen[len(part.shared) :]),
+                strict=True,
+            )
         ):
             found[1 + at] = reactions.read(inside, sense, there) or 0
         for cell in layout.variables.values():
@@ -224,13 +230,13 @@ class Components:
         return found
 
     def _signs_of(self, i: int) -> list[tuple[int, ...]]:
-        """What the sensors for signs of agent i read in the classes of zones; none on no road."""
+        """The values of agent i's sign sensors in the classes of zones; empty if it is on no road."""
         return self.roads.signs[i] if self.roads.of[i] >= 0 else []
 
     # -- room in the tables
 
     def _hold(self, field: int, number: int) -> None:
-        """Makes sure that a field is wide enough for a number; keys are written anew where it was not."""
+        """Widens a field if a number does not fit; keys are then rewritten."""
         if number > int(self.t.mask[field]):
             self.layout = self.widths.widen(field, number)
             self.place_fields()
@@ -242,7 +248,7 @@ class Components:
         self._forget_after()
 
     def _forget_after(self) -> None:
-        """Empties `after`, whose keys are those of one layout, and which has room for so many states."""
+        """Empties the cache `after`, whose keys belong to one layout."""
         self.t.regs[v.AFTERS] = self.t.regs[v.AFTER_ROWS] = 0
         self.t.after_slots[:] = [0] * len(self.t.after_slots)
 
@@ -250,7 +256,7 @@ class Components:
         """Doubles a table; its new rows hold what free ones hold."""
         table = getattr(self.t, name)
         free = -1 if name in ("change_keys", "reaction_keys") else 0
-        self.t = self.t._replace(**{name: longer(table, 2 * len(table), free)})
+        self.t = self.t._replace(**{name: grow_table(table, 2 * len(table), free)})
 
     def _room(self, name: str, size: int) -> None:
         while len(getattr(self.t, name)) < size:

@@ -1,9 +1,9 @@
-"""Conditions that speak of several agents: LLL in which each test says whose it is, `any carrier-1 (Sign.EqualTo(3))`.
+"""Conditions over several agents: LLL in which each test names its agents, `any carrier-1 (Sign.EqualTo(3))`.
 
-`any`, `all` and `most` are those of team programs; a name is an agent's, or a program's for all agents that run it, or
-that of a role or a group, for all that play it or are in it at that moment.
-What stands in the brackets is decided by the interpreter on what that agent reads and keeps
-(`sim.breakpoints.Condition`); what is left here is *and*, *or*, *not* and counting.
+`any`, `all` and `most` are those of team programs. A name is an agent's, a program's (all agents that run it), a role's
+or a group's (all agents that play it or belong to it at that moment). The interpreter evaluates the test in the
+brackets on what that agent reads and stores (`sim.breakpoints.Condition`); this module evaluates *and*, *or*, *not* and
+counting.
 """
 
 from __future__ import annotations
@@ -22,11 +22,11 @@ from kitrobot.text import Help, Sentence, did_you_mean, listed
 
 
 class PropertyError(KitRobotError):
-    """A condition of a property cannot be understood, or speaks of something that is not there."""
+    """A condition of a property cannot be parsed, or names something that does not exist."""
 
 
 class Member(NamedTuple):
-    """An agent as conditions speak of it."""
+    """An agent as conditions name it."""
 
     name: str
     program: str
@@ -39,9 +39,11 @@ Members = Callable[[str], Collection[int]]
 """The numbers of the agents that are in a role or a group."""
 
 
-class _Named(NamedTuple):
-    """Whom a test asks: agents by number, and roles and groups by name; `own` and `others` are who may be in those:
-    as they are declared, and besides, for a robot may be moved from one group to another.
+class _TestedAgents(NamedTuple):
+    """The agents that a test names: agents by number, roles and groups (`sets`) by name.
+
+    `own` are the agents that the declaration allows in those sets; `others` may join them, since a robot may be moved
+    from one group to another.
     """
 
     agents: tuple[int, ...]
@@ -55,13 +57,13 @@ def _nobody(name: str) -> Collection[int]:
 
 
 @dataclass(frozen=True)
-class Asked:
-    """A condition that was understood.
+class AgentCondition:
+    """A parsed condition whose names are resolved to agents.
 
     Attributes:
         text: the condition.
-        tests: of each test that it asks, as text, the numbers of the agents that are asked.
-        names: of each test, the parts of the robot that it speaks of.
+        tests: for each test, as text, the numbers of the agents that it is evaluated for.
+        names: for each test, the parts of the robot that it names.
         sets: the roles and groups that it names.
     """
 
@@ -69,18 +71,18 @@ class Asked:
     tests: dict[str, tuple[int, ...]]
     names: dict[str, frozenset[str]]
     _condition: Condition
-    _asked: dict[int, _Named]
+    _tested: dict[int, _TestedAgents]
 
     @property
     def sets(self) -> frozenset[str]:
-        return frozenset(name for named in self._asked.values() for name in named.sets)
+        return frozenset(name for named in self._tested.values() for name in named.sets)
 
     def holds(self, truth: Truth, members: Members = _nobody) -> bool:
-        """Whether it holds."""
+        """Whether the condition holds."""
         return self._holds(self._condition, truth, members)
 
     def is_concerned(self, truth: Truth, members: Members = _nobody) -> bool:
-        """Whether it is in question: of several that are joined by `&`, one holds; one alone always is."""
+        """Whether the condition is relevant: one of several conjuncts holds; a single one always is."""
         parts = list(_conjuncts(self._condition))
         return len(parts) == 1 or any(self._holds(part, truth, members) for part in parts)
 
@@ -93,7 +95,7 @@ class Asked:
             case Not():
                 return not self._holds(one.condition, truth, members)
             case Joint():
-                named, test = self._asked[one.start], _test_of(self.text, one)
+                named, test = self._tested[one.start], _test_of(self.text, one)
                 agents = dict.fromkeys([*named.agents, *(agent for name in named.sets for agent in members(name))])
                 if one.quantifier == "all":
                     return all(truth(agent, test) for agent in agents)
@@ -103,16 +105,16 @@ class Asked:
         raise AssertionError("other conditions were refused")
 
 
-def ask(text: str, team: Sequence[Member], declared: Team | None = None) -> Asked:
-    """Understands a condition.
+def parse_condition(text: str, team: Sequence[Member], declared: Team | None = None) -> AgentCondition:
+    """Parses a condition and resolves its names.
 
     Args:
         text: the condition.
         team: the agents.
-        declared: the mission's team, where its robots run a program of one: its roles and groups have names too.
+        declared: the mission's team, if its robots run a team program: its roles and groups can be named too.
 
     Raises:
-        PropertyError: it is no condition, a test does not say whose it is, or a name is not there.
+        PropertyError: the text is no condition, a test names no agent, or a name does not exist.
     """
     whole = f"[{text}](WAIT(1));"
     parsed = parse_team(whole, "condition")
@@ -123,7 +125,7 @@ def ask(text: str, team: Sequence[Member], declared: Team | None = None) -> Aske
     if not text.strip() or len(items) != 1 or not isinstance(items[0], Conditional) or items[0].orelse is not None:
         raise PropertyError(Sentence("`{condition}` is no condition", text), _USUAL)
     condition = items[0].condition
-    asked = Asked(text, {}, {}, condition, {})
+    bound = AgentCondition(text, {}, {}, condition, {})
     for joint in _joints(condition):
         named, test = _named(joint, team, declared), _test_of(text, joint)
         for robot in {team[agent].robot.name: team[agent].robot for agent in (*named.agents, *named.own)}.values():
@@ -132,11 +134,11 @@ def ask(text: str, team: Sequence[Member], declared: Team | None = None) -> Aske
             except ConditionError as error:
                 raise PropertyError(error.message, error.help) from None
         others = [agent for agent in named.others if _understands(team[agent].robot, test)]
-        asked._asked[joint.start] = named
-        agents = (*asked.tests.get(test, ()), *named.agents, *named.own, *others)
-        asked.tests[test] = tuple(dict.fromkeys(agents))
-        asked.names[test] = frozenset(node.object for node in nodes(joint.condition) if isinstance(node, Call))
-    return asked
+        bound._tested[joint.start] = named
+        agents = (*bound.tests.get(test, ()), *named.agents, *named.own, *others)
+        bound.tests[test] = tuple(dict.fromkeys(agents))
+        bound.names[test] = frozenset(node.object for node in nodes(joint.condition) if isinstance(node, Call))
+    return bound
 
 
 _USUAL = Sentence("write one like any carrier-1 (Cargo.IsPressed()) & any carrier-2 (Sign.EqualTo(3))")
@@ -181,8 +183,8 @@ def _understands(robot: Robot, test: str) -> bool:
     return True
 
 
-def _named(joint: Joint, team: Sequence[Member], declared: Team | None) -> _Named:
-    """Whom a test asks."""
+def _named(joint: Joint, team: Sequence[Member], declared: Team | None) -> _TestedAgents:
+    """The agents that a test names."""
     assert not isinstance(joint.members, Hole), "a program has no holes"
     found: dict[int, None] = {}
     own: dict[int, None] = {}
@@ -206,11 +208,11 @@ def _named(joint: Joint, team: Sequence[Member], declared: Team | None) -> _Name
             )
             help: Help = did_you_mean(name, known) or Sentence("it has: {names}", listed(known))
             raise PropertyError(Sentence("`{name}` is no agent of this team, and no program of one", name), help)
-    return _Named(tuple(found), tuple(sets), tuple(own), tuple(others))
+    return _TestedAgents(tuple(found), tuple(sets), tuple(own), tuple(others))
 
 
 def _declared(name: str, team: Sequence[Member], declared: Team) -> set[int]:
-    """Who may play a role, or be in a group as it is declared."""
+    """The agents that may play a role, or be in a group as declared."""
     found: set[int] = set()
     waiting, seen = [name], set()
     while waiting:

@@ -1,6 +1,7 @@
-"""What goes through states: the functions of `visiting` and `fairness` as CPython runs them, or compiled by Numba.
+"""Engines that explore and search states: the same functions, run by CPython or compiled by Numba.
 
-Both are one source, and give the same numbers in the same order; so exploring may pass from one to the other.
+The functions are those of `breadth_first_search`, `state_marks` and `fairness`. Both engines run one source and give
+the same numbers in the same order, so an exploration may switch from one to the other.
 """
 
 from __future__ import annotations
@@ -13,34 +14,35 @@ from typing import Any, NamedTuple
 
 from kitrobot.sim.jit_cache import is_missed
 from kitrobot.sim.table_pointer import TablePointer
-from kitrobot.verifier import fairness, marking, visiting
+from kitrobot.verifier import breadth_first_search as bfs
+from kitrobot.verifier import fairness, state_marks
 from kitrobot.verifier.tables import Graph, Tables
 
 
 class Engine(NamedTuple):
-    """One way to run it.
+    """The functions of one engine.
 
     Attributes:
-        advance, expand, rehash, repack: of `visiting`.
-        mark, observe, crossing, prune: of `marking`.
+        advance, expand, rehash, repack: of `breadth_first_search`.
+        mark, observe, crossing, prune: of `state_marks`.
         search, reach, sample, way: of `fairness`.
-        row: a list of numbers as the functions take it.
-        zeros, bytes, words: so many zeros, of 32 bits, of 8 or of 64.
-        take: the same tables and graph as the functions take them, with room for so many states.
+        row: converts a list of numbers to the type that the functions take.
+        zeros, bytes, words: make arrays of so many zeros, of 32, 8 or 64 bits.
+        take: converts tables and graph to the types that the functions take, with room for so many states.
     """
 
     advance: Callable[..., int]
     expand: Callable[..., int]
     rehash: Callable[..., None]
     repack: Callable[..., None]
-    mark: Callable[..., int]
-    observe: Callable[..., int]
-    crossing: Callable[..., int]
-    prune: Callable[..., int]
-    search: Callable[..., int]
-    reach: Callable[..., int]
-    sample: Callable[..., None]
-    way: Callable[..., int]
+    mark_states: Callable[..., int]
+    sense_agent: Callable[..., int]
+    find_crossing: Callable[..., int]
+    prune_open_states: Callable[..., int]
+    find_fair_component: Callable[..., int]
+    mark_reachable: Callable[..., int]
+    sample_steps: Callable[..., None]
+    find_shortest_path: Callable[..., int]
     row: Callable[[list[int]], Any]
     zeros: Callable[[int], Any]
     bytes: Callable[[int], Any]
@@ -49,20 +51,20 @@ class Engine(NamedTuple):
 
 
 FUNCTIONS: dict[str, Callable[..., Any]] = {
-    "advance": visiting.advance,
-    "expand": visiting.expand,
-    "rehash": visiting.rehash,
-    "repack": visiting.repack,
-    "mark": marking.mark,
-    "observe": marking.observe,
-    "crossing": marking.crossing,
-    "prune": marking.prune,
-    "search": fairness.search,
-    "reach": fairness.reach,
-    "sample": fairness.sample,
-    "way": fairness.way,
+    "advance": bfs.advance,
+    "expand": bfs.expand,
+    "rehash": bfs.rehash,
+    "repack": bfs.repack,
+    "mark_states": state_marks.mark_states,
+    "sense_agent": state_marks.sense_agent,
+    "find_crossing": state_marks.find_crossing,
+    "prune_open_states": state_marks.prune_open_states,
+    "find_fair_component": fairness.find_fair_component,
+    "mark_reachable": fairness.mark_reachable,
+    "sample_steps": fairness.sample_steps,
+    "find_shortest_path": fairness.find_shortest_path,
 }
-"""What is called from Python, by name."""
+"""The functions called from Python, by name."""
 
 
 def _as_lists(tables: Tables, graph: Graph, most: int) -> tuple[Tables, Graph]:
@@ -88,8 +90,9 @@ class ArrayTables(Tables):
 
     @cached_property
     def pointer(self) -> TablePointer:
-        """What compiled code is given. It knows nothing of this value, or both would stay, with all arrays, until the
-        collector comes by.
+        """The pointer passed to compiled code.
+
+        It does not refer back to this value: a cycle would keep all arrays alive until the garbage collector runs.
         """
         return TablePointer(Tables(*self))
 
@@ -99,22 +102,22 @@ class ArrayGraph(Graph):
 
     @cached_property
     def pointer(self) -> TablePointer:
-        """What compiled code is given; see `ArrayTables`."""
+        """The pointer passed to compiled code; see `ArrayTables`."""
         return TablePointer(Graph(*self))
 
 
-def _given(argument: Any) -> Any:
-    """An argument as compiled code takes it."""
-    if isinstance(argument, fairness.Search):
+def _to_argument(argument: Any) -> Any:
+    """Converts an argument to the type that compiled code takes."""
+    if isinstance(argument, fairness.ComponentSearch):
         return TablePointer(argument)
     return argument.pointer if isinstance(argument, ArrayTables | ArrayGraph) else argument
 
 
-def _taking_pointers(function: Callable[..., Any]) -> Callable[..., Any]:
-    return lambda *arguments: function(*map(_given, arguments))
+def _with_pointers(function: Callable[..., Any]) -> Callable[..., Any]:
+    return lambda *arguments: function(*map(_to_argument, arguments))
 
 
-def arrays(functions: dict[str, Callable[..., Any]]) -> Engine:
+def array_engine(functions: dict[str, Callable[..., Any]]) -> Engine:
     """An engine of compiled functions, which take pointers to arrays."""
     import numpy as np
 
@@ -135,7 +138,7 @@ def arrays(functions: dict[str, Callable[..., Any]]) -> Engine:
         return ArrayTables(*rows), ArrayGraph(*made)
 
     return Engine(
-        **{name: _taking_pointers(function) for name, function in functions.items()},
+        **{name: _with_pointers(function) for name, function in functions.items()},
         row=lambda numbers: np.array(numbers, np.int64),
         zeros=lambda size: np.zeros(size, np.int32),
         bytes=lambda size: np.zeros(size, np.uint8),
@@ -145,37 +148,37 @@ def arrays(functions: dict[str, Callable[..., Any]]) -> Engine:
 
 
 WORTH_STATES, WORTH_S = 50_000, 5.0
-"""States, or seconds of plain work, of all that this process has explored, after which the compiled functions are made.
-"""
+"""The compiled functions are made after so many states, or seconds, of plain exploration in this process."""
 LOADED_S = 1.0
-"""Seconds after which they are loaded where they are kept on this machine."""
+"""Seconds after which they are loaded if this machine has them in its cache."""
 
 
 @dataclass
-class Work:
-    """States that were explored plain, and the seconds that it took."""
+class PlainWork:
+    """The states explored by the plain engine, and the seconds that it took."""
 
     states: int = 0
     seconds: float = 0.0
 
 
-done = Work()
-"""All that this process has done and is over."""
+plain_work = PlainWork()
+"""The finished plain explorations of this process."""
 
 
 def would_gain(states: int) -> bool:
-    """Whether exploring so many states would have been much quicker if Numba were installed."""
+    """Whether exploring so many states would have been much faster with Numba installed."""
     return states >= WORTH_STATES and is_missed()
 
 
-def worth(states: int, seconds: float) -> Engine | None:
-    """The compiled engine, where it is there and worth it after so many states and so many seconds of plain work, and
-    what was `done` before.
+def choose_engine(states: int, seconds: float) -> Engine | None:
+    """The compiled engine, if it is available and worth it; None otherwise.
+
+    It is worth it after enough states or seconds of plain exploration, earlier ones (`plain_work`) included.
     """
-    states, seconds = done.states + states, done.seconds + seconds
+    states, seconds = plain_work.states + states, plain_work.seconds + seconds
     if states < WORTH_STATES and seconds < LOADED_S:
         return None
-    from kitrobot.verifier.compiling import engine
+    from kitrobot.verifier.numba_engine import engine
 
     if states >= WORTH_STATES or seconds >= WORTH_S or engine.is_kept():
         engine.ask()

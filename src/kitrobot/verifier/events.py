@@ -1,4 +1,4 @@
-"""What happens in the model, one event after another."""
+"""The events of the model, one kind for each thing that can happen."""
 
 from __future__ import annotations
 
@@ -9,8 +9,8 @@ from kitrobot.verifier.columns import E_AGENT, E_KIND, E_MASK, E_OTHER
 from kitrobot.verifier.motion import Move
 
 
-class What(IntEnum):
-    """What happens besides the moves of robots on roads."""
+class EventKind(IntEnum):
+    """The kinds of events besides the moves of robots on roads."""
 
     TICK = 11
     DONE = 12
@@ -27,34 +27,40 @@ class What(IntEnum):
     FREED = 23
 
 
-TICK, DONE, LOADED, UNLOADED, NO_EMPTY_CARRIER, NO_LOADED_CARRIER, NO_BOX = map(int, list(What)[:7])
-FAIL, STALL, RESUME, MUTE, MISSED, FREED = map(int, list(What)[7:])
+TICK, DONE, LOADED, UNLOADED, NO_EMPTY_CARRIER, NO_LOADED_CARRIER, NO_BOX = map(int, list(EventKind)[:7])
+FAIL, STALL, RESUME, MUTE, MISSED, FREED = map(int, list(EventKind)[7:])
 """The same as whole numbers, which Numba takes."""
 
-SWINGS = (What.LOADED, What.UNLOADED, What.NO_BOX, What.NO_EMPTY_CARRIER, What.NO_LOADED_CARRIER)
-"""An arm came to the end of its motion."""
-ENDS = (What.DONE, *SWINGS)
-"""What takes longer than a tick came to its end."""
+SWINGS = (
+    EventKind.LOADED,
+    EventKind.UNLOADED,
+    EventKind.NO_BOX,
+    EventKind.NO_EMPTY_CARRIER,
+    EventKind.NO_LOADED_CARRIER,
+)
+"""The completions of an arm's motion."""
+ENDS = (EventKind.DONE, *SWINGS)
+"""The completions of actions that take longer than a tick."""
 
 
 MOST_AT_ONCE = 20_000
-"""Ways in which one step of a model can go, at most."""
+"""The most outcomes of one step of a model."""
 
 
-class TooManyError(Exception):
+class ModelTooLargeError(Exception):
     """One step of the model can go in more than `MOST_AT_ONCE` ways: exploring ends there."""
 
 
 class Event(NamedTuple):
-    """Something that happens: to which agent, and where it matters to which other one, dock or storehouse."""
+    """An event of an agent, and the other agent, dock or storehouse that takes part (-1: none)."""
 
     agent: int
-    what: Move | What
+    what: Move | EventKind
     other: int = -1
 
 
 def event_of(number: int) -> Event:
-    """An event that is written as one number (see `columns.E_AGENT`)."""
+    """Decodes an event from one number (see `columns.E_AGENT`)."""
     kind = number & E_KIND
-    what = What(kind) if kind >= What.TICK else Move(kind)
+    what = EventKind(kind) if kind >= EventKind.TICK else Move(kind)
     return Event(number >> E_AGENT & E_MASK, what, (number >> E_OTHER) - 1)

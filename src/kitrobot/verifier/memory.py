@@ -1,8 +1,8 @@
-"""How much memory the process of a check takes, and whether there is room for more.
+"""The memory that the process of a check takes.
 
-A limit is the process's: what it took before, states, steps and tables, the copies that are made while they grow, and
-what judging will take. Where the system tells what the process takes now (Linux), that is asked; elsewhere it is put
-together from the sizes of what was explored.
+A memory limit is for the whole process: what it took before, states, steps and tables, the copies that are made while
+they grow, and what the later search takes. On Linux the system reports what the process takes now; elsewhere it is
+estimated from the sizes of what was explored.
 """
 
 from __future__ import annotations

@@ -1,10 +1,11 @@
-"""The discrete model of a mission: the tables in which exploring looks up what its components become.
+"""The discrete model of a mission: the tables in which the exploration looks up transitions, filled on demand.
 
-What exploring finds missing in a table is filled in here, by the interpreter itself (`programs`) and, where a team
-agrees on something or misses somebody, by the simulator (`agreeing`, `missing`).
+When the exploration finds that a table lacks an entry, the model adds it: with the interpreter itself (`programs`) and,
+where a team agrees on something or misses a member, with the simulator (`team_agreement`, `absence`).
 
-A tick changes the agent itself and shared variables; what others sense of it changes with events of the world. So the
-ticks of one moment may be taken in any order, but for shared variables: those of a tick are seen by the next.
+A tick changes the agent itself and shared variables; what other agents sense of it changes with events of the world. So
+the ticks of one moment may be taken in any order, except for shared variables: the next tick sees those of the
+previous.
 """
 
 from __future__ import annotations
@@ -14,15 +15,15 @@ from collections.abc import Collection
 from kitrobot.sim import columns as c
 from kitrobot.verifier import columns as v
 from kitrobot.verifier import reactions
-from kitrobot.verifier.agreeing import Agreed, Told
+from kitrobot.verifier.absence import ENDS
 from kitrobot.verifier.bodies import ANEW, FAILED, LOST, RUNS, Inside
 from kitrobot.verifier.components import Components, Shared, State
-from kitrobot.verifier.events import TooManyError
-from kitrobot.verifier.growing import find_confs_again, put
-from kitrobot.verifier.looking import decode, sensed
-from kitrobot.verifier.missing import ENDS
+from kitrobot.verifier.dynamic_arrays import insert, rebuild_conf_slots
+from kitrobot.verifier.events import ModelTooLargeError
+from kitrobot.verifier.interleaved_successors import due_in
 from kitrobot.verifier.programs import Reaction
-from kitrobot.verifier.stepping import due_in
+from kitrobot.verifier.state_decoding import decode, sense_key
+from kitrobot.verifier.team_agreement import TeamCommand, TeamState
 from kitrobot.verifier.timing import Timing
 from kitrobot.verifier.traffic import intern_conf
 
@@ -61,7 +62,7 @@ class Model(Components):
     # -- filling
 
     def fill(self, code: int) -> None:
-        """Puts into the tables what exploring asked for.
+        """Adds the entry or the room that a pause code asks for to the tables.
 
         Raises:
             TooManyError: there is no number left for it, or a step goes in too many ways.
@@ -83,10 +84,10 @@ class Model(Components):
             while len(slots) < 4 * (len(self.t.confs) // int(self.t.fixed[v.CONF_WIDTH])):
                 self._more("conf_slots")
                 slots = self.t.conf_slots
-            find_confs_again(self.t)
+            rebuild_conf_slots(self.t)
         elif code == v.ROOM_NEXT:
             if len(self.t.next_x) > 1_000_000:
-                raise TooManyError
+                raise ModelTooLargeError
             for name in ("next_x", "next_y", "next_taken", "next_kinds", "next_event", "next_slots"):
                 self._more(name)
             self.t.next_slots[:] = [0] * len(self.t.next_slots)
@@ -96,18 +97,18 @@ class Model(Components):
                 for name in ("after_heads", "after_slots", "after"):
                     self._more(name)
             elif not regs[v.AFTERS]:
-                raise TooManyError
+                raise ModelTooLargeError
             self._forget_after()
         elif code in _ROOM:
             self._more(_ROOM[code])
         else:
-            raise TooManyError
+            raise ModelTooLargeError
 
     def _fill_reaction(self, i: int, key: int) -> None:
         part = self.parts[i]
         inside = self._insides[i][key & v.MOST_INSIDES - 1]
         seen = self._seen_tuples[i][key >> v.S_SHARED & v.MOST_SEEN - 1]
-        if self.watch is not None and seen[-1]:
+        if self.absence is not None and seen[-1]:
             over = self.inside_number(i, inside._replace(is_over=True))
             self._put_reactions(key, [(over, 0, v.NO_WRITE)])
             return
@@ -116,14 +117,15 @@ class Model(Components):
             want, after = reactions.after_reaction(part, inside, reaction)
             number = self.inside_number(i, after)
             ticks = after.down == RUNS and not self.has_ended(i, after)
-            if self.watch is not None and part.is_member and reaction.ended:
-                change = change[0], (*change[1], Told(ENDS, part.agent.index, 0, 0))
+            if self.absence is not None and part.is_member and reaction.ended:
+                change = change[0], (*change[1], TeamCommand(ENDS, part.agent.index, 0, 0))
             found[number, 2 * (want + 2) + ticks, self._write_number(change)] = None
         self._put_reactions(key, found)
 
     def reactions_to(self, i: int, key: int) -> list[tuple[Reaction, reactions.Change]]:
-        """All reactions that a tick of agent i can have where it senses this (`looking.sensed`), each with what it
-        makes of what is shared.
+        """All reactions of a tick of agent i, each with its change of the shared state.
+
+        `key` is what the agent senses (`state_decoding.sense_key`).
         """
         part, inside = self.parts[i], self._insides[i][key & v.MOST_INSIDES - 1]
         choices = {at: sense.choices for at, sense in enumerate(part.senses)}
@@ -132,18 +134,18 @@ class Model(Components):
         return [(one, reactions.change_by(part, inside, shared, one)) for one in found]
 
     def sensed(self, i: int, state: State) -> tuple[tuple[int | None, ...], tuple[int, ...]]:
-        """What agent i reads in a state, None of an input that may read anything; and its shared variables."""
+        """The input values of agent i in a state (None for one that may read anything), and its shared variables."""
         decode(self.t, *self.layout.key(state))
-        return self._sensed(i, sensed(self.t, i))
+        return self._sensed(i, sense_key(self.t, i))
 
     def _sensed(self, i: int, key: int) -> tuple[tuple[int | None, ...], tuple[int, ...]]:
-        """The same, by what it senses (`looking.sensed`)."""
+        """The same, by what it senses (`state_decoding.sense_key`)."""
         part, inside = self.parts[i], self._insides[i][key & v.MOST_INSIDES - 1]
         seen = self._seen_tuples[i][key >> v.S_SHARED & v.MOST_SEEN - 1]
         about = key >> v.S_SHARED, inside.load, inside.busy
         read = self._read.get(about)
         if read is None:
-            outside = reactions.around(part, self._signs_of(i), key, seen[len(part.shared) :])
+            outside = reactions.external_values(part, self._signs_of(i), key, seen[len(part.shared) :])
             read = tuple(
                 reactions.read(inside, sense, there) for sense, there in zip(part.senses, outside, strict=True)
             )
@@ -151,24 +153,24 @@ class Model(Components):
         return read, inside.own or seen[: len(part.shared)]
 
     def _put_reactions(self, key: int, found: Collection[tuple[int, int, int]]) -> None:
-        """Puts what a tick can bring behind the outcomes."""
+        """Appends the outcomes of a tick."""
         first = self._outcomes
         self._outcomes += len(found)
         self._room("outcomes", self._outcomes * v.OUTCOME)
         rows = [one for row in found for one in row]
         self.t.outcomes[first * v.OUTCOME : self._outcomes * v.OUTCOME] = rows
         self._reactions += 1
-        self.t = put(self.t, "reaction_keys", "reaction_at", self._reactions, key, first << v.S_COUNT | len(found))
+        self.t = insert(self.t, "reaction_keys", "reaction_at", self._reactions, key, first << v.S_COUNT | len(found))
 
     def _fill_silenced(self, i: int, key: int) -> None:
         inside = self._insides[i][key & v.MOST_INSIDES - 1]
         seen = self._seen_tuples[i][key >> v.S_SHARED & v.MOST_SEEN - 1]
         number = self.inside_number(i, reactions.after_silence(self.parts[i], inside, key, seen))
         self._reactions += 1
-        self.t = put(self.t, "reaction_keys", "reaction_at", self._reactions, key, number)
+        self.t = insert(self.t, "reaction_keys", "reaction_at", self._reactions, key, number)
 
     def _write_number(self, change: reactions.Change) -> int:
-        """The number of a change of what is shared."""
+        """The number of a change of the shared state; assigns one if it is new."""
         if change == ((), ()):
             return v.NO_WRITE
         number = self._write_numbers.get(change)
@@ -188,9 +190,9 @@ class Model(Components):
             settled = self.agreement.settled(tuple(shared[self._agreed_at :]))
             shared[self._agreed_at :] = self._reduced(settled, shared[0])
         elif write < self._first_write:
-            assert self.watch is not None, "only a team that misses members is watched"
+            assert self.absence is not None, "only a team that misses members is watched"
             i, what = divmod(write - self._first_watched, self._watched_each)
-            agreed = self.watch.befallen(tuple(shared[self._agreed_at :]), self.parts[i].agent.index, what)
+            agreed = self.absence.after_event(tuple(shared[self._agreed_at :]), self.parts[i].agent.index, what)
             shared[self._agreed_at :] = self._settled(agreed, shared[0])
         else:
             changes, told = self._writes[write - self._first_write]
@@ -201,17 +203,17 @@ class Model(Components):
                 shared[self._agreed_at :] = self._settled(agreed, shared[0])
         after = self.shared_number(tuple(shared))
         self._changes += 1
-        self.t = put(self.t, "change_keys", "change_to", self._changes, number << v.S_WRITE | write, after)
+        self.t = insert(self.t, "change_keys", "change_to", self._changes, number << v.S_WRITE | write, after)
 
-    def _settled(self, agreed: Agreed, left: int) -> Agreed:
+    def _settled(self, agreed: TeamState, left: int) -> TeamState:
         """A state of the team after all has been agreed on that can be, where that is not left to the end of a step."""
         if self.timing is Timing.LOCKSTEP or self.agreement is None:
             return agreed
         return self._reduced(self.agreement.all_settled(agreed), left)
 
-    def _reduced(self, agreed: Agreed, left: int) -> Agreed:
+    def _reduced(self, agreed: TeamState, left: int) -> TeamState:
         """The same without what makes no difference where so many failures are left."""
-        return agreed if self.watch is None else self.watch.reduced(agreed, left)
+        return agreed if self.absence is None else self.absence.reduced(agreed, left)
 
     def _fill_inside(self, code: int, i: int, which: int) -> None:
         number = int(self.t.now[1 + i])
@@ -231,22 +233,22 @@ class Model(Components):
         self.t.insides[(i * fixed[v.INSIDE_STRIDE] + number) * fixed[v.INSIDE_WIDTH] + column] = to
 
     def _left_behind(self, i: int, inside: Inside, how: int) -> Inside:
-        """What agent i is once its program begins `ANEW`, or is `LOST` while it is down.
+        """The state of agent i once its program restarts (`ANEW`), or once it is `LOST` while it is down.
 
         Devices that are told to stop by that have stopped, and those of a robot that failed do nothing any more.
         """
         part, busy = self.parts[i], list(inside.busy)
-        assert self.watch is not None, "only a team misses members"
-        if how == LOST and part.table.is_asked:
+        assert self.absence is not None, "only a team misses members"
+        if how == LOST and part.table.is_observed:
             return inside
         first = int(self.run.state.robots.ints[c.ACTUATOR_INDEX][part.agent.index])
         for at, act in enumerate(part.acts):
             k = int(self.run.state.actuators.actuator_index[first + at])
-            if act.busy >= 0 and (inside.down == FAILED or (how == ANEW and self.watch.halts(k))):
+            if act.busy >= 0 and (inside.down == FAILED or (how == ANEW and self.absence.halts(k))):
                 busy[act.busy] = 0
         return inside._replace(local=part.table.first, busy=tuple(busy), loose=0)
 
 
 _MOST_AFTER = 2_000_000
-"""Numbers that are kept of what follows in lockstep; a table that needs more is emptied."""
-_ROOM = {v.ROOM_MOVES: "moves", v.ROOM_MOMENTS: "moments", v.ROOM_LOG: "log"}
+"""The most numbers in the cache of ticks in lockstep; a larger cache is emptied."""
+_ROOM = {v.ROOM_MOVES: "moves", v.ROOM_MOVE_SETS: "move_sets", v.ROOM_LOG: "log"}

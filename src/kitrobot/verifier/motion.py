@@ -1,7 +1,7 @@
-"""How robots on one road move: the events of the world that are possible for a robot between its two neighbours.
+"""The moves of a robot on a road: the events of the world that are possible for it between its two neighbours.
 
-An event changes one robot, or two: a robot that goes on changes the gap to the one ahead and the gap of the one behind.
-What is here is in the part of Python that Numba takes.
+An event changes one robot, or two: a robot that moves changes the gap to the one ahead and the gap of the one behind.
+This module uses only the subset of Python that Numba compiles.
 """
 
 from __future__ import annotations
@@ -14,15 +14,15 @@ from kitrobot.verifier.bodies import (
     NEW_GAP,
     NEW_ZONE,
     TICKS,
-    at_gap,
-    begun,
-    closed_in,
-    entered,
+    after_approach,
+    after_gap_change,
+    after_start,
+    after_stop,
+    after_zone_entry,
     gap_of,
-    halted,
-    in_gap,
     want_of,
     way_of,
+    with_gap,
     zone_of,
 )
 from kitrobot.verifier.columns import (
@@ -42,7 +42,7 @@ from kitrobot.verifier.tables import Row, Tables
 
 
 class Move(IntEnum):
-    """What happens to a robot that is on a road; the numbers are none of those of `events.What`."""
+    """The moves of a robot on a road; the numbers differ from those of `events.EventKind`."""
 
     BEGIN = 1
     HALT = 2
@@ -72,7 +72,7 @@ def zones_ahead(agents: Row, i: int, me: int, leader: int) -> int:
     return (zone_of(leader) - zone_of(me)) % zones
 
 
-def can_be(agents: Row, geo: Row, i: int, zone: int, ahead: int, gap: int) -> bool:
+def is_gap_possible(agents: Row, geo: Row, i: int, zone: int, ahead: int, gap: int) -> bool:
     """Whether the gap from agent i in a zone to one that is `ahead` zones further can be of this class."""
     a = i * AGENT
     return (
@@ -80,16 +80,16 @@ def can_be(agents: Row, geo: Row, i: int, zone: int, ahead: int, gap: int) -> bo
     )
 
 
-def gap_in(agents: Row, geo: Row, i: int, gap: int, zone: int, ahead: int) -> int:
+def gap_after_zone(agents: Row, geo: Row, i: int, gap: int, zone: int, ahead: int) -> int:
     """The class of gap after a zone changed: the same, or the one with a lap between; -1 where it cannot be."""
     a = i * AGENT
     zones, beyond = agents[a + A_ZONES], agents[a + A_BEYOND]
     if ahead < 0 or ahead > zones:
         return -1
     if agents[a + A_CLOSED] and ahead == zones:
-        return beyond + 1 if gap >= beyond and can_be(agents, geo, i, zone, ahead, beyond) else -1
-    kept = gap if gap < beyond else beyond
-    return kept if can_be(agents, geo, i, zone, ahead, kept) else -1
+        return beyond + 1 if gap >= beyond and is_gap_possible(agents, geo, i, zone, ahead, beyond) else -1
+    same = gap if gap < beyond else beyond
+    return same if is_gap_possible(agents, geo, i, zone, ahead, same) else -1
 
 
 def next_zone(agents: Row, i: int, zone: int, way: int) -> int:
@@ -102,7 +102,7 @@ def next_zone(agents: Row, i: int, zone: int, way: int) -> int:
 
 
 def is_blocked(want: int, leader: int, gap: int, follower: int) -> bool:
-    """Whether a robot presses on one that stands in the direction that its wheels were told; a body of -1 is nobody."""
+    """Whether a robot presses on a standing one in the direction of its command; a body of -1 is no robot."""
     if want > 0:
         return leader >= 0 and gap == PRESSED and way_of(leader) <= 0
     return follower >= 0 and gap_of(follower) == PRESSED and way_of(follower) >= 0
@@ -133,12 +133,12 @@ def move(t: Tables, bodies: int, k: int, i: int, which: int, behind: int) -> int
     if which == 0:
         if want == 0 or way != 0 or is_blocked(want, leader, gap, follower):
             return NOTHING
-        made[k] = begun(me)
+        made[k] = after_start(me)
         return BEGIN
     if which == 1:
         if way == 0 or not (want != way or (way > 0 and gap == PRESSED and leader >= 0)):
             return NOTHING
-        made[k] = halted(me)
+        made[k] = after_stop(me)
         return HALT
     if which == 2:
         if way == 0 or (agents[a + A_ZONES] < 2 and agents[a + A_CLOSED]):
@@ -150,45 +150,49 @@ def move(t: Tables, bodies: int, k: int, i: int, which: int, behind: int) -> int
         if to < 0:
             if want != way:
                 return NOTHING
-            made[k] = halted(me)
+            made[k] = after_stop(me)
             return HALT
-        after = entered(me, to)
+        after = after_zone_entry(me, to)
         if leader >= 0:
-            further = gap_in(agents, geo, i, gap, to, zones_ahead(agents, i, me, leader) - way)
+            further = gap_after_zone(agents, geo, i, gap, to, zones_ahead(agents, i, me, leader) - way)
             if further < 0:
                 return NOTHING
-            after = in_gap(after, further)
+            after = with_gap(after, further)
         if follower >= 0:
             theirs = gap_of(follower)
-            nearer = gap_in(
+            nearer = gap_after_zone(
                 agents, geo, behind, theirs, zone_of(follower), zones_ahead(agents, behind, follower, me) + way
             )
             if nearer < 0:
                 return NOTHING
             if nearer != theirs:
-                made[behind_at] = at_gap(follower, nearer)
+                made[behind_at] = after_gap_change(follower, nearer)
         made[k] = after
         return ZONE
     if leader < 0 or gap > beyond:
         return NOTHING
     ahead = zones_ahead(agents, i, me, leader)
     if which == 5:
-        if gap >= beyond or not (way_of(leader) > 0 or way < 0) or not can_be(agents, geo, i, zone, ahead, gap + 1):
+        if (
+            gap >= beyond
+            or not (way_of(leader) > 0 or way < 0)
+            or not is_gap_possible(agents, geo, i, zone, ahead, gap + 1)
+        ):
             return NOTHING
-        made[k] = at_gap(me, gap + 1)
+        made[k] = after_gap_change(me, gap + 1)
         return WIDER
-    if gap <= PRESSED or not can_be(agents, geo, i, zone, ahead, gap - 1):
+    if gap <= PRESSED or not is_gap_possible(agents, geo, i, zone, ahead, gap - 1):
         return NOTHING
     if which == 3:
         at = agents[a + A_GAP_AT] + gap * GAP_NUMBERS
         if way <= 0 or (me & NEW_GAP and me & TICKS and geo[at]) or (me & HELD_GAP and geo[at + 1]):
             return NOTHING
-        after = closed_in(me, gap - 1)
-        made[k] = halted(after) if gap - 1 == PRESSED else after
+        after = after_approach(me, gap - 1)
+        made[k] = after_stop(after) if gap - 1 == PRESSED else after
     else:
         if way_of(leader) >= 0:
             return NOTHING
-        made[k] = at_gap(me, gap - 1)
+        made[k] = after_gap_change(me, gap - 1)
         if gap - 1 == PRESSED:
-            made[ahead_at] = halted(leader)
+            made[ahead_at] = after_stop(leader)
     return CLOSER if gap - 1 > TOUCHING else TOUCH

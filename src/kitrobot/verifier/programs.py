@@ -1,11 +1,11 @@
-"""Programs as tables: what one tick makes of a program's state and of what its robot senses.
+"""Programs as transition tables: the result of one tick for each program state and each set of sensed values.
 
-A reaction is computed by the interpreter itself (`kitrobot_onboard.interpreter.tick`), once for each pair of state and
-sensed values that comes up. There is no second meaning of a program.
+The interpreter itself (`kitrobot_onboard.interpreter.tick`) computes a reaction, once for each pair of state and sensed
+values that comes up. There is no second meaning of a program.
 
-A *local state* is everything that can change in an image but its inputs and its shared variables: the cells that are
-live (their value may still be read), where each thread stands, which parallels are active and which stops are armed. Of
-two states that differ in dead cells only, one is kept.
+A *local state* is everything that can change in an image except its inputs and its shared variables: the live cells
+(whose value may still be read), the position of each thread, which parallels are active and which stops are armed. Of
+two states that differ only in dead cells, one is stored.
 """
 
 from __future__ import annotations
@@ -27,12 +27,12 @@ MOST_OUTCOMES = 4096
 
 
 class AbstractionError(KitRobotError):
-    """Something of a mission has no discrete form that can be explored."""
+    """A part of a mission has no discrete form that can be explored."""
 
 
 @dataclass(frozen=True, slots=True)
 class Reaction:
-    """What one tick does: the state after it, its commands, and the shared variables after it.
+    """The result of one tick: the state after it, its commands, and the shared variables after it.
 
     Attributes:
         local: the number of the local state after the tick.
@@ -41,7 +41,7 @@ class Reaction:
         more: of each command the arguments behind these.
         shared: the values of the robot's shared variables after the tick, in the order of its XML.
         ended: whether the program has ended.
-        stops: the bits of actuators that were told to stop, and of those that go on although a marked action's parallel
+        stops: the bits of actuators that were stopped, and of those that go on although a marked action's parallel
             is over (`stops.stops_in`).
     """
 
@@ -55,15 +55,15 @@ class Reaction:
 
 
 class ProgramTable:
-    """The reactions of one program, filled as they are asked for.
+    """The reactions of one program, computed on demand.
 
     Args:
         image: the program.
         robot: the robot that it runs on.
-        kept: names of variables whose values are asked for from outside, so that they are never dead.
+        observed: names of variables that properties read, so that they are never dead.
     """
 
-    def __init__(self, image: Image, robot: Robot, kept: Collection[str] = ()) -> None:
+    def __init__(self, image: Image, robot: Robot, observed: Collection[str] = ()) -> None:
         self.machine = Machine(image, robot, watch=True)
         layout = self.machine.layout
         self.inputs = layout.inputs
@@ -73,7 +73,7 @@ class ProgramTable:
         self._read_by: dict[tuple[int, ...], frozenset[int]] = {}
         """The cells that are read where these instructions run."""
         self._apart = {*range(1, 1 + layout.inputs), *self.shared}
-        self._kept = {layout.variables[name] for name in kept if name in layout.variables}
+        self._observed = {layout.variables[name] for name in observed if name in layout.variables}
         self._live = live_cells(image)
         self._dead: dict[tuple[int, ...], list[int]] = {}
         slots = 2 * len(image.slots)
@@ -81,7 +81,7 @@ class ProgramTable:
         at_parallels = at_slots + 5 * len(image.parallels)
         stops = at_parallels + 3 * len(image.stops)
         self._at_threads = image.first_constant
-        """Where in a local state what is told of threads begins; before it are the cells."""
+        """The place of the threads in a local state, behind the cells."""
         self._at_pars = self._at_threads + slots
         self._at_stops = self._at_pars + len(image.parallels)
         self._threads, self._active = slice(0, slots), slice(at_slots, at_parallels, 5)
@@ -94,19 +94,19 @@ class ProgramTable:
         self.may_end = _may_end(image)
         """Whether the program can come to its end."""
         self.ticks = 0
-        """How many times the interpreter was asked."""
+        """The number of ticks that the interpreter computed."""
 
     @property
-    def is_asked(self) -> bool:
-        """Whether values of its variables are asked for from outside."""
-        return bool(self._kept)
+    def is_observed(self) -> bool:
+        """Whether properties read any of its variables."""
+        return bool(self._observed)
 
     def __len__(self) -> int:
         """How many local states have come up."""
         return len(self._locals)
 
     def value(self, local: int, cell: int) -> int:
-        """What a cell of the robot's own holds in a local state; it must be one of `kept`."""
+        """What a cell of the robot's own holds in a local state; it must be one of `observed`."""
         return self._locals[local][cell]
 
     def has_ended(self, local: int) -> bool:
@@ -114,7 +114,7 @@ class ProgramTable:
         return self._locals[local][self._at_threads] < 0
 
     def places(self, local: int) -> list[tuple[int, int]]:
-        """(slot, instruction) where each live thread stands."""
+        """(slot, instruction) of each live thread."""
         self._restore(local)
         return self.machine.active()
 
@@ -183,19 +183,20 @@ class ProgramTable:
         for cell, value in zip(self.shared, shared, strict=True):
             cells[cell] = value
         armed = machine.pars[:] if machine.image.stops else ()
-        told = self._told(machine)
+        commanded = self._run(machine)
         stops = stops_in(armed, machine)
         commands = tuple(
-            (machine.layout.commands[machine.out[at + 2]][0], machine.out[at + 2], self._argument(at, 0)) for at in told
+            (machine.layout.commands[machine.out[at + 2]][0], machine.out[at + 2], self._argument(at, 0))
+            for at in commanded
         )
-        seconds = tuple(self._argument(at, 1) for at in told)
+        seconds = tuple(self._argument(at, 1) for at in commanded)
         self.ticks += 1
         ran = tuple(machine.seen)
         read = self._read_by.get(ran)
         if read is None:
             read = self._read_by[ran] = frozenset[int]().union(*compress(self._reads, ran))
         after = tuple(int(cells[cell]) for cell in self.shared)
-        more = tuple(tuple(machine.out[at + 5 : at + 3 + self._arguments(at)]) for at in told)
+        more = tuple(tuple(machine.out[at + 5 : at + 3 + self._arguments(at)]) for at in commanded)
         return Reaction(self.current(), commands, after, machine.ended, seconds, stops, more), read
 
     def _arguments(self, at: int) -> int:
@@ -208,8 +209,8 @@ class ProgramTable:
         return int(self.machine.out[at + 3 + number]) if self._arguments(at) > number else 0
 
     @staticmethod
-    def _told(machine: Machine) -> list[int]:
-        """Lets the machine tick; where in `out` the commands begin."""
+    def _run(machine: Machine) -> list[int]:
+        """Runs one tick of the machine; returns the places of the commands in `out`."""
         machine.run_tick()
         return [at for at in range(0, machine.width * machine.image.actuators, machine.width) if machine.out[at]]
 
@@ -237,7 +238,7 @@ class ProgramTable:
         """The cells that are left out of a local state where the threads stand there (-1: not running)."""
         found = self._dead.get(places)
         if found is None:
-            live = self._kept.union(*(self._live[pc] for pc in places if pc >= 0)) - self._apart
+            live = self._observed.union(*(self._live[pc] for pc in places if pc >= 0)) - self._apart
             count = self.machine.image.first_constant
             found = self._dead[places] = [cell for cell in range(count) if cell not in live]
         return found

@@ -1,7 +1,7 @@
-"""What is asked of a mission: ready properties that fit its devices.
+"""The properties that a check decides: the ready ones that fit a mission's devices.
 
 A property of *safety* is broken by one event or one state. A property of *liveness* is broken by a run that goes on for
-ever, or stands still for ever, without what was to come.
+ever, or stands still for ever, without the expected event.
 """
 
 from __future__ import annotations
@@ -15,50 +15,51 @@ from kitrobot.sim import columns as c
 from kitrobot.sim.team_columns import HAS_UNIT
 from kitrobot.text import Sentence
 from kitrobot.verifier.bodies import FAILED, RUNS, Inside
-from kitrobot.verifier.events import SWINGS, What
+from kitrobot.verifier.events import SWINGS, EventKind
 from kitrobot.verifier.model import Model, Shared
 from kitrobot.verifier.motion import Move
-from kitrobot.verifier.watches import Watch, loses_something, runs_on, waits_at_point
+from kitrobot.verifier.run_monitors import RunMonitor, loose_action_monitor, loss_monitor, meeting_monitor
 
 
 @dataclass(frozen=True)
-class OfShared:
-    """What is true of boxes, shared variables and failures."""
+class SharedFact:
+    """A condition on the shared state: boxes, shared variables and failures."""
 
     test: Callable[[Shared], bool]
 
 
 @dataclass(frozen=True)
-class OfAgent:
-    """What is true of an agent, but for its motion."""
+class AgentFact:
+    """A condition on the state of an agent except its motion."""
 
     agent: int
     test: Callable[[Inside], bool]
 
 
 @dataclass(frozen=True)
-class Stands:
-    """Whether an agent with a bed stands in one of these docks."""
+class DockFact:
+    """The condition that an agent with a bed stands in one of these docks."""
 
     agent: int
     docks: tuple[int, ...]
 
 
 @dataclass(frozen=True)
-class Sensed:
-    """What is true of a state by what some agents would read and keep there, as their keys (`looking.sensed`); where it
-    asks for what is shared, the number of that comes behind them.
+class SensedCondition:
+    """A condition on a state by what some agents read and store there, as their keys (`state_decoding.sense_key`).
+
+    If it `reads_shared`, the number of the shared state follows the keys.
     """
 
     agents: tuple[int, ...]
     test: Callable[[tuple[int, ...]], bool]
-    asks_shared: bool = False
+    reads_shared: bool = False
 
 
-Fact = OfShared | OfAgent | Stands
-"""What one component of a state says."""
-Condition = tuple[tuple[Fact, ...], ...] | Sensed
-"""What is true of a state: all facts of one of these clauses, or what agents sense."""
+Fact = SharedFact | AgentFact | DockFact
+"""A condition on one component of a state."""
+Condition = tuple[tuple[Fact, ...], ...] | SensedCondition
+"""A condition on a state: all facts of one of these clauses, or a condition on sensed values."""
 
 
 @dataclass(frozen=True)
@@ -78,7 +79,7 @@ class Property:
         never: what breaks it in any state.
         breaks: what must hold before, and after, a step that breaks it.
         since: from which states on waiting counts; of liveness only. None: from any, but see `from_start`.
-        watch: begins to look at a run of the simulator, which is before its first step, where its events do not tell
+        monitor: starts a monitor of a run of the simulator, which is before its first step, if its events do not decide
             whether it breaks the property.
         seen_as: the events of the simulator (see `sim.columns`) that break it.
         ends_as: the outcomes of a run of the simulator that break it.
@@ -87,16 +88,16 @@ class Property:
 
     name: str
     sentence: Sentence
-    broken_by: frozenset[Move | What] = frozenset()
+    broken_by: frozenset[Move | EventKind] = frozenset()
     is_wrong: Condition | None = None
     waits: Condition | None = None
     from_start: bool = False
-    about: frozenset[Move | What] = frozenset()
+    about: frozenset[Move | EventKind] = frozenset()
     concerned: Condition | None = None
     never: Condition | None = None
     breaks: tuple[Condition, Condition] | None = None
     since: Condition | None = None
-    watch: Callable[[Simulation], Watch] | None = None
+    monitor: Callable[[Simulation], RunMonitor] | None = None
     seen_as: tuple[int, ...] = ()
     ends_as: tuple[str, ...] = ()
     spares_teams: bool = False
@@ -125,7 +126,7 @@ def ready_properties(model: Model) -> list[Property]:
             Property(
                 "empty-storehouse",
                 Sentence("no arm reaches into an empty storehouse"),
-                broken_by=frozenset({What.NO_BOX}),
+                broken_by=frozenset({EventKind.NO_BOX}),
                 seen_as=(c.NO_BOX,),
                 about=frozenset(SWINGS),
             )
@@ -134,7 +135,7 @@ def ready_properties(model: Model) -> list[Property]:
             Property(
                 "empty-swing",
                 Sentence("no arm moves without a carrier that it can load or unload"),
-                broken_by=frozenset({What.NO_EMPTY_CARRIER, What.NO_LOADED_CARRIER}),
+                broken_by=frozenset({EventKind.NO_EMPTY_CARRIER, EventKind.NO_LOADED_CARRIER}),
                 seen_as=(c.NO_EMPTY_CARRIER, c.NO_LOADED_CARRIER),
                 about=frozenset(SWINGS),
             )
@@ -182,10 +183,10 @@ def _carriers(model: Model) -> list[int]:
 
 
 def _served(model: Model, i: int) -> Property:
-    """That agent i, where it stands in a dock, is loaded or unloaded, drives on, or ends."""
+    """The property that agent i, once in a dock, is loaded or unloaded, drives on, or ends."""
     arms = tuple(sorted({act.dock for part in model.parts for act in part.acts if act.is_arm}))
     name = model.parts[i].agent.name
-    stands: Condition = ((OfAgent(i, lambda inside: not model.has_ended(i, inside)), Stands(i, arms)),)
+    stands: Condition = ((AgentFact(i, lambda inside: not model.has_ended(i, inside)), DockFact(i, arms)),)
     return Property(
         f"served-{name}",
         Sentence("{agent} does not wait in a dock for ever", name),
@@ -196,7 +197,7 @@ def _served(model: Model, i: int) -> Property:
 
 
 def _stock(model: Model) -> list[Property]:
-    """That no box and no unit of work is lost by a program: a robot that failed holds what it held.
+    """The property that no program loses a box or a unit of work: a robot that failed still holds what it held.
 
     An arm moves a box from a storehouse to a carrier in one moment, or back, so no program can lose one. Where robots
     that fail are towed, which is not in the model, their boxes go back, if there is room.
@@ -209,7 +210,7 @@ def _stock(model: Model) -> list[Property]:
     )
     if not carriers and not units:
         return []
-    in_question: list[tuple[Fact, ...]] = [(OfAgent(i, lambda inside: inside.load > 0),) for i in carriers]
+    in_question: list[tuple[Fact, ...]] = [(AgentFact(i, lambda inside: inside.load > 0),) for i in carriers]
     in_question += [(_has_unit(model, at),) for _, at in units]
     return [
         Property(
@@ -217,18 +218,18 @@ def _stock(model: Model) -> list[Property]:
             Sentence("no box and no unit of work is lost or appears twice"),
             never=tuple((_has_ended(model, i), _has_unit(model, at)) for i, at in units) or None,
             concerned=tuple(in_question),
-            watch=loses_something,
+            monitor=loss_monitor,
         )
     ]
 
 
 def _meetings(model: Model) -> list[Property]:
-    """That each member of a team that waits for others at a point of its program gets on."""
+    """The properties that each member of a team that waits at a point of its program continues eventually."""
     agreement = model.agreement
     if agreement is None or not agreement.has_meetings:
         return []
     members = [
-        i for i, part in enumerate(model.parts) if part.is_member and not (part.is_spare and model.watch is None)
+        i for i, part in enumerate(model.parts) if part.is_member and not (part.is_spare and model.absence is None)
     ]
     return [_meets(model, i) for i in members]
 
@@ -236,19 +237,19 @@ def _meetings(model: Model) -> list[Property]:
 def _meets(model: Model, i: int) -> Property:
     assert model.agreement is not None
     name, at = model.parts[i].agent.name, model.agreement.waits(_robot(model, i))
-    runs = OfAgent(i, lambda inside: inside.down == RUNS and not model.has_ended(i, inside))
-    waits = (runs, OfShared(lambda shared: model.agreed(shared)[at] >= 0), *_needed(model, i))
+    runs = AgentFact(i, lambda inside: inside.down == RUNS and not model.has_ended(i, inside))
+    waits = (runs, SharedFact(lambda shared: model.agreed(shared)[at] >= 0), *_needed(model, i))
     return Property(
         f"meets-{name}",
         Sentence("{agent} does not wait for its team for ever", name),
         waits=(waits,),
         concerned=(waits,),
-        watch=lambda run: waits_at_point(run, name),
+        monitor=lambda run: meeting_monitor(run, name),
     )
 
 
 def _stopped(model: Model) -> list[Property]:
-    """That whatever marked actions started stands when their program has ended (see `stops`)."""
+    """The property that everything a marked action started has stopped when its program ends (see `stops`)."""
     agents = [i for i, part in enumerate(model.parts) if part.table.machine.image.stops and part.table.may_end]
     if not agents:
         return []
@@ -256,9 +257,9 @@ def _stopped(model: Model) -> list[Property]:
         Property(
             "stopped",
             Sentence("what a marked action started stands when its program has ended"),
-            never=tuple((_has_ended(model, i), OfAgent(i, lambda inside: inside.loose > 0)) for i in agents),
+            never=tuple((_has_ended(model, i), AgentFact(i, lambda inside: inside.loose > 0)) for i in agents),
             concerned=tuple((_has_ended(model, i),) for i in agents),
-            watch=runs_on,
+            monitor=loose_action_monitor,
         )
     ]
 
@@ -268,17 +269,17 @@ def _robot(model: Model, i: int) -> int:
     return model.parts[i].agent.index
 
 
-def _has_ended(model: Model, i: int) -> OfAgent:
+def _has_ended(model: Model, i: int) -> AgentFact:
     """That the program of agent i has ended, and the agent has not failed."""
-    return OfAgent(i, lambda inside: inside.down != FAILED and model.has_ended(i, inside))
+    return AgentFact(i, lambda inside: inside.down != FAILED and model.has_ended(i, inside))
 
 
-def _has_unit(model: Model, at: int) -> OfShared:
-    return OfShared(lambda shared: model.agreed(shared)[at] == HAS_UNIT)
+def _has_unit(model: Model, at: int) -> SharedFact:
+    return SharedFact(lambda shared: model.agreed(shared)[at] == HAS_UNIT)
 
 
 def _goals_missed(model: Model) -> Condition:
-    return ((OfShared(lambda shared: not model.goals_hold(shared)),),)
+    return ((SharedFact(lambda shared: not model.goals_hold(shared)),),)
 
 
 def _somebody_goes_on(model: Model) -> Condition:
@@ -288,27 +289,27 @@ def _somebody_goes_on(model: Model) -> Condition:
 
 def _needed(model: Model, i: int) -> list[Fact]:
     """That the team has not given up, and agent i plays a role if it is of the team; nothing where nobody is missed."""
-    watch, robot = model.watch, model.parts[i].agent.index
-    if watch is None:
+    absence, robot = model.absence, model.parts[i].agent.index
+    if absence is None:
         return []
     return [
         _has_not_given_up(model),
-        OfShared(lambda shared: not watch.takes_no_part(model.agreed(shared), robot)),
+        SharedFact(lambda shared: not absence.takes_no_part(model.agreed(shared), robot)),
     ]
 
 
-def _has_not_given_up(model: Model) -> OfShared:
-    watch = model.watch
-    return OfShared(lambda shared: watch is None or not watch.gave_up(model.agreed(shared)))
+def _has_not_given_up(model: Model) -> SharedFact:
+    absence = model.absence
+    return SharedFact(lambda shared: absence is None or not absence.gave_up(model.agreed(shared)))
 
 
-def _goes_on(model: Model, i: int) -> OfAgent:
-    return OfAgent(i, lambda inside: not model.has_ended(i, inside))
+def _goes_on(model: Model, i: int) -> AgentFact:
+    return AgentFact(i, lambda inside: not model.has_ended(i, inside))
 
 
 def _not_done(model: Model) -> Condition:
     """That a state which nothing leaves is not one that the mission was to come to."""
     if not model.goals:
         return _somebody_goes_on(model)
-    missed = OfShared(lambda shared: not model.goals_hold(shared))
-    return ((missed,),) if model.watch is None else ((missed, _has_not_given_up(model)),)
+    missed = SharedFact(lambda shared: not model.goals_hold(shared))
+    return ((missed,),) if model.absence is None else ((missed, _has_not_given_up(model)),)

@@ -1,4 +1,4 @@
-"""What an agent's inputs read, and what a reaction of its program makes of it."""
+"""The input values of an agent, and the effect of a reaction of its program on the agent and on the shared state."""
 
 from __future__ import annotations
 
@@ -6,34 +6,34 @@ from collections.abc import Iterator, Sequence
 
 from kitrobot.sim.devices.base import Discrete
 from kitrobot.verifier import columns as v
-from kitrobot.verifier.agreeing import Told
+from kitrobot.verifier.abstraction import AgentModel, InputModel
 from kitrobot.verifier.bodies import FAILED, Inside
-from kitrobot.verifier.parts import Part, Sense
 from kitrobot.verifier.programs import Reaction
+from kitrobot.verifier.team_agreement import TeamCommand
 
-Change = tuple[tuple[tuple[int, int], ...], tuple[Told, ...]]
-"""What a tick makes of what is shared: the variables that it changes, with their values, and what the team is told."""
+Change = tuple[tuple[tuple[int, int], ...], tuple[TeamCommand, ...]]
+"""The change of the shared state by a tick: the variables that it changes, with their values, and its team commands."""
 
 _AS_BEFORE = -2
-"""What wheels are told that are told nothing."""
+"""The wheels' command if there is none."""
 
 
-def idle_actuators(part: Part) -> tuple[int, ...]:
-    """`Inside.busy` of an agent that does nothing."""
+def idle_actuators(part: AgentModel) -> tuple[int, ...]:
+    """The value of `Inside.busy` of an idle agent."""
     return (0,) * sum(act.busy >= 0 for act in part.acts)
 
 
-def is_store(sense: Sense) -> bool:
+def is_store(sense: InputModel) -> bool:
     """Whether an input reads how many boxes are in a storehouse."""
     return sense.discrete is Discrete.EXACT and sense.store >= 0
 
 
-def is_shared(sense: Sense) -> bool:
-    """Whether an input reads something of what is shared."""
+def is_shared(sense: InputModel) -> bool:
+    """Whether an input reads a value of the shared state."""
     return is_store(sense) or (sense.discrete is Discrete.TEAM and sense.agreed >= 0)
 
 
-def read(inside: Inside, sense: Sense, there: int) -> int | None:
+def read(inside: Inside, sense: InputModel, there: int) -> int | None:
     """The value of an input; None where it may be any of its choices."""
     if sense.discrete is Discrete.ANY:
         return None
@@ -43,31 +43,31 @@ def read(inside: Inside, sense: Sense, there: int) -> int | None:
     return min(max(value, sense.least), sense.most)
 
 
-def told_to_team(part: Part, reaction: Reaction) -> tuple[Told, ...]:
-    """What a reaction tells the team: in the order of the actuators."""
+def team_commands(part: AgentModel, reaction: Reaction) -> tuple[TeamCommand, ...]:
+    """The commands of a reaction to the team, in the order of the actuators."""
     return tuple(
-        Told(part.acts[actuator].agrees, part.acts[actuator].ways[command], first, second)
+        TeamCommand(part.acts[actuator].agrees, part.acts[actuator].ways[command], first, second)
         for (actuator, command, first), second in zip(reaction.commands, reaction.seconds, strict=True)
         if part.acts[actuator].agrees >= 0
     )
 
 
-def change_by(part: Part, inside: Inside, shared: tuple[int, ...], reaction: Reaction) -> Change:
-    """What a reaction makes of what is shared, where the variables held this; without a radio nobody hears of it."""
+def change_by(part: AgentModel, inside: Inside, shared: tuple[int, ...], reaction: Reaction) -> Change:
+    """The change of the shared state by a reaction; without a radio it changes no shared variable."""
     if inside.is_muted:
-        return (), told_to_team(part, reaction)
+        return (), team_commands(part, reaction)
     held = zip(part.shared, shared, reaction.shared, strict=True)
-    return tuple((at, now) for at, was, now in held if was != now), told_to_team(part, reaction)
+    return tuple((at, now) for at, was, now in held if was != now), team_commands(part, reaction)
 
 
-def after_silence(part: Part, inside: Inside, key: int, seen: tuple[int, ...]) -> Inside:
-    """What an agent is once it hears nobody (`looking.silenced`): what it saw of shared variables is its own."""
+def after_silence(part: AgentModel, inside: Inside, key: int, seen: tuple[int, ...]) -> Inside:
+    """The agent once it hears nobody (`state_decoding.find_silenced`), with its own copy of the shared variables."""
     down = FAILED if key >> v.S_VIEW & 1 else inside.down
     return inside._replace(own=seen[: len(part.shared)], down=down, is_muted=True)
 
 
-def after_reaction(part: Part, inside: Inside, reaction: Reaction) -> tuple[int, Inside]:
-    """What a reaction tells the wheels, and what the agent is after it."""
+def after_reaction(part: AgentModel, inside: Inside, reaction: Reaction) -> tuple[int, Inside]:
+    """The command of a reaction to the wheels, and the state of the agent after it."""
     want, busy = _AS_BEFORE, list(inside.busy)
     for actuator, command, argument in reaction.commands:
         act = part.acts[actuator]
@@ -81,13 +81,15 @@ def after_reaction(part: Part, inside: Inside, reaction: Reaction) -> tuple[int,
     return want, inside._replace(local=reaction.local, busy=tuple(busy), own=own, loose=loose)
 
 
-def around(part: Part, signs: Sequence[tuple[int, ...]], key: int, shared: tuple[int, ...]) -> Iterator[int]:
-    """What each input of an agent reads outside of the agent itself; 0 where there is nothing to read.
+def external_values(
+    part: AgentModel, signs: Sequence[tuple[int, ...]], key: int, shared: tuple[int, ...]
+) -> Iterator[int]:
+    """Yields the value that each input of an agent reads outside the agent itself; 0 if there is none.
 
     Args:
         part: the agent.
         signs: what its sensors for signs read in the classes of zones; none on no road.
-        key: what it senses (`looking.sensed`).
+        key: what it senses (`state_decoding.sense_key`).
         shared: what it senses of what is shared.
     """
     gaps = sum(sense.discrete is Discrete.GAP for sense in part.senses)

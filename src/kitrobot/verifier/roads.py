@@ -1,9 +1,9 @@
-"""Roads made discrete: zones, and classes of the gap between two robots, one behind the other.
+"""Discrete roads: zones, and classes of the gap between two robots, one behind the other.
 
-A road is cut into zones where something that a robot senses may change: at the borders of its sections (as far ahead as
-the sensor looks) and at the ends of docks. Where a robot is within its zone is left open. The gap from bumper to bumper
-is in one of a few classes: pressed, touching, one for each reach of a collision sensor, beyond. Which gaps are
-possible between two zones is a matter of geometry, computed here once.
+A road is cut into zones where the value of a sensor may change: at the borders of its sections (as far ahead as the
+sensor looks) and at the ends of docks. The position of a robot within its zone is left open. The gap from bumper to
+bumper is in one of a few classes: pressed, touching, one for each reach of a collision sensor, beyond. Which gaps are
+possible between two zones follows from geometry and is computed here once.
 """
 
 from __future__ import annotations
@@ -16,7 +16,7 @@ from dataclasses import dataclass
 from kitrobot.sim.contacts import TOUCH_MM
 
 PRESSED, TOUCHING = range(2)
-"""The classes of a gap between two robots that touch: without any gap, so that the one behind cannot roll, and with."""
+"""The classes of a gap between two touching robots: no gap, so that the one behind cannot roll, and a small one."""
 
 _NONE_MM = 1e-6
 
@@ -43,11 +43,11 @@ class Zones:
         return max(0, bisect_right(self.begins, at_mm) - 1)
 
     def ends(self, zone: int) -> tuple[float, float]:
-        """Where a zone begins and ends, mm."""
+        """The start and end of a zone, mm."""
         return self.begins[zone], self.begins[zone + 1] if zone + 1 < len(self.begins) else self.length_mm
 
     def size(self, zone: int) -> float:
-        """How long a zone is, mm."""
+        """The length of a zone, mm."""
         begin, end = self.ends(zone)
         return end - begin
 
@@ -74,7 +74,7 @@ class Gaps:
     """The classes of a gap: pressed, touching (up to `TOUCH_MM`), one up to each reach, and the last one beyond.
 
     Attributes:
-        reaches: how far the collision sensors of the two robots look, mm, ascending, each once.
+        reaches: the ranges of the collision sensors of the two robots, mm, ascending, each once.
         lengths_mm: half of the length of both robots together.
     """
 
@@ -87,7 +87,7 @@ class Gaps:
         return len(self.reaches) + 2
 
     def limits(self, gap: int) -> tuple[float, float]:
-        """From where to where a class goes, mm."""
+        """The lower and upper limit of a class, mm."""
         borders = (-math.inf, _NONE_MM, TOUCH_MM, *self.reaches, math.inf)
         return borders[gap], borders[gap + 1]
 
@@ -96,7 +96,7 @@ class Gaps:
         return next(gap for gap in range(self.beyond + 1) if gap_mm <= self.limits(gap)[1])
 
     def reached(self, gap: int, reach_mm: float) -> bool:
-        """Whether a sensor that looks so far notices a robot at a gap of this class."""
+        """Whether a sensor with this range notices a robot at a gap of this class."""
         return gap <= TOUCHING or self.limits(gap)[1] <= reach_mm
 
 
@@ -107,8 +107,8 @@ class Track:
     Attributes:
         zones: the zones of its road.
         gaps: the classes of the gap to the robot ahead.
-        braking_mm: how far it rolls at most from a reading that lets it brake until it stands.
-        tick_mm: how far it rolls at most from one tick of its own to the next.
+        braking_mm: the most it rolls from a reading that lets it brake until it stands.
+        tick_mm: the most it rolls from one tick of its own to the next.
     """
 
     zones: Zones
@@ -118,7 +118,7 @@ class Track:
 
 
 def possible(zones: Zones, gaps: Gaps, zone: int, ahead: int) -> tuple[bool, ...]:
-    """Of each class, whether the gap from a robot in `zone` to one that is `ahead` zones further can be in it."""
+    """For each class, whether the gap from a robot in `zone` to one `ahead` zones further can be in it."""
     return _fitting(gaps, *zones.between(zone, ahead))
 
 

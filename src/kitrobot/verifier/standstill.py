@@ -1,9 +1,9 @@
-"""States in which a mission stands still: nothing happens any more but that programs go round, and say nothing new.
+"""Standstills of a mission: nothing happens any more except that programs repeat themselves without effect.
 
-As in `sim.deadlock_detection`: robots that only poll come to the same places in their programs, and to the same values
-of their own variables, again and again. Who changes a shared variable says something new. A device that is told the
-same once more does nothing new, but for what takes longer; and at the end of an open road a robot gets nowhere. Where a
-reading that may be anything makes a difference, something may still happen, and nothing stands still.
+As in `sim.deadlock_detection`, robots that only poll return to the same places in their programs, and to the same
+values of their own variables, again and again. A robot that changes a shared variable has an effect. Repeating the same
+command to a device has none, except for one that takes longer; and at the end of an open road a robot gets nowhere. If
+a sensor that may read anything makes a difference, something may still happen, and the mission does not stand still.
 """
 
 from __future__ import annotations
@@ -13,55 +13,56 @@ from typing import Any
 
 from kitrobot.verifier import columns as v
 from kitrobot.verifier.bodies import RUNS
-from kitrobot.verifier.exploring import Explored
+from kitrobot.verifier.exploration import StateSpace
+from kitrobot.verifier.fair_cycles import CHUNK, mark_states
 from kitrobot.verifier.model import Model
 from kitrobot.verifier.properties import Condition
-from kitrobot.verifier.rounds import CHUNK, mark
 
 _STIRS = 1
-"""The bit of what keeps a mission from standing still; each command has one of its own above."""
+"""The bit of anything that prevents a standstill; each command has a bit of its own above it."""
 
 
-def first_standstill(made: Explored, condition: Condition) -> int:
-    """The first state that nothing leaves, or, where there is none, from which on programs only go round, and say
-    nothing new; the condition holds in it, and in all that follow. -1 for none.
+def find_standstill(space: StateSpace, condition: Condition) -> int:
+    """Finds the first state that no step leaves, or else from which on programs only repeat themselves without effect.
+
+    The condition holds in it and in all states after it. Returns -1 for none.
     """
-    marks, _ = mark(made, condition)
-    states = _closed(made, marks)
-    graph = made.graph
+    marks, _ = mark_states(space, condition)
+    states = _closed(space, marks)
+    graph = space.graph
     begins = [(int(graph.first_edge[state]), int(graph.first_edge[state + 1])) for state in states]
     for state, (first, end) in zip(states, begins, strict=True):
         if all(target == state for target in graph.targets[first:end]):
             return state
     places = {state: n for n, state in enumerate(states)}
     following = [[places[int(target)] for target in graph.targets[first:end]] for first, end in begins]
-    said = _Said(made.model)
-    out = _reached(following, list(said.by(made, states)), made)
+    said = _CommandBits(space.model)
+    out = _reached(following, list(said.by(space, states)), space)
     return next((state for state, all_of in zip(states, out, strict=False) if not said.stirs(all_of)), -1)
 
 
-def _closed(made: Explored, marks: Any) -> list[int]:
-    """The marked states that are calm, and out of which all steps lead to others of them."""
-    graph, engine = made.graph, made.engine
-    count = int(made.model.t.regs[v.CALMS])
-    states, inside = engine.zeros(count), engine.bytes(max(1, len(made)))
+def _closed(space: StateSpace, marks: Any) -> list[int]:
+    """The marked calm states whose steps all lead to others of them."""
+    graph, engine = space.graph, space.engine
+    count = int(space.model.t.regs[v.CALMS])
+    states, inside = engine.zeros(count), engine.bytes(max(1, len(space)))
     states[:] = graph.calm[:count]
     left = -1
     while left != count:
-        if cut := made.breaks_off():
-            made.unseen = cut
+        if cut := space.interruption():
+            space.interrupted_by = cut
             return []
-        count, left = int(engine.prune(graph, states, count, marks, inside)), count
+        count, left = int(engine.prune_open_states(graph, states, count, marks, inside)), count
     return [int(state) for state in states[:count]]
 
 
-def _reached(following: list[list[int]], out: list[int], made: Explored) -> list[int]:
-    """Of each state the bits of all states that can be reached from it; empty where it was broken off."""
+def _reached(following: list[list[int]], out: list[int], space: StateSpace) -> list[int]:
+    """For each state, the bits of all states reachable from it; empty if the search ended early."""
     changed = True
     while changed:
         changed = False
-        if cut := made.breaks_off():
-            made.unseen = cut
+        if cut := space.interruption():
+            space.interrupted_by = cut
             return []
         for n in range(len(following) - 1, -1, -1):
             now = out[n]
@@ -72,8 +73,8 @@ def _reached(following: list[list[int]], out: list[int], made: Explored) -> list
     return out
 
 
-class _Said:
-    """What agents tell their devices, as bits: of a device that is told two things in turn each is something new."""
+class _CommandBits:
+    """The commands of agents to their devices, as bits: a device with two different commands in turn has an effect."""
 
     def __init__(self, model: Model) -> None:
         self._model = model
@@ -81,9 +82,9 @@ class _Said:
         self._of_device: dict[tuple[int, int], int] = {}
         self._known: list[dict[int, int]] = [{} for _ in model.parts]
 
-    def by(self, made: Explored, states: list[int]) -> Iterator[int]:
+    def by(self, space: StateSpace, states: list[int]) -> Iterator[int]:
         """The bits of the next ticks in each of these states."""
-        engine, two = made.engine, made.model.layout.words == 2
+        engine, two = space.engine, space.model.layout.words == 2
         keys = engine.words(CHUNK)
         at = 0
         while at < len(states):
@@ -94,7 +95,7 @@ class _Said:
             here = [state - first for state in states[at:end]]
             bits = [0] * len(here)
             for i, known in enumerate(self._known):
-                engine.observe(made.model.t, made.graph, first, first + here[-1] + 1, two, i, keys)
+                engine.sense_agent(space.model.t, space.graph, first, first + here[-1] + 1, two, i, keys)
                 for n, offset in enumerate(here):
                     key = int(keys[offset])
                     if key not in known:
@@ -104,7 +105,7 @@ class _Said:
             at = end
 
     def stirs(self, bits: int) -> bool:
-        """Whether among what these bits say there is something new, again and again."""
+        """Whether the commands of these bits have an effect, again and again."""
         return bool(bits & _STIRS) or any((bits & device).bit_count() > 1 for device in self._of_device.values())
 
     def _of_tick(self, i: int, key: int) -> int:

@@ -1,8 +1,8 @@
-"""Whether what a marked action (`°…°`) started is stopped when its parallel is over.
+"""Whether the action that a marked action (`°…°`) started is stopped when its parallel is over.
 
-The interpreter posts the stop that the robot's XML names, in the tick in which the parallel is over. It gives way where
-another branch commands the same actuator in that tick: then the actuator goes on, by that command, until it is told to
-stop. What is here is read off the interpreter's arrays (`kitrobot_onboard.interpreter`), in a model and in a run alike.
+The interpreter posts the stop that the robot's XML names, in the tick in which the parallel is over. The stop gives way
+to another branch that commands the same actuator in that tick: the actuator then goes on, by that command, until it is
+stopped. This module reads the interpreter's arrays (`kitrobot_onboard.interpreter`), in a model and in a run alike.
 """
 
 from __future__ import annotations

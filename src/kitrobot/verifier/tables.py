@@ -1,4 +1,4 @@
-"""The tables of a model and the graph that is explored: lists under CPython, arrays under Numba (see `columns`)."""
+"""The tables of a model and the explored graph: lists under CPython, arrays under Numba (see `columns`)."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ Row = MutableSequence[int]
 
 
 class Tables(NamedTuple):
-    """What is known of a model; filled as exploring asks for it.
+    """The tables of a model, filled on demand during the exploration.
 
     Attributes:
         regs, fixed: numbers that change while exploring, and that do not.
@@ -22,13 +22,13 @@ class Tables(NamedTuple):
         reaction_keys, reaction_at: (see `S_SHARED`) → its first row in `outcomes` and how many (see `S_COUNT`).
         outcomes: what ticks bring.
         confs, conf_slots: motions on roads, and where to find them by their bodies (number + 1; 0 is free).
-        moves, moments, log: what can follow each.
+        moves, move_sets, log: what can follow each.
         taken, taken_slots: sets of progress classes that steps belong to, by number (see `TAKEN_WIDTH`).
         made: the bodies of a road that are being put together.
         now, seen: the fields of the state that is looked at; the reactions of its agents.
-        pool, pool_slots, given_slots: what `traffic.fill_moments` looks through.
-        line, harm: states between two ticks of lockstep: after ends, and after failures.
-        after_heads, after_slots, after: what may follow in lockstep once robots moved (see `ticking`).
+        pool, pool_slots, given_slots: what `traffic.fill_move_sets` looks through.
+        line, faults: states between two ticks of lockstep: after completed actions, and after faults.
+        after_heads, after_slots, after: what may follow in lockstep once robots moved (see `lockstep_ticks`).
         next_x, next_y, next_taken, next_kinds, next_slots: the steps out of a state: keys, progress, kinds of events.
         next_event: of steps that are one event that event.
         events: the events of the step that is sought.
@@ -54,7 +54,7 @@ class Tables(NamedTuple):
     confs: Row
     conf_slots: Row
     moves: Row
-    moments: Row
+    move_sets: Row
     log: Row
     taken: Row
     taken_slots: Row
@@ -65,7 +65,7 @@ class Tables(NamedTuple):
     pool_slots: Row
     given_slots: Row
     line: Row
-    harm: Row
+    faults: Row
     after_heads: Row
     after_slots: Row
     after: Row
@@ -85,10 +85,10 @@ class Graph(NamedTuple):
         x, y: their keys; `y` is as long only where there are two words.
         parents: of each the state from which it was reached first; -1 of the first.
         slots: open addressing: number + 1; 0 is free.
-        first_edge: steps out of state n are `first_edge[n]` … `first_edge[n + 1]` - 1, where they are kept. Of ticks
-            that change nothing none is kept, but in lockstep.
-        targets, taken: of each step the state after it and its progress classes, by number.
-        calm: states out of which no step leads into another one, or only such as may mean nothing (`visiting.CALM`).
+        first_edge: the steps out of state n, if steps are stored, are `first_edge[n]` … `first_edge[n + 1]` - 1. Ticks
+            that change nothing are stored only in lockstep.
+        targets, taken: the state after each step, and its progress classes, by number.
+        calm: states that no step leaves, or only steps of kinds that may mean nothing (`breadth_first_search.CALM`).
     """
 
     x: Row

@@ -1,13 +1,13 @@
-"""All robots on one road: a number for how they move, and what can happen to them next.
+"""The motion of all robots on one road, as one number (a *conf*), and what can happen to them next.
 
-A *conf* is a row of `confs`: the bodies of all robots on a road, and what follows from them. Numbers are given as they
-come up. What is here is in the part of Python that Numba takes; -1 says that there is no room, or no number left
-(`regs[CODE]` says of what), and that it is to be asked again.
+A *conf* is a row of `confs`: the bodies of all robots on a road, and what follows from them. Numbers are assigned as
+they come up. This module uses only the subset of Python that Numba compiles; -1 means that there is no room, or no
+number left (`regs[CODE]` says of what): the caller makes room and calls again.
 """
 
 from __future__ import annotations
 
-from kitrobot.verifier.bodies import befallen, gap_of, ticked, want_of, way_of, zone_of
+from kitrobot.verifier.bodies import after_fault, after_tick, gap_of, want_of, way_of, zone_of
 from kitrobot.verifier.columns import (
     A_BED,
     A_BEYOND,
@@ -24,8 +24,8 @@ from kitrobot.verifier.columns import (
     C_BACKWARD,
     C_BEGIN,
     C_FORWARD,
-    C_MOMENTS,
     C_MOVE,
+    C_MOVE_SETS,
     C_MOVES,
     C_MUST,
     C_ROAD,
@@ -78,14 +78,14 @@ def intern_conf(t: Tables, road: int) -> int:
     row = number * width
     confs[row + C_ROAD] = road
     confs[row + C_MOVES] = -1
-    confs[row + C_MOMENTS] = -1
+    confs[row + C_MOVE_SETS] = -1
     confs[row + C_MUST] = 0
     confs[row + C_BEGIN] = 0
     for k in range(places):
         confs[row + bodies + k] = made[k]
     for k in range(8 * places):
         confs[row + bodies + places + k] = -1
-    look(t, row, road)
+    fill_views(t, row, road)
     slots[at] = number + 1
     regs[CONFS] = number + 1
     return number
@@ -100,8 +100,8 @@ def bodies_hash(table: Row, first: int, places: int, road: int) -> int:
     return h
 
 
-def find_again(t: Tables) -> None:
-    """Fills the slots of confs anew."""
+def fill_conf_slots(t: Tables) -> None:
+    """Rebuilds the slots of confs."""
     fixed, confs, slots = t.fixed, t.confs, t.conf_slots
     last = len(slots) - 1
     for at in range(last + 1):
@@ -115,8 +115,8 @@ def find_again(t: Tables) -> None:
         slots[at] = number + 1
 
 
-def look(t: Tables, row: int, road: int) -> None:
-    """Fills what can be seen of the robots on a road: who gets on, who stands in which dock, what each senses."""
+def fill_views(t: Tables, row: int, road: int) -> None:
+    """Fills the derived columns of a conf: moving robots, robots in each dock, and what each robot senses."""
     fixed, confs, agents, geo = t.fixed, t.confs, t.agents, t.geo
     places, docks = fixed[PLACES], fixed[DOCKS]
     views, bodies = row + C_STAND + docks, row + C_STAND + docks + places
@@ -141,12 +141,12 @@ def look(t: Tables, row: int, road: int) -> None:
             for d in range(docks):
                 if geo[at + ZONE_NUMBERS + d]:
                     confs[row + C_STAND + d] |= 1 << i
-        confs[views + k] = noticed(t, bodies, i, k, geo[at + 2]) << S_VIEW
+        confs[views + k] = view_of(t, bodies, i, k, geo[at + 2]) << S_VIEW
     confs[row + C_FORWARD] = forward
     confs[row + C_BACKWARD] = backward
 
 
-def noticed(t: Tables, bodies: int, i: int, k: int, zone_class: int) -> int:
+def view_of(t: Tables, bodies: int, i: int, k: int, zone_class: int) -> int:
     """What agent i senses of its road: the class of its zone, and a bit for each collision sensor."""
     agents, geo, confs = t.agents, t.geo, t.confs
     a = i * AGENT
@@ -173,29 +173,32 @@ def noticed(t: Tables, bodies: int, i: int, k: int, zone_class: int) -> int:
     return found
 
 
-def after_tick(t: Tables, conf: int, k: int, told: int) -> int:
-    """After a tick of the robot at place k; `told` is its direction and 2, times 2, and 1 if it ticks on."""
+def conf_after_tick(t: Tables, conf: int, k: int, command: int) -> int:
+    """The conf after a tick of the robot at place k.
+
+    `command` is twice its direction + 2, plus 1 if it has more ticks.
+    """
     fixed, confs = t.fixed, t.confs
     places = fixed[PLACES]
     row = conf * fixed[CONF_WIDTH]
     bodies = row + C_STAND + fixed[DOCKS] + places
-    at = bodies + places + 8 * k + told
+    at = bodies + places + 8 * k + command
     if confs[at] < 0:
         for other in range(places):
             t.made[other] = confs[bodies + other]
-        t.made[k] = ticked(confs[bodies + k], (told >> 1) - 2, told & 1 == 1)
+        t.made[k] = after_tick(confs[bodies + k], (command >> 1) - 2, command & 1 == 1)
         confs[at] = intern_conf(t, confs[row + C_ROAD])
     return confs[at]
 
 
-def after_harm(t: Tables, conf: int, k: int, down: int) -> int:
-    """After the robot at place k failed, stalled or runs again."""
+def conf_after_fault(t: Tables, conf: int, k: int, down: int) -> int:
+    """The conf after the robot at place k failed, stalled or runs again."""
     fixed, confs = t.fixed, t.confs
     row = conf * fixed[CONF_WIDTH]
     bodies = row + C_STAND + fixed[DOCKS] + fixed[PLACES]
     for other in range(fixed[PLACES]):
         t.made[other] = confs[bodies + other]
-    t.made[k] = befallen(confs[bodies + k], down)
+    t.made[k] = after_fault(confs[bodies + k], down)
     return intern_conf(t, confs[row + C_ROAD])
 
 
@@ -236,7 +239,7 @@ def fill_moves(t: Tables, conf: int) -> int:
                 moves[at + 2] = 1 + fixed[AGENTS] + i
                 if not is_last(t, bodies, k, i):
                     begin |= 1 << i
-                    if not agents[i * AGENT + A_LATE] and not presses(t, bodies, k, i):
+                    if not agents[i * AGENT + A_LATE] and not is_pressing(t, bodies, k, i):
                         must = 1
             elif what == ZONE:
                 moves[at + 2] = 1 + 3 * fixed[AGENTS] + i
@@ -250,15 +253,15 @@ def fill_moves(t: Tables, conf: int) -> int:
 
 
 def is_last(t: Tables, bodies: int, k: int, i: int) -> bool:
-    """Whether a robot is in the last zone in the direction that its wheels were told: it may be at the road's end,
+    """Whether a robot is in the last zone in the direction of its command: it may be at the road's end,
     where it stands for ever.
     """
     me = t.confs[bodies + k]
     return next_zone(t.agents, i, zone_of(me), want_of(me)) < 0
 
 
-def presses(t: Tables, bodies: int, k: int, i: int) -> bool:
-    """Whether a robot presses on the one before it, in the direction that its wheels were told."""
+def is_pressing(t: Tables, bodies: int, k: int, i: int) -> bool:
+    """Whether a robot presses on the one before it, in the direction of its command."""
     me = t.confs[bodies + k]
     if want_of(me) > 0:
         return gap_of(me) == PRESSED

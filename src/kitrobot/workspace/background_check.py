@@ -13,8 +13,8 @@ from typing import TYPE_CHECKING, Any
 
 from kitrobot.diagnostics import KitRobotError
 from kitrobot.text import Sentence
-from kitrobot.verifier import Answer, Confirmed, Cut, Timing
-from kitrobot.verifier.scenes import Guilty, Scene
+from kitrobot.verifier import Answer, ConfirmedRun, CutReason, Timing
+from kitrobot.verifier.storyboard import Culprit, Scene
 from kitrobot.workspace.child_processes import end_with_parent, has_processes
 from kitrobot.workspace.running import PreparedRun
 from kitrobot.workspace.verification import (
@@ -84,23 +84,24 @@ class Answered:
     repeats_from: int = -1
     story: tuple[tuple[int, Sentence], ...] = ()
     left_out: int = 0
-    confirmed: Confirmed | None = None
+    confirmed: ConfirmedRun | None = None
     searched: bool = True
     scenes: tuple[Scene, ...] = ()
-    guilty: tuple[Guilty, ...] = ()
+    guilty: tuple[Culprit, ...] = ()
 
 
 @dataclass(frozen=True)
 class Checked:
-    """What came of all properties under one assumption; see `verifier.Judged`. It may be told twice: at first what is
-    broken has not been looked for in the simulator.
+    """The results of all properties under one assumption; see `verifier.CheckResult`.
+
+    It may be reported twice: at first the simulator has not been searched for runs that break the properties.
     """
 
     timing: Timing
     failures: int
     states: int
     depth: int
-    cut: Cut | None
+    cut: CutReason | None
     seconds: float
     properties: tuple[Answered, ...]
 
@@ -239,9 +240,9 @@ def _plain(column: Column) -> Checked:
 
 
 def _answered(finding: Finding) -> Answered:
-    verdict, way, story = finding.verdict, finding.verdict.way, finding.story
+    verdict, run, story = finding.verdict, finding.verdict.counterexample, finding.story
     one = verdict.property
-    if way is None:
+    if run is None:
         return Answered(one.name, one.sentence, verdict.answer)
     left_out = max(0, len(story) - MOST_EVENTS)
     if left_out:
@@ -250,8 +251,8 @@ def _answered(finding: Finding) -> Answered:
         one.name,
         one.sentence,
         verdict.answer,
-        len(way.steps),
-        way.repeats_from,
+        len(run.steps),
+        run.repeats_from,
         story,
         left_out,
         finding.confirmed,

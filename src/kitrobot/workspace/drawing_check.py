@@ -4,7 +4,7 @@ All orders of events are gone through in lockstep, in a process of its own at th
 does not fit says nothing, and neither does a mission that has no discrete form, or one with errors. A trap that the
 model finds is told only where a run of the simulator shows it too: while drawing, no alarm may be false.
 
-Left to others: finding (`verifier.traps`), a check of properties (`background_check`).
+Left to others: finding (`verifier.trap_detection`), a check of properties (`background_check`).
 """
 
 from __future__ import annotations
@@ -20,8 +20,8 @@ from kitrobot.diagnostics import Diagnostic, KitRobotError, Severity, rule
 from kitrobot.mission import BreakdownRule, Mission
 from kitrobot.sim import Simulation
 from kitrobot.text import Sentence
-from kitrobot.verifier import Budget, Confirmed, Model, Timing, take_apart
-from kitrobot.verifier.parts import Parts
+from kitrobot.verifier import Budget, ConfirmedRun, Model, Timing, abstract_run
+from kitrobot.verifier.abstraction import Abstraction
 from kitrobot.workspace.child_processes import end_with_parent, has_processes
 from kitrobot.workspace.running import PreparedRun
 from kitrobot.workspace.verification import VerificationError, runs_of
@@ -69,11 +69,11 @@ NEVER_REACHED = rule(
 @dataclass(frozen=True)
 class DrawingFinding:
     """A problem that was found while drawing, and the run of the simulator that shows it, if it is one that a run
-    shows; `Confirmed.tick` is the step from which on it is so.
+    shows; `ConfirmedRun.tick` is the step from which on it is so.
     """
 
     problem: Diagnostic
-    shown: Confirmed | None = None
+    shown: ConfirmedRun | None = None
 
 
 class _Trapped(NamedTuple):
@@ -150,7 +150,7 @@ def _trap(one: _Trapped) -> DrawingFinding:
         message = Sentence("`{agent}` can come into this loop and never leave it", one.agent)
         help = Sentence("nothing that can happen from then on leads out of it: look at its condition")
         problem = GOES_ROUND(message, help=help, program=one.program, vertices=(one.vertex,))
-    return DrawingFinding(problem, Confirmed(one.seed, (), one.tick))
+    return DrawingFinding(problem, ConfirmedRun(one.seed, (), one.tick))
 
 
 def _idle(mission: Mission, name: str, vertices: tuple[str, ...], known: set[tuple[str, str]]) -> list[DrawingFinding]:
@@ -191,14 +191,14 @@ def look(
     Raises:
         AbstractionError: the mission cannot be checked.
     """
-    from kitrobot.verifier.compiling import engine
     from kitrobot.verifier.engines import PLAIN
-    from kitrobot.verifier.exploring import explore
-    from kitrobot.verifier.traps import show, traps, watch_programs
+    from kitrobot.verifier.exploration import explore
+    from kitrobot.verifier.numba_engine import engine
+    from kitrobot.verifier.trap_detection import find_trap_run, find_traps, record_coverage
 
     run = runs(seed)
-    parts = take_apart(run)
-    watch_programs(parts)
+    parts = abstract_run(run)
+    record_coverage(parts)
     # Compiling takes longer than drawing goes on: only what is kept is loaded.
     plain = None if engine.is_kept() else PLAIN
     made = explore(Model(run, parts, 0, Timing.LOCKSTEP), Budget(MOST_STATES, explore_s, stop=stop), True, plain)
@@ -210,11 +210,11 @@ def look(
         return stop() or (explore_s is not None and time.monotonic() > until)
 
     found: dict[tuple[str, str], _Trapped] = {}
-    for trap in traps(made, late):
+    for trap in find_traps(made, late):
         agent = run.members[trap.agent]
         debug = run.debug[agent.image_name]
         origin = debug.origins[trap.loop.head]
-        shown = show(trap, runs, late)
+        shown = find_trap_run(trap, runs, late)
         if origin.vertex and shown is not None:
             waits = len({debug.vertex(pc) for pc in trap.standing}) == 1
             one = _Trapped(origin.program or agent.program, origin.vertex, agent.name, waits, shown.seed, shown.tick)
@@ -225,8 +225,8 @@ def look(
         empty = runs(seed)
         for house in range(len(run.world.storehouses)):
             empty.state.docks.stock[house] = 0
-        others = take_apart(empty)
-        watch_programs(others)
+        others = abstract_run(empty)
+        record_coverage(others)
         made = explore(
             Model(empty, others, 0, Timing.LOCKSTEP), Budget(MOST_STATES, explore_s, stop=stop), False, plain
         )
@@ -234,14 +234,14 @@ def look(
     return _Found(tuple(found.values()), idle)
 
 
-def _never_run(run: Simulation, looked_at: Sequence[Parts]) -> tuple[tuple[str, tuple[str, ...]], ...]:
+def _never_run(run: Simulation, looked_at: Sequence[Abstraction]) -> tuple[tuple[str, tuple[str, ...]], ...]:
     """By the program the vertices that ran in no robot; a program of a team is another one in each kind of robot."""
-    from kitrobot.verifier.traps import never_ran
+    from kitrobot.verifier.trap_detection import unexecuted_instructions
 
     programs = {agent.image_name: agent.program for agent in run.members}
     there: dict[str, set[str]] = {}
     ran: dict[str, set[str]] = {}
-    for name, never in (row for parts in looked_at for row in never_ran(parts).items()):
+    for name, never in (row for parts in looked_at for row in unexecuted_instructions(parts).items()):
         program = programs[name]
         for pc, vertex in enumerate(run.debug[name].vertices_of(program)):
             if vertex is not None:
@@ -252,7 +252,7 @@ def _never_run(run: Simulation, looked_at: Sequence[Parts]) -> tuple[tuple[str, 
     return tuple((program, tuple(sorted(vertices))) for program, vertices in left.items() if vertices)
 
 
-def _says_all(mission: Mission, parts: Parts) -> bool:
+def _says_all(mission: Mission, parts: Abstraction) -> bool:
     """Whether all that a run can do is in the model: failures on schedule, towing, a radio, leases of work and contacts
     between roads are not.
     """

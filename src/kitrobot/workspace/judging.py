@@ -389,6 +389,6 @@ def _told(finding: Finding, tick_ms: int) -> CheckSeen:
     verdict, confirmed = finding.verdict, finding.confirmed
     steps = tuple(dict.fromkeys(text for _, text in finding.story[-STEPS_TOLD:]))
     seed = seconds = None
-    if confirmed is not None and not confirmed.harms:
+    if confirmed is not None and not confirmed.faults:
         seed, seconds = confirmed.seed, confirmed.tick * tick_ms / 1000
     return CheckSeen(_ANSWERS[verdict.answer], verdict.property.sentence, seed, seconds, steps)

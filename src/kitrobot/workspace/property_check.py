@@ -17,7 +17,7 @@ def property_problems(mission: Mission, catalogue: Catalogue, places: Places | N
     if not mission.properties:
         return
     # Reading missions has no need of it.
-    from kitrobot.verifier.conditions import Member, PropertyError, ask
+    from kitrobot.verifier.conditions import Member, PropertyError, parse_condition
 
     def place(name: str, attribute: str) -> Place | None:
         return places.asked(name, attribute) if places is not None else None
@@ -48,7 +48,7 @@ def property_problems(mission: Mission, catalogue: Catalogue, places: Places | N
         seen.add(one.name)
         for attribute, text in one.conditions:
             try:
-                ask(text, team, declared)
+                parse_condition(text, team, declared)
             except PropertyError as error:
                 message = Sentence("the property {name}: {reason}", one.name, error.message)
                 yield PROPERTY(message, place(one.name, attribute), help=error.help)

@@ -13,27 +13,27 @@ from kitrobot.sim import Simulation
 from kitrobot.text import COMMA, Sentence, Series
 from kitrobot.verifier import (
     USUAL_KINDS,
+    Abstraction,
     Answer,
     Budget,
-    Confirmed,
-    Judged,
+    CheckResult,
+    ConfirmedRun,
     Model,
-    Parts,
     Property,
     Timing,
     Verdict,
-    asked_properties,
-    befell,
+    abstract_run,
+    build_custom_properties,
+    check_properties,
     confirm,
+    describe_run,
     free_readings,
-    judge,
+    injected_faults,
+    property_variables,
     ready_properties,
-    take_apart,
-    told,
-    variables_asked,
 )
 from kitrobot.verifier.engines import would_gain
-from kitrobot.verifier.scenes import Guilty, Scene, guilty, scenes
+from kitrobot.verifier.storyboard import Culprit, Scene, draw_scenes, find_culprits
 from kitrobot.workspace.running import PreparedRun
 
 MOST_FAILURES = 3
@@ -99,18 +99,18 @@ class Finding:
     """
 
     verdict: Verdict
-    confirmed: Confirmed | None = None
+    confirmed: ConfirmedRun | None = None
     story: tuple[tuple[int, Sentence], ...] = ()
     searched: bool = True
     scenes: tuple[Scene, ...] = ()
-    guilty: tuple[Guilty, ...] = ()
+    guilty: tuple[Culprit, ...] = ()
 
 
 @dataclass(frozen=True)
 class Column:
     """The findings under one assumption."""
 
-    judged: Judged
+    judged: CheckResult
     findings: tuple[Finding, ...]
 
 
@@ -169,10 +169,10 @@ def _finding_json(finding: Finding, tick_ms: int) -> dict[str, Any]:
         "sentence": str(verdict.property.sentence),
         "answer": verdict.answer.value,
     }
-    if verdict.way is not None:
+    if verdict.counterexample is not None:
         made["run"] = [{"step": step, "text": str(text)} for step, text in finding.story]
-        made["steps"] = len(verdict.way.steps)
-        made["repeats_from"] = verdict.way.repeats_from if verdict.way.repeats_from >= 0 else None
+        made["steps"] = len(verdict.counterexample.steps)
+        made["repeats_from"] = verdict.counterexample.repeats_from if verdict.counterexample.repeats_from >= 0 else None
         made["confirmed"] = None
         if confirmed is not None:
             made["confirmed"] = {
@@ -180,7 +180,7 @@ def _finding_json(finding: Finding, tick_ms: int) -> dict[str, Any]:
                 "seconds": confirmed.tick * tick_ms / 1000,
                 "failures": [
                     {"seconds": harm.tick * tick_ms / 1000, "agent": harm.agent, "what": harm.kind}
-                    for harm in confirmed.harms
+                    for harm in confirmed.faults
                 ],
             }
     return made
@@ -227,7 +227,7 @@ def verify_runs(
         raise VerificationError(Sentence("a check takes 0 to {most} failures", MOST_FAILURES))
     run = runs(seed)
     asked = run.mission.properties
-    parts = take_apart(run, variables_asked(run, asked))
+    parts = abstract_run(run, property_variables(run, asked))
     limits = list(parts.limits)
     ends = None if options.seconds is None else options.clock() + options.seconds
     columns: list[Column] = []
@@ -235,7 +235,7 @@ def verify_runs(
     assumptions = list(_assumptions(options))
     for failures, timing in assumptions:
         model = Model(run, parts, failures, timing, options.kinds)
-        own, left_out = asked_properties(model, asked)
+        own, left_out = build_custom_properties(model, asked)
         limits += [words for words in left_out if words not in limits]
         properties = _chosen([*ready_properties(model), *own], options.properties)
         if columns and (options.stop() or (ends is not None and options.clock() > ends)):
@@ -249,7 +249,7 @@ def verify_runs(
             if progress is not None:
                 progress(timing, failures, states, depth)
 
-        judged = judge(
+        judged = check_properties(
             model, properties, Budget(options.states, left, options.memory, options.stop, tell, options.clock)
         )
         column = Column(judged, tuple(_told(verdict, model, options) for verdict in judged.verdicts))
@@ -264,7 +264,7 @@ def verify_runs(
 
 
 def _said_of_failures(
-    parts: Parts, options: VerificationOptions, failures: int, properties: Sequence[Property]
+    parts: Abstraction, options: VerificationOptions, failures: int, properties: Sequence[Property]
 ) -> Iterator[Sentence]:
     """What is taken for granted of robots that fail."""
     if failures and FailureKind.FAIL in options.kinds and any(one.name == "stock" for one in properties):
@@ -273,7 +273,7 @@ def _said_of_failures(
         yield _said_of_radios(parts)
 
 
-def _said_of_radios(parts: Parts) -> Sentence:
+def _said_of_radios(parts: Abstraction) -> Sentence:
     """What is taken for granted of robots that lose their radio."""
     if any(part.shared or part.is_member for part in parts.parts):
         return Sentence("a robot that loses its radio is taken never to have it again")
@@ -302,10 +302,14 @@ def _chosen(properties: list[Property], names: Sequence[str]) -> list[Property]:
 
 def _told(verdict: Verdict, model: Model, options: VerificationOptions) -> Finding:
     """A verdict with its run in words."""
-    if verdict.way is None:
+    if verdict.counterexample is None:
         return Finding(verdict)
-    made = Finding(verdict, None, tuple(told(model, verdict.way)), searched=not options.confirms)
-    return replace(made, scenes=scenes(model, verdict.way), guilty=guilty(model, verdict)) if options.draws else made
+    made = Finding(verdict, None, tuple(describe_run(model, verdict.counterexample)), searched=not options.confirms)
+    return (
+        replace(made, scenes=draw_scenes(model, verdict.counterexample), guilty=find_culprits(model, verdict))
+        if options.draws
+        else made
+    )
 
 
 class _Search:
@@ -317,7 +321,7 @@ class _Search:
         self._runs = runs
         self._options = options
         self._ends = ends
-        self._known: dict[object, Confirmed | None] = {}
+        self._known: dict[object, ConfirmedRun | None] = {}
 
     def of(self, findings: Sequence[Finding], model: Model) -> Iterator[Finding]:
         """The findings of a column, looked for."""
@@ -328,19 +332,19 @@ class _Search:
 
     def _looked_for(self, finding: Finding, model: Model, until: float | None) -> Finding:
         verdict = finding.verdict
-        if finding.searched or verdict.way is None:
+        if finding.searched or verdict.counterexample is None:
             return finding
-        key = verdict.property.name, befell(verdict.way, model)
+        key = verdict.property.name, injected_faults(verdict.counterexample, model)
         if key not in self._known:
 
             def stop() -> bool:
                 return self._options.stop() or (until is not None and self._options.clock() > until)
 
-            confirmed = confirm(verdict.property, verdict.way, model, self._runs, stop)
+            confirmed = confirm(verdict.property, verdict.counterexample, model, self._runs, stop)
             if confirmed is None and stop():
                 return finding
             self._known[key] = confirmed
         confirmed = self._known[key]
-        needs = free_readings(model, verdict.way) if confirmed is None else None
-        story = finding.story if needs is None else (*finding.story, (len(verdict.way.steps), needs))
+        needs = free_readings(model, verdict.counterexample) if confirmed is None else None
+        story = finding.story if needs is None else (*finding.story, (len(verdict.counterexample.steps), needs))
         return replace(finding, confirmed=confirmed, searched=True, story=story)

@@ -8,7 +8,7 @@ from typing import NamedTuple
 from tests.verifier.reference.motion import Move
 
 
-class What(IntEnum):
+class EventKind(IntEnum):
     """What happens besides the moves of robots on roads."""
 
     TICK = 11
@@ -24,9 +24,15 @@ class What(IntEnum):
     MUTE = 21
 
 
-SWINGS = (What.LOADED, What.UNLOADED, What.NO_BOX, What.NO_EMPTY_CARRIER, What.NO_LOADED_CARRIER)
+SWINGS = (
+    EventKind.LOADED,
+    EventKind.UNLOADED,
+    EventKind.NO_BOX,
+    EventKind.NO_EMPTY_CARRIER,
+    EventKind.NO_LOADED_CARRIER,
+)
 """An arm came to the end of its motion."""
-ENDS = (What.DONE, *SWINGS)
+ENDS = (EventKind.DONE, *SWINGS)
 """What takes longer than a tick came to its end."""
 
 
@@ -34,7 +40,7 @@ MOST_AT_ONCE = 20_000
 """Ways in which one step of a model can go, at most."""
 
 
-class TooManyError(Exception):
+class ModelTooLargeError(Exception):
     """One step of the model can go in more than `MOST_AT_ONCE` ways: exploring ends there."""
 
 
@@ -42,11 +48,11 @@ class Event(NamedTuple):
     """Something that happens: to which agent, and where it matters to which other one, dock or storehouse."""
 
     agent: int
-    what: Move | What
+    what: Move | EventKind
     other: int = -1
 
 
-_CLASSES: dict[Move | What, int] = {What.TICK: 0, Move.BEGIN: 1, **dict.fromkeys(ENDS, 2), Move.ZONE: 3}
+_CLASSES: dict[Move | EventKind, int] = {EventKind.TICK: 0, Move.BEGIN: 1, **dict.fromkeys(ENDS, 2), Move.ZONE: 3}
 
 
 def progress(event: Event, agents: int) -> int:

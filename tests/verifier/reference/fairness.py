@@ -11,10 +11,10 @@ from __future__ import annotations
 from collections import deque
 from collections.abc import Iterator, Sequence
 
-from tests.verifier.reference.exploring import Explored
+from tests.verifier.reference.exploration import StateSpace
 
 
-def fair_part(made: Explored, within: Sequence[int], agents: int) -> list[int] | None:
+def fair_part(made: StateSpace, within: Sequence[int], agents: int) -> list[int] | None:
     """A set of states in which a fair run can stay for ever, or None.
 
     Args:
@@ -56,13 +56,13 @@ def fair_part(made: Explored, within: Sequence[int], agents: int) -> list[int] |
     return None
 
 
-def _stays(made: Explored, state: int) -> bool:
+def _stays(made: StateSpace, state: int) -> bool:
     """Whether a run can stay in a state: a step leads back to it, or none leads anywhere."""
     following = targets(made, state)
     return state in following or not following
 
 
-def reachable(made: Explored, within: Sequence[bool]) -> list[int]:
+def reachable(made: StateSpace, within: Sequence[bool]) -> list[int]:
     """The states that can be reached from the first one through states that count."""
     if not within or not within[0]:
         return []
@@ -76,14 +76,14 @@ def reachable(made: Explored, within: Sequence[bool]) -> list[int]:
     return found
 
 
-def targets(made: Explored, state: int) -> Sequence[int]:
+def targets(made: StateSpace, state: int) -> Sequence[int]:
     """The states after one, where its steps were explored."""
     if state + 1 >= len(made.first_edge):
         return ()
     return made.targets[made.first_edge[state] : made.first_edge[state + 1]]
 
 
-def way(made: Explored, start: int, ends: set[int], within: set[int]) -> list[int]:
+def way(made: StateSpace, start: int, ends: set[int], within: set[int]) -> list[int]:
     """A shortest way of at least one step from a state to one of others, through states of a set; without the start.
     Empty where there is none.
     """
@@ -104,7 +104,7 @@ def way(made: Explored, start: int, ends: set[int], within: set[int]) -> list[in
     return []
 
 
-def _parts(made: Explored, within: set[int]) -> Iterator[list[int]]:
+def _parts(made: StateSpace, within: set[int]) -> Iterator[list[int]]:
     """The strongly connected parts of the graph between these states; a single state is one too."""
     index: dict[int, int] = {}
     low: dict[int, int] = {}

@@ -18,9 +18,9 @@ from kitrobot.mission import FailureKind
 from kitrobot.sim import Simulation
 from kitrobot.sim import columns as c
 from kitrobot.sim.devices.base import Discrete
-from kitrobot.verifier.parts import Part, Parts, Sense
+from kitrobot.verifier.abstraction import Abstraction, AgentModel, InputModel
 from tests.verifier.reference.bodies import FAILED, RUNS, STALLED, Inside
-from tests.verifier.reference.events import Event, What
+from tests.verifier.reference.events import Event, EventKind
 from tests.verifier.reference.traffic import Traffic
 
 State = tuple[int, ...]
@@ -43,7 +43,7 @@ class Model:
     def __init__(
         self,
         run: Simulation,
-        parts: Parts,
+        parts: Abstraction,
         failures: int = 0,
         kinds: Collection[FailureKind] = (FailureKind.FAIL, FailureKind.STALL),
     ) -> None:
@@ -98,7 +98,7 @@ class Model:
             self._ticking[i].append(inside.down == RUNS and not self.parts[i].table.has_ended(inside.local))
         return number
 
-    def _first_inside(self, part: Part, load: int) -> Inside:
+    def _first_inside(self, part: AgentModel, load: int) -> Inside:
         return Inside(part.table.first, load, (0,) * sum(act.busy >= 0 for act in part.acts), RUNS)
 
     def ended(self, state: State, i: int) -> bool:
@@ -219,7 +219,7 @@ class Model:
             at = self.roads_at + road
             made[at] = self.traffic[road].after_tick(made[at], i, want, self._ticking[i][made[i]])
 
-    def _there(self, state: State, i: int, road: int, sense: Sense) -> int:
+    def _there(self, state: State, i: int, road: int, sense: InputModel) -> int:
         """What an input reads outside of the agent itself; 0 where there is nothing to read."""
         if sense.discrete is Discrete.SECTION:
             return sense.signs[self.traffic[road].body(state[self.roads_at + road], i).zone]
@@ -273,20 +273,20 @@ class Model:
         for i, part in enumerate(self.parts):
             inside = self.inside(state, i)
             if inside.down == STALLED:
-                yield Event(i, What.RESUME), self._befallen(state, i, RUNS, 0)
+                yield Event(i, EventKind.RESUME), self._befallen(state, i, RUNS, 0)
             if state[self.failures_at] == 0 or inside.down == FAILED or part.table.has_ended(inside.local):
                 continue
             knows = inside.own or tuple(state[self.shared_at + v] for v in part.shared)
             if FailureKind.FAIL in self._kinds:
-                kept = knows if part.is_asked else inside.own
-                yield Event(i, What.FAIL), self._befallen(state, i, FAILED, 1, kept)
+                copies = knows if part.is_observed else inside.own
+                yield Event(i, EventKind.FAIL), self._befallen(state, i, FAILED, 1, copies)
             if inside.down == RUNS and FailureKind.STALL in self._kinds:
-                yield Event(i, What.STALL), self._befallen(state, i, STALLED, 1)
+                yield Event(i, EventKind.STALL), self._befallen(state, i, STALLED, 1)
             if part.shared and not inside.own and FailureKind.MUTE in self._kinds:
                 made = list(state)
                 made[i] = self._number(i, inside._replace(own=knows))
                 made[self.failures_at] -= 1
-                yield Event(i, What.MUTE), tuple(made)
+                yield Event(i, EventKind.MUTE), tuple(made)
 
     def begins(self, state: State) -> bool:
         """Whether a robot is told to roll, stands, and has a free way: in the simulator it rolls in that step."""
@@ -312,25 +312,25 @@ class Model:
             done = list(state)
             done[i] = self._number(i, inside._replace(busy=tuple(busy)))
             if not act.is_arm:
-                yield Event(i, What.DONE), tuple(done)
+                yield Event(i, EventKind.DONE), tuple(done)
                 continue
             loads = inside.busy[act.busy] == 1
             stock_at = self.stock_at + act.store
             for carrier in self.standing_in(state, act.dock) or (-1,):
                 other = self.inside(state, carrier) if carrier >= 0 else None
                 if other is None or other.load == loads:
-                    what = What.NO_EMPTY_CARRIER if loads else What.NO_LOADED_CARRIER
+                    what = EventKind.NO_EMPTY_CARRIER if loads else EventKind.NO_LOADED_CARRIER
                     yield Event(i, what, act.dock), tuple(done)
                 elif loads and state[stock_at] == 0:
-                    yield Event(i, What.NO_BOX, act.store), tuple(done)
+                    yield Event(i, EventKind.NO_BOX, act.store), tuple(done)
                 elif loads or state[stock_at] < self._capacity[act.store]:
                     moved = done[:]
                     moved[carrier] = self._number(carrier, other._replace(load=int(loads)))
                     moved[stock_at] += -1 if loads else 1
-                    yield Event(i, What.LOADED if loads else What.UNLOADED, carrier), tuple(moved)
+                    yield Event(i, EventKind.LOADED if loads else EventKind.UNLOADED, carrier), tuple(moved)
 
 
-def _reads(inside: Inside, sense: Sense, there: int) -> int | None:
+def _reads(inside: Inside, sense: InputModel, there: int) -> int | None:
     """The value of an input; None where it may be any of its choices."""
     if sense.discrete is Discrete.ANY:
         return None

@@ -16,7 +16,7 @@ from tests.verifier.reference.bodies import Body
 
 
 class Move(IntEnum):
-    """What happens to a robot that is on a road; the numbers are none of those of `events.What`."""
+    """What happens to a robot that is on a road; the numbers are none of those of `events.EventKind`."""
 
     BEGIN = 1
     HALT = 2

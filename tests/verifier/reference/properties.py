@@ -11,7 +11,7 @@ from dataclasses import dataclass
 
 from kitrobot.sim import columns as c
 from kitrobot.text import Sentence
-from tests.verifier.reference.events import SWINGS, What
+from tests.verifier.reference.events import SWINGS, EventKind
 from tests.verifier.reference.model import Model, State
 from tests.verifier.reference.motion import Move
 
@@ -35,11 +35,11 @@ class Property:
 
     name: str
     sentence: Sentence
-    broken_by: frozenset[Move | What] = frozenset()
+    broken_by: frozenset[Move | EventKind] = frozenset()
     is_wrong: Callable[[State], bool] | None = None
     waits: Callable[[State], bool] | None = None
     from_start: bool = False
-    about: frozenset[Move | What] = frozenset()
+    about: frozenset[Move | EventKind] = frozenset()
     concerned: Callable[[State], bool] | None = None
     seen_as: tuple[int, ...] = ()
     ends_as: tuple[str, ...] = ()
@@ -63,7 +63,7 @@ def ready_properties(model: Model) -> list[Property]:
             Property(
                 "empty-storehouse",
                 Sentence("no arm reaches into an empty storehouse"),
-                broken_by=frozenset({What.NO_BOX}),
+                broken_by=frozenset({EventKind.NO_BOX}),
                 seen_as=(c.NO_BOX,),
                 about=frozenset(SWINGS),
             )
@@ -72,7 +72,7 @@ def ready_properties(model: Model) -> list[Property]:
             Property(
                 "empty-swing",
                 Sentence("no arm moves without a carrier that it can load or unload"),
-                broken_by=frozenset({What.NO_EMPTY_CARRIER, What.NO_LOADED_CARRIER}),
+                broken_by=frozenset({EventKind.NO_EMPTY_CARRIER, EventKind.NO_LOADED_CARRIER}),
                 seen_as=(c.NO_EMPTY_CARRIER, c.NO_LOADED_CARRIER),
                 about=frozenset(SWINGS),
             )

@@ -22,7 +22,7 @@ from itertools import chain, combinations, islice, product
 from typing import NamedTuple
 
 from tests.verifier.reference.bodies import FAILED
-from tests.verifier.reference.events import MOST_AT_ONCE, Event, TooManyError, What, progress
+from tests.verifier.reference.events import MOST_AT_ONCE, Event, EventKind, ModelTooLargeError, progress
 from tests.verifier.reference.model import Model, State
 from tests.verifier.reference.motion import Move
 
@@ -118,7 +118,7 @@ class Clock:
                 if ticked is None:
                     ticked = self._after[befallen] = tuple(islice(self._ticked(befallen), MOST_AT_ONCE + 1))
                     if len(ticked) > MOST_AT_ONCE:
-                        raise TooManyError
+                        raise ModelTooLargeError
                 for slower, after in ticked:
                     if (after, taken | slower) not in found:
                         found.add((after, taken | slower))
@@ -143,7 +143,11 @@ class Clock:
             for event, after in self.model.failures(now):
                 is_later = not events or event.agent > events[-1].agent
                 # Who goes on or stalls may lose its radio in the same moment.
-                is_more = event.what is What.MUTE and not is_later and events[-1].what in (What.RESUME, What.STALL)
+                is_more = (
+                    event.what is EventKind.MUTE
+                    and not is_later
+                    and events[-1].what in (EventKind.RESUME, EventKind.STALL)
+                )
                 if is_later or (is_more and event.agent == events[-1].agent):
                     waiting.append((after, (*events, event)))
 
@@ -166,14 +170,14 @@ class Clock:
                 for after in model.after_tick(state, i):
                     if prompt:
                         after = self._waiting(after, after[-1] & ~(1 << i))
-                    yield Step((Event(i, What.TICK),), 1 << i, after)
+                    yield Step((Event(i, EventKind.TICK),), 1 << i, after)
         writing = [i for i in self._everyone if model.ticks(state, i) and model.writes(state, i)]
         for who in chain.from_iterable(combinations(writing, size) for size in range(2, len(writing) + 1)):
             bits = sum(1 << i for i in who)
             for after in self._at_once(state, who) - self._in_parts(state, who):
                 if prompt:
                     after = self._waiting(after, after[-1] & ~bits)
-                yield Step((Event(who[0], What.TICK),), bits, after)
+                yield Step((Event(who[0], EventKind.TICK),), bits, after)
         if not prompt or state[-1] == 0:
             for event, after in model.ends(state):
                 yield Step((event,), progress(event, self.count), self._due(after))

@@ -7,10 +7,10 @@ from collections.abc import Iterator, Sequence
 
 from kitrobot.sim import Simulation
 from kitrobot.sim import columns as c
-from kitrobot.verifier.parts import Part
+from kitrobot.verifier.abstraction import AgentModel
 from kitrobot.verifier.roads import PRESSED
 from tests.verifier.reference.bodies import FAILED, RUNS, Body
-from tests.verifier.reference.events import MOST_AT_ONCE, Event, TooManyError, progress
+from tests.verifier.reference.events import MOST_AT_ONCE, Event, ModelTooLargeError, progress
 from tests.verifier.reference.motion import Move, around_of, moves
 
 _ONCE = {Move.BEGIN: 1, Move.HALT: 1, Move.ZONE: 2}
@@ -30,7 +30,7 @@ class Traffic:
         road: the number of the road.
     """
 
-    def __init__(self, run: Simulation, parts: Sequence[Part], road: int) -> None:
+    def __init__(self, run: Simulation, parts: Sequence[AgentModel], road: int) -> None:
         self.agents = [i for i, part in enumerate(parts) if part.road == road]
         self.parts = parts
         self._place = {i: place for place, i in enumerate(self.agents)}
@@ -226,7 +226,7 @@ class Traffic:
                 seen.add((after, used | {own}))
                 waiting.append((after, used | {own}, (*events, event)))
                 if len(seen) > MOST_AT_ONCE:
-                    raise TooManyError
+                    raise ModelTooLargeError
 
     def _with(self, number: int, i: int, body: Body) -> int:
         made = list(self._known[number])

@@ -9,7 +9,7 @@ from pydantic import BaseModel, Field, TypeAdapter
 from kitrobot.server.sentences import Clause, Spoken
 from kitrobot.server.shapes.mission import MissionShape
 from kitrobot.server.shapes.work import WorkMessage, WorkRefusedMessage
-from kitrobot.verifier import KINDS, Confirmed
+from kitrobot.verifier import KINDS, ConfirmedRun
 from kitrobot.workspace.background_check import Answered, Checked, Explored
 from kitrobot.workspace.verification import MOST_FAILURES
 
@@ -210,7 +210,7 @@ def _answer(one: Answered, tick_ms: int) -> CheckedPropertyShape:
     )
 
 
-def confirming_run_shape(run: Confirmed, tick_ms: int) -> ConfirmingRunShape:
+def confirming_run_shape(run: ConfirmedRun, tick_ms: int) -> ConfirmingRunShape:
     """A run of the simulator that shows something, as the page plays it."""
     return ConfirmingRunShape(
         seed=run.seed,
@@ -220,6 +220,6 @@ def confirming_run_shape(run: Confirmed, tick_ms: int) -> ConfirmingRunShape:
             ConfirmingFailureShape.model_validate(
                 {"agent": harm.agent, "at_s": harm.tick * tick_ms / 1000, "kind": harm.kind}
             )
-            for harm in run.harms
+            for harm in run.faults
         ],
     )
