@@ -21,7 +21,7 @@ FLEET = "benchmark"
 
 def kitrobot(me: int, count: int, rounds: int, where: str) -> list[float]:
     from kitrobot.fleet import TEAM_PROCESS, Channel, Network, key_of
-    from kitrobot.fleet.bundles import bundled, unbundled
+    from kitrobot.fleet.bundles import bundle, unbundle
     from kitrobot.fleet.envelopes import BEGIN, HELLO, MEMBER, Envelope
     from kitrobot.team import (
         Charter,
@@ -51,14 +51,14 @@ def kitrobot(me: int, count: int, rounds: int, where: str) -> list[float]:
         nonlocal state
         stepped = step(charter, state, now(), event)
         state = stepped.state
-        for to, body in bundled(stepped.messages, 1):
+        for to, body in bundle(stepped.messages, 1):
             channel.send(to, MEMBER, body)
         for change in stepped.changes:
             if isinstance(change, Noted):
                 arrived[change.numbers[0]] += 1
 
     def messages(came: list[Envelope]) -> list[bytes]:
-        return [one for envelope in came if envelope.kind == MEMBER for one in unbundled(envelope.body, me)]
+        return [one for envelope in came if envelope.kind == MEMBER for one in unbundle(envelope.body, me)]
 
     taken: list[float] = []
     told_at = 0

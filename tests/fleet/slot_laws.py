@@ -63,9 +63,9 @@ def slot_breaks(before: Before, effect: Effect, replica: Replica) -> str:
     return _meeting_breaks(before, effect, replica) or _work_breaks(before, effect, replica)
 
 
-def _note(before: Before, effect: Effect) -> tuple[int, notes.Told] | None:
+def _note(before: Before, effect: Effect) -> tuple[int, notes.ReplicatedNote] | None:
     """The robot that speaks and its note, if it has an effect."""
-    note = notes.read(effect.numbers) if isinstance(effect, Noted) else None
+    note = notes.decode_note(effect.numbers) if isinstance(effect, Noted) else None
     if note is None or not isinstance(effect, Noted):
         return None
     i = effect.seat.member

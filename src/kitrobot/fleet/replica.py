@@ -80,22 +80,22 @@ class Replica:
     # -- the log
 
     def apply(self, slot: int, effects: Iterable[Effect]) -> list[Event]:
-        """Takes in slot number `slot`, which must be the next one; gives what is told of it."""
+        """Takes in slot number `slot`, which must be the next one; returns its events."""
         assert slot == self.slot, "slots are taken in one after the other"
         before = self.state.clock[EVENTS]
         for effect in effects:
             held = [list(row) for row in self.state.team.holds]
             if isinstance(effect, Viewed):
-                self._viewed(effect.view.seats)
+                self._apply_view(effect.view.seats)
             else:
-                self._noted(effect.seat, effect.numbers)
+                self._apply_note(effect.seat, effect.numbers)
             if self.has_team:
                 settle(self.state)
                 self._count_grants(held)
         self.slot = slot + 1
-        return self._told(before)
+        return self._take_events(before)
 
-    def _told(self, before: int) -> list[Event]:
+    def _take_events(self, before: int) -> list[Event]:
         """The events since there were so many; they are taken out of the tables."""
         state = self.state
         events = self.simulation.happened()[before:]
@@ -108,7 +108,7 @@ class Replica:
                 if now == HAS_UNIT and held[work][robot] != HAS_UNIT:
                     self.grants[work][robot] += 1
 
-    def _viewed(self, seats: Sequence[Seat]) -> None:
+    def _apply_view(self, seats: Sequence[Seat]) -> None:
         """Who is not in the view any more is missed; who is new in it begins anew, unless nobody missed it."""
         lives = [-1] * len(self.lives)
         for seat in seats:
@@ -130,9 +130,9 @@ class Replica:
             if self.is_of_team(i):
                 self.beginnings[i] += come_back(i, self.state)
 
-    def _noted(self, seat: Seat, numbers: tuple[int, ...]) -> None:
+    def _apply_note(self, seat: Seat, numbers: tuple[int, ...]) -> None:
         """What a robot said; nothing where it is not for it to say, or was said before it was missed."""
-        note = notes.read(numbers)
+        note = notes.decode_note(numbers)
         i = seat.member
         if note is None or not 0 <= i < len(self.epochs):
             return
@@ -157,7 +157,7 @@ class Replica:
             elif team.waits[note.first][i] < 0:
                 take_unit(i, note.first, self.work_link(i, note.first), state)
 
-    def _free(self, note: notes.Told) -> None:
+    def _free(self, note: notes.ReplicatedNote) -> None:
         """A unit whose lease is over is free again, if it is that very one; the epoch says which grant is meant."""
         team = self.state.team
         work, robot = note.first, note.second
@@ -216,7 +216,7 @@ class Replica:
                 ended[i] = 0
                 count = self.state.clock[EVENTS]
                 end_program(i, self.state)
-                self._told(count)
+                self._take_events(count)
         self.slot = slot
         if self.has_team:
             find_members(self.state.team)

@@ -73,7 +73,7 @@ class FleetSource(UnchangeableSource):
         self._ended: tuple[str, str] | None = None
         self._broken: TraceError | None = None
         self._events: deque[TraceEvent] = deque(maxlen=MOST_EVENTS)
-        self._untold: deque[TraceEvent] = deque(maxlen=MOST_EVENTS)
+        self._unsent: deque[TraceEvent] = deque(maxlen=MOST_EVENTS)
         self._past: RecordingSource | None = None
         self._drawn = DrawingReader(self._recorder.header)
 
@@ -93,7 +93,7 @@ class FleetSource(UnchangeableSource):
             if record.tick > self._drawn.tick:
                 self._drawn.take(record)
             self._events += record.events
-            self._untold += record.events
+            self._unsent += record.events
             self._write(lambda: self._writer.record(record))
 
     def finish(self, outcome: str, sentence: str) -> None:
@@ -158,8 +158,8 @@ class FleetSource(UnchangeableSource):
     def new_events(self, most: int) -> NewEvents:
         """The events since this was called last."""
         with self._lock:
-            happened = list(self._untold)[-most:]
-            self._untold.clear()
+            happened = list(self._unsent)[-most:]
+            self._unsent.clear()
             return NewEvents(False, happened)
 
     # -- going on and back

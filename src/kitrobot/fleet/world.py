@@ -12,10 +12,10 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field, replace
 
-from kitrobot.fleet.bodies import WINDOW, Frame, Reply
-from kitrobot.fleet.following import Following
+from kitrobot.fleet.body_messages import WINDOW, Frame, Reply
+from kitrobot.fleet.quiescence import QuiescenceDetector
 from kitrobot.fleet.replica import Replica
-from kitrobot.fleet.stillness import Stillness
+from kitrobot.fleet.replication import LogReplication
 from kitrobot.mission import FailureKind
 from kitrobot.sim import Event, Simulation, Ticked, fits, hosted_step, readings, say_written
 from kitrobot.sim.columns import (
@@ -43,7 +43,7 @@ START_MS = 5000
 
 
 @dataclass(slots=True)
-class Link:
+class AgentLink:
     """An agent as its body knows it.
 
     Attributes:
@@ -110,21 +110,21 @@ class WorldHost:
 
     Attributes:
         frames: what is to be sent, each with the number of the agent.
-        events: what happened in the last step; `log`: what else is to be told, since somebody took it out.
+        events: what happened in the last step; `log`: what else is to be reported, since somebody took it out.
     """
 
     def __init__(self, simulation: Simulation, lease_ms: int, now: int, pace: float = 1.0) -> None:
         self.simulation = simulation
         self.replica = Replica(simulation)
-        self.following = Following(self.replica, simulation.state.shared)
+        self.replication = LogReplication(self.replica, simulation.state.shared)
         self.lease = lease_ms
-        self.links = [Link(heard_at=now) for _ in simulation.members]
+        self.links = [AgentLink(heard_at=now) for _ in simulation.members]
         self.frames: list[tuple[int, Frame]] = []
         self.events: list[Event] = []
         self.log: list[Sentence] = []
         self._happened: list[Event] = []
         self._due: set[int] = set()
-        self._stillness = Stillness(self.replica, now)
+        self._quiescence = QuiescenceDetector(self.replica, now)
         self._expected = 0
         self._step_ms = simulation.tick_ms / pace if pace > 0 else 0.0
         self._stepped_at = float(now)
@@ -178,12 +178,12 @@ class WorldHost:
 
     def _learn(self, reply: Reply) -> None:
         """Takes in what an answer says of the log."""
-        following = self.following
-        if reply.whole is not None and reply.whole.slot > self.replica.slot:
-            following.adopt(reply.whole)
+        replication = self.replication
+        if reply.snapshot is not None and reply.snapshot.slot > self.replica.slot:
+            replication.adopt(reply.snapshot)
         for slot, effects in enumerate(reply.slots, max(0, reply.first)):
-            following.decided(slot, effects)
-        self._happened += following.take_in(lambda effect: None)
+            replication.add_slot(slot, effects)
+        self._happened += replication.apply_known(lambda effect: None)
 
     # -- steps
 
@@ -209,17 +209,17 @@ class WorldHost:
         simulation.state.clock[EVENTS] = 0
         self._happened = []
         self._expect_back()
-        self._look_whether_stuck(now)
+        self._check_quiescence(now)
         simulation.look_for_an_end()
 
-    def _look_whether_stuck(self, now: int) -> None:
+    def _check_quiescence(self, now: int) -> None:
         state = self.simulation.state
         ended, down = (state.robots.ints[row] for row in (ENDED, DOWN))
         quiet = [None if link.lost or ended[i] or down[i] != WELL else link.quiet for i, link in enumerate(self.links)]
-        told = self._stillness.look(now, bool(self.events), quiet, self._expected)
+        told = self._quiescence.check(now, bool(self.events), quiet, self._expected)
         if told is not None:
             self.log.append(told)
-        if self._stillness.is_stuck:
+        if self._quiescence.is_stuck:
             state.clock[STUCK] = 1
 
     def _expect_back(self) -> None:

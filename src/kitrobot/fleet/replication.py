@@ -1,7 +1,7 @@
-"""`Following`: brings a replica up to the log that its member, or the world, hears of, slot by slot.
+"""`LogReplication`: brings a replica up to the log that its member, or the world, hears of, slot by slot.
 
-What was decided while its member was away for long is not told slot by slot: then another's replica is adopted, and the
-slots behind it, which wait here meanwhile, are taken in.
+Slots that were decided during a long absence of the member are not sent one by one: another's replica is adopted,
+and the slots behind it, which wait here meanwhile, are applied.
 """
 
 from __future__ import annotations
@@ -9,16 +9,16 @@ from __future__ import annotations
 from collections import deque
 from collections.abc import Callable
 
-from kitrobot.fleet.bodies import Whole
+from kitrobot.fleet.body_messages import ReplicaSnapshot
 from kitrobot.fleet.replica import Effect, Replica
 from kitrobot.sim import Event
 from kitrobot.sim.state import Shared
 
-KEPT = 512
-"""Slots that are kept for the world and whoever asks."""
+MOST_RECENT_SLOTS = 512
+"""Slots that are stored for the world and for members that request them."""
 
 
-class Following:
+class LogReplication:
     """A replica and the slots that are known behind it. `adopted`: whether another's was taken over last."""
 
     def __init__(self, replica: Replica, shared: Shared) -> None:
@@ -27,55 +27,55 @@ class Following:
         self._shared = shared
         self._ahead: dict[int, tuple[Effect, ...]] = {}
         self._known = replica.slot
-        self._kept: deque[tuple[Effect, ...]] = deque(maxlen=KEPT)
+        self._recent: deque[tuple[Effect, ...]] = deque(maxlen=MOST_RECENT_SLOTS)
 
-    def cells_of(self, robot: int) -> list[tuple[int, int]]:
+    def shared_cells(self, robot: int) -> list[tuple[int, int]]:
         """The shared variables of a robot, each with its cell."""
         shared = self._shared
         span = range(shared.mine_first[robot], shared.mine_first[robot + 1])
         return [(shared.mine[k], shared.mine_cell[k]) for k in span]
 
     @property
-    def is_whole(self) -> bool:
+    def is_complete(self) -> bool:
         """Whether the replica has all slots that are known of."""
         return self.replica.slot >= self._known
 
-    def decided(self, slot: int, effects: tuple[Effect, ...]) -> None:
+    def add_slot(self, slot: int, effects: tuple[Effect, ...]) -> None:
         """What a slot says became known."""
         self._known = max(self._known, slot + 1)
-        if slot >= self.replica.slot and len(self._ahead) < KEPT:
+        if slot >= self.replica.slot and len(self._ahead) < MOST_RECENT_SLOTS:
             self._ahead[slot] = effects
 
-    def skipped(self, slot: int) -> None:
+    def skip_to(self, slot: int) -> None:
         """Slots before this one are known to be decided, but not what they say."""
         self._known = max(self._known, slot)
 
-    def adopt(self, whole: Whole) -> bool:
+    def adopt(self, snapshot: ReplicaSnapshot) -> bool:
         """Takes another's replica over, if it knows more."""
-        if whole.slot <= self.replica.slot or not self.replica.unpack(whole.slot, whole.rows):
+        if snapshot.slot <= self.replica.slot or not self.replica.unpack(snapshot.slot, snapshot.rows):
             return False
         self.adopted = True
-        self._kept.clear()
-        self._known = max(self._known, whole.slot)
+        self._recent.clear()
+        self._known = max(self._known, snapshot.slot)
         return True
 
-    def take_in(self, seen: Callable[[Effect], None]) -> list[Event]:
-        """Takes in the slots that follow; gives what is told of them. `seen` is called with each effect."""
-        told: list[Event] = []
+    def apply_known(self, seen: Callable[[Effect], None]) -> list[Event]:
+        """Applies the slots that follow; returns their events. `seen` is called with each effect."""
+        events: list[Event] = []
         while self.replica.slot in self._ahead:
             slot = self.replica.slot
             effects = self._ahead.pop(slot)
-            told += self.replica.apply(slot, effects)
-            self._kept.append(effects)
+            events += self.replica.apply(slot, effects)
+            self._recent.append(effects)
             for effect in effects:
                 seen(effect)
         self._ahead = {slot: effects for slot, effects in self._ahead.items() if slot > self.replica.slot}
-        return told
+        return events
 
-    def since(self, slot: int, most: int) -> tuple[int, tuple[tuple[Effect, ...], ...]]:
+    def slots_since(self, slot: int, most: int) -> tuple[int, tuple[tuple[Effect, ...], ...]]:
         """Up to so many slots from one on, and the number of the first; -1 where that is forgotten."""
-        oldest = self.replica.slot - len(self._kept)
+        oldest = self.replica.slot - len(self._recent)
         if slot < oldest:
-            return -1 if self.is_whole else oldest, ()
-        kept = list(self._kept)[slot - oldest : slot - oldest + most]
-        return slot, tuple(kept)
+            return -1 if self.is_complete else oldest, ()
+        recent = list(self._recent)[slot - oldest : slot - oldest + most]
+        return slot, tuple(recent)

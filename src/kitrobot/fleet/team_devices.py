@@ -28,12 +28,12 @@ from kitrobot.sim.devices import sensors, team, team_answer, work, work_left
 from kitrobot.sim.dispatch import AGREES
 from kitrobot.sim.team_columns import T_ACTUATOR, T_AT, T_ROLE
 
-Wish = tuple[int, int, int]
+NoteRequest = tuple[int, int, int]
 """What is to be put into the log: the kind of the note, and its two numbers."""
 
 
 @dataclass
-class TeamLinks:
+class TeamDevices:
     """`Team` and the works of robot `me`, whose machine's cells and outputs are rows of the replica's tables.
 
     Attributes:
@@ -57,7 +57,7 @@ class TeamLinks:
             kind = sensors()[name].kind
             self.banks.append((module, state.sensors.bank[kind], state.sensors.bank[kind + 1]))
 
-    def forget(self) -> None:
+    def reset(self) -> None:
         """The program begins anew."""
         self.waiting.clear()
         self.joins = False
@@ -90,7 +90,7 @@ class TeamLinks:
             return tables.robots[T_ROLE][self.me] >= 0
         return tables.robots[T_AT][self.me] < 0
 
-    def told(self, k: int, row: list[int]) -> Wish | None:
+    def note_for(self, k: int, row: list[int]) -> NoteRequest | None:
         """What a command to one of these actuators asks of the log; `row` are its numbers as the machine gave them."""
         state = self.replica.state
         if not self.replica.is_of_team(self.me):
