@@ -24,10 +24,10 @@ def kitrobot(me: int, count: int, rounds: int, where: str) -> list[float]:
     from kitrobot.fleet.bundles import bundle, unbundle
     from kitrobot.fleet.envelopes import BEGIN, HELLO, MEMBER, Envelope
     from kitrobot.team import (
+        AppliedNote,
         Charter,
+        IncomingMessage,
         Note,
-        Noted,
-        Received,
         Seat,
         Time,
         decode,
@@ -54,7 +54,7 @@ def kitrobot(me: int, count: int, rounds: int, where: str) -> list[float]:
         for to, body in bundle(stepped.messages, 1):
             channel.send(to, MEMBER, body)
         for change in stepped.changes:
-            if isinstance(change, Noted):
+            if isinstance(change, AppliedNote):
                 arrived[change.numbers[0]] += 1
 
     def messages(came: list[Envelope]) -> list[bytes]:
@@ -68,7 +68,7 @@ def kitrobot(me: int, count: int, rounds: int, where: str) -> list[float]:
         while arrived[number] < count:
             came = messages(channel.receive(0.02))
             for place, data in enumerate(came, 1):
-                take(Received(decode(data, 1), place < len(came)))
+                take(IncomingMessage(decode(data, 1), place < len(came)))
             if now() - told_at > 50:
                 told_at = now()
                 take(Time())
@@ -76,7 +76,7 @@ def kitrobot(me: int, count: int, rounds: int, where: str) -> list[float]:
     end = time.monotonic() + 1.0
     while time.monotonic() < end:
         for data in messages(channel.receive(0.05)):
-            take(Received(decode(data, 1)))
+            take(IncomingMessage(decode(data, 1)))
         take(Time())
     channel.close()
     return taken

@@ -32,7 +32,7 @@ from kitrobot.sim.team_columns import (
     W_LEFT,
     W_TAKEN,
 )
-from kitrobot.team import Noted
+from kitrobot.team import AppliedNote
 
 
 @dataclass(frozen=True)
@@ -65,8 +65,8 @@ def slot_breaks(before: Before, effect: Effect, replica: Replica) -> str:
 
 def _note(before: Before, effect: Effect) -> tuple[int, notes.ReplicatedNote] | None:
     """The robot that speaks and its note, if it has an effect."""
-    note = notes.decode_note(effect.numbers) if isinstance(effect, Noted) else None
-    if note is None or not isinstance(effect, Noted):
+    note = notes.decode_note(effect.numbers) if isinstance(effect, AppliedNote) else None
+    if note is None or not isinstance(effect, AppliedNote):
         return None
     i = effect.seat.member
     return (i, note) if note.epoch == before.epochs[i] and not before.ended[i] else None

@@ -121,11 +121,11 @@ def test_the_first_states_of_longer_runs_keep_the_laws_and_settle(plan: Plan) ->
     assert undone == set()
 
 
-_promised = decision._promised
+_count_promise = decision._count_promise
 
 
 def _forgets_votes(state: Decision, rank: int, *vote: object) -> object:
-    return _promised(state, rank, decision.NO_BALLOT, ())
+    return _count_promise(state, rank, decision.NO_BALLOT, ())
 
 
 def _anybody_alone(ranks: Collection[int], voters: int) -> bool:
@@ -161,7 +161,7 @@ def _for_ever(*what: object) -> int:
         ),
         pytest.param(
             decision,
-            "_promised",
+            "_count_promise",
             _forgets_votes,
             Plan(MEETING, Faults(crashes=1, late=1), 3, True),
             "a slot and so a view is agreed by a majority of the view before",

@@ -29,7 +29,7 @@ from kitrobot.fleet.envelopes import Envelope, EnvelopeError, seal, unseal
 from kitrobot.fleet.keys import VARIABLE, find_key, key_of, new_key
 from kitrobot.fleet.replica import Replica
 from kitrobot.sim import Ticked, fits
-from kitrobot.team import Noted, Seat, View, Viewed
+from kitrobot.team import AppliedNote, NewView, Seat, View
 from kitrobot.team.messages import Heartbeat
 from tests.fleet.network import LEASE
 from tests.fleet.test_convoy import anew, fleet, until
@@ -45,7 +45,7 @@ REPLY = Reply(
     Ticked((1, 2), (3, 0), ((0, 1, 2, 3),)),
     ((0, 9),),
     4,
-    ((Noted(Seat(1, 0), (0, 0, 3, 1, 9)), Viewed(View(2, (Seat(0, 0), Seat(1, 1))))), ()),
+    ((AppliedNote(Seat(1, 0), (0, 0, 3, 1, 9)), NewView(View(2, (Seat(0, 0), Seat(1, 1))))), ()),
     ReplicaSnapshot(6, ((1, 2), ())),
 )
 
@@ -191,8 +191,10 @@ def test_a_replica_of_another_team_changes_nothing(rows: object) -> None:
 def test_no_note_breaks_a_replica(notes: list[list[int]], member: int) -> None:
     mine = Replica(anew())
     for slot, numbers in enumerate(notes):
-        mine.apply(slot, [Noted(Seat(member, 0), tuple(numbers)), Noted(Seat(member % 4, 0), tuple(numbers))])
-    mine.apply(len(notes), [Viewed(View(1, (Seat(member, 0), Seat(0, 0))))])
+        mine.apply(
+            slot, [AppliedNote(Seat(member, 0), tuple(numbers)), AppliedNote(Seat(member % 4, 0), tuple(numbers))]
+        )
+    mine.apply(len(notes), [NewView(View(1, (Seat(member, 0), Seat(0, 0))))])
 
 
 def test_the_key_of_a_team_is_a_long_text_in_a_file_or_in_the_environment(tmp_path: Path) -> None:

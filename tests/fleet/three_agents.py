@@ -27,9 +27,9 @@ from kitrobot.sim import Event, Simulation
 from kitrobot.sim.meetings import find_members
 from kitrobot.sim.team_columns import T_ROLE, T_SEAT
 from kitrobot.team import EVERYONE, Member, Message, Note, Sending
-from kitrobot.team.applying import applied
 from kitrobot.team.commands import Batch, Command
 from kitrobot.team.messages import Ballot, Heartbeat
+from kitrobot.team.table_transitions import apply_batch
 from kitrobot.team.tables import View, first_tables
 from tests.fleet.slot_laws import before_effect, slot_breaks
 from tests.team.exploring import Step
@@ -433,7 +433,7 @@ class ThreeAgents:
         if decided not in self.views:
             tables = first_tables(self.charter)
             for value in decided:
-                tables, _ = applied(tables, value)
+                tables, _ = apply_batch(tables, value)
             self.views[decided] = tables.view
         return self.views[decided]
 

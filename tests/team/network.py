@@ -11,14 +11,14 @@ from dataclasses import dataclass, field
 
 from kitrobot.team import (
     EVERYONE,
+    AppliedNote,
     Change,
     Charter,
     Event,
+    IncomingMessage,
     Member,
     Message,
     Note,
-    Noted,
-    Received,
     Seat,
     Time,
     Write,
@@ -116,7 +116,7 @@ class Network:
                 if to in phase.stopped:
                     self.under_way.append((at + STEP, to, message))
                 elif to in self.robots:
-                    self.event(to, Received(message, more=self.random.random() < 0.2))
+                    self.event(to, IncomingMessage(message, more=self.random.random() < 0.2))
             for member in list(self.robots):
                 if member not in phase.stopped:
                     self.event(member, Time())
@@ -168,7 +168,7 @@ class Network:
 
     def note(self, robot: Robot, change: Change) -> None:
         """A note takes effect once, in the order of its member, and only if it was given."""
-        if isinstance(change, Noted):
+        if isinstance(change, AppliedNote):
             note = change.seat, change.numbers
             assert note in self.given
             assert all(seat != change.seat or numbers[0] < change.numbers[0] for seat, numbers in robot.noted)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 
-from kitrobot.team import EVERYONE, Charter, Member, Message, Note, Received, Seat, Time, first_state, step
+from kitrobot.team import EVERYONE, Charter, IncomingMessage, Member, Message, Note, Seat, Time, first_state, step
 from kitrobot.team.events import Event
 from kitrobot.team.messages import Accepted, Propose
 
@@ -32,7 +32,7 @@ class Members:
             for addressee, message in stepped.messages:
                 for other in range(MEMBERS) if addressee == EVERYONE else (addressee,):
                     if other != to and other not in self.deaf:
-                        waiting.append((other, Received(message)))
+                        waiting.append((other, IncomingMessage(message)))
                     if other != to and isinstance(message, Propose):
                         asked.append(other)
             if asked:
@@ -71,7 +71,7 @@ def test_what_came_together_is_decided_together() -> None:
     first = first_state(CHARTER, Seat(0, 0), 0)
     sent: list[Message] = []
     for number, message in enumerate(asking, 1):
-        stepped = step(CHARTER, first, 0, Received(message, more=number < len(asking)))
+        stepped = step(CHARTER, first, 0, IncomingMessage(message, more=number < len(asking)))
         first = stepped.state
         sent += [message for _, message in stepped.messages]
     [proposal] = sent
@@ -86,5 +86,5 @@ def test_votes_of_an_earlier_slot_count_for_nothing() -> None:
     team.tell(0, Note((2,)))
     ballot = team.states[0].log.decision.ballot
     for voter in (1, 2, 3, 4):
-        team.tell(0, Received(Accepted(Seat(voter, 0), 0, ballot)))
+        team.tell(0, IncomingMessage(Accepted(Seat(voter, 0), 0, ballot)))
     assert team.states[0].log.slot == 1

@@ -10,7 +10,7 @@ from typing import Any
 
 import pytest
 
-from kitrobot.team import EVERYONE, Charter, Member, Received, Seat, Time, first_state, may_act, step
+from kitrobot.team import EVERYONE, Charter, IncomingMessage, Member, Seat, Time, first_state, may_act, step
 from kitrobot.team.membership import NEVER
 
 _CHARTER = Charter(members=3, lease=400)
@@ -36,7 +36,7 @@ def _round(team: _Team, viewed: _Viewed, now: int, cut: int, stopped: int) -> tu
             for other in _MEMBERS if to == EVERYONE else (to,):
                 state = members[other]
                 if other != sender and state and other != stopped and cut not in (sender, other):
-                    state, sent, _ = step(_CHARTER, state, time, Received(message))
+                    state, sent, _ = step(_CHARTER, state, time, IncomingMessage(message))
                     members[other] = state
                     letters += [(other, one) for one in sent]
             assert len(letters) < 2_000, "messages call for messages without end"

@@ -15,7 +15,7 @@ from typing import Any, TypeVar
 
 from kitrobot.fleet.replica import Effect
 from kitrobot.sim import Ticked
-from kitrobot.team import Noted, Seat, View, Viewed
+from kitrobot.team import AppliedNote, NewView, Seat, View
 from kitrobot.text import Sentence
 from kitrobot.text.json_text import from_json, to_json
 
@@ -212,7 +212,7 @@ def _snapshot(rows: list[Any]) -> ReplicaSnapshot:
 
 
 def _plain(effect: Effect) -> list[Any]:
-    if isinstance(effect, Noted):
+    if isinstance(effect, AppliedNote):
         return [0, *effect.seat, *effect.numbers]
     return [1, effect.view.number, *(number for seat in effect.view.seats for number in seat)]
 
@@ -220,5 +220,5 @@ def _plain(effect: Effect) -> list[Any]:
 def _effect(numbers: list[Any]) -> Effect:
     kind, first, *rest = _numbers(numbers)
     if kind == 0:
-        return Noted(Seat(first, rest[0]), tuple(rest[1:]))
-    return Viewed(View(first, tuple(Seat(*pair) for pair in zip(rest[::2], rest[1::2], strict=True))))
+        return AppliedNote(Seat(first, rest[0]), tuple(rest[1:]))
+    return NewView(View(first, tuple(Seat(*pair) for pair in zip(rest[::2], rest[1::2], strict=True))))

@@ -23,26 +23,26 @@ from kitrobot.fleet.tick_runner import Tick, TickRunner
 from kitrobot.sim import Event, Simulation
 from kitrobot.sim.team_columns import T_ROLE
 from kitrobot.team import (
+    AppliedNote,
     Charter,
+    IncomingMessage,
     Member,
     Message,
+    NewView,
     Note,
-    Noted,
-    Quorum,
-    Received,
-    Refused,
+    QuorumChange,
+    Refusal,
     Seat,
     Sending,
     Time,
-    Viewed,
     Write,
     first_state,
     may_act,
     step,
 )
-from kitrobot.team.changes import Change, Decided, Skipped
+from kitrobot.team.changes import Change, LogGap, SlotDecision
 from kitrobot.team.events import Event as Input
-from kitrobot.team.shared import FIRST_STAMP
+from kitrobot.team.shared_store import FIRST_STAMP
 from kitrobot.text import Sentence
 
 MOST_PENDING = 12
@@ -99,7 +99,7 @@ class AgentHost:
         self._freeing: set[tuple[int, int, int]] = set()
         self._beginning = 0
         self._units: dict[tuple[int, int, int], int] = {}
-        self._effects: list[Noted | Viewed] = []
+        self._effects: list[AppliedNote | NewView] = []
         self._end_reported = -1
         """The epoch in which it said that its program is at its end."""
         self.board = BoardBody(self.machine, board) if board is not None else None
@@ -112,7 +112,7 @@ class AgentHost:
     def receive(self, now: int, message: Message, more: bool = False) -> None:
         """A message of another member came; `more`: others came with it and follow."""
         if not self._is_silent(now):
-            self._step(now, Received(message, more))
+            self._step(now, IncomingMessage(message, more))
 
     def time(self, now: int) -> None:
         """To be called at least every `Charter.beat`."""
@@ -173,21 +173,21 @@ class AgentHost:
 
     def _apply_change(self, now: int, change: Change) -> None:
         match change:
-            case Noted() | Viewed():
+            case AppliedNote() | NewView():
                 self._effects.append(change)
-            case Decided(slot=slot):
+            case SlotDecision(slot=slot):
                 effects, self._effects = tuple(self._effects), []
                 self.replication.add_slot(slot, effects)
                 self._follow(now)
-            case Skipped(slot=slot):
+            case LogGap(slot=slot):
                 self._effects = []
                 self.replication.skip_to(slot)
                 self._follow(now)
-            case Quorum(heard=heard):
+            case QuorumChange(heard=heard):
                 self.log.append(
                     Sentence("hears its team") if heard else Sentence("hears too few of its team, and waits")
                 )
-            case Refused(member=member, why=why):
+            case Refusal(member=member, why=why):
                 if (message := self._refusals.count(member, why)) is not None:
                     self.log.append(message)
 
@@ -218,9 +218,9 @@ class AgentHost:
         if of_team and team.robots[T_ROLE][self.me] not in (role, -1):
             self.acts_from = now + self.charter.hold
 
-    def _confirm_note(self, effect: Noted | Viewed) -> None:
+    def _confirm_note(self, effect: AppliedNote | NewView) -> None:
         """One of its own notes has taken effect."""
-        if isinstance(effect, Noted) and effect.seat == self.state.seat and len(effect.numbers) == 5:
+        if isinstance(effect, AppliedNote) and effect.seat == self.state.seat and len(effect.numbers) == 5:
             serial = effect.numbers[4]
             self.team_devices.waiting = {k: at for k, at in self.team_devices.waiting.items() if at != serial}
 

@@ -28,9 +28,9 @@ from kitrobot.sim.team_columns import (
     W_TAKEN,
 )
 from kitrobot.sim.work import finish_unit, take_unit
-from kitrobot.team import Noted, Seat, Viewed
+from kitrobot.team import AppliedNote, NewView, Seat
 
-Effect = Noted | Viewed
+Effect = AppliedNote | NewView
 """What a slot of the log does to a replica."""
 
 MOST_NUMBER = 1 << 40
@@ -85,7 +85,7 @@ class Replica:
         before = self.state.clock[EVENTS]
         for effect in effects:
             held = [list(row) for row in self.state.team.holds]
-            if isinstance(effect, Viewed):
+            if isinstance(effect, NewView):
                 self._apply_view(effect.view.seats)
             else:
                 self._apply_note(effect.seat, effect.numbers)
