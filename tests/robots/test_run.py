@@ -8,7 +8,7 @@ import pytest
 
 from kitrobot.deploy import Fault, News
 from kitrobot.diagnostics import KitRobotError
-from kitrobot.robots import Known, RecordedBoard, RobotSession, RobotsRun
+from kitrobot.robots import InstalledProgram, RecordedBoard, RobotSession, RobotsRun
 from kitrobot.server.run_messages import RunEncoder
 from kitrobot.trace import AbilityError, RunSource, TickRecord, walk
 from kitrobot.translation import reading_in, said
@@ -24,15 +24,15 @@ class Run:
 
     def __init__(self, folder: Path) -> None:
         program = load_board_program(write_pulse(folder))
-        assert program.carried is not None
+        assert program.recording_context is not None
         self.names, self.clock = program.names, Clock()
         self.sessions = [RobotSession(self.clock) for _ in range(2)]
         self.twins = [Twin() for _ in range(2)]
-        robots = [RecordedBoard(name, program.names, program.carried) for name in ("a", "b")]
+        robots = [RecordedBoard(name, program.names, program.recording_context) for name in ("a", "b")]
         self.left: list[tuple[int, int]] = []
         self.run = RobotsRun(robots, self.sessions, self.clock, self._left)
         for session, twin in zip(self.sessions, self.twins, strict=True):
-            session.open(twin, twin.hello, Known(program.names, program.carried))
+            session.open(twin, twin.hello, InstalledProgram(program.names, program.recording_context))
 
     def _left(self, record: TickRecord, following: int) -> None:
         self.left.append((record.tick, following))

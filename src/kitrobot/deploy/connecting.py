@@ -36,7 +36,7 @@ _SAID = (HELLO, HELLO, LEAVE, HELLO, _FILL, HELLO)
 STARTS = (LEAVE, HELLO, HELLO)
 """What a board hears again and again that is to start its program."""
 
-Waits = Callable[[], None]
+WaitListener = Callable[[], None]
 """Is told once that no answer came at once."""
 
 
@@ -44,7 +44,9 @@ def _nothing() -> None:
     """Nobody wants to know."""
 
 
-def connect(address: str, silent_s: float = SILENT_S, waits: Waits = _nothing, over: Event | None = None) -> Board:
+def connect(
+    address: str, silent_s: float = SILENT_S, waits: WaitListener = _nothing, over: Event | None = None
+) -> Board:
     """Connects to a board that runs KitRobot; one that stands at its Python prompt is started first.
 
     Args:
@@ -72,7 +74,7 @@ def connect(address: str, silent_s: float = SILENT_S, waits: Waits = _nothing, o
 def greet(
     board: Board,
     silent_s: float = SILENT_S,
-    waits: Waits = _nothing,
+    waits: WaitListener = _nothing,
     *,
     said: Sequence[bytes] = _SAID,
     starting_s: float = STARTING_S,
@@ -94,7 +96,7 @@ def greet(
 
 
 class _Greeting:
-    def __init__(self, board: Board, patience: Patience, waits: Waits, starting_s: float) -> None:
+    def __init__(self, board: Board, patience: Patience, waits: WaitListener, starting_s: float) -> None:
         self.board = board
         self.patience = patience
         self.waits = waits

@@ -25,18 +25,22 @@ from kitrobot.deploy import (
 from kitrobot.diagnostics import Diagnostic, Source
 from kitrobot.image import Image, verify
 from kitrobot.primitives import Kit, Robot
-from kitrobot.robots.carried import Carried
 from kitrobot.robots.names import BoardNames, names_of
-from kitrobot.robots.session import Known
-from kitrobot.robots.sharing import SHARED_ON_BOARD
+from kitrobot.robots.recording_context import RecordingContext
+from kitrobot.robots.session import InstalledProgram
+from kitrobot.robots.shared_variable_check import SHARED_ON_BOARD
 from kitrobot.text import COMMA, Sentence, Series, listed
 from kitrobot.user_folders import config_folder
 
 
 @dataclass(frozen=True)
 class BoardProgram:
-    """A program that can be sent, with its names; `package` knows where its drivers are looked for, `carried` is what
-    recordings of it bring along (None: it is of no mission), `needs` the firmware that its kit wants.
+    """A program that can be sent, with its names.
+
+    Attributes:
+        package: finds its drivers.
+        recording_context: what recordings of it embed; None: it belongs to no mission.
+        needs: the firmware that its kit requires.
     """
 
     names: BoardNames
@@ -44,7 +48,7 @@ class BoardProgram:
     package: Package
     diagnostics: tuple[Diagnostic, ...] = ()
     sources: tuple[Source, ...] = ()
-    carried: Carried | None = None
+    recording_context: RecordingContext | None = None
     needs: Needs | None = None
 
     @property
@@ -61,9 +65,9 @@ class BoardProgram:
         return frozenset(found)
 
     @property
-    def known(self) -> Known:
+    def known(self) -> InstalledProgram:
         """What a session needs to know of it."""
-        return Known(self.names, self.carried)
+        return InstalledProgram(self.names, self.recording_context)
 
     def is_called(self, installed: str) -> bool:
         """Whether that is the program that a robot has, by the name that the robot gives."""

@@ -41,7 +41,7 @@ class RobotRecorder:
         self._done = False
         self._writer = TraceWriter(path, header_of(robots))
         self._settled = clock()
-        self._run = RobotsRun(robots, clock=clock, left=self._write)
+        self._run = RobotsRun(robots, clock=clock, on_tick=self._write)
         self._run.end_tick()
         try:
             self._writer.settle()

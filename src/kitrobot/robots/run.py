@@ -4,8 +4,8 @@ The clock begins with the run, so several robots share one timeline, and silence
 of ticks stands beside its numbers. Robots send only what changed, a few times a second, so a record holds what was
 heard last. News that comes from one robot twice within a tick, as when it was held up on its way, is of two ticks, so
 that no place where a thread stood is lost. Robots go on at their own pace, whatever the run stands at: with sessions,
-what was heard is kept, and the run can stand at a moment of it. When a robot is started while none runs, the run begins
-anew.
+what was heard is stored, and the run can show a moment of it. When a robot is started while none runs, the run
+begins anew.
 """
 
 from __future__ import annotations
@@ -23,7 +23,7 @@ from kitrobot.diagnostics import KitRobotError
 from kitrobot.image import LARGEST_VALUE
 from kitrobot.robots.records import RecordedBoard, active_of, first_row, header_of, row_of, sentence_of
 from kitrobot.robots.session import RobotSession
-from kitrobot.robots.state import Change, Happening, RobotState
+from kitrobot.robots.state import Change, ChangeKind, RobotState
 from kitrobot.text import Recorded, Sentence, clipped
 from kitrobot.trace import (
     Ability,
@@ -39,19 +39,19 @@ from kitrobot.trace import (
 
 LONGEST_TEXT = 500
 MOST_EVENTS = 5000
-"""Events that are kept; the oldest go first."""
-MOST_KEPT = 50_000
-"""Moments that are kept, about half a kilobyte each; the oldest go first. One robot has ten of them a second."""
+"""Events that are stored; the oldest go first."""
+MOST_MOMENTS = 50_000
+"""Moments that are stored, about half a kilobyte each; the oldest go first. One robot has ten of them a second."""
 
-Left = Callable[[TickRecord, int], None]
-"""Is given the record of a tick that is over, and the tick that follows it: the numbers hold up to that."""
+TickListener = Callable[[TickRecord, int], None]
+"""Called with the record of a tick that is over, and the tick that follows it: the numbers hold up to that."""
 
 
 def _ignored(record: TickRecord, following: int) -> None:
-    """Nobody wants to know."""
+    """Does nothing."""
 
 
-class Steered(Protocol):
+class RobotControl(Protocol):
     """What robots are asked through: a `RobotSession` in its own thread, or what passes requests on to that thread."""
 
     def force(self, sensor: str, value: int | None) -> None: ...
@@ -87,7 +87,7 @@ def _tick_of(moment: _Moment) -> int:
 
 
 class RobotsRun:
-    """A run of real robots. `sessions` are theirs, in the same order, and `steered` what they are asked through (the
+    """A run of real robots. `sessions` are theirs, in the same order, and `controls` what they are asked through (the
     sessions, where nothing is given); without them nothing can be done to the run. Safe to use from many threads.
     """
 
@@ -96,26 +96,26 @@ class RobotsRun:
         robots: Sequence[RecordedBoard],
         sessions: Sequence[RobotSession] = (),
         clock: Callable[[], float] = time.monotonic,
-        left: Left = _ignored,
-        steered: Sequence[Steered] = (),
+        on_tick: TickListener = _ignored,
+        controls: Sequence[RobotControl] = (),
     ) -> None:
         self.lock = threading.RLock()
         """Guards the run; whoever reads more than one thing of it takes it."""
         self.header: TraceHeader = header_of(robots)
         self._robots = tuple(robots)
         self.abilities: frozenset[Ability] = frozenset({"force", "set", "seek", "step"} if sessions else ())
-        self._steered = {
+        self._controls = {
             robot.name: (robot, session, through)
-            for robot, session, through in zip(robots, sessions, steered or sessions, strict=False)
+            for robot, session, through in zip(robots, sessions, controls or sessions, strict=False)
         }
         self._clock = clock
         self._drawing = Drawing()
-        self._left = left
+        self._on_tick = on_tick
         self._states = [RobotState()] * len(robots)
         self._rows = [first_row(one) for one in robots]
         self._active: list[Threads] = [()] * len(robots)
         self._past: deque[TraceEvent] = deque(maxlen=MOST_EVENTS)
-        self._untold: deque[TraceEvent] = deque(maxlen=MOST_EVENTS)
+        self._unsent: deque[TraceEvent] = deque(maxlen=MOST_EVENTS)
         self.beginnings = 0
         """How often it began anew, the first time included."""
         self._wrong: dict[int, str] = {}
@@ -126,7 +126,7 @@ class RobotsRun:
         with self.lock:
             for session, heard in self._subscribed:
                 session.subscribe(heard)
-                heard(Change(Happening.LOOKED, session.state))
+                heard(Change(ChangeKind.LOOKED, session.state))
 
     def _begin(self) -> None:
         self.beginnings += 1
@@ -135,22 +135,22 @@ class RobotsRun:
         """The newest tick, and that which it stands at."""
         self._commands: list[TraceCommand] = []
         self._events: list[TraceEvent] = []
-        self._told: set[int] = set()
+        self._updated: set[int] = set()
         """Of the newest tick; the robots that sent news or were started in it."""
-        self._kept: list[_Moment] = []
+        self._history: list[_Moment] = []
         self._past.clear()
-        self._untold.clear()
+        self._unsent.clear()
         self._again = True
 
     def _heard(self, number: int, change: Change) -> None:
         """Takes a change as a session says it. A robot that has another program meanwhile stands still in this run."""
         with self.lock:
             was, state = self._states[number], change.state
-            if change.happening is Happening.QUIET:
+            if change.kind is ChangeKind.QUIET:
                 return
             if was.installed not in ("", state.installed):
-                change = Change(change.happening, replace(was, doing="ready", threads={}, fault=None, lost=""))
-            elif change.happening is Happening.STARTED and not self._is_running():
+                change = Change(change.kind, replace(was, doing="ready", threads={}, fault=None, lost=""))
+            elif change.kind is ChangeKind.STARTED and not self._is_running():
                 self._begin()
             if self._is_running() or any(one.lost for one in self._states):
                 self._go_to_now()
@@ -164,10 +164,10 @@ class RobotsRun:
 
     def _take(self, number: int, change: Change) -> None:
         robot, state = self._robots[number], change.state
-        if change.happening in (Happening.NEWS, Happening.STARTED):
-            if number in self._told:
+        if change.kind in (ChangeKind.NEWS, ChangeKind.STARTED):
+            if number in self._updated:
                 self._go_to(self._tick + 1)
-            self._told.add(number)
+            self._updated.add(number)
         self._states[number] = state
         self._rows[number] = row_of(robot, state)
         self._active[number] = active_of(state)
@@ -183,7 +183,7 @@ class RobotsRun:
         ]
         self._events += happened
         self._past += happened
-        self._untold += happened
+        self._unsent += happened
 
     # -- where it stands
 
@@ -234,9 +234,9 @@ class RobotsRun:
         return _Moment(self._tick, tuple(self._rows), tuple(self._active), self._commands, self._events)
 
     def _moment(self) -> _Moment:
-        if self._at >= self._tick or not self._kept:
+        if self._at >= self._tick or not self._history:
             return self._now()
-        return self._kept[max(0, bisect_right(self._kept, self._at, key=_tick_of) - 1)]
+        return self._history[max(0, bisect_right(self._history, self._at, key=_tick_of) - 1)]
 
     def record(self, in_full: Collection[int] | None = None) -> TickRecord:
         """What was heard last up to the tick that it stands at, with what happened in that tick."""
@@ -246,7 +246,7 @@ class RobotsRun:
     def records(self) -> list[TickRecord]:
         """All that is kept of its past, and where it is now."""
         with self.lock:
-            return [one.record(one.tick) for one in (*self._kept, self._now())]
+            return [one.record(one.tick) for one in (*self._history, self._now())]
 
     def active(self) -> Sequence[Threads]:
         """Where the threads of each robot stand."""
@@ -262,8 +262,8 @@ class RobotsRun:
         """The events since this was called last; all of them when the run began anew."""
         with self.lock:
             again, self._again = self._again, False
-            happened = list(self._untold)[-most:]
-            self._untold.clear()
+            happened = list(self._unsent)[-most:]
+            self._unsent.clear()
             return NewEvents(again, happened)
 
     # -- going on and back
@@ -293,21 +293,21 @@ class RobotsRun:
         if tick <= self._tick:
             return
         now = self._now()
-        self._left(now.record(self._tick), tick)
-        if not self._steered:
+        self._on_tick(now.record(self._tick), tick)
+        if not self._controls:
             self._at = tick
-        elif not self._kept or now.commands or now.events or self._kept[-1][1:3] != now[1:3]:
-            self._kept.append(now)
-            if len(self._kept) > MOST_KEPT:
-                del self._kept[: MOST_KEPT // 10]
+        elif not self._history or now.commands or now.events or self._history[-1][1:3] != now[1:3]:
+            self._history.append(now)
+            if len(self._history) > MOST_MOMENTS:
+                del self._history[: MOST_MOMENTS // 10]
         self._commands, self._events = [], []
-        self._told.clear()
+        self._updated.clear()
         self._tick = tick
 
     def seek(self, tick: int) -> Iterator[None]:
         """The way to a tick up to the latest, or to the first one that is kept: one piece."""
         with self.lock:
-            first = self._kept[0].tick if self._kept else self._tick
+            first = self._history[0].tick if self._history else self._tick
             self._at = min(max(tick, first), self._tick)
         yield
 
@@ -315,7 +315,7 @@ class RobotsRun:
         """As `RunSource.seek_back`."""
         with self.lock:
             end = self._at
-            earlier = self._kept[: bisect_left(self._kept, end, key=_tick_of)]
+            earlier = self._history[: bisect_left(self._history, end, key=_tick_of)]
         for moment in reversed(earlier):
             with self.lock:
                 self._at, end = end - 1, moment.tick
@@ -346,15 +346,15 @@ class RobotsRun:
         robot.names.variable(variable)
         through.set_variable(variable, value)
 
-    def _known(self, agent: str, value: int | None) -> tuple[RecordedBoard, RobotSession, Steered]:
-        if agent not in self._steered:
+    def _known(self, agent: str, value: int | None) -> tuple[RecordedBoard, RobotSession, RobotControl]:
+        if agent not in self._controls:
             raise AbilityError(Sentence("nobody talks with this robot"), Sentence("connect it first"))
         if value is not None and abs(value) > LARGEST_VALUE:
             raise KitRobotError(
                 Sentence("a robot has no room for the number {value}", value),
                 Sentence("the largest one is {largest}", LARGEST_VALUE),
             )
-        return self._steered[agent]
+        return self._controls[agent]
 
     def fail(self, agent: str, kind: str) -> None:
         """Cannot be done."""
@@ -362,7 +362,7 @@ class RobotsRun:
 
     def stop(self) -> None:
         """Stops every robot that there is a link to."""
-        for _, session, through in self._steered.values():
+        for _, session, through in self._controls.values():
             if session.is_open:
                 through.stop()
 
