@@ -157,7 +157,7 @@ def test_news_that_comes_at_once_is_of_ticks_of_its_own_and_no_place_is_lost(mad
 
 
 def test_only_the_last_moments_are_kept(made: Run, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("kitrobot.robots.run.MOST_KEPT", 10)
+    monkeypatch.setattr("kitrobot.robots.run.MOST_MOMENTS", 10)
     for number in range(1, 31):
         made.clock.now += 1
         made.hears(0, News(number, {COUNT: number}, {}))
