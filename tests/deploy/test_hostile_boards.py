@@ -13,10 +13,10 @@ from hypothesis import strategies as st
 
 from kitrobot.deploy import Board, Line, Receiver, ResetError
 from kitrobot.deploy.boot_records import read_line
-from kitrobot.deploy.connecting import greet
 from kitrobot.deploy.flash import Flash
+from kitrobot.deploy.handshake import greet
 from kitrobot.deploy.line import MOST
-from kitrobot.deploy.modern import tell_at_once
+from kitrobot.deploy.raw_paste import run_by_raw_paste
 from kitrobot.deploy.repl import GarbledError, RawRepl
 from kitrobot.diagnostics import KitRobotError
 from kitrobot_onboard.link import unwrap, wrap
@@ -198,7 +198,7 @@ WAITING: dict[str, Callable[[Line], object]] = {
     "enter": lambda line: RawRepl(line).enter(),
     "begin": lambda line: Receiver(RawRepl(line)).begin(),
     "value": lambda line: Receiver(RawRepl(line)).value("1"),
-    "tell": lambda line: tell_at_once(line, "s=1"),
+    "tell": lambda line: run_by_raw_paste(line, "s=1"),
     "release": lambda line: RawRepl(line).release(),
 }
 BANNER = b"raw REPL; CTRL-B to exit\r\n>"

@@ -76,7 +76,7 @@ class Wire:
 
 
 @dataclass(frozen=True)
-class Declared:
+class DriverDeclaration:
     """What a driver says of itself; None where it says nothing."""
 
     settings: Mapping[str, Setting] | None = None
@@ -99,7 +99,7 @@ class Declared:
         return given.get(name, usual.usual if usual is not None else "") == value
 
 
-def declared(tree: ast.Module, path: str) -> Declared:
+def read_declaration(tree: ast.Module, path: str) -> DriverDeclaration:
     """What a driver declares.
 
     Raises:
@@ -122,7 +122,7 @@ def declared(tree: ast.Module, path: str) -> Declared:
                 procedures = tuple(words.split())
             case ast.Assign(targets=[ast.Name(id="WAVES")], value=value):
                 waves = _waves(_literal(value), path, statement.lineno)
-    return Declared(settings, procedures, waves)
+    return DriverDeclaration(settings, procedures, waves)
 
 
 def without_declarations(tree: ast.Module) -> ast.Module:
@@ -140,7 +140,7 @@ def without_declarations(tree: ast.Module) -> ast.Module:
 
 
 def refuse_what_is_not_understood(
-    part: str, driver: str, says: Declared, procedures: Sequence[str] | None, settings: Mapping[str, str]
+    part: str, driver: str, says: DriverDeclaration, procedures: Sequence[str] | None, settings: Mapping[str, str]
 ) -> None:
     """Checks what a part of a robot says against what its driver understands. `procedures`: None for a sensor.
 
@@ -186,7 +186,7 @@ def refuse_what_is_not_understood(
             )
 
 
-def refuse_conditions(part: str, says: Declared, settings: Mapping[str, str]) -> None:
+def refuse_conditions(part: str, says: DriverDeclaration, settings: Mapping[str, str]) -> None:
     """Raises a PackageError when a setting on which others depend is not what it can be: these would be told else."""
     for name, setting in (says.settings or {}).items():
         if setting.where is not None and setting.where[0] in settings and setting.where[0] != name:
@@ -195,7 +195,7 @@ def refuse_conditions(part: str, says: Declared, settings: Mapping[str, str]) ->
                 _refuse_value(part, setting.where[0], settings[setting.where[0]], condition)
 
 
-def counts_only(said: Iterable[Declared], name: str) -> Sentence | None:
+def counts_only(said: Iterable[DriverDeclaration], name: str) -> Sentence | None:
     """The help for a setting that drivers know, but not beside the others that are given; None: they know it never."""
     for says in said:
         setting = (says.settings or {}).get(name)

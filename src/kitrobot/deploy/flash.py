@@ -179,7 +179,7 @@ class Flash:
         found = b""
         while len(found) < size:
             found += _memory(self.board, at + len(found), 1, min(_AT_ONCE, size - len(found)))
-            self.board.told(_AT_ONCE)
+            self.board.count(_AT_ONCE)
         return found
 
     def _write(self, at: int, words: bytes) -> None:

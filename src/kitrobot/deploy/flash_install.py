@@ -6,7 +6,7 @@ from collections.abc import Iterable, Sequence
 
 from kitrobot.deploy.errors import BoardError
 from kitrobot.deploy.flash import Flash
-from kitrobot.deploy.flash_code import DUMP, Frozen, Function, laid_out, unknown_firmware
+from kitrobot.deploy.flash_code import DUMP, FlashBlock, Function, lay_out, unknown_firmware
 from kitrobot.deploy.receiver import Receiver
 from kitrobot.deploy.repl import GarbledError
 from kitrobot.text import Sentence
@@ -19,7 +19,7 @@ _NAMES = 300
 """Bytes that files take beside what is in them, at most."""
 
 
-def freeze(board: Receiver, one: Frozen, kept: set[int]) -> int:
+def freeze(board: Receiver, one: FlashBlock, kept: set[int]) -> int:
     """Puts functions into the flash, unless they are there; how many bytes were written.
 
     Args:
@@ -49,7 +49,7 @@ def freeze(board: Receiver, one: Frozen, kept: set[int]) -> int:
     flash.see()
     _remove_text(board, flash)
     flash.clear(kept)
-    content = laid_out(one, dumps)
+    content = lay_out(one, dumps)
     flash.write(one.sign, content)
     return len(content)
 

@@ -7,7 +7,7 @@ from dataclasses import dataclass, replace
 
 from kitrobot.deploy.chips import refuse_pin
 from kitrobot.deploy.declarations import (
-    Declared,
+    DriverDeclaration,
     Wire,
     counts_only,
     may_join,
@@ -25,7 +25,7 @@ from kitrobot.primitives import OF_A_TEAM, Board, Category, Kit, KitPart, Robot,
 from kitrobot.text import COMMA, Label, Sentence, Series
 
 INHERITED = ("side", "reach")
-"""Settings of a robot's part that its driver is told where the kit does not say them: what they mean is the same for
+"""Settings of a robot's part that its driver gets where the kit does not give them: what they mean is the same for
 the simulator and for a real part.
 """
 
@@ -57,21 +57,25 @@ def parts_used(image: Image, robot: Robot) -> list[RobotObject]:
     return found + [part for part in robot.sensors if layout.sensors[part.name] in cells]
 
 
-def fitted(robot: Robot, kit: Kit, package: Package) -> Robot:
-    """The robot with the drivers of a kit: each is told the settings that it knows."""
+def fit_to_kit(robot: Robot, kit: Kit, package: Package) -> Robot:
+    """The robot with the drivers of a kit: each gets the settings that it understands."""
 
-    def told(part: RobotObject) -> RobotObject:
+    def with_known_settings(part: RobotObject) -> RobotObject:
         says = package.declared(part.board.driver, kit.family)
         if kit.part_for(part) is None or says.settings is None:
             return part
         given = {name: value for name, value in part.settings.items() if name in INHERITED and name in says.settings}
         settings = {**given, **part.board.settings}
-        asked = says.known(settings)
-        known = {name: value for name, value in settings.items() if name in asked or name == "limit"}
+        understood = says.known(settings)
+        known = {name: value for name, value in settings.items() if name in understood or name == "limit"}
         return replace(part, board=Board(part.board.driver, known))
 
     wired = on_kit(robot, kit)
-    return replace(wired, actuators=tuple(map(told, wired.actuators)), sensors=tuple(map(told, wired.sensors)))
+    return replace(
+        wired,
+        actuators=tuple(map(with_known_settings, wired.actuators)),
+        sensors=tuple(map(with_known_settings, wired.sensors)),
+    )
 
 
 def refuse_what_is_missing(robot: Robot, kit: Kit, image: Image) -> None:
@@ -88,11 +92,11 @@ def refuse_what_is_missing(robot: Robot, kit: Kit, image: Image) -> None:
     )
 
 
-def look_at_parts(robot: Robot, kit: Kit, package: Package, image: Image | None) -> list[PartOnKit]:
+def parts_on_kit(robot: Robot, kit: Kit, package: Package, image: Image | None) -> list[PartOnKit]:
     """What becomes of every part of a robot on a kit; `image`: of the program that is meant, None for no one."""
     names = {(part.category, part.name) for part in parts_used(image, robot)} if image is not None else set()
     found = []
-    for part, wired in zip(_parts(robot), _parts(fitted(robot, kit, package)), strict=True):
+    for part, wired in zip(_parts(robot), _parts(fit_to_kit(robot, kit, package)), strict=True):
         missing = lacks(kit, part)
         problem = None if missing else _problem(wired, kit, package)
         found.append(PartOnKit(wired, (part.category, part.name) in names, missing, kit.part_for(part), problem))
@@ -138,13 +142,13 @@ def kit_problems(kit: Kit, package: Package) -> list[tuple[KitPart, PackageError
     return found
 
 
-def _understood(part: KitPart, kit: Kit, package: Package) -> Mapping[str, Declared]:
+def _understood(part: KitPart, kit: Kit, package: Package) -> Mapping[str, DriverDeclaration]:
     """What the drivers of a part say of themselves, by their names.
 
     Raises:
         PackageError: one is not there, a setting is known to none, or one of them needs another.
     """
-    said: dict[str, Declared] = {}
+    said: dict[str, DriverDeclaration] = {}
     for device in part.devices:
         driver = part.board.driver or device
         if package.missing([driver], kit.family):
@@ -165,14 +169,14 @@ def _understood(part: KitPart, kit: Kit, package: Package) -> Mapping[str, Decla
             )
     procedures = () if part.category is Category.ACTUATOR else None
     for driver, says in said.items():
-        asked = says.known(part.board.settings)
-        given = {name: value for name, value in part.board.settings.items() if name in asked}
-        given |= {name: setting.words[0] for name, setting in asked.items() if name in INHERITED and setting.words}
+        understood = says.known(part.board.settings)
+        given = {name: value for name, value in part.board.settings.items() if name in understood}
+        given |= {name: setting.words[0] for name, setting in understood.items() if name in INHERITED and setting.words}
         refuse_what_is_not_understood(_name(part), driver, says, procedures, given)
     return said
 
 
-def _wires(part: KitPart, said: Mapping[str, Declared]) -> list[Wire]:
+def _wires(part: KitPart, said: Mapping[str, DriverDeclaration]) -> list[Wire]:
     """Each pin and channel of a part once."""
     settings = part.board.settings
     found: dict[str, Wire] = {}
@@ -200,7 +204,9 @@ def _refuse_wire(part: KitPart, wire: Wire, kit: Kit, wired: dict[tuple[str, ...
     wired[wire.place] = part, wire
 
 
-def _refuse_waves(part: KitPart, said: Mapping[str, Declared], kit: Kit, waves: list[tuple[KitPart, Wave]]) -> None:
+def _refuse_waves(
+    part: KitPart, said: Mapping[str, DriverDeclaration], kit: Kit, waves: list[tuple[KitPart, Wave]]
+) -> None:
     """Raises a PackageError when the chip cannot give the waves of a part beside those before."""
     if kit.chip not in SLICES:
         return

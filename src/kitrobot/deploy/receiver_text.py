@@ -7,8 +7,8 @@ from collections.abc import Sequence
 from functools import cache
 from importlib.resources import files
 
+from kitrobot.deploy.minifier import parsed, shortened
 from kitrobot.deploy.repl import LONGEST
-from kitrobot.deploy.shortening import parsed, shortened
 
 
 @cache

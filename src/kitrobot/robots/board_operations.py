@@ -9,7 +9,7 @@ from threading import Event, Thread
 from time import monotonic
 from typing import TypeVar
 
-from kitrobot.deploy import Board, Deployed, DeployError, Hello, Port, connect, deploy, list_ports
+from kitrobot.deploy import Board, DeployError, DeployResult, Hello, Port, connect, deploy, list_ports
 from kitrobot.diagnostics import KitRobotError
 from kitrobot.robots.program import BoardProgram
 from kitrobot.text import COMMA, Sentence, Series
@@ -44,7 +44,7 @@ class SendResult:
     """The result of sending to one robot: `deployed`, or the `error` that prevented it."""
 
     address: str
-    deployed: Deployed | None
+    deployed: DeployResult | None
     error: KitRobotError | None
 
 

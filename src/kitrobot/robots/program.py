@@ -9,12 +9,12 @@ from pathlib import Path
 from kitrobot.compiler import Compiled
 from kitrobot.deploy import (
     FAMILIES,
-    Needs,
+    FirmwareRequirements,
     Package,
     PackageError,
     ProgramFile,
     board_file,
-    fitted,
+    fit_to_kit,
     make_program_file,
     parts_used,
     program_name,
@@ -49,7 +49,7 @@ class BoardProgram:
     diagnostics: tuple[Diagnostic, ...] = ()
     sources: tuple[Source, ...] = ()
     recording_context: RecordingContext | None = None
-    needs: Needs | None = None
+    needs: FirmwareRequirements | None = None
 
     @property
     def warning(self) -> Diagnostic | None:
@@ -60,7 +60,7 @@ class BoardProgram:
     def called(self) -> frozenset[str]:
         """What robots of each kind call it, as far as it has drivers for them, and robots that know drivers by name."""
         found = {program_name(self.file.to_bytes())[2:]}
-        for built in self.package.built_for_all(self.file.drivers):
+        for built in self.package.build_for_all(self.file.drivers):
             found.add(program_name(board_file(self.file, built))[2:])
         return frozenset(found)
 
@@ -96,7 +96,7 @@ def program_of(
     package = Package((config_folder(), *([folder] if folder is not None else [])))
     if kit is not None:
         refuse_what_is_missing(robot, kit, compiled.image)
-        robot = fitted(robot, kit, package)
+        robot = fit_to_kit(robot, kit, package)
     file = make_program_file(compiled.image, robot, member=member)
     if kit is None:
         refuse_unwired(robot, compiled.image, package)
@@ -107,7 +107,9 @@ def program_of(
         refuse_misfits(file, package, kit.family)
     else:
         refuse_what_fits_no_board(file, package)
-    needs = Needs(kit.name, kit.micropython, kit.firmware, kit.family, kit.chip) if kit is not None else None
+    needs = (
+        FirmwareRequirements(kit.name, kit.micropython, kit.firmware, kit.family, kit.chip) if kit is not None else None
+    )
     return BoardProgram(names_of(name, robot, compiled), file, package, diagnostics, sources, needs=needs)
 
 
@@ -140,7 +142,7 @@ def _needs_settings(driver: str, package: Package) -> bool:
 def no_driver(robot: Robot, driver: str, package: Package) -> PackageError:
     """The error of a driver that is there for no kind of board: which part wants it, and where it was looked for."""
     parts = [part.name for part in (*robot.actuators, *robot.sensors) if (part.board.driver or part.device) == driver]
-    files = list(dict.fromkeys(path for family in FAMILIES for path in package.looked_for(driver, family)))
+    files = list(dict.fromkeys(path for family in FAMILIES for path in package.candidates(driver, family)))
     return PackageError(
         Sentence(
             "`{part}` of the robot `{robot}` wants the driver `{driver}`, and there is none",

@@ -7,9 +7,9 @@ import itertools
 import pytest
 
 from kitrobot.deploy import Board, BoardError, News, SilentError
-from kitrobot.deploy.connecting import STARTS, greet
-from kitrobot.deploy.patience import LONGEST_S, SILENT_S, Patience
+from kitrobot.deploy.handshake import STARTS, greet
 from kitrobot.deploy.repl import RawRepl
+from kitrobot.deploy.retry_timer import LONGEST_S, SILENT_S, RetryTimer
 from kitrobot_onboard.link import unwrap, wrap
 from tests.deploy.pretended import Answers, PretendedLine, PretendedRobot, Prompt
 
@@ -147,7 +147,7 @@ def test_a_program_of_ones_own_that_is_silent_or_prints_is_never_broken_off() ->
 @pytest.mark.parametrize("starts_s", [1.0, 20.0, 100.0])
 def test_a_deployed_program_is_waited_for_as_the_board_is_slow(starts_s: float) -> None:
     line = PretendedLine(Prompt(PretendedRobot(), starts_s))
-    assert greet(Board(line), 120, said=STARTS, starting_s=120).program == "12345678"
+    assert greet(Board(line), 120, sequence=STARTS, starting_s=120).program == "12345678"
 
 
 @pytest.mark.parametrize("takes_s", [0.01, 2.0])
@@ -198,7 +198,7 @@ def test_the_raw_repl_is_entered_however_late_it_answers(takes_s: float) -> None
 
 def test_patience_grows_and_begins_anew_with_each_sign_of_life() -> None:
     time = 0.0
-    patience = Patience(lambda: time, 1.0, 10.0, 60.0, 4.0)
+    patience = RetryTimer(lambda: time, 1.0, 10.0, 60.0, 4.0)
     assert [patience.wait() for _ in range(4)] == [1.0, 2.0, 4.0, 4.0]
     time = 9.0
     assert patience.wait() == 1.0

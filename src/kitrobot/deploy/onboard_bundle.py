@@ -14,11 +14,11 @@ from pathlib import Path
 
 import kitrobot_onboard
 from kitrobot.deploy.builtin_names import GLOBALS, LOCALS
-from kitrobot.deploy.constants import Constants, constants_of, told_in_place
+from kitrobot.deploy.constants import Constants, constants_of, inline_constants
 from kitrobot.deploy.errors import PackageError
-from kitrobot.deploy.flash_code import Frozen, WithNames, frozen, literals_of
-from kitrobot.deploy.naming import renamed, short_names
-from kitrobot.deploy.shortening import parsed, shortened
+from kitrobot.deploy.flash_code import FlashBlock, WithNames, build_block, literals_of
+from kitrobot.deploy.minifier import parsed, shortened
+from kitrobot.deploy.short_names import renamed, short_names
 from kitrobot.diagnostics import note_read
 from kitrobot.text import Sentence, Word
 from kitrobot_onboard.requests import BY_FAMILY, REQUESTS
@@ -56,7 +56,7 @@ IN_FLASH = {
 
 _COMPOUND = re.compile(r"(if|for|def|while|try|with|class)\b")
 
-_NOT_CARRIED = ("__init__.py", "arrays.py", "flash.py", "image.py", "receiver.py")
+_NOT_LINKED = ("__init__.py", "arrays.py", "flash.py", "image.py", "receiver.py")
 """Modules of `kitrobot_onboard` that share no names with the others on a board."""
 
 
@@ -66,7 +66,7 @@ def loop_files() -> Sequence[Path]:
 
 
 @cache
-def frozen_loop(family: str) -> Frozen:
+def loop_block(family: str) -> FlashBlock:
     """The interpreter, the port and the loop, for boards that run these from their flash."""
     groups = []
     for names in IN_FLASH[family]:
@@ -78,7 +78,7 @@ def frozen_loop(family: str) -> Frozen:
     for group in groups:
         for function in group:
             WithNames(names_of).visit(function)
-    return frozen(groups, {name: value for value, name in names_of.items()})
+    return build_block(groups, {name: value for value, name in names_of.items()})
 
 
 def _trees(names: Iterable[str]) -> list[ast.Module]:
@@ -91,14 +91,14 @@ def in_flash_pieces(family: str) -> Sequence[str]:
     # What is imported whole, `begin` imports too.
     rest = [one for tree in _trees(names) for one in tree.body if not isinstance(one, ast.FunctionDef | ast.Import)]
     texts = [short_text(ast.unparse(one)) for one in rest]
-    return joined([*texts, *(f"{name}={value}" for name, value in frozen_loop(family).literals.items())])
+    return joined([*texts, *(f"{name}={value}" for name, value in loop_block(family).literals.items())])
 
 
 @cache
 def _tree(path: Path) -> ast.Module:
     """A module whose names share a space with those of others, so that it needs no imports of ours."""
     tree = parsed(read_source(path), str(path))
-    tree = renamed(told_in_place(tree, constants_of(tree), _constants()), short())
+    tree = renamed(inline_constants(tree, constants_of(tree), _constants()), short())
     tree.body = [
         statement
         for statement in tree.body
@@ -156,7 +156,7 @@ def words() -> Sequence[str]:
 
 
 def requests_file(family: str) -> bytes:
-    """What a board reads when it is asked: each piece of an answer behind its letter and its size."""
+    """The file that a board reads to answer requests: each piece of an answer behind its letter and its size."""
     found = ""
     for kind, names in REQUESTS.items():
         for name in BY_FAMILY.get(family, {}).get(kind, names):
@@ -165,26 +165,26 @@ def requests_file(family: str) -> bytes:
 
 
 @cache
-def _carried() -> frozenset[Path]:
+def _linked_modules() -> frozenset[Path]:
     """The modules that call one another; drivers are called by fixed names only."""
     return frozenset(
         path
         for folder in (ONBOARD, ONBOARD / "ports", ONBOARD / "requests")
         for path in folder.glob("*.py")
-        if path.name not in _NOT_CARRIED
+        if path.name not in _NOT_LINKED
     )
 
 
 @cache
 def _constants() -> Mapping[str, Constants]:
-    return {f"{ROOT}.{path.stem}": constants_of(parsed(read_source(path), path.name)) for path in _carried()}
+    return {f"{ROOT}.{path.stem}": constants_of(parsed(read_source(path), path.name)) for path in _linked_modules()}
 
 
 @cache
 def short() -> Mapping[str, str]:
     """What the names that the modules of the package share are on a board."""
-    trees = [parsed(read_source(path), path.name) for path in sorted(_carried())]
-    plain = [told_in_place(tree, constants_of(tree), _constants()) for tree in trees]
+    trees = [parsed(read_source(path), path.name) for path in sorted(_linked_modules())]
+    plain = [inline_constants(tree, constants_of(tree), _constants()) for tree in trees]
     return short_names(plain, (*_SCRIPTED, *_LITERALS))
 
 
