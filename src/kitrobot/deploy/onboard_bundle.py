@@ -34,7 +34,7 @@ _WORDS = 8
 _PIECE = 90
 """Letters of a piece of a script, where a statement needs no more."""
 
-LOOP = ("telling", "reaction", "robot", "link", "dispatch", "receive", "acting", "checking", "equipping")
+LOOP = ("reports", "reaction", "robot", "link", "dispatch", "receive", "actuation", "request_checks", "device_setup")
 """Modules of the loop in the order in which a board compiles them: the largest first, because there is less and less
 room for it."""
 
@@ -48,8 +48,8 @@ IN_FLASH = {
     "microbit": (
         ("interpreter",),
         ("reaction", "robot"),
-        ("ports/microbit", "link", "dispatch", "receive", "acting", "checking", "equipping"),
-        ("telling",),
+        ("ports/microbit", "link", "dispatch", "receive", "actuation", "request_checks", "device_setup"),
+        ("reports",),
     )
 }
 """Families whose boards run the loop from flash, with the modules that they compile together."""
