@@ -1,6 +1,6 @@
 # A robot as a member of a team: it ticks when its host asks for it (docs/reference/link.md, `m`), with what the team
-# sent to the host, and answers with what has changed. Only programs of teams bring it along: it stays in memory, so that a
-# tick needs nothing compiled.
+# sent to the host, and answers with what has changed. Only programs of teams bring it along: it stays in memory, so
+# that a tick needs nothing compiled.
 
 import struct
 

@@ -1,4 +1,4 @@
-"""Real robots: the line to a board, what is put onto it, and talking to what runs there."""
+"""Real robots: the line to a board, what is put onto it, and the link to the robot that runs there."""
 
 from kitrobot.deploy.board import Board, Hello, Step, is_slow
 from kitrobot.deploy.driver_fit import refuse_misfits, refuse_what_fits_no_board

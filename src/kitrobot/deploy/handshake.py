@@ -108,10 +108,10 @@ class _Handshake:
         """When something is sent again."""
 
         self.heard = b""
-        """The end of what came since the board was asked to start its program, or since the beginning."""
+        """The end of what came since the board was to start its program, or since the beginning."""
 
         self.begun = self.filled = self.received = False
-        """Whether its program was started here, raw paste mode was looked for, it answered as who takes files."""
+        """Whether its program was started here, raw paste mode was looked for, it answered as a receiver of files."""
 
     def run(self, sequence: Sequence[bytes]) -> Hello:
         board, now, began, turn = self.board, self.board.line.now, self.board.line.now(), 0

@@ -353,7 +353,7 @@ class _Installation:
         self.board.end()
 
     def _confirm(self, board: Board, hello: Hello) -> None:
-        """WaitListener for the first ticks of what is on trial, and has the board start it from now on."""
+        """Waits for the first ticks of what is on trial, and has the board start it from now on."""
         until = self.line.now() + _TRIAL_S
         while hello.state_name == "running" and hello.tick < _TRIAL_TICKS and self.line.now() < until:
             board.news(_TRIAL_STEP_S)

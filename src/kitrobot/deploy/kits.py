@@ -1,4 +1,4 @@
-"""A robot on a kit: its parts wired as the kit's file says, and what is wrong with that, before anything is sent."""
+"""A robot on a kit: its parts wired as the kit's file says, and its mistakes, found before anything is sent."""
 
 from __future__ import annotations
 
@@ -61,12 +61,14 @@ def fit_to_kit(robot: Robot, kit: Kit, package: Package) -> Robot:
     """The robot with the drivers of a kit: each gets the settings that it understands."""
 
     def with_known_settings(part: RobotObject) -> RobotObject:
-        says = package.declared(part.board.driver, kit.family)
-        if kit.part_for(part) is None or says.settings is None:
+        declaration = package.declared(part.board.driver, kit.family)
+        if kit.part_for(part) is None or declaration.settings is None:
             return part
-        given = {name: value for name, value in part.settings.items() if name in INHERITED and name in says.settings}
+        given = {
+            name: value for name, value in part.settings.items() if name in INHERITED and name in declaration.settings
+        }
         settings = {**given, **part.board.settings}
-        understood = says.known(settings)
+        understood = declaration.known(settings)
         known = {name: value for name, value in settings.items() if name in understood or name == "limit"}
         return replace(part, board=Board(part.board.driver, known))
 
@@ -93,7 +95,7 @@ def refuse_what_is_missing(robot: Robot, kit: Kit, image: Image) -> None:
 
 
 def parts_on_kit(robot: Robot, kit: Kit, package: Package, image: Image | None) -> list[PartOnKit]:
-    """What becomes of every part of a robot on a kit; `image`: of the program that is meant, None for no one."""
+    """Every part of a robot on a kit; `image`: of the program that is meant, None for no one."""
     names = {(part.category, part.name) for part in parts_used(image, robot)} if image is not None else set()
     found = []
     for part, wired in zip(_parts(robot), _parts(fit_to_kit(robot, kit, package)), strict=True):
@@ -114,9 +116,9 @@ def _problem(part: RobotObject, kit: Kit, package: Package) -> PackageError | No
     if package.missing([driver], kit.family):
         return missing_driver(driver, package, kit.family)
     procedures = [method.name for method in part.methods] if part.category is Category.ACTUATOR else None
-    says = package.declared(driver, kit.family)
+    declaration = package.declared(driver, kit.family)
     try:
-        refuse_what_is_not_understood(part.name, driver, says, procedures, part.board.settings)
+        refuse_what_is_not_understood(part.name, driver, declaration, procedures, part.board.settings)
     except PackageError as error:
         return error
     return None
@@ -133,63 +135,63 @@ def kit_problems(kit: Kit, package: Package) -> list[tuple[KitPart, PackageError
         if part.is_missing:
             continue
         try:
-            said = _understood(part, kit, package)
-            for wire in _wires(part, said):
+            declarations = _understood(part, kit, package)
+            for wire in _wires(part, declarations):
                 _refuse_wire(part, wire, kit, wired)
-            _refuse_waves(part, said, kit, waves)
+            _refuse_waves(part, declarations, kit, waves)
         except PackageError as problem:
             found.append((part, problem))
     return found
 
 
 def _understood(part: KitPart, kit: Kit, package: Package) -> Mapping[str, DriverDeclaration]:
-    """What the drivers of a part say of themselves, by their names.
+    """The declarations of a part's drivers, by their names.
 
     Raises:
         PackageError: one is not there, a setting is known to none, or one of them needs another.
     """
-    said: dict[str, DriverDeclaration] = {}
+    declarations: dict[str, DriverDeclaration] = {}
     for device in part.devices:
         driver = part.board.driver or device
         if package.missing([driver], kit.family):
             raise missing_driver(driver, package, kit.family)
-        said[driver] = package.declared(driver, kit.family)
-        refuse_conditions(_name(part), said[driver], part.board.settings)
+        declarations[driver] = package.declared(driver, kit.family)
+        refuse_conditions(_name(part), declarations[driver], part.board.settings)
     known = {
         name
-        for says in said.values()
-        for name in (part.board.settings if says.settings is None else says.known(part.board.settings))
+        for declaration in declarations.values()
+        for name in (part.board.settings if declaration.settings is None else declaration.known(part.board.settings))
     }
     for name in part.board.settings:
         if name not in known and not (name == "limit" and part.category is Category.ACTUATOR):
             raise PackageError(
                 Sentence("no driver of `{part}` knows the setting `{setting}`", _name(part), name),
-                counts_only(said.values(), name)
+                counts_only(declarations.values(), name)
                 or Sentence("known are {settings}", Series(COMMA, (f"`{one}`" for one in sorted(known)))),
             )
     procedures = () if part.category is Category.ACTUATOR else None
-    for driver, says in said.items():
-        understood = says.known(part.board.settings)
+    for driver, declaration in declarations.items():
+        understood = declaration.known(part.board.settings)
         given = {name: value for name, value in part.board.settings.items() if name in understood}
         given |= {name: setting.words[0] for name, setting in understood.items() if name in INHERITED and setting.words}
-        refuse_what_is_not_understood(_name(part), driver, says, procedures, given)
-    return said
+        refuse_what_is_not_understood(_name(part), driver, declaration, procedures, given)
+    return declarations
 
 
-def _wires(part: KitPart, said: Mapping[str, DriverDeclaration]) -> list[Wire]:
+def _wires(part: KitPart, declarations: Mapping[str, DriverDeclaration]) -> list[Wire]:
     """Each pin and channel of a part once."""
     settings = part.board.settings
     found: dict[str, Wire] = {}
-    for says in said.values():
-        for wire in wires_of(says.known(settings), settings):
+    for declaration in declarations.values():
+        for wire in wires_of(declaration.known(settings), settings):
             found.setdefault(wire.name, wire)
     return list(found.values())
 
 
 def _refuse_wire(part: KitPart, wire: Wire, kit: Kit, wired: dict[tuple[str, ...], tuple[KitPart, Wire]]) -> None:
-    if kit.pins and wire.setting.is_pin and wire.said not in kit.pins:
+    if kit.pins and wire.setting.is_pin and wire.target not in kit.pins:
         raise PackageError(
-            Sentence("`{part}` is wired to the pin `{pin}`, which this board does not have", _name(part), wire.said),
+            Sentence("`{part}` is wired to the pin `{pin}`, which this board does not have", _name(part), wire.target),
             Sentence("its pins are those in `pins`; mend one of the two"),
         )
     refuse_pin(_name(part), wire, kit.chip)
@@ -205,14 +207,14 @@ def _refuse_wire(part: KitPart, wire: Wire, kit: Kit, wired: dict[tuple[str, ...
 
 
 def _refuse_waves(
-    part: KitPart, said: Mapping[str, DriverDeclaration], kit: Kit, waves: list[tuple[KitPart, Wave]]
+    part: KitPart, declarations: Mapping[str, DriverDeclaration], kit: Kit, waves: list[tuple[KitPart, Wave]]
 ) -> None:
     """Raises a PackageError when the chip cannot give the waves of a part beside those before."""
     if kit.chip not in SLICES:
         return
-    for says in said.values():
-        usual = {name: setting.usual for name, setting in says.known(part.board.settings).items()}
-        for wave in waves_of(says.waves, part.board.settings, usual):
+    for declaration in declarations.values():
+        usual = {name: setting.usual for name, setting in declaration.known(part.board.settings).items()}
+        for wave in waves_of(declaration.waves, part.board.settings, usual):
             for other, beside in waves:
                 why = clash(wave, beside, kit.chip)
                 if why:

@@ -131,16 +131,16 @@ class Package:
         return [one for one in dict.fromkeys(drivers) if all(self.driver_file(one, each) is None for each in families)]
 
     def declared(self, driver: str, family: str) -> DriverDeclaration:
-        """What a driver says of itself; nothing when there is none.
+        """The declaration of a driver; an empty one when there is none.
 
         Raises:
-            PackageError: it says that as it should not, or is no Python.
+            PackageError: its declaration is malformed, or it is no Python.
         """
         path = self.driver_file(driver, family)
         return _cached_declaration(read_source(path), str(path)) if path is not None else DriverDeclaration()
 
     def build(self, family: str, drivers: Mapping[str, UsedParts | None], *, in_flash: bool = True) -> BoardPackage:
-        """The package for a kind of board, with these drivers, each with what is asked of it; None: everything. From
+        """The package for a kind of board, with these drivers, each with its used parts; None: everything. From
         any thread. `in_flash`: whether a family that runs the loop from flash does so; a micro:bit V2 does not.
 
         Raises:
@@ -161,7 +161,7 @@ class Package:
         modules = {}
         wants_range = {}
         in_lines = {}
-        for driver, asked in drivers.items():
+        for driver, used in drivers.items():
             path = self.driver_file(driver, family)
             if path is None:
                 raise missing_driver(driver, self, family)
@@ -169,7 +169,7 @@ class Package:
             if text is not None:
                 modules[driver], in_lines[driver] = builder.store(text), path.name
             else:
-                modules[driver] = builder.add(path, asked) + ".py"
+                modules[driver] = builder.add(path, used) + ".py"
             wants_range[driver] = re.search(rb"""["']m(in|ax)["']""", builder.files[modules[driver]]) is not None
         tends = frozenset(driver for driver in drivers if self._tends(driver, family))
         bases = {
@@ -187,16 +187,16 @@ class Package:
         return replace(built, files={name: member, **built.files}, member=name)
 
     def _shared(self, family: str, drivers: Mapping[str, UsedParts | None]) -> dict[Path, UsedParts]:
-        """What the drivers of a program ask together of the modules that only they import."""
+        """The used parts of the modules that only drivers import."""
         found: dict[Path, UsedParts] = {}
         whole: set[Path] = set()
-        for driver, asked in drivers.items():
+        for driver, used in drivers.items():
             for path in self._shared_by(driver, family):
-                if asked is None:
+                if used is None:
                     whole.add(path)
                 else:
-                    found[path] = found.get(path, UsedParts()) | asked
-        return {path: asked for path, asked in found.items() if path not in whole}
+                    found[path] = found.get(path, UsedParts()) | used
+        return {path: used for path, used in found.items() if path not in whole}
 
     def _shared_by(self, driver: str, family: str) -> list[Path]:
         """The shared modules with whole devices that a driver imports (see `TRIMMED`)."""
@@ -267,9 +267,9 @@ class _PackageBuilder:
     shared: Mapping[Path, UsedParts] = field(default_factory=dict)
     bases: dict[Path, str] = field(default_factory=dict)
 
-    def add(self, path: Path, asked: UsedParts | None = None) -> str:
-        """Adds a module and those that it imports; its name. `asked`: what of it, when it is a driver."""
-        made = path, asked is not None  # what is trimmed for being a driver, nobody can import names of
+    def add(self, path: Path, used: UsedParts | None = None) -> str:
+        """Adds a module and those that it imports; its name. `used`: its used parts, when it is a driver."""
+        made = path, used is not None  # what is trimmed for being a driver, nobody can import names of
         if made in self.names:
             return self.names[made]
         if path in self.open:
@@ -279,11 +279,11 @@ class _PackageBuilder:
         self.open.append(path)
         tree = parsed(read_source(path), str(path))
         tree = without_declarations(tree)
-        if asked is None and path in self.shared:
+        if used is None and path in self.shared:
             tree = trim_shared_module(tree, self.shared[path])
-        tree = _Imports(self, path).visit(tree if asked is None else trim_driver(tree, asked))
+        tree = _Imports(self, path).visit(tree if used is None else trim_driver(tree, used))
         self.open.pop()
-        if asked is not None:
+        if used is not None:
             tree = renamed(tree, own_names(tree))
         name = self.store(short_text(ast.unparse(ast.fix_missing_locations(tree))).encode())[: -len(".py")]
         self.names[made] = name

@@ -79,8 +79,8 @@ class ProgramFile:
         for device in self.devices:
             if device.driver != UNUSED:
                 given = (word.partition("=") for word in device.words if "=" in word)
-                asked = UsedParts(settings=frozenset((name, value) for name, _, value in given))
-                found[device.driver] = found.get(device.driver, UsedParts()) | asked
+                used = UsedParts(settings=frozenset((name, value) for name, _, value in given))
+                found[device.driver] = found.get(device.driver, UsedParts()) | used
         for place, name, _, later in self.commands:
             if name:
                 found[self.devices[place].driver] |= UsedParts(frozenset([name]), later)

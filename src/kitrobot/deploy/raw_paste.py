@@ -17,7 +17,7 @@ _PATIENCE_S = 2.0
 
 _PACES = 10
 _MOST = 16_000
-"""Bytes of an answer, at most: who talks for ever says more."""
+"""Bytes of an answer, at most: a board that sends for ever sends more."""
 
 
 def run_by_raw_paste(line: Line, text: str, pace_s: float = 0.0) -> None:

@@ -5,8 +5,8 @@ answer is awaited, and it is sent again when none arrives intact. A command may 
 no command here can do harm: file access goes through the receiver, whose messages have checksums.
 
 A board whose program never comes back to its loop hears nothing; for a moment when its power comes on it does
-(`kitrobot_onboard.krboot`). So a board that said nothing is called without a pause, and whoever sent the command is
-told that a reset is wanted (`resets`).
+(`kitrobot_onboard.krboot`). So a board that sent nothing is called without a pause, and the sender of the command
+learns that a reset is wanted (`resets`).
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""Timeouts of an answer, which tell a slow robot from a silent one.
+"""Timeouts of an answer, which distinguish a slow robot from a silent one.
 
 A request is repeated, each time after a longer wait, until the line was silent for `silent_s`. Any complete frame of
 the board (an answer to an earlier request, news) restarts that time; a board that sends frames but never the answer is

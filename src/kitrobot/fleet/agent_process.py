@@ -204,7 +204,7 @@ class AgentProcess:
             self.ended = RunEnd(outcome, sentence, outcome == "stopped")
 
     def _stop(self) -> None:
-        """The emergency stop; it is answered when a board stands still, too."""
+        """The emergency stop; it is answered only when a board is still, too."""
         if self.host is not None and not self.host.stopped:
             self.host.stop()
             if self.board is None:

@@ -64,7 +64,7 @@ class AgentHost:
     Attributes:
         sendings: what is to be sent to members, `log`: what is to be reported, `replies`: what the world is to be
             answered, since somebody took it out.
-        asks: whether a replica is to be asked for, from whoever knows more.
+        needs_snapshot: whether to request a replica from a member that knows more.
     """
 
     def __init__(
@@ -219,7 +219,7 @@ class AgentHost:
             self.acts_from = now + self.charter.hold
 
     def _confirm_note(self, effect: AppliedNote | NewView) -> None:
-        """One of its own notes has taken effect."""
+        """Confirms a note of its own that has taken effect."""
         if isinstance(effect, AppliedNote) and effect.seat == self.state.seat and len(effect.numbers) == 5:
             serial = effect.numbers[4]
             self.team_devices.waiting = {k: at for k, at in self.team_devices.waiting.items() if at != serial}
@@ -279,7 +279,7 @@ class AgentHost:
         return None
 
     def _finish(self, now: int, tick: Tick, ticked: bool) -> None:
-        """What came of a tick; commands to the team go into the log, and what was written is told to all."""
+        """What came of a tick; commands to the team go into the log, and written variables are sent to all."""
         out, requests = self._tick_runner.commands(tick.frame.serial) if ticked else ((), [])
         for k, request in requests:
             self.team_devices.waiting[k] = self._serial + 1
@@ -336,7 +336,7 @@ class AgentHost:
         return True
 
     def _check_board(self, now: int, board: BoardBody) -> None:
-        """Answers for a board that takes long: its body is there. What came of the tick is told later."""
+        """Answers for a board that takes long: its body is there. The result of the tick is sent later."""
         tick = self._tick
         if tick is not None and not tick.late and now - tick.at >= self.charter.lease // 4:
             tick.late = True

@@ -39,7 +39,7 @@ class QuiescenceDetector:
 
         Args:
             now: ms by the clock of the world.
-            happened: whether something was told of this step.
+            happened: whether the step had events.
             quiet: of each robot whether its program changes nothing; None for one that is not there, or has ended.
             expected: revivals that are none on schedule.
         """

@@ -77,7 +77,7 @@ class TeamDevices:
                 cells[cell] = int(self.is_done(k))
 
     def is_done(self, k: int) -> bool:
-        """Whether an actuator has ended what it was told last."""
+        """Whether an actuator has ended its last command."""
         replica = self.replica
         if k in self.waiting:
             return False

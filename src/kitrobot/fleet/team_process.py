@@ -1,6 +1,6 @@
 """The process that watches over a fleet: it has the world of the simulated bodies, starts the agents, and ends them.
 
-It is no member of the team and decides nothing in it. It tells each agent its life and when the run begins, sends
+It is no member of the team and decides nothing in it. It sends each agent its life and the start of the run, sends
 readings and takes commands, records the trace, and says what happens. With it the run is over: it ends whatever it
 started, whichever way it ends itself.
 """
@@ -151,7 +151,7 @@ class TeamProcess:
         return Sentence("waits for {names}; there: {others}", absent, listed(there))
 
     def _hello(self, now: int, envelope: Envelope) -> None:
-        """An agent comes, or comes again: it is told the run; with that in its hello, it has a place in it."""
+        """An agent comes, or comes again: the answer names the run; with that in its hello, it has a place in it."""
         i = envelope.sender
         try:
             name, identity = json.loads(envelope.body)
@@ -195,7 +195,7 @@ class TeamProcess:
     # -- the run
 
     def run(self) -> FleetRun:
-        """Lets the run go on to its end, and tells all agents that it is over."""
+        """Lets the run go on to its end, and informs all agents of the end."""
         simulation = self.simulation
         now = milliseconds()
         self.world = world = WorldHost(simulation, self.lease, now, self.pace)

@@ -58,7 +58,7 @@ class TickRunner:
         self.machine = self._replica.simulation.members[self._me].machine
         self.shared = replication.shared_cells(self._me)
         self._given: dict[int, int] = {}
-        """Of each cell that says whether something is done, the frame in which that was told last."""
+        """For each cell that shows whether a command is done, the frame of the last such command."""
         state = self._replica.state
         ints = state.sensors.ints
         self._own_cells = {

@@ -169,7 +169,7 @@ class Channel:
         return [envelope for envelope in stops.values() if self._is_mine(envelope)]
 
     def _is_mine(self, envelope: Envelope) -> bool:
-        """Whether it is for this process and of this run; else that is told, but for what is usual."""
+        """Whether it is for this process and of this run; else that is reported, but for what is usual."""
         sender = envelope.sender
         if envelope.to not in (self.me, EVERYBODY) or sender == self.me:
             self._refuse(sender, Sentence("a message for somebody else"))
@@ -187,11 +187,11 @@ class Channel:
         return known
 
     def _refuse(self, sender: int, why: Sentence, times: int = 1) -> bool:
-        """Counts it; gives whether that is to be told."""
-        told = self._refusals.count(sender, why, times)
-        if told is not None:
-            self.refused.append(told)
-        return told is not None
+        """Counts a refusal; returns whether it is to be reported."""
+        message = self._refusals.count(sender, why, times)
+        if message is not None:
+            self.refused.append(message)
+        return message is not None
 
     def send(self, to: int, kind: int, body: bytes = b"", process: int = 0) -> None:
         """Brings a message on its way; it may be lost. `process`: which one of the addressee it is for."""

@@ -216,9 +216,9 @@ class WorldHost:
         state = self.simulation.state
         ended, down = (state.robots.ints[row] for row in (ENDED, DOWN))
         quiet = [None if link.lost or ended[i] or down[i] != WELL else link.quiet for i, link in enumerate(self.links)]
-        told = self._quiescence.check(now, bool(self.events), quiet, self._expected)
-        if told is not None:
-            self.log.append(told)
+        message = self._quiescence.check(now, bool(self.events), quiet, self._expected)
+        if message is not None:
+            self.log.append(message)
         if self._quiescence.is_stuck:
             state.clock[STUCK] = 1
 

@@ -40,7 +40,7 @@ class BoardNames:
 
     places: tuple[tuple[str | None, int, str], ...]
     made_of: Robot | None = None
-    """The robot that has these parts, for their labels and units; None where only the names were kept."""
+    """The robot that has these parts, for their labels and units; None where only the names are stored."""
 
     def named(self, cells: Mapping[int, int]) -> tuple[dict[str, int], dict[str, int]]:
         """Values of variables and of sensors, by their names; cells that are neither are left out."""

@@ -135,8 +135,8 @@ def refuse_unwired(robot: Robot, image: Image, package: Package) -> None:
 
 def _needs_settings(driver: str, package: Package) -> bool:
     there = [family for family in FAMILIES if not package.missing([driver], family)]
-    says = [package.declared(driver, family) for family in there]
-    return bool(says) and all(any(one.needed for one in each.known({}).values()) for each in says)
+    declarations = [package.declared(driver, family) for family in there]
+    return bool(declarations) and all(any(one.needed for one in each.known({}).values()) for each in declarations)
 
 
 def no_driver(robot: Robot, driver: str, package: Package) -> PackageError:

@@ -1,9 +1,9 @@
 """Several real robots as one run: the changes of their sessions at the ticks of one clock, as a `RunSource`.
 
 The clock begins with the run, so several robots share one timeline, and silence takes its time. The robot's own count
-of ticks stands beside its numbers. Robots send only what changed, a few times a second, so a record holds what was
+of ticks is beside its numbers. Robots send only what changed, a few times a second, so a record holds what was
 heard last. News that comes from one robot twice within a tick, as when it was held up on its way, is of two ticks, so
-that no place where a thread stood is lost. Robots go on at their own pace, whatever the run stands at: with sessions,
+that no place of a thread is lost. Robots go on at their own pace, whatever the run shows: with sessions,
 what was heard is stored, and the run can show a moment of it. When a robot is started while none runs, the run
 begins anew.
 """
@@ -52,7 +52,7 @@ def _ignored(record: TickRecord, following: int) -> None:
 
 
 class RobotControl(Protocol):
-    """What robots are asked through: a `RobotSession` in its own thread, or what passes requests on to that thread."""
+    """The control of a robot: a `RobotSession` in its own thread, or what passes requests on to that thread."""
 
     def force(self, sensor: str, value: int | None) -> None: ...
 
@@ -87,7 +87,7 @@ def _tick_of(moment: _Moment) -> int:
 
 
 class RobotsRun:
-    """A run of real robots. `sessions` are theirs, in the same order, and `controls` what they are asked through (the
+    """A run of real robots. `sessions` are theirs, in the same order, and `controls` take their requests (the
     sessions, where nothing is given); without them nothing can be done to the run. Safe to use from many threads.
     """
 
@@ -132,7 +132,7 @@ class RobotsRun:
         self.beginnings += 1
         self._began = self._clock()
         self._tick = self._at = 0
-        """The newest tick, and that which it stands at."""
+        """The newest tick, and the tick that is shown."""
         self._commands: list[TraceCommand] = []
         self._events: list[TraceEvent] = []
         self._updated: set[int] = set()
@@ -143,7 +143,7 @@ class RobotsRun:
         self._again = True
 
     def _heard(self, number: int, change: Change) -> None:
-        """Takes a change as a session says it. A robot that has another program meanwhile stands still in this run."""
+        """Takes a change from a session. A robot that has another program meanwhile is idle in this run."""
         with self.lock:
             was, state = self._states[number], change.state
             if change.kind is ChangeKind.QUIET:
@@ -189,7 +189,7 @@ class RobotsRun:
 
     @property
     def tick(self) -> int:
-        """The tick that it stands at."""
+        """The tick that is shown."""
         return self._at
 
     @property
@@ -239,12 +239,12 @@ class RobotsRun:
         return self._history[max(0, bisect_right(self._history, self._at, key=_tick_of) - 1)]
 
     def record(self, in_full: Collection[int] | None = None) -> TickRecord:
-        """What was heard last up to the tick that it stands at, with what happened in that tick."""
+        """What was heard last up to the shown tick, with what happened in that tick."""
         with self.lock:
             return self._moment().record(self._at)
 
     def records(self) -> list[TickRecord]:
-        """All that is kept of its past, and where it is now."""
+        """All stored moments of its past, and the present."""
         with self.lock:
             return [one.record(one.tick) for one in (*self._history, self._now())]
 
@@ -305,7 +305,7 @@ class RobotsRun:
         self._tick = tick
 
     def seek(self, tick: int) -> Iterator[None]:
-        """The way to a tick up to the latest, or to the first one that is kept: one piece."""
+        """The way to a tick up to the latest, or to the first one that is stored: one piece."""
         with self.lock:
             first = self._history[0].tick if self._history else self._tick
             self._at = min(max(tick, first), self._tick)
@@ -327,7 +327,7 @@ class RobotsRun:
     # -- from outside
 
     def force(self, agent: str, sensor: str, value: int | None) -> None:
-        """As `RobotSession.force`; what it is asked through decides in which thread.
+        """As `RobotSession.force`; the control decides in which thread.
 
         Raises:
             KitRobotError: there is no such robot or sensor, or the value is none for a robot.
@@ -337,7 +337,7 @@ class RobotsRun:
         through.force(sensor, value)
 
     def set_variable(self, agent: str, variable: str, value: int) -> None:
-        """As `RobotSession.set_variable`; what it is asked through decides in which thread.
+        """As `RobotSession.set_variable`; the control decides in which thread.
 
         Raises:
             KitRobotError: there is no such robot or variable, or the value is none for a robot.

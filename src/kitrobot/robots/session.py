@@ -25,7 +25,7 @@ from kitrobot.text import Recorded, Sentence
 from kitrobot.trace import LINK, PERSON, PROGRAM, ROBOT
 
 LOOK_S = 0.5
-"""How often a robot's state is looked at; it is asked only while it does not report that itself."""
+"""How often a robot's state is looked at; it is queried only while it does not report that itself."""
 
 Subscriber = Callable[[Change], None]
 _STOPPED = RobotEvent("outside", Recorded("it was stopped from here"), PERSON)

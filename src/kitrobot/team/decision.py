@@ -185,5 +185,5 @@ def _to(seat: Seat, message: SynodMessage) -> tuple[Sending, ...]:
 
 
 def contradiction(sender: Seat) -> Sentence:
-    """Changes of a member that cannot be right both times."""
+    """The refusal of a member that contradicts itself."""
     return Sentence("member {member} said two different things about one decision", sender.member)

@@ -41,7 +41,7 @@ MOST_COMMANDS = 64
 MOST_PENDING = 16
 """Commands of one member that are not decided yet."""
 WARY = 16
-"""Slots for which all voters are asked at once after one that was asked for twice."""
+"""Slots for which votes are requested of all at once after one that was requested twice."""
 
 LogMessage = SynodMessage | Request | Behind | History | Snapshot
 
@@ -66,7 +66,7 @@ class Log(NamedTuple):
         pending: own commands that have no effect yet; `given` is the number of the last one.
         requested: for each member, the commands it requested.
         retry_at: when to try a ballot, 0: nothing to try; attempts: how often that was done for this slot.
-        wary: for how many slots yet all voters are asked at once, since one had to be asked twice for.
+        wary: for how many slots yet votes are requested of all at once, since one request had to be repeated.
     """
 
     tables: Tables

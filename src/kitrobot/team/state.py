@@ -64,7 +64,7 @@ def first_state(charter: Charter, seat: Seat, now: int) -> Member:
 
 
 def may_act(charter: Charter, state: Member, now: int) -> bool:
-    """Whether the member's robot may act at this moment, by the host's clock of now; asked before each act."""
+    """Whether the member's robot may act at this moment, by the host's clock of now; checked before each act."""
     view, seat = state.tables.view, state.seat
     if seat not in view.seats or now < state.acts_from:
         return False
