@@ -31,7 +31,7 @@ def kitrobot(me: int, count: int, rounds: int, where: str) -> list[float]:
         Seat,
         Time,
         decode,
-        first_state,
+        initial_state,
         step,
     )
     from kitrobot.team.events import Event
@@ -45,7 +45,7 @@ def kitrobot(me: int, count: int, rounds: int, where: str) -> list[float]:
     def now() -> int:
         return time.monotonic_ns() // 1_000_000
 
-    state = first_state(charter, Seat(me, 0), now())
+    state = initial_state(charter, Seat(me, 0), now())
 
     def take(event: Event) -> None:
         nonlocal state

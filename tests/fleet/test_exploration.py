@@ -25,7 +25,7 @@ from tests.effort import cases
 from tests.fleet.agent_laws import LAWS, all_is_done, what_stays_undone
 from tests.fleet.three_agents import Faults, Plan, Team, ThreeAgents
 from tests.sim.team_building import RunningTeam
-from tests.team.exploring import Explored, explore
+from tests.team.state_exploration import Exploration, explore
 from tests.team_programs.making import TeamMaker
 
 
@@ -72,7 +72,7 @@ TWO_LEASED = mission(_WORK.format(2, "lease 1"), ("", "ants", "ants"))
 LEASE_MS = 4
 
 
-def _go(plan: Plan, most: int = 600_000) -> tuple[ThreeAgents, Explored[Team]]:
+def _go(plan: Plan, most: int = 600_000) -> tuple[ThreeAgents, Exploration[Team]]:
     model = ThreeAgents(plan, LAWS)
     return model, explore(model, most)
 

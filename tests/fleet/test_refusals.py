@@ -12,7 +12,7 @@ from kitrobot.fleet.refusals import MOST_KINDS, NOBODY, Refusals
 from kitrobot.fleet.transport import MOST_REASONS
 from kitrobot.text import Sentence
 from tests.fleet.bus import KEY, Bus, bus
-from tests.fleet.test_coming import turns
+from tests.fleet.test_agent_arrival import turns
 
 __all__ = ["bus"]
 

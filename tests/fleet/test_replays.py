@@ -10,7 +10,7 @@ from kitrobot.fleet import FleetError
 from kitrobot.fleet import envelopes as kinds
 from kitrobot.fleet.envelopes import unseal
 from tests.fleet.bus import KEY, Bus, bus
-from tests.fleet.test_coming import turns
+from tests.fleet.test_agent_arrival import turns
 
 __all__ = ["bus"]
 

@@ -30,10 +30,10 @@ from kitrobot.team import EVERYONE, Member, Message, Note, Sending
 from kitrobot.team.commands import Batch, Command
 from kitrobot.team.messages import Ballot, Heartbeat
 from kitrobot.team.table_transitions import apply_batch
-from kitrobot.team.tables import View, first_tables
+from kitrobot.team.tables import View, initial_tables
 from tests.fleet.slot_laws import before_effect, slot_breaks
-from tests.team.exploring import Step
-from tests.team.moving import LEASE, NOW, relative
+from tests.team.relative_time import LEASE, NOW, relative
+from tests.team.state_exploration import Step
 
 SIZE = 3
 MEMBERS = range(SIZE)
@@ -431,7 +431,7 @@ class ThreeAgents:
     def view(self, decided: tuple[Batch, ...]) -> View:
         """The view that these slots, the first ones of the log, have made."""
         if decided not in self.views:
-            tables = first_tables(self.charter)
+            tables = initial_tables(self.charter)
             for value in decided:
                 tables, _ = apply_batch(tables, value)
             self.views[decided] = tables.view

@@ -22,7 +22,7 @@ from kitrobot.team import (
     Seat,
     Time,
     Write,
-    first_state,
+    initial_state,
     may_act,
     step,
 )
@@ -83,7 +83,7 @@ class Network:
         self.under_way: list[tuple[int, int, Message]] = []
         self.robots: dict[int, Robot] = {}
         self.phase = Phase(0)
-        self.tables: dict[int, Tables] = {0: first_state(charter, Seat(0, 0), 0).tables}
+        self.tables: dict[int, Tables] = {0: initial_state(charter, Seat(0, 0), 0).tables}
         self.given: set[tuple[Seat, tuple[int, ...]]] = set()
         self.lives = [0] * charter.members
         self.sent = 0
@@ -95,7 +95,7 @@ class Network:
         """A member starts, in its next life if it had one."""
         speed, offset = self.random.choice((1.0, 0.96, 1.04)), self.random.randrange(10_000)
         now = int(self.now * speed) + offset
-        state = first_state(self.charter, Seat(member, self.lives[member]), now)
+        state = initial_state(self.charter, Seat(member, self.lives[member]), now)
         self.lives[member] += 1
         self.robots[member] = Robot(state, speed, offset, now)
 

@@ -23,14 +23,14 @@ from kitrobot.team import (
     Write,
     decode,
     encode,
-    first_state,
+    initial_state,
     step,
 )
 from kitrobot.team.commands import Batch, Body, Command, ViewChange
 from kitrobot.team.member import BUDGET
 from kitrobot.team.messages import Behind, Chosen, Echo, Entry, Heartbeat, Message, Request, Snapshot, Stamp, Writes
 from kitrobot.team.shared_store import LAST_CLOCK
-from kitrobot.team.tables import first_tables
+from kitrobot.team.tables import initial_tables
 
 _CHARTER = Charter(3, variables=2)
 _ME, _OTHER = Seat(0, 0), Seat(1, 0)
@@ -46,7 +46,7 @@ _BATCHES: st.SearchStrategy[Batch] = st.lists(
 
 
 def _fresh() -> Member:
-    return first_state(_CHARTER, _ME, 0)
+    return initial_state(_CHARTER, _ME, 0)
 
 
 def _told(message: Message, state: Member | None = None) -> tuple[Member, list[str]]:
@@ -63,7 +63,7 @@ def test_a_message_comes_back_from_its_bytes(batch: Batch, number: int) -> None:
         Chosen(_OTHER, number, batch),
         Request(_OTHER, batch),
         Heartbeat(_OTHER, number, 0, 0, True, 0, echoes),
-        Snapshot(_OTHER, 3, first_tables(_CHARTER)),
+        Snapshot(_OTHER, 3, initial_tables(_CHARTER)),
         Writes(_OTHER, (Entry(1, Stamp(2, 1, 0), number),)),
     ):
         assert decode(encode(message, 7), 7) == message
@@ -97,7 +97,7 @@ def test_bytes_that_are_no_message_are_refused_with_a_sentence(data: bytes, said
 
 @given(st.integers(0, 200), st.integers(0, 255))
 def test_damaged_and_cut_messages_are_refused_or_are_others(at: int, byte: int) -> None:
-    data = bytearray(encode(Snapshot(_OTHER, 3, first_tables(_CHARTER)), 7))
+    data = bytearray(encode(Snapshot(_OTHER, 3, initial_tables(_CHARTER)), 7))
     for damaged in (bytes(data[:at]), bytes(data[:at]) + bytes([byte]) + bytes(data[at + 1 :])):
         try:
             message = decode(damaged, 7)
@@ -131,7 +131,7 @@ def test_a_view_that_the_log_has_not_decided_is_not_adopted() -> None:
 
 
 def test_tables_of_another_team_are_refused() -> None:
-    state, refused = _told(Snapshot(_OTHER, 9, first_tables(Charter(2))))
+    state, refused = _told(Snapshot(_OTHER, 9, initial_tables(Charter(2))))
     assert refused == ["member 1 is of another team"]
     assert state.log == _fresh().log
 
@@ -211,7 +211,7 @@ def test_a_program_that_names_a_variable_that_is_not_there_is_refused() -> None:
 
 def test_commands_that_are_not_decided_are_bounded() -> None:
     state, refused = _fresh(), 0
-    state = first_state(_CHARTER, _OTHER, 0)
+    state = initial_state(_CHARTER, _OTHER, 0)
     for number in range(100):
         state, _, changes = step(_CHARTER, state, 0, Note((number,)))
         refused += sum(isinstance(change, Refusal) for change in changes)

@@ -8,14 +8,14 @@ from kitrobot.team import AppliedNote, Charter, NewView, Note, Seat
 from kitrobot.team.changes import Change
 from kitrobot.team.commands import Body, Command, ViewChange
 from kitrobot.team.table_transitions import apply_batch
-from kitrobot.team.tables import Tables, first_tables
+from kitrobot.team.tables import Tables, initial_tables
 
 
 class _Team:
     """Tables, and commands given to them one after the other."""
 
     def __init__(self, members: int) -> None:
-        self.tables: Tables = first_tables(Charter(members))
+        self.tables: Tables = initial_tables(Charter(members))
 
     def give(self, member: int, body: Body, life: int = 0) -> list[Change]:
         last = self.tables.applied[member]
@@ -65,7 +65,7 @@ def test_a_change_of_an_old_view_or_that_leaves_nobody_or_names_nobody_has_no_ef
 
 
 def test_each_command_takes_effect_once_in_its_order_and_only_from_the_view() -> None:
-    tables = first_tables(Charter(2))
+    tables = initial_tables(Charter(2))
     first, second = (Command(Seat(0, 0), number, Note((number,))) for number in (1, 2))
     noted = []
     for batch in ((second,), (first,), (first,), (Command(Seat(0, 1), 2, Note((9,))),), (second, second)):

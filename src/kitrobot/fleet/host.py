@@ -36,7 +36,7 @@ from kitrobot.team import (
     Sending,
     Time,
     Write,
-    first_state,
+    initial_state,
     may_act,
     step,
 )
@@ -81,7 +81,7 @@ class AgentHost:
         self.charter = charter
         self.machine = simulation.members[me].machine
         self.team_devices = TeamDevices(self.replica, me)
-        self.state: Member = first_state(charter, Seat(me, life), now)
+        self.state: Member = initial_state(charter, Seat(me, life), now)
         self.replication = LogReplication(self.replica, simulation.state.shared)
         self.sendings: list[Sending] = []
         self.log: list[Event | Sentence] = []

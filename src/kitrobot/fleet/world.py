@@ -135,7 +135,7 @@ class WorldHost:
     def answer(self, now: int, robot: int, reply: Reply) -> None:
         """An agent answered."""
         link = self.links[robot]
-        self._learn(reply)
+        self._apply_log(reply)
         if reply.serial not in link.waiting:
             return
         if reply.serial not in link.early and reply.serial not in link.again:
@@ -143,14 +143,14 @@ class WorldHost:
         link.early[reply.serial] = reply
         while link.first in link.early:
             first = link.first
-            if not self._take(now, robot, link.early.pop(first)):
+            if not self._accept(now, robot, link.early.pop(first)):
                 return
             link.waiting.pop(first, None)
             link.sent.pop(first, None)
             link.again.discard(first)
             link.answered = first
 
-    def _take(self, now: int, robot: int, reply: Reply) -> bool:
+    def _accept(self, now: int, robot: int, reply: Reply) -> bool:
         """The answer to the oldest frame; False where the run has not begun, and the frame is to be sent again."""
         link = self.links[robot]
         link.heard_at, link.quiet = now, reply.quiet
@@ -160,11 +160,11 @@ class WorldHost:
             link.sent, link.again = {link.serial: now}, set()
             return False
         if reply.held:
-            self._lose(robot, HELD)
+            self._stop_body(robot, HELD)
             return True
         if self.replica.epochs[robot] != reply.epoch:
             return True
-        self._regain(robot)
+        self._restart_body(robot)
         if reply.ticked is not None:
             if not fits(self.simulation, robot, reply.ticked):
                 self.log.append(Sentence("{agent} sent what cannot be of its machine", self._name(robot)))
@@ -176,7 +176,7 @@ class WorldHost:
                 say_written(self.simulation, robot, variable, value)
         return True
 
-    def _learn(self, reply: Reply) -> None:
+    def _apply_log(self, reply: Reply) -> None:
         """Takes in what an answer says of the log."""
         replication = self.replication
         if reply.snapshot is not None and reply.snapshot.slot > self.replica.slot:
@@ -208,7 +208,7 @@ class WorldHost:
         simulation.events = self.events = [*simulation.happened(), *self._happened]
         simulation.state.clock[EVENTS] = 0
         self._happened = []
-        self._expect_back()
+        self._count_expected()
         self._check_quiescence(now)
         simulation.look_for_an_end()
 
@@ -222,7 +222,7 @@ class WorldHost:
         if self._quiescence.is_stuck:
             state.clock[STUCK] = 1
 
-    def _expect_back(self) -> None:
+    def _count_expected(self) -> None:
         """The run goes on for robots that are away as long as their team has not missed them."""
         lives = self.replica.lives
         expected = sum(link.lost and lives[i] >= 0 for i, link in enumerate(self.links))
@@ -268,9 +268,9 @@ class WorldHost:
                 if link.lost:
                     break
             if now - max(link.heard_at, link.asked_at) >= self.lease:
-                self._lose(i, AWAY)
+                self._stop_body(i, AWAY)
 
-    def _lose(self, robot: int, cause: int) -> None:
+    def _stop_body(self, robot: int, cause: int) -> None:
         """The body stops until its agent is back and may act: which of both is missing may change meanwhile."""
         link = self.links[robot]
         if link.lost and link.cause == cause:
@@ -283,11 +283,11 @@ class WorldHost:
             link.lost, link.beginning = True, self.replica.beginnings[robot]
             link.harmed = ints[DOWN][robot] == WELL
             if link.harmed:
-                self._harm(robot, FailureKind.FAIL)
+                self._apply_failure(robot, FailureKind.FAIL)
         elif link.harmed:
             ints[CAUSE][robot] = cause
 
-    def _regain(self, robot: int) -> None:
+    def _restart_body(self, robot: int) -> None:
         link = self.links[robot]
         if link.lost:
             link.lost = False
@@ -296,10 +296,10 @@ class WorldHost:
                 link.harmed = False
                 if self.replica.beginnings[robot] != link.beginning:
                     self.simulation.state.robots.floats[TOLD][robot] = 0.0
-                self._harm(robot, FailureKind.REVIVE)
+                self._apply_failure(robot, FailureKind.REVIVE)
 
-    def _harm(self, robot: int, kind: FailureKind) -> None:
-        self._expect_back()
+    def _apply_failure(self, robot: int, kind: FailureKind) -> None:
+        self._count_expected()
         self.simulation.harm(self._name(robot), kind, self.links[robot].cause)
 
     def restarted(self, now: int, robot: int) -> None:

@@ -118,10 +118,10 @@ class RobotsRun:
         self._unsent: deque[TraceEvent] = deque(maxlen=MOST_EVENTS)
         self.beginnings = 0
         """How often it began anew, the first time included."""
-        self._wrong: dict[int, str] = {}
+        self._failures: dict[int, str] = {}
         """Why robots go on no more, the first one first."""
         self._begin()
-        self._again = False
+        self._has_restarted = False
         self._subscribed = [(one, partial(self._heard, number)) for number, one in enumerate(sessions)]
         with self.lock:
             for session, heard in self._subscribed:
@@ -140,7 +140,7 @@ class RobotsRun:
         self._history: list[_Moment] = []
         self._past.clear()
         self._unsent.clear()
-        self._again = True
+        self._has_restarted = True
 
     def _heard(self, number: int, change: Change) -> None:
         """Takes a change from a session. A robot that has another program meanwhile is idle in this run."""
@@ -153,29 +153,29 @@ class RobotsRun:
             elif change.kind is ChangeKind.STARTED and not self._is_running():
                 self._begin()
             if self._is_running() or any(one.lost for one in self._states):
-                self._go_to_now()
+                self._advance_to_now()
             self._take(number, change)
 
     def robot_changed(self, number: int, change: Change) -> None:
         """Takes a change of a robot, known by its place in the run; sessions that were given do this by themselves."""
         with self.lock:
-            self._go_to_now()
+            self._advance_to_now()
             self._take(number, change)
 
     def _take(self, number: int, change: Change) -> None:
         robot, state = self._robots[number], change.state
         if change.kind in (ChangeKind.NEWS, ChangeKind.STARTED):
             if number in self._updated:
-                self._go_to(self._tick + 1)
+                self._advance_to(self._tick + 1)
             self._updated.add(number)
         self._states[number] = state
         self._rows[number] = row_of(robot, state)
         self._active[number] = active_of(state)
         sentence = sentence_of(robot, state)
         if sentence:
-            self._wrong[number] = sentence
+            self._failures[number] = sentence
         else:
-            self._wrong.pop(number, None)
+            self._failures.pop(number, None)
         self._commands += [TraceCommand(number, *command) for command in change.commands]
         happened = [
             TraceEvent(self._tick, event.kind, number, clipped(event.text, LONGEST_TEXT), event.cause)
@@ -201,7 +201,7 @@ class RobotsRun:
     def latest(self) -> int:
         """The tick of the clock, while a robot runs."""
         with self.lock:
-            self._listen()
+            self._catch_up()
             return self._tick
 
     @property
@@ -220,8 +220,8 @@ class RobotsRun:
     @property
     def ending(self) -> tuple[str, str]:
         """How it ended so far, though robots may run: "failed", "done" or "stopped", and a sentence."""
-        if self._wrong:
-            number, sentence = next(iter(self._wrong.items()))
+        if self._failures:
+            number, sentence = next(iter(self._failures.items()))
             several = len(self._robots) > 1
             return "failed", Recorded(
                 "{robot}: {sentence}", self._robots[number].name, sentence
@@ -230,12 +230,12 @@ class RobotsRun:
             return "done", Recorded("the program of each robot has ended")
         return "stopped", ""
 
-    def _now(self) -> _Moment:
+    def _present(self) -> _Moment:
         return _Moment(self._tick, tuple(self._rows), tuple(self._active), self._commands, self._events)
 
     def _moment(self) -> _Moment:
         if self._at >= self._tick or not self._history:
-            return self._now()
+            return self._present()
         return self._history[max(0, bisect_right(self._history, self._at, key=_tick_of) - 1)]
 
     def record(self, in_full: Collection[int] | None = None) -> TickRecord:
@@ -246,7 +246,7 @@ class RobotsRun:
     def records(self) -> list[TickRecord]:
         """All stored moments of its past, and the present."""
         with self.lock:
-            return [one.record(one.tick) for one in (*self._history, self._now())]
+            return [one.record(one.tick) for one in (*self._history, self._present())]
 
     def active(self) -> Sequence[Threads]:
         """Where the threads of each robot stand."""
@@ -261,7 +261,7 @@ class RobotsRun:
     def new_events(self, most: int) -> NewEvents:
         """The events since this was called last; all of them when the run began anew."""
         with self.lock:
-            again, self._again = self._again, False
+            again, self._has_restarted = self._has_restarted, False
             happened = list(self._unsent)[-most:]
             self._unsent.clear()
             return NewEvents(again, happened)
@@ -271,28 +271,28 @@ class RobotsRun:
     def advance(self, ticks: int) -> int:
         """Goes on by up to so many ticks, but not beyond the clock's."""
         with self.lock:
-            self._listen()
+            self._catch_up()
             before, self._at = self._at, min(self._at + ticks, self._tick)
             return self._at - before
 
     def end_tick(self) -> None:
         """Goes to the tick of the clock and ends that one too: what comes next belongs to the following one."""
         with self.lock:
-            self._go_to_now()
-            self._go_to(self._tick + 1)
+            self._advance_to_now()
+            self._advance_to(self._tick + 1)
 
-    def _listen(self) -> None:
+    def _catch_up(self) -> None:
         """Goes to the tick of the clock, while a robot runs. Silence is over when something is heard."""
         if self._is_running():
-            self._go_to_now()
+            self._advance_to_now()
 
-    def _go_to_now(self) -> None:
-        self._go_to(int((self._clock() - self._began) * 1000 / self.header.tick_ms))
+    def _advance_to_now(self) -> None:
+        self._advance_to(int((self._clock() - self._began) * 1000 / self.header.tick_ms))
 
-    def _go_to(self, tick: int) -> None:
+    def _advance_to(self, tick: int) -> None:
         if tick <= self._tick:
             return
-        now = self._now()
+        now = self._present()
         self._on_tick(now.record(self._tick), tick)
         if not self._controls:
             self._at = tick
@@ -332,7 +332,7 @@ class RobotsRun:
         Raises:
             KitRobotError: there is no such robot or sensor, or the value is none for a robot.
         """
-        robot, _, through = self._known(agent, value)
+        robot, _, through = self._control_of(agent, value)
         robot.names.input(sensor)
         through.force(sensor, value)
 
@@ -342,11 +342,11 @@ class RobotsRun:
         Raises:
             KitRobotError: there is no such robot or variable, or the value is none for a robot.
         """
-        robot, _, through = self._known(agent, value)
+        robot, _, through = self._control_of(agent, value)
         robot.names.variable(variable)
         through.set_variable(variable, value)
 
-    def _known(self, agent: str, value: int | None) -> tuple[RecordedBoard, RobotSession, RobotControl]:
+    def _control_of(self, agent: str, value: int | None) -> tuple[RecordedBoard, RobotSession, RobotControl]:
         if agent not in self._controls:
             raise AbilityError(Sentence("nobody talks with this robot"), Sentence("connect it first"))
         if value is not None and abs(value) > LARGEST_VALUE:

@@ -16,7 +16,7 @@ from kitrobot.team.commands import Note, Seat
 from kitrobot.team.events import Event, IncomingMessage, Leave, Time, Write
 from kitrobot.team.member import step
 from kitrobot.team.messages import EVERYONE, Message, Sending
-from kitrobot.team.state import Member, StepResult, first_state, may_act
+from kitrobot.team.state import Member, StepResult, initial_state, may_act
 from kitrobot.team.tables import Tables, View
 
 __all__ = [
@@ -46,7 +46,7 @@ __all__ = [
     "Write",
     "decode",
     "encode",
-    "first_state",
+    "initial_state",
     "may_act",
     "step",
 ]

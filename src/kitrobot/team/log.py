@@ -32,7 +32,7 @@ from kitrobot.team.messages import (
     Snapshot,
 )
 from kitrobot.team.table_transitions import apply_batch
-from kitrobot.team.tables import Tables, first_tables
+from kitrobot.team.tables import Tables, initial_tables
 from kitrobot.text import Sentence
 
 MOST_RECENT = 32
@@ -85,9 +85,9 @@ class Log(NamedTuple):
         return self.decision.slot
 
 
-def first_log(charter: Charter, seat: Seat) -> Log:
+def initial_log(charter: Charter, seat: Seat) -> Log:
     """The log of a member that knows of no decision."""
-    tables = first_tables(charter)
+    tables = initial_tables(charter)
     return Log(tables, Decision(seat, 0, tables.view.seats), (), (), 0, ((),) * charter.members)
 
 

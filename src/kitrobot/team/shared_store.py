@@ -39,7 +39,7 @@ class SharedStore:
         return tuple(entry.stamp for entry in self.entries)
 
 
-def first_store(variables: int) -> SharedStore:
+def initial_store(variables: int) -> SharedStore:
     """All variables are 0."""
     return SharedStore(tuple(Entry(variable, FIRST_STAMP, 0) for variable in range(variables)))
 

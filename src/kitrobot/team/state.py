@@ -48,15 +48,15 @@ class StepResult(NamedTuple):
     changes: Changes
 
 
-def first_state(charter: Charter, seat: Seat, now: int) -> Member:
+def initial_state(charter: Charter, seat: Seat, now: int) -> Member:
     """A member that starts. Its life must be larger than any it had in this run; 0 only at its first start."""
     size = charter.members
     return Member(
         seat=seat,
         now=now,
-        log=logs.first_log(charter, seat),
+        log=logs.initial_log(charter, seat),
         membership=Membership((Peer(),) * size, now, now),
-        store=shared_store.first_store(charter.variables),
+        store=shared_store.initial_store(charter.variables),
         acts_from=now,
         spent=(0,) * size,
         refused=(0,) * size,

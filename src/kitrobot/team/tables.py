@@ -35,7 +35,7 @@ class Tables(NamedTuple):
     applied: tuple[LastCommand, ...]
 
 
-def first_tables(charter: Charter) -> Tables:
+def initial_tables(charter: Charter) -> Tables:
     """The tables before the first decision: all members in their first life."""
     seats = tuple(Seat(member, 0) for member in range(charter.members))
     return Tables(View(0, seats), (LastCommand(0, 0),) * charter.members)
