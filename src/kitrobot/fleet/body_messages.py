@@ -79,7 +79,7 @@ class Reply:
         ticked: what came of the tick; None where there was none.
         writes: shared variables that it wrote, and their values.
         first: the number of the first slot in `slots`.
-        slots: what the log says from there on.
+        slots: the content of the log from there on.
         snapshot: instead of slots that are forgotten.
     """
 

@@ -1,10 +1,10 @@
 """`AgentHost`: one agent of a fleet, without sockets and clocks: what came and the time in, envelopes out.
 
-It has the agent's machine, its member of the protocol, and a replica of what the team agreed on. A tick is made for
+It holds the agent's machine, its member of the protocol, and a replica of the team's agreed state. A tick is made for
 each frame of the body, and only while the robot may act: the right ends a lease after a quorum was heard last, and a
-robot that takes a role over waits until the one before it has lost its own (docs/team-protocol.md). Whose body is not
-heard for a lease is silent in the team too: a robot without a body cannot play a role. Nor can one whose board has been
-at a tick for a lease.
+robot that takes a role over waits until the one before it has lost its own (docs/team-protocol.md). A robot whose body
+is not heard for a lease is silent in the team too: a robot without a body cannot play a role. Nor can one whose board
+has been at a tick for a lease.
 """
 
 from __future__ import annotations
@@ -101,7 +101,7 @@ class AgentHost:
         self._units: dict[tuple[int, int, int], int] = {}
         self._effects: list[AppliedNote | NewView] = []
         self._end_reported = -1
-        """The epoch in which it said that its program is at its end."""
+        """The epoch in which it reported the end of its program."""
         self.board = BoardBody(self.machine, board) if board is not None else None
         self._tick_runner = TickRunner(self.team_devices, self.replication)
         self._tick: Tick | None = None
@@ -110,7 +110,7 @@ class AgentHost:
     # -- the protocol
 
     def receive(self, now: int, message: Message, more: bool = False) -> None:
-        """A message of another member came; `more`: others came with it and follow."""
+        """Handles a message of another member; `more`: others came with it and follow."""
         if not self._is_silent(now):
             self._step(now, IncomingMessage(message, more))
 
@@ -192,7 +192,7 @@ class AgentHost:
                     self.log.append(message)
 
     def adopt(self, now: int, snapshot: ReplicaSnapshot) -> None:
-        """Another member's replica came, for one that missed slots."""
+        """Adopts another member's replica, after missed slots."""
         if not self.replication.is_complete and self.replication.adopt(snapshot):
             self._follow(now)
 
@@ -203,7 +203,7 @@ class AgentHost:
         return ReplicaSnapshot(self.replica.slot, tuple(map(tuple, self.replica.packed())))
 
     def _follow(self, now: int) -> None:
-        """Takes in the slots that are known, and draws from them what concerns this robot."""
+        """Applies the slots that are known, and follows what they change for this robot."""
         team = self.replica.state.team
         of_team = self.replica.is_of_team(self.me)
         role = team.robots[T_ROLE][self.me] if of_team else -1
@@ -227,7 +227,7 @@ class AgentHost:
     # -- the body
 
     def frame(self, now: int, frame: Frame) -> list[Reply]:
-        """The body sent its readings; gives the answers to it, and to those that came early and follow it."""
+        """Handles the readings of the body; returns the answers to them, and to early ones that follow."""
         self.body_heard_at = now
         self.muted = frame.muted
         if self._serial_ticked < 0:
@@ -320,7 +320,7 @@ class AgentHost:
     # -- the board
 
     def finish_board_tick(self, now: int, changes: Sequence[tuple[int, int]]) -> bool:
-        """The board has done its tick; False when what it says cannot be of its program."""
+        """Finishes a tick of the board; False when its answer cannot be of its program."""
         tick, board = self._tick, self.board
         assert tick is not None
         assert board is not None

@@ -1,7 +1,7 @@
-"""What a robot of a fleet has put into the log of its team (`team.Note`): numbers that a `Replica` reads.
+"""Notes that a robot of a fleet puts into the log of its team (`team.Note`): numbers that a `Replica` reads.
 
 A note is `(kind, epoch, first, second, serial)`. The epoch is that of the robot it speaks of, as its sender knew it:
-what a robot said before its team missed it has no effect afterwards. The serial makes the notes of one seat different.
+notes from before its team missed it have no effect afterwards. The serial makes the notes of one seat different.
 """
 
 from __future__ import annotations

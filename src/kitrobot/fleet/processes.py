@@ -48,7 +48,7 @@ class Agents:
             listening.start()
 
     def ended(self) -> dict[str, int]:
-        """The status of each that has ended and of which all that it said was heard."""
+        """The status of each process that has ended and whose output was read to its end."""
         found = {name: process.poll() for name, process in self.processes.items()}
         return {name: status for name, status in found.items() if status is not None and not self._is_heard(name)}
 

@@ -2,7 +2,7 @@
 
 It is stuck when for `QUIESCENT_MS`, and for as many steps as late sensors need, nothing happened, nothing is to come on
 schedule or with the end of a lease, and every program only looks again at what stays. Where something moves, sensors
-may still see it, so then all programs must wait for others of their team. Where neither can be said, the run ends with
+may still see it, so then all programs must wait for others of their team. Where neither is certain, the run ends with
 its time, and that is reported.
 """
 

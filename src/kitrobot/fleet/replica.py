@@ -1,8 +1,8 @@
-"""`Replica`: what a team agreed on, made of its log by the functions of the simulator, so that both mean the same.
+"""`Replica`: the agreed state of a team, computed from its log with the simulator's functions, so both agree.
 
 It works on the tables of a run (`sim.state.State`), of which it changes those of the team: points, sets, roles, works.
 Equal logs make equal tables, in every process: nothing here reads a clock or anything else of the process. `slot` is
-how many slots of the log are in them. Who is in no view of the log is silent, as in the simulator who failed is.
+how many slots of the log are in them. A robot in no view of the log is silent, as a failed one is in the simulator.
 """
 
 from __future__ import annotations
@@ -109,7 +109,7 @@ class Replica:
                     self.grants[work][robot] += 1
 
     def _apply_view(self, seats: Sequence[Seat]) -> None:
-        """Who is not in the view any more is missed; who is new in it begins anew, unless nobody missed it."""
+        """Robots that left the view are missed; those that are new in it begin anew, unless nobody missed them."""
         lives = [-1] * len(self.lives)
         for seat in seats:
             if 0 <= seat.member < len(lives):
@@ -131,7 +131,7 @@ class Replica:
                 self.beginnings[i] += come_back(i, self.state)
 
     def _apply_note(self, seat: Seat, numbers: tuple[int, ...]) -> None:
-        """What a robot said; nothing where it is not for it to say, or was said before it was missed."""
+        """Applies a robot's note; one that it may not send, or that it sent before it was missed, has no effect."""
         note = notes.decode_note(numbers)
         i = seat.member
         if note is None or not 0 <= i < len(self.epochs):
@@ -158,7 +158,7 @@ class Replica:
                 take_unit(i, note.first, self.work_link(i, note.first), state)
 
     def _free(self, note: notes.ReplicatedNote) -> None:
-        """A unit whose lease is over is free again, if it is that very one; the epoch says which grant is meant."""
+        """A unit whose lease is over is free again, if it is that very one; the epoch names the grant."""
         team = self.state.team
         work, robot = note.first, note.second
         if not (0 <= work < len(team.holds) and 0 <= robot < len(self.epochs)):

@@ -1,4 +1,4 @@
-"""`LogReplication`: brings a replica up to the log that its member, or the world, hears of, slot by slot.
+"""`LogReplication`: brings a replica up to date with the log, slot by slot, at a member or at the world.
 
 Slots that were decided during a long absence of the member are not sent one by one: another's replica is adopted,
 and the slots behind it, which wait here meanwhile, are applied.
@@ -41,13 +41,13 @@ class LogReplication:
         return self.replica.slot >= self._known
 
     def add_slot(self, slot: int, effects: tuple[Effect, ...]) -> None:
-        """What a slot says became known."""
+        """Adds the effects of a decided slot."""
         self._known = max(self._known, slot + 1)
         if slot >= self.replica.slot and len(self._ahead) < MOST_RECENT_SLOTS:
             self._ahead[slot] = effects
 
     def skip_to(self, slot: int) -> None:
-        """Slots before this one are known to be decided, but not what they say."""
+        """Skips to a slot: those before it are decided, but their content is unknown."""
         self._known = max(self._known, slot)
 
     def adopt(self, snapshot: ReplicaSnapshot) -> bool:

@@ -1,7 +1,7 @@
 """The process that watches over a fleet: it has the world of the simulated bodies, starts the agents, and ends them.
 
 It is no member of the team and decides nothing in it. It sends each agent its life and the start of the run, sends
-readings and takes commands, records the trace, and says what happens. With it the run is over: it ends whatever it
+readings and takes commands, records the trace, and reports what happens. With it the run is over: it ends whatever it
 started, whichever way it ends itself.
 """
 
@@ -45,7 +45,7 @@ class FleetRun:
         sentence: why it ended.
         slots: how many decisions its log has.
         units: for each work of the team, how many of its units are done.
-        stopped_ms: after the emergency stop, when each agent that answered said that it stands still, by name.
+        stopped_ms: after the emergency stop, when each agent confirmed that it is still, by name.
     """
 
     outcome: Outcome | str
@@ -115,7 +115,7 @@ class TeamProcess:
     # -- the beginning
 
     def gather(self, seconds: float | None) -> None:
-        """Waits until all agents are there at the same time, and says who is missing; None: for ever.
+        """Waits until all agents are there at the same time, and reports who is missing; None: for ever.
 
         Raises:
             FleetError: somebody is missing after that time, or one that this process started has ended.
@@ -247,7 +247,7 @@ class TeamProcess:
     # -- the emergency stop
 
     def _press_stop(self, now: int) -> None:
-        """Tells all agents to stop, until all have said that they did."""
+        """Orders all agents to stop, until all have confirmed."""
         if self._stop_at is None:
             if not self.callbacks.is_over():
                 return

@@ -5,7 +5,7 @@ look at the seal of what comes, and put it into a queue, of which each sender ma
 up nobody's, nor who recorded another run. Whoever has the channel takes envelopes out. What is no envelope of this team
 is refused and reported, once for each sender and reason, then counted (`refusals`).
 
-An agent that knows no run takes nothing but the answer to its own process (`WELCOME`), which says the run; after that,
+An agent that knows no run takes nothing but the answer to its own process (`WELCOME`), which names the run; after that,
 nothing but what is of this run. So what somebody recorded of another run begins and ends nothing.
 """
 

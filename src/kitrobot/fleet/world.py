@@ -1,9 +1,9 @@
 """`WorldHost`: the world in which the simulated bodies of a fleet are, without sockets and clocks.
 
 It sends each agent the readings of its body and takes its commands; it is no member of the team and decides nothing.
-What it knows of the team comes with the answers of agents. A body stops when its agent is not heard for a lease, or
-says that it may not act; a command counts only where its agent has not been missed since (`Reply.epoch`), so that who
-comes back with an old command moves nothing.
+Its knowledge of the team comes with the answers of agents. A body stops when its agent is not heard for a lease, or
+says that it may not act; a command counts only where its agent has not been missed since (`Reply.epoch`), so that an
+agent that comes back with an old command moves nothing.
 
 A step is made when every agent has answered, or when the time of the step, or the patience with the slowest, is over.
 """
@@ -83,7 +83,7 @@ class AgentLink:
         return next(iter(self.waiting), self.serial + 1)
 
     def timed(self, ms: int) -> None:
-        """An answer took so long. One that had to wait for an earlier frame says little of the way, so short ones
+        """An answer took so long. One that had to wait for an earlier frame shows little of the way, so short ones
         count at once, longer ones slowly: else each loss would make the patience with the next one longer.
         """
         if self.trip < 0 or ms < self.trip:
@@ -133,7 +133,7 @@ class WorldHost:
     # -- answers
 
     def answer(self, now: int, robot: int, reply: Reply) -> None:
-        """An agent answered."""
+        """Handles an answer of an agent."""
         link = self.links[robot]
         self._apply_log(reply)
         if reply.serial not in link.waiting:
@@ -177,7 +177,7 @@ class WorldHost:
         return True
 
     def _apply_log(self, reply: Reply) -> None:
-        """Takes in what an answer says of the log."""
+        """Applies the part of the log that an answer contains."""
         replication = self.replication
         if reply.snapshot is not None and reply.snapshot.slot > self.replica.slot:
             replication.adopt(reply.snapshot)

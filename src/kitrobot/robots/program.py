@@ -53,12 +53,12 @@ class BoardProgram:
 
     @property
     def warning(self) -> Diagnostic | None:
-        """What its person should know of it on a robot, beside its problems as a program."""
+        """A warning about it on a robot, beside its problems as a program."""
         return next((item for item in self.diagnostics if item.code == SHARED_ON_BOARD.code), None)
 
     @cached_property
     def called(self) -> frozenset[str]:
-        """What robots of each kind call it, as far as it has drivers for them, and robots that know drivers by name."""
+        """Its names on robots of each kind for which it has drivers, and on robots that know drivers by name."""
         found = {program_name(self.file.to_bytes())[2:]}
         for built in self.package.build_for_all(self.file.drivers):
             found.add(program_name(board_file(self.file, built))[2:])
@@ -86,7 +86,7 @@ def program_of(
     kit: Kit | None = None,
 ) -> BoardProgram:
     """A program that was compiled without errors, ready to be sent; `folder`: where a user's own drivers may lie;
-    `member`: it is to be one of a team; `kit`: how its robot is wired, None as its XML says.
+    `member`: it is to be one of a team; `kit`: how its robot is wired; None: as in its XML.
 
     Raises:
         KitRobotError: a driver is missing, the kit lacks a part, or the program fits no board.
@@ -114,7 +114,7 @@ def program_of(
 
 
 def refuse_unwired(robot: Robot, image: Image, package: Package) -> None:
-    """Raises a PackageError when a robot says nothing of how parts that a program uses are wired, and their drivers on
+    """Raises a PackageError when a robot does not define the wiring of parts that a program uses, and their drivers on
     every kind of board need to know it: what it is built of is missing, and not one setting.
     """
     unwired = [

@@ -106,7 +106,7 @@ class RobotSession:
         self.link.watch(period_ms)
 
     def lose(self, message: str) -> None:
-        """The link broke; `message` says so, and what becomes of the robot."""
+        """The link broke; `message` describes that and what becomes of the robot."""
         self.close()
         state = replace(self.state, threads={}, lost=message)
         self._change(ChangeKind.LOST, state, RobotEvent("failure", message, LINK))

@@ -1,7 +1,7 @@
-"""One real robot as it was last heard, and what happened to it: the only place where its news are folded.
+"""The state of one real robot as last reported, and its changes: the only place where its news are folded.
 
-A `RobotState` is replaced as a whole; a `Change` is one step from the state before, with what a record of a trace says
-of it: commands and events. Values are by cell and instruction; names are given by who shows them (names, records).
+A `RobotState` is replaced as a whole; a `Change` is one step from the state before, with what a record of a trace holds
+of it: commands and events. Values are by cell and instruction; the viewer adds names (names, records).
 """
 
 from __future__ import annotations
@@ -130,7 +130,7 @@ class RobotEvent:
 
 @dataclass(frozen=True)
 class Change:
-    """What happened, the state after it, and what a record of a trace says of it besides.
+    """A change: its cause, the state after it, and what else a record of a trace holds of it.
 
     `commands`: actuator, procedure and arguments of each command that is known to have been given.
     """

@@ -27,7 +27,7 @@ def place_of(instruction: int | None, names: BoardNames | None) -> str:
 
 
 def fault_sentence(fault: Fault, names: BoardNames | None) -> str:
-    """A fault in words: number, meaning, what the robot says of it, tick, place in the program."""
+    """A fault in words: number, meaning, the robot's text, tick, place in the program."""
     text = names.fault_text(fault.text) if names is not None else fault.text
     place = place_of(fault.instruction, names)
     return (

@@ -48,7 +48,7 @@ class Decision(NamedTuple):
             it would like to propose.
         promises: (rank, accepted, value) of those who promised `ballot`; votes: ranks of those who voted in it.
         chosen: what was decided, None before.
-        fewest: ranks of the voters that a proposal asks at first, a quorum; () asks all. Said again, it asks all.
+        fewest: ranks of the voters that a proposal asks at first, a quorum; () asks all. A repetition asks all.
     """
 
     seat: Seat
@@ -76,7 +76,7 @@ Answer = tuple[Decision, tuple[Sending, ...], Sentence | None]
 
 
 def attempt(state: Decision, wanted: Batch) -> tuple[Decision, tuple[Sending, ...]]:
-    """Begins a ballot of its own, or says again what the running one needs; nothing for an onlooker."""
+    """Begins a ballot of its own, or repeats the request of the running one; nothing for an onlooker."""
     if state.rank < 0 or state.chosen is not None:
         return state, ()
     if state.ballot == state.promised:
@@ -90,7 +90,7 @@ def attempt(state: Decision, wanted: Batch) -> tuple[Decision, tuple[Sending, ..
 
 
 def receive(state: Decision, message: SynodMessage) -> Answer:
-    """Takes in what another voter says about this slot, or what anyone says that it decided."""
+    """Handles a message of another voter about this slot, or of anyone about its decision."""
     if isinstance(message, Chosen):
         if state.chosen is None:
             return state._replace(chosen=message.value), (), None
@@ -117,7 +117,7 @@ def receive(state: Decision, message: SynodMessage) -> Answer:
 
 
 def _vote(state: Decision, message: Prepare | Propose, rank: int) -> Answer:
-    """What a voter answers to a ballot of another one."""
+    """The answer of a voter to a ballot of another one."""
     ballot = message.ballot
     if state.rank < 0:
         return state, (), None

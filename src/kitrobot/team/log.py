@@ -220,9 +220,9 @@ def _open_slot(log: Log, slot: int) -> Log:
 
 
 def _fewest(log: Log) -> tuple[int, ...]:
-    """Who is asked first in the next slot: those who voted for its own proposal in this one, which is a quorum.
+    """The voters that are asked first in the next slot: those that voted for its own proposal in this one, a quorum.
 
-    Not where somebody is missing or messages get lost: then all are asked.
+    If a voter is missing or messages get lost, votes are requested of all.
     """
     last = log.decision
     same = last.voters == log.tables.view.seats
