@@ -67,13 +67,13 @@ class Hello:
 
 
 def is_slow(state: str, late: int, tick: int) -> bool:
-    """Whether most ticks of a program that runs took longer than a tick may; of a few nothing is said."""
+    """Whether most ticks of a program that runs took longer than a tick may; False for the first few."""
     return state == "running" and late >= _FEW_LATE and 2 * late > tick
 
 
 @dataclass(frozen=True)
 class Step:
-    """What one tick gave: commands as (number, arguments)."""
+    """The result of one tick: commands as (number, arguments)."""
 
     tick: int
     fault_flag: bool
@@ -136,7 +136,7 @@ class Board:
         return self.greeted(self._request("h", bytes((link.PROTOCOL,))))
 
     def greeted(self, payload: bytes) -> Hello:
-        """Takes what a robot answers to a greeting.
+        """Handles a robot's answer to a greeting.
 
         Raises:
             BoardError: it speaks another version of the protocol.
@@ -274,7 +274,7 @@ class Board:
         self._request("q")
 
     def news(self, timeout: float) -> News | Fault | Text | None:
-        """What came unasked, in its order; None when nothing comes in that many seconds.
+        """Returns unrequested messages, in their order; None when nothing comes in that many seconds.
 
         Raises:
             LineError: the line broke.
@@ -313,7 +313,7 @@ class Board:
         raise silent(self.line.address)
 
     def number_anew(self) -> None:
-        """What is asked from now on is another request."""
+        """Gives the next request a new number."""
         self._number = self._number % 255 + 1
 
     def ask(self, kind: str, payload: bytes = b"") -> None:
@@ -333,7 +333,7 @@ class Board:
                 return answer
 
     def take(self, data: bytes, patience: RetryTimer) -> tuple[str, bytes] | None:
-        """Takes what came over the line; the answer to the last request when it is in it."""
+        """Handles bytes from the line; returns the answer to the last request when it is in them."""
         signs = self._signs
         answer = self._take(self._pieces(data))
         if self._signs != signs:
@@ -341,7 +341,7 @@ class Board:
         return answer
 
     def forget_texts(self) -> None:
-        """What was printed up to now is no news."""
+        """Drops the text that was printed up to now."""
         self._waiting = deque((one for one in self._waiting if not isinstance(one, Text)), self._waiting.maxlen)
 
     def _listen(self, timeout_s: float) -> list[bytes]:

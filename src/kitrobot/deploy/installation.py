@@ -78,7 +78,7 @@ _TRIAL_S = 5.0
 
 @dataclass(frozen=True)
 class DeployResult:
-    """What was done: `free` bytes of memory are left while the program runs.
+    """The result of a deploy: `free` bytes of memory are left while the program runs.
 
     `program` and `package` by eight digits, as in `Hello`; files by their names on the board; `micropython` is the
     version that the board has.
@@ -203,7 +203,7 @@ class _Installation:
                     raise too_much_lost(self.line.address) from None
 
     def install(self) -> None:
-        """All up to the line that says what starts."""
+        """Everything up to the line that names what starts."""
         board = self.board
         self.progress("compare", 0, 0)
         if self.needs is not None:
@@ -454,7 +454,7 @@ class _Installation:
 
 
 def _last_line(text: str) -> str:
-    """What went wrong, when Python said so: the last line of a traceback."""
+    """The error, when Python reported one: the last line of a traceback."""
     if "Traceback" not in text:
         return ""
     lines = text[text.index("Traceback") :].splitlines()

@@ -37,7 +37,7 @@ _WRITE_S = 10.0
 _SILICON_LABS = 0x10C4
 
 Trouble = (OSError, ValueError)
-"""What pyserial raises: its own error is an OSError."""
+"""Errors of pyserial: its own error is an OSError."""
 
 Opener = Callable[[str], Any]
 """Opens an address; what it gives is used as a port of pyserial is, and may raise a `LineError` of its own."""

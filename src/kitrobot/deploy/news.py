@@ -57,7 +57,7 @@ class Fault:
 
 @dataclass(frozen=True)
 class Text:
-    """What a board printed."""
+    """Text that a board printed."""
 
     text: str
 

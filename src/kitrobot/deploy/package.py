@@ -30,7 +30,7 @@ from kitrobot.deploy.onboard_bundle import (
     ROOT,
     loop_block,
     loop_files,
-    part,
+    minified_module,
     read_source,
     requests_file,
     short_text,
@@ -182,7 +182,7 @@ class Package:
         )
         if TEAM_DRIVER not in drivers:
             return built
-        member = part(ONBOARD / "member.py")
+        member = minified_module(ONBOARD / "member.py")
         name = name_of(member) + ".py"
         return replace(built, files={name: member, **built.files}, member=name)
 
@@ -226,12 +226,12 @@ def _built(
         interpreter = block.name
         start = package.store(start_from_flash(block, family, requests))
     else:
-        interpreter = package.store(part(ONBOARD / "interpreter.py"))[: -len(".py")]
-        loop = [package.store(part(path)) for path in (ONBOARD / "ports" / f"{family}.py", *loop_files())]
+        interpreter = package.store(minified_module(ONBOARD / "interpreter.py"))[: -len(".py")]
+        loop = [package.store(minified_module(path)) for path in (ONBOARD / "ports" / f"{family}.py", *loop_files())]
         sizes = [len(package.files[name]) for name in loop]
         start = package.store(start_file(interpreter, list(zip(loop, sizes, strict=True)), requests))
-    main = package.files["main.py"] = part(ONBOARD / "boot.py")
-    package.files["krboot.py"] = part(ONBOARD / "krboot.py")
+    main = package.files["main.py"] = minified_module(ONBOARD / "boot.py")
+    package.files["krboot.py"] = minified_module(ONBOARD / "krboot.py")
     module = name_of(b"".join(sorted(package.files.values())))
     del package.files["main.py"]
     files = {**builder.files, **package.files}

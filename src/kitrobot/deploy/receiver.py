@@ -61,7 +61,7 @@ class Receiver:
         self.count = count
         self.modern = self.disturbed = False
         self.family = ""
-        """What the board calls its platform."""
+        """The platform that the board reports."""
 
         self.is_2016 = False
         """Whether it is the micro:bit of 2016, which alone runs the loop from its flash."""
@@ -337,7 +337,7 @@ class Receiver:
 
 
 def _failure(answer: bytes) -> BoardError:
-    """What the board says that went wrong there."""
+    """The error that the board reports."""
     text = answer[:_LONGEST_TEXT].decode(errors="replace")
     if "OSError" in text and ("28" in text or "storage" in text):  # as boards of today and of 2016 say it
         return FullError(
@@ -357,7 +357,7 @@ def too_much_lost(address: str) -> SilentError:
 
 
 def strange() -> BoardError:
-    """What the board answered cannot be."""
+    """The board's answer is impossible."""
     return BoardError(
         Sentence("the board sent an answer that cannot be right"), Sentence("reset it and run the command again")
     )

@@ -11,7 +11,7 @@ from __future__ import annotations
 import struct
 from collections.abc import Iterator, Sequence
 
-from kitrobot.deploy.onboard_bundle import joined
+from kitrobot.deploy.onboard_bundle import join_statements
 from kitrobot.deploy.package import MODULE, BoardPackage
 from kitrobot.deploy.program_file import LIMIT_S, UNUSED, Device, ProgramFile
 from kitrobot.deploy.start_script import begun, piece
@@ -112,7 +112,7 @@ def _numbers(program: ProgramFile) -> Iterator[bytes]:
         state.PERIOD: image.tick_ms,
         state.STATE: 1 if program.is_member else 2,
     }
-    yield from map(piece, joined([f"$robot[{place}]={_literal(value)}" for place, value in values.items()]))
+    yield from map(piece, join_statements([f"$robot[{place}]={_literal(value)}" for place, value in values.items()]))
 
 
 def _arrays(program: ProgramFile) -> Iterator[bytes]:

@@ -13,7 +13,13 @@ from collections.abc import Iterator, Sequence
 from kitrobot.deploy.errors import PackageError
 from kitrobot.deploy.flash import END, FIRST
 from kitrobot.deploy.flash_code import CHUNK, HEAD, FlashBlock, head
-from kitrobot.deploy.onboard_bundle import in_flash_pieces, joined, named, pieces, words
+from kitrobot.deploy.onboard_bundle import (
+    in_flash_pieces,
+    join_statements,
+    name_pieces,
+    script_pieces,
+    with_short_names,
+)
 from kitrobot.text import Sentence
 
 _MOST = 9999
@@ -44,7 +50,7 @@ def piece(text: str) -> bytes:
     Raises:
         PackageError: it is too long.
     """
-    found = named(text).encode()
+    found = with_short_names(text).encode()
     if len(found) > _MOST:
         raise PackageError(
             Sentence("the settings of a device are too long for a board"),
@@ -54,7 +60,7 @@ def piece(text: str) -> bytes:
 
 
 def _list(requests: str) -> list[str]:
-    return [f"$requests={requests!r}", *pieces("begin"), *words()]
+    return [f"$requests={requests!r}", *script_pieces("begin"), *name_pieces()]
 
 
 def _found(one: FlashBlock) -> Iterator[str]:
@@ -71,5 +77,7 @@ def _found(one: FlashBlock) -> Iterator[str]:
         " $memory[id(c)+12]=$spot+b//65536\n"
         " return c"
     )
-    yield from joined([named(f"{each.name}=$place({number})") for number, each in enumerate(one.functions)])
+    yield from join_statements(
+        [with_short_names(f"{each.name}=$place({number})") for number, each in enumerate(one.functions)]
+    )
     yield "del $memory,$place,$spot"
