@@ -18,7 +18,7 @@ from itertools import pairwise
 from pathlib import Path
 from typing import Any
 
-from kitrobot.deploy import Deployed, Line, RawRepl, Receiver, connect, deploy
+from kitrobot.deploy import DeployResult, Line, RawRepl, Receiver, connect, deploy
 from kitrobot.robots import BoardProgram
 from kitrobot.robots.session import LOOK_S
 from kitrobot.workspace import load_board_program
@@ -64,7 +64,7 @@ class Measured:
     """How long after one another ticks began, in µs, in their order; what the deployment told."""
 
     intervals_us: list[int]
-    deployed: Deployed
+    deployed: DeployResult
 
 
 def program(folder: Path, tick_ms: int, keep: int, text: str = LOOP) -> BoardProgram:

@@ -23,7 +23,7 @@ from collections.abc import Iterator
 from contextlib import ExitStack, contextmanager
 from pathlib import Path
 
-from kitrobot.fleet import Agents, FleetTold, Network, identity_of
+from kitrobot.fleet import Agents, FleetCallbacks, Network, identity_of
 from kitrobot.sim import Simulation
 from kitrobot.sim.agent_views import commanded
 from kitrobot.workspace import (
@@ -117,7 +117,7 @@ class Measured:
                 boards = stack.enter_context(boards_of(opened)) if self.what == "stop-boards" else {}
                 plan = FleetPlan(file, names, network, boards=boards, lease_ms=lease, pace=1.0)
                 stack.enter_context(self.agents)
-                told = FleetTold(lambda name, said: None, lambda: self.over, self.look)
+                told = FleetCallbacks(lambda name, said: None, lambda: self.over, self.look)
                 ended = run_fleet(simulation, plan, self.agents, told)
             if self.what.startswith("stop"):
                 self.figures = {

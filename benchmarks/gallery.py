@@ -18,7 +18,7 @@ from typing import Any
 
 from benchmarks.boards import ROBOT, allocated, read_log
 from kitrobot.compiler import compile_text, robot_of
-from kitrobot.deploy import BoardError, Package, connect, deploy, fitted
+from kitrobot.deploy import BoardError, Package, connect, deploy, fit_to_kit
 from kitrobot.diagnostics import KitRobotError
 from kitrobot.primitives import Kit, Robot, read_robot
 from kitrobot.robots import BoardProgram
@@ -108,7 +108,7 @@ def with_clock(one: Candidate, kit: Kit, folder: Path, ticks: int, tick_ms: int)
     measured, _ = read_robot(ROBOT.format(tick_ms=tick_ms, keep=ticks).encode(), "measured.robot.xml")
     assert measured is not None
     (clock,) = measured.sensors
-    wired = fitted(one.robot, kit, Package((config_folder(),)))
+    wired = fit_to_kit(one.robot, kit, Package((config_folder(),)))
     robot = replace(wired, sensors=(*wired.sensors, clock), tick_ms=tick_ms)
     text = f"//(\n{one.text},\n*[Clock.LessThan(32767)]( WAIT(1); )\n);"
     return ready_program(one.name, robot, compile_text(text, robot), (), (), folder)

@@ -21,17 +21,17 @@ FLEET = "benchmark"
 
 def kitrobot(me: int, count: int, rounds: int, where: str) -> list[float]:
     from kitrobot.fleet import TEAM_PROCESS, Channel, Network, key_of
-    from kitrobot.fleet.bundles import bundled, unbundled
+    from kitrobot.fleet.bundles import bundle, unbundle
     from kitrobot.fleet.envelopes import BEGIN, HELLO, MEMBER, WELCOME, Envelope
     from kitrobot.team import (
+        AppliedNote,
         Charter,
+        IncomingMessage,
         Note,
-        Noted,
-        Received,
         Seat,
         Time,
         decode,
-        first_state,
+        initial_state,
         step,
     )
     from kitrobot.team.events import Event
@@ -50,20 +50,20 @@ def kitrobot(me: int, count: int, rounds: int, where: str) -> list[float]:
     def now() -> int:
         return time.monotonic_ns() // 1_000_000
 
-    state = first_state(charter, Seat(me, 0), now())
+    state = initial_state(charter, Seat(me, 0), now())
 
     def take(event: Event) -> None:
         nonlocal state
         stepped = step(charter, state, now(), event)
         state = stepped.state
-        for to, body in bundled(stepped.messages, 1):
+        for to, body in bundle(stepped.messages, 1):
             channel.send(to, MEMBER, body)
         for change in stepped.changes:
-            if isinstance(change, Noted):
+            if isinstance(change, AppliedNote):
                 arrived[change.numbers[0]] += 1
 
     def messages(came: list[Envelope]) -> list[bytes]:
-        return [one for envelope in came if envelope.kind == MEMBER for one in unbundled(envelope.body, me)]
+        return [one for envelope in came if envelope.kind == MEMBER for one in unbundle(envelope.body, me)]
 
     taken: list[float] = []
     told_at = 0
@@ -73,7 +73,7 @@ def kitrobot(me: int, count: int, rounds: int, where: str) -> list[float]:
         while arrived[number] < count:
             came = messages(channel.receive(0.02))
             for place, data in enumerate(came, 1):
-                take(Received(decode(data, 1), place < len(came)))
+                take(IncomingMessage(decode(data, 1), place < len(came)))
             if now() - told_at > 50:
                 told_at = now()
                 take(Time())
@@ -81,7 +81,7 @@ def kitrobot(me: int, count: int, rounds: int, where: str) -> list[float]:
     end = time.monotonic() + 1.0
     while time.monotonic() < end:
         for data in messages(channel.receive(0.05)):
-            take(Received(decode(data, 1)))
+            take(IncomingMessage(decode(data, 1)))
         take(Time())
     channel.close()
     return taken

@@ -13,7 +13,7 @@ from importlib.resources import files
 
 from benchmarks.subjects import interpreting
 from kitrobot.deploy import Line, RawRepl, Receiver
-from kitrobot.deploy.shortening import parsed, shortened
+from kitrobot.deploy.minifier import parsed, shortened
 
 TICKS = 500
 BY_TICK = """

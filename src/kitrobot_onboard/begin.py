@@ -16,13 +16,13 @@ from kitrobot_onboard.state import (
     LENGTH,
     NAMES,
     READ,
+    REPORTS,
     REQUESTS,
     REST,
     SEEN,
     SENSORS,
     SPACE,
     STATE,
-    TELL,
     TENDS,
     TICKS,
     TIDY,
@@ -39,7 +39,7 @@ robot[TIDY] = tidy
 robot[SENSORS] = []
 robot[ACTUATORS] = []
 robot[FORCED] = []
-robot[TELL] = []
+robot[REPORTS] = []
 robot[TENDS] = []
 robot[REQUESTS] = requests
 robot[SPACE] = globals()

@@ -1,9 +1,9 @@
 # Executes a request and answers it.
 
-from kitrobot_onboard.acting import stop
+from kitrobot_onboard.actuation import stop
 from kitrobot_onboard.link import wrap
 from kitrobot_onboard.reaction import react
-from kitrobot_onboard.state import DATA, GONE, KIND, LAST, REPLY, REQUESTS, SPACE, STEPS, TIDY, TOLD, WRITE
+from kitrobot_onboard.state import ANSWER, DATA, GONE, KIND, LAST, REPLY, REQUESTS, SPACE, STEPS, TIDY, WRITE
 
 
 def dispatch_request(robot, request):
@@ -21,9 +21,9 @@ def dispatch_request(robot, request):
             robot[GONE] = kind == "q"
         elif kind != "p":
             robot[KIND] = kind
-            robot[TOLD] = None
+            robot[ANSWER] = None
             file = open(robot[REQUESTS])
-            while robot[TOLD] is None:
+            while robot[ANSWER] is None:
                 robot[TIDY]()
                 head = file.read(4)
                 text = file.read(int(head[1:]))
@@ -33,7 +33,7 @@ def dispatch_request(robot, request):
                 if steps and steps > 1:  # not done by the piece itself: a small board's stack ends soon
                     robot[STEPS] = 1
                     (react if steps == 2 else stop)(robot)
-            told = robot[TOLD]
+            told = robot[ANSWER]
     except MemoryError:
         told = 6
     except Exception:  # no such request, or its file is gone

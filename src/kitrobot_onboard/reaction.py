@@ -1,6 +1,6 @@
 # One tick of a robot, with the inputs before and the commands after it.
 
-from kitrobot_onboard.acting import fail
+from kitrobot_onboard.actuation import fail
 from kitrobot_onboard.interpreter import tick
 from kitrobot_onboard.state import (
     ACTUATORS,
@@ -22,7 +22,7 @@ from kitrobot_onboard.state import (
 
 
 def react(robot):
-    """One tick. What goes wrong is written down in FAILED."""
+    """One tick. An error is recorded in FAILED."""
     number = 1
     try:
         cells = robot[CELLS]

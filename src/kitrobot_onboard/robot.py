@@ -6,7 +6,7 @@
 # `state`); functions are short, because compiling one takes six times its text; and the code of rare requests is read
 # from a file on demand (see `requests`).
 
-from kitrobot_onboard.acting import fail, stop
+from kitrobot_onboard.actuation import fail, stop
 from kitrobot_onboard.dispatch import dispatch_request
 from kitrobot_onboard.reaction import react
 from kitrobot_onboard.receive import receive_request
@@ -21,9 +21,9 @@ from kitrobot_onboard.state import (
     HELD,
     LATE,
     PERIOD,
+    REPORTS,
     STATE,
     STEPS,
-    TELL,
     TENDS,
     TICKS,
     WHO,
@@ -35,7 +35,7 @@ LOOK_MS = 200  # of what passes between two looks at the line no more counts: fr
 
 
 def run(robot):
-    """Goes on until somebody asks for the prompt. `robot`: what the program file made."""
+    """Runs until the prompt is requested. `robot`: what the program file made."""
     last = robot[TICKS]()
     while not robot[GONE]:
         try:
@@ -66,7 +66,7 @@ def run(robot):
                 robot[STATE] = 4
                 dispatch_request(robot, ("l", 0, b""))
             else:
-                for tell in robot[TELL]:
+                for tell in robot[REPORTS]:
                     left = tell(robot, left)
                 request = receive_request(robot, left)
                 if request:

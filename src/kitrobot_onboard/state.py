@@ -8,7 +8,7 @@ CELLS = 1
 THREADS = 2
 PARS = 3
 OUT = 4
-SEEN = 5  # what ran; empty: nobody wants to know
+SEEN = 5  # what ran; empty: not recorded
 
 # The clock and the line, from the port.
 TICKS = 6  # milliseconds that begin anew some day
@@ -36,7 +36,7 @@ STATE = 22  # 0 no program, 1 ready, 2 running, 3 ended, 4 fault
 # How it goes.
 FORCED = 23  # cells of inputs that are held
 FAULT = 24  # number, tick, device or None, exception: the last one
-FAILED = 25  # one that was not told yet, or None
+FAILED = 25  # one that was not reported yet, or None
 COUNT = 26  # ticks
 LATE = 27
 STEPS = 28  # step by step: no tick is due; 2: one is, now; 3: all are to be stopped, now
@@ -52,20 +52,20 @@ LAST = 35  # kind and number of the last request
 REPLY = 36  # its answer
 KIND = 37  # of the request that is being answered; letters of the pieces that belong to it
 DATA = 38  # its payload
-TOLD = 39  # its answer: kind and payload; 0 for done; the number of N that says why not; or None
+ANSWER = 39  # its answer: kind and payload; 0 for done; the number of N that says why not; or None
 
 # Whoever watches.
-TELL = 40  # functions that are called in each gap with the ms that are left, and say how many are left then
+REPORTS = 40  # functions that are called in each gap with the ms that are left, and return how many are left then
 EVERY = 41  # ms between two T
 SINCE = 42  # when the last was sent
-SENT = 43  # what was told: where each slot stands, each cell's value
+SENT = 43  # what was reported: the place of each slot, the value of each cell
 SPOT = 44  # which of those to look at next
 NEWS = 45  # records that wait
 SHOWN = 46  # it shows itself
 
 TIDY = 47  # makes the room that is free hang together
 
-TOLDTEAM = 48  # of a member of a team: the numbers that its host was told last
+SENTTEAM = 48  # of a member of a team: the numbers that were sent to its host last
 
 TENDS = 49  # (an actuator, what its driver does at each trip of the loop) for each driver that has `tend`
 

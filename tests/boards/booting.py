@@ -14,9 +14,9 @@ from typing import Any
 
 from kitrobot.deploy import Package, board_file, program_name, read_program_file
 from kitrobot.deploy.boot_records import StartLine
-from kitrobot.deploy.carried import requests_file, short
-from kitrobot.deploy.package import MODULE, TEAM_DRIVER, Built, name_of
-from kitrobot.deploy.starting import start_file
+from kitrobot.deploy.onboard_bundle import module_names, requests_file
+from kitrobot.deploy.package import MODULE, TEAM_DRIVER, BoardPackage, name_of
+from kitrobot.deploy.start_script import start_file
 from kitrobot_onboard.link import checksum
 from tests.boards.started import START, started
 
@@ -38,21 +38,25 @@ def lay(folder: Path, program: bytes | None, generation: int) -> None:
     file = read_program_file(program) if program is not None else None
     drivers = list(file.drivers) if file is not None else []
     own = dict.fromkeys(driver for driver in drivers if driver == TEAM_DRIVER)
-    built = _with_test_drivers(Package().built("machine", own), drivers)
+    built = _with_test_drivers(Package().build("machine", own), drivers)
     data = board_file(file, built)
     name = program_name(program) if program is not None else "kp-"  # as robots have it that know drivers by their names
     line = StartLine(generation, built.interpreter, name, checksum(data))
     for path, content in {**built.files, name: data, "kr0": line.to_bytes()}.items():
         (folder / path).write_bytes(content)
     loading, _, running = built.main.decode().rpartition("\n")
-    names = {"tick": short()["tick"], "robot": short()["robot"], "run": short().get("run", "run")}
+    names = {
+        "tick": module_names()["tick"],
+        "robot": module_names()["robot"],
+        "run": module_names().get("run", "run"),
+    }
     assert running.strip() == f"{names['run']}({names['robot']})"
     start = {"interpreter": built.interpreter, "loading": loading, **names}
     (folder / START).write_text(json.dumps(start), encoding="utf-8")
 
 
-def _with_test_drivers(built: Built, drivers: list[str]) -> Built:
-    port = "\n".join(f"{short().get(name, name)}=port.{name}" for name in PORT).encode()
+def _with_test_drivers(built: BoardPackage, drivers: list[str]) -> BoardPackage:
+    port = "\n".join(f"{module_names().get(name, name)}=port.{name}" for name in PORT).encode()
     texts = {
         driver: f"from tests.boards.drivers import driver as found\nmake=found({driver!r}).make".encode()
         for driver in drivers

@@ -9,7 +9,7 @@ from typing import Any
 
 import pytest
 
-from kitrobot.deploy import BoardError, Deployed, Line, LineError, RawRepl, Receiver, connect, deploy
+from kitrobot.deploy import BoardError, DeployResult, Line, LineError, RawRepl, Receiver, connect, deploy
 from kitrobot.robots import BoardProgram
 from tests.boards.bench import ONE, OTHER, bench_program
 from tests.boards.proxy import Proxy, noise
@@ -21,7 +21,7 @@ SEEDS = range(20 if THOROUGH else 1)
 """In the thorough profile every single message is cut, and many seeds are tried; else one of 100, and one."""
 
 
-def put(address: str, program: BoardProgram, *, replace: bool = False, fresh: bool = False) -> Deployed:
+def put(address: str, program: BoardProgram, *, replace: bool = False, fresh: bool = False) -> DeployResult:
     return deploy(address, program.file.to_bytes(), program.package, replace=replace, fresh=fresh)
 
 
@@ -73,19 +73,19 @@ def test_an_empty_board_gets_all_of_it_and_runs(board: Any, tmp_path: Path) -> N
     at_the_prompt_it_is_started(board, done)
 
 
-def it_starts_by_itself_when_the_power_comes_on(board: Any, done: Deployed) -> None:
+def it_starts_by_itself_when_the_power_comes_on(board: Any, done: DeployResult) -> None:
     board.cut_power()
     assert runs(board.address) == done.program
 
 
-def a_deploy_that_broke_off_needs_no_reset_to_start_it(board: Any, done: Deployed) -> None:
+def a_deploy_that_broke_off_needs_no_reset_to_start_it(board: Any, done: DeployResult) -> None:
     line = Line(board.address)
     Receiver(RawRepl(line)).begin()
     line.close()
     assert runs(board.address) == done.program
 
 
-def at_the_prompt_it_is_started(board: Any, done: Deployed) -> None:
+def at_the_prompt_it_is_started(board: Any, done: DeployResult) -> None:
     with connect(board.address, PATIENCE_S) as found:
         found.quit()
     assert runs(board.address) == done.program
@@ -113,7 +113,7 @@ def test_what_nobody_names_any_more_is_removed_by_the_next_installation(board: A
     assert len(programs) == 2
     package = bench_program(tmp_path, OTHER, "d")
     modules = {name for name in names if name.endswith(".py")} - {"main.py"}
-    assert len(modules) == len(package.package.built("machine", package.file.drivers).files) + 1  # the driver before
+    assert len(modules) == len(package.package.build("machine", package.file.drivers).files) + 1  # the driver before
 
 
 def test_a_main_of_somebody_else_is_only_overwritten_when_asked(board: Any, tmp_path: Path) -> None:
@@ -133,7 +133,7 @@ def test_a_file_that_was_spoilt_is_sent_again_and_what_would_not_start_leaves_wh
     a_board_that_would_not_start_it_goes_on_with_what_it_had(board, first, tmp_path)
 
 
-def a_file_that_was_spoilt_is_sent_again(board: Any, first: Deployed, tmp_path: Path) -> None:
+def a_file_that_was_spoilt_is_sent_again(board: Any, first: DeployResult, tmp_path: Path) -> None:
     spoilt = next(name for name in first.sent_files if name.endswith(".py"))
     content = files_of(board.address)[spoilt]
     write(board.address, spoilt, content[: len(content) // 2])
@@ -142,7 +142,7 @@ def a_file_that_was_spoilt_is_sent_again(board: Any, first: Deployed, tmp_path: 
     assert runs(board.address) == first.program
 
 
-def a_board_that_would_not_start_it_goes_on_with_what_it_had(board: Any, first: Deployed, tmp_path: Path) -> None:
+def a_board_that_would_not_start_it_goes_on_with_what_it_had(board: Any, first: DeployResult, tmp_path: Path) -> None:
     program = bench_program(tmp_path, OTHER, "two")
     (tmp_path / "stores.driver.py").write_text("def make(settings):\n    raise OSError('no such pin')\n")
     with pytest.raises(BoardError, match="no such pin"):
@@ -237,6 +237,6 @@ def test_bytes_that_are_lost_changed_and_added_are_mended(board: Any, tmp_path: 
     assert program.is_called(done.program)
     assert runs(board.address) == done.program
     files = files_of(board.address)
-    built = program.package.built("machine", program.file.drivers)
+    built = program.package.build("machine", program.file.drivers)
     for name, content in built.files.items():
         assert files[name] == content

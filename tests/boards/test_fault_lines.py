@@ -70,6 +70,6 @@ def test_a_driver_that_does_not_start_names_its_line_too(board: ModernBoard, tmp
 @pytest.mark.parametrize("first", ["import sys; import os", "x: int = 1", "from __future__ import annotations"])
 def test_what_cannot_keep_its_lines_is_shortened_as_ours_are(tmp_path: Path, first: str) -> None:
     (tmp_path / "mine.driver.py").write_text(f"{first}\n\n\ndef make(settings):\n    return lambda: 0  # nothing\n")
-    built = Package((tmp_path,)).built("machine", {"mine": None})
+    built = Package((tmp_path,)).build("machine", {"mine": None})
     assert built.in_lines == {}
     assert b"nothing" not in built.files[built.drivers["mine"]]

@@ -30,9 +30,9 @@ TICKS = 60
 PROGRAM = b"""
 import binascii, json, machine, microbit, time
 from kitrobot_onboard.drivers.microbit.display import NAMES as PICTURES
-from kitrobot_onboard.equipping import add_actuator, add_sensor
+from kitrobot_onboard.device_setup import add_actuator, add_sensor
 from kitrobot_onboard.image import load
-from kitrobot_onboard.acting import stop
+from kitrobot_onboard.actuation import stop
 from kitrobot_onboard.reaction import react
 from kitrobot_onboard.state import *
 

@@ -30,8 +30,8 @@ from kitrobot.deploy import (
     deploy,
     package,
 )
-from kitrobot.deploy.carried import frozen_loop
-from kitrobot.deploy.shortening import parsed, shortened
+from kitrobot.deploy.minifier import parsed, shortened
+from kitrobot.deploy.onboard_bundle import loop_block
 from kitrobot.diagnostics import KitRobotError
 from kitrobot.image import Image, Machine
 from kitrobot.robots import BoardProgram
@@ -402,8 +402,8 @@ def test_another_kitrobot_finds_no_room_beside_the_old_one_and_takes_its_place_w
     old, new = bench_program(tmp_path / "old", PROGRAMS[0]), bench_program(tmp_path / "new", PROGRAMS[1])
     place(microbit, old)
     there = runs(microbit.address)
-    other = replace(frozen_loop("microbit"), name="kr01234567")
-    monkeypatch.setattr(package, "frozen_loop", lambda family: other)
+    other = replace(loop_block("microbit"), name="kr01234567")
+    monkeypatch.setattr(package, "loop_block", lambda family: other)
     with pytest.raises(FullError, match="flash"):
         put_program(microbit.address, new)
     assert runs(microbit.address) == there

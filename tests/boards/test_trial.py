@@ -8,7 +8,7 @@ from typing import Any
 
 import pytest
 
-from kitrobot.deploy import Deployed, SilentError, connect, deploy, installing
+from kitrobot.deploy import DeployResult, SilentError, connect, deploy, installation
 from kitrobot.deploy.boot_records import TRIAL
 from kitrobot.robots import BoardProgram
 from tests.boards.bench import ONE, OTHER, bench_program
@@ -36,7 +36,7 @@ def hanging_program(folder: Path, where: str) -> BoardProgram:
 def hangs(address: str, program: BoardProgram, monkeypatch: pytest.MonkeyPatch) -> str:
     """Puts a program onto a board that hangs then; what is said of that."""
     with monkeypatch.context() as patch:
-        patch.setattr(installing, "STARTING_S", 2.0)  # it never starts, however long it is waited for
+        patch.setattr(installation, "STARTING_S", 2.0)  # it never starts, however long it is waited for
         with pytest.raises(SilentError) as error:
             put(address, program)
     return f"{error.value.message}; {error.value.help}"
@@ -82,10 +82,10 @@ def make(settings):
 """
 
 
-def freed_by_its_prompt(board: Any, folder: Path) -> Deployed:
+def freed_by_its_prompt(board: Any, folder: Path) -> DeployResult:
     """Puts a program onto a board that hangs whenever it starts: its power is cut when that is asked for."""
     asked = Event()
-    found: list[Deployed | BaseException] = []
+    found: list[DeployResult | BaseException] = []
     program = bench_program(folder, ONE, "mended")
 
     def progress(stage: str, done: int, total: int) -> None:
@@ -103,7 +103,7 @@ def freed_by_its_prompt(board: Any, folder: Path) -> Deployed:
     assert asked.wait(PATIENCE_S)
     board.cut_power()
     thread.join()
-    assert isinstance(found[0], Deployed), found[0]
+    assert isinstance(found[0], DeployResult), found[0]
     return found[0]
 
 

@@ -28,7 +28,7 @@ class SmallFlash:
         self.pieces = (self.last - first) // CHUNK
         self.start = start % self.pieces
 
-    def told(self, count: int) -> None:
+    def count(self, count: int) -> None:
         """Nobody wants to know."""
 
     @property

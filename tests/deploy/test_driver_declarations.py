@@ -10,8 +10,8 @@ import pytest
 
 import kitrobot_onboard
 from kitrobot.deploy import FAMILIES, Package, PackageError
-from kitrobot.deploy.declarations import Setting, declared, without_declarations
-from kitrobot.deploy.fitting import refuse_misfits
+from kitrobot.deploy.declarations import Setting, read_declaration, without_declarations
+from kitrobot.deploy.driver_fit import refuse_misfits
 from kitrobot.deploy.program_file import Device, ProgramFile
 from kitrobot.primitives import load_catalogue
 
@@ -43,7 +43,7 @@ raise SystemExit
 SETTINGS = {"a": "pin", "b": "pin?", "c": "1..9 = 3", "d": "-5..5", "e": "x|y", "f": "x|y = x", "g": "text?"}
 PROCEDURES = "Open Close"
 """
-    says = declared(ast.parse(text), "own.driver.py")
+    says = read_declaration(ast.parse(text), "own.driver.py")
     assert says.procedures == ("Open", "Close")
     assert says.settings == {
         "a": Setting(True, True),
@@ -62,7 +62,7 @@ def test_what_a_setting_is_may_depend_on_another_one() -> None:
     "a": "channel 0..3? where by=one; 1..2 where by=two; pin",
     "by-address": "5..6 where by=one",
 }"""
-    says = declared(ast.parse(text), "own.driver.py")
+    says = read_declaration(ast.parse(text), "own.driver.py")
     found = {by: says.known({"by": by}) for by in ("pins", "one", "two")}
     assert [sorted(known) for known in found.values()] == [["a", "by"], ["a", "by", "by-address"], ["a", "by"]]
     assert (found["pins"]["a"].is_pin, found["pins"]["a"].is_channel) == (True, False)
@@ -92,7 +92,7 @@ def test_what_a_setting_is_may_depend_on_another_one() -> None:
 )
 def test_a_declaration_that_cannot_be_read_is_named_with_its_line(line: str) -> None:
     with pytest.raises(PackageError, match=r"own.driver.py` line 2: ") as caught:
-        declared(ast.parse(f"\n{line}"), "own.driver.py")
+        read_declaration(ast.parse(f"\n{line}"), "own.driver.py")
     assert line.split(" ")[0] in caught.value.help
 
 
@@ -161,7 +161,7 @@ def test_ones_own_driver_is_held_to_what_it_says(tmp_path: Path) -> None:
 
 
 def test_declarations_do_not_land_on_a_board() -> None:
-    built = Package().built("machine", {"servo": None, "pin-in": None})
+    built = Package().build("machine", {"servo": None, "pin-in": None})
     for content in built.files.values():
         assert b"SETTINGS" not in content
         assert b"PROCEDURES" not in content
@@ -186,7 +186,7 @@ def words_of(path: Path) -> set[str]:
 )
 def test_every_shipped_driver_declares_its_settings(path: Path) -> None:
     text = path.read_text(encoding="utf-8")
-    says = declared(ast.parse(text), path.name)
+    says = read_declaration(ast.parse(text), path.name)
     if "make" not in text:
         return
     assert says.settings is not None

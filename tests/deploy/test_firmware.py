@@ -8,7 +8,7 @@ from pathlib import Path
 
 import pytest
 
-from kitrobot.deploy import FirmwareError, Needs
+from kitrobot.deploy import FirmwareError, FirmwareRequirements
 from kitrobot.deploy.errors import BoardError
 from kitrobot.deploy.uf2 import (
     BLOCK,
@@ -117,7 +117,7 @@ def test_a_drive_that_says_nothing_useful_takes_any_firmware_and_one_that_breaks
     ],
 )
 def test_a_board_with_the_least_version_or_a_later_one_is_taken(has: str, least: str) -> None:
-    Needs("k", least).refuse_older(has)
+    FirmwareRequirements("k", least).refuse_older(has)
 
 
 @pytest.mark.parametrize(
@@ -132,7 +132,7 @@ def test_a_board_with_the_least_version_or_a_later_one_is_taken(has: str, least:
 )
 def test_a_board_with_an_older_version_is_refused_with_the_way_to_a_newer_one(has: str, least: str) -> None:
     with pytest.raises(BoardError) as refused:
-        Needs("k", least, "https://example.org/firmware").refuse_older(has)
+        FirmwareRequirements("k", least, "https://example.org/firmware").refuse_older(has)
     assert f"MicroPython {has}" in refused.value.message
     assert "https://example.org/firmware" in refused.value.help
 
@@ -140,18 +140,26 @@ def test_a_board_with_an_older_version_is_refused_with_the_way_to_a_newer_one(ha
 @pytest.mark.parametrize(
     ("kit", "platform", "words"),
     [
-        (Needs("pico", "1.20", "", "machine", "rp2040"), "microbit", "is for a board such as the Raspberry Pi Pico"),
-        (Needs("pico", "1.20", "", "machine", "rp2350"), "esp32", "this board is an ESP32"),
-        (Needs("cutebot", "", "", "microbit"), "rp2", "is for a micro:bit"),
-        (Needs("own", "", "", "machine"), "microbit", "is for another kind of board, and this board is a micro:bit"),
-        (Needs("pico", "1.20", "", "machine", "rp2040"), "rp2", ""),
-        (Needs("cutebot", "", "", "microbit"), "microbit", ""),
-        (Needs("own", "", "", "machine"), "esp32", ""),
-        (Needs("pico", "1.20", "", "machine", "rp2040"), "webassembly", ""),
+        (
+            FirmwareRequirements("pico", "1.20", "", "machine", "rp2040"),
+            "microbit",
+            "is for a board such as the Raspberry Pi Pico",
+        ),
+        (FirmwareRequirements("pico", "1.20", "", "machine", "rp2350"), "esp32", "this board is an ESP32"),
+        (FirmwareRequirements("cutebot", "", "", "microbit"), "rp2", "is for a micro:bit"),
+        (
+            FirmwareRequirements("own", "", "", "machine"),
+            "microbit",
+            "is for another kind of board, and this board is a micro:bit",
+        ),
+        (FirmwareRequirements("pico", "1.20", "", "machine", "rp2040"), "rp2", ""),
+        (FirmwareRequirements("cutebot", "", "", "microbit"), "microbit", ""),
+        (FirmwareRequirements("own", "", "", "machine"), "esp32", ""),
+        (FirmwareRequirements("pico", "1.20", "", "machine", "rp2040"), "webassembly", ""),
     ],
 )
 def test_a_kit_of_another_kind_of_board_is_refused_before_its_firmware_is_looked_at(
-    kit: Needs, platform: str, words: str
+    kit: FirmwareRequirements, platform: str, words: str
 ) -> None:
     if not words:
         return kit.refuse_other_board(platform)

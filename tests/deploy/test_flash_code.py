@@ -12,9 +12,9 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from kitrobot.deploy.builtin_names import GLOBALS, LOCALS
-from kitrobot.deploy.carried import IN_FLASH, frozen_loop
 from kitrobot.deploy.errors import BoardError
-from kitrobot.deploy.flash_code import CHUNK, HEAD, OF_OTHERS, Frozen, Function, frozen, laid_out, literals_of
+from kitrobot.deploy.flash_code import CHUNK, HEAD, OF_OTHERS, FlashBlock, Function, build_block, lay_out, literals_of
+from kitrobot.deploy.onboard_bundle import IN_FLASH, loop_block
 
 BEHIND = bytes((0x14, 0xAA, 0xF9, 0x5E, 0x5B))
 
@@ -31,9 +31,9 @@ def dumped(function: Function, body: bytes, *, arguments: int | None = None, fil
     return names + (code + BEHIND).ljust(function.dumped, b"\xee")
 
 
-def one(*sizes: int) -> Frozen:
+def one(*sizes: int) -> FlashBlock:
     listed = tuple(Function(f"f{number}", number % 4, size) for number, size in enumerate(sizes))
-    return Frozen("kr01234567", (("text", listed),), frozenset(), {})
+    return FlashBlock("kr01234567", (("text", listed),), frozenset(), {})
 
 
 def places(content: bytes, count: int) -> Sequence[tuple[int, int]]:
@@ -60,7 +60,7 @@ def places(content: bytes, count: int) -> Sequence[tuple[int, int]]:
 )
 def test_what_has_no_place_in_flash_is_refused(text: str) -> None:
     with pytest.raises(TypeError, match="`f` cannot run from flash"):
-        frozen([functions(text)], {})
+        build_block([functions(text)], {})
 
 
 def test_strings_and_bytes_are_found_once_each() -> None:
@@ -69,8 +69,8 @@ def test_strings_and_bytes_are_found_once_each() -> None:
 
 @pytest.mark.parametrize("family", IN_FLASH)
 def test_the_loop_of_a_small_board_uses_names_that_are_short_enough(family: str) -> None:
-    loop = frozen_loop(family)
-    assert loop is frozen_loop(family)
+    loop = loop_block(family)
+    assert loop is loop_block(family)
     python = {name for thing in (builtins, bytes, list) for name in dir(thing)}
     ports = {"add", "any", "read", "sleep", "stop", "struct", "uart", "pack", "do", "loop"}
     assert loop.names - python - ports <= {*GLOBALS, *LOCALS}
@@ -81,7 +81,7 @@ def test_code_and_arguments_are_where_the_table_says() -> None:
     made = one(60, 90, 200)
     bodies = [bytes((0x60 + number,)) * 20 for number in range(3)]
     dump = b"".join(dumped(function, body) for function, body in zip(made.functions, bodies, strict=True))
-    content = laid_out(made, [dump])
+    content = lay_out(made, [dump])
     for (code, names), body, function in zip(places(content, 3), bodies, made.functions, strict=True):
         assert code % 4 == names % 4 == 0
         size = 4 * function.arguments
@@ -99,7 +99,7 @@ def test_no_piece_begins_with_a_byte_that_means_something(bodies: list[bytes], f
     made = one(*(len(body) for body in bodies))
     try:
         dump = b"".join(dumped(function, body) for function, body in zip(made.functions, bodies, strict=True))
-        content = laid_out(made, [dump])
+        content = lay_out(made, [dump])
     except BoardError:
         return  # there are bytes that leave no place at all
     assert not [at for at in range(CHUNK, len(content), CHUNK) if content[at] in OF_OTHERS]
@@ -109,20 +109,20 @@ def test_no_piece_begins_with_a_byte_that_means_something(bodies: list[bytes], f
 def test_a_dump_without_an_end_is_of_a_firmware_that_we_do_not_know(cut: int) -> None:
     made = one(60)
     with pytest.raises(BoardError, match="none that KitRobot knows"):
-        laid_out(made, [dumped(made.functions[0], b"\x60" * 20)[:cut]])
+        lay_out(made, [dumped(made.functions[0], b"\x60" * 20)[:cut]])
 
 
 def test_a_function_that_takes_something_else_is_of_a_firmware_that_we_do_not_know() -> None:
     made = one(60)
     with pytest.raises(BoardError, match="none that KitRobot knows"):
-        laid_out(made, [dumped(made.functions[0], b"\x60" * 20, arguments=3)])
+        lay_out(made, [dumped(made.functions[0], b"\x60" * 20, arguments=3)])
 
 
 @pytest.mark.parametrize("file", [b"\x21", b"\x8c\x21", b"\x81\x8c\x21"])
 def test_the_name_of_the_file_may_have_any_length(file: bytes) -> None:
     made = one(60)
     try:
-        content = laid_out(made, [dumped(made.functions[0], b"\x60" * 20, file=file)])
+        content = lay_out(made, [dumped(made.functions[0], b"\x60" * 20, file=file)])
     except BoardError:
         assert len(file) < 2, "the function's name is longer than what it stands for"
         return

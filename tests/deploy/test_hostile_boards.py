@@ -13,14 +13,14 @@ from hypothesis import strategies as st
 
 from kitrobot.deploy import Board, Line, Receiver, ResetError
 from kitrobot.deploy.boot_records import read_line
-from kitrobot.deploy.connecting import greet
 from kitrobot.deploy.flash import Flash
+from kitrobot.deploy.handshake import greet
 from kitrobot.deploy.line import MOST
-from kitrobot.deploy.modern import tell_at_once
+from kitrobot.deploy.raw_paste import run_by_raw_paste
 from kitrobot.deploy.repl import GarbledError, RawRepl
 from kitrobot.diagnostics import KitRobotError
 from kitrobot_onboard.link import unwrap, wrap
-from tests.deploy.pretended import Answers, PretendedLine, PretendedRobot
+from tests.deploy.fake_boards import Answers, FakeLine, FakeRobot
 
 NEVER_LONGER_S = 150
 FOR_EVER_S = 240
@@ -97,7 +97,7 @@ ROBOT: dict[str, Callable[[Board], Any]] = {
 @pytest.mark.parametrize("asked", FILES)
 @given(choices=st.lists(st.one_of(FRAMES, RAW), min_size=1, max_size=6))
 def test_what_takes_files_may_answer_anything(asked: str, choices: list[Any]) -> None:
-    line = PretendedLine(board_of(choices))
+    line = FakeLine(board_of(choices))
     with contextlib.suppress(KitRobotError):
         FILES[asked](in_touch(line))
     assert line.read_bytes < 4 * MOST
@@ -106,7 +106,7 @@ def test_what_takes_files_may_answer_anything(asked: str, choices: list[Any]) ->
 @pytest.mark.parametrize("asked", ROBOT)
 @given(choices=st.lists(st.one_of(FRAMES, RAW), min_size=1, max_size=6))
 def test_a_robot_may_answer_anything(asked: str, choices: list[Any]) -> None:
-    line = PretendedLine(PretendedRobot())
+    line = FakeLine(FakeRobot())
     board = Board(line)
     greet(board)
     board.arguments = [0, 1, 2, 200]
@@ -119,7 +119,7 @@ def test_a_robot_may_answer_anything(asked: str, choices: list[Any]) -> None:
 
 @given(choices=st.lists(st.one_of(FRAMES, RAW), min_size=1, max_size=6))
 def test_a_greeting_may_be_answered_by_anything(choices: list[Any]) -> None:
-    line = PretendedLine(board_of(choices))
+    line = FakeLine(board_of(choices))
     try:
         hello = greet(Board(line))
     except KitRobotError:
@@ -136,7 +136,7 @@ def test_a_line_that_says_what_starts_may_be_anything(data: bytes) -> None:
 
 @pytest.mark.parametrize("asked", ["read", "names"])
 def test_a_file_or_a_list_that_never_ends_is_given_up(asked: str) -> None:
-    line = PretendedLine(board_of([("D", b"x" * (64 if asked == "read" else 400), None)]))
+    line = FakeLine(board_of([("D", b"x" * (64 if asked == "read" else 400), None)]))
     tracemalloc.start()
     try:
         with pytest.raises(KitRobotError):
@@ -147,7 +147,7 @@ def test_a_file_or_a_list_that_never_ends_is_given_up(asked: str) -> None:
     assert line.read_bytes < 2 * MOST
 
 
-class Flood(PretendedLine):
+class Flood(FakeLine):
     """As many bytes as are wanted, as fast as a network gives them."""
 
     def read(self, timeout_s: float) -> bytes:
@@ -164,19 +164,19 @@ def test_a_flood_without_an_end_is_listened_to_within_bounds() -> None:
 
 @pytest.mark.parametrize(("kind", "answer"), [("x", "K"), ("x", "N"), ("x", "H"), ("d", "N"), ("d", "D")])
 def test_an_answer_of_a_robot_that_runs_means_that_the_board_restarted(kind: str, answer: str) -> None:
-    receiver = in_touch(PretendedLine(board_of([(answer, b"", None)])))
+    receiver = in_touch(FakeLine(board_of([(answer, b"", None)])))
     with pytest.raises(ResetError):
         receiver._asked(kind, b"1", 2)
 
 
 def test_a_prompt_means_that_the_board_restarted_and_is_noticed_at_once() -> None:
-    line = PretendedLine(lambda data: [(0.01, b"\r\nMicroPython v1.22\r\n>>> ")])
+    line = FakeLine(lambda data: [(0.01, b"\r\nMicroPython v1.22\r\n>>> ")])
     with pytest.raises(ResetError):
         in_touch(line).names()
     assert line.time < 1
 
 
-class Talker(PretendedLine):
+class Talker(FakeLine):
     """One that says the same for ever, a moment after the other."""
 
     def __init__(self, words: bytes) -> None:
@@ -198,7 +198,7 @@ WAITING: dict[str, Callable[[Line], object]] = {
     "enter": lambda line: RawRepl(line).enter(),
     "begin": lambda line: Receiver(RawRepl(line)).begin(),
     "value": lambda line: Receiver(RawRepl(line)).value("1"),
-    "tell": lambda line: tell_at_once(line, "s=1"),
+    "tell": lambda line: run_by_raw_paste(line, "s=1"),
     "release": lambda line: RawRepl(line).release(),
 }
 BANNER = b"raw REPL; CTRL-B to exit\r\n>"

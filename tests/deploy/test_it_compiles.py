@@ -23,8 +23,8 @@ def built(family: str) -> dict[str, bytes]:
         "__init__",
         "pins",
     }
-    found = package.built(family, dict.fromkeys(sorted(names)))
-    groups = found.frozen.groups if found.frozen is not None else ()
+    found = package.build(family, dict.fromkeys(sorted(names)))
+    groups = found.block.groups if found.block is not None else ()
     in_flash = {f"flash{number}.py": text.encode() for number, (text, _) in enumerate(groups)}
     return {**found.files, **in_flash, "main.py": found.main}
 

@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 
 from kitrobot.compiler import compile_text
-from kitrobot.deploy import Package, PackageError, fitted, kit_problems, look_at_parts, refuse_what_is_missing
+from kitrobot.deploy import Package, PackageError, fit_to_kit, kit_problems, parts_on_kit, refuse_what_is_missing
 from kitrobot.primitives import SHIPPED, Kit, load_catalogue, read_kit
 from kitrobot.robots import program_of
 
@@ -155,7 +155,7 @@ def test_a_part_is_told_nothing_of_a_bus_that_its_motors_are_not_on() -> None:
     robot = load_catalogue().robots["mini-robot"]
     told = {}
     for name, given in (("pins", wires), ("chip", f'{CHIP} gyro="lsm6dso"')):
-        fit = fitted(robot, kit_of(f'<actuator device="drive turn" {given}/>'), Package())
+        fit = fit_to_kit(robot, kit_of(f'<actuator device="drive turn" {given}/>'), Package())
         told[name] = {part.name: part.board.settings for part in fit.actuators}
     assert "sda" not in told["pins"]["Wheel"]
     assert told["pins"]["Motor"]["sda"] == "8"
@@ -232,12 +232,12 @@ def test_a_part_is_told_the_settings_that_its_driver_knows_and_what_it_shares_wi
     kit = kit_of(f'<actuator device="drive turn wheel" {MOTORS} rate="90"/><sensor device="range" part="Captor"'
                  ' driver="ultrasonic" trigger="14" echo="15"/>')  # fmt: skip
     robots = load_catalogue().robots
-    mini = fitted(robots["mini-robot"], kit, Package())
+    mini = fit_to_kit(robots["mini-robot"], kit, Package())
     settings = {part.name: part.board.settings for part in (*mini.actuators, *mini.sensors)}
     assert "rate" in settings["Motor"]
     assert "rate" not in settings["Wheel"]
     assert settings["Captor"]["reach"] == "1000"
-    line = fitted(robots["line-follower"], kit, Package())
+    line = fit_to_kit(robots["line-follower"], kit, Package())
     assert [part.board.settings.get("side") for part in line.actuators] == ["left", "right", None]
 
 
@@ -255,7 +255,7 @@ def test_a_program_that_uses_what_a_kit_lacks_is_refused_with_every_part_and_the
         program_of("not here", robot, not_here, kit=kit)
     assert "`Door`, `Light`" in refused.value.message
     assert refused.value.help == "There is no servo."
-    looked = {one.part.name: one for one in look_at_parts(robot, kit, Package(), not_here.image)}
+    looked = {one.part.name: one for one in parts_on_kit(robot, kit, Package(), not_here.image)}
     assert (looked["Door"].is_used, looked["Door"].is_missing, looked["Wheel"].is_missing) == (True, True, False)
 
 

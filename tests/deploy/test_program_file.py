@@ -12,7 +12,7 @@ from kitrobot.deploy import DeployError, ProgramFile, board_file, read_program_f
 from kitrobot.deploy.errors import BoardError
 from kitrobot.deploy.memory import image_bytes, refuse_what_does_not_fit
 from kitrobot.deploy.package import Package
-from kitrobot.deploy.trimming import Asked
+from kitrobot.deploy.tree_shaking import UsedParts
 from kitrobot_onboard.link import checksum
 from kitrobot_onboard.state import ACTUATORS
 from tests.boards.bench import OTHER, bench_program
@@ -44,7 +44,7 @@ def test_of_each_driver_it_knows_what_the_program_asks(data: bytes) -> None:
     assert file.commands == [(0, "Turn", 1, True), (0, "", 0, False), (1, "Advance", 1, False), (1, "Stop", 0, False)]
     pins = frozenset({("pin", "1"), ("pin", "2")})
     procedures = frozenset({"Turn", "Advance", "Stop"})
-    assert file.drivers == {"stores": Asked(procedures, later=True, settings=pins), "zero": Asked()}
+    assert file.drivers == {"stores": UsedParts(procedures, later=True, settings=pins), "zero": UsedParts()}
 
 
 @pytest.mark.parametrize("setting", ["$robot", "'", '"', "\\", "a$file"])
@@ -76,7 +76,7 @@ def test_a_program_that_is_too_large_for_a_board_is_refused(tmp_path: Path) -> N
     image = program.file.image
     assert image_bytes(image) > 8000
     for in_flash, needs in ((False, rf"needs {image_bytes(image)} bytes"), (True, "needs 1[0-9]{4} bytes")):
-        built = Package((tmp_path,)).built("microbit", program.file.drivers, in_flash=in_flash)
+        built = Package((tmp_path,)).build("microbit", program.file.drivers, in_flash=in_flash)
         size = len(board_file(program.file, built))
         with pytest.raises(BoardError, match=needs):
             refuse_what_does_not_fit(program.file, built, size, 14_000)

@@ -7,9 +7,9 @@ import re
 import pytest
 
 from kitrobot.deploy import BoardError, FullError, NoMemoryError, board_file
-from kitrobot.deploy.carried import frozen_loop
 from kitrobot.deploy.flash_room import least_pieces, refuse_what_has_no_room
 from kitrobot.deploy.memory import refuse_what_does_not_fit
+from kitrobot.deploy.onboard_bundle import loop_block
 from kitrobot.robots import BoardProgram
 from kitrobot.workspace import open_mission
 from tests.deploy.small_flash import CHUNK, SmallFlash
@@ -23,7 +23,7 @@ FREE = 9696
 
 
 def refusal(program: BoardProgram, free: int = FREE, *, in_flash: bool = True) -> BoardError | None:
-    built = program.package.built("microbit", program.file.drivers, in_flash=in_flash)
+    built = program.package.build("microbit", program.file.drivers, in_flash=in_flash)
     try:
         refuse_what_does_not_fit(program.file, built, len(board_file(program.file, built)), free)
     except NoMemoryError as error:
@@ -80,7 +80,7 @@ class Sized(SmallFlash):
 
 
 def test_flash_without_room_is_said_before_anything_is_removed_or_written() -> None:
-    one = frozen_loop("microbit")
+    one = loop_block("microbit")
     board = Sized()
     wanted = {"krboot.py": 500, "kr00000000.py": 3000, "main.py": 300}
     refuse_what_has_no_room(board, one, wanted, [], ())  # type: ignore[arg-type]

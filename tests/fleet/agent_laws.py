@@ -35,7 +35,7 @@ def _agree(model: ThreeAgents, a: int, b: int) -> bool:
     if key not in model.known:
         one, two = model.states[a], model.states[b]
         logs = one.state.log, two.state.log
-        first = max(log.slot - len(log.kept) for log in logs)
+        first = max(log.slot - len(log.recent) for log in logs)
         last = min(log.slot for log in logs)
         model.known[key] = _kept(one, first, last) == _kept(two, first, last) and (
             one.slot != two.slot or one.rows == two.rows
@@ -46,8 +46,8 @@ def _agree(model: ThreeAgents, a: int, b: int) -> bool:
 
 def _kept(agent: Agent, first: int, last: int) -> tuple[object, ...]:
     log = agent.state.log
-    start = log.slot - len(log.kept)
-    return log.kept[first - start : max(first, last) - start]
+    start = log.slot - len(log.recent)
+    return log.recent[first - start : max(first, last) - start]
 
 
 def _voted(model: ThreeAgents, team: Team, number: int) -> bool:
@@ -59,12 +59,12 @@ def _voted(model: ThreeAgents, team: Team, number: int) -> bool:
         if slot < 0:
             return True
         others = [model.states[other].state.log for other in team.agents]
-        deciding = model.view(log.kept[:-1]).seats
+        deciding = model.view(log.recent[:-1]).seats
         votes = [
             rank
             for rank, seat in enumerate(deciding)
             for other in (others[seat.member],)
-            if other.slot > slot or (other.slot == slot and other.decision.value == log.kept[-1])
+            if other.slot > slot or (other.slot == slot and other.decision.value == log.recent[-1])
         ]
         model.known[key] = is_majority(votes, len(deciding))
     voted: bool = model.known[key]

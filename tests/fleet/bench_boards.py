@@ -10,7 +10,7 @@ from typing import Any
 
 from kitrobot.deploy import Board, make_program_file
 from kitrobot.fleet.board_body import Order
-from kitrobot.fleet.board_line import Obeying
+from kitrobot.fleet.board_line import OrderExecutor
 from kitrobot.sim import Simulation
 from tests.onboard.bench import Bench
 
@@ -52,7 +52,7 @@ class BenchBoard:
     done: list[tuple[Order, tuple[tuple[int, int], ...]]] = field(default_factory=list)
 
     def __post_init__(self) -> None:
-        self.obeying = Obeying(self.board)
+        self.executor = OrderExecutor(self.board)
 
 
 @contextmanager

@@ -13,9 +13,9 @@ from typing import Any
 
 import pytest
 
-from kitrobot.fleet import TEAM_PROCESS, FleetError, FleetTold, Network, TeamProcess, agent_process, key_of
+from kitrobot.fleet import TEAM_PROCESS, FleetCallbacks, FleetError, Network, TeamProcess, agent_process, key_of
 from kitrobot.fleet import team_process as team_processes
-from kitrobot.fleet.agent_process import AgentProcess, Ended
+from kitrobot.fleet.agent_process import AgentProcess, RunEnd
 from kitrobot.fleet.transport import Channel
 from tests.fleet.network import LEASE
 from tests.fleet.test_convoy import anew
@@ -51,7 +51,7 @@ class Process:
 
     agent: AgentProcess
     said: list[str]
-    ended: Ended | None = None
+    ended: RunEnd | None = None
     error: FleetError | None = None
 
     @property
@@ -98,7 +98,7 @@ class Bus:
         """A new team's process, in the place of the one before."""
         self.channels = [one for one in self.channels if one.me != TEAM_PROCESS]
         self.stopping = False
-        told = FleetTold(self._say, lambda: self.stopping, _nothing)
+        told = FleetCallbacks(self._say, lambda: self.stopping, _nothing)
         return TeamProcess(anew(), self.channel(TEAM_PROCESS), LEASE, 1.0, dict, told)
 
     def _say(self, name: str, text: str) -> None:

@@ -7,7 +7,7 @@ from collections.abc import Callable
 from dataclasses import dataclass, field
 from functools import partial
 
-from kitrobot.fleet.bodies import read_frame, read_reply, write_frame, write_reply
+from kitrobot.fleet.body_messages import decode_frame, decode_reply, encode_frame, encode_reply
 from kitrobot.fleet.charter import charter_of
 from kitrobot.fleet.host import AgentHost
 from kitrobot.fleet.world import WorldHost
@@ -113,7 +113,7 @@ class Fleet:
         self.world.time(self.now)
         frames, self.world.frames = self.world.frames, []
         for i, frame in frames:
-            data = write_frame(frame)
+            data = encode_frame(frame)
             self.send(-1, i, partial(self.framed, i, data))
 
     def check_seats(self) -> None:
@@ -129,39 +129,39 @@ class Fleet:
         if i not in self.hosts:
             return
         host = self.hosts[i]
-        replies = host.frame(self.now, read_frame(data))
+        replies = host.frame(self.now, decode_frame(data))
         self.post(i, host)
         for reply in replies:
-            self.send(i, -1, partial(self.answered, i, write_reply(reply)))
+            self.send(i, -1, partial(self.answered, i, encode_reply(reply)))
 
     def obeyed(self, i: int, host: AgentHost, board: BenchBoard) -> None:
         """The board of an agent does what it was told; what came of a tick is known when it has taken its time."""
         assert host.board is not None
         for order, changes in board.done:
             if order.what == "tick":
-                assert host.board_ticked(self.now, changes)
+                assert host.finish_board_tick(self.now, changes)
         board.done = []
         orders, host.board.orders = host.board.orders, []
         for order in orders:
-            board.done.append((order, board.obeying.do(order)))
+            board.done.append((order, board.executor.do(order)))
             board.free_at = self.now + board.takes
         if board.done and not board.takes:
             self.obeyed(i, host, board)
         self.post(i, host)
 
     def answered(self, i: int, data: bytes) -> None:
-        self.world.answer(self.now, i, read_reply(data))
+        self.world.answer(self.now, i, decode_reply(data))
 
     def post(self, i: int, host: AgentHost) -> None:
         replies, host.replies = host.replies, []
         for reply in replies:
-            self.send(i, -1, partial(self.answered, i, write_reply(reply)))
+            self.send(i, -1, partial(self.answered, i, encode_reply(reply)))
         sendings, host.sendings = host.sendings, []
         for to, message in sendings:
             for other in range(self.charter.members) if to == EVERYONE else (to,):
                 if other != i:
                     self.send(i, other, partial(self.heard, other, message))
-        if host.asks and self.random.randrange(20) == 0:
+        if host.needs_snapshot and self.random.randrange(20) == 0:
             for other in range(self.charter.members):
                 if other != i:
                     self.send(i, other, partial(self.asked, other, i))
@@ -172,9 +172,9 @@ class Fleet:
             self.post(i, self.hosts[i])
 
     def asked(self, i: int, by: int) -> None:
-        whole = self.hosts[i].whole() if i in self.hosts else None
-        if whole is not None:
-            self.send(i, by, lambda: self.hosts[by].adopt(self.now, whole) if by in self.hosts else None)
+        snapshot = self.hosts[i].snapshot() if i in self.hosts else None
+        if snapshot is not None:
+            self.send(i, by, lambda: self.hosts[by].adopt(self.now, snapshot) if by in self.hosts else None)
 
     def finish(self, most_ms: int = 600_000) -> None:
         end = self.now + most_ms

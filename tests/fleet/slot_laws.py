@@ -32,7 +32,7 @@ from kitrobot.sim.team_columns import (
     W_LEFT,
     W_TAKEN,
 )
-from kitrobot.team import Noted
+from kitrobot.team import AppliedNote
 
 
 @dataclass(frozen=True)
@@ -63,10 +63,10 @@ def slot_breaks(before: Before, effect: Effect, replica: Replica) -> str:
     return _meeting_breaks(before, effect, replica) or _work_breaks(before, effect, replica)
 
 
-def _note(before: Before, effect: Effect) -> tuple[int, notes.Told] | None:
+def _note(before: Before, effect: Effect) -> tuple[int, notes.ReplicatedNote] | None:
     """The robot that speaks and its note, if it has an effect."""
-    note = notes.read(effect.numbers) if isinstance(effect, Noted) else None
-    if note is None or not isinstance(effect, Noted):
+    note = notes.decode_note(effect.numbers) if isinstance(effect, AppliedNote) else None
+    if note is None or not isinstance(effect, AppliedNote):
         return None
     i = effect.seat.member
     return (i, note) if note.epoch == before.epochs[i] and not before.ended[i] else None

@@ -125,10 +125,10 @@ def test_a_silent_line_is_given_up_after_a_lease_but_not_before_it_was_asked_aga
     line = BoardLine(Board(silent))
     woken = Event()
     line.wake = woken.set
-    line.bear(lease)
+    line.set_lease(lease)
     line.order(Order("still"))
     assert woken.wait(PATIENCE_S)
-    [done] = line.done()
+    [done] = line.take_results()
     assert done.error is not None
     assert "silent" in done.error.message
     assert seconds <= silent.at < seconds + 0.1

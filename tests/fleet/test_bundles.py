@@ -6,7 +6,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from kitrobot.fleet.bundles import FULL, SMALL, bundled, unbundled
+from kitrobot.fleet.bundles import FULL, SMALL, bundle, unbundle
 from kitrobot.fleet.envelopes import EVERYBODY, EnvelopeError
 from kitrobot.team import EVERYONE, Message, Seat, Sending, decode
 from kitrobot.team.messages import Behind, Echo, Heartbeat
@@ -20,12 +20,12 @@ SENDINGS = st.lists(st.builds(Sending, ADDRESSEES, st.sampled_from([*SAID, LARGE
 
 def heard(envelopes: list[tuple[int, bytes]], me: int) -> list[Message]:
     bodies = [body for to, body in envelopes if to in (me, EVERYBODY)]
-    return [decode(data, RUN) for body in bodies for data in unbundled(body, me)]
+    return [decode(data, RUN) for body in bodies for data in unbundle(body, me)]
 
 
 @given(SENDINGS)
 def test_each_member_hears_what_is_for_it_and_nothing_else(sendings: list[Sending]) -> None:
-    envelopes = bundled(sendings, RUN)
+    envelopes = bundle(sendings, RUN)
     for me in range(MEMBERS):
         meant = [message for to, message in sendings if to in (me, EVERYONE)]
         assert sorted(map(str, heard(envelopes, me))) == sorted(map(str, meant))
@@ -33,21 +33,21 @@ def test_each_member_hears_what_is_for_it_and_nothing_else(sendings: list[Sendin
 
 @given(st.lists(st.builds(Sending, ADDRESSEES, st.sampled_from(SAID)), max_size=12))
 def test_small_messages_come_in_the_order_of_sending_in_one_envelope_for_each_member(sendings: list[Sending]) -> None:
-    envelopes = bundled(sendings, RUN)
+    envelopes = bundle(sendings, RUN)
     for me in range(MEMBERS):
         assert heard(envelopes, me) == [message for to, message in sendings if to in (me, EVERYONE)]
         assert len([to for to, _ in envelopes if to in (me, EVERYBODY)]) <= 1
 
 
 def test_what_is_large_and_for_one_goes_to_that_one_alone() -> None:
-    envelopes = dict(bundled([Sending(EVERYONE, SAID[0]), Sending(3, LARGE), Sending(2, SAID[1])], RUN))
+    envelopes = dict(bundle([Sending(EVERYONE, SAID[0]), Sending(3, LARGE), Sending(2, SAID[1])], RUN))
     assert set(envelopes) == {EVERYBODY, 3}
     assert len(envelopes[EVERYBODY]) < SMALL
 
 
 def test_a_body_that_is_full_is_not_made_longer() -> None:
     sendings = [Sending(EVERYONE, SAID[n % 4]) for n in range(FULL // 10)]
-    envelopes = bundled(sendings, RUN)
+    envelopes = bundle(sendings, RUN)
     assert len(envelopes) > 1
     assert max(len(body) for _, body in envelopes) < FULL + SMALL
     assert heard(envelopes, 1) == [message for _, message in sendings]
@@ -55,7 +55,7 @@ def test_a_body_that_is_full_is_not_made_longer() -> None:
 
 @given(SENDINGS.filter(bool), st.data())
 def test_a_body_that_is_cut_off_is_refused(sendings: list[Sending], data: st.DataObject) -> None:
-    _, body = data.draw(st.sampled_from(bundled(sendings, RUN)))
+    _, body = data.draw(st.sampled_from(bundle(sendings, RUN)))
     ends = {0}
     while max(ends) < len(body):
         whole = next(at for at in range(max(ends) + 1, len(body) + 1) if is_read(body[:at]))
@@ -66,7 +66,7 @@ def test_a_body_that_is_cut_off_is_refused(sendings: list[Sending], data: st.Dat
 
 def is_read(body: bytes) -> bool:
     try:
-        unbundled(body, 0)
+        unbundle(body, 0)
     except EnvelopeError:
         return False
     return True
@@ -75,9 +75,9 @@ def is_read(body: bytes) -> bool:
 @given(st.binary(max_size=64), st.integers(0, MEMBERS))
 def test_any_bytes_are_read_or_refused_with_a_sentence(body: bytes, me: int) -> None:
     if is_read(body):
-        unbundled(body, me)
+        unbundle(body, me)
 
 
 def test_a_size_beyond_the_end_is_refused() -> None:
     with pytest.raises(EnvelopeError, match="no message of a fleet, or it is cut off"):
-        unbundled(bytes([0, 0, 0xFF, 0xFF, 0xFF, 0x7F]) + b"{}", 0)
+        unbundle(bytes([0, 0, 0xFF, 0xFF, 0xFF, 0x7F]) + b"{}", 0)

@@ -132,7 +132,7 @@ def test_who_was_away_for_more_slots_than_are_kept_adopts_the_tables_of_another(
     assert one.hosts[0].replica.slot > behind + 32
     one.faults = Faults()
     until(one, 16_000)
-    assert one.hosts[3].following.adopted
+    assert one.hosts[3].replication.adopted
     one.finish()
     assert one.hosts[3].replica.packed() == one.hosts[0].replica.packed()
     assert one.run.outcome == "done"

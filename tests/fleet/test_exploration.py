@@ -25,7 +25,7 @@ from tests.effort import cases
 from tests.fleet.agent_laws import LAWS, all_is_done, what_stays_undone
 from tests.fleet.three_agents import Faults, Plan, Team, ThreeAgents
 from tests.sim.team_building import RunningTeam
-from tests.team.exploring import Explored, explore
+from tests.team.state_exploration import Exploration, explore
 from tests.team_programs.making import TeamMaker
 
 
@@ -72,7 +72,7 @@ TWO_LEASED = mission(_WORK.format(2, "lease 1"), ("", "ants", "ants"))
 LEASE_MS = 4
 
 
-def _go(plan: Plan, most: int = 600_000) -> tuple[ThreeAgents, Explored[Team]]:
+def _go(plan: Plan, most: int = 600_000) -> tuple[ThreeAgents, Exploration[Team]]:
     model = ThreeAgents(plan, LAWS)
     return model, explore(model, most)
 
@@ -121,11 +121,11 @@ def test_the_first_states_of_longer_runs_keep_the_laws_and_settle(plan: Plan) ->
     assert undone == set()
 
 
-_promised = decision._promised
+_count_promise = decision._count_promise
 
 
 def _forgets_votes(state: Decision, rank: int, *vote: object) -> object:
-    return _promised(state, rank, decision.NO_BALLOT, ())
+    return _count_promise(state, rank, decision.NO_BALLOT, ())
 
 
 def _anybody_alone(ranks: Collection[int], voters: int) -> bool:
@@ -161,7 +161,7 @@ def _for_ever(*what: object) -> int:
         ),
         pytest.param(
             decision,
-            "_promised",
+            "_count_promise",
             _forgets_votes,
             Plan(MEETING, Faults(crashes=1, late=1), 3, True),
             "a slot and so a view is agreed by a majority of the view before",

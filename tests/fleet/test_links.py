@@ -89,7 +89,7 @@ def test_links_are_set_up_as_soon_as_they_are_there(monkeypatch: pytest.MonkeyPa
         assert lingering() == set()
 
 
-class Broken:
+class Violation:
     """A session that cannot be closed: it waits until it is let go of, and then fails, as Zenoh's does after 10 s."""
 
     def __init__(self) -> None:
@@ -105,7 +105,7 @@ def test_closing_a_channel_neither_waits_for_who_is_out_of_reach_nor_fails(monke
     monkeypatch.setattr(transport, "CLOSED_WITHIN_S", 0.0)
     channel = Channel(Network("here", ("tcp/127.0.0.1:0",)), 0, KEY)
     session: Any = channel._session
-    broken: Any = Broken()
+    broken: Any = Violation()
     channel._session = broken
     channel.close()
     assert broken.tried.wait(PATIENCE_S)

@@ -12,24 +12,24 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from kitrobot.fleet import envelopes
-from kitrobot.fleet.bodies import (
+from kitrobot.fleet.body_messages import (
     Frame,
     FrameError,
+    ReplicaSnapshot,
     Reply,
-    Whole,
-    read_frame,
-    read_reply,
-    read_whole,
-    write_frame,
-    write_reply,
-    write_whole,
+    decode_frame,
+    decode_reply,
+    decode_snapshot,
+    encode_frame,
+    encode_reply,
+    encode_snapshot,
 )
 from kitrobot.fleet.charter import FleetError
-from kitrobot.fleet.envelopes import Envelope, EnvelopeError, opened, sealed
+from kitrobot.fleet.envelopes import Envelope, EnvelopeError, seal, unseal
 from kitrobot.fleet.keys import VARIABLE, find_key, key_of, new_key
 from kitrobot.fleet.replica import Replica
 from kitrobot.sim import TickResult, fits
-from kitrobot.team import Noted, Seat, View, Viewed
+from kitrobot.team import AppliedNote, NewView, Seat, View
 from kitrobot.team.messages import Heartbeat
 from tests.fleet.network import LEASE
 from tests.fleet.test_convoy import anew, fleet, until
@@ -45,41 +45,41 @@ REPLY = Reply(
     TickResult((1, 2), (3, 0), ((0, 1, 2, 3),)),
     ((0, 9),),
     4,
-    ((Noted(Seat(1, 0), (0, 0, 3, 1, 9)), Viewed(View(2, (Seat(0, 0), Seat(1, 1))))), ()),
-    Whole(6, ((1, 2), ())),
+    ((AppliedNote(Seat(1, 0), (0, 0, 3, 1, 9)), NewView(View(2, (Seat(0, 0), Seat(1, 1))))), ()),
+    ReplicaSnapshot(6, ((1, 2), ())),
 )
 
 
 def why(data: bytes, key: bytes = KEY) -> str:
     with pytest.raises(EnvelopeError) as raised:
-        opened(data, key)
+        unseal(data, key)
     return str(raised.value.args[0])
 
 
 def test_an_envelope_is_read_as_it_was_written() -> None:
-    assert opened(sealed(ENVELOPE, KEY), KEY) == ENVELOPE
+    assert unseal(seal(ENVELOPE, KEY), KEY) == ENVELOPE
 
 
 def test_a_foreign_key_is_told_and_refused() -> None:
-    assert "another key" in why(sealed(ENVELOPE, OTHER))
+    assert "another key" in why(seal(ENVELOPE, OTHER))
 
 
 @given(st.integers(0, 53), st.integers(1, 255))
 def test_no_byte_of_an_envelope_can_be_changed(at: int, change: int) -> None:
-    data = bytearray(sealed(ENVELOPE, KEY))
+    data = bytearray(seal(ENVELOPE, KEY))
     data[at % len(data)] ^= change
     why(bytes(data))
 
 
 def test_another_version_is_told_although_its_seal_may_be_another() -> None:
-    data = bytearray(sealed(ENVELOPE, KEY))
+    data = bytearray(seal(ENVELOPE, KEY))
     data[2] = 9
     assert why(bytes(data)) == "a message of version 9, this is version 4"
 
 
 @pytest.mark.parametrize("length", [0, 1, 10, 29, 41, 50])
 def test_an_envelope_that_is_cut_off_is_refused(length: int) -> None:
-    said = why(sealed(ENVELOPE, KEY)[:length])
+    said = why(seal(ENVELOPE, KEY)[:length])
     assert "cut off" in said or (length == 50 and "another key" in said)
 
 
@@ -88,9 +88,9 @@ def test_an_envelope_that_is_too_large_is_refused() -> None:
 
 
 def test_frames_answers_and_replicas_are_read_as_they_were_written() -> None:
-    assert read_frame(write_frame(FRAME)) == FRAME
-    assert read_reply(write_reply(REPLY)) == REPLY
-    assert read_whole(write_whole(Whole(3, ((1,), (2, 3))))) == Whole(3, ((1,), (2, 3)))
+    assert decode_frame(encode_frame(FRAME)) == FRAME
+    assert decode_reply(encode_reply(REPLY)) == REPLY
+    assert decode_snapshot(encode_snapshot(ReplicaSnapshot(3, ((1,), (2, 3))))) == ReplicaSnapshot(3, ((1,), (2, 3)))
 
 
 @given(
@@ -98,19 +98,19 @@ def test_frames_answers_and_replicas_are_read_as_they_were_written() -> None:
     | st.recursive(st.none() | st.integers() | st.text(), st.lists).map(json.dumps).map(str.encode)
 )
 def test_whatever_comes_instead_is_refused_with_a_sentence(data: bytes) -> None:
-    for read in (read_frame, read_reply, read_whole):
+    for read in (decode_frame, decode_reply, decode_snapshot):
         with contextlib.suppress(FrameError):
             read(data)
 
 
 @given(st.data())
 def test_an_answer_with_something_else_in_it_is_refused(data: st.DataObject) -> None:
-    rows = orjson.loads(write_reply(REPLY))
+    rows = orjson.loads(encode_reply(REPLY))
     at = data.draw(st.sampled_from([0, 1, 2, 3, 4, 5, 6, 7, 8]))
     rows[at] = data.draw(st.sampled_from(["x", 1.5, {"a": 1}, [["x"]], 1 << 60, True]))
     if not (at in (2, 3) and rows[at] is True):
         with pytest.raises(FrameError):
-            read_reply(orjson.dumps(rows))
+            decode_reply(orjson.dumps(rows))
 
 
 def test_what_cannot_be_of_a_machine_is_told_and_moves_nothing() -> None:
@@ -191,8 +191,10 @@ def test_a_replica_of_another_team_changes_nothing(rows: object) -> None:
 def test_no_note_breaks_a_replica(notes: list[list[int]], member: int) -> None:
     mine = Replica(anew())
     for slot, numbers in enumerate(notes):
-        mine.apply(slot, [Noted(Seat(member, 0), tuple(numbers)), Noted(Seat(member % 4, 0), tuple(numbers))])
-    mine.apply(len(notes), [Viewed(View(1, (Seat(member, 0), Seat(0, 0))))])
+        mine.apply(
+            slot, [AppliedNote(Seat(member, 0), tuple(numbers)), AppliedNote(Seat(member % 4, 0), tuple(numbers))]
+        )
+    mine.apply(len(notes), [NewView(View(1, (Seat(member, 0), Seat(0, 0))))])
 
 
 def test_the_key_of_a_team_is_a_long_text_in_a_file_or_in_the_environment(tmp_path: Path) -> None:

@@ -8,9 +8,9 @@ import pytest
 
 from kitrobot.fleet import FleetError
 from kitrobot.fleet import envelopes as kinds
-from kitrobot.fleet.envelopes import opened
+from kitrobot.fleet.envelopes import unseal
 from tests.fleet.bus import KEY, Bus, bus
-from tests.fleet.test_coming import turns
+from tests.fleet.test_agent_arrival import turns
 
 __all__ = ["bus"]
 
@@ -28,7 +28,7 @@ def recorded(bus: Bus) -> list[tuple[str, bytes]]:
     team.run()
     assert all(one.ended is not None for one in bus.processes)
     recorded = bus.recorded
-    found = {opened(data, KEY).kind for _, data in recorded}
+    found = {unseal(data, KEY).kind for _, data in recorded}
     assert found >= set(ALL)
     bus.recorded, bus.said, bus.processes = [], [], []
     bus.channels.clear()
@@ -38,7 +38,7 @@ def recorded(bus: Bus) -> list[tuple[str, bytes]]:
 def replay(bus: Bus, recorded: list[tuple[str, bytes]], *only: int) -> None:
     """All of it once more, or what is of some kinds."""
     for name, data in recorded:
-        if not only or opened(data, KEY).kind in only:
+        if not only or unseal(data, KEY).kind in only:
             bus.put(None, name, data)
 
 
@@ -106,7 +106,7 @@ def test_a_recorded_hello_of_the_same_run_takes_nobodys_place(bus: Bus) -> None:
         bus.kill(killed)
         bus.agent(1)
         yield from turns(200)
-        hellos = [(name, data) for name, data in bus.recorded if opened(data, KEY).kind == kinds.HELLO]
+        hellos = [(name, data) for name, data in bus.recorded if unseal(data, KEY).kind == kinds.HELLO]
         for _ in range(100):
             for name, data in hellos[:40]:
                 bus.put(None, name, data)

@@ -6,9 +6,9 @@ from pathlib import Path
 
 import pytest
 
-from kitrobot.fleet import FleetSource, Told, told_line
+from kitrobot.fleet import FleetSource, StatusReport, encode_report
 from kitrobot.fleet import run_source as module
-from kitrobot.fleet.telling import read_told
+from kitrobot.fleet.status_reports import decode_report
 from kitrobot.sim import Simulation
 from kitrobot.text import Sentence
 from kitrobot.trace import AbilityError, TraceError, TraceReader, walk
@@ -87,10 +87,12 @@ def test_a_full_disk_ends_the_recording_and_not_the_run(run: Simulation, tmp_pat
 
 
 def test_what_an_agent_says_is_read_as_it_was_said_and_other_lines_are_passed_over() -> None:
-    told = Told(Sentence("refused: {why}", Sentence("a message of another run")), Sentence("press Run for that"), True)
-    again = read_told(told_line(told))
+    told = StatusReport(
+        Sentence("refused: {why}", Sentence("a message of another run")), Sentence("press Run for that"), True
+    )
+    again = decode_report(encode_report(told))
     assert again == told
     assert isinstance(again.sentence, Sentence)
     assert again.sentence.template == "refused: {why}"
-    for line in (b"", b"\n", b"hello\n", told_line(told)[:40], b"AAAA\n", b"\xff" * 70_000):
-        assert read_told(line) is None
+    for line in (b"", b"\n", b"hello\n", encode_report(told)[:40], b"AAAA\n", b"\xff" * 70_000):
+        assert decode_report(line) is None

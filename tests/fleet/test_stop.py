@@ -15,14 +15,14 @@ from typing import Any
 import pytest
 
 from kitrobot.deploy import Board
-from kitrobot.fleet import TEAM_PROCESS, FleetTold, Network, TeamProcess, key_of
+from kitrobot.fleet import TEAM_PROCESS, FleetCallbacks, Network, TeamProcess, key_of
 from kitrobot.fleet import envelopes as kinds
 from kitrobot.fleet.agent_process import AgentBoard, AgentProcess
 from kitrobot.fleet.board_body import Order
 from kitrobot.fleet.board_line import BoardLine
-from kitrobot.fleet.bodies import Frame, write_frame
-from kitrobot.fleet.bundles import bundled
-from kitrobot.fleet.envelopes import EVERYBODY, Envelope, sealed
+from kitrobot.fleet.body_messages import Frame, encode_frame
+from kitrobot.fleet.bundles import bundle
+from kitrobot.fleet.envelopes import EVERYBODY, Envelope, seal
 from kitrobot.fleet.identity import identity_of
 from kitrobot.fleet.transport import MOST_OF_ONE, Channel
 from kitrobot.sim.team_columns import T_AT
@@ -66,7 +66,7 @@ class Heard(Channel):
         run = self.run if run is None else run
         process = (self.process if sender == TEAM_PROCESS else 1000 + sender) if process is None else process
         envelope = Envelope(kind, run, sender, to, 1, body, process)
-        self._came(SimpleNamespace(payload=sealed(envelope, KEY)))
+        self._came(SimpleNamespace(payload=seal(envelope, KEY)))
 
 
 @pytest.fixture
@@ -83,7 +83,7 @@ def opened() -> Iterator[Callable[[int], Heard]]:
 
 
 def heartbeat(member: int, stamp: int) -> bytes:
-    [(_, body)] = bundled([Sending(EVERYONE, Heartbeat(Seat(member, 0), stamp, 0, 0, True, 0, ()))], RUN)
+    [(_, body)] = bundle([Sending(EVERYONE, Heartbeat(Seat(member, 0), stamp, 0, 0, True, 0, ()))], RUN)
     return body
 
 
@@ -91,7 +91,7 @@ INPUTS = anew().members[0].machine.layout.inputs
 
 
 def frame(serial: int) -> bytes:
-    return write_frame(Frame(serial, 0, False, False, (0,) * INPUTS))
+    return encode_frame(Frame(serial, 0, False, False, (0,) * INPUTS))
 
 
 def begun(channel: Heard, said: list[str], over: Event, board: AgentBoard | None = None) -> AgentProcess:
@@ -114,7 +114,7 @@ def test_a_stop_overtakes_what_waits_and_is_not_dropped_by_a_flood(opened: Calla
 def test_a_stop_of_another_run_or_key_is_refused_like_everything_of_it(opened: Callable[[int], Heard]) -> None:
     channel = opened(0)
     channel.come(kinds.STOP, run=8)
-    other = sealed(Envelope(kinds.STOP, RUN, TEAM_PROCESS, EVERYBODY, 1, b""), bytes(32))
+    other = seal(Envelope(kinds.STOP, RUN, TEAM_PROCESS, EVERYBODY, 1, b""), bytes(32))
     channel._came(SimpleNamespace(payload=other))
     assert channel.receive(0) == []
     assert sorted(channel.refused, key=len)[0] == "refused: a message of another run"
@@ -174,7 +174,7 @@ def test_who_stands_in_a_meeting_and_is_stopped_does_nothing_when_the_meeting_en
 def test_the_teams_process_sends_the_stop_before_it_reads_on(opened: Callable[[int], Heard]) -> None:
     channel = opened(TEAM_PROCESS)
     pressed = Event()
-    told = FleetTold(lambda name, sentence: None, pressed.is_set, lambda run: None)
+    told = FleetCallbacks(lambda name, sentence: None, pressed.is_set, lambda run: None)
     simulation = anew()
     team = TeamProcess(simulation, channel, LEASE, 1.0, dict, told)
     for i, name in enumerate(NAMES):

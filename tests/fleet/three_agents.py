@@ -19,7 +19,7 @@ from dataclasses import dataclass, replace
 from functools import partial
 from typing import Any, NamedTuple, TypeVar
 
-from kitrobot.fleet.bodies import Frame
+from kitrobot.fleet.body_messages import Frame
 from kitrobot.fleet.charter import charter_of
 from kitrobot.fleet.host import AgentHost
 from kitrobot.fleet.replica import Effect
@@ -27,13 +27,13 @@ from kitrobot.sim import Event, Simulation
 from kitrobot.sim.meetings import find_members
 from kitrobot.sim.team_columns import T_ROLE, T_SEAT
 from kitrobot.team import EVERYONE, Member, Message, Note, Sending
-from kitrobot.team.applying import applied
 from kitrobot.team.commands import Batch, Command
 from kitrobot.team.messages import Ballot, Heartbeat
-from kitrobot.team.tables import View, first_tables
+from kitrobot.team.table_transitions import apply_batch
+from kitrobot.team.tables import View, initial_tables
 from tests.fleet.slot_laws import before_effect, slot_breaks
-from tests.team.exploring import Step
-from tests.team.moving import LEASE, NOW, relative
+from tests.team.relative_time import LEASE, NOW, relative
+from tests.team.state_exploration import Step
 
 SIZE = 3
 MEMBERS = range(SIZE)
@@ -158,13 +158,13 @@ class Bench:
             host.replica.slot,
             self._rows,
             tuple(map(tuple, host.machine.snapshot())),
-            tuple(sorted(host.links.waiting.items())),
-            host.links.joins,
+            tuple(sorted(host.team_devices.waiting.items())),
+            host.team_devices.joins,
             host.acts_from,
             tuple(sorted(host._units.items())),
             frozenset(host._freeing),
             host._beginning,
-            host._end_said,
+            host._end_reported,
             host._serial,
             tuple(host._unsent),
         )
@@ -179,29 +179,29 @@ class Bench:
             replica.state.team.numbers[:] = agent.rows[0]
             self._rows = agent.rows
         replica.slot = agent.slot
-        host.following._known = agent.slot
-        host.following._ahead.clear()
-        host.following._kept.clear()
+        host.replication._known = agent.slot
+        host.replication._ahead.clear()
+        host.replication._recent.clear()
         host.state = agent.state
         host.machine.restore(tuple(map(list, agent.machine)))  # type: ignore[arg-type]
-        host.links.waiting = dict(agent.waiting)
-        host.links.joins = agent.joins
+        host.team_devices.waiting = dict(agent.waiting)
+        host.team_devices.joins = agent.joins
         host.acts_from = agent.acts_from
         host._units = dict(agent.units)
         host._freeing = set(agent.freeing)
         host._beginning = agent.beginning
-        host._end_said = agent.end_said
+        host._end_reported = agent.end_said
         host._serial = agent.serial
         host._unsent.clear()
         host._unsent.extend(agent.unsent)
-        host.heard_body_at = now
+        host.body_heard_at = now
         host.sendings, host.log, host._effects = [], [], []
         self.broken, self.slots = "", 0
         # Serials of frames only keep their order; each step begins with the first one.
         host._serial_ticked, host._tick = 0, None
         host._replies.clear()
         host._early.clear()
-        host._ticking._given.clear()
+        host._tick_runner._given.clear()
 
     def go_on(self, now: int) -> None:
         """Ticks of the program until it gives a note, waits, or may not act."""
@@ -209,7 +209,7 @@ class Bench:
         inputs = (0,) * host.machine.layout.inputs
         for serial in range(1, MOST_TICKS):
             (reply,) = host.frame(now, Frame(serial, 0, False, False, inputs, serial))
-            if reply.ticked is None or reply.quiet or host.sendings or host.links.waiting or self.slots:
+            if reply.ticked is None or reply.quiet or host.sendings or host.team_devices.waiting or self.slots:
                 break
         host.replies = []
 
@@ -431,9 +431,9 @@ class ThreeAgents:
     def view(self, decided: tuple[Batch, ...]) -> View:
         """The view that these slots, the first ones of the log, have made."""
         if decided not in self.views:
-            tables = first_tables(self.charter)
+            tables = initial_tables(self.charter)
             for value in decided:
-                tables, _ = applied(tables, value)
+                tables, _ = apply_batch(tables, value)
             self.views[decided] = tables.view
         return self.views[decided]
 

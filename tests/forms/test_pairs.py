@@ -57,7 +57,7 @@ from kitrobot.mission import (
 )
 from kitrobot.primitives import Constructor, Kit, Tried, read_constructors, read_kit, write_constructors, write_kit
 from kitrobot.primitives.kit import Source
-from kitrobot.robots import BoardNames, Carried
+from kitrobot.robots import BoardNames, RecordingContext
 from kitrobot.server.handed_out import is_plain, pack, unpack
 from kitrobot.text import name_form
 from kitrobot.trace import TracePart
@@ -350,7 +350,9 @@ def test_what_is_stored_of_a_program_comes_back(
         in_state(tmp_path_factory, patch)
         places = (("v1", 1, program), (None, 2, robot))
         made = BoardNames(program, robot, 100, cells, cells, names, (1, 2), places)
-        carried = Carried(program, robot, (TracePart(program, robot),), names, (3,), {4: (program, robot, (5, 6))})
+        carried = RecordingContext(
+            program, robot, (TracePart(program, robot),), names, (3,), {4: (program, robot, (5, 6))}
+        )
         keep_names(made, ["0123abcd"])
         keep_carried(carried, ["0123abcd"])
         assert kept_names("0123abcd") == made

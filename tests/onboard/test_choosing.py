@@ -12,7 +12,7 @@ import pytest
 
 from kitrobot.deploy import Package
 from kitrobot.deploy.boot_records import TRIAL, UNTRIED, StartLine, tried_generation
-from kitrobot.deploy.carried import short
+from kitrobot.deploy.onboard_bundle import module_names
 from kitrobot_onboard.link import checksum
 
 OLD = b"0003a=1the old program"
@@ -40,8 +40,8 @@ def chosen(folder: Path) -> tuple[str, int]:
         return builtins.open(folder / name, mode)
 
     space: dict[str, Any] = {"open": opened}
-    exec(Package().built("machine", {}).files["krboot.py"], space)
-    return space[short().get("program", "program")], space[short().get("generation", "generation")]
+    exec(Package().build("machine", {}).files["krboot.py"], space)
+    return space[module_names().get("program", "program")], space[module_names().get("generation", "generation")]
 
 
 def test_the_newer_line_counts(flash: Path) -> None:

@@ -10,9 +10,9 @@ from pathlib import Path
 import pytest
 
 from kitrobot.deploy import Fault, News, Text
-from kitrobot.robots import Known, NoRecordingError, RecordedBoard, RobotRecorder, RobotSession
+from kitrobot.robots import InstalledProgram, NoRecordingError, RecordedBoard, RobotRecorder, RobotSession
 from kitrobot.robots.recording import MOST_FILLED
-from kitrobot.robots.state import Doing
+from kitrobot.robots.state import Activity
 from kitrobot.trace import PERSON, PROGRAM, ROBOT, TraceError, TraceReader
 from kitrobot.workspace import load_board_program, open_trace, state_at, summary_of
 from kitrobot.workspace.kept_programs import keep_carried, keep_names, kept_carried
@@ -27,13 +27,13 @@ class Recorded:
 
     def __init__(self, path: Path, boards: list[RecordedBoard], clock: Clock) -> None:
         self.recorder = RobotRecorder(path, boards, clock)
-        self.known = [Known(one.names, one.carried) for one in boards]
+        self.known = [InstalledProgram(one.names, one.recording_context) for one in boards]
         self.sessions = [RobotSession(clock) for _ in boards]
         self.twins = [Twin() for _ in boards]
         for number, session in enumerate(self.sessions):
             session.subscribe(partial(self.recorder.robot_changed, number))
 
-    def found(self, doing: Doing = "running", tick: int = 0, number: int = 0) -> RobotSession:
+    def found(self, doing: Activity = "running", tick: int = 0, number: int = 0) -> RobotSession:
         self.twins[number].stands(doing, tick)
         self.sessions[number].open(self.twins[number], self.twins[number].hello, self.known[number])
         return self.sessions[number]
@@ -57,8 +57,8 @@ def clock() -> Clock:
 def pulse(tmp_path: Path):
     """Makes robots of that name with the program `pulse`."""
     program = load_board_program(write_pulse(tmp_path))
-    assert program.carried is not None
-    return lambda name: RecordedBoard(name, program.names, program.carried)
+    assert program.recording_context is not None
+    return lambda name: RecordedBoard(name, program.names, program.recording_context)
 
 
 def instruction(board: RecordedBoard, vertex: str) -> int:
@@ -236,19 +236,21 @@ def test_robots_of_different_missions_do_not_go_into_one_recording(tmp_path, clo
     path = write_pulse(other)
     path.write_text(path.read_text().replace(">3<", ">4<"))
     program = load_board_program(path)
-    assert program.carried is not None
+    assert program.recording_context is not None
     with pytest.raises(NoRecordingError, match="different missions"):
-        RobotRecorder(tmp_path / "r.krtrace", [pulse("a"), RecordedBoard("b", program.names, program.carried)], clock)
+        RobotRecorder(
+            tmp_path / "r.krtrace", [pulse("a"), RecordedBoard("b", program.names, program.recording_context)], clock
+        )
 
 
 def test_what_a_recording_carries_is_kept_and_found_again(tmp_path, monkeypatch) -> None:
     monkeypatch.setenv("KITROBOT_STATE", str(tmp_path / "state"))
     program = load_board_program(write_pulse(tmp_path))
-    assert program.carried is not None
+    assert program.recording_context is not None
     keep_names(program.names, ["0123abcd"])
-    keep_carried(program.carried, ["0123abcd"])
-    assert kept_carried("0123abcd") == program.carried
-    assert [part.file for part in program.carried.parts] == ["pulser.robot.xml"]
+    keep_carried(program.recording_context, ["0123abcd"])
+    assert kept_carried("0123abcd") == program.recording_context
+    assert [part.file for part in program.recording_context.parts] == ["pulser.robot.xml"]
     assert kept_carried("0123abce") is None
     assert kept_carried("../0123abcd") is None
     file = tmp_path / "state" / "boards" / "0123abcd.carried"

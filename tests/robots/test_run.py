@@ -8,7 +8,7 @@ import pytest
 
 from kitrobot.deploy import Fault, News
 from kitrobot.diagnostics import KitRobotError
-from kitrobot.robots import Known, RecordedBoard, RobotSession, RobotsRun
+from kitrobot.robots import InstalledProgram, RecordedBoard, RobotSession, RobotsRun
 from kitrobot.server.run_messages import RunEncoder
 from kitrobot.trace import AbilityError, RunSource, TickRecord, walk
 from kitrobot.translation import reading_in, said
@@ -24,15 +24,15 @@ class Run:
 
     def __init__(self, folder: Path) -> None:
         program = load_board_program(write_pulse(folder))
-        assert program.carried is not None
+        assert program.recording_context is not None
         self.names, self.clock = program.names, Clock()
         self.sessions = [RobotSession(self.clock) for _ in range(2)]
         self.twins = [Twin() for _ in range(2)]
-        robots = [RecordedBoard(name, program.names, program.carried) for name in ("a", "b")]
+        robots = [RecordedBoard(name, program.names, program.recording_context) for name in ("a", "b")]
         self.left: list[tuple[int, int]] = []
         self.run = RobotsRun(robots, self.sessions, self.clock, self._left)
         for session, twin in zip(self.sessions, self.twins, strict=True):
-            session.open(twin, twin.hello, Known(program.names, program.carried))
+            session.open(twin, twin.hello, InstalledProgram(program.names, program.recording_context))
 
     def _left(self, record: TickRecord, following: int) -> None:
         self.left.append((record.tick, following))
@@ -157,7 +157,7 @@ def test_news_that_comes_at_once_is_of_ticks_of_its_own_and_no_place_is_lost(mad
 
 
 def test_only_the_last_moments_are_kept(made: Run, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("kitrobot.robots.run.MOST_KEPT", 10)
+    monkeypatch.setattr("kitrobot.robots.run.MOST_MOMENTS", 10)
     for number in range(1, 31):
         made.clock.now += 1
         made.hears(0, News(number, {COUNT: number}, {}))

@@ -9,20 +9,29 @@ import pytest
 
 from kitrobot.deploy import Fault, LineError, News, Text, is_slow
 from kitrobot.primitives import load_catalogue
-from kitrobot.robots import Change, Happening, Known, NoNameError, NotConnectedError, RobotSession, WatchedRobot
+from kitrobot.robots import (
+    Change,
+    ChangeKind,
+    InstalledProgram,
+    NoNameError,
+    NotConnectedError,
+    RobotSession,
+    WatchedRobot,
+)
 from kitrobot.robots.names import BoardNames
 from kitrobot.robots.session import LOOK_S
-from kitrobot.robots.state import Doing
+from kitrobot.robots.state import Activity
 from kitrobot.translation import reading_in, said
 from tests.robots.twin import Clock, Twin
 
 NAMES = BoardNames("walk", "rover", 20, {"Eye": 1}, {"Count": 2}, ("Motor",), (0,), (("v1", 1, "Motor.Go();"),))
+PROGRAM = InstalledProgram(NAMES)
 
 
 class Visit:
     """A robot that was opened, and all changes since."""
 
-    def __init__(self, doing: Doing = "running", tick: int = 0, known: Known | None = Known(NAMES)) -> None:  # noqa: B008
+    def __init__(self, doing: Activity = "running", tick: int = 0, known: InstalledProgram | None = PROGRAM) -> None:
         self.clock = Clock()
         self.session = RobotSession(self.clock)
         self.changes: list[Change] = []
@@ -35,14 +44,14 @@ class Visit:
         for _ in news:
             self.session.poll(0)
 
-    def looks(self, doing: Doing, tick: int = 0) -> None:
+    def looks(self, doing: Activity, tick: int = 0) -> None:
         self.twin.stands(doing, tick)
         self.clock.now += LOOK_S
         self.session.poll(0)
 
     @property
     def happened(self) -> list[Any]:
-        return [change.happening for change in self.changes if change.happening is not Happening.QUIET]
+        return [change.kind for change in self.changes if change.kind is not ChangeKind.QUIET]
 
     @property
     def texts(self) -> list[str]:
@@ -54,7 +63,7 @@ def test_news_are_folded_into_one_state() -> None:
     visit.hears(News(3, {1: 7, 2: 5}, {0: 0, 1: 4}), News(6, {2: 6}, {1: None}))
     state = visit.session.state
     assert (state.doing, state.tick, state.cells, state.threads) == ("running", 6, {1: 7, 2: 6}, {0: 0})
-    assert visit.happened == [Happening.GREETED, Happening.NEWS, Happening.NEWS]
+    assert visit.happened == [ChangeKind.GREETED, ChangeKind.NEWS, ChangeKind.NEWS]
     assert visit.changes[-1].state == state
 
 
@@ -110,7 +119,7 @@ def test_a_robot_that_began_anew_is_watched_again_and_nothing_told_before_holds(
 
 def test_what_is_done_by_hand_is_told_in_the_words_of_the_palette_with_the_unit() -> None:
     robot = load_catalogue().robots["mini-robot"]
-    known = Known(replace(NAMES, sensors={"Captor": 1}, variables={"Level": 2}, made_of=robot))
+    known = InstalledProgram(replace(NAMES, sensors={"Captor": 1}, variables={"Level": 2}, made_of=robot))
     visit = Visit(known=known)
     visit.session.force("Captor", 12)
     visit.session.set_variable("Level", 50)
@@ -132,7 +141,7 @@ def test_one_that_is_held_is_stopped_when_it_began_anew() -> None:
     visit.looks("running", 3)
     assert (visit.session.state.doing, visit.session.state.held) == ("ready", False)
     assert visit.twin.asked[-1] == "stop"
-    assert visit.happened[-1] is Happening.REBOOTED
+    assert visit.happened[-1] is ChangeKind.REBOOTED
     assert visit.texts[-2:] == ["it began anew by itself", "it was stopped from here"]
 
 
@@ -145,7 +154,7 @@ def test_a_lost_link_is_closed_and_one_that_is_back_to_the_same_program_is_an_ev
     with pytest.raises(NotConnectedError):
         visit.session.stop()
     twin = Twin("running", 60)
-    visit.session.open(twin, twin.hello, Known(NAMES))
+    visit.session.open(twin, twin.hello, InstalledProgram(NAMES))
     assert (visit.session.state.lost, visit.session.state.tick) == ("", 60)
     visit.session.lose("the link is lost")
     other = Twin("running", program="87654321")
@@ -184,7 +193,7 @@ def test_another_program_takes_the_place_of_the_one_before() -> None:
 
 def test_a_terminal_sees_names_or_numbers() -> None:
     lines: dict[bool, list[str]] = {}
-    for known in (Known(NAMES), None):
+    for known in (InstalledProgram(NAMES), None):
         twin = Twin("running")
         watched = WatchedRobot("socket://twin:1", twin, twin.hello, known)
         watched.begin(100)
@@ -195,9 +204,9 @@ def test_a_terminal_sees_names_or_numbers() -> None:
         lines[known is None] = []
         for _ in range(4):
             assert watched.listen(0) is None
-            lines[known is None] += watched.told(watched.news) if watched.news is not None else []
+            lines[known is None] += watched.describe(watched.news) if watched.news is not None else []
         assert watched.printed == ["hello"]
-        assert watched.standing() == []
+        assert watched.thread_places() == []
         assert twin.asked == [("watch", 100)]
     assert lines[False] == ["tick 1: Count = 7, Eye = 4, v1, line 1: Motor.Go();", "hello", "tick 2: nothing runs"]
     assert lines[True] == ["tick 1: cell 1 = 4, cell 2 = 7, instruction 0", "hello", "tick 2: nothing runs"]

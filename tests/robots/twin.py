@@ -6,7 +6,7 @@ from collections import deque
 from dataclasses import replace
 
 from kitrobot.deploy import Fault, Hello, LineError, News, Text
-from kitrobot.robots.state import DOING, Doing
+from kitrobot.robots.state import ACTIVITIES, Activity
 from kitrobot.text import Sentence
 
 
@@ -20,15 +20,15 @@ class Clock:
 class Twin:
     """Says what it is told to say; `asked` is what was asked of it. One that is `broken` is on no line any more."""
 
-    def __init__(self, doing: Doing = "running", tick: int = 0, program: str = "12345678") -> None:
-        self.hello = Hello(1, DOING.index(doing), 0, 2000, tick, 0, 1, "c0ffee00", program)
+    def __init__(self, doing: Activity = "running", tick: int = 0, program: str = "12345678") -> None:
+        self.hello = Hello(1, ACTIVITIES.index(doing), 0, 2000, tick, 0, 1, "c0ffee00", program)
         self.fault: Fault | None = None
         self.waiting: deque[News | Fault | Text] = deque()
         self.asked: list[object] = []
         self.broken = False
 
-    def stands(self, doing: Doing, tick: int = 0) -> None:
-        self.hello = replace(self.hello, state=DOING.index(doing), tick=tick)
+    def stands(self, doing: Activity, tick: int = 0) -> None:
+        self.hello = replace(self.hello, state=ACTIVITIES.index(doing), tick=tick)
 
     def greet(self) -> Hello:
         return self.hello

@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 
 from kitrobot.robots import RobotSession
-from kitrobot.robots.state import Doing
+from kitrobot.robots.state import Activity
 from kitrobot.server.robot_recorder import LastRun
 from kitrobot.trace import TraceError, TraceReader
 from kitrobot.workspace import load_board_program
@@ -165,7 +165,7 @@ def test_a_link_that_comes_back_goes_on_with_the_recording_of_the_same_program(t
     session = RobotSession()
     last = LastRun("a", session)
 
-    def found(doing: Doing, installed: str = "12345678") -> None:
+    def found(doing: Activity, installed: str = "12345678") -> None:
         twin = Twin(doing, program=installed)
         session.open(twin, twin.hello, program.known)
 

@@ -11,18 +11,18 @@ from dataclasses import dataclass, field
 
 from kitrobot.team import (
     EVERYONE,
+    AppliedNote,
     Change,
     Charter,
     Event,
+    IncomingMessage,
     Member,
     Message,
     Note,
-    Noted,
-    Received,
     Seat,
     Time,
     Write,
-    first_state,
+    initial_state,
     may_act,
     step,
 )
@@ -83,7 +83,7 @@ class Network:
         self.under_way: list[tuple[int, int, Message]] = []
         self.robots: dict[int, Robot] = {}
         self.phase = Phase(0)
-        self.tables: dict[int, Tables] = {0: first_state(charter, Seat(0, 0), 0).tables}
+        self.tables: dict[int, Tables] = {0: initial_state(charter, Seat(0, 0), 0).tables}
         self.given: set[tuple[Seat, tuple[int, ...]]] = set()
         self.lives = [0] * charter.members
         self.sent = 0
@@ -95,7 +95,7 @@ class Network:
         """A member starts, in its next life if it had one."""
         speed, offset = self.random.choice((1.0, 0.96, 1.04)), self.random.randrange(10_000)
         now = int(self.now * speed) + offset
-        state = first_state(self.charter, Seat(member, self.lives[member]), now)
+        state = initial_state(self.charter, Seat(member, self.lives[member]), now)
         self.lives[member] += 1
         self.robots[member] = Robot(state, speed, offset, now)
 
@@ -116,7 +116,7 @@ class Network:
                 if to in phase.stopped:
                     self.under_way.append((at + STEP, to, message))
                 elif to in self.robots:
-                    self.event(to, Received(message, more=self.random.random() < 0.2))
+                    self.event(to, IncomingMessage(message, more=self.random.random() < 0.2))
             for member in list(self.robots):
                 if member not in phase.stopped:
                     self.event(member, Time())
@@ -168,7 +168,7 @@ class Network:
 
     def note(self, robot: Robot, change: Change) -> None:
         """A note takes effect once, in the order of its member, and only if it was given."""
-        if isinstance(change, Noted):
+        if isinstance(change, AppliedNote):
             note = change.seat, change.numbers
             assert note in self.given
             assert all(seat != change.seat or numbers[0] < change.numbers[0] for seat, numbers in robot.noted)

@@ -10,7 +10,7 @@ from typing import Any
 
 import pytest
 
-from kitrobot.team import EVERYONE, Charter, Member, Received, Seat, Time, first_state, may_act, step
+from kitrobot.team import EVERYONE, Charter, IncomingMessage, Member, Seat, Time, initial_state, may_act, step
 from kitrobot.team.membership import NEVER
 
 _CHARTER = Charter(members=3, lease=400)
@@ -36,7 +36,7 @@ def _round(team: _Team, viewed: _Viewed, now: int, cut: int, stopped: int) -> tu
             for other in _MEMBERS if to == EVERYONE else (to,):
                 state = members[other]
                 if other != sender and state and other != stopped and cut not in (sender, other):
-                    state, sent, _ = step(_CHARTER, state, time, Received(message))
+                    state, sent, _ = step(_CHARTER, state, time, IncomingMessage(message))
                     members[other] = state
                     letters += [(other, one) for one in sent]
             assert len(letters) < 2_000, "messages call for messages without end"
@@ -72,7 +72,7 @@ def _relative(value: Any, now: int) -> Any:
 
 def _explore(rounds: int) -> tuple[int, int]:
     """(states, members that a view has left) of all runs of so many rounds, after two in which all is well."""
-    team: _Team = tuple(first_state(_CHARTER, Seat(member, 0), 0) for member in _MEMBERS)
+    team: _Team = tuple(initial_state(_CHARTER, Seat(member, 0), 0) for member in _MEMBERS)
     viewed: _Viewed = 0, 0
     for now in (_ROUND, 2 * _ROUND):
         team, viewed = _round(team, viewed, now, -1, -1)

@@ -12,25 +12,25 @@ from hypothesis import strategies as st
 from kitrobot.team import (
     Change,
     Charter,
+    IncomingMessage,
     Member,
     MessageError,
     Note,
-    Received,
-    Refused,
+    Refusal,
     Seat,
     Time,
+    VariableChange,
     Write,
-    Written,
     decode,
     encode,
-    first_state,
+    initial_state,
     step,
 )
 from kitrobot.team.commands import Batch, Body, Command, ViewChange
 from kitrobot.team.member import BUDGET
 from kitrobot.team.messages import Behind, Chosen, Echo, Entry, Heartbeat, Message, Request, Snapshot, Stamp, Writes
-from kitrobot.team.shared import LAST_CLOCK
-from kitrobot.team.tables import first_tables
+from kitrobot.team.shared_store import LAST_CLOCK
+from kitrobot.team.tables import initial_tables
 
 _CHARTER = Charter(3, variables=2)
 _ME, _OTHER = Seat(0, 0), Seat(1, 0)
@@ -46,14 +46,14 @@ _BATCHES: st.SearchStrategy[Batch] = st.lists(
 
 
 def _fresh() -> Member:
-    return first_state(_CHARTER, _ME, 0)
+    return initial_state(_CHARTER, _ME, 0)
 
 
 def _told(message: Message, state: Member | None = None) -> tuple[Member, list[str]]:
     """The state after a message and what was refused."""
-    after, sent, changes = step(_CHARTER, state or _fresh(), 1, Received(message))
+    after, sent, changes = step(_CHARTER, state or _fresh(), 1, IncomingMessage(message))
     assert len(sent) <= 2
-    return after, [change.why for change in changes if isinstance(change, Refused)]
+    return after, [change.why for change in changes if isinstance(change, Refusal)]
 
 
 @given(_BATCHES, _NUMBERS)
@@ -63,7 +63,7 @@ def test_a_message_comes_back_from_its_bytes(batch: Batch, number: int) -> None:
         Chosen(_OTHER, number, batch),
         Request(_OTHER, batch),
         Heartbeat(_OTHER, number, 0, 0, True, 0, echoes),
-        Snapshot(_OTHER, 3, first_tables(_CHARTER)),
+        Snapshot(_OTHER, 3, initial_tables(_CHARTER)),
         Writes(_OTHER, (Entry(1, Stamp(2, 1, 0), number),)),
     ):
         assert decode(encode(message, 7), 7) == message
@@ -97,7 +97,7 @@ def test_bytes_that_are_no_message_are_refused_with_a_sentence(data: bytes, said
 
 @given(st.integers(0, 200), st.integers(0, 255))
 def test_damaged_and_cut_messages_are_refused_or_are_others(at: int, byte: int) -> None:
-    data = bytearray(encode(Snapshot(_OTHER, 3, first_tables(_CHARTER)), 7))
+    data = bytearray(encode(Snapshot(_OTHER, 3, initial_tables(_CHARTER)), 7))
     for damaged in (bytes(data[:at]), bytes(data[:at]) + bytes([byte]) + bytes(data[at + 1 :])):
         try:
             message = decode(damaged, 7)
@@ -126,12 +126,12 @@ def test_a_view_that_the_log_has_not_decided_is_not_adopted() -> None:
     forged = Heartbeat(_OTHER, 1, 99, 500, True, 0, (Echo(0, 0, 0),))
     state, _ = _told(forged)
     assert state.tables == _fresh().tables
-    _, sent, _ = step(_CHARTER, _fresh(), 1, Received(forged))
+    _, sent, _ = step(_CHARTER, _fresh(), 1, IncomingMessage(forged))
     assert [one.message for one in sent] == [Behind(_ME, 0)]
 
 
 def test_tables_of_another_team_are_refused() -> None:
-    state, refused = _told(Snapshot(_OTHER, 9, first_tables(Charter(2))))
+    state, refused = _told(Snapshot(_OTHER, 9, initial_tables(Charter(2))))
     assert refused == ["member 1 is of another team"]
     assert state.log == _fresh().log
 
@@ -160,7 +160,7 @@ def test_a_sender_that_is_nobody_else_in_the_team_is_refused(member: int) -> Non
 def test_as_many_messages_as_fast_meetings_take_are_read_in_one_beat() -> None:
     state = _fresh()
     for number in range(700):
-        state, _, _ = step(_CHARTER, state, 1, Received(Heartbeat(_OTHER, 1, 0, number + 1, True, 0, ())))
+        state, _, _ = step(_CHARTER, state, 1, IncomingMessage(Heartbeat(_OTHER, 1, 0, number + 1, True, 0, ())))
     assert state.refused[1] == 0
 
 
@@ -168,17 +168,19 @@ def test_thousands_of_messages_in_one_beat_leave_state_and_answers_bounded() -> 
     refused: list[Change] = []
     state, sent = _fresh(), 0
     for number in range(3_000):
-        state, messages, changes = step(_CHARTER, state, 1, Received(Heartbeat(_OTHER, 1, 0, number + 1, True, 0, ())))
+        state, messages, changes = step(
+            _CHARTER, state, 1, IncomingMessage(Heartbeat(_OTHER, 1, 0, number + 1, True, 0, ()))
+        )
         sent += len(messages)
         refused += changes
     assert sent <= BUDGET
-    assert [change.why for change in refused if isinstance(change, Refused)] == [
+    assert [change.why for change in refused if isinstance(change, Refusal)] == [
         "member 1 sends too much; the rest is left unread"
     ]
     assert state.refused[1] == 3_000 - BUDGET
     # The next beat has a budget of its own.
     state, _, _ = step(_CHARTER, state, 500, Time())
-    _, messages, _ = step(_CHARTER, state, 501, Received(Heartbeat(_OTHER, 1, 0, 7, True, 0, ())))
+    _, messages, _ = step(_CHARTER, state, 501, IncomingMessage(Heartbeat(_OTHER, 1, 0, 7, True, 0, ())))
     assert len(messages) == 1
 
 
@@ -197,20 +199,20 @@ def test_the_latest_write_wins_in_whatever_order_it_comes() -> None:
             state, _ = _told(Writes(_OTHER, (entry,)), state)
         assert state.store.entries[0] == late
     state, _, changes = step(_CHARTER, state, 2, Write(0, 9))
-    assert changes == (Written(0, 9),)
+    assert changes == (VariableChange(0, 9),)
     assert state.store.entries[0] == Entry(0, Stamp(2, 0, 0), 9)
 
 
 def test_a_program_that_names_a_variable_that_is_not_there_is_refused() -> None:
     state, sent, changes = step(_CHARTER, _fresh(), 0, Write(2, 0))
-    assert changes == (Refused(0, "there is no shared variable 2"),)  # type: ignore[arg-type]
+    assert changes == (Refusal(0, "there is no shared variable 2"),)  # type: ignore[arg-type]
     assert (state.log, state.store, sent) == (_fresh().log, _fresh().store, ())
 
 
 def test_commands_that_are_not_decided_are_bounded() -> None:
     state, refused = _fresh(), 0
-    state = first_state(_CHARTER, _OTHER, 0)
+    state = initial_state(_CHARTER, _OTHER, 0)
     for number in range(100):
         state, _, changes = step(_CHARTER, state, 0, Note((number,)))
-        refused += sum(isinstance(change, Refused) for change in changes)
+        refused += sum(isinstance(change, Refusal) for change in changes)
     assert (len(state.log.pending), refused) == (16, 84)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from kitrobot.team import Charter, Leave, Message, Received, Seat, may_act, step
+from kitrobot.team import Charter, IncomingMessage, Leave, Message, Seat, may_act, step
 from kitrobot.team.commands import Command, ViewChange
 from kitrobot.team.messages import Accepted, Chosen, Heartbeat, History, Prepare, Promise, Propose, Request, Snapshot
 from tests.team.network import Network, Phase, team
@@ -80,7 +80,7 @@ def test_a_member_that_left_and_came_back_while_nothing_was_heard_is_held_off() 
     state, now = network.robots[0].state, network.clock(network.robots[0])
     there = Command(Seat(1, 0), 1, ViewChange(0, (0,), ())), Command(Seat(2, 0), 1, ViewChange(1, (1,), (Seat(0, 0),)))
     history = History(Seat(2, 0), 0, tuple((command,) for command in there))
-    state, _, _ = step(network.charter, state, now, Received(history))
+    state, _, _ = step(network.charter, state, now, IncomingMessage(history))
     assert state.seat in state.tables.view.seats
     assert now < state.membership.right
     assert not may_act(network.charter, state, now)

@@ -4,23 +4,23 @@ from __future__ import annotations
 
 import pytest
 
-from kitrobot.team import Charter, Note, Noted, Seat, Viewed
-from kitrobot.team.applying import applied
+from kitrobot.team import AppliedNote, Charter, NewView, Note, Seat
 from kitrobot.team.changes import Change
 from kitrobot.team.commands import Body, Command, ViewChange
-from kitrobot.team.tables import Tables, first_tables
+from kitrobot.team.table_transitions import apply_batch
+from kitrobot.team.tables import Tables, initial_tables
 
 
 class _Team:
     """Tables, and commands given to them one after the other."""
 
     def __init__(self, members: int) -> None:
-        self.tables: Tables = first_tables(Charter(members))
+        self.tables: Tables = initial_tables(Charter(members))
 
     def give(self, member: int, body: Body, life: int = 0) -> list[Change]:
         last = self.tables.applied[member]
         number = last.last + 1 if last.life == life else 1
-        self.tables, changes = applied(self.tables, (Command(Seat(member, life), number, body),))
+        self.tables, changes = apply_batch(self.tables, (Command(Seat(member, life), number, body),))
         return changes
 
     def view(self, *leaves: int, joins: tuple[Seat, ...] = (), by: int = 0) -> list[Change]:
@@ -32,7 +32,7 @@ class _Team:
 
 def test_a_member_leaves_the_view_and_comes_back_behind_the_others() -> None:
     team = _Team(3)
-    assert team.view(1) == [Viewed(team.tables.view)]
+    assert team.view(1) == [NewView(team.tables.view)]
     assert (team.tables.view.number, team.seats()) == (1, [(0, 0), (2, 0)])
     team.view(joins=(Seat(1, 0),))
     assert (team.tables.view.number, team.seats()) == (2, [(0, 0), (2, 0), (1, 0)])
@@ -40,11 +40,11 @@ def test_a_member_leaves_the_view_and_comes_back_behind_the_others() -> None:
 
 def test_a_member_in_another_life_gives_its_commands_from_the_first_on() -> None:
     team = _Team(2)
-    assert team.give(1, Note((7,))) == [Noted(Seat(1, 0), (7,))]
+    assert team.give(1, Note((7,))) == [AppliedNote(Seat(1, 0), (7,))]
     team.view(1, joins=(Seat(1, 2),))
     assert team.seats() == [(0, 0), (1, 2)]
     assert team.give(1, Note((7,))) == [], "its first life is over"
-    assert team.give(1, Note((8,)), life=2) == [Noted(Seat(1, 2), (8,))]
+    assert team.give(1, Note((8,)), life=2) == [AppliedNote(Seat(1, 2), (8,))]
 
 
 @pytest.mark.parametrize(
@@ -65,12 +65,12 @@ def test_a_change_of_an_old_view_or_that_leaves_nobody_or_names_nobody_has_no_ef
 
 
 def test_each_command_takes_effect_once_in_its_order_and_only_from_the_view() -> None:
-    tables = first_tables(Charter(2))
+    tables = initial_tables(Charter(2))
     first, second = (Command(Seat(0, 0), number, Note((number,))) for number in (1, 2))
     noted = []
     for batch in ((second,), (first,), (first,), (Command(Seat(0, 1), 2, Note((9,))),), (second, second)):
-        tables, changes = applied(tables, batch)
-        noted += [change.numbers for change in changes if isinstance(change, Noted)]
+        tables, changes = apply_batch(tables, batch)
+        noted += [change.numbers for change in changes if isinstance(change, AppliedNote)]
     assert noted == [(1,), (2,)]
 
 

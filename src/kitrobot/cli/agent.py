@@ -165,17 +165,17 @@ def _saying(name: str, told: bool) -> Iterator[Callable[[str], None]]:
     if not told:
         yield lambda sentence: say(name, sentence)
         return
-    from kitrobot.fleet import Told, told_line
+    from kitrobot.fleet import StatusReport, encode_report
 
-    def write(one: Told) -> None:
+    def write(one: StatusReport) -> None:
         with suppress(OSError):
-            sys.stdout.buffer.write(told_line(one))
+            sys.stdout.buffer.write(encode_report(one))
             sys.stdout.buffer.flush()
 
     try:
-        yield lambda sentence: write(Told(sentence))
+        yield lambda sentence: write(StatusReport(sentence))
     except KitRobotError as error:
-        write(Told(error.message, error.help, failed=True))
+        write(StatusReport(error.message, error.help, failed=True))
         raise
 
 

@@ -100,11 +100,11 @@ def try_parts(
 
 def robot_address(port: str, to: str | None) -> str:
     """The robot that is named before the options or with --to; without either the only one that is there."""
-    from kitrobot.robots import chosen_boards
+    from kitrobot.robots import choose_boards
 
     if port and to:
         raise typer.BadParameter("the robot is named twice: say the port once", param_hint="'--to'")
-    (address,) = chosen_boards([named] if (named := to or port) else [])
+    (address,) = choose_boards([named] if (named := to or port) else [])
     return address
 
 

@@ -12,7 +12,7 @@ from kitrobot.cli.json_results import AsJson, of_board
 from kitrobot.cli.output import clean, error_object, give, json_text, tell, tell_of_lateness, tell_of_waiting
 
 if TYPE_CHECKING:
-    from kitrobot.robots import Seen
+    from kitrobot.robots import BoardContents
 
 
 def list_boards(
@@ -51,10 +51,10 @@ def list_boards(
         _label(to or [], label, as_json)
         return
     from kitrobot.deploy import is_slow
-    from kitrobot.workspace import look_at_boards
+    from kitrobot.workspace import scan_boards
     from kitrobot.workspace.board_labels import labels_of
 
-    seen = look_at_boards(to or [], tell_of_waiting)
+    seen = scan_boards(to or [], tell_of_waiting)
     labels = labels_of(one.port.address for one in seen)
     if as_json:
         give(json_text([{**_object(one), "label": labels.get(one.port.address, "")} for one in seen], 2) + "\n")
@@ -92,7 +92,7 @@ def _label(addresses: list[str], label: str, as_json: bool) -> None:
     tell(f"{addresses[0]}: the label is {kept}" if kept else f"{addresses[0]}: no label")
 
 
-def _row(seen: Seen) -> tuple[str, ...]:
+def _row(seen: BoardContents) -> tuple[str, ...]:
     where = (clean(seen.port.address), clean(seen.port.name))
     hello = seen.hello
     if hello is None:
@@ -102,7 +102,7 @@ def _row(seen: Seen) -> tuple[str, ...]:
     return (*where, hello.state_name, program, *had)
 
 
-def _object(seen: Seen) -> dict[str, Any]:
+def _object(seen: BoardContents) -> dict[str, Any]:
     found: dict[str, Any] = {
         "address": seen.port.address,
         "name": seen.port.name,

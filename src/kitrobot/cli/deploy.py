@@ -15,7 +15,7 @@ from kitrobot.cli.output import clean, complain, give, json_text, show, tell
 from kitrobot.text import Sentence, listed
 
 if TYPE_CHECKING:
-    from kitrobot.robots import Sent
+    from kitrobot.robots import SendResult
 
 STAGES = {
     "connect": "connecting",
@@ -89,7 +89,7 @@ def deploy_program(
     Only what is new is sent, and it is read back. Until all of it is there the robot keeps what it had. The exit status
     is 1 when the program has errors, or when one of the robots could not be brought to run it.
     """
-    from kitrobot.robots import chosen_boards
+    from kitrobot.robots import choose_boards
     from kitrobot.workspace import load_board_program, send_program
 
     if many:
@@ -113,7 +113,7 @@ def deploy_program(
         raise typer.BadParameter(words, param_hint="'--board'")
     ready = load_board_program(mission, robot=robot, program=program, kit=board[0] if board else None)
     show(ready.diagnostics, ready.sources)
-    addresses = chosen_boards(to or [])
+    addresses = choose_boards(to or [])
     with _bars(addresses) as progress:
         sent = send_program(ready, addresses, progress, replace=replace, fresh=fresh)
     if as_json:
@@ -161,7 +161,7 @@ def _deploy_team(mission: Path, board: Sequence[str], *, replace: bool, fresh: b
         raise typer.Exit(1)
 
 
-def _sentence(sent: Sent, program: str, does: str = "runs") -> str:
+def _sentence(sent: SendResult, program: str, does: str = "runs") -> str:
     done = sent.deployed
     assert done is not None
     files = len(done.sent_files)
@@ -173,7 +173,7 @@ def _sentence(sent: Sent, program: str, does: str = "runs") -> str:
     )
 
 
-def _object(sent: Sent) -> dict[str, Any]:
+def _object(sent: SendResult) -> dict[str, Any]:
     done = sent.deployed
     if done is None:
         return of_board(sent.address, sent.error)

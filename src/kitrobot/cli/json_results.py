@@ -10,7 +10,7 @@ from kitrobot.cli.output import error_object
 from kitrobot.diagnostics import KitRobotError
 
 if TYPE_CHECKING:
-    from kitrobot.deploy import Deployed
+    from kitrobot.deploy import DeployResult
 
 AsJson = Annotated[bool, typer.Option("--json", help="Give a list of JSON objects.")]
 
@@ -22,7 +22,7 @@ def of_board(address: str, error: KitRobotError | None, **more: Any) -> dict[str
     return {"address": address, "ok": True, **more}
 
 
-def of_deployed(done: Deployed) -> dict[str, Any]:
+def of_deployed(done: DeployResult) -> dict[str, Any]:
     """What a board that was sent to has and tells now."""
     return {
         "program": done.program,

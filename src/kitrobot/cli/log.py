@@ -24,13 +24,13 @@ def show_log(
 ) -> None:
     """Show the last fault of a robot, with the place in the program, and the text that the robot prints."""
     from kitrobot.deploy import Fault, SilentError, Text, connect
-    from kitrobot.robots import chosen_boards, fault_object, fault_sentence
+    from kitrobot.robots import choose_boards, fault_object, fault_sentence
     from kitrobot.workspace.watching import known_program
 
     def say(sentence: str, found: dict[str, Any]) -> None:
         give(json_text(found) + "\n" if as_json else f"{clean(sentence)}\n")
 
-    address = chosen_boards([to] if to is not None else [])[0]
+    address = choose_boards([to] if to is not None else [])[0]
     try:
         board = connect(address, waits=lambda: tell_of_waiting(address))
     except SilentError as error:

@@ -29,13 +29,13 @@ def stop_boards(to: Addresses = None, everyone: Everyone = False, as_json: AsJso
 
 def _each(to: Sequence[str], everyone: bool, as_json: bool, act: Callable[[Board], None], word: str) -> None:
     from kitrobot.deploy import list_ports
-    from kitrobot.robots import at_boards, chosen_boards
+    from kitrobot.robots import choose_boards, run_on_boards
 
     if everyone and to:
         raise typer.BadParameter("choose one of --all and --to")
     named = [port.address for port in list_ports()] if everyone else list(to)
     good = True
-    done = at_boards(chosen_boards(named), act, tell_of_waiting)
+    done = run_on_boards(choose_boards(named), act, tell_of_waiting)
     if as_json:
         give(json_text([of_board(address, error) for address, error in done], 2) + "\n")
     for address, error in done:

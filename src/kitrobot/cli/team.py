@@ -55,7 +55,7 @@ def run_team(
     Ctrl-C is the emergency stop: all robots stand still, then everything ends. The exit status is 0 when the mission
     was done.
     """
-    from kitrobot.fleet import LEAST_LEASE_MS, MOST_LEASE_MS, Agents, FleetError, FleetTold, Network, identity_of
+    from kitrobot.fleet import LEAST_LEASE_MS, MOST_LEASE_MS, Agents, FleetCallbacks, FleetError, Network, identity_of
     from kitrobot.sim import MAX_SECONDS, MAX_SEED
     from kitrobot.workspace import FleetPlan, RunOptions, boards_of, free_endpoint, run_fleet
 
@@ -108,7 +108,7 @@ def run_team(
     here = [name for name in names if name not in (elsewhere or ())]
     plan = FleetPlan(file, here, network, key, boards, lease, pace, wait)
     with Agents() as agents, emergency_stop() as pressed, recording(prepared) as on_step:
-        run = run_fleet(simulation, plan, agents, FleetTold(say, pressed.is_set, on_step))
+        run = run_fleet(simulation, plan, agents, FleetCallbacks(say, pressed.is_set, on_step))
     result = result_of(simulation, run)
     give(json_text(result) + "\n" if as_json else _summary(result))
     if run.outcome != "done":

@@ -88,13 +88,13 @@ def watch_board(
     """
     if seconds is not None and not (math.isfinite(seconds) and seconds > 0):
         raise typer.BadParameter("watching takes more than 0 seconds", param_hint="'--seconds'")
-    from kitrobot.robots import chosen_boards
+    from kitrobot.robots import choose_boards
     from kitrobot.workspace.watching import record_robots, watched_robot
 
     with ExitStack() as stack:
         watched = [
             stack.enter_context(watched_robot(address, mission, program, robot, partial(tell_of_waiting, address)))
-            for address in chosen_boards(to or [])
+            for address in choose_boards(to or [])
         ]
         for one in watched:
             if one.names is None:
@@ -174,7 +174,7 @@ def _json(one: WatchedRobot, news: News | Fault | Text) -> str:
 
 def _lines(one: WatchedRobot, news: News | Fault | Text, several: bool) -> str:
     before = f"{one.address}: " if several else ""
-    return "".join(f"{clean(before + line)}\n" for line in one.told(news))
+    return "".join(f"{clean(before + line)}\n" for line in one.describe(news))
 
 
 def _table(one: WatchedRobot, several: bool) -> Group:
@@ -188,7 +188,7 @@ def _table(one: WatchedRobot, several: bool) -> Group:
     table.add_column("runs")
     table.add_column("variables")
     table.add_column("inputs")
-    rows = [one.standing(), one.variables(), one.inputs()]
+    rows = [one.thread_places(), one.variables(), one.inputs()]
     table.add_row(*(Text("\n".join(clean(line) for line in row)) for row in rows))
     last = [Text(clean(line)) for line in one.printed[-5:]]
     return Group(table, *last)

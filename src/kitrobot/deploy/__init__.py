@@ -1,7 +1,7 @@
-"""Real robots: the line to a board, what is put onto it, and talking to what runs there."""
+"""Real robots: the line to a board, what is put onto it, and the link to the robot that runs there."""
 
 from kitrobot.deploy.board import Board, Hello, Step, is_slow
-from kitrobot.deploy.connecting import connect
+from kitrobot.deploy.driver_fit import refuse_misfits, refuse_what_fits_no_board
 from kitrobot.deploy.errors import (
     BoardError,
     BrokenOffError,
@@ -15,14 +15,14 @@ from kitrobot.deploy.errors import (
     ResetError,
     SilentError,
 )
-from kitrobot.deploy.firmware import EVERYWHERE, Needs
-from kitrobot.deploy.fitting import refuse_misfits, refuse_what_fits_no_board
-from kitrobot.deploy.installing import Deployed, Progress, RobotContext, deploy
+from kitrobot.deploy.firmware import EVERYWHERE, FirmwareRequirements
+from kitrobot.deploy.handshake import connect
+from kitrobot.deploy.installation import DeployResult, Progress, RobotContext, deploy
 from kitrobot.deploy.kits import (
     PartOnKit,
-    fitted,
+    fit_to_kit,
     kit_problems,
-    look_at_parts,
+    parts_on_kit,
     parts_used,
     refuse_what_is_missing,
 )
@@ -45,15 +45,15 @@ __all__ = [
     "BoardError",
     "BrokenOffError",
     "DeployError",
-    "Deployed",
+    "DeployResult",
     "Fault",
     "FirmwareError",
+    "FirmwareRequirements",
     "ForeignError",
     "FullError",
     "Hello",
     "Line",
     "LineError",
-    "Needs",
     "News",
     "NoMemoryError",
     "Package",
@@ -72,12 +72,12 @@ __all__ = [
     "board_file",
     "connect",
     "deploy",
-    "fitted",
+    "fit_to_kit",
     "is_slow",
     "kit_problems",
     "list_ports",
-    "look_at_parts",
     "make_program_file",
+    "parts_on_kit",
     "parts_used",
     "program_name",
     "read_program_file",

@@ -20,8 +20,8 @@ from types import TracebackType
 from kitrobot.deploy.errors import DeployError, NoMemoryError
 from kitrobot.deploy.line import Line
 from kitrobot.deploy.news import Fault, News, Text, printable, read_fault, read_news
-from kitrobot.deploy.patience import ANSWER_S, LONGEST_S, MOST_SILENT_S, PAUSE_S, SILENT_S, Patience
 from kitrobot.deploy.refusals import another_version, not_understood, refusal, silent
+from kitrobot.deploy.retry_timer import ANSWER_S, LONGEST_S, MOST_SILENT_S, PAUSE_S, SILENT_S, RetryTimer
 from kitrobot.text import Sentence
 from kitrobot_onboard import link
 
@@ -31,7 +31,7 @@ _HOLD_S = 0.25
 _FAREWELL_S = 1.0
 _SLICE_S = 0.05
 _FRESH_S = 1.0
-"""A robot that is watched and runs tells how it goes; what is older than that, or than two periods, is asked for."""
+"""A robot that is watched and runs reports its state; a report older than that, or than two periods, is refreshed."""
 
 _LONGEST_TEXT = 4000
 _STEP_CELLS = 8
@@ -67,13 +67,13 @@ class Hello:
 
 
 def is_slow(state: str, late: int, tick: int) -> bool:
-    """Whether most ticks of a program that runs took longer than a tick may; of a few nothing is said."""
+    """Whether most ticks of a program that runs took longer than a tick may; False for the first few."""
     return state == "running" and late >= _FEW_LATE and 2 * late > tick
 
 
 @dataclass(frozen=True)
 class Step:
-    """What one tick gave: commands as (number, arguments)."""
+    """The result of one tick: commands as (number, arguments)."""
 
     tick: int
     fault_flag: bool
@@ -103,7 +103,7 @@ class Board:
         self._waiting: deque[News | Fault | Text] = deque(maxlen=10_000)
         self._held = False
         self._spoke = 0.0
-        self._told = -math.inf
+        self._reported_at = -math.inf
         self._since: News | None = None
         self._before_answer = 0
         self._fresh_s = _FRESH_S
@@ -136,7 +136,7 @@ class Board:
         return self.greeted(self._request("h", bytes((link.PROTOCOL,))))
 
     def greeted(self, payload: bytes) -> Hello:
-        """Takes what a robot answers to a greeting.
+        """Handles a robot's answer to a greeting.
 
         Raises:
             BoardError: it speaks another version of the protocol.
@@ -156,7 +156,7 @@ class Board:
         return self.hello
 
     def look(self) -> Hello:
-        """How the board is: as it told lately while it runs, for a question makes a tick late; else it is asked.
+        """The state of the board: its latest report while it runs, for a request makes a tick late; else it is queried.
 
         Memory and generation are those of the last greeting.
 
@@ -165,7 +165,7 @@ class Board:
             BoardError: the board speaks another version of the protocol.
         """
         with self._lock:
-            lately = self.line.now() - self._told <= self._fresh_s
+            lately = self.line.now() - self._reported_at <= self._fresh_s
             return self.hello if lately and self.hello.state_name == "running" else self.greet()
 
     def start(self, held: bool = False) -> None:
@@ -177,17 +177,17 @@ class Board:
             except DeployError:
                 self._held = False
                 raise
-            self._told = -math.inf
-            # What was told before the answer is of another run; a robot that was started tells everything anew.
-            before, told = self._before_answer, list(self._waiting)
-            texts = [one for one in told[:before] if isinstance(one, Text)]
-            self._waiting = deque([*texts, *told[before:]], self._waiting.maxlen)
+            self._reported_at = -math.inf
+            # What was reported before the answer is of another run; a robot that was started reports everything anew.
+            before, waiting = self._before_answer, list(self._waiting)
+            texts = [one for one in waiting[:before] if isinstance(one, Text)]
+            self._waiting = deque([*texts, *waiting[before:]], self._waiting.maxlen)
 
     def stop(self) -> None:
         """Stops every device and the program."""
         self._held = False
         self._request("x")
-        self._told = -math.inf
+        self._reported_at = -math.inf
 
     def step(self, inputs: Mapping[int, int]) -> Step:
         """Forces inputs and does one tick."""
@@ -274,7 +274,7 @@ class Board:
         self._request("q")
 
     def news(self, timeout: float) -> News | Fault | Text | None:
-        """What came unasked, in its order; None when nothing comes in that many seconds.
+        """Returns unrequested messages, in their order; None when nothing comes in that many seconds.
 
         Raises:
             LineError: the line broke.
@@ -301,7 +301,7 @@ class Board:
                 (ANSWER_S, ANSWER_S) if self._held else (max(first_s, min(2 * self._took, PAUSE_S)), PAUSE_S)
             )
             silent_s = self.silent_s or max(SILENT_S, min(4 * self._took, MOST_SILENT_S))
-            patience = Patience(self.line.now, first_s, silent_s, self.longest_s, most_s)
+            patience = RetryTimer(self.line.now, first_s, silent_s, self.longest_s, most_s)
             while wait := patience.wait():
                 self.ask(kind, payload)
                 answer = self.answer(wait, patience)
@@ -313,7 +313,7 @@ class Board:
         raise silent(self.line.address)
 
     def number_anew(self) -> None:
-        """What is asked from now on is another request."""
+        """Gives the next request a new number."""
         self._number = self._number % 255 + 1
 
     def ask(self, kind: str, payload: bytes = b"") -> None:
@@ -323,7 +323,7 @@ class Board:
         self.line.write(frame)
         self._spoke = self.line.now()
 
-    def answer(self, timeout_s: float, patience: Patience) -> tuple[str, bytes] | None:
+    def answer(self, timeout_s: float, patience: RetryTimer) -> tuple[str, bytes] | None:
         """The answer to the last request, as kind and payload; None when none comes in that time."""
         until = self.line.now() + timeout_s
         while True:
@@ -332,8 +332,8 @@ class Board:
             if answer is not None or left <= 0:
                 return answer
 
-    def take(self, data: bytes, patience: Patience) -> tuple[str, bytes] | None:
-        """Takes what came over the line; the answer to the last request when it is in it."""
+    def take(self, data: bytes, patience: RetryTimer) -> tuple[str, bytes] | None:
+        """Handles bytes from the line; returns the answer to the last request when it is in them."""
         signs = self._signs
         answer = self._take(self._pieces(data))
         if self._signs != signs:
@@ -341,7 +341,7 @@ class Board:
         return answer
 
     def forget_texts(self) -> None:
-        """What was printed up to now is no news."""
+        """Drops the text that was printed up to now."""
         self._waiting = deque((one for one in self._waiting if not isinstance(one, Text)), self._waiting.maxlen)
 
     def _listen(self, timeout_s: float) -> list[bytes]:
@@ -374,14 +374,14 @@ class Board:
                 self._before_answer = len(self._waiting)
             elif found[1] == 0 and found[0] == "F":
                 self._waiting.append(read_fault(found[2]))
-                self._told = -math.inf  # the state that it reported before holds no more
+                self._reported_at = -math.inf  # the state that it reported before holds no more
             elif found[1] == 0 and found[0] == "T":
                 news = read_news(found[2])
                 self._waiting.append(news)
                 if news.state is not None:
                     self._since = news
                     self._reported(news)
-                    self._told = self.line.now()
+                    self._reported_at = self.line.now()
         return answer
 
     def _reported(self, news: News) -> None:

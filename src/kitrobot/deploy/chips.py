@@ -44,22 +44,24 @@ def refuse_pin(part: str, wire: Wire, chip: str) -> None:
     if pins is None or not wire.setting.is_pin:
         return
     help = Sentence("take another pin")
-    if wire.said in pins.serial:
+    if wire.target in pins.serial:
         raise PackageError(
             Sentence(
-                "`{part}` is wired to the pin `{pin}`, over which the board talks with the computer", part, wire.said
+                "`{part}` is wired to the pin `{pin}`, over which the board talks with the computer", part, wire.target
             ),
             help,
         )
-    if wire.said in pins.flash:
-        raise PackageError(
-            Sentence("`{part}` is wired to the pin `{pin}`, which belongs to the flash of this chip", part, wire.said),
-            help,
-        )
-    if wire.said in pins.read_only and wire.setting.joined != "input" and wire.name not in _READ:
+    if wire.target in pins.flash:
         raise PackageError(
             Sentence(
-                "`{part}` is wired to the pin `{pin}`, which can only be read and has no pull-up", part, wire.said
+                "`{part}` is wired to the pin `{pin}`, which belongs to the flash of this chip", part, wire.target
+            ),
+            help,
+        )
+    if wire.target in pins.read_only and wire.setting.joined != "input" and wire.name not in _READ:
+        raise PackageError(
+            Sentence(
+                "`{part}` is wired to the pin `{pin}`, which can only be read and has no pull-up", part, wire.target
             ),
             help,
         )

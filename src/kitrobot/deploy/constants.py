@@ -28,7 +28,7 @@ def constants_of(tree: ast.Module) -> dict[str, int]:
     }
 
 
-def told_in_place(tree: ast.Module, own: Constants, modules: Mapping[str, Constants]) -> ast.Module:
+def inline_constants(tree: ast.Module, own: Constants, modules: Mapping[str, Constants]) -> ast.Module:
     """The module without constants. `modules`: those of the modules it may import from, by their full names."""
     known = dict(own)
     for node in ast.walk(tree):
@@ -42,7 +42,7 @@ def told_in_place(tree: ast.Module, own: Constants, modules: Mapping[str, Consta
         if not (isinstance(statement, ast.ImportFrom) and not statement.names)
         and ((found := _definition(statement)) is None or found[0] not in own)
     ]
-    in_place = _InPlace(known).visit(tree)
+    in_place = _ConstantInliner(known).visit(tree)
     assert isinstance(in_place, ast.Module)
     return in_place
 
@@ -54,7 +54,7 @@ def _definition(statement: ast.stmt) -> tuple[str, int] | None:
     return None
 
 
-class _InPlace(ast.NodeTransformer):
+class _ConstantInliner(ast.NodeTransformer):
     def __init__(self, known: Constants) -> None:
         self.known = known
 

@@ -65,26 +65,26 @@ class Setting:
 
 @dataclass(frozen=True)
 class Wire:
-    """What a setting of a part is wired to, as it is `said`: a pin, or a channel of a chip. Two wires that lead to one
+    """What a setting of a part is wired to, `target`: a pin, or a channel of a chip. Two wires that lead to one
     thing have the same `place`.
     """
 
     name: str
-    said: str
+    target: str
     place: tuple[str, ...]
     setting: Setting
 
 
 @dataclass(frozen=True)
-class Declared:
-    """What a driver says of itself; None where it says nothing."""
+class DriverDeclaration:
+    """The declaration of a driver; None where it declares nothing."""
 
     settings: Mapping[str, Setting] | None = None
     procedures: tuple[str, ...] | None = None
     waves: Mapping[str, str] = field(default_factory=dict)
 
     def known(self, given: Mapping[str, str]) -> dict[str, Setting]:
-        """The settings beside those that are `given`; none for a driver that says nothing."""
+        """The settings beside those that are `given`; none for a driver that declares nothing."""
         found: dict[str, Setting] = {}
         for name, first in (self.settings or {}).items():
             setting: Setting | None = first
@@ -99,7 +99,7 @@ class Declared:
         return given.get(name, usual.usual if usual is not None else "") == value
 
 
-def declared(tree: ast.Module, path: str) -> Declared:
+def read_declaration(tree: ast.Module, path: str) -> DriverDeclaration:
     """What a driver declares.
 
     Raises:
@@ -122,7 +122,7 @@ def declared(tree: ast.Module, path: str) -> Declared:
                 procedures = tuple(words.split())
             case ast.Assign(targets=[ast.Name(id="WAVES")], value=value):
                 waves = _waves(_literal(value), path, statement.lineno)
-    return Declared(settings, procedures, waves)
+    return DriverDeclaration(settings, procedures, waves)
 
 
 def without_declarations(tree: ast.Module) -> ast.Module:
@@ -140,15 +140,19 @@ def without_declarations(tree: ast.Module) -> ast.Module:
 
 
 def refuse_what_is_not_understood(
-    part: str, driver: str, says: Declared, procedures: Sequence[str] | None, settings: Mapping[str, str]
+    part: str,
+    driver: str,
+    declaration: DriverDeclaration,
+    procedures: Sequence[str] | None,
+    settings: Mapping[str, str],
 ) -> None:
-    """Checks what a part of a robot says against what its driver understands. `procedures`: None for a sensor.
+    """Checks the settings and procedures of a part against its driver's declaration. `procedures`: None for a sensor.
 
     Raises:
         PackageError: the first thing that the driver does not understand.
     """
     for procedure in procedures or ():
-        if says.procedures is not None and procedure not in says.procedures:
+        if declaration.procedures is not None and procedure not in declaration.procedures:
             raise PackageError(
                 Sentence(
                     "`{part}` has the procedure `{procedure}`, which the driver `{driver}` cannot do",
@@ -156,12 +160,12 @@ def refuse_what_is_not_understood(
                     procedure,
                     driver,
                 ),
-                Sentence("it can do {procedures}", _listed(says.procedures)),
+                Sentence("it can do {procedures}", _listed(declaration.procedures)),
             )
-    if says.settings is None:
+    if declaration.settings is None:
         return
-    refuse_conditions(part, says, settings)
-    known = says.known(settings)
+    refuse_conditions(part, declaration, settings)
+    known = declaration.known(settings)
     for name, value in settings.items():
         if name in known:
             _refuse_value(part, name, value, known[name])
@@ -173,7 +177,7 @@ def refuse_what_is_not_understood(
                     name,
                     driver,
                 ),
-                counts_only([says], name)
+                counts_only([declaration], name)
                 or (Sentence("it knows {settings}", _listed(known)) if known else Sentence("it knows none")),
             )
     for name, setting in known.items():
@@ -186,26 +190,26 @@ def refuse_what_is_not_understood(
             )
 
 
-def refuse_conditions(part: str, says: Declared, settings: Mapping[str, str]) -> None:
-    """Raises a PackageError when a setting on which others depend is not what it can be: these would be told else."""
-    for name, setting in (says.settings or {}).items():
+def refuse_conditions(part: str, declaration: DriverDeclaration, settings: Mapping[str, str]) -> None:
+    """Raises a PackageError when a setting is invalid on which others depend, instead of one about these others."""
+    for name, setting in (declaration.settings or {}).items():
         if setting.where is not None and setting.where[0] in settings and setting.where[0] != name:
-            condition = says.known(settings).get(setting.where[0])
+            condition = declaration.known(settings).get(setting.where[0])
             if condition is not None:
                 _refuse_value(part, setting.where[0], settings[setting.where[0]], condition)
 
 
-def counts_only(said: Iterable[Declared], name: str) -> Sentence | None:
+def counts_only(declarations: Iterable[DriverDeclaration], name: str) -> Sentence | None:
     """The help for a setting that drivers know, but not beside the others that are given; None: they know it never."""
-    for says in said:
-        setting = (says.settings or {}).get(name)
+    for declaration in declarations:
+        setting = (declaration.settings or {}).get(name)
         if setting is not None and setting.where is not None:
             return Sentence('it counts only with {setting}="{value}"', *setting.where)
     return None
 
 
 def wires_of(known: Mapping[str, Setting], settings: Mapping[str, str]) -> list[Wire]:
-    """What a part is wired to, by what its driver says of its settings."""
+    """The wires of a part, by its driver's declaration."""
     found = []
     for name, value in settings.items():
         setting = known.get(name)
@@ -228,17 +232,17 @@ def refuse_wire(part: str, wire: Wire, other: str | None, help: Sentence) -> Non
     """Raises a PackageError: a part is wired to what it, or the `other` one, is wired to already."""
     if wire.setting.is_channel:
         raise PackageError(
-            Sentence("`{part}` says the channel `{channel}` for two different things", part, wire.said)
+            Sentence("`{part}` says the channel `{channel}` for two different things", part, wire.target)
             if other is None
             else Sentence(
-                "`{part}` and `{other}` both use the channel `{channel}` of one chip", other, part, wire.said
+                "`{part}` and `{other}` both use the channel `{channel}` of one chip", other, part, wire.target
             ),
             Sentence("give one of them another channel"),
         )
     raise PackageError(
-        Sentence("`{part}` says the pin `{pin}` for two different things", part, wire.said)
+        Sentence("`{part}` says the pin `{pin}` for two different things", part, wire.target)
         if other is None
-        else Sentence("`{part}` and `{other}` are both wired to the pin `{pin}`", other, part, wire.said),
+        else Sentence("`{part}` and `{other}` are both wired to the pin `{pin}`", other, part, wire.target),
         help,
     )
 

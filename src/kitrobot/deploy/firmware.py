@@ -31,7 +31,7 @@ _BOARDS = {
 
 
 @dataclass(frozen=True)
-class Needs:
+class FirmwareRequirements:
     """What a kit needs: its name, the least version (as `1.20` or `1.25.0-preview`, "" for any), where it
     is to be had, and which kind of board and of chip it is for ("" where the kit does not say).
     """

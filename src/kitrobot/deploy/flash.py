@@ -120,11 +120,11 @@ class Flash:
                     found[place] = chunks
         return found
 
-    def clear(self, kept: set[int]) -> None:
+    def clear(self, retained: set[int]) -> None:
         """Frees what belongs neither to a file nor to a whole block with one of those signs."""
         area = self.area
         used = area.of_files()
-        for place, chunks in self._blocks(kept).items():
+        for place, chunks in self._blocks(retained).items():
             used.update(range(place, place + chunks))
         for place, first in enumerate(area.firsts):
             if place not in used and first not in (_FREED, _UNUSED):
@@ -179,7 +179,7 @@ class Flash:
         found = b""
         while len(found) < size:
             found += _memory(self.board, at + len(found), 1, min(_AT_ONCE, size - len(found)))
-            self.board.told(_AT_ONCE)
+            self.board.count(_AT_ONCE)
         return found
 
     def _write(self, at: int, words: bytes) -> None:

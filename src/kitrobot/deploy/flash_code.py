@@ -68,7 +68,7 @@ class Function:
 
 
 @dataclass(frozen=True)
-class Frozen:
+class FlashBlock:
     """Functions for the flash of a board.
 
     Args:
@@ -99,7 +99,7 @@ def sign_of(name: str) -> int:
     return int(name[2:], 16) & 0x3FFFFFFF
 
 
-def frozen(texts: Sequence[Sequence[ast.FunctionDef]], literals: Mapping[str, str]) -> Frozen:
+def build_block(texts: Sequence[Sequence[ast.FunctionDef]], literals: Mapping[str, str]) -> FlashBlock:
     """Groups of functions, made ready; `literals` have their names in the functions already.
 
     Raises:
@@ -117,7 +117,7 @@ def frozen(texts: Sequence[Sequence[ast.FunctionDef]], literals: Mapping[str, st
             text += whole + "\n"
         groups.append((text + _dumping(listed), tuple(listed)))
     digest = hashlib.sha256("".join(text for text, _ in groups).encode()).hexdigest()
-    return Frozen(f"kr{digest[:8]}", tuple(groups), frozenset(names), literals)
+    return FlashBlock(f"kr{digest[:8]}", tuple(groups), frozenset(names), literals)
 
 
 def literals_of(functions: Sequence[ast.FunctionDef]) -> list[str]:
@@ -152,7 +152,7 @@ def head(sign: int, chunks: int, *, whole: bool) -> bytes:
     return struct.pack("<4siI", b"\xa7kr" + (b"\x2a" if whole else b"\xff"), sign, chunks)
 
 
-def laid_out(one: Frozen, dumps: Sequence[bytes]) -> bytes:
+def lay_out(one: FlashBlock, dumps: Sequence[bytes]) -> bytes:
     """What is put into the flash, with room for its head.
 
     Behind the head stand, for each function, where its code and its arguments are, from the start of the head on.

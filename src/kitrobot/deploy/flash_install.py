@@ -6,7 +6,7 @@ from collections.abc import Iterable, Sequence
 
 from kitrobot.deploy.errors import BoardError
 from kitrobot.deploy.flash import Flash
-from kitrobot.deploy.flash_code import DUMP, Frozen, Function, laid_out, unknown_firmware
+from kitrobot.deploy.flash_code import DUMP, FlashBlock, Function, lay_out, unknown_firmware
 from kitrobot.deploy.receiver import Receiver
 from kitrobot.deploy.repl import GarbledError
 from kitrobot.text import Sentence
@@ -19,13 +19,13 @@ _NAMES = 300
 """Bytes that files take beside what is in them, at most."""
 
 
-def freeze(board: Receiver, one: Frozen, kept: set[int]) -> int:
+def freeze(board: Receiver, one: FlashBlock, retained: set[int]) -> int:
     """Puts functions into the flash, unless they are there; how many bytes were written.
 
     Args:
         board: in touch with the board, before and after.
         one: the functions.
-        kept: signs of other blocks that stay.
+        retained: signs of other blocks that stay.
 
     Raises:
         SilentError: the board does not answer.
@@ -37,7 +37,7 @@ def freeze(board: Receiver, one: Frozen, kept: set[int]) -> int:
         flash = Flash.of(board)
     if flash is None:
         raise unknown_firmware()
-    flash.clear({one.sign, *kept})
+    flash.clear({one.sign, *retained})
     if flash.find(one.sign) is not None:
         board.remove(_TEXT)
         return 0
@@ -48,8 +48,8 @@ def freeze(board: Receiver, one: Frozen, kept: set[int]) -> int:
     dumps = [_compiled(board, text, functions) for text, functions in one.groups]
     flash.see()
     _remove_text(board, flash)
-    flash.clear(kept)
-    content = laid_out(one, dumps)
+    flash.clear(retained)
+    content = lay_out(one, dumps)
     flash.write(one.sign, content)
     return len(content)
 

@@ -11,7 +11,7 @@ from collections.abc import Iterable, Mapping
 
 from kitrobot.deploy.errors import FullError
 from kitrobot.deploy.flash import Flash, pieces
-from kitrobot.deploy.flash_code import CHUNK, HEAD, Frozen
+from kitrobot.deploy.flash_code import CHUNK, HEAD, FlashBlock
 from kitrobot.deploy.receiver import Receiver
 from kitrobot.text import COMMA, Sentence, Series
 
@@ -22,7 +22,7 @@ _NAMED = 3
 
 
 def refuse_what_has_no_room(
-    board: Receiver, one: Frozen, wanted: Mapping[str, int], staying: Iterable[str], blocks: Iterable[int]
+    board: Receiver, one: FlashBlock, wanted: Mapping[str, int], staying: Iterable[str], blocks: Iterable[int]
 ) -> None:
     """Raises a FullError when an installation is sure to find no room.
 
@@ -56,7 +56,7 @@ def refuse_what_has_no_room(
     )
 
 
-def least_pieces(one: Frozen) -> int:
+def least_pieces(one: FlashBlock) -> int:
     """Pieces that a block has at least, before the board has compiled it."""
     letters = sum(function.letters for _, functions in one.groups for function in functions)
     return int(HEAD + _OF_A_LETTER * letters) // CHUNK

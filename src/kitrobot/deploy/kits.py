@@ -1,4 +1,4 @@
-"""A robot on a kit: its parts wired as the kit's file says, and what is wrong with that, before anything is sent."""
+"""A robot on a kit: its parts wired as the kit's file says, and its mistakes, found before anything is sent."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ from dataclasses import dataclass, replace
 
 from kitrobot.deploy.chips import refuse_pin
 from kitrobot.deploy.declarations import (
-    Declared,
+    DriverDeclaration,
     Wire,
     counts_only,
     may_join,
@@ -25,7 +25,7 @@ from kitrobot.primitives import OF_A_TEAM, Board, Category, Kit, KitPart, Robot,
 from kitrobot.text import COMMA, Label, Sentence, Series
 
 INHERITED = ("side", "reach")
-"""Settings of a robot's part that its driver is told where the kit does not say them: what they mean is the same for
+"""Settings of a robot's part that its driver gets where the kit does not give them: what they mean is the same for
 the simulator and for a real part.
 """
 
@@ -57,21 +57,27 @@ def parts_used(image: Image, robot: Robot) -> list[RobotObject]:
     return found + [part for part in robot.sensors if layout.sensors[part.name] in cells]
 
 
-def fitted(robot: Robot, kit: Kit, package: Package) -> Robot:
-    """The robot with the drivers of a kit: each is told the settings that it knows."""
+def fit_to_kit(robot: Robot, kit: Kit, package: Package) -> Robot:
+    """The robot with the drivers of a kit: each gets the settings that it understands."""
 
-    def told(part: RobotObject) -> RobotObject:
-        says = package.declared(part.board.driver, kit.family)
-        if kit.part_for(part) is None or says.settings is None:
+    def with_known_settings(part: RobotObject) -> RobotObject:
+        declaration = package.declared(part.board.driver, kit.family)
+        if kit.part_for(part) is None or declaration.settings is None:
             return part
-        given = {name: value for name, value in part.settings.items() if name in INHERITED and name in says.settings}
+        given = {
+            name: value for name, value in part.settings.items() if name in INHERITED and name in declaration.settings
+        }
         settings = {**given, **part.board.settings}
-        asked = says.known(settings)
-        known = {name: value for name, value in settings.items() if name in asked or name == "limit"}
+        understood = declaration.known(settings)
+        known = {name: value for name, value in settings.items() if name in understood or name == "limit"}
         return replace(part, board=Board(part.board.driver, known))
 
     wired = on_kit(robot, kit)
-    return replace(wired, actuators=tuple(map(told, wired.actuators)), sensors=tuple(map(told, wired.sensors)))
+    return replace(
+        wired,
+        actuators=tuple(map(with_known_settings, wired.actuators)),
+        sensors=tuple(map(with_known_settings, wired.sensors)),
+    )
 
 
 def refuse_what_is_missing(robot: Robot, kit: Kit, image: Image) -> None:
@@ -88,11 +94,11 @@ def refuse_what_is_missing(robot: Robot, kit: Kit, image: Image) -> None:
     )
 
 
-def look_at_parts(robot: Robot, kit: Kit, package: Package, image: Image | None) -> list[PartOnKit]:
-    """What becomes of every part of a robot on a kit; `image`: of the program that is meant, None for no one."""
+def parts_on_kit(robot: Robot, kit: Kit, package: Package, image: Image | None) -> list[PartOnKit]:
+    """Every part of a robot on a kit; `image`: of the program that is meant, None for no one."""
     names = {(part.category, part.name) for part in parts_used(image, robot)} if image is not None else set()
     found = []
-    for part, wired in zip(_parts(robot), _parts(fitted(robot, kit, package)), strict=True):
+    for part, wired in zip(_parts(robot), _parts(fit_to_kit(robot, kit, package)), strict=True):
         missing = lacks(kit, part)
         problem = None if missing else _problem(wired, kit, package)
         found.append(PartOnKit(wired, (part.category, part.name) in names, missing, kit.part_for(part), problem))
@@ -110,9 +116,9 @@ def _problem(part: RobotObject, kit: Kit, package: Package) -> PackageError | No
     if package.missing([driver], kit.family):
         return missing_driver(driver, package, kit.family)
     procedures = [method.name for method in part.methods] if part.category is Category.ACTUATOR else None
-    says = package.declared(driver, kit.family)
+    declaration = package.declared(driver, kit.family)
     try:
-        refuse_what_is_not_understood(part.name, driver, says, procedures, part.board.settings)
+        refuse_what_is_not_understood(part.name, driver, declaration, procedures, part.board.settings)
     except PackageError as error:
         return error
     return None
@@ -129,63 +135,63 @@ def kit_problems(kit: Kit, package: Package) -> list[tuple[KitPart, PackageError
         if part.is_missing:
             continue
         try:
-            said = _understood(part, kit, package)
-            for wire in _wires(part, said):
+            declarations = _understood(part, kit, package)
+            for wire in _wires(part, declarations):
                 _refuse_wire(part, wire, kit, wired)
-            _refuse_waves(part, said, kit, waves)
+            _refuse_waves(part, declarations, kit, waves)
         except PackageError as problem:
             found.append((part, problem))
     return found
 
 
-def _understood(part: KitPart, kit: Kit, package: Package) -> Mapping[str, Declared]:
-    """What the drivers of a part say of themselves, by their names.
+def _understood(part: KitPart, kit: Kit, package: Package) -> Mapping[str, DriverDeclaration]:
+    """The declarations of a part's drivers, by their names.
 
     Raises:
         PackageError: one is not there, a setting is known to none, or one of them needs another.
     """
-    said: dict[str, Declared] = {}
+    declarations: dict[str, DriverDeclaration] = {}
     for device in part.devices:
         driver = part.board.driver or device
         if package.missing([driver], kit.family):
             raise missing_driver(driver, package, kit.family)
-        said[driver] = package.declared(driver, kit.family)
-        refuse_conditions(_name(part), said[driver], part.board.settings)
+        declarations[driver] = package.declared(driver, kit.family)
+        refuse_conditions(_name(part), declarations[driver], part.board.settings)
     known = {
         name
-        for says in said.values()
-        for name in (part.board.settings if says.settings is None else says.known(part.board.settings))
+        for declaration in declarations.values()
+        for name in (part.board.settings if declaration.settings is None else declaration.known(part.board.settings))
     }
     for name in part.board.settings:
         if name not in known and not (name == "limit" and part.category is Category.ACTUATOR):
             raise PackageError(
                 Sentence("no driver of `{part}` knows the setting `{setting}`", _name(part), name),
-                counts_only(said.values(), name)
+                counts_only(declarations.values(), name)
                 or Sentence("known are {settings}", Series(COMMA, (f"`{one}`" for one in sorted(known)))),
             )
     procedures = () if part.category is Category.ACTUATOR else None
-    for driver, says in said.items():
-        asked = says.known(part.board.settings)
-        given = {name: value for name, value in part.board.settings.items() if name in asked}
-        given |= {name: setting.words[0] for name, setting in asked.items() if name in INHERITED and setting.words}
-        refuse_what_is_not_understood(_name(part), driver, says, procedures, given)
-    return said
+    for driver, declaration in declarations.items():
+        understood = declaration.known(part.board.settings)
+        given = {name: value for name, value in part.board.settings.items() if name in understood}
+        given |= {name: setting.words[0] for name, setting in understood.items() if name in INHERITED and setting.words}
+        refuse_what_is_not_understood(_name(part), driver, declaration, procedures, given)
+    return declarations
 
 
-def _wires(part: KitPart, said: Mapping[str, Declared]) -> list[Wire]:
+def _wires(part: KitPart, declarations: Mapping[str, DriverDeclaration]) -> list[Wire]:
     """Each pin and channel of a part once."""
     settings = part.board.settings
     found: dict[str, Wire] = {}
-    for says in said.values():
-        for wire in wires_of(says.known(settings), settings):
+    for declaration in declarations.values():
+        for wire in wires_of(declaration.known(settings), settings):
             found.setdefault(wire.name, wire)
     return list(found.values())
 
 
 def _refuse_wire(part: KitPart, wire: Wire, kit: Kit, wired: dict[tuple[str, ...], tuple[KitPart, Wire]]) -> None:
-    if kit.pins and wire.setting.is_pin and wire.said not in kit.pins:
+    if kit.pins and wire.setting.is_pin and wire.target not in kit.pins:
         raise PackageError(
-            Sentence("`{part}` is wired to the pin `{pin}`, which this board does not have", _name(part), wire.said),
+            Sentence("`{part}` is wired to the pin `{pin}`, which this board does not have", _name(part), wire.target),
             Sentence("its pins are those in `pins`; mend one of the two"),
         )
     refuse_pin(_name(part), wire, kit.chip)
@@ -200,13 +206,15 @@ def _refuse_wire(part: KitPart, wire: Wire, kit: Kit, wired: dict[tuple[str, ...
     wired[wire.place] = part, wire
 
 
-def _refuse_waves(part: KitPart, said: Mapping[str, Declared], kit: Kit, waves: list[tuple[KitPart, Wave]]) -> None:
+def _refuse_waves(
+    part: KitPart, declarations: Mapping[str, DriverDeclaration], kit: Kit, waves: list[tuple[KitPart, Wave]]
+) -> None:
     """Raises a PackageError when the chip cannot give the waves of a part beside those before."""
     if kit.chip not in SLICES:
         return
-    for says in said.values():
-        usual = {name: setting.usual for name, setting in says.known(part.board.settings).items()}
-        for wave in waves_of(says.waves, part.board.settings, usual):
+    for declaration in declarations.values():
+        usual = {name: setting.usual for name, setting in declaration.known(part.board.settings).items()}
+        for wave in waves_of(declaration.waves, part.board.settings, usual):
             for other, beside in waves:
                 why = clash(wave, beside, kit.chip)
                 if why:

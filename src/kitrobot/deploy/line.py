@@ -1,7 +1,7 @@
 """A line to a board: bytes in both directions, over a serial port or any other pyserial URL.
 
 A read waits at most as long as its timeout and returns what has arrived. Exceptions of pyserial become a `LineError`.
-Addresses of other kinds are opened by who registered for them (`open_with`).
+Addresses of other kinds are opened by their registered openers (`open_with`).
 Left to others: what the bytes mean (repl, receiver, board).
 """
 
@@ -37,7 +37,7 @@ _WRITE_S = 10.0
 _SILICON_LABS = 0x10C4
 
 Trouble = (OSError, ValueError)
-"""What pyserial raises: its own error is an OSError."""
+"""Errors of pyserial: its own error is an OSError."""
 
 Opener = Callable[[str], Any]
 """Opens an address; what it gives is used as a port of pyserial is, and may raise a `LineError` of its own."""
@@ -143,7 +143,7 @@ class Line:
         return bytes(data)
 
     def drain(self, quiet_s: float, most_s: float = 1.0) -> bytes:
-        """Takes in what still comes, until it is quiet for a moment."""
+        """Reads what still comes, until it is quiet for a moment."""
         until = self.now() + most_s
         data = b""
         while self.now() < until and len(data) < MOST and (piece := self.read(quiet_s)):

@@ -11,7 +11,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 
 from kitrobot.deploy.errors import NoMemoryError
-from kitrobot.deploy.package import Built
+from kitrobot.deploy.package import BoardPackage
 from kitrobot.deploy.program_file import UNUSED, ProgramFile
 from kitrobot.text import COMMA, Sentence, Series
 from kitrobot_onboard.image import header
@@ -55,13 +55,13 @@ def image_bytes(image: bytes) -> int:
     return int(4 * instructions + 4 * numbers)
 
 
-def refuse_what_does_not_fit(program: ProgramFile, built: Built, file_bytes: int, free: int) -> None:
+def refuse_what_does_not_fit(program: ProgramFile, built: BoardPackage, file_bytes: int, free: int) -> None:
     """Raises a NoMemoryError when the program is sure to be too large for a board with so much memory free.
 
     `file_bytes`: of the file that the board executes.
     """
     needed = image_bytes(program.image)
-    if built.frozen is not None:
+    if built.block is not None:
         needed, kept = _on_2016(program, built, file_bytes), _KEPT_2016
     else:
         kept = package_bytes(built)
@@ -81,7 +81,7 @@ def refuse_what_does_not_fit(program: ProgramFile, built: Built, file_bytes: int
     )
 
 
-def _on_2016(program: ProgramFile, built: Built, file_bytes: int) -> int:
+def _on_2016(program: ProgramFile, built: BoardPackage, file_bytes: int) -> int:
     """Bytes that a program takes at least where the loop runs from flash: its arrays, its drivers, its devices."""
     arrays = image_bytes(program.image)
     names = {*built.drivers.values(), *built.bases.values(), *([built.member] if built.member else [])}
@@ -91,14 +91,14 @@ def _on_2016(program: ProgramFile, built: Built, file_bytes: int) -> int:
     return int(arrays + max(0.0, _TEXT_2016 * text - _DEVICE_2016 * devices) + _LETTER_2016 * letters)
 
 
-def package_bytes(built: Built) -> int:
+def package_bytes(built: BoardPackage) -> int:
     """Bytes of memory that a package and its drivers take, once they are compiled."""
 
     def letters(names: Iterable[str]) -> int:
         return sum(len(built.files[name]) for name in names)
 
-    if built.frozen is not None:
-        own = 1.0 * _PER_FUNCTION * len(built.frozen.functions)
+    if built.block is not None:
+        own = 1.0 * _PER_FUNCTION * len(built.block.functions)
     else:
         own = _PER_LETTER["interpreter"] * letters([f"{built.interpreter}.py"])
         own += _PER_LETTER["loop"] * letters(built.loop)

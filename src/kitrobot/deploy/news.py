@@ -22,9 +22,9 @@ FAULTS = {
 
 @dataclass(frozen=True)
 class News:
-    """What changed: cells' values, where each slot stands (None: not running), and which instructions ran.
+    """Changes: cells' values, the place of each slot (None: not running), and which instructions ran.
 
-    `state` and `late` as in `Hello`; None: the board does not tell them unasked.
+    `state` and `late` as in `Hello`; None: the board does not report them by itself.
     """
 
     tick: int
@@ -51,13 +51,13 @@ class Fault:
 
     @property
     def meaning(self) -> str:
-        """What the number means."""
+        """The meaning of the number."""
         return FAULTS.get(self.number, Sentence("fault {number}, which this KitRobot does not know", self.number))
 
 
 @dataclass(frozen=True)
 class Text:
-    """What a board printed."""
+    """Text that a board printed."""
 
     text: str
 

@@ -20,24 +20,24 @@ from functools import lru_cache
 from pathlib import Path
 from threading import Lock
 
-from kitrobot.deploy.carried import (
+from kitrobot.deploy.declarations import DriverDeclaration, read_declaration, without_declarations
+from kitrobot.deploy.errors import PackageError
+from kitrobot.deploy.flash_code import FlashBlock
+from kitrobot.deploy.minifier import parsed
+from kitrobot.deploy.onboard_bundle import (
     IN_FLASH,
     ONBOARD,
     ROOT,
-    frozen_loop,
+    loop_block,
     loop_files,
-    part,
+    minified_module,
     read_source,
     requests_file,
     short_text,
 )
-from kitrobot.deploy.declarations import Declared, declared, without_declarations
-from kitrobot.deploy.errors import PackageError
-from kitrobot.deploy.flash_code import Frozen
-from kitrobot.deploy.naming import own_names, renamed
-from kitrobot.deploy.shortening import parsed
-from kitrobot.deploy.starting import start_file, start_from_flash
-from kitrobot.deploy.trimming import Asked, shared_trimmed, trimmed
+from kitrobot.deploy.short_names import own_names, renamed
+from kitrobot.deploy.start_script import start_file, start_from_flash
+from kitrobot.deploy.tree_shaking import UsedParts, trim_driver, trim_shared_module
 from kitrobot.text import COMMA, Sentence, Series
 
 MODULE, PROGRAM, DIGITS = "kr", "kp", 8
@@ -66,7 +66,7 @@ def name_of(content: bytes, kind: str = MODULE) -> str:
 
 
 @dataclass(frozen=True)
-class Built:
+class BoardPackage:
     """A package for one kind of board.
 
     Args:
@@ -80,7 +80,7 @@ class Built:
         wants_range: of each driver, whether it reads the settings `min` and `max`, which every sensor has.
         tends: names of drivers that do something at each tick.
         bases: of a driver, the file that is executed in its space before it.
-        frozen: what the board runs from its flash.
+        block: what the board runs from its flash.
         in_lines: of a user's own driver whose lines and names are those of its file, the name of that file.
         member: the name of the file with the code of a member of a team; "" where no program of a team is meant.
     """
@@ -94,7 +94,7 @@ class Built:
     drivers: Mapping[str, str]
     wants_range: Mapping[str, bool]
     main: bytes
-    frozen: Frozen | None = None
+    block: FlashBlock | None = None
     member: str = ""
     tends: frozenset[str] = frozenset()
     bases: Mapping[str, str] = field(default_factory=dict)
@@ -102,8 +102,8 @@ class Built:
 
 
 @lru_cache(_REMEMBERED)
-def _declared_once(text: str, path: str) -> Declared:
-    return declared(parsed(text, path), path)
+def _cached_declaration(text: str, path: str) -> DriverDeclaration:
+    return read_declaration(parsed(text, path), path)
 
 
 @dataclass(frozen=True)
@@ -112,7 +112,7 @@ class Package:
 
     folders: Sequence[Path] = ()
 
-    def looked_for(self, driver: str, family: str) -> list[Path]:
+    def candidates(self, driver: str, family: str) -> list[Path]:
         """Where a driver may be, the one that wins first."""
         plain = driver.replace("-", "_")
         own = [folder / f"{name}{OWN_SUFFIX}" for folder in self.folders for name in dict.fromkeys((plain, driver))]
@@ -123,24 +123,24 @@ class Package:
         """The file of a driver, or None. A name that could lead elsewhere has none."""
         if not driver.replace("-", "_").isidentifier():
             return None
-        return next((path for path in self.looked_for(driver, family) if path.is_file()), None)
+        return next((path for path in self.candidates(driver, family) if path.is_file()), None)
 
     def missing(self, drivers: Iterable[str], family: str | None = None) -> list[str]:
         """Those drivers that are there for no board, or not for this family."""
         families = (family,) if family is not None else tuple(FAMILIES)
         return [one for one in dict.fromkeys(drivers) if all(self.driver_file(one, each) is None for each in families)]
 
-    def declared(self, driver: str, family: str) -> Declared:
-        """What a driver says of itself; nothing when there is none.
+    def declared(self, driver: str, family: str) -> DriverDeclaration:
+        """The declaration of a driver; an empty one when there is none.
 
         Raises:
-            PackageError: it says that as it should not, or is no Python.
+            PackageError: its declaration is malformed, or it is no Python.
         """
         path = self.driver_file(driver, family)
-        return _declared_once(read_source(path), str(path)) if path is not None else Declared()
+        return _cached_declaration(read_source(path), str(path)) if path is not None else DriverDeclaration()
 
-    def built(self, family: str, drivers: Mapping[str, Asked | None], *, in_flash: bool = True) -> Built:
-        """The package for a kind of board, with these drivers, each with what is asked of it; None: everything. From
+    def build(self, family: str, drivers: Mapping[str, UsedParts | None], *, in_flash: bool = True) -> BoardPackage:
+        """The package for a kind of board, with these drivers, each with its used parts; None: everything. From
         any thread. `in_flash`: whether a family that runs the loop from flash does so; a micro:bit V2 does not.
 
         Raises:
@@ -149,54 +149,54 @@ class Package:
         with _BUILDING:
             return self._build(family, drivers, in_flash and family in IN_FLASH)
 
-    def built_for_all(self, drivers: Mapping[str, Asked | None]) -> Iterator[Built]:
+    def build_for_all(self, drivers: Mapping[str, UsedParts | None]) -> Iterator[BoardPackage]:
         """The packages for all kinds of boards that have these drivers; of micro:bits that of 2016 and the V2."""
         for family in FAMILIES:
             if not self.missing(drivers, family):
                 for in_flash in (True, False) if family in IN_FLASH else (False,):
-                    yield self.built(family, drivers, in_flash=in_flash)
+                    yield self.build(family, drivers, in_flash=in_flash)
 
-    def _build(self, family: str, drivers: Mapping[str, Asked | None], in_flash: bool) -> Built:
-        making = _Making(shared=self._shared(family, drivers))
+    def _build(self, family: str, drivers: Mapping[str, UsedParts | None], in_flash: bool) -> BoardPackage:
+        builder = _PackageBuilder(shared=self._shared(family, drivers))
         modules = {}
         wants_range = {}
         in_lines = {}
-        for driver, asked in drivers.items():
+        for driver, used in drivers.items():
             path = self.driver_file(driver, family)
             if path is None:
                 raise missing_driver(driver, self, family)
-            text = making.in_lines(path) if family in WITH_LINES and path.name.endswith(OWN_SUFFIX) else None
+            text = builder.in_lines(path) if family in WITH_LINES and path.name.endswith(OWN_SUFFIX) else None
             if text is not None:
-                modules[driver], in_lines[driver] = making.stored(text), path.name
+                modules[driver], in_lines[driver] = builder.store(text), path.name
             else:
-                modules[driver] = making.add(path, asked) + ".py"
-            wants_range[driver] = re.search(rb"""["']m(in|ax)["']""", making.files[modules[driver]]) is not None
+                modules[driver] = builder.add(path, used) + ".py"
+            wants_range[driver] = re.search(rb"""["']m(in|ax)["']""", builder.files[modules[driver]]) is not None
         tends = frozenset(driver for driver in drivers if self._tends(driver, family))
         bases = {
-            driver: making.bases[path]
+            driver: builder.bases[path]
             for driver in drivers
-            if (path := self.driver_file(driver, family)) in making.bases
+            if (path := self.driver_file(driver, family)) in builder.bases
         }
         built = replace(
-            _built(family, making, modules, wants_range, in_flash), tends=tends, bases=bases, in_lines=in_lines
+            _built(family, builder, modules, wants_range, in_flash), tends=tends, bases=bases, in_lines=in_lines
         )
         if TEAM_DRIVER not in drivers:
             return built
-        member = part(ONBOARD / "member.py")
+        member = minified_module(ONBOARD / "member.py")
         name = name_of(member) + ".py"
         return replace(built, files={name: member, **built.files}, member=name)
 
-    def _shared(self, family: str, drivers: Mapping[str, Asked | None]) -> dict[Path, Asked]:
-        """What the drivers of a program ask together of the modules that only they import."""
-        found: dict[Path, Asked] = {}
+    def _shared(self, family: str, drivers: Mapping[str, UsedParts | None]) -> dict[Path, UsedParts]:
+        """The used parts of the modules that only drivers import."""
+        found: dict[Path, UsedParts] = {}
         whole: set[Path] = set()
-        for driver, asked in drivers.items():
+        for driver, used in drivers.items():
             for path in self._shared_by(driver, family):
-                if asked is None:
+                if used is None:
                     whole.add(path)
                 else:
-                    found[path] = found.get(path, Asked()) | asked
-        return {path: asked for path, asked in found.items() if path not in whole}
+                    found[path] = found.get(path, UsedParts()) | used
+        return {path: used for path, used in found.items() if path not in whole}
 
     def _shared_by(self, driver: str, family: str) -> list[Path]:
         """The shared modules with whole devices that a driver imports (see `TRIMMED`)."""
@@ -216,31 +216,31 @@ class Package:
 
 
 def _built(
-    family: str, making: _Making, drivers: Mapping[str, str], wants_range: Mapping[str, bool], in_flash: bool
-) -> Built:
-    package = _Making()
-    requests = package.stored(requests_file(family))
+    family: str, builder: _PackageBuilder, drivers: Mapping[str, str], wants_range: Mapping[str, bool], in_flash: bool
+) -> BoardPackage:
+    package = _PackageBuilder()
+    requests = package.store(requests_file(family))
     loop: list[str] = []
-    block = frozen_loop(family) if in_flash else None
+    block = loop_block(family) if in_flash else None
     if block is not None:
         interpreter = block.name
-        start = package.stored(start_from_flash(block, family, requests))
+        start = package.store(start_from_flash(block, family, requests))
     else:
-        interpreter = package.stored(part(ONBOARD / "interpreter.py"))[: -len(".py")]
-        loop = [package.stored(part(path)) for path in (ONBOARD / "ports" / f"{family}.py", *loop_files())]
+        interpreter = package.store(minified_module(ONBOARD / "interpreter.py"))[: -len(".py")]
+        loop = [package.store(minified_module(path)) for path in (ONBOARD / "ports" / f"{family}.py", *loop_files())]
         sizes = [len(package.files[name]) for name in loop]
-        start = package.stored(start_file(interpreter, list(zip(loop, sizes, strict=True)), requests))
-    main = package.files["main.py"] = part(ONBOARD / "boot.py")
-    package.files["krboot.py"] = part(ONBOARD / "krboot.py")
+        start = package.store(start_file(interpreter, list(zip(loop, sizes, strict=True)), requests))
+    main = package.files["main.py"] = minified_module(ONBOARD / "boot.py")
+    package.files["krboot.py"] = minified_module(ONBOARD / "krboot.py")
     module = name_of(b"".join(sorted(package.files.values())))
     del package.files["main.py"]
-    files = {**making.files, **package.files}
-    return Built(family, files, module, interpreter, start, loop, drivers, wants_range, main, block)
+    files = {**builder.files, **package.files}
+    return BoardPackage(family, files, module, interpreter, start, loop, drivers, wants_range, main, block)
 
 
 def missing_driver(driver: str, package: Package, family: str) -> PackageError:
     """The error that names the files which were looked for."""
-    files = [path for path in package.looked_for(driver, family) if ".." not in driver and "/" not in driver]
+    files = [path for path in package.candidates(driver, family) if ".." not in driver and "/" not in driver]
     own = driver.replace("-", "_") + OWN_SUFFIX
     where = Series(COMMA, dict.fromkeys(str(path.parent) for path in files if path.name.endswith(OWN_SUFFIX)))
     shipped = f"drivers/{family}/{driver.replace('-', '_')}.py"
@@ -258,18 +258,18 @@ def missing_driver(driver: str, package: Package, family: str) -> PackageError:
 
 
 @dataclass
-class _Making:
+class _PackageBuilder:
     """Files by name, and the names of the modules that were made already: as drivers (True), and to be imported."""
 
     files: dict[str, bytes] = field(default_factory=dict)
     names: dict[tuple[Path, bool], str] = field(default_factory=dict)
     open: list[Path] = field(default_factory=list)
-    shared: Mapping[Path, Asked] = field(default_factory=dict)
+    shared: Mapping[Path, UsedParts] = field(default_factory=dict)
     bases: dict[Path, str] = field(default_factory=dict)
 
-    def add(self, path: Path, asked: Asked | None = None) -> str:
-        """Adds a module and those that it imports; its name. `asked`: what of it, when it is a driver."""
-        made = path, asked is not None  # what is trimmed for being a driver, nobody can import names of
+    def add(self, path: Path, used: UsedParts | None = None) -> str:
+        """Adds a module and those that it imports; its name. `used`: its used parts, when it is a driver."""
+        made = path, used is not None  # what is trimmed for being a driver, nobody can import names of
         if made in self.names:
             return self.names[made]
         if path in self.open:
@@ -279,13 +279,13 @@ class _Making:
         self.open.append(path)
         tree = parsed(read_source(path), str(path))
         tree = without_declarations(tree)
-        if asked is None and path in self.shared:
-            tree = shared_trimmed(tree, self.shared[path])
-        tree = _Imports(self, path).visit(tree if asked is None else trimmed(tree, asked))
+        if used is None and path in self.shared:
+            tree = trim_shared_module(tree, self.shared[path])
+        tree = _Imports(self, path).visit(tree if used is None else trim_driver(tree, used))
         self.open.pop()
-        if asked is not None:
+        if used is not None:
             tree = renamed(tree, own_names(tree))
-        name = self.stored(short_text(ast.unparse(ast.fix_missing_locations(tree))).encode())[: -len(".py")]
+        name = self.store(short_text(ast.unparse(ast.fix_missing_locations(tree))).encode())[: -len(".py")]
         self.names[made] = name
         return name
 
@@ -311,7 +311,7 @@ class _Making:
                 lines[node.lineno - 1 : end] = [" " * node.col_offset + words, *[""] * (end - node.lineno)]
         return "\n".join(lines).encode()
 
-    def stored(self, content: bytes) -> str:
+    def store(self, content: bytes) -> str:
         """Adds a file; its name."""
         name = name_of(content) + ".py"
         self.files[name] = content
@@ -321,8 +321,8 @@ class _Making:
 class _Imports(ast.NodeTransformer):
     """Rewrites imports of modules of ours to the names that these have on the board."""
 
-    def __init__(self, making: _Making, path: Path) -> None:
-        self.making = making
+    def __init__(self, builder: _PackageBuilder, path: Path) -> None:
+        self.builder = builder
         self.path = path
 
     def visit_ImportFrom(self, node: ast.ImportFrom) -> ast.AST | list[ast.stmt]:
@@ -331,9 +331,9 @@ class _Imports(ast.NodeTransformer):
             return node
         place = ONBOARD.joinpath(*words[1:])
         if place.with_suffix(".py").is_file() and place != ONBOARD:
-            node.module = self.making.add(place.with_suffix(".py"))
+            node.module = self.builder.add(place.with_suffix(".py"))
             if ".".join(words[1:-1]) == TRIMMED:
-                self.making.bases[self.path] = f"{node.module}.py"
+                self.builder.bases[self.path] = f"{node.module}.py"
                 return []  # its names are in the driver's space already
             return node
         found: list[ast.stmt] = []
@@ -341,7 +341,7 @@ class _Imports(ast.NodeTransformer):
             path = place / f"{alias.name}.py"
             if not path.is_file():
                 raise self._unknown(f"{node.module}.{alias.name}", node)
-            name = self.making.add(path)
+            name = self.builder.add(path)
             found.append(ast.Import([ast.alias(name, alias.asname or alias.name)]))
         return found
 

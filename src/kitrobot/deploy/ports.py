@@ -1,6 +1,6 @@
 """The addresses where boards may be: serial ports on USB, and those in KITROBOT_BOARDS.
 
-Ports are listed without opening them; `connecting` determines what is there.
+Ports are listed without opening them; `handshake` determines what is there.
 """
 
 from __future__ import annotations

@@ -12,7 +12,7 @@ from typing import NamedTuple
 
 from kitrobot.deploy.errors import DeployError, PackageError
 from kitrobot.deploy.package import PROGRAM, TEAM_DRIVER, name_of
-from kitrobot.deploy.trimming import Asked
+from kitrobot.deploy.tree_shaking import UsedParts
 from kitrobot.image import Image, Layout
 from kitrobot.image.instructions import ACT, BY_NUMBER, Role
 from kitrobot.primitives import Robot, RobotObject
@@ -73,17 +73,17 @@ class ProgramFile:
         return [number for number, driver in enumerate(drivers) if driver != UNUSED]
 
     @property
-    def drivers(self) -> dict[str, Asked]:
+    def drivers(self) -> dict[str, UsedParts]:
         """The drivers that it needs, and what of them."""
-        found: dict[str, Asked] = {}
+        found: dict[str, UsedParts] = {}
         for device in self.devices:
             if device.driver != UNUSED:
                 given = (word.partition("=") for word in device.words if "=" in word)
-                asked = Asked(settings=frozenset((name, value) for name, _, value in given))
-                found[device.driver] = found.get(device.driver, Asked()) | asked
+                used = UsedParts(settings=frozenset((name, value) for name, _, value in given))
+                found[device.driver] = found.get(device.driver, UsedParts()) | used
         for place, name, _, later in self.commands:
             if name:
-                found[self.devices[place].driver] |= Asked(frozenset([name]), later)
+                found[self.devices[place].driver] |= UsedParts(frozenset([name]), later)
         return found
 
     def to_bytes(self) -> bytes:

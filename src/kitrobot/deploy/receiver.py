@@ -13,10 +13,10 @@ from itertools import cycle
 
 from kitrobot.deploy.errors import BoardError, CrampedError, FullError, ResetError, SilentError
 from kitrobot.deploy.line import LATE_READS, MOST, Line
-from kitrobot.deploy.modern import tell_at_once
-from kitrobot.deploy.patience import Patience
+from kitrobot.deploy.raw_paste import run_by_raw_paste
 from kitrobot.deploy.receiver_text import laid_down, pieces_of, texts
 from kitrobot.deploy.repl import LONGEST, GarbledError, RawRepl
+from kitrobot.deploy.retry_timer import RetryTimer
 from kitrobot.text import Sentence
 from kitrobot_onboard import link
 
@@ -48,20 +48,20 @@ _CHIP_OF_2016 = "nRF51"
 _READ = 64
 """Bytes of a file that are asked for at once: a small board has no room for many."""
 
-Told = Callable[[int], None]
-"""Is told how many bytes more have come through."""
+ByteCounter = Callable[[int], None]
+"""Called with the number of bytes that came through since the last call."""
 
 
 class Receiver:
-    """The board's files. `told` counts the bytes that came through; a board's memory is empty but for the receiver."""
+    """The board's files. `count` is called with the bytes that came through; only the receiver is in memory."""
 
-    def __init__(self, repl: RawRepl, told: Told = lambda count: None) -> None:
+    def __init__(self, repl: RawRepl, count: ByteCounter = lambda count: None) -> None:
         self.repl = repl
         self.line: Line = repl.line
-        self.told = told
+        self.count = count
         self.modern = self.disturbed = False
         self.family = ""
-        """What the board calls its platform."""
+        """The platform that the board reports."""
 
         self.is_2016 = False
         """Whether it is the micro:bit of 2016, which alone runs the loop from its flash."""
@@ -89,8 +89,8 @@ class Receiver:
                 self._define()
                 self._heard = b""
                 self.line.write(b"receive()\x04")
-                patience = Patience(self.line.now, max(5.0, 10 * self.repl.pace_s))
-                if self._frame(0, patience.first_s, patience, told=True) is not None:
+                patience = RetryTimer(self.line.now, max(5.0, 10 * self.repl.pace_s))
+                if self._frame(0, patience.first_s, patience, after_command=True) is not None:
                     return
             except SilentError:
                 if not self.repl.answered or attempt + 1 == _DEFINITION_TRIES:
@@ -158,7 +158,7 @@ class Receiver:
                 raise BoardError(
                     Sentence("the file `{name}` on the board is too large", name), Sentence("remove it from the board")
                 )
-            self.told(len(piece))
+            self.count(len(piece))
             if len(piece) < _READ:
                 break
         self.value("c()")
@@ -176,7 +176,7 @@ class Receiver:
             if kind == "E":
                 raise _failure(answer)
             at += len(piece)
-            self.told(len(piece))
+            self.count(len(piece))
         self.value("c()")
 
     def write_words(self, at: int, words: bytes) -> None:
@@ -189,7 +189,7 @@ class Receiver:
             if self._asked("d", piece, 2)[0] == "E":
                 raise strange()
             done += len(piece)
-            self.told(len(piece))
+            self.count(len(piece))
         self.value("c()")
 
     def remove(self, name: str) -> None:
@@ -231,7 +231,7 @@ class Receiver:
     def _lay_at_once(self, text: str) -> bool:
         """Brings a text into the board's `s` through mpremote; whether it is there as it was sent."""
         try:
-            tell_at_once(self.line, f"s={text!r}", self.repl.pace_s)
+            run_by_raw_paste(self.line, f"s={text!r}", self.repl.pace_s)
             return all(
                 self.repl.run(f"print(repr(s[{at}:{at + 200}]))").strip() == repr(text[at : at + 200])
                 for at in range(0, len(text) + 1, 200)
@@ -284,7 +284,7 @@ class Receiver:
         assert len(frame) <= link.LONGEST
         first_s = max(_FIRST_S, min(2 * self._took, timeout_s))
         silent_s = max(silent_s, 4 * self._took, min(20 * self.repl.pace_s, _LONGEST_S))
-        patience = Patience(self.line.now, first_s, silent_s, _LONGEST_S, timeout_s)
+        patience = RetryTimer(self.line.now, first_s, silent_s, _LONGEST_S, timeout_s)
         while wait := patience.wait():
             self.line.write(frame)
             answer = self._frame(number, wait, patience)
@@ -297,11 +297,11 @@ class Receiver:
         return None
 
     def _frame(
-        self, number: int, timeout_s: float, patience: Patience, *, told: bool = False
+        self, number: int, timeout_s: float, patience: RetryTimer, *, after_command: bool = False
     ) -> tuple[str, bytes] | None:
         """The answer to that request; others are older ones that came late, and show that the board is there.
 
-        `told`: the raw REPL was told something right before, and what it says of that is no prompt.
+        `after_command`: a command was sent to the raw REPL right before, and its answer is no prompt.
 
         Raises:
             ResetError: the board stands at a prompt.
@@ -317,9 +317,9 @@ class Receiver:
                 if found is not None and found[1] == number:
                     self._heard = b"~".join([*whole[position + 1 :], self._heard])
                     return found[0], found[2]
-                if found is None and not told and any(prompt in piece for prompt in _PROMPTS):
+                if found is None and not after_command and any(prompt in piece for prompt in _PROMPTS):
                     raise self._reset()
-            if not told and any(prompt in self._heard for prompt in _PROMPTS):
+            if not after_command and any(prompt in self._heard for prompt in _PROMPTS):
                 raise self._reset()
             self._heard = self._heard[-_KEPT:]
             left = until - self.line.now()
@@ -337,7 +337,7 @@ class Receiver:
 
 
 def _failure(answer: bytes) -> BoardError:
-    """What the board says that went wrong there."""
+    """The error that the board reports."""
     text = answer[:_LONGEST_TEXT].decode(errors="replace")
     if "OSError" in text and ("28" in text or "storage" in text):  # as boards of today and of 2016 say it
         return FullError(
@@ -357,7 +357,7 @@ def too_much_lost(address: str) -> SilentError:
 
 
 def strange() -> BoardError:
-    """What the board answered cannot be."""
+    """The board's answer is impossible."""
     return BoardError(
         Sentence("the board sent an answer that cannot be right"), Sentence("reset it and run the command again")
     )

@@ -1,4 +1,4 @@
-"""The text of the receiver (`kitrobot_onboard.receiver`) as a board is told it, over its prompt."""
+"""The text of the receiver (`kitrobot_onboard.receiver`) as it is sent to a board, over its prompt."""
 
 from __future__ import annotations
 
@@ -7,13 +7,13 @@ from collections.abc import Sequence
 from functools import cache
 from importlib.resources import files
 
+from kitrobot.deploy.minifier import parsed, shortened
 from kitrobot.deploy.repl import LONGEST
-from kitrobot.deploy.shortening import parsed, shortened
 
 
 @cache
 def texts(is_2016: bool) -> Sequence[str]:
-    """What is told to the board: the frames, then the receiver without its import of them."""
+    """The text that is sent to the board: the frames, then the receiver without its import of them."""
     found = []
     for name in ("link", "receiver", *(["flash"] if is_2016 else [])):
         source = files("kitrobot_onboard").joinpath(f"{name}.py").read_text(encoding="utf-8")

@@ -29,14 +29,14 @@ def silent(address: str) -> SilentError:
 
 
 def refusal(answer: tuple[str, bytes]) -> BoardError:
-    """A robot's no, or an answer that is none to what was asked."""
+    """The refusal of a robot, or an answer to another request."""
     kind, payload = answer
     why = payload[0] if kind == "N" and payload else 0
     return (NoMemoryError if why == _MEMORY else BoardError)(*_REFUSALS.get(why, _REFUSALS[3]))
 
 
 def not_understood() -> BoardError:
-    """What came is no answer that this KitRobot can read."""
+    """The answer cannot be read by this KitRobot."""
     return BoardError(*_REFUSALS[3])
 
 

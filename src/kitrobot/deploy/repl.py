@@ -5,8 +5,8 @@ answer is awaited, and it is sent again when none arrives intact. A command may 
 no command here can do harm: file access goes through the receiver, whose messages have checksums.
 
 A board whose program never comes back to its loop hears nothing; for a moment when its power comes on it does
-(`kitrobot_onboard.krboot`). So a board that said nothing is called without a pause, and whoever sent the command is
-told that a reset is wanted (`resets`).
+(`kitrobot_onboard.krboot`). So a board that sent nothing is called without a pause, and the sender of the command
+learns that a reset is wanted (`resets`).
 """
 
 from __future__ import annotations
@@ -15,7 +15,7 @@ from collections.abc import Callable
 
 from kitrobot.deploy.errors import SilentError
 from kitrobot.deploy.line import MOST, Line
-from kitrobot.deploy.patience import Patience
+from kitrobot.deploy.retry_timer import RetryTimer
 from kitrobot.text import Sentence
 
 LONGEST = 60
@@ -60,7 +60,7 @@ class RawRepl:
         Raises:
             SilentError: there is no MicroPython that answers.
         """
-        patience = Patience(self.line.now, _ENTERING_S, _SILENT_S, most_s=_SILENT_S)
+        patience = RetryTimer(self.line.now, _ENTERING_S, _SILENT_S, most_s=_SILENT_S)
         quiet_s = 0.1
         heard = b""
         while wait := patience.wait():
@@ -139,7 +139,7 @@ class RawRepl:
         self.line.write(b"\r\x01")
         self._ends(_BANNER, max(2.0, 4 * self.pace_s))
 
-    def _called(self, patience: Patience) -> bytes:
+    def _called(self, patience: RetryTimer) -> bytes:
         """What a mute board says when it is called without a pause, until it says something or patience ends."""
         while patience.left() > 0:
             self.line.write(_INTO_RAW)

@@ -1,7 +1,7 @@
 """The program file as the board executes it: the pieces of Python for `kitrobot_onboard.boot`, and the arrays.
 
 The pieces name every file that the program needs. They are generated for one family of boards and one set of drivers,
-so that the board looks nothing up: after the start that all programs share (`kitrobot.deploy.starting`) the devices
+so that the board looks nothing up: after the start that all programs share (`kitrobot.deploy.start_script`) the devices
 are made, from large to small, and then the arrays are read, which need no more memory than they keep. Of the orders
 that were measured on the micro:bit of 2016 this one leaves the largest free block (docs/reference/boards.md).
 """
@@ -11,10 +11,10 @@ from __future__ import annotations
 import struct
 from collections.abc import Iterator, Sequence
 
-from kitrobot.deploy.carried import joined
-from kitrobot.deploy.package import MODULE, Built
+from kitrobot.deploy.onboard_bundle import join_statements
+from kitrobot.deploy.package import MODULE, BoardPackage
 from kitrobot.deploy.program_file import LIMIT_S, UNUSED, Device, ProgramFile
-from kitrobot.deploy.starting import begun, piece
+from kitrobot.deploy.start_script import begun, piece
 from kitrobot.image import Image
 from kitrobot_onboard import state
 from kitrobot_onboard.image import load
@@ -26,12 +26,12 @@ _TENDED = f"{_MADE}[0].stop();$robot[{state.TENDS}].append(({_MADE},{_MADE}[0].t
 """One that does something by itself stands still before it does."""
 
 
-def board_file(program: ProgramFile | None, built: Built) -> bytes:
+def board_file(program: ProgramFile | None, built: BoardPackage) -> bytes:
     """The program file for a board with this package. Without a program it has the loop, and nothing to do."""
     return b"".join(_parts(program, built))
 
 
-def _parts(program: ProgramFile | None, built: Built) -> Iterator[bytes]:
+def _parts(program: ProgramFile | None, built: BoardPackage) -> Iterator[bytes]:
     yield begun(built.start, built.module[len(MODULE) :])
     if program is not None:
         yield from _numbers(program)
@@ -44,7 +44,7 @@ def _parts(program: ProgramFile | None, built: Built) -> Iterator[bytes]:
     yield piece("$file=$file.close()")
 
 
-def _devices(devices: Sequence[Device], built: Built) -> Iterator[tuple[int, list[bytes]]]:
+def _devices(devices: Sequence[Device], built: BoardPackage) -> Iterator[tuple[int, list[bytes]]]:
     """Each driver with its size, and what is made of it: a driver that is not needed any more is forgotten then."""
     actuators = places = -1
     lines: dict[str, list[tuple[str, str]]] = {}
@@ -86,7 +86,7 @@ def _devices(devices: Sequence[Device], built: Built) -> Iterator[tuple[int, lis
         yield len(built.files[built.drivers.get(name, name)]), job
 
 
-def _executed(name: str, built: Built, called: str = "") -> str:
+def _executed(name: str, built: BoardPackage, called: str = "") -> str:
     """Executes a driver's file; `called`: with the numbers of its lines, under that name."""
     read = f"open({name!r}).read({len(built.files[name])})"
     if not called:
@@ -112,7 +112,7 @@ def _numbers(program: ProgramFile) -> Iterator[bytes]:
         state.PERIOD: image.tick_ms,
         state.STATE: 1 if program.is_member else 2,
     }
-    yield from map(piece, joined([f"$robot[{place}]={_literal(value)}" for place, value in values.items()]))
+    yield from map(piece, join_statements([f"$robot[{place}]={_literal(value)}" for place, value in values.items()]))
 
 
 def _arrays(program: ProgramFile) -> Iterator[bytes]:

@@ -1,7 +1,7 @@
 """Square waves of a kit's pins that its chip cannot give at once.
 
 On the RP2040 and the RP2350 pins share the parts that make waves (slices): two pins of a slice have one frequency, and
-pins that are 16 apart have one wave. A driver says at its top level which of its settings name such pins,
+pins that are 16 apart have one wave. A driver declares at its top level which of its settings name such pins,
 
     WAVES = {"pin": "50", "left-forward": "frequency !left-power"}
 

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 from kitrobot.lazy import lazy_names
 
 if TYPE_CHECKING:
-    from kitrobot.fleet.agent_process import AgentBoard, AgentProcess, Ended
+    from kitrobot.fleet.agent_process import AgentBoard, AgentProcess, RunEnd
     from kitrobot.fleet.board_line import open_board
     from kitrobot.fleet.charter import LEASE_MS, LEAST_LEASE_MS, MOST_LEASE_MS, FleetError, charter_of
     from kitrobot.fleet.envelopes import TEAM_PROCESS
@@ -18,15 +18,15 @@ if TYPE_CHECKING:
     from kitrobot.fleet.keys import VARIABLE, find_key, key_of, new_key
     from kitrobot.fleet.processes import Agents, end_of_input
     from kitrobot.fleet.run_source import FleetSource
-    from kitrobot.fleet.team_process import FleetRun, FleetTold, TeamProcess
-    from kitrobot.fleet.telling import Told, told_line
+    from kitrobot.fleet.status_reports import StatusReport, encode_report
+    from kitrobot.fleet.team_process import FleetCallbacks, FleetRun, TeamProcess
     from kitrobot.fleet.transport import Channel, Network
 else:
     # Hidden from mypy, which would take every name for one that there is.
     __getattr__ = lazy_names(
         __name__,
         {
-            "agent_process": ("AgentBoard", "AgentProcess", "Ended"),
+            "agent_process": ("AgentBoard", "AgentProcess", "RunEnd"),
             "board_line": ("open_board",),
             "charter": ("LEASE_MS", "LEAST_LEASE_MS", "MOST_LEASE_MS", "FleetError", "charter_of"),
             "envelopes": ("TEAM_PROCESS",),
@@ -34,8 +34,8 @@ else:
             "keys": ("VARIABLE", "find_key", "key_of", "new_key"),
             "processes": ("Agents", "end_of_input"),
             "run_source": ("FleetSource",),
-            "team_process": ("FleetRun", "FleetTold", "TeamProcess"),
-            "telling": ("Told", "told_line"),
+            "team_process": ("FleetRun", "FleetCallbacks", "TeamProcess"),
+            "status_reports": ("StatusReport", "encode_report"),
             "transport": ("Channel", "Network"),
         },
     )
@@ -50,20 +50,20 @@ __all__ = [
     "AgentProcess",
     "Agents",
     "Channel",
-    "Ended",
+    "FleetCallbacks",
     "FleetError",
     "FleetRun",
     "FleetSource",
-    "FleetTold",
     "Network",
+    "RunEnd",
+    "StatusReport",
     "TeamProcess",
-    "Told",
     "charter_of",
+    "encode_report",
     "end_of_input",
     "find_key",
     "identity_of",
     "key_of",
     "new_key",
     "open_board",
-    "told_line",
 ]

@@ -1,8 +1,8 @@
 """The process of one agent: an `AgentHost`, its channel and the clock.
 
-It looks for its team until there is one, however long that takes, unless a limit was set; a team that is not heard any
-more before the run has begun is looked for anew. It ends when the team says so, when nobody has anything to say to it
-for `PATIENCE_S` in a run, or with whoever started it.
+The process looks for its team until there is one, however long that takes, unless a limit is set. It looks anew for a
+team that falls silent before the run begins. It ends when the team ends it, after `PATIENCE_S` of silence in a run, or
+when the process that started it ends.
 """
 
 from __future__ import annotations
@@ -13,8 +13,8 @@ from dataclasses import dataclass
 
 from kitrobot.fleet import envelopes as kinds
 from kitrobot.fleet.board_line import BoardLine
-from kitrobot.fleet.bodies import FrameError, Reply, read_frame, read_whole, write_reply, write_whole
-from kitrobot.fleet.bundles import bundled, unbundled
+from kitrobot.fleet.body_messages import FrameError, Reply, decode_frame, decode_snapshot, encode_reply, encode_snapshot
+from kitrobot.fleet.bundles import bundle, unbundle
 from kitrobot.fleet.charter import LEAST_LEASE_MS, MOST_LEASE_MS, FleetError, charter_of
 from kitrobot.fleet.envelopes import EVERYBODY, TEAM_PROCESS, Envelope, EnvelopeError
 from kitrobot.fleet.host import AgentHost
@@ -28,11 +28,11 @@ from kitrobot.text import Sentence, listed
 HELLO_EVERY_MS = 200
 ASK_EVERY_MS = 100
 TURN_MS = 20
-"""How often the host is told the time, which looks at every member."""
+"""How often the host gets the time and checks every member."""
 PATIENCE_S = 30.0
-"""How long an agent goes on in a run without a word from its world."""
+"""How long an agent goes on in a run without a message from its world."""
 LOST_MS = 3000
-"""A team that is not heard for so long before the run is looked for anew; in the run, that is told then."""
+"""After so long a silence before the run, the team is looked for anew; in the run, the silence is reported."""
 
 
 @dataclass
@@ -42,17 +42,17 @@ class AgentBoard:
     Attributes:
         line: the line to it.
         actuators: the numbers of the robot's actuators that its program uses.
-        stands: whether it has stopped for good.
+        is_stopped: whether it has stopped for good.
     """
 
     line: BoardLine
     actuators: Sequence[int]
-    stands: bool = False
+    is_stopped: bool = False
 
 
 @dataclass(frozen=True)
-class Ended:
-    """How the run ended, as the team said; `stopped` by the emergency stop."""
+class RunEnd:
+    """How the run ended, as the team reported it; `stopped` by the emergency stop."""
 
     outcome: str
     sentence: str
@@ -66,11 +66,11 @@ class AgentProcess:
         simulation: the mission before its first step.
         me: the agent's number.
         channel: the way to the others.
-        say: told each sentence of its log.
-        is_over: asked now and then whether it is to end by itself.
+        report: called with each sentence of its log.
+        is_over: called now and then whether it is to end by itself.
         board: the board that is its body and interpreter; None: its body is simulated.
         wait_s: how long it waits for the run to begin; None: for ever.
-        progress: told what it waits for.
+        progress: called with what it waits for.
     """
 
     def __init__(
@@ -78,7 +78,7 @@ class AgentProcess:
         simulation: Simulation,
         me: int,
         channel: Channel,
-        say: Callable[[str], None],
+        report: Callable[[str], None],
         is_over: Callable[[], bool],
         board: AgentBoard | None = None,
         wait_s: float | None = None,
@@ -87,13 +87,13 @@ class AgentProcess:
         self.simulation = simulation
         self.me = me
         self.channel = channel
-        self.say = say
+        self.report = report
         self.is_over = is_over
         self.board = board
         if board is not None:
             board.line.wake = channel.wake
         self.host: AgentHost | None = None
-        self.ended: Ended | None = None
+        self.ended: RunEnd | None = None
         self.wait_s = wait_s
         self.progress = progress
         self.identity = identity_of(simulation)
@@ -104,7 +104,7 @@ class AgentProcess:
         self._waits_for = ""
         self._silent = False
 
-    def run(self) -> Ended:
+    def run(self) -> RunEnd:
         """Takes part in the run to its end.
 
         Raises:
@@ -113,12 +113,12 @@ class AgentProcess:
         """
         while self.ended is None:
             if self.is_over():
-                return Ended("stopped", Sentence("whoever started this agent has ended"), True)
+                return RunEnd("stopped", Sentence("whoever started this agent has ended"), True)
             self.turn()
         return self.ended
 
     def turn(self) -> None:
-        """Takes in what came, or waits a little for it, and says what there is to say.
+        """Handles what came, or waits a little for it, and sends what there is to send.
 
         Raises:
             FleetError, KitRobotError: as `run`.
@@ -128,20 +128,20 @@ class AgentProcess:
         last = max((n for n, envelope in enumerate(came) if envelope.kind == kinds.MEMBER), default=-1)
         for number, envelope in enumerate(came):
             for stop in self.channel.stops():
-                self._take(milliseconds(), stop, False)
-                self._post()
-            self._take(milliseconds(), envelope, number < last)
-            self._post()
+                self._handle(milliseconds(), stop, False)
+                self._send_pending()
+            self._handle(milliseconds(), envelope, number < last)
+            self._send_pending()
         if self.host is not None:
-            self._hear_board(milliseconds(), self.host)
+            self._read_board(milliseconds(), self.host)
             if (now := milliseconds()) - self.timed_at >= TURN_MS:
                 self.timed_at = now
                 self.host.time(now)
-            self._post()
-        self._tell()
+            self._send_pending()
+        self._report_log()
 
     def _look_for_team(self, now: int) -> None:
-        """Says hello whenever there is nothing else to say to the team; gives up where there is a limit."""
+        """Sends hello whenever there is nothing else to send to the team; gives up where there is a limit."""
         silence = now - self.heard_at
         if self.host is None:
             if self.wait_s is not None and now - self.began_at >= self.wait_s * 1000:
@@ -157,7 +157,7 @@ class AgentProcess:
         elif self._silent != (silence >= LOST_MS):
             self._silent = not self._silent
             if self._silent:
-                self.say(
+                self.report(
                     Sentence("does not hear the team's process; ends after {seconds} s of that", round(PATIENCE_S))
                 )
         if now - self.spoke_at >= HELLO_EVERY_MS:
@@ -170,70 +170,70 @@ class AgentProcess:
             self._waits_for = what
             self.progress(what)
 
-    def _take(self, now: int, envelope: Envelope, more: bool) -> None:
-        """Takes in an envelope; `more`: messages of the protocol follow."""
+    def _handle(self, now: int, envelope: Envelope, more: bool) -> None:
+        """Handles an envelope; `more`: messages of the protocol follow."""
         if envelope.sender == TEAM_PROCESS:
             self.heard_at = now
-            self._ordered(now, envelope)
+            self._handle_team_message(now, envelope)
         elif self.host is not None and envelope.sender < len(self.simulation.members):
-            self._of_member(now, envelope, self.host, more)
+            self._handle_member_message(now, envelope, self.host, more)
 
-    def _ordered(self, now: int, envelope: Envelope) -> None:
-        """What the team's process says."""
+    def _handle_team_message(self, now: int, envelope: Envelope) -> None:
+        """Handles a message of the team's process."""
         if envelope.kind == kinds.WELCOME:
             self._welcome(envelope)
         elif envelope.kind == kinds.BEGIN and self.host is None:
             self._begin(now, envelope)
         elif envelope.kind == kinds.FRAME and self.host is not None:
             try:
-                replies = self.host.frame(now, read_frame(envelope.body))
+                replies = self.host.frame(now, decode_frame(envelope.body))
             except FrameError as error:
                 self._refuse(envelope, error.args[0])
                 return
-            self._post()
+            self._send_pending()
             self._reply(replies)
         elif envelope.kind == kinds.STOP:
             self._stop()
         elif envelope.kind == kinds.BYE:
-            outcome, sentence = _two_texts(envelope.body)
+            outcome, sentence = _decode_outcome(envelope.body)
             if self.host is None and outcome != "stopped":
                 raise FleetError(
                     Sentence("this agent took no part in the run, which is over: {sentence}", sentence),
                     Sentence("start it again, and it waits for the next run"),
                 )
-            self.ended = Ended(outcome, sentence, outcome == "stopped")
+            self.ended = RunEnd(outcome, sentence, outcome == "stopped")
 
     def _stop(self) -> None:
-        """The emergency stop; it is answered when a board stands still, too."""
+        """The emergency stop; it is answered only when a board is still, too."""
         if self.host is not None and not self.host.stopped:
             self.host.stop()
             if self.board is None:
-                self.say(Sentence("stopped"))
-        if self.host is None or self.board is None or self.board.stands:
+                self.report(Sentence("stopped"))
+        if self.host is None or self.board is None or self.board.is_stopped:
             self.channel.send(TEAM_PROCESS, kinds.STOP)
 
-    def _hear_board(self, now: int, host: AgentHost) -> None:
-        """Takes in what came of orders to the board."""
+    def _read_board(self, now: int, host: AgentHost) -> None:
+        """Handles the results of orders to the board."""
         if self.board is None:
             return
-        for done in self.board.line.done():
-            if done.error is not None:
-                self.say(Sentence("its board is lost"))
-                raise done.error
-            if done.order.what == "tick" and not host.board_ticked(now, done.changes):
+        for result in self.board.line.take_results():
+            if result.error is not None:
+                self.report(Sentence("its board is lost"))
+                raise result.error
+            if result.order.what == "tick" and not host.finish_board_tick(now, result.changes):
                 raise FleetError(
                     Sentence("the board says what cannot be of its program"),
                     Sentence("send the program again: `kitrobot deploy … --team`"),
                 )
-            if done.order.what == "stop" and host.stopped and not self.board.stands:
-                self.board.stands = True
+            if result.order.what == "stop" and host.stopped and not self.board.is_stopped:
+                self.board.is_stopped = True
                 self.channel.send(TEAM_PROCESS, kinds.STOP)
-                self.say(Sentence("stopped"))
+                self.report(Sentence("stopped"))
 
     def _reply(self, replies: Sequence[Reply]) -> None:
         for reply in replies:
             self.spoke_at = milliseconds()
-            self.channel.send(TEAM_PROCESS, kinds.REPLY, write_reply(reply))
+            self.channel.send(TEAM_PROCESS, kinds.REPLY, encode_reply(reply))
 
     def _welcome(self, envelope: Envelope) -> None:
         """The answer to hello: the run, the lease and who is missing yet; or why this agent is not wanted."""
@@ -251,7 +251,7 @@ class AgentProcess:
             self.spoke_at = 0
         self.lease = lease
         if self.board is not None:
-            self.board.line.bear(lease)
+            self.board.line.set_lease(lease)
         if missing:
             self._wait_for(Sentence("is there; the team waits for {names}", listed(missing)))
 
@@ -265,37 +265,37 @@ class AgentProcess:
             charter = charter_of(self.simulation, self.lease)
             actuators = self.board.actuators if self.board is not None else None
             self.host = AgentHost(self.simulation, self.me, charter, life, now, actuators)
-            self.say(Sentence("takes part"))
+            self.report(Sentence("takes part"))
 
     def _refuse(self, envelope: Envelope, why: Sentence) -> None:
-        told = self._refusals.tell(envelope.sender, why)
-        if told is not None:
-            self.say(told)
+        message = self._refusals.count(envelope.sender, why)
+        if message is not None:
+            self.report(message)
 
-    def _of_member(self, now: int, envelope: Envelope, host: AgentHost, more: bool) -> None:
-        """What another agent says."""
+    def _handle_member_message(self, now: int, envelope: Envelope, host: AgentHost, more: bool) -> None:
+        """Handles a message of another agent."""
         try:
             if envelope.kind == kinds.MEMBER:
-                messages = [decode(one, self.channel.run) for one in unbundled(envelope.body, self.channel.me)]
+                messages = [decode(one, self.channel.run) for one in unbundle(envelope.body, self.channel.me)]
                 for left, message in enumerate(messages, 1 - len(messages)):
                     if message.sender.member == envelope.sender:
                         host.receive(now, message, more or left < 0)
-            elif envelope.kind == kinds.ASK:
-                whole = host.whole()
-                if whole is not None:
-                    self.channel.send(envelope.sender, kinds.WHOLE, write_whole(whole))
-            elif envelope.kind == kinds.WHOLE:
-                host.adopt(now, read_whole(envelope.body))
+            elif envelope.kind == kinds.SNAPSHOT_REQUEST:
+                snapshot = host.snapshot()
+                if snapshot is not None:
+                    self.channel.send(envelope.sender, kinds.SNAPSHOT, encode_snapshot(snapshot))
+            elif envelope.kind == kinds.SNAPSHOT:
+                host.adopt(now, decode_snapshot(envelope.body))
         except (MessageError, EnvelopeError, FrameError) as error:
             self._refuse(envelope, error.args[0])
 
-    def _post(self) -> None:
-        """Sends what the host has to say."""
+    def _send_pending(self) -> None:
+        """Sends the host's messages, replies and orders."""
         host = self.host
         if host is None:
             return
         sendings, host.sendings = host.sendings, []
-        for to, body in bundled(sendings, self.channel.run):
+        for to, body in bundle(sendings, self.channel.run):
             self.channel.send(to, kinds.MEMBER, body)
         replies, host.replies = host.replies, []
         self._reply(replies)
@@ -304,22 +304,22 @@ class AgentProcess:
             for order in orders:
                 self.board.line.order(order)
         now = milliseconds()
-        if host.asks and now - self.asked_at >= ASK_EVERY_MS:
+        if host.needs_snapshot and now - self.asked_at >= ASK_EVERY_MS:
             self.asked_at = now
-            self.channel.send(EVERYBODY, kinds.ASK)
+            self.channel.send(EVERYBODY, kinds.SNAPSHOT_REQUEST)
 
-    def _tell(self) -> None:
+    def _report_log(self) -> None:
         refused, self.channel.refused = self.channel.refused, []
         for sentence in refused:
-            self.say(sentence)
+            self.report(sentence)
         if self.host is not None:
             log, self.host.log = self.host.log, []
             for item in log:
                 if isinstance(item, Sentence):
-                    self.say(item)
+                    self.report(item)
 
 
-def _two_texts(body: bytes) -> tuple[str, str]:
+def _decode_outcome(body: bytes) -> tuple[str, str]:
     try:
         first, second = json.loads(body)
         return str(first)[:100], str(second)[:10_000]

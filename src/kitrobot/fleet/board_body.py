@@ -1,6 +1,6 @@
 """`BoardBody`: a board that is an agent's body and interpreter, as its host knows it, without its line.
 
-The host's machine is a picture of the board's: before a tick, the orders say what the team tells the board; after it,
+The host's machine mirrors the board's: before a tick, orders carry the team's values to the board; after it,
 the numbers that the board changed are put into the machine (`deploy.Board.member_tick`). What the board's own sensors
 measure is in them too.
 """
@@ -14,7 +14,7 @@ from typing import Literal
 from kitrobot.image import Machine
 
 REST_MS = 300
-"""A board that is not asked for a tick for so long is told to stand still; by itself it does so after 800."""
+"""A board without a tick for so long gets the order to stand still; by itself it does so after 800."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -100,7 +100,7 @@ class BoardBody:
         self._anew = True
 
     def rest(self, now: int) -> None:
-        """To be called often: a board that is not asked for ticks stands still."""
+        """Orders an idle board to stand still; to be called often."""
         if self.works or now - self._rests_since < REST_MS:
             return
         self._rests_since = now

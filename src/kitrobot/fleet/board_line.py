@@ -16,28 +16,28 @@ from kitrobot.robots import BoardProgram
 from kitrobot.text import Sentence
 
 LEAST_SILENT_S = 1.5
-"""A board answers within less, also a small one, and what got lost on the line was said again meanwhile."""
+"""A board answers within less, also a small one, and what got lost on the line was repeated meanwhile."""
 END_S = 5.0
 
 
 @dataclass(frozen=True, slots=True)
-class Done:
-    """What came of an order: the numbers that a tick changed, or why it could not be done."""
+class OrderResult:
+    """The result of an order: the numbers that a tick changed, or why it could not be done."""
 
     order: Order
     changes: tuple[tuple[int, int], ...] = ()
     error: KitRobotError | None = None
 
 
-class Obeying:
-    """A board that does what it is told; only inputs that are others than before are sent."""
+class OrderExecutor:
+    """Executes orders on a board; sends only the inputs that have changed."""
 
     def __init__(self, board: Board) -> None:
         self._board = board
         self._held: dict[int, int] = {}
 
     def do(self, order: Order) -> tuple[tuple[int, int], ...]:
-        """Has an order done; what a tick has changed.
+        """Executes an order; returns the numbers that a tick has changed.
 
         Raises:
             DeployError: the board does not answer, or cannot do it.
@@ -72,13 +72,13 @@ class BoardLine:
         self.wake: Callable[[], None] = lambda: None
         self._board = board
         board.silent_s = LEAST_SILENT_S
-        self._obeying = Obeying(board)
+        self._executor = OrderExecutor(board)
         self._orders: SimpleQueue[Order | None] = SimpleQueue()
-        self._done: SimpleQueue[Done] = SimpleQueue()
+        self._results: SimpleQueue[OrderResult] = SimpleQueue()
         self._thread = Thread(target=self._work, name="board", daemon=True)
         self._thread.start()
 
-    def bear(self, lease_ms: int) -> None:
+    def set_lease(self, lease_ms: int) -> None:
         """The line is given up when nothing comes for a lease, or for `LEAST_SILENT_S` where that is longer.
 
         For the team its agent is silent after a lease, whichever is longer; it is back with the next word of the board.
@@ -86,18 +86,18 @@ class BoardLine:
         self._board.silent_s = max(LEAST_SILENT_S, lease_ms / 1000)
 
     def order(self, order: Order) -> None:
-        """Has it do something, behind what it was told before; a stop goes ahead of all that was not begun."""
+        """Queues an order; a stop goes ahead of every order that was not begun."""
         if order.what == "stop":
             with suppress(Empty):
                 while True:
                     self._orders.get_nowait()
         self._orders.put(order)
 
-    def done(self) -> list[Done]:
-        """What came of orders since this was called last."""
+    def take_results(self) -> list[OrderResult]:
+        """Returns the results of orders since the last call."""
         found = []
-        while not self._done.empty():
-            found.append(self._done.get())
+        while not self._results.empty():
+            found.append(self._results.get())
         return found
 
     def close(self) -> None:
@@ -110,15 +110,15 @@ class BoardLine:
     def _work(self) -> None:
         while (order := self._orders.get()) is not None:
             try:
-                self._done.put(Done(order, self._obeying.do(order)))
+                self._results.put(OrderResult(order, self._executor.do(order)))
             except KitRobotError as error:
-                self._done.put(Done(order, (), self._why(error)))
+                self._results.put(OrderResult(order, (), self._cause(error)))
                 self.wake()
                 return
             self.wake()
 
-    def _why(self, error: KitRobotError) -> KitRobotError:
-        """Why an order could not be done: what the board says of it, where it says anything."""
+    def _cause(self, error: KitRobotError) -> KitRobotError:
+        """Why an order could not be executed: the fault that the board reports, if it reports one."""
         if isinstance(error, LineError | SilentError):
             return error  # nobody is there to be asked
         try:

@@ -22,7 +22,7 @@ FULL = 1 << 16
 _HEAD = struct.Struct("<HI")
 
 
-def bundled(sendings: Iterable[Sending], run: int) -> list[tuple[int, bytes]]:
+def bundle(sendings: Iterable[Sending], run: int) -> list[tuple[int, bytes]]:
     """The addressee, a member or `EVERYBODY`, and the body of each envelope: at most `FULL` bytes and one message."""
     parts: list[tuple[list[int], Message]] = []
     for to, message in sendings:
@@ -51,7 +51,7 @@ def _part(to: list[int], data: bytes) -> bytes:
     return _HEAD.pack(len(to), len(data)) + struct.pack(f"<{len(to)}H", *to) + data
 
 
-def unbundled(body: bytes, me: int) -> list[bytes]:
+def unbundle(body: bytes, me: int) -> list[bytes]:
     """The messages in a body that are for a member.
 
     Raises:

@@ -1,4 +1,4 @@
-"""The charter of a fleet: how the protocol of the room `team` is told who is who.
+"""The charter of a fleet: the members of a run, as the protocol of the room `team` needs them.
 
 Each agent is a member. Roles, groups, meetings and works of the mission are in the notes of the log (see `replica`).
 """

@@ -21,8 +21,8 @@ MOST_BYTES = 1 << 20
 LEAST_KEY, MOST_KEY = 16, 64
 """Bytes of a key."""
 
-MEMBER, ASK, WHOLE, HELLO, WELCOME, BEGIN, FRAME, REPLY, STOP, BYE = range(10)
-"""Messages of the protocol (`bundles`); who asks for a replica; a replica; an agent that comes, its answer; the start
+MEMBER, SNAPSHOT_REQUEST, SNAPSHOT, HELLO, WELCOME, BEGIN, FRAME, REPLY, STOP, BYE = range(10)
+"""Messages of the protocol (`bundles`); a request for a replica; a replica; an agent that comes, its answer; the start
 of the run; readings of a body, what came of a tick; the emergency stop; the end."""
 
 TEAM_PROCESS, EVERYBODY = 0xFFFF, 0xFFFE
@@ -30,7 +30,7 @@ TEAM_PROCESS, EVERYBODY = 0xFFFF, 0xFFFE
 
 _HEAD = struct.Struct("<2sBBQHHQQ")
 _SENDER = struct.Struct("<12xH")
-"""Where the sender stands, in this version and in those before."""
+"""The place of the sender, in this version and in those before."""
 
 
 class EnvelopeError(ValueError):
@@ -59,7 +59,7 @@ class Envelope:
     process: int = 0
 
 
-def sealed(envelope: Envelope, key: bytes) -> bytes:
+def seal(envelope: Envelope, key: bytes) -> bytes:
     """The envelope as bytes."""
     head = _HEAD.pack(
         b"KF",
@@ -74,7 +74,7 @@ def sealed(envelope: Envelope, key: bytes) -> bytes:
     return head + envelope.body + _seal(head + envelope.body, key)
 
 
-def opened(data: bytes, key: bytes) -> Envelope:
+def unseal(data: bytes, key: bytes) -> Envelope:
     """The envelope that the bytes are.
 
     Raises:

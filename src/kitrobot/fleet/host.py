@@ -1,10 +1,10 @@
 """`AgentHost`: one agent of a fleet, without sockets and clocks: what came and the time in, envelopes out.
 
-It has the agent's machine, its member of the protocol, and a replica of what the team agreed on. A tick is made for
+It holds the agent's machine, its member of the protocol, and a replica of the team's agreed state. A tick is made for
 each frame of the body, and only while the robot may act: the right ends a lease after a quorum was heard last, and a
-robot that takes a role over waits until the one before it has lost its own (docs/team-protocol.md). Whose body is not
-heard for a lease is silent in the team too: a robot without a body cannot play a role. Nor can one whose board has been
-at a tick for a lease.
+robot that takes a role over waits until the one before it has lost its own (docs/team-protocol.md). A robot whose body
+is not heard for a lease is silent in the team too: a robot without a body cannot play a role. Nor can one whose board
+has been at a tick for a lease.
 """
 
 from __future__ import annotations
@@ -14,35 +14,35 @@ from collections.abc import Sequence
 
 from kitrobot.fleet import notes
 from kitrobot.fleet.board_body import BoardBody
-from kitrobot.fleet.bodies import MOST_SLOTS, WINDOW, Frame, Reply, Whole
-from kitrobot.fleet.following import Following
-from kitrobot.fleet.links import TeamLinks
+from kitrobot.fleet.body_messages import MOST_SLOTS, WINDOW, Frame, ReplicaSnapshot, Reply
 from kitrobot.fleet.refusals import Refusals
 from kitrobot.fleet.replica import Replica
-from kitrobot.fleet.ticking import Tick, Ticking
+from kitrobot.fleet.replication import LogReplication
+from kitrobot.fleet.team_devices import TeamDevices
+from kitrobot.fleet.tick_runner import Tick, TickRunner
 from kitrobot.sim import Event, Simulation
 from kitrobot.sim.team_columns import T_ROLE
 from kitrobot.team import (
+    AppliedNote,
     Charter,
+    IncomingMessage,
     Member,
     Message,
+    NewView,
     Note,
-    Noted,
-    Quorum,
-    Received,
-    Refused,
+    QuorumChange,
+    Refusal,
     Seat,
     Sending,
     Time,
-    Viewed,
     Write,
-    first_state,
+    initial_state,
     may_act,
     step,
 )
-from kitrobot.team.changes import Change, Decided, Skipped
+from kitrobot.team.changes import Change, LogGap, SlotDecision
 from kitrobot.team.events import Event as Input
-from kitrobot.team.shared import FIRST_STAMP
+from kitrobot.team.shared_store import FIRST_STAMP
 from kitrobot.text import Sentence
 
 MOST_PENDING = 12
@@ -62,9 +62,9 @@ class AgentHost:
             its body is simulated.
 
     Attributes:
-        sendings: what is to be sent to members, `log`: what is to be told of, `replies`: what the world is to be
+        sendings: what is to be sent to members, `log`: what is to be reported, `replies`: what the world is to be
             answered, since somebody took it out.
-        asks: whether a replica is to be asked for, from whoever knows more.
+        needs_snapshot: whether to request a replica from a member that knows more.
     """
 
     def __init__(
@@ -80,16 +80,16 @@ class AgentHost:
         self.me = me
         self.charter = charter
         self.machine = simulation.members[me].machine
-        self.links = TeamLinks(self.replica, me)
-        self.state: Member = first_state(charter, Seat(me, life), now)
-        self.following = Following(self.replica, simulation.state.shared)
+        self.team_devices = TeamDevices(self.replica, me)
+        self.state: Member = initial_state(charter, Seat(me, life), now)
+        self.replication = LogReplication(self.replica, simulation.state.shared)
         self.sendings: list[Sending] = []
         self.log: list[Event | Sentence] = []
         self.replies: list[Reply] = []
-        self.asks = False
+        self.needs_snapshot = False
         self.muted = False
         self.stopped = False
-        self.heard_body_at = now
+        self.body_heard_at = now
         self.acts_from = now
         self._serial_ticked = -1
         self._replies: dict[int, Reply] = {}
@@ -99,20 +99,20 @@ class AgentHost:
         self._freeing: set[tuple[int, int, int]] = set()
         self._beginning = 0
         self._units: dict[tuple[int, int, int], int] = {}
-        self._effects: list[Noted | Viewed] = []
-        self._end_said = -1
-        """The epoch in which it said that its program is at its end."""
+        self._effects: list[AppliedNote | NewView] = []
+        self._end_reported = -1
+        """The epoch in which it reported the end of its program."""
         self.board = BoardBody(self.machine, board) if board is not None else None
-        self._ticking = Ticking(self.links, self.following)
+        self._tick_runner = TickRunner(self.team_devices, self.replication)
         self._tick: Tick | None = None
         self._refusals = Refusals()
 
     # -- the protocol
 
     def receive(self, now: int, message: Message, more: bool = False) -> None:
-        """A message of another member came; `more`: others came with it and follow."""
+        """Handles a message of another member; `more`: others came with it and follow."""
         if not self._is_silent(now):
-            self._step(now, Received(message, more))
+            self._step(now, IncomingMessage(message, more))
 
     def time(self, now: int) -> None:
         """To be called at least every `Charter.beat`."""
@@ -123,7 +123,7 @@ class AgentHost:
             self._free_units(now)
         self._send_notes(now)
         if self.board is not None:
-            self._look_at_board(now, self.board)
+            self._check_board(now, self.board)
 
     def is_first(self) -> bool:
         """Whether it is the first of the view: who looks after leases."""
@@ -141,7 +141,7 @@ class AgentHost:
     def _is_silent(self, now: int) -> bool:
         """Whether it has no radio, or no body."""
         works_since = now if self._tick is None or self._tick.over else self._tick.at
-        return self.muted or now - min(self.heard_body_at, works_since) >= self.charter.lease
+        return self.muted or now - min(self.body_heard_at, works_since) >= self.charter.lease
 
     def _free_units(self, now: int) -> None:
         """Asks for units to be free again whose lease is over."""
@@ -169,66 +169,66 @@ class AgentHost:
         if not self._is_silent(now):
             self.sendings.extend(stepped.messages)
         for change in stepped.changes:
-            self._changed(now, change)
+            self._apply_change(now, change)
 
-    def _changed(self, now: int, change: Change) -> None:
+    def _apply_change(self, now: int, change: Change) -> None:
         match change:
-            case Noted() | Viewed():
+            case AppliedNote() | NewView():
                 self._effects.append(change)
-            case Decided(slot=slot):
+            case SlotDecision(slot=slot):
                 effects, self._effects = tuple(self._effects), []
-                self.following.decided(slot, effects)
+                self.replication.add_slot(slot, effects)
                 self._follow(now)
-            case Skipped(slot=slot):
+            case LogGap(slot=slot):
                 self._effects = []
-                self.following.skipped(slot)
+                self.replication.skip_to(slot)
                 self._follow(now)
-            case Quorum(heard=heard):
+            case QuorumChange(heard=heard):
                 self.log.append(
                     Sentence("hears its team") if heard else Sentence("hears too few of its team, and waits")
                 )
-            case Refused(member=member, why=why):
-                if (told := self._refusals.tell(member, why)) is not None:
-                    self.log.append(told)
+            case Refusal(member=member, why=why):
+                if (message := self._refusals.count(member, why)) is not None:
+                    self.log.append(message)
 
-    def adopt(self, now: int, whole: Whole) -> None:
-        """Another member's replica came, for one that missed slots."""
-        if not self.following.is_whole and self.following.adopt(whole):
+    def adopt(self, now: int, snapshot: ReplicaSnapshot) -> None:
+        """Adopts another member's replica, after missed slots."""
+        if not self.replication.is_complete and self.replication.adopt(snapshot):
             self._follow(now)
 
-    def whole(self) -> Whole | None:
+    def snapshot(self) -> ReplicaSnapshot | None:
         """The replica, for another member; None where this one misses slots itself."""
-        if not self.following.is_whole:
+        if not self.replication.is_complete:
             return None
-        return Whole(self.replica.slot, tuple(map(tuple, self.replica.packed())))
+        return ReplicaSnapshot(self.replica.slot, tuple(map(tuple, self.replica.packed())))
 
     def _follow(self, now: int) -> None:
-        """Takes in the slots that are known, and draws from them what concerns this robot."""
+        """Applies the slots that are known, and follows what they change for this robot."""
         team = self.replica.state.team
         of_team = self.replica.is_of_team(self.me)
         role = team.robots[T_ROLE][self.me] if of_team else -1
-        self.log.extend(self.following.take_in(self._seen))
-        self.asks = not self.following.is_whole
+        self.log.extend(self.replication.apply_known(self._confirm_note))
+        self.needs_snapshot = not self.replication.is_complete
         if self.replica.beginnings[self.me] != self._beginning:
             self._beginning = self.replica.beginnings[self.me]
-            self._ticking.begin_anew()
+            self._tick_runner.restart()
             if self.board is not None:
                 self.board.begin_anew()
-            self._end_said = -1
+            self._end_reported = -1
         if of_team and team.robots[T_ROLE][self.me] not in (role, -1):
             self.acts_from = now + self.charter.hold
 
-    def _seen(self, effect: Noted | Viewed) -> None:
-        """One of its own notes has taken effect."""
-        if isinstance(effect, Noted) and effect.seat == self.state.seat and len(effect.numbers) == 5:
+    def _confirm_note(self, effect: AppliedNote | NewView) -> None:
+        """Confirms a note of its own that has taken effect."""
+        if isinstance(effect, AppliedNote) and effect.seat == self.state.seat and len(effect.numbers) == 5:
             serial = effect.numbers[4]
-            self.links.waiting = {k: at for k, at in self.links.waiting.items() if at != serial}
+            self.team_devices.waiting = {k: at for k, at in self.team_devices.waiting.items() if at != serial}
 
     # -- the body
 
     def frame(self, now: int, frame: Frame) -> list[Reply]:
-        """The body sent its readings; gives the answers to it, and to those that came early and follow it."""
-        self.heard_body_at = now
+        """Handles the readings of the body; returns the answers to them, and to early ones that follow."""
+        self.body_heard_at = now
         self.muted = frame.muted
         if self._serial_ticked < 0:
             self._serial_ticked = frame.first - 1
@@ -236,19 +236,19 @@ class AgentHost:
             return [self._replies[frame.serial]] if frame.serial in self._replies else []
         if frame.serial <= self._serial_ticked + WINDOW:
             self._early[frame.serial] = frame
-        return self._go_on(now)
+        return self._answer_frames(now)
 
-    def _go_on(self, now: int) -> list[Reply]:
+    def _answer_frames(self, now: int) -> list[Reply]:
         """The answers to the frames that follow, as far as no board is at work for one of them."""
         given = []
         while (self._tick is None or self._tick.late) and self._serial_ticked + 1 in self._early:
             self._serial_ticked += 1
             reply = self._answer(now, self._early.pop(self._serial_ticked))
             if reply is not None:
-                given.append(self._kept(reply))
+                given.append(self._cache_reply(reply))
         return given
 
-    def _kept(self, reply: Reply) -> Reply:
+    def _cache_reply(self, reply: Reply) -> Reply:
         self._replies[reply.serial] = reply
         self._replies.pop(reply.serial - WINDOW, None)
         return reply
@@ -264,35 +264,35 @@ class AgentHost:
         held = not (frame.down or self.may_act(now))
         if held or frame.down or now < self.acts_from:
             return self._reply(now, frame, held)
-        ticking = self._ticking
+        runner = self._tick_runner
         written = {one.variable: one.value for one in self.state.store.entries if one.stamp != FIRST_STAMP}
-        ticking.sense(frame if self.board is None else None, written)
+        runner.sense(frame if self.board is None else None, written)
         tick = Tick(frame, self.replica.epochs[self.me], self._beginning, now, self.machine.snapshot())
-        over = ticking.is_over()
+        over = runner.is_over()
         if self.board is None or over:
             if not over:
                 self.machine.tick()
             self._finish(now, tick, not over)
             return self._reply(now, frame, False, tick)
         self._tick = tick
-        self.board.tick(now, ticking.of_team(), [cell for _, cell in ticking.shared])
+        self.board.tick(now, runner.team_inputs(), [cell for _, cell in runner.shared])
         return None
 
     def _finish(self, now: int, tick: Tick, ticked: bool) -> None:
-        """What came of a tick; commands to the team go into the log, and what was written is told to all."""
-        out, wishes = self._ticking.commands(tick.frame.serial) if ticked else ((), [])
-        for k, wish in wishes:
-            self.links.waiting[k] = self._serial + 1
-            self._note(now, *wish)
+        """What came of a tick; commands to the team go into the log, and written variables are sent to all."""
+        out, requests = self._tick_runner.commands(tick.frame.serial) if ticked else ((), [])
+        for k, request in requests:
+            self.team_devices.waiting[k] = self._serial + 1
+            self._note(now, *request)
         epoch = self.replica.epochs[self.me]
-        if self.machine.ended and not self.links.has_ended() and self._end_said != epoch:
-            self._end_said = epoch
+        if self.machine.ended and not self.team_devices.has_ended() and self._end_reported != epoch:
+            self._end_reported = epoch
             self._note(now, notes.END, 0, 0)
-        written = self._ticking.written()
+        written = self._tick_runner.changed_variables()
         for variable, value in written:
             self._step(now, Write(variable, value))
-        made, quiet = self._ticking.ticked(out, written, tick)
-        tick.made = made, written, quiet
+        result, quiet = self._tick_runner.result_of(out, written, tick)
+        tick.result = result, written, quiet
 
     def _reply(self, now: int, frame: Frame, held: bool, tick: Tick | None = None) -> Reply:
         """The answer to a frame, with what came of a tick, if there was one."""
@@ -301,26 +301,26 @@ class AgentHost:
         epoch = self.replica.epochs[self.me]
         if tick is not None:
             epoch = tick.epoch
-            if tick.made is not None:
-                ticked, writes, quiet = tick.made
+            if tick.result is not None:
+                ticked, writes, quiet = tick.result
         waits = frame.down or now < self.acts_from
-        first, slots = self.following.since(frame.known, MOST_SLOTS)
+        first, slots = self.replication.slots_since(frame.known, MOST_SLOTS)
         return Reply(
             frame.serial,
             epoch,
             held,
-            quiet and not waits and not self.links.waiting,
+            quiet and not waits and not self.team_devices.waiting,
             ticked,
             writes,
             first,
             slots,
-            self.whole() if first < 0 else None,
+            self.snapshot() if first < 0 else None,
         )
 
     # -- the board
 
-    def board_ticked(self, now: int, changes: Sequence[tuple[int, int]]) -> bool:
-        """The board has done its tick; False when what it says cannot be of its program."""
+    def finish_board_tick(self, now: int, changes: Sequence[tuple[int, int]]) -> bool:
+        """Finishes a tick of the board; False when its answer cannot be of its program."""
         tick, board = self._tick, self.board
         assert tick is not None
         assert board is not None
@@ -331,17 +331,17 @@ class AgentHost:
             self._finish(now, tick, True)
         if not tick.late:
             self._tick = None
-            self.replies.append(self._kept(self._reply(now, tick.frame, False, tick)))
-        self.replies += self._go_on(now)
+            self.replies.append(self._cache_reply(self._reply(now, tick.frame, False, tick)))
+        self.replies += self._answer_frames(now)
         return True
 
-    def _look_at_board(self, now: int, board: BoardBody) -> None:
-        """Answers for a board that takes long: its body is there. What came of the tick is told later."""
+    def _check_board(self, now: int, board: BoardBody) -> None:
+        """Answers for a board that takes long: its body is there. The result of the tick is sent later."""
         tick = self._tick
         if tick is not None and not tick.late and now - tick.at >= self.charter.lease // 4:
             tick.late = True
-            self.replies.append(self._kept(self._reply(now, tick.frame, False)))
-            self.replies += self._go_on(now)
+            self.replies.append(self._cache_reply(self._reply(now, tick.frame, False)))
+            self.replies += self._answer_frames(now)
         board.rest(now)
 
     def stop(self) -> None:

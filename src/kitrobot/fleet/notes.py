@@ -1,7 +1,7 @@
-"""What a robot of a fleet has put into the log of its team (`team.Note`): numbers that a `Replica` reads.
+"""Notes that a robot of a fleet puts into the log of its team (`team.Note`): numbers that a `Replica` reads.
 
 A note is `(kind, epoch, first, second, serial)`. The epoch is that of the robot it speaks of, as its sender knew it:
-what a robot said before its team missed it has no effect afterwards. The serial makes the notes of one seat different.
+notes from before its team missed it have no effect afterwards. The serial makes the notes of one seat different.
 """
 
 from __future__ import annotations
@@ -13,7 +13,7 @@ COME, TAKE, DONE, FREE, END = range(5)
 unit that robot `second` has of work `first` is free again, for its lease is over; the robot's program is at its end."""
 
 
-class Told(NamedTuple):
+class ReplicatedNote(NamedTuple):
     """A note as it is in the log."""
 
     kind: int
@@ -23,8 +23,8 @@ class Told(NamedTuple):
     serial: int
 
 
-def read(numbers: tuple[int, ...]) -> Told | None:
+def decode_note(numbers: tuple[int, ...]) -> ReplicatedNote | None:
     """The note that the numbers are; None for anything else."""
-    if len(numbers) != len(Told._fields) or not COME <= numbers[0] <= END:
+    if len(numbers) != len(ReplicatedNote._fields) or not COME <= numbers[0] <= END:
         return None
-    return Told(*numbers)
+    return ReplicatedNote(*numbers)

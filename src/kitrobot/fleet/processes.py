@@ -13,7 +13,7 @@ import time
 from collections.abc import Callable, Mapping, Sequence
 from types import TracebackType
 
-from kitrobot.fleet.telling import MOST_LINE_BYTES, Told, read_told
+from kitrobot.fleet.status_reports import MOST_LINE_BYTES, StatusReport, decode_report
 
 END_WITHIN_S = 3.0
 """How long processes have to end by themselves."""
@@ -23,10 +23,10 @@ class Agents:
     """Started agents by name; as a context, all of them have ended at its end.
 
     Args:
-        heard: told, in a thread for each agent, its name and what it says. Without it their messages go where ours go.
+        heard: called, in a thread for each agent, with its name and report. Without it their messages go where ours go.
     """
 
-    def __init__(self, heard: Callable[[str, Told], None] | None = None) -> None:
+    def __init__(self, heard: Callable[[str, StatusReport], None] | None = None) -> None:
         self.processes: dict[str, subprocess.Popen[bytes]] = {}
         self._heard = heard
         self._listening: dict[str, threading.Thread] = {}
@@ -48,11 +48,11 @@ class Agents:
             listening.start()
 
     def ended(self) -> dict[str, int]:
-        """The status of each that has ended and of which all that it said was heard."""
+        """The status of each process that has ended and whose output was read to its end."""
         found = {name: process.poll() for name, process in self.processes.items()}
-        return {name: status for name, status in found.items() if status is not None and not self._speaks(name)}
+        return {name: status for name, status in found.items() if status is not None and not self._is_heard(name)}
 
-    def _speaks(self, name: str) -> bool:
+    def _is_heard(self, name: str) -> bool:
         listening = self._listening.get(name)
         return listening is not None and listening.is_alive()
 
@@ -76,13 +76,13 @@ class Agents:
             listening.join(1.0)
 
 
-def _listen(name: str, process: subprocess.Popen[bytes], heard: Callable[[str, Told], None]) -> None:
+def _listen(name: str, process: subprocess.Popen[bytes], heard: Callable[[str, StatusReport], None]) -> None:
     assert process.stdout is not None
     with process.stdout as lines:
         while line := lines.readline(MOST_LINE_BYTES):
-            told = read_told(line)
-            if told is not None:
-                heard(name, told)
+            report = decode_report(line)
+            if report is not None:
+                heard(name, report)
 
 
 def end_of_input() -> threading.Event:

@@ -1,6 +1,6 @@
-"""`Refusals`: what was refused, told without filling the log: once of each sender and reason, then as a count.
+"""`Refusals`: refused messages, reported without filling the log: once per sender and reason, then as a count.
 
-A reason is the template of its sentence: what stands in its holes makes no other one. The count is told when it has
+A reason is the template of its sentence: the values in its holes make no other one. The count is reported when it has
 another digit, so that a million messages are seven lines.
 """
 
@@ -11,7 +11,7 @@ from collections import Counter
 from kitrobot.text import Sentence
 
 MOST_KINDS = 512
-"""Senders and reasons that are told apart; what goes beyond is counted together."""
+"""Senders and reasons that are counted apart; the rest is counted together."""
 NOBODY = -1
 """The sender of what has no seal."""
 
@@ -22,8 +22,8 @@ class Refusals:
     def __init__(self) -> None:
         self._counts: Counter[tuple[int, str]] = Counter()
 
-    def tell(self, sender: int, why: Sentence, times: int = 1) -> Sentence | None:
-        """What is to be told when messages of a sender were refused so many times more for a reason; mostly nothing."""
+    def count(self, sender: int, why: Sentence, times: int = 1) -> Sentence | None:
+        """Counts refused messages; returns the sentence to report, mostly None."""
         key = sender, why.template
         if key not in self._counts and len(self._counts) >= MOST_KINDS:
             key = NOBODY, ""

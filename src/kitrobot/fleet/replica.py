@@ -1,8 +1,8 @@
-"""`Replica`: what a team agreed on, made of its log by the functions of the simulator, so that both mean the same.
+"""`Replica`: the agreed state of a team, computed from its log with the simulator's functions, so both agree.
 
 It works on the tables of a run (`sim.state.State`), of which it changes those of the team: points, sets, roles, works.
 Equal logs make equal tables, in every process: nothing here reads a clock or anything else of the process. `slot` is
-how many slots of the log are in them. Who is in no view of the log is silent, as in the simulator who failed is.
+how many slots of the log are in them. A robot in no view of the log is silent, as a failed one is in the simulator.
 """
 
 from __future__ import annotations
@@ -28,9 +28,9 @@ from kitrobot.sim.team_columns import (
     W_TAKEN,
 )
 from kitrobot.sim.team_work import finish_unit, take_unit
-from kitrobot.team import Noted, Seat, Viewed
+from kitrobot.team import AppliedNote, NewView, Seat
 
-Effect = Noted | Viewed
+Effect = AppliedNote | NewView
 """What a slot of the log does to a replica."""
 
 MOST_NUMBER = 1 << 40
@@ -80,22 +80,22 @@ class Replica:
     # -- the log
 
     def apply(self, slot: int, effects: Iterable[Effect]) -> list[Event]:
-        """Takes in slot number `slot`, which must be the next one; gives what is told of it."""
+        """Takes in slot number `slot`, which must be the next one; returns its events."""
         assert slot == self.slot, "slots are taken in one after the other"
         before = self.state.clock[EVENTS]
         for effect in effects:
             held = [list(row) for row in self.state.team.holds]
-            if isinstance(effect, Viewed):
-                self._viewed(effect.view.seats)
+            if isinstance(effect, NewView):
+                self._apply_view(effect.view.seats)
             else:
-                self._noted(effect.seat, effect.numbers)
+                self._apply_note(effect.seat, effect.numbers)
             if self.has_team:
                 finish_team_step(self.state)
                 self._count_grants(held)
         self.slot = slot + 1
-        return self._told(before)
+        return self._take_events(before)
 
-    def _told(self, before: int) -> list[Event]:
+    def _take_events(self, before: int) -> list[Event]:
         """The events since there were so many; they are taken out of the tables."""
         state = self.state
         events = self.simulation.happened()[before:]
@@ -108,8 +108,8 @@ class Replica:
                 if now == HAS_UNIT and held[work][robot] != HAS_UNIT:
                     self.grants[work][robot] += 1
 
-    def _viewed(self, seats: Sequence[Seat]) -> None:
-        """Who is not in the view any more is missed; who is new in it begins anew, unless nobody missed it."""
+    def _apply_view(self, seats: Sequence[Seat]) -> None:
+        """Robots that left the view are missed; those that are new in it begin anew, unless nobody missed them."""
         lives = [-1] * len(self.lives)
         for seat in seats:
             if 0 <= seat.member < len(lives):
@@ -130,9 +130,9 @@ class Replica:
             if self.is_of_team(i):
                 self.beginnings[i] += handle_return(i, self.state)
 
-    def _noted(self, seat: Seat, numbers: tuple[int, ...]) -> None:
-        """What a robot said; nothing where it is not for it to say, or was said before it was missed."""
-        note = notes.read(numbers)
+    def _apply_note(self, seat: Seat, numbers: tuple[int, ...]) -> None:
+        """Applies a robot's note; one that it may not send, or that it sent before it was missed, has no effect."""
+        note = notes.decode_note(numbers)
         i = seat.member
         if note is None or not 0 <= i < len(self.epochs):
             return
@@ -157,8 +157,8 @@ class Replica:
             elif team.waits[note.first][i] < 0:
                 take_unit(i, note.first, self.work_link(i, note.first), state)
 
-    def _free(self, note: notes.Told) -> None:
-        """A unit whose lease is over is free again, if it is that very one; the epoch says which grant is meant."""
+    def _free(self, note: notes.ReplicatedNote) -> None:
+        """A unit whose lease is over is free again, if it is that very one; the epoch names the grant."""
         team = self.state.team
         work, robot = note.first, note.second
         if not (0 <= work < len(team.holds) and 0 <= robot < len(self.epochs)):
@@ -216,7 +216,7 @@ class Replica:
                 ended[i] = 0
                 count = self.state.clock[EVENTS]
                 end_program(i, self.state)
-                self._told(count)
+                self._take_events(count)
         self.slot = slot
         if self.has_team:
             find_members(self.state.team)

@@ -1,6 +1,6 @@
 """`Roster`: which process speaks for each agent of a run. One name is one process, from the first hello to the end.
 
-A process draws a number for itself and says it in each message. Who comes second under a name waits for as long as
+A process draws a number for itself and sends it in each message. A second process of one name waits for as long as
 silence is borne: when the first one is heard all that time, both live, and the second one is refused; when the first
 one is silent, the second one takes its place. What was refused or replaced once stays out, so that a recorded hello
 takes nobody's place. The time is given to all methods, in ms.
@@ -49,7 +49,7 @@ class Place:
     out: OrderedDict[int, None] = field(default_factory=OrderedDict)
 
     def leave_out(self, process: int) -> None:
-        """It is not let in any more."""
+        """Excludes a process for good."""
         self.rivals.pop(process, None)
         self.out[process] = None
         if len(self.out) > MOST_OUT:
@@ -64,7 +64,7 @@ class Roster:
         self.silence = silence
 
     def hello(self, now: int, agent: int, process: int, begun: bool) -> Answer:
-        """A process says that it is an agent. Who takes a place in a run that has `begun` has another life."""
+        """Registers a process as an agent. One that takes a place in a run that has `begun` has another life."""
         place = self.places[agent]
         if process in place.out:
             return Answer.REFUSED
@@ -87,7 +87,7 @@ class Roster:
         return Answer.REFUSED
 
     def heard(self, now: int, agent: int, process: int) -> bool:
-        """Something else came of a process; whether it is the one that speaks for this agent."""
+        """Notes another message of a process; returns whether it is the one that speaks for this agent."""
         if not 0 <= agent < len(self.places) or process == 0 or self.places[agent].process != process:
             return False
         self.places[agent].heard_at = now

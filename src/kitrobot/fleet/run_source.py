@@ -1,6 +1,6 @@
 """`FleetSource`: a fleet as a `RunSource`, whose trace is written while it goes on and whose past is read from that.
 
-The thread of the team's process adds steps (`step`, `finish`); whoever shows the run stands at a tick of it, in another
+The thread of the team's process adds steps (`step`, `finish`); a viewer is at a tick of it, in another
 thread, one at a time. What has happened cannot be changed; only the emergency stop reaches the fleet.
 """
 
@@ -33,9 +33,9 @@ from kitrobot.trace import (
 )
 
 MOST_RECENT_NUMBERS = 200_000
-"""Numbers of the last records that are kept at hand, so that who follows the run reads no file."""
+"""Numbers of the last records that are cached, so that following the run reads no file."""
 MOST_EVENTS = 5000
-"""Events that are kept at hand; the oldest go first. The trace has all of them."""
+"""Events that are cached; the oldest go first. The trace has all of them."""
 
 
 class FleetSource(UnchangeableSource):
@@ -73,14 +73,14 @@ class FleetSource(UnchangeableSource):
         self._ended: tuple[str, str] | None = None
         self._broken: TraceError | None = None
         self._events: deque[TraceEvent] = deque(maxlen=MOST_EVENTS)
-        self._untold: deque[TraceEvent] = deque(maxlen=MOST_EVENTS)
+        self._unsent: deque[TraceEvent] = deque(maxlen=MOST_EVENTS)
         self._past: RecordingSource | None = None
         self._drawn = DrawingReader(self._recorder.header)
 
     # -- the thread of the team's process
 
     def step(self) -> None:
-        """Takes the run as it stands after a step, and before the first."""
+        """Records the run after a step, and before the first."""
         record = self._recorder.record()
         with self._lock:
             if self._written and record.tick <= self._newest.tick:
@@ -93,7 +93,7 @@ class FleetSource(UnchangeableSource):
             if record.tick > self._drawn.tick:
                 self._drawn.take(record)
             self._events += record.events
-            self._untold += record.events
+            self._unsent += record.events
             self._write(lambda: self._writer.record(record))
 
     def finish(self, outcome: str, sentence: str) -> None:
@@ -137,12 +137,12 @@ class FleetSource(UnchangeableSource):
 
     @property
     def has_ended(self) -> bool:
-        """Whether the run is over, wherever it stands."""
+        """Whether the run is over, whatever the current tick is."""
         return self._ended is not None
 
     @property
     def outcome(self) -> str | None:
-        """How it ended, if it stands at its end."""
+        """How it ended, if the current tick is the last."""
         return self._ended[0] if self._ended is not None and self._now is self._newest else None
 
     @property
@@ -158,8 +158,8 @@ class FleetSource(UnchangeableSource):
     def new_events(self, most: int) -> NewEvents:
         """The events since this was called last."""
         with self._lock:
-            happened = list(self._untold)[-most:]
-            self._untold.clear()
+            happened = list(self._unsent)[-most:]
+            self._unsent.clear()
             return NewEvents(False, happened)
 
     # -- going on and back
@@ -206,7 +206,7 @@ class FleetSource(UnchangeableSource):
         self._now = past.record()
 
     def _recorded(self, tick: int) -> RecordingSource:
-        """What is recorded so far, at the tick where the run stands; with this tick, where that could be written."""
+        """What is recorded so far, at the current tick; with this tick, where that could be written."""
         if self._past is None or self._past.latest < tick:
             with self._lock:
                 if self._ended is None:

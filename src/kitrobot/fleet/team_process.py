@@ -1,7 +1,7 @@
 """The process that watches over a fleet: it has the world of the simulated bodies, starts the agents, and ends them.
 
-It is no member of the team and decides nothing in it. It tells each agent its life and when the run begins, sends
-readings and takes commands, records the trace, and says what happens. With it the run is over: it ends whatever it
+It is no member of the team and decides nothing in it. It sends each agent its life and the start of the run, sends
+readings and takes commands, records the trace, and reports what happens. With it the run is over: it ends whatever it
 started, whichever way it ends itself.
 """
 
@@ -15,7 +15,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from kitrobot.fleet import envelopes as kinds
-from kitrobot.fleet.bodies import FrameError, read_reply, write_frame
+from kitrobot.fleet.body_messages import FrameError, decode_reply, encode_frame
 from kitrobot.fleet.charter import FleetError, charter_of
 from kitrobot.fleet.envelopes import EVERYBODY, Envelope
 from kitrobot.fleet.identity import identity_of
@@ -27,7 +27,7 @@ from kitrobot.sim import Outcome, Simulation
 from kitrobot.text import Sentence, listed
 
 TURN_MS = 10
-"""How often the world is told the time when nothing comes."""
+"""How often the world gets the time when nothing comes."""
 STOP_AGAIN_MS = 20
 STOP_WITHIN_MS = 2000
 """How long the emergency stop is repeated to agents that have not answered it."""
@@ -45,7 +45,7 @@ class FleetRun:
         sentence: why it ended.
         slots: how many decisions its log has.
         units: for each work of the team, how many of its units are done.
-        stopped_ms: after the emergency stop, when each agent that answered said that it stands still, by name.
+        stopped_ms: after the emergency stop, when each agent confirmed that it is still, by name.
     """
 
     outcome: Outcome | str
@@ -56,18 +56,18 @@ class FleetRun:
 
 
 @dataclass(frozen=True)
-class FleetTold:
-    """Who is told of a fleet, in the thread that runs it.
+class FleetCallbacks:
+    """Callbacks for the events of a fleet, in the thread that runs it.
 
     Attributes:
-        say: the name of an agent, or "", and each sentence of the log.
-        is_over: asked often whether the emergency stop was pressed.
+        on_message: the name of an agent, or "", and each sentence of the log.
+        is_over: called often whether the emergency stop was pressed.
         on_step: the run, after the first readings and after each step.
         on_there: the name of an agent that has come.
-        on_ended: the name of an agent whose process has ended, and the sentence that says so, once; None: as `say`.
+        on_ended: once, the name of an agent whose process has ended, and a sentence; None: as `on_message`.
     """
 
-    say: Callable[[str, str], None]
+    on_message: Callable[[str, str], None]
     is_over: Callable[[], bool]
     on_step: Callable[[Simulation], None]
     on_there: Callable[[str], None] = lambda name: None
@@ -83,7 +83,7 @@ class TeamProcess:
         lease_ms: how long silence is borne.
         pace: simulated time against real time; 0: as fast as agents answer.
         has_ended: the names of agents whose processes this one started and that have ended, with their statuses.
-        told: who is told of it.
+        callbacks: called with its events.
     """
 
     def __init__(
@@ -93,13 +93,13 @@ class TeamProcess:
         lease_ms: int,
         pace: float,
         has_ended: Callable[[], dict[str, int]],
-        told: FleetTold,
+        callbacks: FleetCallbacks,
     ) -> None:
         charter_of(simulation, lease_ms)
         self.simulation = simulation
         self.channel = channel
         self.lease, self.pace = lease_ms, pace
-        self.has_ended, self.told = has_ended, told
+        self.has_ended, self.callbacks = has_ended, callbacks
         self.identity = identity_of(simulation)
         self.names = [agent.name for agent in simulation.members]
         self.roster = Roster(len(self.names), max(lease_ms, LEAST_SILENCE_MS))
@@ -115,18 +115,18 @@ class TeamProcess:
     # -- the beginning
 
     def gather(self, seconds: float | None) -> None:
-        """Waits until all agents are there at the same time, and says who is missing; None: for ever.
+        """Waits until all agents are there at the same time, and reports who is missing; None: for ever.
 
         Raises:
             FleetError: somebody is missing after that time, or one that this process started has ended.
         """
         end = None if seconds is None else milliseconds() + round(seconds * 1000)
-        said: list[int] | None = None
-        while (missing := self.roster.missing(milliseconds())) and not self.told.is_over():
+        reported: list[int] | None = None
+        while (missing := self.roster.missing(milliseconds())) and not self.callbacks.is_over():
             names = [self.names[i] for i in missing]
-            if missing != said:
-                said = missing
-                self.told.say("", self._waiting(missing))
+            if missing != reported:
+                reported = missing
+                self.callbacks.on_message("", self._waiting(missing))
             if ended := [name for name in names if name in self._gone]:
                 raise FleetError(
                     Sentence("these agents did not come: {names}", listed(ended)),
@@ -138,9 +138,9 @@ class TeamProcess:
                     Sentence("start them with `kitrobot agent`, with this mission, this key and --connect"),
                 )
             for envelope in self.channel.receive(TURN_MS / 1000):
-                self._take(milliseconds(), envelope)
+                self._handle(milliseconds(), envelope)
             self._watch_processes()
-            self._tell()
+            self._report_log()
 
     def _waiting(self, missing: list[int]) -> Sentence:
         """Who is there, and who is missing."""
@@ -151,7 +151,7 @@ class TeamProcess:
         return Sentence("waits for {names}; there: {others}", absent, listed(there))
 
     def _hello(self, now: int, envelope: Envelope) -> None:
-        """An agent comes, or comes again: it is told the run; with that in its hello, it has a place in it."""
+        """An agent comes, or comes again: the answer names the run; with that in its hello, it has a place in it."""
         i = envelope.sender
         try:
             name, identity = json.loads(envelope.body)
@@ -170,9 +170,9 @@ class TeamProcess:
             self._refuse_agent(envelope, name, why)
             return
         if answer is Answer.COMES:
-            self.told.on_there(name)
+            self.callbacks.on_there(name)
         elif answer is Answer.REPLACES:
-            self.told.say(name, Sentence("comes anew"))
+            self.callbacks.on_message(name, Sentence("comes anew"))
             if self.world is not None:
                 self.world.restarted(now, i)
                 self.begun.discard(i)
@@ -184,8 +184,8 @@ class TeamProcess:
         self.channel.send(envelope.sender, kinds.WELCOME, body, envelope.process)
 
     def _refuse_agent(self, envelope: Envelope, name: str, why: Sentence) -> None:
-        if (told := self._refusals.tell(envelope.sender, Sentence("agent {agent}: {why}", name, why))) is not None:
-            self.told.say("", told)
+        if (message := self._refusals.count(envelope.sender, Sentence("agent {agent}: {why}", name, why))) is not None:
+            self.callbacks.on_message("", message)
         self.channel.send(envelope.sender, kinds.WELCOME, json.dumps([why, 0, []]).encode(), envelope.process)
 
     def _send_to(self, i: int, kind: int, body: bytes) -> None:
@@ -195,31 +195,31 @@ class TeamProcess:
     # -- the run
 
     def run(self) -> FleetRun:
-        """Lets the run go on to its end, and tells all agents that it is over."""
+        """Lets the run go on to its end, and informs all agents of the end."""
         simulation = self.simulation
         now = milliseconds()
         self.world = world = WorldHost(simulation, self.lease, now, self.pace)
-        self.told.on_step(simulation)
+        self.callbacks.on_step(simulation)
         while simulation.outcome is None and not self._has_stopped():
             now = milliseconds()
             waited = min(TURN_MS, max(0.0, world.due_at(now) - now)) / 1000
             for envelope in self.channel.receive(waited):
                 self._press_stop(milliseconds())
-                self._take(milliseconds(), envelope)
+                self._handle(milliseconds(), envelope)
             now = milliseconds()
             self._press_stop(now)
             world.time(now)
             if self._stop_at is None and now >= world.due_at(now):
                 world.step(now)
-                self.told.on_step(simulation)
-                self._tell_events()
+                self.callbacks.on_step(simulation)
+                self._report_events()
             frames, world.frames = world.frames, []
             for i, frame in frames:
                 if i not in self.begun:
                     self._send_to(i, kinds.BEGIN, json.dumps(self.roster.places[i].life).encode())
-                self._send_to(i, kinds.FRAME, write_frame(frame))
+                self._send_to(i, kinds.FRAME, encode_frame(frame))
             self._watch_processes()
-            self._tell()
+            self._report_log()
         outcome = simulation.outcome or STOPPED
         sentence = simulation.sentence if simulation.outcome else Sentence("Stopped by the emergency stop.")
         for _ in range(3):
@@ -228,7 +228,7 @@ class TeamProcess:
             time.sleep(0.1)
         return FleetRun(outcome, sentence, world.replica.slot, world.replica.units_done(), self.stopped_ms)
 
-    def _take(self, now: int, envelope: Envelope) -> None:
+    def _handle(self, now: int, envelope: Envelope) -> None:
         i = envelope.sender
         if envelope.kind == kinds.HELLO:
             self._hello(now, envelope)
@@ -237,19 +237,19 @@ class TeamProcess:
         elif envelope.kind == kinds.REPLY and self.world is not None:
             self.begun.add(i)
             try:
-                self.world.answer(now, i, read_reply(envelope.body))
+                self.world.answer(now, i, decode_reply(envelope.body))
             except FrameError as error:
-                if (told := self._refusals.tell(i, error.args[0])) is not None:
-                    self.told.say(self.names[i], told)
+                if (message := self._refusals.count(i, error.args[0])) is not None:
+                    self.callbacks.on_message(self.names[i], message)
         elif envelope.kind == kinds.STOP and self._stop_at is not None:
             self.stopped_ms.setdefault(self.names[i], now - self._stop_at)
 
     # -- the emergency stop
 
     def _press_stop(self, now: int) -> None:
-        """Tells all agents to stop, until all have said that they did."""
+        """Orders all agents to stop, until all have confirmed."""
         if self._stop_at is None:
-            if not self.told.is_over():
+            if not self.callbacks.is_over():
                 return
             assert self.world is not None
             self._stop_at = self._stopped_last = now
@@ -272,22 +272,24 @@ class TeamProcess:
         for name, status in self.has_ended().items():
             if name not in self._gone:
                 self._gone.add(name)
-                (self.told.on_ended or self.told.say)(name, Sentence("its process has ended (status {status})", status))
+                (self.callbacks.on_ended or self.callbacks.on_message)(
+                    name, Sentence("its process has ended (status {status})", status)
+                )
 
-    def _tell_events(self) -> None:
+    def _report_events(self) -> None:
         assert self.world is not None
         for event in self.world.events:
             if event.kind not in ("load", "unload", "collision"):
-                self.told.say(event.agent, event.text)
+                self.callbacks.on_message(event.agent, event.text)
 
-    def _tell(self) -> None:
+    def _report_log(self) -> None:
         for stranger in self.channel.strangers:
             # Of another version, it cannot read this, and says so to whoever started it.
             self.channel.send(stranger, kinds.WELCOME)
         self.channel.strangers.clear()
-        told: list[Any] = self.channel.refused
+        messages: list[Any] = self.channel.refused
         self.channel.refused = []
         if self.world is not None:
-            told, self.world.log = told + self.world.log, []
-        for sentence in told:
-            self.told.say("", sentence)
+            messages, self.world.log = messages + self.world.log, []
+        for sentence in messages:
+            self.callbacks.on_message("", sentence)

@@ -3,9 +3,9 @@
 An agent hears what is for all agents and what is for it; the team's process hears what is for it. Zenoh's own threads
 look at the seal of what comes, and put it into a queue, of which each sender may fill a part: who has not the key uses
 up nobody's, nor who recorded another run. Whoever has the channel takes envelopes out. What is no envelope of this team
-is refused and told, once of each sender and reason, then counted (`refusals`).
+is refused and reported, once for each sender and reason, then counted (`refusals`).
 
-An agent that knows no run takes nothing but the answer to its own process (`WELCOME`), which says the run; after that,
+An agent that knows no run takes nothing but the answer to its own process (`WELCOME`), which names the run; after that,
 nothing but what is of this run. So what somebody recorded of another run begins and ends nothing.
 """
 
@@ -32,8 +32,8 @@ from kitrobot.fleet.envelopes import (
     Envelope,
     EnvelopeError,
     VersionError,
-    opened,
-    sealed,
+    seal,
+    unseal,
 )
 from kitrobot.fleet.link_sockets import set_up_links
 from kitrobot.fleet.refusals import NOBODY, Refusals
@@ -46,7 +46,7 @@ MOST_WAITING = 16_384
 CLOSED_WITHIN_S = 1.0
 """How long closing a channel is waited for; what is still to be sent then is lost."""
 MOST_REASONS = 128
-"""Senders and reasons to refuse messages that are kept until they are told."""
+"""Senders and reasons to refuse messages that are stored until they are reported."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -73,7 +73,7 @@ class Channel:
     Attributes:
         run: the number of the run; 0: not known yet.
         process: the number of this process, where it is an agent's.
-        refused: what is to be told, since somebody took it out.
+        refused: what is to be reported, since somebody took it out.
         strangers: the senders of messages of another version, likewise.
 
     Raises:
@@ -110,7 +110,7 @@ class Channel:
     def _came(self, sample: Any) -> None:
         """Called in a thread of Zenoh's."""
         try:
-            envelope = opened(bytes(sample.payload), self._key)
+            envelope = unseal(bytes(sample.payload), self._key)
         except EnvelopeError as error:
             self._leave_unread(error.args[1] if isinstance(error, VersionError) else NOBODY, error.args[0])
             return
@@ -169,7 +169,7 @@ class Channel:
         return [envelope for envelope in stops.values() if self._is_mine(envelope)]
 
     def _is_mine(self, envelope: Envelope) -> bool:
-        """Whether it is for this process and of this run; else that is told, but for what is usual."""
+        """Whether it is for this process and of this run; else that is reported, but for what is usual."""
         sender = envelope.sender
         if envelope.to not in (self.me, EVERYBODY) or sender == self.me:
             self._refuse(sender, Sentence("a message for somebody else"))
@@ -187,17 +187,17 @@ class Channel:
         return known
 
     def _refuse(self, sender: int, why: Sentence, times: int = 1) -> bool:
-        """Counts it; gives whether that is to be told."""
-        told = self._refusals.tell(sender, why, times)
-        if told is not None:
-            self.refused.append(told)
-        return told is not None
+        """Counts a refusal; returns whether it is to be reported."""
+        message = self._refusals.count(sender, why, times)
+        if message is not None:
+            self.refused.append(message)
+        return message is not None
 
     def send(self, to: int, kind: int, body: bytes = b"", process: int = 0) -> None:
         """Brings a message on its way; it may be lost. `process`: which one of the addressee it is for."""
         self._serial += 1
         envelope = Envelope(kind, self.run, self.me, to, self._serial, body, process or self.process)
-        data = sealed(envelope, self._key)
+        data = seal(envelope, self._key)
         name = "t" if to == TEAM_PROCESS else "a" if to == EVERYBODY else f"m/{to}"
         self._session.put(
             f"{self._root}/{name}", data, congestion_control=self._drop, priority=self._priority, express=True

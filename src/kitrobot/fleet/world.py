@@ -1,9 +1,9 @@
 """`WorldHost`: the world in which the simulated bodies of a fleet are, without sockets and clocks.
 
 It sends each agent the readings of its body and takes its commands; it is no member of the team and decides nothing.
-What it knows of the team comes with the answers of agents. A body stops when its agent is not heard for a lease, or
-says that it may not act; a command counts only where its agent has not been missed since (`Reply.epoch`), so that who
-comes back with an old command moves nothing.
+Its knowledge of the team comes with the answers of agents. A body stops when its agent is not heard for a lease, or
+says that it may not act; a command counts only where its agent has not been missed since (`Reply.epoch`), so that an
+agent that comes back with an old command moves nothing.
 
 A step is made when every agent has answered, or when the time of the step, or the patience with the slowest, is over.
 """
@@ -12,10 +12,10 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field, replace
 
-from kitrobot.fleet.bodies import WINDOW, Frame, Reply
-from kitrobot.fleet.following import Following
+from kitrobot.fleet.body_messages import WINDOW, Frame, Reply
+from kitrobot.fleet.quiescence import QuiescenceDetector
 from kitrobot.fleet.replica import Replica
-from kitrobot.fleet.stillness import Stillness
+from kitrobot.fleet.replication import LogReplication
 from kitrobot.mission import FailureKind
 from kitrobot.sim import Event, Simulation, TickResult, begin_hosted_step, finish_hosted_step, fits, report_write
 from kitrobot.sim.columns import (
@@ -43,7 +43,7 @@ START_MS = 5000
 
 
 @dataclass(slots=True)
-class Link:
+class AgentLink:
     """An agent as its body knows it.
 
     Attributes:
@@ -83,7 +83,7 @@ class Link:
         return next(iter(self.waiting), self.serial + 1)
 
     def timed(self, ms: int) -> None:
-        """An answer took so long. One that had to wait for an earlier frame says little of the way, so short ones
+        """An answer took so long. One that had to wait for an earlier frame shows little of the way, so short ones
         count at once, longer ones slowly: else each loss would make the patience with the next one longer.
         """
         if self.trip < 0 or ms < self.trip:
@@ -110,21 +110,21 @@ class WorldHost:
 
     Attributes:
         frames: what is to be sent, each with the number of the agent.
-        events: what happened in the last step; `log`: what else is to be told, since somebody took it out.
+        events: what happened in the last step; `log`: what else is to be reported, since somebody took it out.
     """
 
     def __init__(self, simulation: Simulation, lease_ms: int, now: int, pace: float = 1.0) -> None:
         self.simulation = simulation
         self.replica = Replica(simulation)
-        self.following = Following(self.replica, simulation.state.shared)
+        self.replication = LogReplication(self.replica, simulation.state.shared)
         self.lease = lease_ms
-        self.links = [Link(heard_at=now) for _ in simulation.members]
+        self.links = [AgentLink(heard_at=now) for _ in simulation.members]
         self.frames: list[tuple[int, Frame]] = []
         self.events: list[Event] = []
         self.log: list[Sentence] = []
         self._happened: list[Event] = []
         self._due: set[int] = set()
-        self._stillness = Stillness(self.replica, now)
+        self._quiescence = QuiescenceDetector(self.replica, now)
         self._expected = 0
         self._step_ms = simulation.tick_ms / pace if pace > 0 else 0.0
         self._stepped_at = float(now)
@@ -133,9 +133,9 @@ class WorldHost:
     # -- answers
 
     def answer(self, now: int, robot: int, reply: Reply) -> None:
-        """An agent answered."""
+        """Handles an answer of an agent."""
         link = self.links[robot]
-        self._learn(reply)
+        self._apply_log(reply)
         if reply.serial not in link.waiting:
             return
         if reply.serial not in link.early and reply.serial not in link.again:
@@ -143,14 +143,14 @@ class WorldHost:
         link.early[reply.serial] = reply
         while link.first in link.early:
             first = link.first
-            if not self._take(now, robot, link.early.pop(first)):
+            if not self._accept(now, robot, link.early.pop(first)):
                 return
             link.waiting.pop(first, None)
             link.sent.pop(first, None)
             link.again.discard(first)
             link.answered = first
 
-    def _take(self, now: int, robot: int, reply: Reply) -> bool:
+    def _accept(self, now: int, robot: int, reply: Reply) -> bool:
         """The answer to the oldest frame; False where the run has not begun, and the frame is to be sent again."""
         link = self.links[robot]
         link.heard_at, link.quiet = now, reply.quiet
@@ -160,11 +160,11 @@ class WorldHost:
             link.sent, link.again = {link.serial: now}, set()
             return False
         if reply.held:
-            self._lose(robot, HELD)
+            self._stop_body(robot, HELD)
             return True
         if self.replica.epochs[robot] != reply.epoch:
             return True
-        self._regain(robot)
+        self._restart_body(robot)
         if reply.ticked is not None:
             if not fits(self.simulation, robot, reply.ticked):
                 self.log.append(Sentence("{agent} sent what cannot be of its machine", self._name(robot)))
@@ -176,14 +176,14 @@ class WorldHost:
                 report_write(self.simulation, robot, variable, value)
         return True
 
-    def _learn(self, reply: Reply) -> None:
-        """Takes in what an answer says of the log."""
-        following = self.following
-        if reply.whole is not None and reply.whole.slot > self.replica.slot:
-            following.adopt(reply.whole)
+    def _apply_log(self, reply: Reply) -> None:
+        """Applies the part of the log that an answer contains."""
+        replication = self.replication
+        if reply.snapshot is not None and reply.snapshot.slot > self.replica.slot:
+            replication.adopt(reply.snapshot)
         for slot, effects in enumerate(reply.slots, max(0, reply.first)):
-            following.decided(slot, effects)
-        self._happened += following.take_in(lambda effect: None)
+            replication.add_slot(slot, effects)
+        self._happened += replication.apply_known(lambda effect: None)
 
     # -- steps
 
@@ -208,21 +208,21 @@ class WorldHost:
         simulation.events = self.events = [*simulation.happened(), *self._happened]
         simulation.state.clock[EVENTS] = 0
         self._happened = []
-        self._expect_back()
-        self._look_whether_stuck(now)
+        self._count_expected()
+        self._check_quiescence(now)
         simulation.update_outcome()
 
-    def _look_whether_stuck(self, now: int) -> None:
+    def _check_quiescence(self, now: int) -> None:
         state = self.simulation.state
         ended, down = (state.robots.ints[row] for row in (ENDED, DOWN))
         quiet = [None if link.lost or ended[i] or down[i] != WELL else link.quiet for i, link in enumerate(self.links)]
-        told = self._stillness.look(now, bool(self.events), quiet, self._expected)
-        if told is not None:
-            self.log.append(told)
-        if self._stillness.is_stuck:
+        message = self._quiescence.check(now, bool(self.events), quiet, self._expected)
+        if message is not None:
+            self.log.append(message)
+        if self._quiescence.is_stuck:
             state.clock[STUCK] = 1
 
-    def _expect_back(self) -> None:
+    def _count_expected(self) -> None:
         """The run goes on for robots that are away as long as their team has not missed them."""
         lives = self.replica.lives
         expected = sum(link.lost and lives[i] >= 0 for i, link in enumerate(self.links))
@@ -268,9 +268,9 @@ class WorldHost:
                 if link.lost:
                     break
             if now - max(link.heard_at, link.asked_at) >= self.lease:
-                self._lose(i, AWAY)
+                self._stop_body(i, AWAY)
 
-    def _lose(self, robot: int, cause: int) -> None:
+    def _stop_body(self, robot: int, cause: int) -> None:
         """The body stops until its agent is back and may act: which of both is missing may change meanwhile."""
         link = self.links[robot]
         if link.lost and link.cause == cause:
@@ -283,11 +283,11 @@ class WorldHost:
             link.lost, link.beginning = True, self.replica.beginnings[robot]
             link.harmed = ints[DOWN][robot] == WELL
             if link.harmed:
-                self._harm(robot, FailureKind.FAIL)
+                self._apply_failure(robot, FailureKind.FAIL)
         elif link.harmed:
             ints[CAUSE][robot] = cause
 
-    def _regain(self, robot: int) -> None:
+    def _restart_body(self, robot: int) -> None:
         link = self.links[robot]
         if link.lost:
             link.lost = False
@@ -296,10 +296,10 @@ class WorldHost:
                 link.harmed = False
                 if self.replica.beginnings[robot] != link.beginning:
                     self.simulation.state.robots.floats[SAVED_TARGET][robot] = 0.0
-                self._harm(robot, FailureKind.REVIVE)
+                self._apply_failure(robot, FailureKind.REVIVE)
 
-    def _harm(self, robot: int, kind: FailureKind) -> None:
-        self._expect_back()
+    def _apply_failure(self, robot: int, kind: FailureKind) -> None:
+        self._count_expected()
         self.simulation.inject_fault(self._name(robot), kind, self.links[robot].cause)
 
     def restarted(self, now: int, robot: int) -> None:

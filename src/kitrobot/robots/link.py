@@ -14,7 +14,7 @@ class Link(Protocol):
         """Its state now."""
 
     def look(self) -> Hello:
-        """The same; a robot that runs and reported its state lately is not asked."""
+        """The same; a robot that runs and reported its state lately is not queried."""
 
     def start(self, held: bool = False) -> None:
         """Begins its program. Held: it stops when it does not hear from us; `news` sees to that."""

@@ -18,7 +18,7 @@ from kitrobot.text import COMMA, Sentence, Series, did_you_mean
 
 _DEVICE = re.compile(r"([as])(\d{1,3}) ?(.*)", re.DOTALL)
 NAME_ON_ROBOT = re.compile(r"[0-9a-f]{8}")
-"""What a robot calls a program."""
+"""The name of a program on a robot."""
 
 
 class NoNameError(KitRobotError):
@@ -40,7 +40,7 @@ class BoardNames:
 
     places: tuple[tuple[str | None, int, str], ...]
     made_of: Robot | None = None
-    """The robot that has these parts, for their labels and units; None where only the names were kept."""
+    """The robot that has these parts, for their labels and units; None where only the names are stored."""
 
     def named(self, cells: Mapping[int, int]) -> tuple[dict[str, int], dict[str, int]]:
         """Values of variables and of sensors, by their names; cells that are neither are left out."""
@@ -80,7 +80,7 @@ class BoardNames:
         return self._place(instruction)[2]
 
     def fault_text(self, text: str) -> str:
-        """What a fault says, with the device by its name instead of its number."""
+        """The text of a fault, with the device by its name instead of its number."""
         found = _DEVICE.fullmatch(text)
         if found is None:
             return text

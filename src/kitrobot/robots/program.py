@@ -9,12 +9,12 @@ from pathlib import Path
 from kitrobot.compiler import Compiled
 from kitrobot.deploy import (
     FAMILIES,
-    Needs,
+    FirmwareRequirements,
     Package,
     PackageError,
     ProgramFile,
     board_file,
-    fitted,
+    fit_to_kit,
     make_program_file,
     parts_used,
     program_name,
@@ -25,18 +25,22 @@ from kitrobot.deploy import (
 from kitrobot.diagnostics import Diagnostic, Source
 from kitrobot.image import Image, verify
 from kitrobot.primitives import Kit, Robot
-from kitrobot.robots.carried import Carried
 from kitrobot.robots.names import BoardNames, names_of
-from kitrobot.robots.session import Known
-from kitrobot.robots.sharing import SHARED_ON_BOARD
+from kitrobot.robots.recording_context import RecordingContext
+from kitrobot.robots.session import InstalledProgram
+from kitrobot.robots.shared_variable_check import SHARED_ON_BOARD
 from kitrobot.text import COMMA, Sentence, Series, listed
 from kitrobot.user_folders import config_folder
 
 
 @dataclass(frozen=True)
 class BoardProgram:
-    """A program that can be sent, with its names; `package` knows where its drivers are looked for, `carried` is what
-    recordings of it bring along (None: it is of no mission), `needs` the firmware that its kit wants.
+    """A program that can be sent, with its names.
+
+    Attributes:
+        package: finds its drivers.
+        recording_context: what recordings of it embed; None: it belongs to no mission.
+        needs: the firmware that its kit requires.
     """
 
     names: BoardNames
@@ -44,26 +48,26 @@ class BoardProgram:
     package: Package
     diagnostics: tuple[Diagnostic, ...] = ()
     sources: tuple[Source, ...] = ()
-    carried: Carried | None = None
-    needs: Needs | None = None
+    recording_context: RecordingContext | None = None
+    needs: FirmwareRequirements | None = None
 
     @property
     def warning(self) -> Diagnostic | None:
-        """What its person should know of it on a robot, beside its problems as a program."""
+        """A warning about it on a robot, beside its problems as a program."""
         return next((item for item in self.diagnostics if item.code == SHARED_ON_BOARD.code), None)
 
     @cached_property
     def called(self) -> frozenset[str]:
-        """What robots of each kind call it, as far as it has drivers for them, and robots that know drivers by name."""
+        """Its names on robots of each kind for which it has drivers, and on robots that know drivers by name."""
         found = {program_name(self.file.to_bytes())[2:]}
-        for built in self.package.built_for_all(self.file.drivers):
+        for built in self.package.build_for_all(self.file.drivers):
             found.add(program_name(board_file(self.file, built))[2:])
         return frozenset(found)
 
     @property
-    def known(self) -> Known:
+    def known(self) -> InstalledProgram:
         """What a session needs to know of it."""
-        return Known(self.names, self.carried)
+        return InstalledProgram(self.names, self.recording_context)
 
     def is_called(self, installed: str) -> bool:
         """Whether that is the program that a robot has, by the name that the robot gives."""
@@ -82,7 +86,7 @@ def program_of(
     kit: Kit | None = None,
 ) -> BoardProgram:
     """A program that was compiled without errors, ready to be sent; `folder`: where a user's own drivers may lie;
-    `member`: it is to be one of a team; `kit`: how its robot is wired, None as its XML says.
+    `member`: it is to be one of a team; `kit`: how its robot is wired; None: as in its XML.
 
     Raises:
         KitRobotError: a driver is missing, the kit lacks a part, or the program fits no board.
@@ -92,7 +96,7 @@ def program_of(
     package = Package((config_folder(), *([folder] if folder is not None else [])))
     if kit is not None:
         refuse_what_is_missing(robot, kit, compiled.image)
-        robot = fitted(robot, kit, package)
+        robot = fit_to_kit(robot, kit, package)
     file = make_program_file(compiled.image, robot, member=member)
     if kit is None:
         refuse_unwired(robot, compiled.image, package)
@@ -103,12 +107,14 @@ def program_of(
         refuse_misfits(file, package, kit.family)
     else:
         refuse_what_fits_no_board(file, package)
-    needs = Needs(kit.name, kit.micropython, kit.firmware, kit.family, kit.chip) if kit is not None else None
+    needs = (
+        FirmwareRequirements(kit.name, kit.micropython, kit.firmware, kit.family, kit.chip) if kit is not None else None
+    )
     return BoardProgram(names_of(name, robot, compiled), file, package, diagnostics, sources, needs=needs)
 
 
 def refuse_unwired(robot: Robot, image: Image, package: Package) -> None:
-    """Raises a PackageError when a robot says nothing of how parts that a program uses are wired, and their drivers on
+    """Raises a PackageError when a robot does not define the wiring of parts that a program uses, and their drivers on
     every kind of board need to know it: what it is built of is missing, and not one setting.
     """
     unwired = [
@@ -129,14 +135,14 @@ def refuse_unwired(robot: Robot, image: Image, package: Package) -> None:
 
 def _needs_settings(driver: str, package: Package) -> bool:
     there = [family for family in FAMILIES if not package.missing([driver], family)]
-    says = [package.declared(driver, family) for family in there]
-    return bool(says) and all(any(one.needed for one in each.known({}).values()) for each in says)
+    declarations = [package.declared(driver, family) for family in there]
+    return bool(declarations) and all(any(one.needed for one in each.known({}).values()) for each in declarations)
 
 
 def no_driver(robot: Robot, driver: str, package: Package) -> PackageError:
     """The error of a driver that is there for no kind of board: which part wants it, and where it was looked for."""
     parts = [part.name for part in (*robot.actuators, *robot.sensors) if (part.board.driver or part.device) == driver]
-    files = list(dict.fromkeys(path for family in FAMILIES for path in package.looked_for(driver, family)))
+    files = list(dict.fromkeys(path for family in FAMILIES for path in package.candidates(driver, family)))
     return PackageError(
         Sentence(
             "`{part}` of the robot `{robot}` wants the driver `{driver}`, and there is none",

@@ -1,6 +1,6 @@
 """Recordings of real robots: their run (`run`) written into a file of the one format of traces.
 
-An error of the file never disturbs the sessions: the recording ends, and `error` says why.
+An error of the file never disturbs the sessions: the recording ends, and `error` is the reason.
 """
 
 from __future__ import annotations
@@ -41,7 +41,7 @@ class RobotRecorder:
         self._done = False
         self._writer = TraceWriter(path, header_of(robots))
         self._settled = clock()
-        self._run = RobotsRun(robots, clock=clock, left=self._write)
+        self._run = RobotsRun(robots, clock=clock, on_tick=self._write)
         self._run.end_tick()
         try:
             self._writer.settle()
@@ -79,7 +79,7 @@ class RobotRecorder:
             self._attempt(self._writer.close)
 
     def outcome(self) -> dict[str, Any]:
-        """How it ended so far, as a trace says it last."""
+        """The outcome so far, as the end of a trace holds it."""
         outcome, sentence = self._run.ending
         return {"outcome": outcome, "sentence": sentence, "ticks": self._run.tick - 1, "delivered": 0, "collisions": 0}
 

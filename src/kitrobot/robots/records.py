@@ -1,7 +1,7 @@
 """Real robots as records of a trace: the header, and the numbers of one robot in a record.
 
-A robot's numbers are `BEFORE` and then the cells that it tells of, as its `Carried` names them. It has no numbers for
-its place: nobody knows where a real robot stands, and that is how one is told from a simulated one.
+A robot's numbers are `BEFORE` and then the cells that it reports, as its `RecordingContext` names them. It has no
+numbers for its place: nobody knows where a real robot is, which distinguishes it from a simulated one.
 """
 
 from __future__ import annotations
@@ -10,9 +10,9 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from kitrobot.diagnostics import KitRobotError
-from kitrobot.robots.carried import Carried
-from kitrobot.robots.faults import fault_said
+from kitrobot.robots.faults import describe_fault
 from kitrobot.robots.names import BoardNames
+from kitrobot.robots.recording_context import RecordingContext
 from kitrobot.robots.state import RobotState
 from kitrobot.text import Sentence
 from kitrobot.trace import TEAM, Column, Threads, TraceAgent, TraceHeader
@@ -34,7 +34,8 @@ class RecordedBoard:
 
     name: str
     names: BoardNames
-    carried: Carried
+
+    recording_context: RecordingContext
 
 
 def refuse_several_missions(boards: Sequence[RecordedBoard]) -> None:
@@ -44,7 +45,11 @@ def refuse_several_missions(boards: Sequence[RecordedBoard]) -> None:
         NoRecordingError: they run programs of several missions.
     """
     first = boards[0]
-    if any((one.carried.mission, one.carried.parts) != (first.carried.mission, first.carried.parts) for one in boards):
+    if any(
+        (one.recording_context.mission, one.recording_context.parts)
+        != (first.recording_context.mission, first.recording_context.parts)
+        for one in boards
+    ):
         raise NoRecordingError(
             Sentence("the robots run programs of different missions, and a recording holds one mission"),
             Sentence("record them one by one, each into a file of its own"),
@@ -54,13 +59,13 @@ def refuse_several_missions(boards: Sequence[RecordedBoard]) -> None:
 def header_of(boards: Sequence[RecordedBoard]) -> TraceHeader:
     """The header of a run of these robots, with the mission of the first one."""
     first = boards[0]
-    columns = [Column(one.name, name) for one in boards for name in (*BEFORE, *one.carried.cells)] + [
+    columns = [Column(one.name, name) for one in boards for name in (*BEFORE, *one.recording_context.cells)] + [
         Column(TEAM, "collisions")
     ]
     return TraceHeader(
-        first.carried.mission,
+        first.recording_context.mission,
         0,
-        first.carried.world,
+        first.recording_context.world,
         min(one.names.tick_ms for one in boards),
         tuple(
             TraceAgent(one.name, one.names.program, one.names.robot, number=number)
@@ -68,13 +73,13 @@ def header_of(boards: Sequence[RecordedBoard]) -> TraceHeader:
         ),
         tuple(columns),
         {one.names.program: tuple(vertex for vertex, _, _ in one.names.places) for one in boards},
-        first.carried.parts,
+        first.recording_context.parts,
     )
 
 
 def first_row(robot: RecordedBoard) -> list[int]:
     """The numbers of a robot of which nothing was heard yet."""
-    return [0] * len(BEFORE) + list(robot.carried.first)
+    return [0] * len(BEFORE) + list(robot.recording_context.first)
 
 
 def row_of(robot: RecordedBoard, state: RobotState) -> list[int]:
@@ -82,7 +87,7 @@ def row_of(robot: RecordedBoard, state: RobotState) -> list[int]:
     row, sensors = first_row(robot), robot.names.sensors
     cells = {**state.cells, **{sensors[name]: value for name, value in state.forced.items()}}
     for cell, value in cells.items():
-        if 0 <= cell < len(robot.carried.cells):
+        if 0 <= cell < len(robot.recording_context.cells):
             row[len(BEFORE) + cell] = value
     forced = sum(1 << bit for bit, name in enumerate(sensors) if name in state.forced)
     row[: len(BEFORE)] = SILENT if state.lost else _DOING.get(state.doing, IDLE), forced, state.tick
@@ -101,4 +106,4 @@ def sentence_of(robot: RecordedBoard, state: RobotState) -> str:
     """Why a robot goes on no more, "" while nothing is wrong."""
     if state.lost or state.fault is None:
         return state.lost
-    return fault_said(state.fault, robot.names)
+    return describe_fault(state.fault, robot.names)

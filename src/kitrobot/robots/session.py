@@ -16,16 +16,16 @@ from dataclasses import dataclass, replace
 from kitrobot.deploy import Fault, Hello, News, Text
 from kitrobot.diagnostics import KitRobotError
 from kitrobot.primitives import held_by_hand, set_by_hand
-from kitrobot.robots.carried import Carried
 from kitrobot.robots.faults import fault_event
 from kitrobot.robots.link import Link
 from kitrobot.robots.names import BoardNames
-from kitrobot.robots.state import Change, Happening, RobotEvent, RobotState
+from kitrobot.robots.recording_context import RecordingContext
+from kitrobot.robots.state import Change, ChangeKind, RobotEvent, RobotState
 from kitrobot.text import Recorded, Sentence
 from kitrobot.trace import LINK, PERSON, PROGRAM, ROBOT
 
 LOOK_S = 0.5
-"""How often a robot's state is looked at; it is asked only while it does not report that itself."""
+"""How often a robot's state is looked at; it is queried only while it does not report that itself."""
 
 Subscriber = Callable[[Change], None]
 _STOPPED = RobotEvent("outside", Recorded("it was stopped from here"), PERSON)
@@ -36,17 +36,17 @@ class NotConnectedError(KitRobotError):
 
 
 @dataclass(frozen=True)
-class Known:
+class InstalledProgram:
     """What is known of the program on a robot: its names, and what recordings of it embed (None: of no mission)."""
 
     names: BoardNames
-    carried: Carried | None = None
+    recording_context: RecordingContext | None = None
 
     def first_values(self) -> dict[int, int]:
         """The cells of variables with their first values, as far as these are known."""
-        if self.carried is None:
+        if self.recording_context is None:
             return {}
-        return {cell: self.carried.first[cell] for cell in self.names.variables.values()}
+        return {cell: self.recording_context.first[cell] for cell in self.names.variables.values()}
 
 
 class RobotSession:
@@ -54,7 +54,7 @@ class RobotSession:
 
     def __init__(self, clock: Callable[[], float] = time.monotonic) -> None:
         self.state = RobotState()
-        self.known: Known | None = None
+        self.known: InstalledProgram | None = None
         self.news: News | Fault | Text | None = None
         """What `poll` read last, None for nothing."""
         self._clock = clock
@@ -64,11 +64,11 @@ class RobotSession:
         self._period_ms = 0
 
     def subscribe(self, subscriber: Subscriber) -> None:
-        """Is told of each change from now on."""
+        """Calls the subscriber with each change from now on."""
         self._subscribers = [*self._subscribers, subscriber]
 
     def unsubscribe(self, subscriber: Subscriber) -> None:
-        """Is told no more; this and `subscribe` may come from any thread."""
+        """Ends a subscription; this and `subscribe` may come from any thread."""
         self._subscribers = [one for one in self._subscribers if one != subscriber]
 
     # -- the link
@@ -89,16 +89,16 @@ class RobotSession:
             raise NotConnectedError(Sentence("nobody talks with this robot"), Sentence("connect it first"))
         return self._link
 
-    def open(self, link: Link, hello: Hello, known: Known | None) -> None:
+    def open(self, link: Link, hello: Hello, known: InstalledProgram | None) -> None:
         """Takes a link to a robot, with its greeting and what is known of its program."""
         was, self._link, self.known = self.state, link, known
-        state = RobotState.greeted(hello)
+        state = RobotState.from_hello(hello)
         self._looked = self._clock()
         self._period_ms = 0
         events = []
         if was.lost and state.installed == was.installed:
             events.append(RobotEvent("revival", Recorded("the link is back"), LINK))
-        self._stands(state, was, events, Happening.GREETED)
+        self._apply_state(state, was, events, ChangeKind.GREETED)
 
     def watch(self, period_ms: int) -> None:
         """Has it send what changes, at most so often, also after a reboot; 0 ends it."""
@@ -106,10 +106,10 @@ class RobotSession:
         self.link.watch(period_ms)
 
     def lose(self, message: str) -> None:
-        """The link broke; `message` says so, and what becomes of the robot."""
+        """The link broke; `message` describes that and what becomes of the robot."""
         self.close()
         state = replace(self.state, threads={}, lost=message)
-        self._change(Happening.LOST, state, RobotEvent("failure", message, LINK))
+        self._change(ChangeKind.LOST, state, RobotEvent("failure", message, LINK))
 
     def close(self) -> None:
         """Ends the link, if there is one; the robot goes on, unless it is held."""
@@ -125,18 +125,18 @@ class RobotSession:
         self.link.start(held=held)
         first = self.known.first_values() if self.known is not None else {}
         event = RobotEvent("outside", Recorded("its program was started from here"), PERSON)
-        self._change(Happening.STARTED, self.state.started(held, first), event)
+        self._change(ChangeKind.STARTED, self.state.after_start(held, first), event)
 
     def stop(self) -> None:
         """Stops it."""
         self.link.stop()
-        self._change(Happening.STOPPED, self.state.stopped(), _STOPPED)
+        self._change(ChangeKind.STOPPED, self.state.after_stop(), _STOPPED)
 
     def replaced(self) -> None:
         """Another program is being put on it, which stops it; nothing is known of it until it is opened again."""
-        self._change(Happening.STOPPED, self.state.stopped(), _STOPPED)
+        self._change(ChangeKind.STOPPED, self.state.after_stop(), _STOPPED)
         self.known = None
-        self._change(Happening.LOOKED, replace(self.state, fault=None))
+        self._change(ChangeKind.LOOKED, replace(self.state, fault=None))
 
     def force(self, sensor: str, value: int | None) -> None:
         """Holds a sensor at a value; None releases it.
@@ -150,7 +150,7 @@ class RobotSession:
         forced = {name: held for name, held in self.state.forced.items() if name != sensor}
         if value is not None:
             forced[sensor] = value
-        self._change(Happening.FORCED, replace(self.state, forced=forced), held_event(names, sensor, value))
+        self._change(ChangeKind.FORCED, replace(self.state, forced=forced), held_event(names, sensor, value))
 
     def set_variable(self, variable: str, value: int) -> None:
         """Sets a variable.
@@ -164,7 +164,7 @@ class RobotSession:
         self.link.set(cell, value)
         state = replace(self.state, cells={**self.state.cells, cell: value})
         event = RobotEvent("outside", set_by_hand(names.made_of, variable, value), PERSON)
-        self._change(Happening.SET, state, event)
+        self._change(ChangeKind.SET, state, event)
 
     def _names(self) -> BoardNames:
         if self.known is None:
@@ -187,63 +187,64 @@ class RobotSession:
             self._look()
         self.news = news = self.link.news(timeout_s)
         if news is None:
-            self._change(Happening.QUIET, self.state)
+            self._change(ChangeKind.QUIET, self.state)
         elif isinstance(news, Text):
-            self._change(Happening.TEXT, self.state, RobotEvent("message", news.text.strip(), PROGRAM))
+            self._change(ChangeKind.TEXT, self.state, RobotEvent("message", news.text.strip(), PROGRAM))
         elif isinstance(news, Fault):
-            self._fails(news, Happening.FAULT)
+            self._apply_fault(news, ChangeKind.FAULT)
         else:
-            calls = self.known.carried.calls if self.known is not None and self.known.carried is not None else {}
+            context = self.known.recording_context if self.known is not None else None
+            calls = context.calls if context is not None else {}
             commands = tuple(calls[at] for at in sorted(news.ran) if at in calls)
-            self._change(Happening.NEWS, self.state.heard(news), commands=commands)
+            self._change(ChangeKind.NEWS, self.state.after_news(news), commands=commands)
 
     def _look(self) -> None:
         self._looked = self._clock()
         hello, was = self.link.look(), self.state
-        now = was.looked(hello)
+        now = was.after_look(hello)
         if now.doing == was.doing == "running" and now.tick < was.tick:
-            self._reboots()
+            self._handle_reboot()
         elif now != was or (now.doing == "fault" and now.fault is None):
-            self._stands(now, was, [], Happening.LOOKED)
+            self._apply_state(now, was, [], ChangeKind.LOOKED)
 
-    def _stands(self, now: RobotState, was: RobotState, events: list[RobotEvent], happening: Happening) -> None:
+    def _apply_state(self, now: RobotState, was: RobotState, events: list[RobotEvent], kind: ChangeKind) -> None:
         """Takes a state that was looked at; an end and a fault that were not reported are found then."""
         if now.doing == "ended" != was.doing:
             events.append(RobotEvent("end", Recorded("its program has ended"), PROGRAM))
-        self._change(happening, now, *events)
+        self._change(kind, now, *events)
         if now.doing == "fault" and now.fault is None:
             fault = self.link.last_fault()
             if fault is not None:
-                self._fails(fault, Happening.FAULT)
+                self._apply_fault(fault, ChangeKind.FAULT)
 
-    def _fails(self, fault: Fault, happening: Happening) -> None:
+    def _apply_fault(self, fault: Fault, kind: ChangeKind) -> None:
         if not fault.number or fault == self.state.fault:
             return
         event = fault_event(fault, self.known.names if self.known is not None else None)
-        self._change(happening, self.state.failed(fault), event)
+        self._change(kind, self.state.after_fault(fault), event)
 
-    def _reboots(self) -> None:
+    def _handle_reboot(self) -> None:
         """It was without power for a moment, and runs by itself as it does when that comes back. One that is held is
         stopped; another one is watched again, which it has forgotten.
         """
         event = RobotEvent("message", Recorded("it began anew by itself"), ROBOT)
         if self.state.held:
             self.link.stop()
-            self._change(Happening.REBOOTED, self.state.rebooted().stopped(), event, _STOPPED)
+            self._change(ChangeKind.REBOOTED, self.state.after_reboot().after_stop(), event, _STOPPED)
             return
         if self._period_ms:
             self.link.watch(self._period_ms)
-        self._change(Happening.REBOOTED, self.state.rebooted(), event)
+        self._change(ChangeKind.REBOOTED, self.state.after_reboot(), event)
 
     def _change(
         self,
-        happening: Happening,
+        kind: ChangeKind,
         state: RobotState,
         *events: RobotEvent,
         commands: tuple[tuple[str, str, tuple[int, ...]], ...] = (),
     ) -> None:
         self.state = state
-        change = Change(happening, state, events, commands)
+        change = Change(kind, state, events, commands)
         for subscriber in self._subscribers:
             subscriber(change)
 

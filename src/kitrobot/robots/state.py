@@ -1,7 +1,7 @@
-"""One real robot as it was last heard, and what happened to it: the only place where its news are folded.
+"""The state of one real robot as last reported, and its changes: the only place where its news are folded.
 
-A `RobotState` is replaced as a whole; a `Change` is one step from the state before, with what a record of a trace says
-of it: commands and events. Values are by cell and instruction; names are given by who shows them (names, records).
+A `RobotState` is replaced as a whole; a `Change` is one step from the state before, with what a record of a trace holds
+of it: commands and events. Values are by cell and instruction; the viewer adds names (names, records).
 """
 
 from __future__ import annotations
@@ -13,8 +13,8 @@ from typing import Literal, get_args
 
 from kitrobot.deploy import Fault, Hello, News
 
-Doing = Literal["none", "ready", "running", "ended", "fault"]
-DOING: tuple[Doing, ...] = get_args(Doing)
+Activity = Literal["none", "ready", "running", "ended", "fault"]
+ACTIVITIES: tuple[Activity, ...] = get_args(Activity)
 """What a robot does, by the number that it sends."""
 
 
@@ -32,13 +32,13 @@ class RobotState:
         package: the version of KitRobot on it, "-" for none.
         installed: its program, by the name that the robot gives, "-" for none.
         threads: slot → instruction of each live thread.
-        cells: cell → value, as far as they were told.
+        cells: cell → value, as far as they were reported.
         forced: sensors that are held at a value from here.
         fault: why it stopped by itself last, until it runs again.
         lost: the message of a link that is lost, "" while there is one.
     """
 
-    doing: Doing = "none"
+    doing: Activity = "none"
     held: bool = False
     free: int = 0
     tick: int = 0
@@ -53,13 +53,13 @@ class RobotState:
     lost: str = ""
 
     @classmethod
-    def greeted(cls, hello: Hello) -> RobotState:
+    def from_hello(cls, hello: Hello) -> RobotState:
         """A robot of which nothing but its greeting is known."""
-        return cls().looked(hello)
+        return cls().after_look(hello)
 
-    def looked(self, hello: Hello) -> RobotState:
-        """The same robot after a look at how it stands."""
-        doing = DOING[hello.state]
+    def after_look(self, hello: Hello) -> RobotState:
+        """The same robot after a look at its state."""
+        doing = ACTIVITIES[hello.state]
         return replace(
             self,
             doing=doing,
@@ -74,7 +74,7 @@ class RobotState:
             fault=None if doing == "running" else self.fault,
         )
 
-    def heard(self, news: News) -> RobotState:
+    def after_news(self, news: News) -> RobotState:
         """The same robot after news of its program."""
         threads = {slot: at for slot, at in {**self.threads, **news.threads}.items() if at is not None}
         return replace(
@@ -84,26 +84,26 @@ class RobotState:
             threads=threads if self.doing == "running" else {},
         )
 
-    def failed(self, fault: Fault) -> RobotState:
+    def after_fault(self, fault: Fault) -> RobotState:
         """The same robot after it stopped by itself."""
         return replace(self, doing="fault", held=False, threads={}, tick=fault.tick, fault=fault)
 
-    def started(self, held: bool, first: Mapping[int, int]) -> RobotState:
+    def after_start(self, held: bool, first: Mapping[int, int]) -> RobotState:
         """The same robot after its program was begun; `first`: cells that have their first values again."""
         cells = {**self.cells, **first}
         return replace(self, doing="running", held=held, tick=0, late=0, cells=cells, threads={}, fault=None)
 
-    def stopped(self) -> RobotState:
+    def after_stop(self) -> RobotState:
         """The same robot after it was stopped."""
         return replace(self, doing="ready", held=False, threads={}, lost="")
 
-    def rebooted(self) -> RobotState:
-        """The same robot after it began anew by itself: nothing that was told before holds."""
+    def after_reboot(self) -> RobotState:
+        """The same robot after it began anew by itself: no earlier report holds."""
         return replace(self, tick=0, threads={}, cells={}, forced={})
 
 
-class Happening(Enum):
-    """What brought a change about."""
+class ChangeKind(Enum):
+    """The cause of a change."""
 
     GREETED = "greeted"
     LOOKED = "looked"
@@ -130,12 +130,12 @@ class RobotEvent:
 
 @dataclass(frozen=True)
 class Change:
-    """What happened, the state after it, and what a record of a trace says of it besides.
+    """A change: its cause, the state after it, and what else a record of a trace holds of it.
 
     `commands`: actuator, procedure and arguments of each command that is known to have been given.
     """
 
-    happening: Happening
+    kind: ChangeKind
     state: RobotState
     events: tuple[RobotEvent, ...] = ()
     commands: tuple[tuple[str, str, tuple[int, ...]], ...] = ()

@@ -11,7 +11,7 @@ from kitrobot.diagnostics import KitRobotError
 from kitrobot.robots.link import Link
 from kitrobot.robots.names import BoardNames
 from kitrobot.robots.records import active_of
-from kitrobot.robots.session import Known, RobotSession
+from kitrobot.robots.session import InstalledProgram, RobotSession
 
 _MOST_PRINTED = 200
 
@@ -27,7 +27,7 @@ def place_of(instruction: int | None, names: BoardNames | None) -> str:
 
 
 def fault_sentence(fault: Fault, names: BoardNames | None) -> str:
-    """A fault in words: number, meaning, what the robot says of it, tick, place in the program."""
+    """A fault in words: number, meaning, the robot's text, tick, place in the program."""
     text = names.fault_text(fault.text) if names is not None else fault.text
     place = place_of(fault.instruction, names)
     return (
@@ -53,7 +53,7 @@ def fault_object(fault: Fault, names: BoardNames | None) -> dict[str, Any]:
 class WatchedRobot:
     """A robot that is watched; `news` is what it sent last, if that is new, `printed` the last lines of text."""
 
-    def __init__(self, address: str, link: Link, hello: Hello, known: Known | None) -> None:
+    def __init__(self, address: str, link: Link, hello: Hello, known: InstalledProgram | None) -> None:
         self.address = address
         self.session = RobotSession()
         self.hello = hello
@@ -87,7 +87,7 @@ class WatchedRobot:
         if isinstance(news, News):
             self.news = None if news.is_empty else news
         elif news is not None:
-            self.printed = [*self.printed, *self.told(news)][-_MOST_PRINTED:]
+            self.printed = [*self.printed, *self.describe(news)][-_MOST_PRINTED:]
         return None
 
     def end(self) -> None:
@@ -109,8 +109,8 @@ class WatchedRobot:
         doing = "no program" if state.doing == "none" else state.doing
         return f"{name}: {doing}, tick {state.tick}{late}, {state.free} bytes of memory left"
 
-    def standing(self) -> list[str]:
-        """Where each thread stands."""
+    def thread_places(self) -> list[str]:
+        """The place of each thread."""
         return [place_of(at, self.names) for _, at in active_of(self.session.state)]
 
     def variables(self) -> list[str]:
@@ -121,7 +121,7 @@ class WatchedRobot:
         """Sensors with their values."""
         return _lines(self._named(self.session.state.cells)[1])
 
-    def told(self, news: News | Fault | Text) -> list[str]:
+    def describe(self, news: News | Fault | Text) -> list[str]:
         """What is new, a line each."""
         if isinstance(news, Text):
             return news.text.strip("\n").split("\n")
@@ -130,11 +130,11 @@ class WatchedRobot:
         variables, inputs = self._named(news.cells)
         words = _lines(variables | inputs)
         if news.threads:
-            words.append(" | ".join(self.standing()) or "nothing runs")
+            words.append(" | ".join(self.thread_places()) or "nothing runs")
         return [f"tick {news.tick}: {', '.join(words)}"] if words else []
 
     def to_json(self, news: News | Fault | Text) -> dict[str, Any]:
-        """What is new, as data; `active` is the whole of where threads stand."""
+        """What is new, as data; `active` is the places of all threads."""
         if isinstance(news, Text):
             return {"kind": "text", "text": news.text}
         if isinstance(news, Fault):

@@ -16,7 +16,7 @@ from collections.abc import Callable, Iterator, Mapping
 from pathlib import Path
 
 from kitrobot.diagnostics import KitRobotError
-from kitrobot.fleet import Agents, FleetRun, FleetSource, FleetTold, Network, Told, identity_of
+from kitrobot.fleet import Agents, FleetCallbacks, FleetRun, FleetSource, Network, StatusReport, identity_of
 from kitrobot.mission import Mission
 from kitrobot.server.replay import RunOfRecords
 from kitrobot.server.robot_standing import way_out
@@ -128,8 +128,10 @@ class FleetRunning:
         network = Network(identity_of(simulation), (free_endpoint(),))
         lease = max(self._room.lease_ms, BOARD_LEASE_MS if self._boards else 0)
         plan = FleetPlan(file, names, network, None, self._boards, lease, self._room.pace)
-        told = FleetTold(self._said, self._pressed.is_set, lambda now: self._stepped(), self._came, self._ended)
-        return run_fleet(simulation, plan, self.agents, told)
+        callbacks = FleetCallbacks(
+            self._said, self._pressed.is_set, lambda now: self._stepped(), self._came, self._ended
+        )
+        return run_fleet(simulation, plan, self.agents, callbacks)
 
     def _stepped(self) -> None:
         self.source.step()
@@ -147,12 +149,12 @@ class FleetRunning:
         else:
             self._room.say(message=sentence)
 
-    def _heard(self, name: str, told: Told) -> None:
+    def _heard(self, name: str, report: StatusReport) -> None:
         """What an agent says, in a thread of its own."""
-        if told.failed:
-            self._room.say_of(name, message=told.sentence, help=_help(told), failed=True)
+        if report.failed:
+            self._room.say_of(name, message=report.sentence, help=_help(report), failed=True)
         else:
-            self._room.hear_of(name, told.sentence)
+            self._room.hear_of(name, report.sentence)
 
     def _ended(self, name: str, sentence: str) -> None:
         """An agent's process has ended, and all that it said was heard: why it failed, where it said so."""
@@ -222,8 +224,8 @@ class FleetWatch(RunOfRecords):
         self._running.close()
 
 
-def _help(told: Told) -> str:
+def _help(report: StatusReport) -> str:
     """What to do about an agent that could not take part, for somebody with buttons and not a terminal."""
-    if "`kitrobot " not in told.help:
-        return told.help
+    if "`kitrobot " not in report.help:
+        return report.help
     return Sentence("press Send to all, then start the team again")

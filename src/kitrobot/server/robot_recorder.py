@@ -70,20 +70,20 @@ class LastRun:
                 self._folder = None
 
     def _changed(self, change: Change) -> None:
-        from kitrobot.robots import Happening, held_event
+        from kitrobot.robots import ChangeKind, held_event
 
-        happening, state = change.happening, change.state
-        if happening is Happening.STARTED:
+        kind, state = change.kind, change.state
+        if kind is ChangeKind.STARTED:
             self._begin()
             known = self._session.known
             held = () if known is None else (held_event(known.names, *one) for one in state.forced.items())
             change = replace(change, events=(*change.events, *held))
-        elif happening is Happening.GREETED and not (self._on and state.installed == self._installed):
+        elif kind is ChangeKind.GREETED and not (self._on and state.installed == self._installed):
             self._end()
             if state.doing == "running":
                 self._begin()
                 change = replace(change, events=())
-        if happening is Happening.GREETED:
+        if kind is ChangeKind.GREETED:
             self._installed = state.installed
         if self._recorder is not None and self._on:
             self._recorder.robot_changed(0, change)
@@ -96,7 +96,7 @@ class LastRun:
 
         self._end()
         known = self._session.known
-        if known is None or known.carried is None:
+        if known is None or known.recording_context is None:
             return
         try:
             folder = tempfile.TemporaryDirectory(prefix="kitrobot-", ignore_cleanup_errors=True)
@@ -104,7 +104,7 @@ class LastRun:
             # A computer without room for files runs robots all the same.
             return
         try:
-            board = RecordedBoard(self._name, known.names, known.carried)
+            board = RecordedBoard(self._name, known.names, known.recording_context)
             recorder = RobotRecorder(Path(folder.name) / f"run{ENDING}", [board])
         except TraceError:
             folder.cleanup()

@@ -23,7 +23,7 @@ from dataclasses import replace
 from typing import Any, get_args
 
 from kitrobot.diagnostics import KitRobotError
-from kitrobot.robots import BoardProgram, Change, Happening, RobotSession
+from kitrobot.robots import BoardProgram, Change, ChangeKind, RobotSession
 from kitrobot.server.beside_loop import Begun, Turn
 from kitrobot.server.robot_bench import Tried
 from kitrobot.server.robot_gateway import RobotGateway
@@ -322,7 +322,7 @@ class RobotWorker:
             self._say(message=error.message, help=Sentence("what was recorded before can be saved"))
 
     def _robot_changed(self, change: Change) -> None:
-        if change.happening is not Happening.REBOOTED:
+        if change.kind is not ChangeKind.REBOOTED:
             self._say()
             return
         help = Sentence("it may have lost its power for a moment: look at its battery and cable")

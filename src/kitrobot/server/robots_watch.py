@@ -10,7 +10,7 @@ from collections.abc import Callable, Iterator, Mapping
 from pathlib import Path
 
 from kitrobot.mission import Mission
-from kitrobot.robots import Change, Happening, NotConnectedError, RecordedBoard, RobotsRun
+from kitrobot.robots import Change, ChangeKind, NotConnectedError, RecordedBoard, RobotsRun
 from kitrobot.server.replay import RunOfRecords
 from kitrobot.server.robot_worker import RobotWorker
 from kitrobot.text import Sentence
@@ -30,17 +30,17 @@ class RobotsWatch(RunOfRecords):
         boards, world = [], opened.world
         for name, worker in robots.items():
             known = worker.session.known
-            if known is None or known.carried is None or world is None:
+            if known is None or known.recording_context is None or world is None:
                 raise NotConnectedError(
                     Sentence("the robot has another program than the one that is open here"),
                     Sentence("send this one first"),
                 )
-            boards.append(RecordedBoard(name, known.names, known.carried))
+            boards.append(RecordedBoard(name, known.names, known.recording_context))
         assert world is not None, "there is a robot"
         self._opened = opened
         self._changed = changed
         self._sessions = [worker.session for worker in robots.values()]
-        self._robots_run = RobotsRun(boards, self._sessions, steered=list(robots.values()))
+        self._robots_run = RobotsRun(boards, self._sessions, controls=list(robots.values()))
         try:
             super().__init__(self._robots_run, world, opened)
         except BaseException:
@@ -52,7 +52,7 @@ class RobotsWatch(RunOfRecords):
             session.subscribe(self._heard)
 
     def _heard(self, change: Change) -> None:
-        if change.happening is not Happening.QUIET:
+        if change.kind is not ChangeKind.QUIET:
             self._changed()
 
     @property

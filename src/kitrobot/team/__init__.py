@@ -1,52 +1,52 @@
 """The protocol of a team, as pure state machines: time and events in, messages and changes out."""
 
 from kitrobot.team.changes import (
+    AppliedNote,
     Change,
-    Decided,
-    Noted,
-    Quorum,
-    Refused,
-    Skipped,
-    Viewed,
-    Written,
+    LogGap,
+    NewView,
+    QuorumChange,
+    Refusal,
+    SlotDecision,
+    VariableChange,
 )
 from kitrobot.team.charter import Charter
-from kitrobot.team.coding import MessageError, decode, encode
+from kitrobot.team.codec import MessageError, decode, encode
 from kitrobot.team.commands import Note, Seat
-from kitrobot.team.events import Event, Leave, Received, Time, Write
+from kitrobot.team.events import Event, IncomingMessage, Leave, Time, Write
 from kitrobot.team.member import step
 from kitrobot.team.messages import EVERYONE, Message, Sending
-from kitrobot.team.state import Member, Stepped, first_state, may_act
+from kitrobot.team.state import Member, StepResult, initial_state, may_act
 from kitrobot.team.tables import Tables, View
 
 __all__ = [
     "EVERYONE",
+    "AppliedNote",
     "Change",
     "Charter",
-    "Decided",
     "Event",
+    "IncomingMessage",
     "Leave",
+    "LogGap",
     "Member",
     "Message",
     "MessageError",
+    "NewView",
     "Note",
-    "Noted",
-    "Quorum",
-    "Received",
-    "Refused",
+    "QuorumChange",
+    "Refusal",
     "Seat",
     "Sending",
-    "Skipped",
-    "Stepped",
+    "SlotDecision",
+    "StepResult",
     "Tables",
     "Time",
+    "VariableChange",
     "View",
-    "Viewed",
     "Write",
-    "Written",
     "decode",
     "encode",
-    "first_state",
+    "initial_state",
     "may_act",
     "step",
 ]

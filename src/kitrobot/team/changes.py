@@ -1,4 +1,4 @@
-"""What a member tells its host; those made of the log are told by all members, in the same order."""
+"""Changes that a member reports to its host; all members report those of the log, in the same order."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from kitrobot.text import Sentence
 
 
 @dataclass(frozen=True, slots=True)
-class Noted:
+class AppliedNote:
     """A `Note` of this seat took effect."""
 
     seat: Seat
@@ -19,35 +19,35 @@ class Noted:
 
 
 @dataclass(frozen=True, slots=True)
-class Decided:
-    """All that was told of the log since the last `Decided` or `Skipped` is of this slot."""
+class SlotDecision:
+    """All changes of the log reported since the last `SlotDecision` or `LogGap` is of this slot."""
 
     slot: int
 
 
 @dataclass(frozen=True, slots=True)
-class Skipped:
-    """The log goes on from this slot: what was decided before it was not told, but is in the tables."""
+class LogGap:
+    """The log goes on from this slot: earlier decisions were not reported, but are in the tables."""
 
     slot: int
 
 
 @dataclass(frozen=True, slots=True)
-class Viewed:
+class NewView:
     """There is a new view."""
 
     view: View
 
 
 @dataclass(frozen=True, slots=True)
-class Quorum:
+class QuorumChange:
     """Whether the member hears enough of the view to decide; without, stop at the next meeting and wait."""
 
     heard: bool
 
 
 @dataclass(frozen=True, slots=True)
-class Written:
+class VariableChange:
     """A shared variable has another value here."""
 
     variable: int
@@ -55,14 +55,14 @@ class Written:
 
 
 @dataclass(frozen=True, slots=True)
-class Refused:
+class Refusal:
     """A message of this member was refused."""
 
     member: int
     why: Sentence
 
 
-Change = Noted | Decided | Skipped | Viewed | Quorum | Written | Refused
+Change = AppliedNote | SlotDecision | LogGap | NewView | QuorumChange | VariableChange | Refusal
 
-Outgoing = tuple[Sending, ...]
-Told = tuple[Change, ...]
+Sendings = tuple[Sending, ...]
+Changes = tuple[Change, ...]

@@ -27,7 +27,7 @@ class ViewChange:
 
 @dataclass(frozen=True, slots=True)
 class Note:
-    """Numbers of the host's own, which the log puts in order and the tables do not read; reported as `Noted`."""
+    """Numbers of the host's own, which the log puts in order and the tables do not read; reported as `AppliedNote`."""
 
     numbers: tuple[int, ...]
 

@@ -48,7 +48,7 @@ class Decision(NamedTuple):
             it would like to propose.
         promises: (rank, accepted, value) of those who promised `ballot`; votes: ranks of those who voted in it.
         chosen: what was decided, None before.
-        fewest: ranks of the voters that a proposal asks at first, a quorum; () asks all. Said again, it asks all.
+        fewest: ranks of the voters that a proposal asks at first, a quorum; () asks all. A repetition asks all.
     """
 
     seat: Seat
@@ -76,21 +76,21 @@ Answer = tuple[Decision, tuple[Sending, ...], Sentence | None]
 
 
 def attempt(state: Decision, wanted: Batch) -> tuple[Decision, tuple[Sending, ...]]:
-    """Begins a ballot of its own, or says again what the running one needs; nothing for an onlooker."""
+    """Begins a ballot of its own, or repeats the request of the running one; nothing for an onlooker."""
     if state.rank < 0 or state.chosen is not None:
         return state, ()
     if state.ballot == state.promised:
-        return state, asked(state)
+        return state, open_requests(state)
     if state.rank == 0 and state.promised == FIRST:
         return _propose(state._replace(ballot=FIRST), wanted)
     ballot = Ballot(state.promised.round + 1, state.rank)
     state = state._replace(promised=ballot, ballot=ballot, wanted=wanted, proposal=None, promises=(), votes=())
-    state, sent = _promised(state, state.rank, state.accepted, state.value)
-    return state, sent or asked(state)
+    state, sent = _count_promise(state, state.rank, state.accepted, state.value)
+    return state, sent or open_requests(state)
 
 
 def receive(state: Decision, message: SynodMessage) -> Answer:
-    """Takes in what another voter says about this slot, or what anyone says that it decided."""
+    """Handles a message of another voter about this slot, or of anyone about its decision."""
     if isinstance(message, Chosen):
         if state.chosen is None:
             return state._replace(chosen=message.value), (), None
@@ -112,12 +112,12 @@ def receive(state: Decision, message: SynodMessage) -> Answer:
     if message.ballot != state.ballot:
         return state, (), None
     if isinstance(message, Promise):
-        return *_promised(state, rank, message.accepted, message.value), None
-    return *_voted(state, rank), None
+        return *_count_promise(state, rank, message.accepted, message.value), None
+    return *_count_vote(state, rank), None
 
 
 def _vote(state: Decision, message: Prepare | Propose, rank: int) -> Answer:
-    """What a voter answers to a ballot of another one."""
+    """The answer of a voter to a ballot of another one."""
     ballot = message.ballot
     if state.rank < 0:
         return state, (), None
@@ -134,7 +134,7 @@ def _vote(state: Decision, message: Prepare | Propose, rank: int) -> Answer:
     return state, _to(message.sender, Accepted(state.seat, state.slot, ballot)), None
 
 
-def _promised(state: Decision, rank: int, accepted: Ballot, value: Batch) -> tuple[Decision, tuple[Sending, ...]]:
+def _count_promise(state: Decision, rank: int, accepted: Ballot, value: Batch) -> tuple[Decision, tuple[Sending, ...]]:
     """Counts a promise; with a quorum, proposes the value of the highest vote among them, else the one wanted."""
     if state.proposal is not None or state.ballot != state.promised:
         return state, ()
@@ -149,17 +149,17 @@ def _promised(state: Decision, rank: int, accepted: Ballot, value: Batch) -> tup
 def _propose(state: Decision, value: Batch) -> tuple[Decision, tuple[Sending, ...]]:
     """Asks for votes, and votes itself."""
     state = state._replace(proposal=value, promises=(), accepted=state.ballot, value=value)
-    state, sent = _voted(state, state.rank)
+    state, sent = _count_vote(state, state.rank)
     if sent:
         return state, sent
     return state, tuple(
         sending._replace(to=to)
-        for sending in asked(state)
+        for sending in open_requests(state)
         for to in [state.voters[rank].member for rank in state.fewest if rank != state.rank] or [EVERYONE]
     )
 
 
-def _voted(state: Decision, rank: int) -> tuple[Decision, tuple[Sending, ...]]:
+def _count_vote(state: Decision, rank: int) -> tuple[Decision, tuple[Sending, ...]]:
     """Counts a vote; with a quorum the value is chosen."""
     if state.proposal is None:
         return state, ()
@@ -171,8 +171,8 @@ def _voted(state: Decision, rank: int) -> tuple[Decision, tuple[Sending, ...]]:
     )
 
 
-def asked(state: Decision, to: int = EVERYONE) -> tuple[Sending, ...]:
-    """What the running ballot asks of the others, if one runs."""
+def open_requests(state: Decision, to: int = EVERYONE) -> tuple[Sending, ...]:
+    """Returns the open request of the running ballot to the others, if one runs."""
     if state.ballot == NO_BALLOT or state.ballot != state.promised or state.chosen is not None:
         return ()
     if state.proposal is None:
@@ -185,5 +185,5 @@ def _to(seat: Seat, message: SynodMessage) -> tuple[Sending, ...]:
 
 
 def contradiction(sender: Seat) -> Sentence:
-    """Told of a member that cannot be right both times."""
+    """The refusal of a member that contradicts itself."""
     return Sentence("member {member} said two different things about one decision", sender.member)

@@ -1,4 +1,4 @@
-"""What a host gives a member; what its robot's program asks of the team is a `Note`."""
+"""Events that a host gives a member; what its robot's program requests of the team is a `Note`."""
 
 from __future__ import annotations
 
@@ -14,8 +14,8 @@ class Time:
 
 
 @dataclass(frozen=True, slots=True)
-class Received:
-    """A message came; `more`: others came with it and are told next, so nothing is proposed before them."""
+class IncomingMessage:
+    """A message came; `more`: others came with it and follow, so nothing is proposed before them."""
 
     message: Message
     more: bool = False
@@ -34,4 +34,4 @@ class Leave:
     """The member's program has ended; it wants to be in no later view."""
 
 
-Event = Time | Received | Note | Write | Leave
+Event = Time | IncomingMessage | Note | Write | Leave

@@ -6,7 +6,8 @@ anyone with a command tries a ballot of its own. Patience grows with the rank an
 when another one tries: of several that try, the first in rank is left alone. (Lamport's multi-decree synod with the
 reconfiguration of its section on choosing a new legislature, with no slots in parallel.)
 
-A member that missed decisions asks whoever knows more. Only the last `KEPT` are kept; before them, tables are sent.
+A member that missed decisions requests them from whoever knows more. Only the last `MOST_RECENT` are stored; before
+them, tables are sent.
 """
 
 from __future__ import annotations
@@ -15,8 +16,7 @@ from dataclasses import dataclass, field
 from typing import NamedTuple
 
 from kitrobot.team import decision as synod
-from kitrobot.team.applying import applied
-from kitrobot.team.changes import Change, Decided, Refused, Skipped
+from kitrobot.team.changes import Change, LogGap, Refusal, SlotDecision
 from kitrobot.team.charter import Charter
 from kitrobot.team.commands import Batch, Body, Command, Seat, ViewChange
 from kitrobot.team.decision import FIRST, NO_BALLOT, Decision, SynodMessage, is_quorum
@@ -31,29 +31,30 @@ from kitrobot.team.messages import (
     Sending,
     Snapshot,
 )
-from kitrobot.team.tables import Tables, first_tables
+from kitrobot.team.table_transitions import apply_batch
+from kitrobot.team.tables import Tables, initial_tables
 from kitrobot.text import Sentence
 
-KEPT = 32
+MOST_RECENT = 32
 MOST_COMMANDS = 64
 """Commands in a batch."""
 MOST_PENDING = 16
 """Commands of one member that are not decided yet."""
 WARY = 16
-"""Slots for which all voters are asked at once after one that was asked for twice."""
+"""Slots for which votes are requested of all at once after one that was requested twice."""
 
 LogMessage = SynodMessage | Request | Behind | History | Snapshot
 
 
 @dataclass(slots=True)
-class Out:
-    """What a step sends and tells, while it is made."""
+class StepOutput:
+    """What a step sends and reports, while it is made."""
 
     messages: list[Sending] = field(default_factory=list)
     changes: list[Change] = field(default_factory=list)
 
     def refuse(self, member: int, why: Sentence) -> None:
-        self.changes.append(Refused(member, why))
+        self.changes.append(Refusal(member, why))
 
 
 class Log(NamedTuple):
@@ -61,19 +62,19 @@ class Log(NamedTuple):
 
     Attributes:
         decision: the slot that is open; its number is how many are decided.
-        kept: what the last slots decided.
+        recent: what the last slots decided.
         pending: own commands that have no effect yet; `given` is the number of the last one.
-        asked: for each member, the commands it asked for.
+        requested: for each member, the commands it requested.
         retry_at: when to try a ballot, 0: nothing to try; attempts: how often that was done for this slot.
-        wary: for how many slots yet all voters are asked at once, since one had to be asked twice for.
+        wary: for how many slots yet votes are requested of all at once, since one request had to be repeated.
     """
 
     tables: Tables
     decision: Decision
-    kept: tuple[Batch, ...]
+    recent: tuple[Batch, ...]
     pending: Batch
     given: int
-    asked: tuple[Batch, ...]
+    requested: tuple[Batch, ...]
     retry_at: int = 0
     attempts: int = 0
     wary: int = 0
@@ -84,13 +85,13 @@ class Log(NamedTuple):
         return self.decision.slot
 
 
-def first_log(charter: Charter, seat: Seat) -> Log:
+def initial_log(charter: Charter, seat: Seat) -> Log:
     """The log of a member that knows of no decision."""
-    tables = first_tables(charter)
+    tables = initial_tables(charter)
     return Log(tables, Decision(seat, 0, tables.view.seats), (), (), 0, ((),) * charter.members)
 
 
-def ordered(log: Log, body: Body) -> Log | None:
+def add_command(log: Log, body: Body) -> Log | None:
     """The log with one more own command; None when there are too many. One that is pending is not given twice."""
     if any(command.body == body for command in log.pending):
         return log
@@ -105,7 +106,7 @@ def is_firm(log: Log) -> bool:
     value = log.decision.value
     if not any(isinstance(command.body, ViewChange) for command in value):
         return True
-    return applied(log.tables, value)[0].view == log.tables.view
+    return apply_batch(log.tables, value)[0].view == log.tables.view
 
 
 def request(log: Log, to: int) -> Sending:
@@ -113,7 +114,7 @@ def request(log: Log, to: int) -> Sending:
     return Sending(to, Request(log.decision.seat, log.pending))
 
 
-def received(charter: Charter, log: Log, message: LogMessage, now: int, out: Out) -> Log:
+def receive(charter: Charter, log: Log, message: LogMessage, now: int, out: StepOutput) -> Log:
     """Takes in a message about the log."""
     seat, sender = log.decision.seat, message.sender
     if isinstance(message, Request):
@@ -121,34 +122,34 @@ def received(charter: Charter, log: Log, message: LogMessage, now: int, out: Out
         if not own or len(message.commands) > MOST_PENDING:
             out.refuse(sender.member, Sentence("member {member} asked for what it may not ask for", sender.member))
             return log
-        known = log.asked[sender.member]
+        known = log.requested[sender.member]
         if known and message.commands and _newest(message.commands) < _newest(known):
             return log
-        asked = (*log.asked[: sender.member], message.commands, *log.asked[sender.member + 1 :])
-        return log._replace(asked=asked)
+        requested = (*log.requested[: sender.member], message.commands, *log.requested[sender.member + 1 :])
+        return log._replace(requested=requested)
     if isinstance(message, Behind):
         if message.slot < log.slot:
-            out.messages.append(Sending(sender.member, _what_follows(log, message.slot)))
-            out.messages.extend(synod.asked(log.decision, sender.member))
+            out.messages.append(Sending(sender.member, _history_from(log, message.slot)))
+            out.messages.extend(synod.open_requests(log.decision, sender.member))
         return log
     if isinstance(message, Snapshot):
         return _from_snapshot(charter, log, message, out)
     if isinstance(message, History):
         for slot, value in enumerate(message.values, message.slot):
-            log = received(charter, log, Chosen(sender, slot, value), now, out)
+            log = receive(charter, log, Chosen(sender, slot, value), now, out)
         return log
     if message.slot > log.slot:
         if not isinstance(message, Chosen):
             out.messages.append(Sending(sender.member, Behind(seat, log.slot)))
         return log
     if message.slot < log.slot:
-        index = len(log.kept) - (log.slot - message.slot)
+        index = len(log.recent) - (log.slot - message.slot)
         if index < 0:
             return log
-        if isinstance(message, Chosen) and message.value != log.kept[index]:
+        if isinstance(message, Chosen) and message.value != log.recent[index]:
             out.refuse(sender.member, synod.contradiction(sender))
         if isinstance(message, Prepare | Propose):
-            out.messages.append(Sending(sender.member, Chosen(seat, message.slot, log.kept[index])))
+            out.messages.append(Sending(sender.member, Chosen(seat, message.slot, log.recent[index])))
         return log
     if isinstance(message, Propose | Chosen | Promise) and len(message.value) > MOST_COMMANDS:
         out.refuse(sender.member, Sentence("member {member} asked for what it may not ask for", sender.member))
@@ -164,7 +165,7 @@ def received(charter: Charter, log: Log, message: LogMessage, now: int, out: Out
     return _progress(charter, log, out)
 
 
-def advance(charter: Charter, log: Log, now: int, out: Out) -> Log:
+def advance(charter: Charter, log: Log, now: int, out: StepOutput) -> Log:
     """Proposes what there is to decide: the first of the view at once, others when their patience has run out."""
     while True:
         state = log.decision
@@ -189,19 +190,19 @@ def advance(charter: Charter, log: Log, now: int, out: Out) -> Log:
             return log
 
 
-def _progress(charter: Charter, log: Log, out: Out) -> Log:
+def _progress(charter: Charter, log: Log, out: StepOutput) -> Log:
     """Goes on to the next slot where this one is decided."""
     value = log.decision.chosen
     if value is None:
         return log
-    tables, told = applied(log.tables, value)
-    out.changes.extend(told)
-    out.changes.append(Decided(log.slot))
+    tables, changes = apply_batch(log.tables, value)
+    out.changes.extend(changes)
+    out.changes.append(SlotDecision(log.slot))
     wary = WARY if log.attempts > 1 else max(0, log.wary - 1)
-    return _opened(log._replace(tables=tables, kept=(*log.kept, value)[-KEPT:], wary=wary), log.slot + 1)
+    return _open_slot(log._replace(tables=tables, recent=(*log.recent, value)[-MOST_RECENT:], wary=wary), log.slot + 1)
 
 
-def _opened(log: Log, slot: int) -> Log:
+def _open_slot(log: Log, slot: int) -> Log:
     """The slot after what is known, without the commands that have taken effect."""
     life, count = log.tables.applied[log.decision.seat.member]
     seat = log.decision.seat
@@ -209,9 +210,9 @@ def _opened(log: Log, slot: int) -> Log:
     return log._replace(
         decision=Decision(seat, slot, log.tables.view.seats, fewest=_fewest(log)),
         pending=pending,
-        asked=tuple(
-            tuple(c for c in asked if c.seat.life > log.tables.applied[member].life or c.number > count_of)
-            for member, (asked, (_, count_of)) in enumerate(zip(log.asked, log.tables.applied, strict=True))
+        requested=tuple(
+            tuple(c for c in requested if c.seat.life > log.tables.applied[member].life or c.number > count_of)
+            for member, (requested, (_, count_of)) in enumerate(zip(log.requested, log.tables.applied, strict=True))
         ),
         retry_at=0,
         attempts=0,
@@ -219,9 +220,9 @@ def _opened(log: Log, slot: int) -> Log:
 
 
 def _fewest(log: Log) -> tuple[int, ...]:
-    """Who is asked first in the next slot: those who voted for its own proposal in this one, which is a quorum.
+    """The voters that are asked first in the next slot: those that voted for its own proposal in this one, a quorum.
 
-    Not where somebody is missing or messages get lost: then all are asked.
+    If a voter is missing or messages get lost, votes are requested of all.
     """
     last = log.decision
     same = last.voters == log.tables.view.seats
@@ -230,13 +231,13 @@ def _fewest(log: Log) -> tuple[int, ...]:
 
 def _batch(log: Log) -> Batch:
     """Commands that can take effect next, of each seat in its order; whose come first changes from slot to slot."""
-    if not log.pending and not any(log.asked):
+    if not log.pending and not any(log.requested):
         return ()
     seats = log.tables.view.seats
     batch: list[Command] = []
     first = log.slot % len(seats)
     for seat in (*seats[first:], *seats[:first]):
-        own = log.pending if seat == log.decision.seat else log.asked[seat.member]
+        own = log.pending if seat == log.decision.seat else log.requested[seat.member]
         if not own:
             continue
         count = log.tables.applied[seat.member].last
@@ -248,7 +249,7 @@ def _batch(log: Log) -> Batch:
 
 
 def _newest(commands: Batch) -> tuple[int, int]:
-    """Life and number of the last command: those that came late are told from it."""
+    """Life and number of the last command: late ones are recognised by it."""
     return commands[-1].seat.life, commands[-1].number
 
 
@@ -257,23 +258,23 @@ def _patience(charter: Charter, log: Log) -> int:
     return charter.lease // 4 * (1 + max(0, log.decision.rank) + min(log.attempts, 8))
 
 
-def _what_follows(log: Log, slot: int) -> History | Snapshot:
+def _history_from(log: Log, slot: int) -> History | Snapshot:
     """What was decided from a slot on, or the tables where that is forgotten."""
-    index = len(log.kept) - (log.slot - slot)
+    index = len(log.recent) - (log.slot - slot)
     if index < 0 or slot < 0:
         return Snapshot(log.decision.seat, log.slot, log.tables)
-    return History(log.decision.seat, slot, log.kept[index:])
+    return History(log.decision.seat, slot, log.recent[index:])
 
 
-def _from_snapshot(charter: Charter, log: Log, message: Snapshot, out: Out) -> Log:
+def _from_snapshot(charter: Charter, log: Log, message: Snapshot, out: StepOutput) -> Log:
     """The log with the tables of another member, if it knows more and they are tables of this team."""
     if message.slot <= log.slot:
         return log
     if not fits(charter, message.tables):
         out.refuse(message.sender.member, Sentence("member {member} is of another team", message.sender.member))
         return log
-    out.changes.append(Skipped(message.slot))
-    return _opened(log._replace(tables=message.tables, kept=()), message.slot)
+    out.changes.append(LogGap(message.slot))
+    return _open_slot(log._replace(tables=message.tables, recent=()), message.slot)
 
 
 def fits(charter: Charter, tables: Tables) -> bool:

@@ -92,7 +92,7 @@ def hear(state: Membership, view: View, seat: Seat, message: Heartbeat, now: int
 
 
 def in_new_view(state: Membership, now: int) -> Membership:
-    """Support of the view before says nothing of this one."""
+    """Clears the support of the view before, which does not count for the new one."""
     return state._replace(since=now, peers=tuple(peer._replace(granted=NEVER) for peer in state.peers))
 
 

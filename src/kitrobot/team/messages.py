@@ -1,4 +1,4 @@
-"""What members say to each other: frozen values, each with the seat of its sender."""
+"""Messages between members: frozen values, each with the seat of its sender."""
 
 from __future__ import annotations
 
@@ -164,7 +164,7 @@ class Compare:
 
 @dataclass(frozen=True, slots=True)
 class Snapshot:
-    """The tables after so many slots, for a member that is too far behind to be told each."""
+    """The tables after so many slots, for a member that is too far behind to be sent each."""
 
     sender: Seat
     slot: int

@@ -1,7 +1,7 @@
 """The tables over the log: what the decided commands have made of the view so far, equal at all members.
 
-Plain values; `applying` is the only code that makes one from another. They are what a member that was away for long is
-sent. Everything else that is agreed is made of the notes of the log by the host (`fleet.replica`).
+Plain values; only `table_transitions` makes one from another. A member that was away for long is sent them. The host
+makes everything else that is agreed from the notes of the log (`fleet.replica`).
 """
 
 from __future__ import annotations
@@ -12,7 +12,7 @@ from kitrobot.team.charter import Charter
 from kitrobot.team.commands import Seat
 
 
-class Applied(NamedTuple):
+class LastCommand(NamedTuple):
     """Which life of a member the view knows, and its last command that took effect."""
 
     life: int
@@ -32,10 +32,10 @@ class Tables(NamedTuple):
     """
 
     view: View
-    applied: tuple[Applied, ...]
+    applied: tuple[LastCommand, ...]
 
 
-def first_tables(charter: Charter) -> Tables:
+def initial_tables(charter: Charter) -> Tables:
     """The tables before the first decision: all members in their first life."""
     seats = tuple(Seat(member, 0) for member in range(charter.members))
-    return Tables(View(0, seats), (Applied(0, 0),) * charter.members)
+    return Tables(View(0, seats), (LastCommand(0, 0),) * charter.members)

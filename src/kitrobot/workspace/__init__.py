@@ -38,7 +38,7 @@ if TYPE_CHECKING:
     from kitrobot.workspace.previews import Preview, Previews
     from kitrobot.workspace.program_report import ProgramReport
     from kitrobot.workspace.replay import state_at, summary_of
-    from kitrobot.workspace.robot_programs import board_program, load_board_program, look_at_boards, send_program
+    from kitrobot.workspace.robot_programs import board_program, load_board_program, scan_boards, send_program
     from kitrobot.workspace.robots import find_robot
     from kitrobot.workspace.run_hints import advice
     from kitrobot.workspace.running import PreparedRun, Run, RunOptions, Timing
@@ -78,7 +78,7 @@ else:
             "previews": ("Preview", "Previews"),
             "program_report": ("ProgramReport",),
             "replay": ("state_at", "summary_of"),
-            "robot_programs": ("board_program", "load_board_program", "look_at_boards", "send_program"),
+            "robot_programs": ("board_program", "load_board_program", "scan_boards", "send_program"),
             "robots": ("find_robot",),
             "run_hints": ("advice",),
             "search_path": ("SearchPath",),
@@ -151,7 +151,6 @@ __all__ = [
     "kits_at_hand",
     "load_board_program",
     "load_executable",
-    "look_at_boards",
     "make_variable",
     "merge_checked",
     "merge_files",
@@ -166,6 +165,7 @@ __all__ = [
     "read_mission_data",
     "read_world_file",
     "run_fleet",
+    "scan_boards",
     "send_program",
     "send_team",
     "shipped_examples",

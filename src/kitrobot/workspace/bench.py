@@ -14,7 +14,7 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 
 from kitrobot.compiler import compile_text
-from kitrobot.deploy import Package, PackageError, look_at_parts
+from kitrobot.deploy import Package, PackageError, parts_on_kit
 from kitrobot.diagnostics import KitRobotError, Source
 from kitrobot.primitives import Category, Kit, Method, Robot, RobotObject, Texts, number_variable
 from kitrobot.primitives import Kind as MethodKind
@@ -147,7 +147,7 @@ def _there(
     package = Package((config_folder(), *([folder] if folder is not None else [])))
     there: list[RobotObject] = []
     left_out: list[tuple[RobotObject, str]] = []
-    for part, looked in zip(parts, look_at_parts(robot, kit, package, None), strict=True):
+    for part, looked in zip(parts, parts_on_kit(robot, kit, package, None), strict=True):
         if looked.is_missing:
             why = looked.found.help if looked.found is not None else {}
             left_out.append((part, Label("", why) or Sentence("the kit `{kit}` has none", kit.name)))

@@ -18,7 +18,7 @@ from kitrobot import robots
 from kitrobot.deploy import list_ports
 from kitrobot.diagnostics import KitRobotError, Place
 from kitrobot.files import read_text
-from kitrobot.robots import BoardProgram, Progress, Sent
+from kitrobot.robots import BoardProgram, Progress, SendResult
 from kitrobot.text import COMMA, Sentence, Series, did_you_mean, listed, name_form
 from kitrobot.workspace.board_labels import LabelError, clean_label, label_key, labels_of
 from kitrobot.workspace.kept_firmware import keep_firmware
@@ -67,7 +67,7 @@ class SetResult:
     """What became of a board of the set."""
 
     member: Member
-    sent: Sent | None
+    sent: SendResult | None
 
     @property
     def error(self) -> KitRobotError | None:

@@ -14,8 +14,8 @@ from kitrobot.fleet import (
     VARIABLE,
     Agents,
     Channel,
+    FleetCallbacks,
     FleetRun,
-    FleetTold,
     Network,
     TeamProcess,
     find_key,
@@ -67,7 +67,7 @@ class FleetPlan:
         return words
 
 
-def run_fleet(simulation: Simulation, plan: FleetPlan, agents: Agents, told: FleetTold) -> FleetRun:
+def run_fleet(simulation: Simulation, plan: FleetPlan, agents: Agents, callbacks: FleetCallbacks) -> FleetRun:
     """Starts the agents of a plan and lets the run go on to its end.
 
     Raises:
@@ -80,13 +80,13 @@ def run_fleet(simulation: Simulation, plan: FleetPlan, agents: Agents, told: Fle
     channel = Channel(plan.network, TEAM_PROCESS, secret)
     try:
         where = plan.network.connect or plan.network.listen
-        told.say("", Sentence("the team is at {endpoints}", ", ".join(where)))
+        callbacks.on_message("", Sentence("the team is at {endpoints}", ", ".join(where)))
         for name in plan.names:
             agents.start(name, plan.words(name), {VARIABLE: made} if plan.key is None else {})
-        team = TeamProcess(simulation, channel, plan.lease_ms, plan.pace, agents.ended, told)
+        team = TeamProcess(simulation, channel, plan.lease_ms, plan.pace, agents.ended, callbacks)
         team.gather(plan.wait_s)
-        if not told.is_over():
-            told.say("", Sentence("all agents are there"))
+        if not callbacks.is_over():
+            callbacks.on_message("", Sentence("all agents are there"))
         return team.run()
     finally:
         channel.close()

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from contextlib import suppress
 
-from kitrobot.deploy import Deployed, Hello
+from kitrobot.deploy import DeployResult, Hello
 from kitrobot.files import FileError
 from kitrobot.workspace.kept_maps import read_map, write_map
 
@@ -17,7 +17,7 @@ _KEPT = 200
 """Boards that are remembered; the oldest go."""
 
 
-def keep_firmware(address: str, done: Deployed) -> None:
+def keep_firmware(address: str, done: DeployResult) -> None:
     """Keeps what a board said when it was sent to, where that can be."""
     if not done.micropython:
         return

@@ -13,7 +13,7 @@ from dataclasses import asdict, replace
 from typing import Any
 
 from kitrobot.files import FileError, write_atomic
-from kitrobot.robots import NAME_ON_ROBOT, BoardNames, BoardProgram, Carried, Known
+from kitrobot.robots import NAME_ON_ROBOT, BoardNames, BoardProgram, InstalledProgram, RecordingContext
 from kitrobot.trace import TracePart
 from kitrobot.user_folders import state_folder
 
@@ -25,10 +25,10 @@ _MOST_BYTES = 20_000_000
 """Of what is kept of one program: more is no mission that a board runs."""
 
 
-def kept_program(called: str) -> Known | None:
+def kept_program(called: str) -> InstalledProgram | None:
     """What was kept of a program, by what a robot calls it; None when it was not sent from here."""
     names = kept_names(called)
-    return Known(names, kept_carried(called)) if names is not None else None
+    return InstalledProgram(names, kept_carried(called)) if names is not None else None
 
 
 def keep_program(program: BoardProgram, called: Iterable[str]) -> None:
@@ -36,7 +36,7 @@ def keep_program(program: BoardProgram, called: Iterable[str]) -> None:
     names = tuple(called)
     if names:
         keep_names(program.names, names)
-        keep_carried(program.carried, names)
+        keep_carried(program.recording_context, names)
 
 
 def keep_names(names: BoardNames, called: Iterable[str]) -> None:
@@ -72,7 +72,7 @@ def kept_names(called: str) -> BoardNames | None:
         return None
 
 
-def keep_carried(carried: Carried | None, called: Iterable[str]) -> None:
+def keep_carried(carried: RecordingContext | None, called: Iterable[str]) -> None:
     """Keeps it for later, where that can be, beside the names; `called`: what robots call the program."""
     folder = state_folder() / "boards"
     text = json.dumps(asdict(carried), ensure_ascii=False) if carried is not None else ""
@@ -89,14 +89,14 @@ def keep_carried(carried: Carried | None, called: Iterable[str]) -> None:
                 path.unlink(missing_ok=True)
 
 
-def kept_carried(called: str) -> Carried | None:
+def kept_carried(called: str) -> RecordingContext | None:
     """What was kept of a program, by what a robot calls it; None when nothing was."""
     if not NAME_ON_ROBOT.fullmatch(called):
         return None
     try:
         path = state_folder() / "boards" / f"{called}{_ENDING}"
         found: Any = json.loads(path.read_text(encoding="utf-8"))
-        return Carried(
+        return RecordingContext(
             str(found["mission"]),
             str(found["world"]),
             tuple(TracePart(str(part["file"]), str(part["text"])) for part in found["parts"]),

@@ -8,7 +8,7 @@ from functools import partial
 from pathlib import Path
 
 from kitrobot.compiler import Compiled, compile_program, compile_text, robot_of
-from kitrobot.deploy import Package, PartOnKit, look_at_parts
+from kitrobot.deploy import Package, PartOnKit, parts_on_kit
 from kitrobot.diagnostics import KitRobotError
 from kitrobot.files import read_text
 from kitrobot.graph import Program
@@ -106,4 +106,4 @@ def _looked_at(
     name: str, robot: Robot, compiled: Compiled | None, kit: Kit, package: Package, problem: KitRobotError | None
 ) -> ProgramOnKit:
     image = compiled.image if compiled is not None else None
-    return ProgramOnKit(name, robot.name, tuple(look_at_parts(robot, kit, package, image)), problem)
+    return ProgramOnKit(name, robot.name, tuple(parts_on_kit(robot, kit, package, image)), problem)

@@ -12,14 +12,14 @@ from kitrobot.diagnostics import Diagnostic, KitRobotError, ProblemsError, Sourc
 from kitrobot.files import Form, find_mission, form_of, is_picture, read_text
 from kitrobot.primitives import Kit, Robot
 from kitrobot.robots import (
+    BoardContents,
     BoardProgram,
     Progress,
-    Seen,
-    Sent,
-    Waits,
-    carried_by,
+    SendResult,
+    WaitListener,
     program_of,
-    warn_of_sharing,
+    recording_context_of,
+    warn_of_shared_variables,
 )
 from kitrobot.text import Sentence
 from kitrobot.workspace.executables import NoRobotError
@@ -70,7 +70,7 @@ def load_board_program(
     meant = find_robot(robot, path.parent)
     source = Source(str(path), read_text(path))
     compiled = compile_text(source.text, meant, source.name)
-    found = (*compiled.diagnostics, *warn_of_sharing(path.stem, meant, compiled))
+    found = (*compiled.diagnostics, *warn_of_shared_variables(path.stem, meant, compiled))
     return ready_program(path.stem, meant, compiled, found, (source,), path.parent, kit=built_of)
 
 
@@ -103,13 +103,15 @@ def board_program(
         )
     compiled = opened.compiled.get(meant.name) or compile_program(meant, opened.catalogue)
     robot = robot_of(meant, opened.catalogue)
-    shared = warn_of_sharing(meant.name, robot, compiled)
+    shared = warn_of_shared_variables(meant.name, robot, compiled)
     found = tuple(opened.placed([*opened.diagnostics, *compiled.diagnostics, *shared]))
     beside = folder or (opened.path.parent if opened.path is not None else None)
     ready = ready_program(meant.name, robot, compiled, found, opened.sources, beside, kit=kit)
     if opened.world is None:
         return ready  # a recording would embed the world
-    return replace(ready, carried=carried_by(opened.mission, opened.world, parts_of(opened), robot, compiled))
+    return replace(
+        ready, recording_context=recording_context_of(opened.mission, opened.world, parts_of(opened), robot, compiled)
+    )
 
 
 def ready_program(
@@ -143,7 +145,7 @@ def send_program(
     *,
     replace: bool = False,
     fresh: bool = False,
-) -> list[Sent]:
+) -> list[SendResult]:
     """As `robots.send_program`; what was sent is kept, so that its names are known later."""
     sent = robots.send_program(program, addresses, progress, replace=replace, fresh=fresh)
     keep_program(program, {one.deployed.program for one in sent if one.deployed is not None})
@@ -153,14 +155,14 @@ def send_program(
     return sent
 
 
-def look_at_boards(addresses: Sequence[str] = (), waits: Waits = lambda address: None) -> list[Seen]:
-    """As `robots.look_at_boards`, with the names of programs that were sent from here."""
+def scan_boards(addresses: Sequence[str] = (), waits: WaitListener = lambda address: None) -> list[BoardContents]:
+    """As `robots.scan_boards`, with the names of programs that were sent from here."""
 
     def name_of(installed: str) -> str:
         names = kept_names(installed)
         return names.program if names is not None else ""
 
-    seen = robots.look_at_boards(addresses, waits, name_of)
+    seen = robots.scan_boards(addresses, waits, name_of)
     return [
         replace(one, micropython=kept_firmware(one.port.address, one.hello)) if one.hello is not None else one
         for one in seen

@@ -10,7 +10,7 @@ from kitrobot import robots
 from kitrobot.compiler import Compiled, robot_of
 from kitrobot.diagnostics import KitRobotError, ProblemsError
 from kitrobot.primitives import Kit, Robot, with_team
-from kitrobot.robots import BoardProgram, Progress, Sent, carried_by
+from kitrobot.robots import BoardProgram, Progress, SendResult, recording_context_of
 from kitrobot.text import Sentence, did_you_mean, listed
 from kitrobot.workspace.kept_programs import keep_program
 from kitrobot.workspace.opening import OpenMission
@@ -57,7 +57,9 @@ def agent_program(opened: OpenMission, name: str, folder: Path | None = None, ki
     ready = ready_program(program.name, robot, compiled, found, opened.all_sources, beside, member=True, kit=kit)
     if opened.world is None or compiled is None:
         return ready
-    return replace(ready, carried=carried_by(opened.mission, opened.world, parts_of(opened), robot, compiled))
+    return replace(
+        ready, recording_context=recording_context_of(opened.mission, opened.world, parts_of(opened), robot, compiled)
+    )
 
 
 def send_team(
@@ -68,7 +70,7 @@ def send_team(
     replace: bool = False,
     fresh: bool = False,
     kit: Kit | None = None,
-) -> list[Sent]:
+) -> list[SendResult]:
     """Puts the programs of agents onto their boards, which then wait for `kitrobot team`; none of them is started.
 
     Args:

@@ -9,7 +9,7 @@ from pathlib import Path
 
 from kitrobot.deploy import Hello, connect
 from kitrobot.diagnostics import expect_output
-from kitrobot.robots import Known, NoBoardError, NoRecordingError, RecordedBoard, RobotRecorder, WatchedRobot
+from kitrobot.robots import InstalledProgram, NoBoardError, NoRecordingError, RecordedBoard, RobotRecorder, WatchedRobot
 from kitrobot.text import Sentence
 from kitrobot.workspace.kept_programs import kept_program
 from kitrobot.workspace.robot_programs import load_board_program
@@ -17,7 +17,7 @@ from kitrobot.workspace.robot_programs import load_board_program
 
 def known_program(
     hello: Hello, mission: Path | None = None, program: str | None = None, robot: str | None = None
-) -> Known | None:
+) -> InstalledProgram | None:
     """What runs on a robot: a program of the mission that is named, else what was kept when it was sent.
 
     `robot`: what an `.lll` is for, which does not say so itself.
@@ -69,7 +69,7 @@ def record_robots(path: Path, watched: Sequence[WatchedRobot], mission: Path | N
     expect_output(path, mission)
     boards = []
     for one in watched:
-        if one.known is None or one.known.carried is None:
+        if one.known is None or one.known.recording_context is None:
             raise NoRecordingError(
                 Sentence(
                     "a recording brings its mission along, and of what `{address}` runs none is known here", one.address
@@ -78,7 +78,7 @@ def record_robots(path: Path, watched: Sequence[WatchedRobot], mission: Path | N
                     "name the mission with --mission; a program that is no mission yet, `kitrobot convert` makes one"
                 ),
             )
-        boards.append(RecordedBoard(one.address.rpartition("://")[2], one.known.names, one.known.carried))
+        boards.append(RecordedBoard(one.address.rpartition("://")[2], one.known.names, one.known.recording_context))
     recorder = RobotRecorder(path, boards)
     for number, one in enumerate(watched):
         one.session.subscribe(partial(recorder.robot_changed, number))

@@ -2,7 +2,7 @@
 
 Each module is a script: each statement is a piece that is compiled, run and released by itself, because a small board
 does it while a program runs. Its globals are `robot`, the list of `kitrobot_onboard.state`, the functions of the loop,
-`gc` and `struct`. The first piece that sets TOLD, kind and payload of the answer, is the last that is run.
+`gc` and `struct`. The first piece that sets ANSWER, kind and payload of the answer, is the last that is run.
 """
 
 REQUESTS = {

@@ -1,7 +1,7 @@
 # Clamps forced inputs to their ranges.
 
-from kitrobot_onboard.state import KIND, TOLD
+from kitrobot_onboard.state import ANSWER, KIND
 
 clamp(robot)
 if robot[KIND] == "f":
-    robot[TOLD] = 0
+    robot[ANSWER] = 0

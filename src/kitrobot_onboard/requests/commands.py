@@ -1,10 +1,10 @@
 # A tick on request, and its commands.
 
-from kitrobot_onboard.state import CELLS, COUNT, DATA, FAILED, KINDS, OUT, PARS, STATE, STEPS, TOLD
+from kitrobot_onboard.state import ANSWER, CELLS, COUNT, DATA, FAILED, KINDS, OUT, PARS, STATE, STEPS
 
 robot[STEPS] = 2
 if robot[FAILED]:
-    robot[TOLD] = 5
+    robot[ANSWER] = 5
 number = 0
 if robot[CELLS][0]:
     number = 1
@@ -19,4 +19,4 @@ for at in range(0, len(robot[OUT]), robot[PARS][3]):
         for count in range(robot[KINDS][number] // 2):
             at += 1
             robot[DATA] += struct.pack("<i", robot[OUT][at])
-robot[TOLD] = b"C" + robot[DATA]
+robot[ANSWER] = b"C" + robot[DATA]

@@ -1,12 +1,12 @@
 # Forces an input to a value, or releases it.
 
-from kitrobot_onboard.state import CELLS, DATA, FORCED, INPUTS, SENSORS, TOLD
+from kitrobot_onboard.state import ANSWER, CELLS, DATA, FORCED, INPUTS, SENSORS
 
 if len(robot[DATA]) != 6:
-    robot[TOLD] = 3
+    robot[ANSWER] = 3
 number = robot[DATA][0]
 if not 0 < number <= robot[INPUTS]:
-    robot[TOLD] = 2
+    robot[ANSWER] = 2
 if number in robot[FORCED]:
     robot[FORCED].remove(number)
     for device in robot[SENSORS]:

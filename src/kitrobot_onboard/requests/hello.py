@@ -1,9 +1,9 @@
 # Identity and state of the robot.
 
-from kitrobot_onboard.state import COUNT, DATA, FAULT, LATE, NAMES, STATE, TOLD
+from kitrobot_onboard.state import ANSWER, COUNT, DATA, FAULT, LATE, NAMES, STATE
 
 if len(robot[DATA]) != 1:
-    robot[TOLD] = 3
+    robot[ANSWER] = 3
 number = robot[FAULT][0]
 if robot[STATE] != 4:
     number = 0
@@ -15,4 +15,4 @@ if hasattr(gc, "mem_free"):
 robot[DATA] += struct.pack("<i", number)
 number = min(robot[LATE], 65535)
 robot[DATA] += struct.pack("<i", robot[COUNT]) + struct.pack("<H", number)
-robot[TOLD] = b"H" + robot[DATA] + robot[NAMES]
+robot[ANSWER] = b"H" + robot[DATA] + robot[NAMES]

@@ -2,8 +2,8 @@
 
 import os
 
-from kitrobot_onboard.state import TOLD
+from kitrobot_onboard.state import ANSWER
 
 if "krt" in os.listdir():
     os.remove("krt")
-robot[TOLD] = 0
+robot[ANSWER] = 0

@@ -1,9 +1,9 @@
 # The last fault. Its device is a list (an actuator), a tuple (a sensor), or text when it could not be made.
 
-from kitrobot_onboard.state import DATA, FAULT, TOLD
+from kitrobot_onboard.state import ANSWER, DATA, FAULT
 
 if robot[DATA]:
-    robot[TOLD] = 3
+    robot[ANSWER] = 3
 number, count, device, at = robot[FAULT]
 if number in (0, 3, 6):
     text = ""
@@ -17,5 +17,5 @@ if isinstance(device, list):
     device = "a%d " % device[6]
 text = (device or "") + text
 robot[DATA] = bytes((number, at & 255, at >> 8)) + struct.pack("<i", count)
-robot[TOLD] = b"F" + robot[DATA] + bytes(text[:60], "utf8")
+robot[ANSWER] = b"F" + robot[DATA] + bytes(text[:60], "utf8")
 device = text = None

@@ -1,7 +1,7 @@
 # A tick of a member of a team. Its functions are there when the program is one of a team.
 
-from kitrobot_onboard.state import STEPS, TOLD
+from kitrobot_onboard.state import ANSWER, STEPS
 
 take_order(robot)
 if robot[STEPS]:
-    robot[TOLD] = tell_changes(robot)
+    robot[ANSWER] = tell_changes(robot)

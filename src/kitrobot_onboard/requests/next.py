@@ -1,13 +1,13 @@
 # Forces inputs, before a tick on request.
 
-from kitrobot_onboard.state import CELLS, DATA, FORCED, INPUTS, TOLD
+from kitrobot_onboard.state import ANSWER, CELLS, DATA, FORCED, INPUTS
 
 if len(robot[DATA]) % 5:
-    robot[TOLD] = 3
+    robot[ANSWER] = 3
 for at in range(0, len(robot[DATA]), 5):
     number = robot[DATA][at]
     if not 0 < number <= robot[INPUTS]:
-        robot[TOLD] = 2
+        robot[ANSWER] = 2
 for at in range(0, len(robot[DATA]), 5):
     number = robot[DATA][at]
     at = robot[DATA][at + 1 : at + 5]

@@ -1,8 +1,8 @@
-# Starts the news (see `telling`).
+# Starts the news (see `reports`).
 
-from kitrobot_onboard.state import DATA, EVERY, SINCE, TELL, TICKS, TOLD
+from kitrobot_onboard.state import ANSWER, DATA, EVERY, REPORTS, SINCE, TICKS
 
 robot[SINCE] = robot[TICKS]()
 robot[EVERY] = struct.unpack("<H", robot[DATA])[0]
-robot[TELL].append(tell_news)
-robot[TOLD] = 0
+robot[REPORTS].append(tell_news)
+robot[ANSWER] = 0

@@ -1,6 +1,7 @@
 # Back to the program's first instruction; after `n`, for a tick on request.
 
 from kitrobot_onboard.state import (
+    ANSWER,
     CELLS,
     COUNT,
     DATA,
@@ -21,14 +22,13 @@ from kitrobot_onboard.state import (
     STEPS,
     THREADS,
     TICKS,
-    TOLD,
 )
 
 if robot[KIND] == "s" and robot[DATA] not in (b"\0", b"\1", b"\2"):
-    robot[TOLD] = 3
+    robot[ANSWER] = 3
 robot[STEPS] = 3  # all devices are stopped now
 if robot[FAILED]:
-    robot[TOLD] = 5
+    robot[ANSWER] = 5
 at = robot[INPUTS]
 for number in robot[FIRST]:
     at += 1
@@ -46,7 +46,7 @@ for count in range(at[1]):
 for count in range(at[2]):
     at[number] = 0
     number += 3
-robot[NEWS] = b""  # all is told anew
+robot[NEWS] = b""  # everything is reported anew
 robot[SPOT] = 0
 for number in range(len(robot[SENT] or b"")):
     robot[SENT][number] = -2
@@ -60,4 +60,4 @@ robot[HELD] = False
 robot[DUE] = robot[TICKS]()
 if robot[KIND] == "s":
     robot[HELD] = robot[DATA] != b"\0"
-    robot[TOLD] = 0
+    robot[ANSWER] = 0

@@ -1,15 +1,15 @@
 # Starts or ends the news.
 
-from kitrobot_onboard.state import CODE, DATA, EVERY, KIND, NEWS, PARS, SEEN, SENT, SPOT, TELL, TOLD, VISIBLE
+from kitrobot_onboard.state import ANSWER, CODE, DATA, EVERY, KIND, NEWS, PARS, REPORTS, SEEN, SENT, SPOT, VISIBLE
 
 if len(robot[DATA]) != 2:
-    robot[TOLD] = 3
+    robot[ANSWER] = 3
 if robot[EVERY]:
-    robot[TELL].remove(tell_news)
+    robot[REPORTS].remove(tell_news)
 robot[SEEN] = robot[SENT] = robot[NEWS] = b""
 robot[SPOT] = robot[EVERY] = 0
 if robot[DATA] == b"\0\0":
-    robot[TOLD] = 0
+    robot[ANSWER] = 0
 number = robot[PARS][0] + robot[VISIBLE]
 robot[SENT] = [-2] * number
 number = len(robot[CODE]) // 4

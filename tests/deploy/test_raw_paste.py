@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import pytest
 
-from kitrobot.deploy.modern import tell_at_once
+from kitrobot.deploy.raw_paste import run_by_raw_paste
 from kitrobot.deploy.repl import GarbledError
-from tests.deploy.pretended import PretendedLine
+from tests.deploy.fake_boards import FakeLine
 
 PROMPT = {b"\r\x03\x01": [(0.0, b">")]}
 
@@ -16,13 +16,13 @@ def test_what_the_transport_did_not_expect_is_an_error_and_nothing_is_printed(
 ) -> None:
     answers = PROMPT | {b"\x05A\x01": [(0.0, b"??")]}
     with pytest.raises(GarbledError, match="raw repl"):
-        tell_at_once(PretendedLine(lambda data: answers.get(data, [])), "s=1")
+        run_by_raw_paste(FakeLine(lambda data: answers.get(data, [])), "s=1")
     assert capsys.readouterr().out == ""
 
 
 def test_what_was_lost_is_given_up_by_the_clock_of_the_line_and_soon() -> None:
     answers = PROMPT | {b"\x05A\x01": [(0.0, b"R\x01\x80\x00\x01")]}
-    line = PretendedLine(lambda data: answers.get(data, []))
+    line = FakeLine(lambda data: answers.get(data, []))
     with pytest.raises(GarbledError, match="raw paste"):
-        tell_at_once(line, "s=1")
+        run_by_raw_paste(line, "s=1")
     assert 1 < line.now() < 3

@@ -12,8 +12,8 @@ from threading import Event
 from kitrobot.deploy.board import Board, Hello
 from kitrobot.deploy.errors import SilentError
 from kitrobot.deploy.line import Line
-from kitrobot.deploy.patience import ANSWER_S, SILENT_S, STARTING_S, Patience
 from kitrobot.deploy.refusals import refusal, silent
+from kitrobot.deploy.retry_timer import ANSWER_S, SILENT_S, STARTING_S, RetryTimer
 from kitrobot_onboard import link
 
 HELLO = b""
@@ -21,7 +21,7 @@ LEAVE = b"\r\x02"
 """Gives the prompt, from the raw REPL too."""
 
 _FILL = b" " * 512
-"""Who takes text in raw paste mode asks for more after so much, with 0x01."""
+"""A board in raw paste mode requests more after so much, with 0x01."""
 
 _MORE = b"\x01"
 _OUT_OF_PASTE = b"\x03" + LEAVE
@@ -30,27 +30,29 @@ _START = b"\x04"
 _PROMPT = b">>> "
 _MOST = 4000
 _AFTER_S = 2.0
-"""Who has not answered by then is waited for noticeably."""
+"""After so long without an answer, a person notices the wait."""
 
-_SAID = (HELLO, HELLO, LEAVE, HELLO, _FILL, HELLO)
+_SEQUENCE = (HELLO, HELLO, LEAVE, HELLO, _FILL, HELLO)
 STARTS = (LEAVE, HELLO, HELLO)
-"""What a board hears again and again that is to start its program."""
+"""What is sent again and again to a board that is to start its program."""
 
-Waits = Callable[[], None]
-"""Is told once that no answer came at once."""
+WaitListener = Callable[[], None]
+"""Called once when no answer came at once."""
 
 
 def _nothing() -> None:
-    """Nobody wants to know."""
+    """Does nothing."""
 
 
-def connect(address: str, silent_s: float = SILENT_S, waits: Waits = _nothing, over: Event | None = None) -> Board:
+def connect(
+    address: str, silent_s: float = SILENT_S, waits: WaitListener = _nothing, over: Event | None = None
+) -> Board:
     """Connects to a board that runs KitRobot; one that stands at its Python prompt is started first.
 
     Args:
         address: a port or URL.
         silent_s: seconds without a word after which nobody is there.
-        waits: is told when it takes a while.
+        waits: called when it takes a while.
         over: once it is set, nothing is waited for any more, also later on this board.
 
     Raises:
@@ -72,9 +74,9 @@ def connect(address: str, silent_s: float = SILENT_S, waits: Waits = _nothing, o
 def greet(
     board: Board,
     silent_s: float = SILENT_S,
-    waits: Waits = _nothing,
+    waits: WaitListener = _nothing,
     *,
-    said: Sequence[bytes] = _SAID,
+    sequence: Sequence[bytes] = _SEQUENCE,
     starting_s: float = STARTING_S,
 ) -> Hello:
     """Greets until the board answers; its `hello` is there then.
@@ -82,44 +84,44 @@ def greet(
     Args:
         board: on an open line, not greeted yet.
         silent_s: seconds without a word after which nobody is there.
-        waits: is told when it takes a while.
-        said: what is said in its turn, HELLO or bytes.
+        waits: called when it takes a while.
+        sequence: what is sent in turn, HELLO or bytes.
         starting_s: the same as `silent_s`, for a program that is started here.
 
     Raises:
         SilentError: nobody answers; `printed` is what a program said that was started in vain.
         BoardError: the board says no, or speaks another version.
     """
-    return _Greeting(board, Patience(board.line.now, silent_s=silent_s), waits, starting_s).answered(said)
+    return _Handshake(board, RetryTimer(board.line.now, silent_s=silent_s), waits, starting_s).run(sequence)
 
 
-class _Greeting:
-    def __init__(self, board: Board, patience: Patience, waits: Waits, starting_s: float) -> None:
+class _Handshake:
+    def __init__(self, board: Board, patience: RetryTimer, waits: WaitListener, starting_s: float) -> None:
         self.board = board
         self.patience = patience
         self.waits = waits
         self.starting_s = starting_s
         self.last = HELLO
-        """What was said last."""
+        """What was sent last."""
 
         self.until = 0.0
-        """When something is said again."""
+        """When something is sent again."""
 
         self.heard = b""
-        """The end of what came since the board was asked to start its program, or since the beginning."""
+        """The end of what came since the board was to start its program, or since the beginning."""
 
         self.begun = self.filled = self.received = False
-        """Whether its program was started here, raw paste mode was looked for, it answered as who takes files."""
+        """Whether its program was started here, raw paste mode was looked for, it answered as a receiver of files."""
 
-    def answered(self, said: Sequence[bytes]) -> Hello:
+    def run(self, sequence: Sequence[bytes]) -> Hello:
         board, now, began, turn = self.board, self.board.line.now, self.board.line.now(), 0
         board.number_anew()
         while wait := self.patience.wait():
             if now() - began > _AFTER_S:
                 self.waits()
                 self.waits = _nothing
-            turns = STARTS if self.begun else said
-            self._say(turns[turn % len(turns)], wait)
+            turns = STARTS if self.begun else sequence
+            self._send(turns[turn % len(turns)], wait)
             turn += 1
             while True:
                 left = self.until - now()
@@ -139,9 +141,9 @@ class _Greeting:
                     self._stop_receiving()
                 if left <= 0 or self.patience.left() <= 0:
                     break  # who talks for ever is listened to no longer
-        raise self._nobody()
+        raise self._silent_error()
 
-    def _say(self, data: bytes, wait_s: float = ANSWER_S) -> None:
+    def _send(self, data: bytes, wait_s: float = ANSWER_S) -> None:
         self.last = data
         self.filled |= data == _FILL
         self.until = self.patience.now() + wait_s
@@ -156,9 +158,9 @@ class _Greeting:
         if self.received:
             self.board.line.write(_STOP_RECEIVING)
             self.board.line.drain(0.2)
-            self._say(LEAVE)
+            self._send(LEAVE)
         else:
-            self._say(HELLO)
+            self._send(HELLO)
         self.received = not self.received
 
     def _read_text(self) -> None:
@@ -166,21 +168,21 @@ class _Greeting:
         text = self.heard
         if self.filled and text and not text.strip(_MORE):
             self.heard = b""
-            self._say(_OUT_OF_PASTE)
+            self._send(_OUT_OF_PASTE)
         elif text.endswith(_PROMPT):
             if self.begun and b"reboot" in text:
-                raise self._nobody()  # what it starts has come to an end, so it is not ours
+                raise self._silent_error()  # what it starts has come to an end, so it is not ours
             if self.last in (LEAVE, _OUT_OF_PASTE):
                 if not self.begun:
-                    self.patience = Patience(self.patience.now, silent_s=self.starting_s)
+                    self.patience = RetryTimer(self.patience.now, silent_s=self.starting_s)
                 self.begun = True
                 self.heard = b""
-                self._say(_START)
+                self._send(_START)
             elif self.last != _START:
                 self.heard = b""
-                self._say(LEAVE)
+                self._send(LEAVE)
 
-    def _nobody(self) -> SilentError:
+    def _silent_error(self) -> SilentError:
         error = silent(self.board.line.address)
         if self.begun:
             error.printed = self.heard.decode(errors="replace").replace("\r\n", "\n")

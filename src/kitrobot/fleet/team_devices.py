@@ -27,12 +27,12 @@ from kitrobot.sim.devices import sensors, team, team_answer, work, work_left
 from kitrobot.sim.dispatch import AGREES
 from kitrobot.sim.team_columns import T_ACTUATOR, T_AT, T_ROLE
 
-Wish = tuple[int, int, int]
+NoteRequest = tuple[int, int, int]
 """What is to be put into the log: the kind of the note, and its two numbers."""
 
 
 @dataclass
-class TeamLinks:
+class TeamDevices:
     """`Team` and the works of robot `me`, whose machine's cells and outputs are rows of the replica's tables.
 
     Attributes:
@@ -56,7 +56,7 @@ class TeamLinks:
             kind = sensors()[name].kind
             self.banks.append((module, state.sensors.bank[kind], state.sensors.bank[kind + 1]))
 
-    def forget(self) -> None:
+    def reset(self) -> None:
         """The program begins anew."""
         self.waiting.clear()
         self.joins = False
@@ -76,7 +76,7 @@ class TeamLinks:
                 cells[cell] = int(self.is_done(k))
 
     def is_done(self, k: int) -> bool:
-        """Whether an actuator has ended what it was told last."""
+        """Whether an actuator has ended its last command."""
         replica = self.replica
         if k in self.waiting:
             return False
@@ -89,7 +89,7 @@ class TeamLinks:
             return tables.robots[T_ROLE][self.me] >= 0
         return tables.robots[T_AT][self.me] < 0
 
-    def told(self, k: int, row: list[int]) -> Wish | None:
+    def note_for(self, k: int, row: list[int]) -> NoteRequest | None:
         """What a command to one of these actuators asks of the log; `row` are its numbers as the machine gave them."""
         state = self.replica.state
         if not self.replica.is_of_team(self.me):

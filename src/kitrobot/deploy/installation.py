@@ -31,7 +31,7 @@ from kitrobot.deploy.boot_records import (
     read_line,
     tried_generation,
 )
-from kitrobot.deploy.connecting import STARTS, greet
+from kitrobot.deploy.driver_fit import refuse_misfits
 from kitrobot.deploy.errors import (
     BoardError,
     CrampedError,
@@ -42,24 +42,24 @@ from kitrobot.deploy.errors import (
     NoMemoryError,
     SilentError,
 )
-from kitrobot.deploy.firmware import Needs
-from kitrobot.deploy.fitting import refuse_misfits
-from kitrobot.deploy.flash_code import Frozen, sign_of
+from kitrobot.deploy.firmware import FirmwareRequirements
+from kitrobot.deploy.flash_code import FlashBlock, sign_of
 from kitrobot.deploy.flash_install import freeze
 from kitrobot.deploy.flash_room import refuse_what_has_no_room
+from kitrobot.deploy.handshake import STARTS, greet
 from kitrobot.deploy.line import Line
 from kitrobot.deploy.memory import WORKING, refuse_what_does_not_fit
-from kitrobot.deploy.package import MODULE, PROGRAM, Built, Package
-from kitrobot.deploy.patience import STARTING_S
+from kitrobot.deploy.package import MODULE, PROGRAM, BoardPackage, Package
 from kitrobot.deploy.program_file import ProgramFile, program_name, read_program_file
 from kitrobot.deploy.receiver import MICROBIT, Receiver, too_much_lost
 from kitrobot.deploy.repl import GarbledError, RawRepl
+from kitrobot.deploy.retry_timer import STARTING_S
 from kitrobot.deploy.script import board_file
 from kitrobot.text import Sentence, Series
 from kitrobot_onboard.link import checksum
 
 Progress = Callable[[str, int, int], None]
-"""Is told what is going on (`connect`, `compare`, `send`, `start`; `reset`: the board is mute, and a person has to
+"""Called with what is going on (`connect`, `compare`, `send`, `start`; `reset`: the board is mute, and a person has to
 press its reset button), and of how many bytes how many are done."""
 
 _TRIES = 3
@@ -77,8 +77,8 @@ _TRIAL_S = 5.0
 
 
 @dataclass(frozen=True)
-class Deployed:
-    """What was done: `free` bytes of memory are left while the program runs.
+class DeployResult:
+    """The result of a deploy: `free` bytes of memory are left while the program runs.
 
     `program` and `package` by eight digits, as in `Hello`; files by their names on the board; `micropython` is the
     version that the board has.
@@ -103,7 +103,7 @@ class RobotContext:
     with the name of the part in the place of its number.
     """
 
-    needs: Needs | None = None
+    needs: FirmwareRequirements | None = None
     fault_text: Callable[[str], str] = str
 
 
@@ -117,14 +117,14 @@ def deploy(
     fresh: bool = False,
     robot: RobotContext | None = None,
     over: Event | None = None,
-) -> Deployed:
+) -> DeployResult:
     """Puts a program onto a board and starts it.
 
     Args:
         address: a port or URL.
         program: a program file in which drivers have the names that robots' XML gives them.
         package: where drivers are looked for.
-        progress: is told how far it is.
+        progress: called with how far it is.
         replace: whether a `main.py` of somebody else may be overwritten.
         fresh: whether to remove what KitRobot put there first; for boards that have no room for two.
         robot: what is known of the robot that the program is for.
@@ -141,7 +141,7 @@ def deploy(
     progress("connect", 0, 0)
     line = Line(address, over)
     try:
-        job = _Job(line, meant, package, progress, replace, fresh, robot or RobotContext())
+        job = _Installation(line, meant, package, progress, replace, fresh, robot or RobotContext())
         job.insist(job.install)
         hello = job.started()
     except DeployError:
@@ -154,7 +154,7 @@ def deploy(
     finally:
         line.close()
     sent = job.sent
-    return Deployed(
+    return DeployResult(
         job.line.address,
         job.name[len(PROGRAM) :],
         job.built.module[len(MODULE) :],
@@ -170,7 +170,7 @@ def deploy(
 
 
 @dataclass
-class _Job:
+class _Installation:
     line: Line
     program: ProgramFile
     package: Package
@@ -210,14 +210,14 @@ class _Job:
                     raise too_much_lost(self.line.address) from None
 
     def install(self) -> None:
-        """All up to the line that says what starts."""
+        """Everything up to the line that names what starts."""
         board = self.board
         self.progress("compare", 0, 0)
         if self.robot.needs is not None:
             self.robot.needs.refuse_other_board(board.family)
             self.robot.needs.refuse_older(board.micropython)
         family = MICROBIT if board.family == MICROBIT else "machine"
-        self.built: Built = self.package.built(family, self.program.drivers, in_flash=board.is_2016)
+        self.built: BoardPackage = self.package.build(family, self.program.drivers, in_flash=board.is_2016)
         refuse_misfits(self.program, self.package, family)
         content = board_file(self.program, self.built)
         self.name = program_name(content)
@@ -226,8 +226,8 @@ class _Job:
         names = board.names()
         lines = self._lines(names)
         self._guard_main(names, lines)
-        if self.built.frozen is not None and self.new is None:
-            self._refuse_without_room(self.built.frozen, names, lines)
+        if self.built.block is not None and self.new is None:
+            self._refuse_without_room(self.built.block, names, lines)
         if self.fresh and self.new is None:
             # main.py too, which is ours: in the middle of a small flash it leaves no room in one piece.
             removed = [name for name in names if name in (*SLOTS, MAIN, TRIAL) or is_ours(name)]
@@ -244,7 +244,7 @@ class _Job:
         main = not self._holds(names, MAIN, self.built.main)
         self.done = 0
         self.total = 2 * sum(map(len, [*missing.values(), *([self.built.main] if main else [])]))
-        board.told = self._told
+        board.count = self._count
         self.progress("send", 0, self.total)
         self._freeze()
         for name, data in missing.items():
@@ -265,7 +265,7 @@ class _Job:
             self._send(self.slot, self.new.to_bytes(), count=False)
             if generation == 1 and counts is not None:
                 board.remove(counts[0])  # the count begins anew: now, not earlier, this line counts
-        board.told = lambda count: None
+        board.count = lambda count: None
         board.end()
 
     def started(self) -> Hello:
@@ -323,7 +323,7 @@ class _Job:
         board = Board(self.line)
         self._said = self._fault = ""
         try:
-            hello = greet(board, self._patience_s, said=STARTS, starting_s=self._patience_s)
+            hello = greet(board, self._patience_s, sequence=STARTS, starting_s=self._patience_s)
         except NoMemoryError:
             return None
         except SilentError as error:
@@ -372,7 +372,7 @@ class _Job:
         except BoardError:  # it has no memory for that while its program runs
             self.insist(self._end_trial)
             self.board.repl.leave()
-            greet(Board(self.line), self._patience_s, said=STARTS, starting_s=self._patience_s)
+            greet(Board(self.line), self._patience_s, sequence=STARTS, starting_s=self._patience_s)
 
     def _end_trial(self) -> None:
         self.board.remove(TRIAL)
@@ -384,7 +384,7 @@ class _Job:
         tried = tried_generation(self.board.read(TRIAL)) if TRIAL in names else None
         return {slot: line for slot, line in found.items() if line is not None and line.generation != tried}
 
-    def _refuse_without_room(self, one: Frozen, names: list[str], lines: dict[str, StartLine]) -> None:
+    def _refuse_without_room(self, one: FlashBlock, names: list[str], lines: dict[str, StartLine]) -> None:
         """Before anything is removed: what stays is other people's files, and what starts now, unless all is new."""
         wanted = {name: len(data) for name, data in {**self.wanted, MAIN: self.built.main, TRIAL: UNTRIED}.items()}
         staying = {name for name in names if not is_ours(name) and name not in SLOTS}
@@ -442,7 +442,7 @@ class _Job:
 
     def _freeze(self) -> None:
         """Puts into flash what runs from there; what the line that counts needs of that stays."""
-        if (one := self.built.frozen) is not None:
+        if (one := self.built.block) is not None:
             kept = {sign_of(self.old.module)} if self.old is not None and is_ours(f"{self.old.module}.py") else set()
             if sent := freeze(self.board, one, kept):
                 self.sent[one.name] = sent
@@ -457,13 +457,13 @@ class _Job:
                     Sentence("run the command again with --fresh, which empties it of KitRobot's files first"),
                 )
 
-    def _told(self, count: int) -> None:
+    def _count(self, count: int) -> None:
         self.done = min(self.done + count, self.total)
         self.progress("send", self.done, self.total)
 
 
 def _last_line(text: str) -> str:
-    """What went wrong, when Python said so: the last line of a traceback."""
+    """The error, when Python reported one: the last line of a traceback."""
     if "Traceback" not in text:
         return ""
     lines = text[text.index("Traceback") :].splitlines()

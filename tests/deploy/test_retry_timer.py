@@ -7,14 +7,14 @@ import itertools
 import pytest
 
 from kitrobot.deploy import Board, BoardError, News, SilentError
-from kitrobot.deploy.connecting import STARTS, greet
-from kitrobot.deploy.patience import LONGEST_S, SILENT_S, Patience
+from kitrobot.deploy.handshake import STARTS, greet
 from kitrobot.deploy.repl import RawRepl
+from kitrobot.deploy.retry_timer import LONGEST_S, SILENT_S, RetryTimer
 from kitrobot_onboard.link import unwrap, wrap
-from tests.deploy.pretended import Answers, PretendedLine, PretendedRobot, Prompt
+from tests.deploy.fake_boards import Answers, FakeLine, FakePrompt, FakeRobot
 
 
-def greeted(line: PretendedLine) -> Board:
+def greeted(line: FakeLine) -> Board:
     board = Board(line)
     greet(board)
     return board
@@ -22,8 +22,8 @@ def greeted(line: PretendedLine) -> Board:
 
 @pytest.mark.parametrize("takes_s", [0.001, 0.4, 0.9, 2.0, 5.0])
 def test_a_robot_that_answers_late_is_greeted_and_does_once_what_it_is_asked(takes_s: float) -> None:
-    robot = PretendedRobot(takes_s)
-    board = greeted(PretendedLine(robot))
+    robot = FakeRobot(takes_s)
+    board = greeted(FakeLine(robot))
     assert board.hello.program == "12345678"
     robot.done.clear()
     board.start()
@@ -35,7 +35,7 @@ def test_a_robot_that_answers_late_is_greeted_and_does_once_what_it_is_asked(tak
 
 
 def test_who_never_says_a_word_is_silent_after_some_seconds_and_the_person_is_told_meanwhile() -> None:
-    line = PretendedLine(lambda data: ())
+    line = FakeLine(lambda data: ())
     told: list[float] = []
     with pytest.raises(SilentError, match="does not answer"):
         greet(Board(line), waits=lambda: told.append(line.time))
@@ -45,7 +45,7 @@ def test_who_never_says_a_word_is_silent_after_some_seconds_and_the_person_is_to
 
 
 def test_a_robot_that_falls_silent_is_told() -> None:
-    line = PretendedLine(PretendedRobot())
+    line = FakeLine(FakeRobot())
     board = greeted(line)
     line.board = lambda data: ()
     began = line.time
@@ -55,13 +55,13 @@ def test_a_robot_that_falls_silent_is_told() -> None:
 
 
 def test_a_robot_that_tells_news_and_answers_late_is_waited_for_and_one_that_never_answers_is_not() -> None:
-    robot = PretendedRobot(0.01)
+    robot = FakeRobot(0.01)
 
     def busy(data: bytes) -> Answers:
         yield 0.3, wrap("T", 0, bytes(4))
         yield from ((3 * SILENT_S, answer) for _, answer in robot(data))
 
-    line = PretendedLine(robot)
+    line = FakeLine(robot)
     board = greeted(line)
     line.board = busy
     board.set(1, 7)
@@ -75,13 +75,13 @@ def test_a_robot_that_tells_news_and_answers_late_is_waited_for_and_one_that_nev
 
 
 def test_a_line_that_gives_back_what_is_said_is_no_robot() -> None:
-    line = PretendedLine(lambda data: [(0.01, data)])
+    line = FakeLine(lambda data: [(0.01, data)])
     with pytest.raises(SilentError):
         greet(Board(line))
 
 
 def test_an_answer_that_was_on_its_way_since_long_before_stops_no_robot() -> None:
-    robot = PretendedRobot()
+    robot = FakeRobot()
     first = True
 
     def late(data: bytes) -> Answers:
@@ -91,14 +91,14 @@ def test_an_answer_that_was_on_its_way_since_long_before_stops_no_robot() -> Non
             yield 0.0, wrap("K", board._number, b"")
         yield from robot(data)
 
-    line = PretendedLine(late)
+    line = FakeLine(late)
     board = Board(line)
     greet(board)
     assert b"\x03" not in line.said
 
 
 def test_who_takes_files_since_a_deploy_broke_off_is_ended() -> None:
-    started = Prompt(PretendedRobot())
+    started = FakePrompt(FakeRobot())
     ended = False
 
     def receiver(data: bytes) -> Answers:
@@ -106,23 +106,23 @@ def test_who_takes_files_since_a_deploy_broke_off_is_ended() -> None:
         if ended:
             return started(data)
         ended = b"\x03\x03" in data
-        return [(delay, wrap("K", answer_number(answer), b"")) for delay, answer in PretendedRobot()(data)]
+        return [(delay, wrap("K", answer_number(answer), b"")) for delay, answer in FakeRobot()(data)]
 
     def answer_number(answer: bytes) -> int:
         found = unwrap(answer.strip(b"~"))
         assert found is not None
         return found[1]
 
-    assert greeted(PretendedLine(receiver)).hello.program == "12345678"
+    assert greeted(FakeLine(receiver)).hello.program == "12345678"
 
 
 @pytest.mark.parametrize("starts_s", [0.1, 3.0, 25.0])
 def test_at_the_prompt_the_program_is_started_and_waited_for(starts_s: float) -> None:
-    assert greeted(PretendedLine(Prompt(PretendedRobot(), starts_s))).hello.free == 5000
+    assert greeted(FakeLine(FakePrompt(FakeRobot(), starts_s))).hello.free == 5000
 
 
 def test_a_prompt_without_a_program_of_ours_is_known_at_once() -> None:
-    line = PretendedLine(Prompt())
+    line = FakeLine(FakePrompt())
     with pytest.raises(SilentError) as error:
         greet(Board(line))
     assert "reboot" in error.value.printed
@@ -130,12 +130,12 @@ def test_a_prompt_without_a_program_of_ours_is_known_at_once() -> None:
 
 
 def test_a_board_that_was_left_in_raw_paste_mode_is_started() -> None:
-    assert greeted(PretendedLine(Prompt(PretendedRobot(), pasting=True))).hello.free == 5000
+    assert greeted(FakeLine(FakePrompt(FakeRobot(), pasting=True))).hello.free == 5000
 
 
 def test_a_program_of_ones_own_that_is_silent_or_prints_is_never_broken_off() -> None:
     for board in (lambda data: (), lambda data: [(0.01, b"3.7 degrees\r\n")], lambda data: [(0.01, b"\x01\x02")]):
-        line = PretendedLine(board)
+        line = FakeLine(board)
         with pytest.raises(SilentError):
             greet(Board(line))
         outside = b"".join(piece for piece in line.said.split(b"~") if unwrap(piece) is None)
@@ -146,20 +146,20 @@ def test_a_program_of_ones_own_that_is_silent_or_prints_is_never_broken_off() ->
 
 @pytest.mark.parametrize("starts_s", [1.0, 20.0, 100.0])
 def test_a_deployed_program_is_waited_for_as_the_board_is_slow(starts_s: float) -> None:
-    line = PretendedLine(Prompt(PretendedRobot(), starts_s))
-    assert greet(Board(line), 120, said=STARTS, starting_s=120).program == "12345678"
+    line = FakeLine(FakePrompt(FakeRobot(), starts_s))
+    assert greet(Board(line), 120, sequence=STARTS, starting_s=120).program == "12345678"
 
 
 @pytest.mark.parametrize("takes_s", [0.01, 2.0])
 def test_a_held_robot_hears_from_us_often_enough_however_late_it_answers(takes_s: float) -> None:
-    robot = PretendedRobot(takes_s)
+    robot = FakeRobot(takes_s)
     heard: list[float] = []
 
     def held(data: bytes) -> Answers:
         heard.append(line.time)
         return robot(data)
 
-    line = PretendedLine(held)
+    line = FakeLine(held)
     board = greeted(line)
     heard.clear()
     board.start(held=True)
@@ -170,7 +170,7 @@ def test_a_held_robot_hears_from_us_often_enough_however_late_it_answers(takes_s
 
 
 def test_a_start_that_is_refused_holds_nothing() -> None:
-    line = PretendedLine(PretendedRobot(answers={"s": ("N", b"\x01")}))
+    line = FakeLine(FakeRobot(answers={"s": ("N", b"\x01")}))
     board = greeted(line)
     with pytest.raises(BoardError):
         board.start(held=True)
@@ -189,7 +189,7 @@ def test_the_raw_repl_is_entered_however_late_it_answers(takes_s: float) -> None
         elif data.endswith(b"\x04"):
             yield takes_s, b"OK" + data[:-1] + b"\x04\x04>"
 
-    line = PretendedLine(board)
+    line = FakeLine(board)
     repl = RawRepl(line)
     repl.enter()
     assert repl.pace_s >= takes_s
@@ -198,7 +198,7 @@ def test_the_raw_repl_is_entered_however_late_it_answers(takes_s: float) -> None
 
 def test_patience_grows_and_begins_anew_with_each_sign_of_life() -> None:
     time = 0.0
-    patience = Patience(lambda: time, 1.0, 10.0, 60.0, 4.0)
+    patience = RetryTimer(lambda: time, 1.0, 10.0, 60.0, 4.0)
     assert [patience.wait() for _ in range(4)] == [1.0, 2.0, 4.0, 4.0]
     time = 9.0
     assert patience.wait() == 1.0

@@ -24,14 +24,14 @@ def refuse_misfits(file: ProgramFile, package: Package, family: str) -> None:
         if device.driver == UNUSED or device.kind == "t":
             continue
         part = device.part or device.driver
-        says = package.declared(device.driver, family)
+        declaration = package.declared(device.driver, family)
         first = 2 if device.kind == "a" else 3
         settings = dict(word.split("=", 1) for word in device.words[first:])
         procedures = None
         if device.kind == "a":
             procedures = [call.split("/")[0] for call in device.words[1].split(",") if call != "-"]
-        refuse_what_is_not_understood(part, device.driver, says, procedures, settings)
-        for wire in wires_of(says.known(settings), settings):
+        refuse_what_is_not_understood(part, device.driver, declaration, procedures, settings)
+        for wire in wires_of(declaration.known(settings), settings):
             other = wired.get(wire.place)
             if other is not None and other[0] is device:
                 refuse_wire(part, wire, None, Sentence("give one of them another pin in the robot’s XML"))

@@ -1,9 +1,9 @@
-"""What an agent and the world that has its body tell each other: readings there, commands back, in order.
+"""Messages between an agent and the world that has its body: readings there, commands back, in order.
 
 The world sends a `Frame` for each tick, the oldest again and again until it is answered; ticks are made, and answers
 taken, in the order of frames. So each tick is made once and each command given once, however many messages are lost or
 doubled. Some frames may be on their way at the same time (`WINDOW`), so that a slow network does not slow ticks down.
-An answer also tells the world what the log of the team says, so that the world, which is no member, knows who was
+An answer also sends the world what the log of the team contains, so that the world, which is no member, knows who was
 missed.
 """
 
@@ -15,11 +15,11 @@ from typing import Any, TypeVar
 
 from kitrobot.fleet.replica import Effect
 from kitrobot.sim import TickResult
-from kitrobot.team import Noted, Seat, View, Viewed
+from kitrobot.team import AppliedNote, NewView, Seat, View
 from kitrobot.text import Sentence
 from kitrobot.text.json_text import from_json, to_json
 
-Made = TypeVar("Made")
+Decoded = TypeVar("Decoded")
 
 LARGEST = 1 << 53
 MOST_SLOTS = 32
@@ -60,7 +60,7 @@ class Frame:
 
 
 @dataclass(frozen=True, slots=True)
-class Whole:
+class ReplicaSnapshot:
     """A replica after so many slots, as rows of numbers."""
 
     slot: int
@@ -79,8 +79,8 @@ class Reply:
         ticked: what came of the tick; None where there was none.
         writes: shared variables that it wrote, and their values.
         first: the number of the first slot in `slots`.
-        slots: what the log says from there on.
-        whole: instead of slots that are forgotten.
+        slots: the content of the log from there on.
+        snapshot: instead of slots that are forgotten.
     """
 
     serial: int
@@ -91,24 +91,24 @@ class Reply:
     writes: tuple[tuple[int, int], ...] = ()
     first: int = 0
     slots: Slots = field(default=())
-    whole: Whole | None = None
+    snapshot: ReplicaSnapshot | None = None
 
 
-def write_frame(frame: Frame) -> bytes:
+def encode_frame(frame: Frame) -> bytes:
     """A frame as bytes."""
     return to_json(
         [frame.serial, frame.known, int(frame.muted), int(frame.down), frame.inputs, frame.taken, frame.first]
     )
 
 
-def read_frame(data: bytes) -> Frame:
+def decode_frame(data: bytes) -> Frame:
     """The frame that the bytes are.
 
     Raises:
         FrameError: they are none.
     """
 
-    def made(rows: list[Any]) -> Frame:
+    def build(rows: list[Any]) -> Frame:
         serial, known, muted, down, inputs, taken, first = rows
         return Frame(
             _number(serial),
@@ -120,26 +120,26 @@ def read_frame(data: bytes) -> Frame:
             _number(first),
         )
 
-    return _read(data, made)
+    return _decode(data, build)
 
 
-def write_whole(whole: Whole) -> bytes:
+def encode_snapshot(snapshot: ReplicaSnapshot) -> bytes:
     """A replica as bytes."""
-    return to_json([whole.slot, whole.rows])
+    return to_json([snapshot.slot, snapshot.rows])
 
 
-def read_whole(data: bytes) -> Whole:
+def decode_snapshot(data: bytes) -> ReplicaSnapshot:
     """The replica that the bytes are.
 
     Raises:
         FrameError: they are none.
     """
-    return _read(data, _whole)
+    return _decode(data, _snapshot)
 
 
-def write_reply(reply: Reply) -> bytes:
+def encode_reply(reply: Reply) -> bytes:
     """An answer as bytes."""
-    ticked, whole = reply.ticked, reply.whole
+    ticked, snapshot = reply.ticked, reply.snapshot
     return to_json(
         [
             reply.serial,
@@ -150,20 +150,20 @@ def write_reply(reply: Reply) -> bytes:
             reply.writes,
             reply.first,
             [[_plain(effect) for effect in slot] for slot in reply.slots],
-            None if whole is None else [whole.slot, whole.rows],
+            None if snapshot is None else [snapshot.slot, snapshot.rows],
         ]
     )
 
 
-def read_reply(data: bytes) -> Reply:
+def decode_reply(data: bytes) -> Reply:
     """The answer that the bytes are.
 
     Raises:
         FrameError: they are none.
     """
 
-    def made(rows: list[Any]) -> Reply:
-        serial, epoch, held, quiet, ticked, writes, first, slots, whole = rows
+    def build(rows: list[Any]) -> Reply:
+        serial, epoch, held, quiet, ticked, writes, first, slots, snapshot = rows
         return Reply(
             _number(serial),
             _number(epoch),
@@ -173,17 +173,17 @@ def read_reply(data: bytes) -> Reply:
             tuple((_number(variable), _number(value)) for variable, value in writes),
             _number(first),
             tuple(tuple(_effect(one) for one in slot) for slot in slots[:MOST_SLOTS]),
-            None if whole is None else _whole(whole),
+            None if snapshot is None else _snapshot(snapshot),
         )
 
-    return _read(data, made)
+    return _decode(data, build)
 
 
-def _read(data: bytes, made: Callable[[list[Any]], Made]) -> Made:
+def _decode(data: bytes, build: Callable[[list[Any]], Decoded]) -> Decoded:
     try:
         rows = from_json(data)
         if isinstance(rows, list):
-            return made(rows)
+            return build(rows)
     except (ValueError, TypeError, RecursionError):
         pass
     raise FrameError(Sentence("this is no message between an agent and its body"))
@@ -206,13 +206,13 @@ def _ticked(rows: list[Any]) -> TickResult:
     return TickResult(_numbers(cells), _numbers(threads), tuple(map(_numbers, out)))
 
 
-def _whole(rows: list[Any]) -> Whole:
+def _snapshot(rows: list[Any]) -> ReplicaSnapshot:
     slot, table = rows
-    return Whole(_number(slot), tuple(map(_numbers, table)))
+    return ReplicaSnapshot(_number(slot), tuple(map(_numbers, table)))
 
 
 def _plain(effect: Effect) -> list[Any]:
-    if isinstance(effect, Noted):
+    if isinstance(effect, AppliedNote):
         return [0, *effect.seat, *effect.numbers]
     return [1, effect.view.number, *(number for seat in effect.view.seats for number in seat)]
 
@@ -220,5 +220,5 @@ def _plain(effect: Effect) -> list[Any]:
 def _effect(numbers: list[Any]) -> Effect:
     kind, first, *rest = _numbers(numbers)
     if kind == 0:
-        return Noted(Seat(first, rest[0]), tuple(rest[1:]))
-    return Viewed(View(first, tuple(Seat(*pair) for pair in zip(rest[::2], rest[1::2], strict=True))))
+        return AppliedNote(Seat(first, rest[0]), tuple(rest[1:]))
+    return NewView(View(first, tuple(Seat(*pair) for pair in zip(rest[::2], rest[1::2], strict=True))))

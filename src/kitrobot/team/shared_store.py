@@ -39,18 +39,18 @@ class SharedStore:
         return tuple(entry.stamp for entry in self.entries)
 
 
-def first_store(variables: int) -> SharedStore:
+def initial_store(variables: int) -> SharedStore:
     """All variables are 0."""
     return SharedStore(tuple(Entry(variable, FIRST_STAMP, 0) for variable in range(variables)))
 
 
-def written(store: SharedStore, seat: Seat, variable: int, value: int) -> tuple[SharedStore, Entry]:
+def write(store: SharedStore, seat: Seat, variable: int, value: int) -> tuple[SharedStore, Entry]:
     """The store after a write of this seat, which is later than all it knows."""
     entry = Entry(variable, Stamp(store.clock + 1, *seat), value)
     return _with(store, entry), entry
 
 
-def merged(store: SharedStore, entries: Iterable[Entry]) -> tuple[SharedStore, list[Entry], int]:
+def merge(store: SharedStore, entries: Iterable[Entry]) -> tuple[SharedStore, list[Entry], int]:
     """The store with those writes that are later than its own, what has another value now, how many were refused.
 
     Two writes with one stamp are a fault of their writer; the larger value is taken, so that copies are equal still.
@@ -73,7 +73,7 @@ def merged(store: SharedStore, entries: Iterable[Entry]) -> tuple[SharedStore, l
     return store, list(news.values()), refused
 
 
-def later(store: SharedStore, stamps: tuple[Stamp, ...]) -> tuple[Entry, ...]:
+def later_entries(store: SharedStore, stamps: tuple[Stamp, ...]) -> tuple[Entry, ...]:
     """The entries that are later than these stamps, one for each variable."""
     return tuple(entry for entry, stamp in zip(store.entries, stamps, strict=False) if entry.stamp >= stamp)
 

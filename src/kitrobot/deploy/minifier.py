@@ -8,7 +8,7 @@ from __future__ import annotations
 import ast
 
 from kitrobot.deploy.errors import PackageError
-from kitrobot.deploy.naming import with_known_locals
+from kitrobot.deploy.short_names import with_known_locals
 from kitrobot.text import Sentence
 
 

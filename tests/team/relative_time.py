@@ -10,7 +10,7 @@ LEASE = 16
 NOW = 1_000
 
 
-def moved(state: Member, ms: int, oldest: int = -(1 << 60)) -> Member:
+def shifted(state: Member, ms: int, oldest: int = -(1 << 60)) -> Member:
     """The member with all its times so much later, none before the `oldest`."""
 
     def at(time: int) -> int:
@@ -34,5 +34,5 @@ def relative(state: Member) -> Member:
     """The member with `NOW` for its time. What is over for four leases is made equal, and so are attempts from the
     eighth on, which no machine tells apart.
     """
-    state = moved(state, NOW - state.now, NOW - 4 * LEASE)
+    state = shifted(state, NOW - state.now, NOW - 4 * LEASE)
     return state._replace(log=state.log._replace(attempts=min(state.log.attempts, 8)))

@@ -6,25 +6,25 @@ order in which its member gave them. A command of a seat that is not in the view
 
 from __future__ import annotations
 
-from kitrobot.team.changes import Change, Noted, Viewed
+from kitrobot.team.changes import AppliedNote, Change, NewView
 from kitrobot.team.commands import Batch, Command, Note, ViewChange
-from kitrobot.team.tables import Applied, Tables, View
+from kitrobot.team.tables import LastCommand, Tables, View
 
 
-def applied(tables: Tables, batch: Batch) -> tuple[Tables, list[Change]]:
+def apply_batch(tables: Tables, batch: Batch) -> tuple[Tables, list[Change]]:
     """The tables after the commands of a slot, and the changes that hosts are given of them."""
     changes: list[Change] = []
     for command in batch:
         if is_next(tables, command):
             seat, body = command.seat, command.body
-            tables = _with_applied(tables, seat.member, Applied(seat.life, command.number))
+            tables = _with_last_command(tables, seat.member, LastCommand(seat.life, command.number))
             if isinstance(body, Note):
-                changes.append(Noted(seat, body.numbers))
+                changes.append(AppliedNote(seat, body.numbers))
             elif body.view == tables.view.number:
                 view = tables.view
-                tables = _viewed(tables, body)
+                tables = _change_view(tables, body)
                 if tables.view != view:
-                    changes.append(Viewed(tables.view))
+                    changes.append(NewView(tables.view))
     return tables, changes
 
 
@@ -34,7 +34,7 @@ def is_next(tables: Tables, command: Command) -> bool:
     return command.seat in tables.view.seats and tables.applied[member] == (command.seat.life, command.number - 1)
 
 
-def _viewed(tables: Tables, change: ViewChange) -> Tables:
+def _change_view(tables: Tables, change: ViewChange) -> Tables:
     """The tables in the next view; a change that leaves nobody, or changes nothing, has no effect."""
     seats = tuple(seat for seat in tables.view.seats if seat.member not in change.leaves)
     for seat in change.joins:
@@ -45,9 +45,9 @@ def _viewed(tables: Tables, change: ViewChange) -> Tables:
         return tables
     for seat in seats:
         if seat.life > tables.applied[seat.member].life:
-            tables = _with_applied(tables, seat.member, Applied(seat.life, 0))
+            tables = _with_last_command(tables, seat.member, LastCommand(seat.life, 0))
     return tables._replace(view=View(tables.view.number + 1, seats))
 
 
-def _with_applied(tables: Tables, member: int, value: Applied) -> Tables:
+def _with_last_command(tables: Tables, member: int, value: LastCommand) -> Tables:
     return tables._replace(applied=(*tables.applied[:member], value, *tables.applied[member + 1 :]))

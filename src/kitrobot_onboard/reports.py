@@ -28,7 +28,7 @@ AT_ONCE = 6  # numbers that are looked at in one gap
 
 
 def look(robot, room):
-    """Looks at the next numbers, as long as there is room to tell that they changed."""
+    """Looks at the next numbers, as long as there is room to report that they changed."""
     slots = robot[PARS][0]
     for spot in range(robot[SPOT], min(robot[SPOT] + AT_ONCE, len(robot[SENT]))):
         if len(robot[NEWS]) + 6 > room:
@@ -59,7 +59,7 @@ def list_seen(robot, room):
 
 
 def tell_news(robot, left):
-    """Goes on with looking for what changed, and tells it, as far as the `left` ms allow; how many are left then."""
+    """Looks on for changes and reports them, as far as the `left` ms allow; returns how many are left."""
     since = robot[DIFF](robot[TICKS](), robot[SINCE])
     if since >= robot[EVERY] and not robot[WRITE](b""):  # else the line still has what was said before
         # As many bytes as fit the gap, of which 3 ms stay free: a byte takes 87 us, and a look at a number a third of

@@ -1,12 +1,12 @@
 # Checks that several requests share (see `requests`).
 
-from kitrobot_onboard.state import ACTUATORS, CELLS, CODE, FAULT, SENSORS, TOLD
+from kitrobot_onboard.state import ACTUATORS, ANSWER, CELLS, CODE, FAULT, SENSORS
 
 
 def need_program(robot):
     """Refuses a request where there is no program."""
     if not robot[CODE] or robot[FAULT][0] == 5:
-        robot[TOLD] = 1
+        robot[ANSWER] = 1
 
 
 def clamp(robot):

@@ -1,4 +1,4 @@
-"""Several real robots at once: which are there, sending a program to them, doing something with each."""
+"""Operations on several real robots at once: a scan, sending programs, an action on each."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from threading import Event, Thread
 from time import monotonic
 from typing import TypeVar
 
-from kitrobot.deploy import Board, Deployed, DeployError, Hello, Port, RobotContext, connect, deploy, list_ports
+from kitrobot.deploy import Board, DeployError, DeployResult, Hello, Port, RobotContext, connect, deploy, list_ports
 from kitrobot.diagnostics import KitRobotError
 from kitrobot.robots.program import BoardProgram
 from kitrobot.text import COMMA, Sentence, Series
@@ -20,19 +20,19 @@ _FAREWELL_S = 2.0
 _LOOK_S = 0.1
 """How often Ctrl-C is looked for where nothing interrupts a wait (Windows)."""
 
-Given = TypeVar("Given")
-Made = TypeVar("Made")
+Item = TypeVar("Item")
+Result = TypeVar("Result")
 
 Progress = Callable[[str, str, int, int], None]
-"""Is told of an address: what is done now, and how many bytes of how many."""
+"""Called with an address: what is done now, and how many bytes of how many."""
 
 
-Waits = Callable[[str], None]
-"""Is told of an address where nobody has answered yet."""
+WaitListener = Callable[[str], None]
+"""Called with an address where nobody has answered yet."""
 
 
 def _ignored(address: str) -> None:
-    """Nobody wants to know."""
+    """Does nothing."""
 
 
 class NoBoardError(KitRobotError):
@@ -40,18 +40,19 @@ class NoBoardError(KitRobotError):
 
 
 @dataclass(frozen=True)
-class Sent:
-    """What became of one robot: `deployed`, or the `error` that kept it from it."""
+class SendResult:
+    """The result of sending to one robot: `deployed`, or the `error` that prevented it."""
 
     address: str
-    deployed: Deployed | None
+    deployed: DeployResult | None
     error: KitRobotError | None
 
 
 @dataclass(frozen=True)
-class Seen:
-    """A port, and who answers there: `hello` None when nobody does, and `error` says why. `micropython`: the version on
-    the board, as far as it is known.
+class BoardContents:
+    """A port and the board that answers there; without an answer, `hello` is None and `error` the reason.
+
+    `micropython`: the version on the board, as far as it is known.
     """
 
     port: Port
@@ -61,7 +62,7 @@ class Seen:
     micropython: str = ""
 
 
-def chosen_boards(addresses: Sequence[str]) -> list[str]:
+def choose_boards(addresses: Sequence[str]) -> list[str]:
     """The addresses that were given, each once; without one, that of the only robot that may be there.
 
     Raises:
@@ -93,7 +94,7 @@ def send_program(
     *,
     replace: bool = False,
     fresh: bool = False,
-) -> list[Sent]:
+) -> list[SendResult]:
     """Sends a program to several robots at once; what goes wrong with one does not hold up the others."""
     return send_programs(dict.fromkeys(addresses, program), progress, replace=replace, fresh=fresh)
 
@@ -104,27 +105,27 @@ def send_programs(
     *,
     replace: bool = False,
     fresh: bool = False,
-) -> list[Sent]:
+) -> list[SendResult]:
     """The same with a program for each address.
 
     Raises:
         KeyboardInterrupt: Ctrl-C; the boards that were not done are left with what they had.
     """
 
-    def send(address: str, over: Event) -> Sent:
+    def send(address: str, over: Event) -> SendResult:
         program = programs[address]
 
-        def told(stage: str, done: int, total: int) -> None:
+        def report(stage: str, done: int, total: int) -> None:
             progress(address, stage, done, total)
 
         try:
-            return Sent(
+            return SendResult(
                 address,
                 deploy(
                     address,
                     program.file.to_bytes(),
                     program.package,
-                    told,
+                    report,
                     replace=replace,
                     fresh=fresh,
                     robot=RobotContext(program.needs, program.names.fault_text),
@@ -133,37 +134,37 @@ def send_programs(
                 None,
             )
         except KitRobotError as error:
-            return Sent(address, None, error)
+            return SendResult(address, None, error)
 
     try:
-        return _at_once(send, list(programs))
+        return _in_parallel(send, list(programs))
     except KeyboardInterrupt:
         raise KeyboardInterrupt(Sentence("broken off: a board that was not done keeps what it had")) from None
 
 
-def look_at_boards(
-    addresses: Sequence[str], waits: Waits, name_of: Callable[[str], str] = lambda installed: ""
-) -> list[Seen]:
-    """Which robots are there: those of the addresses, or of every port where one may be; all are asked at once.
+def scan_boards(
+    addresses: Sequence[str], waits: WaitListener, name_of: Callable[[str], str] = lambda installed: ""
+) -> list[BoardContents]:
+    """Lists the robots at the addresses, or at every port where one may be; all are queried at once.
 
-    `waits` is told of an address whose answer is waited for; `name_of` gives a program's name by what a robot calls it.
+    `waits` is called with an address that has not answered yet; `name_of` maps a robot's name of a program to its name.
     """
     ports = [Port(address, "", "") for address in addresses] if addresses else list_ports()
 
-    def look(port: Port, over: Event) -> Seen:
+    def look(port: Port, over: Event) -> BoardContents:
         try:
             with connect(port.address, waits=lambda: waits(port.address), over=over) as board:
-                return Seen(port, board.hello, name_of(board.hello.program), None)
+                return BoardContents(port, board.hello, name_of(board.hello.program), None)
         except DeployError as error:
-            return Seen(port, None, "", error)
+            return BoardContents(port, None, "", error)
 
-    return _at_once(look, ports)
+    return _in_parallel(look, ports)
 
 
-def at_boards(
-    addresses: Sequence[str], act: Callable[[Board], object], waits: Waits = _ignored
+def run_on_boards(
+    addresses: Sequence[str], act: Callable[[Board], object], waits: WaitListener = _ignored
 ) -> list[tuple[str, KitRobotError | None]]:
-    """Does something with each robot, all at once; what went wrong with which. `waits` as for `look_at_boards`."""
+    """Does something with each robot, all at once; what went wrong with which. `waits` as for `scan_boards`."""
 
     def one(address: str, over: Event) -> tuple[str, KitRobotError | None]:
         try:
@@ -173,12 +174,12 @@ def at_boards(
             return address, error
         return address, None
 
-    return _at_once(one, addresses)
+    return _in_parallel(one, addresses)
 
 
-def _at_once(make: Callable[[Given, Event], Made], given: Sequence[Given]) -> list[Made]:
+def _in_parallel(make: Callable[[Item, Event], Result], given: Sequence[Item]) -> list[Result]:
     """What is made of each, in threads; the event that is handed on is set when nobody waits for it any more."""
-    made: dict[int, Made] = {}
+    made: dict[int, Result] = {}
     failed: list[BaseException] = []
     over = Event()
     left: SimpleQueue[int] = SimpleQueue()
@@ -205,19 +206,19 @@ def _at_once(make: Callable[[Given, Event], Made], given: Sequence[Given]) -> li
     try:
         # Not by joining: a join that Ctrl-C interrupts takes the thread for ended.
         while count:
-            count -= _has_come(ended, _LOOK_S)
+            count -= _has_ended(ended, _LOOK_S)
     except BaseException:
         over.set()
         until = monotonic() + _FAREWELL_S
         while count and (wait := until - monotonic()) > 0:
-            count -= _has_come(ended, wait)
+            count -= _has_ended(ended, wait)
         raise
     if failed:
         raise failed[0]
     return [made[number] for number in range(len(given))]
 
 
-def _has_come(queue: SimpleQueue[None], timeout_s: float) -> bool:
+def _has_ended(queue: SimpleQueue[None], timeout_s: float) -> bool:
     try:
         queue.get(timeout=timeout_s)
     except Empty:

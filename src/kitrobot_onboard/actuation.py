@@ -4,14 +4,14 @@ from kitrobot_onboard.state import ACTUATORS, COUNT, FAILED, HELD, STATE, WHO
 
 
 def fail(robot, number, error):
-    """Writes down a fault, unless there is one already that was not told."""
+    """Records a fault, unless there is one already that was not reported."""
     if not robot[FAILED]:
         robot[FAILED] = 3 if isinstance(error, MemoryError) else number, robot[COUNT], robot[WHO], error
     robot[WHO] = None
 
 
 def stop(robot):
-    """Stops every device, whatever one of them says to it, and the program."""
+    """Stops every device, even if one of them fails, and the program."""
     robot[HELD] = False
     if robot[STATE]:
         robot[STATE] = 1

@@ -10,10 +10,16 @@ from __future__ import annotations
 import struct
 from collections.abc import Iterator, Sequence
 
-from kitrobot.deploy.carried import in_flash_pieces, joined, named, pieces, words
 from kitrobot.deploy.errors import PackageError
 from kitrobot.deploy.flash import END, FIRST
-from kitrobot.deploy.flash_code import CHUNK, HEAD, Frozen, head
+from kitrobot.deploy.flash_code import CHUNK, HEAD, FlashBlock, head
+from kitrobot.deploy.onboard_bundle import (
+    in_flash_pieces,
+    join_statements,
+    name_pieces,
+    script_pieces,
+    with_short_names,
+)
 from kitrobot.text import Sentence
 
 _MOST = 9999
@@ -28,7 +34,7 @@ def start_file(interpreter: str, loop: Sequence[tuple[str, int]], requests: str)
     return b"".join(map(piece, [f"from {interpreter} import $tick", port, *_list(requests), *others, _BACK]))
 
 
-def start_from_flash(one: Frozen, family: str, requests: str) -> bytes:
+def start_from_flash(one: FlashBlock, family: str, requests: str) -> bytes:
     """The start of a board that has that block in its flash."""
     return b"".join(map(piece, [*_found(one), *in_flash_pieces(family), *_list(requests), _BACK]))
 
@@ -39,12 +45,12 @@ def begun(start: str, package: str) -> bytes:
 
 
 def piece(text: str) -> bytes:
-    """A piece, in which `$NAME` is what the package's modules call that on a board.
+    """A piece, in which `$NAME` is the name that the package's modules have for it on a board.
 
     Raises:
         PackageError: it is too long.
     """
-    found = named(text).encode()
+    found = with_short_names(text).encode()
     if len(found) > _MOST:
         raise PackageError(
             Sentence("the settings of a device are too long for a board"),
@@ -54,10 +60,10 @@ def piece(text: str) -> bytes:
 
 
 def _list(requests: str) -> list[str]:
-    return [f"$requests={requests!r}", *pieces("begin"), *words()]
+    return [f"$requests={requests!r}", *script_pieces("begin"), *name_pieces()]
 
 
-def _found(one: Frozen) -> Iterator[str]:
+def _found(one: FlashBlock) -> Iterator[str]:
     """Looks for the block, and makes a function of each entry in it."""
     first, second = struct.unpack_from("<ii", head(one.sign, 0, whole=True))
     yield f"from machine import mem32 as $memory;$spot={FIRST}"
@@ -71,5 +77,7 @@ def _found(one: Frozen) -> Iterator[str]:
         " $memory[id(c)+12]=$spot+b//65536\n"
         " return c"
     )
-    yield from joined([named(f"{each.name}=$place({number})") for number, each in enumerate(one.functions)])
+    yield from join_statements(
+        [with_short_names(f"{each.name}=$place({number})") for number, each in enumerate(one.functions)]
+    )
     yield "del $memory,$place,$spot"

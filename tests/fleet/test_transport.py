@@ -15,7 +15,7 @@ import pytest
 import zenoh
 
 from kitrobot.fleet import Channel, Network
-from kitrobot.fleet.envelopes import EVERYBODY, HELLO, MEMBER, TEAM_PROCESS, Envelope, sealed
+from kitrobot.fleet.envelopes import EVERYBODY, HELLO, MEMBER, TEAM_PROCESS, Envelope, seal
 from kitrobot.fleet.transport import MOST_OF_ONE
 from kitrobot.workspace import free_endpoint
 from tests.certificates import by_authority
@@ -101,9 +101,9 @@ def test_who_has_not_the_key_uses_up_no_members_share() -> None:
             while not getattr(way.matching_status, "matching", way.matching_status):
                 time.sleep(0.01)
             for serial in range(MOST_OF_ONE + 50):
-                forged = sealed(Envelope(MEMBER, RUN, 1, 0, serial, b""), bytes(range(32)))
+                forged = seal(Envelope(MEMBER, RUN, 1, 0, serial, b""), bytes(range(32)))
                 way.put(forged)
-            way.put(sealed(Envelope(MEMBER, RUN, 1, 0, 1, b"of the member"), key))
+            way.put(seal(Envelope(MEMBER, RUN, 1, 0, 1, b"of the member"), key))
             # Nothing is read until all has come.
             time.sleep(0.3)
             end, found = time.monotonic() + 20, list[Envelope]()

@@ -1,4 +1,4 @@
-"""What a recording of a real robot embeds, so that it opens anywhere: mission, world, parts, names of cells.
+"""The context that recordings of real robots embed, so that they open anywhere: mission, world, parts, names of cells.
 
 A robot knows none of it. It is made where the mission is at hand; `workspace.kept_programs` stores it beside the names
 of a program that was sent from here, so that a robot can be recorded later without naming its mission.
@@ -22,15 +22,15 @@ Call = tuple[str, str, tuple[int, ...]]
 
 
 @dataclass(frozen=True)
-class Carried:
-    """For recordings of one program on a robot.
+class RecordingContext:
+    """The context of recordings of one program on a robot.
 
     Attributes:
         mission: the canonical `.krt`, as text.
         world: the file of the world, as text.
         parts: XML files that the mission needs besides.
-        cells: what the cells that a robot tells of are called in a recording, from cell 0 on.
-        first: what they are before anything is told.
+        cells: the names in a recording of the cells that a robot reports, from cell 0 on.
+        first: their values before the first report.
         calls: the instructions that command a device.
     """
 
@@ -42,16 +42,16 @@ class Carried:
     calls: Mapping[int, Call]
 
 
-def carried_by(
+def recording_context_of(
     mission: Mission, world: World, parts: tuple[TracePart, ...], robot: Robot, compiled: Compiled
-) -> Carried | None:
+) -> RecordingContext | None:
     """What recordings of a program of that mission embed; None for one with errors."""
     if compiled.image is None:
         return None
     layout = Layout(robot)
     cells = ["fault", *(f"input {name}" for name in layout.sensors), *(f"done {name}" for name in layout.done)]
     cells += [f"variable {name}" for name in layout.variables]
-    return Carried(
+    return RecordingContext(
         write_mission(mission).decode(),
         write_world(world).decode(),
         parts,

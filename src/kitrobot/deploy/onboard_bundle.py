@@ -14,11 +14,11 @@ from pathlib import Path
 
 import kitrobot_onboard
 from kitrobot.deploy.builtin_names import GLOBALS, LOCALS
-from kitrobot.deploy.constants import Constants, constants_of, told_in_place
+from kitrobot.deploy.constants import Constants, constants_of, inline_constants
 from kitrobot.deploy.errors import PackageError
-from kitrobot.deploy.flash_code import Frozen, WithNames, frozen, literals_of
-from kitrobot.deploy.naming import renamed, short_names
-from kitrobot.deploy.shortening import parsed, shortened
+from kitrobot.deploy.flash_code import FlashBlock, WithNames, build_block, literals_of
+from kitrobot.deploy.minifier import parsed, shortened
+from kitrobot.deploy.short_names import renamed, short_names
 from kitrobot.diagnostics import note_read
 from kitrobot.text import Sentence, Word
 from kitrobot_onboard.requests import BY_FAMILY, REQUESTS
@@ -34,7 +34,7 @@ _WORDS = 8
 _PIECE = 90
 """Letters of a piece of a script, where a statement needs no more."""
 
-LOOP = ("telling", "reaction", "robot", "link", "dispatch", "receive", "acting", "checking", "equipping")
+LOOP = ("reports", "reaction", "robot", "link", "dispatch", "receive", "actuation", "request_checks", "device_setup")
 """Modules of the loop in the order in which a board compiles them: the largest first, because there is less and less
 room for it."""
 
@@ -48,15 +48,15 @@ IN_FLASH = {
     "microbit": (
         ("interpreter",),
         ("reaction", "robot"),
-        ("ports/microbit", "link", "dispatch", "receive", "acting", "checking", "equipping"),
-        ("telling",),
+        ("ports/microbit", "link", "dispatch", "receive", "actuation", "request_checks", "device_setup"),
+        ("reports",),
     )
 }
 """Families whose boards run the loop from flash, with the modules that they compile together."""
 
 _COMPOUND = re.compile(r"(if|for|def|while|try|with|class)\b")
 
-_NOT_CARRIED = ("__init__.py", "arrays.py", "flash.py", "image.py", "receiver.py")
+_NOT_LINKED = ("__init__.py", "arrays.py", "flash.py", "image.py", "receiver.py")
 """Modules of `kitrobot_onboard` that share no names with the others on a board."""
 
 
@@ -66,7 +66,7 @@ def loop_files() -> Sequence[Path]:
 
 
 @cache
-def frozen_loop(family: str) -> Frozen:
+def loop_block(family: str) -> FlashBlock:
     """The interpreter, the port and the loop, for boards that run these from their flash."""
     groups = []
     for names in IN_FLASH[family]:
@@ -74,11 +74,11 @@ def frozen_loop(family: str) -> Frozen:
         text = shortened(ast.Module(copy.deepcopy(body), []))
         groups.append([one for one in ast.parse(text).body if isinstance(one, ast.FunctionDef)])
     found = literals_of([function for group in groups for function in group])
-    names_of = dict(zip(found, (short()[name] for name in _LITERALS), strict=False))
+    names_of = dict(zip(found, (module_names()[name] for name in _LITERALS), strict=False))
     for group in groups:
         for function in group:
             WithNames(names_of).visit(function)
-    return frozen(groups, {name: value for value, name in names_of.items()})
+    return build_block(groups, {name: value for value, name in names_of.items()})
 
 
 def _trees(names: Iterable[str]) -> list[ast.Module]:
@@ -86,19 +86,19 @@ def _trees(names: Iterable[str]) -> list[ast.Module]:
 
 
 def in_flash_pieces(family: str) -> Sequence[str]:
-    """What the modules that run from flash have beside their functions, and the literals of these."""
+    """The statements beside functions of the modules that run from flash, and the literals of these functions."""
     names = [name for group in IN_FLASH[family] for name in group]
     # What is imported whole, `begin` imports too.
     rest = [one for tree in _trees(names) for one in tree.body if not isinstance(one, ast.FunctionDef | ast.Import)]
     texts = [short_text(ast.unparse(one)) for one in rest]
-    return joined([*texts, *(f"{name}={value}" for name, value in frozen_loop(family).literals.items())])
+    return join_statements([*texts, *(f"{name}={value}" for name, value in loop_block(family).literals.items())])
 
 
 @cache
 def _tree(path: Path) -> ast.Module:
     """A module whose names share a space with those of others, so that it needs no imports of ours."""
     tree = parsed(read_source(path), str(path))
-    tree = renamed(told_in_place(tree, constants_of(tree), _constants()), short())
+    tree = renamed(inline_constants(tree, constants_of(tree), _constants()), module_names())
     tree.body = [
         statement
         for statement in tree.body
@@ -108,18 +108,18 @@ def _tree(path: Path) -> ast.Module:
 
 
 @cache
-def part(path: Path) -> bytes:
+def minified_module(path: Path) -> bytes:
     """A module of the package, short."""
     return short_text(ast.unparse(_tree(path))).encode()
 
 
 @cache
-def pieces(name: str) -> Sequence[str]:
+def script_pieces(name: str) -> Sequence[str]:
     """A script of the package in pieces, each short enough that a small board can compile it while a program runs."""
-    return joined([short_text(ast.unparse(statement)) for statement in _tree(ONBOARD / f"{name}.py").body])
+    return join_statements([short_text(ast.unparse(statement)) for statement in _tree(ONBOARD / f"{name}.py").body])
 
 
-def joined(statements: Iterable[str]) -> list[str]:
+def join_statements(statements: Iterable[str]) -> list[str]:
     """Statements in pieces: short ones that stand in one line together, others each by itself."""
     found: list[str] = []
     room = 0
@@ -137,7 +137,7 @@ def joined(statements: Iterable[str]) -> list[str]:
 
 
 @cache
-def words() -> Sequence[str]:
+def name_pieces() -> Sequence[str]:
     """What the answers that a small board compiles need names of, in pieces that do nothing but name them.
 
     A name is kept for ever, wherever there was room when it was first read; among the working memory of a program, it
@@ -145,7 +145,7 @@ def words() -> Sequence[str]:
     """
     found: set[str | bytes] = set()
     for name in {name for kind, names in REQUESTS.items() if kind not in _LARGE for name in names}:
-        for node in (one for piece in pieces(f"requests/{name}") for one in ast.walk(ast.parse(piece))):
+        for node in (one for piece in script_pieces(f"requests/{name}") for one in ast.walk(ast.parse(piece))):
             match node:
                 case ast.Name(id=word) | ast.Attribute(attr=word) | ast.Constant(value=str(word) | bytes(word)):
                     found.add(word)
@@ -156,44 +156,44 @@ def words() -> Sequence[str]:
 
 
 def requests_file(family: str) -> bytes:
-    """What a board reads when it is asked: each piece of an answer behind its letter and its size."""
+    """The file that a board reads to answer requests: each piece of an answer behind its letter and its size."""
     found = ""
     for kind, names in REQUESTS.items():
         for name in BY_FAMILY.get(family, {}).get(kind, names):
-            found += "".join(f"{kind}{len(piece):03}{piece}" for piece in pieces(f"requests/{name}"))
+            found += "".join(f"{kind}{len(piece):03}{piece}" for piece in script_pieces(f"requests/{name}"))
     return found.encode()
 
 
 @cache
-def _carried() -> frozenset[Path]:
+def _linked_modules() -> frozenset[Path]:
     """The modules that call one another; drivers are called by fixed names only."""
     return frozenset(
         path
         for folder in (ONBOARD, ONBOARD / "ports", ONBOARD / "requests")
         for path in folder.glob("*.py")
-        if path.name not in _NOT_CARRIED
+        if path.name not in _NOT_LINKED
     )
 
 
 @cache
 def _constants() -> Mapping[str, Constants]:
-    return {f"{ROOT}.{path.stem}": constants_of(parsed(read_source(path), path.name)) for path in _carried()}
+    return {f"{ROOT}.{path.stem}": constants_of(parsed(read_source(path), path.name)) for path in _linked_modules()}
 
 
 @cache
-def short() -> Mapping[str, str]:
-    """What the names that the modules of the package share are on a board."""
-    trees = [parsed(read_source(path), path.name) for path in sorted(_carried())]
-    plain = [told_in_place(tree, constants_of(tree), _constants()) for tree in trees]
+def module_names() -> Mapping[str, str]:
+    """The short names on a board of the names that the modules of the package share."""
+    trees = [parsed(read_source(path), path.name) for path in sorted(_linked_modules())]
+    plain = [inline_constants(tree, constants_of(tree), _constants()) for tree in trees]
     return short_names(plain, (*_SCRIPTED, *_LITERALS))
 
 
 _MARKED = re.compile(r"\$(\w+)")
 
 
-def named(text: str) -> str:
-    """A text in which `$NAME` is what the package's modules call that on a board."""
-    names = short()
+def with_short_names(text: str) -> str:
+    """A text in which each `$NAME` is replaced by its short name on a board."""
+    names = module_names()
     return _MARKED.sub(lambda found: names.get(found[1], found[1]), text)
 
 
@@ -204,7 +204,7 @@ def short_text(text: str) -> str:
 
 
 def read_source(path: Path) -> str:
-    """What is in a module.
+    """Returns the text of a module.
 
     Raises:
         PackageError: it cannot be read, is too large, or no UTF-8.

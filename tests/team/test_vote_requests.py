@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 
-from kitrobot.team import EVERYONE, Charter, Member, Message, Note, Received, Seat, Time, first_state, step
+from kitrobot.team import EVERYONE, Charter, IncomingMessage, Member, Message, Note, Seat, Time, initial_state, step
 from kitrobot.team.events import Event
 from kitrobot.team.messages import Accepted, Propose
 
@@ -16,7 +16,9 @@ CHARTER = Charter(MEMBERS)
 class Members:
     """Members whose messages arrive in order; `proposed`: each Propose that was sent, by slot, with who was asked."""
 
-    states: list[Member] = field(default_factory=lambda: [first_state(CHARTER, Seat(m, 0), 0) for m in range(MEMBERS)])
+    states: list[Member] = field(
+        default_factory=lambda: [initial_state(CHARTER, Seat(m, 0), 0) for m in range(MEMBERS)]
+    )
     proposed: list[tuple[int, tuple[int, ...]]] = field(default_factory=list)
     deaf: set[int] = field(default_factory=set)
     now: int = 0
@@ -32,7 +34,7 @@ class Members:
             for addressee, message in stepped.messages:
                 for other in range(MEMBERS) if addressee == EVERYONE else (addressee,):
                     if other != to and other not in self.deaf:
-                        waiting.append((other, Received(message)))
+                        waiting.append((other, IncomingMessage(message)))
                     if other != to and isinstance(message, Propose):
                         asked.append(other)
             if asked:
@@ -66,12 +68,12 @@ def test_those_are_asked_first_who_voted_last_and_all_where_one_of_them_is_missi
 def test_what_came_together_is_decided_together() -> None:
     asking: list[Message] = []
     for member in range(1, MEMBERS):
-        state = first_state(CHARTER, Seat(member, 0), 0)
+        state = initial_state(CHARTER, Seat(member, 0), 0)
         asking += [message for _, message in step(CHARTER, state, 0, Note((member,))).messages]
-    first = first_state(CHARTER, Seat(0, 0), 0)
+    first = initial_state(CHARTER, Seat(0, 0), 0)
     sent: list[Message] = []
     for number, message in enumerate(asking, 1):
-        stepped = step(CHARTER, first, 0, Received(message, more=number < len(asking)))
+        stepped = step(CHARTER, first, 0, IncomingMessage(message, more=number < len(asking)))
         first = stepped.state
         sent += [message for _, message in stepped.messages]
     [proposal] = sent
@@ -86,5 +88,5 @@ def test_votes_of_an_earlier_slot_count_for_nothing() -> None:
     team.tell(0, Note((2,)))
     ballot = team.states[0].log.decision.ballot
     for voter in (1, 2, 3, 4):
-        team.tell(0, Received(Accepted(Seat(voter, 0), 0, ballot)))
+        team.tell(0, IncomingMessage(Accepted(Seat(voter, 0), 0, ballot)))
     assert team.states[0].log.slot == 1

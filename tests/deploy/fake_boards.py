@@ -18,7 +18,7 @@ HELLO = bytes((1, 2, 0)) + (5000).to_bytes(4, "little") + bytes(8) + b"c0ffee00 
 BYTE_S = 87e-6
 
 
-class PretendedLine(Line):
+class FakeLine(Line):
     """The host's end. `board`: what comes back for what was said."""
 
     def __init__(self, board: Callable[[bytes], Answers]) -> None:
@@ -55,7 +55,7 @@ class PretendedLine(Line):
         """There is nothing to close."""
 
 
-class PretendedRobot:
+class FakeRobot:
     """One that runs, as docs/reference/link.md wants it. `done`: the requests that it did, in their order.
 
     Args:
@@ -83,7 +83,7 @@ class PretendedRobot:
             yield self.takes_s, wrap(kind, found[1], payload)
 
 
-class Prompt:
+class FakePrompt:
     """A board at MicroPython's prompt, or in raw paste mode, that starts `program` `starts_s` after a reset."""
 
     def __init__(

@@ -36,7 +36,7 @@ class Model(Protocol[State]):
 
 
 @dataclass(frozen=True)
-class Broken:
+class Violation:
     """A law that does not hold, and the events of a shortest run that breaks it, in words."""
 
     law: str
@@ -48,7 +48,7 @@ class Broken:
 
 
 @dataclass(frozen=True)
-class Explored(Generic[State]):
+class Exploration(Generic[State]):
     """The outcome: the states in the order in which they were found.
 
     Attributes:
@@ -60,22 +60,22 @@ class Explored(Generic[State]):
     steps: int
     depth: int
     complete: bool
-    broken: Broken | None
+    broken: Violation | None
 
 
-def explore(model: Model[State], most: int) -> Explored[State]:
+def explore(model: Model[State], most: int) -> Exploration[State]:
     """Goes through all states that can be reached, or the `most` nearest ones, until a law is broken."""
     first = model.first()
     came: dict[State, tuple[State, Step[State]] | None] = {first: None}
     layer, depth, steps = [first], 0, 0
 
-    def told(state: State, last: Step[State] | None, law: str) -> Explored[State]:
+    def told(state: State, last: Step[State] | None, law: str) -> Exploration[State]:
         events = [last.words()] if last else []
         at = came[state]
         while at is not None:
             events.append(at[1].words())
             at = came[at[0]]
-        return Explored(tuple(came), steps, depth, False, Broken(law, tuple(reversed(events))))
+        return Exploration(tuple(came), steps, depth, False, Violation(law, tuple(reversed(events))))
 
     if law := model.broken(first):
         return told(first, None, law)
@@ -91,9 +91,9 @@ def explore(model: Model[State], most: int) -> Explored[State]:
                 if law := model.broken(step.state):
                     return told(state, step, law)
                 if len(came) >= most:
-                    return Explored(tuple(came), steps, depth, False, None)
+                    return Exploration(tuple(came), steps, depth, False, None)
                 came[step.state] = state, step
                 following.append(step.state)
         layer = following
         depth += bool(layer)
-    return Explored(tuple(came), steps, depth, True, None)
+    return Exploration(tuple(came), steps, depth, True, None)

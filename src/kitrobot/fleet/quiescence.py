@@ -1,9 +1,9 @@
-"""`Stillness`: whether a fleet can still change anything, as its world knows it.
+"""`QuiescenceDetector`: whether a fleet can still change anything, as its world knows it.
 
-It is stuck when for `STILL_MS`, and for as many steps as late sensors need, nothing happened, nothing is to come on
+It is stuck when for `QUIESCENT_MS`, and for as many steps as late sensors need, nothing happened, nothing is to come on
 schedule or with the end of a lease, and every program only looks again at what stays. Where something moves, sensors
-may still see it, so then all programs must wait for others of their team. Where neither can be said, the run ends with
-its time, and that is told.
+may still see it, so then all programs must wait for others of their team. Where neither is certain, the run ends with
+its time, and that is reported.
 """
 
 from __future__ import annotations
@@ -15,11 +15,11 @@ from kitrobot.sim.columns import CHANCE, PATIENCE, PLANNED, PLANS, REVIVALS, TIC
 from kitrobot.sim.team_columns import T_AT, T_ROLE
 from kitrobot.text import Sentence
 
-STILL_MS = 10_000
+QUIESCENT_MS = 10_000
 """A fleet in which nothing stirs for so long is stuck."""
 
 
-class Stillness:
+class QuiescenceDetector:
     """Of the run that a replica is part of, from `now` on, ms.
 
     Attributes:
@@ -31,15 +31,15 @@ class Stillness:
         self._replica = replica
         self._stirred_at = self._acted_at = now
         self._stirred_in = 0
-        self._told_at = -1
+        self._reported_at = -1
         self._slots = 0
 
-    def look(self, now: int, happened: bool, quiet: Sequence[bool | None], expected: int) -> Sentence | None:
-        """Looks at the run after a step; gives what is to be told.
+    def check(self, now: int, happened: bool, quiet: Sequence[bool | None], expected: int) -> Sentence | None:
+        """Looks at the run after a step; returns the sentence to report.
 
         Args:
             now: ms by the clock of the world.
-            happened: whether something was told of this step.
+            happened: whether the step had events.
             quiet: of each robot whether its program changes nothing; None for one that is not there, or has ended.
             expected: revivals that are none on schedule.
         """
@@ -51,11 +51,11 @@ class Stillness:
             self._acted_at = now
         if acts or (self._may_be_seen() and not all(map(self._waits_for_team, going))):
             self._stirred_at, self._stirred_in = now, clock[TICK]
-        self.is_stuck = now - self._stirred_at >= STILL_MS and clock[TICK] - self._stirred_in >= clock[PATIENCE]
+        self.is_stuck = now - self._stirred_at >= QUIESCENT_MS and clock[TICK] - self._stirred_in >= clock[PATIENCE]
         limit = self._replica.simulation.seconds_limit
-        if self.is_stuck or now - self._acted_at < STILL_MS or self._told_at == self._acted_at or limit is None:
+        if self.is_stuck or now - self._acted_at < QUIESCENT_MS or self._reported_at == self._acted_at or limit is None:
             return None
-        self._told_at = self._acted_at
+        self._reported_at = self._acted_at
         return Sentence(
             "all programs wait, but what sensors see may change; the run ends after {seconds} s", f"{limit:g}"
         )

@@ -1,4 +1,4 @@
-"""What a program shares with its team, which real robots do not pass on to one another."""
+"""The warning about shared variables, which real robots do not pass on to one another."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ SHARED_ON_BOARD = rule(
 )
 
 
-def warn_of_sharing(name: str, robot: Robot, compiled: Compiled) -> list[Diagnostic]:
+def warn_of_shared_variables(name: str, robot: Robot, compiled: Compiled) -> list[Diagnostic]:
     """A warning for each shared variable that a program uses, at the first place; `name` is the program's. None for one
     with errors: it is not sent, and its tree is not that of its text.
     """

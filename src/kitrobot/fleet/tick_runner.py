@@ -1,14 +1,14 @@
-"""`Ticking`: the machine of one agent around its ticks: what goes into its cells before, and what came of it after."""
+"""`TickRunner`: runs the ticks of one agent's machine; writes its cells before a tick and reads its results after."""
 
 from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
 
-from kitrobot.fleet.bodies import Frame
-from kitrobot.fleet.following import Following
-from kitrobot.fleet.links import TeamLinks, Wish
+from kitrobot.fleet.body_messages import Frame
 from kitrobot.fleet.recurrence import Recurrence, Snapshot
+from kitrobot.fleet.replication import LogReplication
+from kitrobot.fleet.team_devices import NoteRequest, TeamDevices
 from kitrobot.sim import TickResult
 from kitrobot.sim.actuation import COMMAND
 from kitrobot.sim.columns import A_CELL, ACTUATOR_INDEX, PROGRAM, S_CELL, S_ROBOT
@@ -28,7 +28,7 @@ class Tick:
         epoch, beginning: those of the robot then; commands of an earlier epoch are void.
         at: when it was begun, ms.
         before: the machine before it.
-        made: what came of it: for the tables of the world, the shared variables that it wrote, whether it changed
+        result: what came of it: for the tables of the world, the shared variables that it wrote, whether it changed
             nothing; None where nothing came of it.
         over: whether it was made.
         late: whether its frame was answered before it was.
@@ -39,45 +39,45 @@ class Tick:
     beginning: int
     at: int
     before: Snapshot
-    made: tuple[TickResult, Writes, bool] | None = None
+    result: tuple[TickResult, Writes, bool] | None = None
     over: bool = False
     late: bool = False
 
 
-class Ticking:
-    """The machine of robot `links.me`.
+class TickRunner:
+    """The machine of robot `devices.me`.
 
     Attributes:
         shared: its shared variables, each with its cell.
     """
 
-    def __init__(self, links: TeamLinks, following: Following) -> None:
-        self._links = links
-        self._replica = links.replica
-        self._me = links.me
+    def __init__(self, devices: TeamDevices, replication: LogReplication) -> None:
+        self._devices = devices
+        self._replica = devices.replica
+        self._me = devices.me
         self.machine = self._replica.simulation.members[self._me].machine
-        self.shared = following.cells_of(self._me)
+        self.shared = replication.shared_cells(self._me)
         self._given: dict[int, int] = {}
-        """Of each cell that says whether something is done, the frame in which that was told last."""
+        """For each cell that shows whether a command is done, the frame of the last such command."""
         state = self._replica.state
         ints = state.sensors.ints
         self._own_cells = {
             ints[S_CELL][k]
-            for _, first, last in links.banks
+            for _, first, last in devices.banks
             for k in range(first, last)
             if ints[S_ROBOT][k] == self._me
-        } | {state.actuators.ints[A_CELL][k] for k in links.actuators}
+        } | {state.actuators.ints[A_CELL][k] for k in devices.actuators}
         self._first = self.machine.snapshot()
         self._recurrence = Recurrence()
 
-    def begin_anew(self) -> None:
+    def restart(self) -> None:
         """The program begins anew."""
         self.machine.restore(self._first)
-        self._links.forget()
+        self._devices.reset()
 
     def is_over(self) -> bool:
         """Whether the program is at its end."""
-        return self.machine.ended or self._links.has_ended()
+        return self.machine.ended or self._devices.has_ended()
 
     def sense(self, frame: Frame | None, values: Mapping[int, int]) -> None:
         """Puts what is known before a tick into the cells: readings, what the team answered, shared variables.
@@ -91,24 +91,24 @@ class Ticking:
             for cell, value in enumerate(frame.inputs[: self.machine.layout.inputs], 1):
                 if cell not in self._own_cells:
                     cells[cell] = 0 if self._given.get(cell, 0) > frame.taken else value
-        self._links.read()
+        self._devices.read()
         known = self._replica.state.shared.ints[SHARED_VALUE]
         for variable, value in values.items():
             known[variable] = value
         for variable, cell in self.shared:
             cells[cell] = known[variable]
 
-    def of_team(self) -> dict[int, int]:
+    def team_inputs(self) -> dict[int, int]:
         """The inputs that no body has, and what they are."""
         return {cell: self.machine.cells[cell] for cell in self._own_cells}
 
-    def commands(self, serial: int) -> tuple[Rows, list[tuple[int, Wish]]]:
+    def commands(self, serial: int) -> tuple[Rows, list[tuple[int, NoteRequest]]]:
         """The commands of the tick for a frame; of those to the team, what is to be put into the log, for which
         actuator.
         """
         machine, state = self.machine, self._replica.state
         first = state.robots.ints[ACTUATOR_INDEX][self._me]
-        given, wishes = [], []
+        given, requests = [], []
         for number in range(machine.image.actuators):
             row = list(machine.out[number * machine.width : (number + 1) * machine.width])
             if not row[0]:
@@ -117,13 +117,13 @@ class Ticking:
             k = state.actuators.actuator_index[first + number]
             if state.machines.commands[state.robots.ints[PROGRAM][self._me]][COMMAND * row[2] + 2]:
                 self._given[state.actuators.ints[A_CELL][k]] = serial
-            if k in self._links.actuators:
-                wish = self._links.told(k, row)
-                if wish is not None:
-                    wishes.append((k, wish))
-        return tuple(given), wishes
+            if k in self._devices.actuators:
+                request = self._devices.note_for(k, row)
+                if request is not None:
+                    requests.append((k, request))
+        return tuple(given), requests
 
-    def written(self) -> Writes:
+    def changed_variables(self) -> Writes:
         """The shared variables that the tick has changed."""
         values = self._replica.state.shared.ints[SHARED_VALUE]
         written = [(v, self.machine.cells[cell]) for v, cell in self.shared if self.machine.cells[cell] != values[v]]
@@ -131,7 +131,7 @@ class Ticking:
             values[variable] = value
         return tuple(written)
 
-    def ticked(self, out: Rows, writes: Writes, tick: Tick) -> tuple[TickResult, bool]:
+    def result_of(self, out: Rows, writes: Writes, tick: Tick) -> tuple[TickResult, bool]:
         """What came of a tick for the tables of the world, and whether it changed nothing, or only goes round."""
         machine = self.machine
         cells, threads = machine.cells[: machine.layout.cells], machine.threads[: 2 * len(machine.image.slots)]

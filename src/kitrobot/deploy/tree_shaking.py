@@ -13,8 +13,8 @@ from dataclasses import dataclass
 
 
 @dataclass(frozen=True)
-class Asked:
-    """What a program asks of the devices of a driver: `procedures`, whether one of them completes later, and the
+class UsedParts:
+    """The parts of a driver that a program uses: `procedures`, whether one of them completes later, and the
     settings that it gives, as name and value.
     """
 
@@ -22,27 +22,27 @@ class Asked:
     later: bool = False
     settings: frozenset[tuple[str, str]] = frozenset()
 
-    def __or__(self, other: Asked) -> Asked:
-        return Asked(self.procedures | other.procedures, self.later or other.later, self.settings | other.settings)
+    def __or__(self, other: UsedParts) -> UsedParts:
+        return UsedParts(self.procedures | other.procedures, self.later or other.later, self.settings | other.settings)
 
 
-def shared_trimmed(tree: ast.Module, asked: Asked) -> ast.Module:
-    """A module that drivers share, without what is asked of none of them."""
+def trim_shared_module(tree: ast.Module, used: UsedParts) -> ast.Module:
+    """A module that drivers share, without the parts that none of them uses."""
     given: dict[str, set[str]] = {}
-    for name, value in asked.settings:
+    for name, value in used.settings:
         given.setdefault(name, set()).add(value)
     _Words(given).visit(tree)
-    return trimmed(tree, asked)
+    return trim_driver(tree, used)
 
 
-def trimmed(tree: ast.Module, asked: Asked) -> ast.Module:
-    """The driver without what is not asked of it."""
+def trim_driver(tree: ast.Module, used: UsedParts) -> ast.Module:
+    """The driver without the parts that are not used."""
     for node in tree.body:
         if isinstance(node, ast.ClassDef):
             for method in node.body:
                 if isinstance(method, ast.FunctionDef) and method.name == "do" and len(method.args.args) > 1:
-                    _Branches(method.args.args[1].arg, asked.procedures).visit(method)
-            if not asked.later and not _calls(tree, "done"):
+                    _Branches(method.args.args[1].arg, used.procedures).visit(method)
+            if not used.later and not _calls(tree, "done"):
                 node.body = [one for one in node.body if not (isinstance(one, ast.FunctionDef) and one.name == "done")]
     read = {node.id for node in ast.walk(tree) if isinstance(node, ast.Name) and isinstance(node.ctx, ast.Load)}
     tree.body = [node for node in tree.body if _is_read(node, read)]

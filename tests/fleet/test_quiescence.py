@@ -9,9 +9,9 @@ from pathlib import Path
 import pytest
 
 from kitrobot.cli.agent import prepare
+from kitrobot.fleet.quiescence import QUIESCENT_MS, QuiescenceDetector
 from kitrobot.fleet.recurrence import Recurrence, Snapshot
 from kitrobot.fleet.replica import Replica
-from kitrobot.fleet.stillness import STILL_MS, Stillness
 from kitrobot.sim import Simulation
 from kitrobot.sim.columns import PLANNED, PLANS, TICK
 from kitrobot.sim.team_columns import T_AT
@@ -75,33 +75,33 @@ def driving() -> Simulation:
 
 def stuck_after(run: Simulation, ms: int, quiet: bool = True) -> tuple[bool, list[str]]:
     """Whether it is stuck when for so long nothing happened, and what was told."""
-    stillness, told = Stillness(Replica(run), 0), list[str]()
-    stillness.look(0, True, [True] * 4, 0)
+    quiescence, told = QuiescenceDetector(Replica(run), 0), list[str]()
+    quiescence.check(0, True, [True] * 4, 0)
     for now in range(20, ms + 1, 20):
         run.state.clock[TICK] += 1
-        line = stillness.look(now, False, [quiet, True, None, True], 0)
+        line = quiescence.check(now, False, [quiet, True, None, True], 0)
         told += [line] if line is not None else []
-    return stillness.is_stuck, told
+    return quiescence.is_stuck, told
 
 
 def test_a_team_that_waits_for_itself_is_stuck_although_motors_turn(driving: Simulation) -> None:
-    assert stuck_after(driving, STILL_MS - 20) == (False, [])
-    assert stuck_after(driving, STILL_MS) == (True, [])
+    assert stuck_after(driving, QUIESCENT_MS - 20) == (False, [])
+    assert stuck_after(driving, QUIESCENT_MS) == (True, [])
 
 
 def test_a_team_of_which_another_thread_may_look_is_not_called_stuck(driving: Simulation) -> None:
     threads = driving.state.machines.threads[1]
     threads += [7, 0]
-    is_stuck, told = stuck_after(driving, 3 * STILL_MS)
+    is_stuck, told = stuck_after(driving, 3 * QUIESCENT_MS)
     assert not is_stuck
     assert told == ["all programs wait, but what sensors see may change; the run ends after 600 s"]
-    assert stuck_after(driving, 3 * STILL_MS, quiet=False) == (False, [])
+    assert stuck_after(driving, 3 * QUIESCENT_MS, quiet=False) == (False, [])
 
 
 def test_a_failure_on_schedule_is_waited_for(driving: Simulation) -> None:
     clock = driving.state.clock
     clock[PLANS] = clock[PLANNED] + 1
-    assert stuck_after(driving, 3 * STILL_MS) == (False, [])
+    assert stuck_after(driving, 3 * QUIESCENT_MS) == (False, [])
 
 
 def test_who_lives_is_not_named_as_failed_where_too_few_are_left_to_decide() -> None:

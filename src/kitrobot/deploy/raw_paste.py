@@ -13,14 +13,14 @@ from kitrobot.deploy.line import Line
 from kitrobot.deploy.repl import GarbledError
 
 _PATIENCE_S = 2.0
-"""Silence after which something was lost; the text is told in another way then."""
+"""Silence after which something was lost; the text is sent in another way then."""
 
 _PACES = 10
 _MOST = 16_000
-"""Bytes of an answer, at most: who talks for ever says more."""
+"""Bytes of an answer, at most: a board that sends for ever sends more."""
 
 
-def tell_at_once(line: Line, text: str, pace_s: float = 0.0) -> None:
+def run_by_raw_paste(line: Line, text: str, pace_s: float = 0.0) -> None:
     """Runs a text on a board that stands at the prompt of its raw REPL, and needs `pace_s` seconds for a reset.
 
     Raises:
@@ -32,7 +32,7 @@ def tell_at_once(line: Line, text: str, pace_s: float = 0.0) -> None:
     from mpremote.transport import TransportError
     from mpremote.transport_serial import SerialTransport
 
-    port = _Patient(line, max(_PATIENCE_S, _PACES * pace_s))
+    port = _BufferedPort(line, max(_PATIENCE_S, _PACES * pace_s))
 
     class OnOpenLine(SerialTransport):  # type: ignore[misc]
         def __init__(self) -> None:
@@ -58,7 +58,7 @@ def tell_at_once(line: Line, text: str, pace_s: float = 0.0) -> None:
         line.read_until(b">", 1)
 
 
-class _Patient:
+class _BufferedPort:
     """The port of a line as mpremote reads it, which takes it for an error when a byte is not there at once."""
 
     def __init__(self, line: Line, patience_s: float) -> None:
