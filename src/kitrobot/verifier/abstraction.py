@@ -349,7 +349,9 @@ class _Builder:
                 self.free.setdefault(Label(part.name, part.label), []).append(agent.name)
             return InputModel(Discrete.ANY, choices=choices)
         if discrete is Discrete.TEAM:
-            return InputModel(discrete, agreed=self._agreed(agent, part, floats[work_left.WORK][k]), least=least, most=most)
+            return InputModel(
+                discrete, agreed=self._agreed(agent, part, floats[work_left.WORK][k]), least=least, most=most
+            )
         if discrete is Discrete.SECTION:
             assert zones is not None
             return InputModel(discrete, signs=self._signs(agent, zones, floats[sign.AHEAD][k]), least=least, most=most)
