@@ -10,7 +10,12 @@ import pytest
 
 from tests.patience import PATIENCE_S
 
-CHILD = "from kitrobot.cli.output import tell, use_utf8\nuse_utf8()\ntell('a' * 3000)\ntell('b')\ntell('c')"
+CHILD = """\
+from kitrobot.cli.output import print_message, standard_streams
+with standard_streams():
+    for line in ("a" * 3000, "b", "c"):
+        print_message(line)
+"""
 
 
 @pytest.mark.skipif(

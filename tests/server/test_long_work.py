@@ -18,7 +18,7 @@ from typing import Any
 import pytest
 
 from kitrobot.diagnostics import KitRobotError
-from kitrobot.server import exercises, watched_run
+from kitrobot.server import exercise_routes, watched_run
 from kitrobot.text import Sentence
 from tests.server.conftest import HOST, SOCKET, TOKEN
 from tests.server.test_run import connect  # noqa: F401
@@ -241,7 +241,7 @@ def test_a_judgement_is_broken_off_when_its_page_hangs_up(app, page, monkeypatch
         ended.set()
         raise KitRobotError(Sentence("nothing was judged"))
 
-    monkeypatch.setattr(exercises, "judge", judge)
+    monkeypatch.setattr(exercise_routes, "judge", judge)
     start = page.get("/api/mission", params={"path": "example:exercises/03-square.krt"}).json()["mission"]
     asked = {"exercise": "example:exercises/03-square.exercise.xml", "mission": start, "seed": 1}
 

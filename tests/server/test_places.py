@@ -85,7 +85,7 @@ def test_what_breaks_while_the_run_is_made_ready_gives_the_place_back(app, start
     async def broken(*_: Any) -> None:
         raise ZeroDivisionError
 
-    monkeypatch.setattr(runs, "run_of", broken)
+    monkeypatch.setattr(runs, "create_run", broken)
 
     async def break_often() -> int:
         one = Socket(app)

@@ -9,10 +9,10 @@ import sys
 import pytest
 
 from kitrobot.server import presence as module
-from kitrobot.server.presence import Presence, PresenceError, Running
-from kitrobot.server.start import listen
+from kitrobot.server.presence import Presence, PresenceError, StudioInfo
+from kitrobot.server.studio_server import listen
 
-RUNNING = Running("http://127.0.0.1:1/", "secret")
+RUNNING = StudioInfo("http://127.0.0.1:1/", "secret")
 
 
 @pytest.fixture

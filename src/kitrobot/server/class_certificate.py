@@ -11,7 +11,7 @@ from pathlib import Path
 from typing import Final
 
 from kitrobot.files import read_bytes
-from kitrobot.server.start import ServerError
+from kitrobot.server.studio_server import ServerError
 from kitrobot.text import Sentence
 
 _BEGIN: Final = "-----BEGIN CERTIFICATE-----"

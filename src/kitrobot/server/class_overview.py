@@ -12,7 +12,7 @@ from pydantic import BaseModel
 
 from kitrobot.classroom import ClassRoom, Entrance, Pupil, state_of
 from kitrobot.diagnostics import KitRobotError
-from kitrobot.server.class_grading import Grading
+from kitrobot.server.class_grader import ClassGrader
 from kitrobot.server.shapes.classroom import (
     ClassAskingShape,
     ClassGoalNameShape,
@@ -40,7 +40,7 @@ class Reach:
 class Overview:
     """The overview of one class."""
 
-    def __init__(self, room: ClassRoom, entrance: Entrance, studio: Studio, grading: Grading, reach: Reach) -> None:
+    def __init__(self, room: ClassRoom, entrance: Entrance, studio: Studio, grading: ClassGrader, reach: Reach) -> None:
         self._room = room
         self._entrance = entrance
         self._studio = studio

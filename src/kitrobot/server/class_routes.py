@@ -1,6 +1,6 @@
 """The requests of pupils to their class: coming in, handing in, getting what was handed out.
 
-Who asks is known by then: the door (`class_door`) has looked at the key and put the pupil into the request's state.
+Who asks is known by then: the door (`class_gateway`) has looked at the key and put the pupil into the request's state.
 """
 
 from __future__ import annotations
@@ -11,11 +11,11 @@ from fastapi import Depends, Query, Request, Response
 from starlette.requests import HTTPConnection
 
 from kitrobot.classroom import ClassRoom, Entrance, NotLetInError, Pupil, TakenNameError
+from kitrobot.server.api_router import api_router
+from kitrobot.server.assignments import pack
 from kitrobot.server.class_exercises import files_of_exercise
 from kitrobot.server.class_pictures import Pictures
-from kitrobot.server.handed_out import pack
-from kitrobot.server.routing import api_router
-from kitrobot.server.saving import mission_bytes
+from kitrobot.server.mission_encoding import mission_bytes
 from kitrobot.server.shapes.classroom import (
     ClassAnsweredShape,
     ClassAskedShape,

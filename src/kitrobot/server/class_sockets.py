@@ -16,10 +16,10 @@ from pydantic import BaseModel, Field, TypeAdapter, ValidationError
 
 from kitrobot.classroom import Allowance, ClassRoom, Desk, Goal, Pupil, Report, Told
 from kitrobot.diagnostics import KitRobotError
-from kitrobot.server.beside_loop import beside_loop
+from kitrobot.server.api_router import api_router
+from kitrobot.server.background import run_in_background
 from kitrobot.server.class_overview import Overview
 from kitrobot.server.class_routes import pupil_of, room_of
-from kitrobot.server.routing import api_router
 from kitrobot.server.shapes import HereMessage
 from kitrobot.server.shapes.classroom import (
     ArenaMessage,
@@ -114,7 +114,7 @@ async def teacher_socket(socket: WebSocket) -> None:
     arena_told = ("", "")
     try:
         while not hears.done():
-            whole, pupils = await beside_loop(lambda: (overview.whole(), overview.pupils()))
+            whole, pupils = await run_in_background(lambda: (overview.whole(), overview.pupils()))
             if whole != class_told:
                 class_told = whole
                 await socket.send_text(whole.model_dump_json())
@@ -166,7 +166,7 @@ async def _hear(socket: WebSocket, take: Callable[[str], None]) -> None:
                 continue
             try:
                 # It may write: a full or slow disk holds up nobody else.
-                await beside_loop(take, text)
+                await run_in_background(take, text)
             except (ValidationError, ValueError):
                 return
 

@@ -11,13 +11,13 @@ from fastapi import Depends, Query, Request, Response
 
 from kitrobot.classroom import ClassError, Desk, Entrance, Pupil
 from kitrobot.files import carried_mission
-from kitrobot.server.class_collecting import Collected, collect, table
+from kitrobot.server.api_router import ThisStudio, api_router
+from kitrobot.server.class_archive import ClassArchive, collect, table
 from kitrobot.server.class_exercises import hand_out_exercise
-from kitrobot.server.class_grading import Grading
+from kitrobot.server.class_grader import ClassGrader
 from kitrobot.server.class_pictures import Pictures
 from kitrobot.server.class_routes import ThisRoom, room_of
 from kitrobot.server.class_studios import PupilStudios
-from kitrobot.server.routing import ThisStudio, api_router
 from kitrobot.server.shapes.classroom import (
     ClassPictureShape,
     TeacherAddShape,
@@ -43,14 +43,14 @@ def _desk(request: Request) -> Desk:
     return Desk(room_of(request))
 
 
-def _grading(request: Request) -> Grading:
+def _grading(request: Request) -> ClassGrader:
     grading = request.app.state.grading
-    assert isinstance(grading, Grading)
+    assert isinstance(grading, ClassGrader)
     return grading
 
 
 ThisDesk = Annotated[Desk, Depends(_desk)]
-TheGrading = Annotated[Grading, Depends(_grading)]
+TheGrading = Annotated[ClassGrader, Depends(_grading)]
 Folder = Annotated[str, Query(max_length=300)]
 Folders = Annotated[list[str] | None, Query(max_length=1000)]
 
@@ -186,7 +186,7 @@ def log(room: ThisRoom) -> TeacherLogShape:
 @teacher_routes.get("/collect", response_class=Response)
 def collected(room: ThisRoom, studio: ThisStudio, folder: Folders = None) -> Response:
     """Everything that those pupils, or all, handed in, and a table of it: a ZIP file."""
-    made: Collected = collect(room, studio, folder)
+    made: ClassArchive = collect(room, studio, folder)
     return Response(made.data, media_type="application/zip", headers={"x-kitrobot-files": str(made.files)})
 
 

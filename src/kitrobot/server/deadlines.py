@@ -1,8 +1,8 @@
 """Every request is answered: an ASGI shell that refuses what takes too long, and what comes when there is too much.
 
 A request waits for a disk that does not answer, or for more work than anybody has patience for. Its answer is 504, and
-long work is broken off (request_work); any other thread cannot be stopped, so what it does goes on, counts as under way
-until it ends, and is told to nobody. The time
+long work is cancelled (request_cancellation); any other thread cannot be stopped, so its work goes on, counts as under
+way until it ends, and its result is dropped. The time
 counts from the last piece of the request that came: a large file over a slow line is no slow request. An answer that
 has begun may take as long as its reader does (connections).
 """
@@ -27,7 +27,7 @@ Refuse = Callable[[Scope, Send, int, str, str], Awaitable[None]]
 _log = logging.getLogger("kitrobot.server")
 
 
-class Deadlines:
+class DeadlineMiddleware:
     """`app`, each of whose answers begins within a time. `refuse` answers without it: status, message, help."""
 
     def __init__(self, app: ASGIApp, refuse: Refuse, within_s: float = DEADLINE_S, at_once: int = MOST_AT_ONCE) -> None:
@@ -82,7 +82,7 @@ class Deadlines:
             raise
         late = True
         task.add_done_callback(_forget)
-        # What waits beside a thread hears of it (`request_work`).
+        # What waits beside a thread hears of it (`request_cancellation`).
         task.cancel()
         _log.warning("%s %s was not answered within %g s", scope["method"], scope["path"], self._within_s)
         await self._refuse(

@@ -7,7 +7,7 @@ from base64 import b64encode
 from kitrobot.compiler import robot_of
 from kitrobot.diagnostics import ProblemsError
 from kitrobot.image import disassemble
-from kitrobot.server.routing import ThisStudio, api_router
+from kitrobot.server.api_router import ThisStudio, api_router
 from kitrobot.server.shapes.image import ImageAskShape, ImageShape
 from kitrobot.server.shapes.sent import sent_mission
 from kitrobot.text import Sentence

@@ -13,8 +13,8 @@ from fastapi import WebSocket, WebSocketDisconnect
 
 from kitrobot.files import Journal, MissionNameError
 from kitrobot.mission import write_mission
-from kitrobot.server.beside_loop import beside_loop
-from kitrobot.server.routing import ThisStudio, api_router, studio_of
+from kitrobot.server.api_router import ThisStudio, api_router, studio_of
+from kitrobot.server.background import run_in_background
 from kitrobot.server.shapes import (
     ClaimShape,
     DifferenceAskShape,
@@ -140,7 +140,7 @@ async def watch(socket: WebSocket) -> None:
         await socket.send_text(HelloMessage(tab=tab).model_dump_json())
         told: object = None
         while not closed.done():
-            message = await beside_loop(_news, studio, tab)
+            message = await run_in_background(_news, studio, tab)
             if message != told:
                 told = message
                 await socket.send_text(message.model_dump_json())
@@ -168,5 +168,5 @@ async def _until_closed(socket: WebSocket) -> None:
     """Answers whatever the page says by the threads that answer requests: the page asks whether they do."""
     with contextlib.suppress(WebSocketDisconnect, RuntimeError):
         while (await socket.receive())["type"] != "websocket.disconnect":
-            await beside_loop(lambda: None)
+            await run_in_background(lambda: None)
             await socket.send_text(HereMessage().model_dump_json())

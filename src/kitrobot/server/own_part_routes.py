@@ -8,7 +8,7 @@ from kitrobot.graph import Program
 from kitrobot.lll import print_template
 from kitrobot.mission import Mission
 from kitrobot.primitives import Catalogue, write_constructors
-from kitrobot.server.routing import ThisStudio, api_router
+from kitrobot.server.api_router import ThisStudio, api_router
 from kitrobot.server.shapes import FailureShape, TextShape, mission_from_shape, mission_shape, problem_shapes
 from kitrobot.server.shapes.catalogue import ConstructorShape
 from kitrobot.server.shapes.mission import ProgramShape

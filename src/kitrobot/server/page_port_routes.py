@@ -12,8 +12,8 @@ from typing import Annotated, Final
 
 from fastapi import APIRouter, Query, WebSocket, WebSocketDisconnect
 
+from kitrobot.server.api_router import refuse_visitors, studio_of
 from kitrobot.server.robot_registry import AddressError
-from kitrobot.server.routing import refuse_visitors, studio_of
 
 page_port_routes = APIRouter()
 MOST_PIECE: Final = 64 * 1024

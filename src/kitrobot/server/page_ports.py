@@ -1,8 +1,8 @@
 """Serial ports that a page has opened where its visitor sits (Web Serial), for `kitrobot.deploy` as ports of its own.
 
-The page is a pipe of bytes, also to Python that runs in it (`in_page`). A port has an address `page:…`, which only the
-page that holds it is told; a robot's thread uses it as a port of pyserial, the server's event loop hands on what the
-page says. Left to others: the socket (`page_port_routes`), whose a port is (`robot_registry`).
+The page is a pipe of bytes, also to Python that runs in it (`in_page_server`). A port has an address `page:…`, which is
+sent only to the page that holds it; a robot's thread uses it as a port of pyserial, and the server's event loop passes
+on the page's messages. Not here: the socket (`page_port_routes`), whose a port is (`robot_registry`).
 """
 
 from __future__ import annotations
@@ -16,7 +16,7 @@ from typing import Final, Literal
 from kitrobot.deploy import LineError, Port
 from kitrobot.deploy.line import open_with
 from kitrobot.deploy.ports import port_of
-from kitrobot.server.beside_loop import Turn
+from kitrobot.server.background import WakeCondition
 from kitrobot.text import Sentence
 
 KIND: Final = "page"
@@ -47,7 +47,7 @@ class PagePort:
         self.called = port.name
         self._send = send
         self._loop = asyncio.get_running_loop()
-        self._turn = Turn()
+        self._turn = WakeCondition()
         self._state: State = "shut"
         self._refused: Why | None = None
         self._waiting = bytearray()

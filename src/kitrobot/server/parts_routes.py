@@ -8,7 +8,7 @@ from fastapi import Depends, Query, Request
 
 from kitrobot.diagnostics import KitRobotError
 from kitrobot.primitives import ValueType
-from kitrobot.server.routing import ThisStudio, api_router
+from kitrobot.server.api_router import ThisStudio, api_router
 from kitrobot.server.shapes import ConflictShape, TextShape, mission_from_shape, problem_shapes, world_shape
 from kitrobot.server.shapes.own import OwnVariableShape, own_variable
 from kitrobot.server.shapes.own_world import OwnWorldShape, own_world, own_world_shape

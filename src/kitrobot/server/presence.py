@@ -34,8 +34,8 @@ from urllib.parse import urlsplit
 
 from kitrobot.diagnostics import KitRobotError
 from kitrobot.files import FileLock
-from kitrobot.server import pages
-from kitrobot.server.proofs import proof_of
+from kitrobot.server import fallback_pages
+from kitrobot.server.handshake_proof import compute_proof
 from kitrobot.text import Sentence
 from kitrobot.user_folders import state_folder
 
@@ -50,7 +50,7 @@ class PresenceError(KitRobotError):
 
 
 @dataclass(frozen=True)
-class Running:
+class StudioInfo:
     """A studio that listens: `address` ends with `/`."""
 
     address: str
@@ -83,7 +83,7 @@ class Presence:
         self._clear()
         return True
 
-    def take_or_find(self) -> Running | None:
+    def take_or_find(self) -> StudioInfo | None:
         """Becomes the folder's studio (None), or finds the one that is there, waiting for it while it starts.
 
         Raises:
@@ -92,7 +92,7 @@ class Presence:
         until = time.monotonic() + _STARTS_WITHIN_S
         while not self.take():
             found = self._read("running")
-            running = Running(str(found.get("address", "")), str(found.get("token", "")))
+            running = StudioInfo(str(found.get("address", "")), str(found.get("token", "")))
             if running.token and self._answers(running.address):
                 return running
             if time.monotonic() > until:
@@ -113,12 +113,12 @@ class Presence:
         try:
             with opener.open(request, timeout=_ANSWERS_WITHIN_S) as stream:
                 said = json.loads(stream.read(_LARGEST_BYTES))
-            proof = proof_of(secret, "studio", urlsplit(address).netloc, asked, said["answered"])
+            proof = compute_proof(secret, "studio", urlsplit(address).netloc, asked, said["answered"])
             return hmac.compare_digest(proof, said["proof"])
         except (OSError, ValueError, KeyError, TypeError, http.client.HTTPException):
             return False
 
-    def listens(self, running: Running, port: int) -> None:
+    def listens(self, running: StudioInfo, port: int) -> None:
         """Says where this process listens, if it is the folder's studio."""
         if self._lock is not None:
             with contextlib.suppress(OSError):
@@ -130,7 +130,7 @@ class Presence:
         name = f"open-{secrets.token_hex(8)}.html"
         try:
             self._place.mkdir(mode=0o700, parents=True, exist_ok=True)
-            return self._write(name, pages.redirect(address))
+            return self._write(name, fallback_pages.redirect(address))
         except OSError:
             return None
 

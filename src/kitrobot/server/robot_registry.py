@@ -21,21 +21,21 @@ from collections.abc import Iterable
 from typing import TYPE_CHECKING
 
 from kitrobot.diagnostics import KitRobotError
-from kitrobot.server.beside_loop import beside_loop
+from kitrobot.server.background import run_in_background
 from kitrobot.server.robot_gateway import RobotGateway
-from kitrobot.server.robot_subscriber import AT_PAGE, MOST_BOARDS, Line, Subscriber
+from kitrobot.server.robot_subscriber import AT_PAGE, MOST_BOARDS, MessageSink, Subscriber
 from kitrobot.server.shapes import (
     BoardGoneMessage,
     BoardPortShape,
     BoardPortsMessage,
 )
-from kitrobot.server.team_room import TeamRoom
+from kitrobot.server.team_controller import TeamController
 from kitrobot.text import Sentence
 from kitrobot.translation import said_in
 
 if TYPE_CHECKING:
     from kitrobot.deploy import Port
-    from kitrobot.server.robot_recorder import LastRun
+    from kitrobot.server.last_run_recorder import LastRunRecorder
     from kitrobot.server.robot_worker import RobotWorker
 
 LOOK_S = 1.0
@@ -62,8 +62,8 @@ class RobotRegistry:
     def __init__(self, links: RobotGateway) -> None:
         self.links = links
         self.in_page = False
-        """Whether there are only ports that the page opens: it has none of its own, and no network (`in_page`)."""
-        self.team = TeamRoom(self)
+        """Whether the only ports are those that the page opens, without a network (`in_page_server`)."""
+        self.team = TeamController(self)
         self._sessions: dict[str, RobotWorker] = {}
         self._subscribers: list[Subscriber] = []
         self._names = itertools.count(1)
@@ -74,15 +74,15 @@ class RobotRegistry:
 
     # -- pages
 
-    def enter(self, line: Line) -> Subscriber:
+    def enter(self, line: MessageSink) -> Subscriber:
         """A page comes; it is told of all robots."""
         subscriber = Subscriber(self, line, f"page-{next(self._names)}")
         self._subscribers.append(subscriber)
         for address, session in self._sessions.items():
-            if subscriber.tells_of(address, session.holder):
-                subscriber.tell_board(address)
-        if self.team.standing.agents:
-            subscriber.tell_team()
+            if subscriber.is_sent_board(address, session.holder):
+                subscriber.queue_board(address)
+        if self.team.status.agents:
+            subscriber.queue_team()
         return subscriber
 
     def page_with(self, key: str) -> Subscriber | None:
@@ -105,7 +105,7 @@ class RobotRegistry:
     async def _end(self, subscriber: Subscriber, sessions: list[RobotWorker]) -> None:
         await subscriber.end()
         for session in sessions:
-            await beside_loop(session.wait, CLOSE_WITHIN_S)
+            await run_in_background(session.wait, CLOSE_WITHIN_S)
             self._let_go(session)
         # Not before the robots were told to stop.
         for port in [*subscriber.ports.values()]:
@@ -118,7 +118,7 @@ class RobotRegistry:
         subscriber.looks = on
         if any(one.looks for one in self._subscribers):
             if on:
-                subscriber.tell_ports()
+                subscriber.queue_ports()
             if self._looking is None and not self.in_page:
                 self._looking = asyncio.create_task(self._look_at_ports())
         elif self._looking is not None:
@@ -132,7 +132,7 @@ class RobotRegistry:
 
     async def _find_ports(self) -> None:
         try:
-            found = await beside_loop(self.links.list_ports)
+            found = await run_in_background(self.links.list_ports)
         except (KitRobotError, OSError) as error:
             _log.debug("the ports cannot be listed: %s", error)
             found = []
@@ -140,7 +140,7 @@ class RobotRegistry:
             self._ports = found
             for subscriber in self._subscribers:
                 if subscriber.looks:
-                    subscriber.tell_ports()
+                    subscriber.queue_ports()
 
     def ports_text(self, page: Subscriber) -> str:
         """All ports that a page may use, encoded."""
@@ -166,7 +166,7 @@ class RobotRegistry:
         name = await self._name_of(address, holder)
         while (found := self._sessions.get(address)) is not None and found.closing:
             # Whoever had it is gone; a page that was loaded again asks before all is done.
-            await beside_loop(found.wait, CLOSE_WITHIN_S)
+            await run_in_background(found.wait, CLOSE_WITHIN_S)
             self._let_go(found)
         if found is not None:
             return _mine(holder, found)
@@ -235,7 +235,7 @@ class RobotRegistry:
         shown = (f" {names[: at + 1].count(name)}" if names.count(name) > 1 else "" for at, name in enumerate(names))
         return {one.name + number: one for one, number in zip(sessions, shown, strict=True)}
 
-    def recorder(self, address: str) -> LastRun:
+    def recorder(self, address: str) -> LastRunRecorder:
         """The recording of a robot that some page talks with.
 
         Raises:
@@ -257,7 +257,7 @@ class RobotRegistry:
     async def forget(self, session: RobotWorker) -> None:
         """Lets go of a robot."""
         session.close()
-        await beside_loop(session.wait, CLOSE_WITHIN_S)
+        await run_in_background(session.wait, CLOSE_WITHIN_S)
         self._let_go(session)
 
     async def free(self, holder: str, address: str) -> None:
@@ -285,12 +285,12 @@ class RobotRegistry:
     def team_changed(self) -> None:
         """All pages are told of the team."""
         for subscriber in self._subscribers:
-            subscriber.tell_team()
+            subscriber.queue_team()
 
     def _changed(self, address: str, holder: str) -> None:
         for subscriber in self._subscribers:
-            if subscriber.tells_of(address, holder):
-                subscriber.tell_board(address)
+            if subscriber.is_sent_board(address, holder):
+                subscriber.queue_board(address)
 
     def board_text(self, address: str) -> str:
         """A robot as it stands, or that nobody talks with it, encoded in the language of who asks."""
@@ -298,8 +298,8 @@ class RobotRegistry:
         if session is None:
             return BoardGoneMessage(address=address).model_dump_json()
         version, kept = self._texts.get((address, language), (-1, ""))
-        if version != session.standing.version:
-            version = session.standing.version
+        if version != session.status.version:
+            version = session.status.version
             kept = session.message().model_dump_json()
             self._texts[address, language] = (version, kept)
         return kept

@@ -28,7 +28,7 @@ AT_PAGE = "page:"
 """The addresses of ports that pages have opened."""
 
 
-class Line(Protocol):
+class MessageSink(Protocol):
     """What a page is told through: a WebSocket, or its twin in a test."""
 
     async def send_text(self, data: str) -> None:
@@ -38,7 +38,7 @@ class Line(Protocol):
 class Subscriber:
     """A page that is told of the robots. What it is to be told is collected until it has taken what came before."""
 
-    def __init__(self, room: RobotRegistry, line: Line, name: str) -> None:
+    def __init__(self, room: RobotRegistry, line: MessageSink, name: str) -> None:
         self.name = name
         self.looks = False
         """Whether it shows the ports."""
@@ -56,7 +56,7 @@ class Subscriber:
         self._due.set()
         self._task = asyncio.create_task(self._serve())
 
-    def tell(self, message: BaseModel) -> None:
+    def queue_message(self, message: BaseModel) -> None:
         """Tells this page alone."""
         self._own.append(message)
         self._due.set()
@@ -69,29 +69,29 @@ class Subscriber:
     def hold(self, port: PagePort) -> None:
         """It has opened a port."""
         self.ports[port.port.address] = port
-        self.tell_ports()
+        self.queue_ports()
 
     def drop(self, port: PagePort) -> None:
         """It has that port no more."""
         self.ports.pop(port.port.address, None)
-        self.tell_ports()
+        self.queue_ports()
 
-    def tell_ports(self) -> None:
+    def queue_ports(self) -> None:
         """The ports are others now."""
         self._ports_due = True
         self._due.set()
 
-    def tell_team(self) -> None:
+    def queue_team(self) -> None:
         """Something about the team changed."""
         self._team_due = True
         self._due.set()
 
-    def tell_board(self, address: str) -> None:
+    def queue_board(self, address: str) -> None:
         """Something about that robot changed."""
         self._boards_due[address] = None
         self._due.set()
 
-    def tells_of(self, address: str, holder: str) -> bool:
+    def is_sent_board(self, address: str, holder: str) -> bool:
         """Whether it is told of a robot there, which that page has or had."""
         return not address.startswith(AT_PAGE) or holder == self.name
 

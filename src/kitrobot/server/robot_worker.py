@@ -6,10 +6,10 @@ hears something every quarter of a second; it stops by itself within a second wh
 dies, a cable that is pulled and a page that is closed all end in the same safe way. When the worker ends,
 what is held is stopped; what runs free runs on.
 
-Where there are no threads it is a call that sleeps while it waits (`beside_loop`).
+Where there are no threads it is a call that sleeps while it waits (`run_in_background`).
 
-`changed` is called from this thread each time that what pages are told is replaced (`standing`). Left to others: the
-robot's state (kitrobot.robots), what pages are told (robot_standing), who may ask and who is told (robot_registry).
+`changed` is called from this thread each time that what pages are told is replaced (`status`). Left to others: the
+robot's state (kitrobot.robots), what pages are told (robot_status), who may ask and who is told (robot_registry).
 """
 
 from __future__ import annotations
@@ -24,11 +24,11 @@ from typing import Any, get_args
 
 from kitrobot.diagnostics import KitRobotError
 from kitrobot.robots import BoardProgram, Change, Happening, RobotSession
-from kitrobot.server.beside_loop import Begun, Turn
-from kitrobot.server.robot_bench import Tried
+from kitrobot.server.background import BackgroundTask, WakeCondition
+from kitrobot.server.last_run_recorder import LastRunRecorder
+from kitrobot.server.robot_bench import RobotBench
 from kitrobot.server.robot_gateway import RobotGateway
-from kitrobot.server.robot_recorder import LastRun
-from kitrobot.server.robot_standing import Standing, no_answer, way_out
+from kitrobot.server.robot_status import RobotStatus, no_answer_error, recovery_hint
 from kitrobot.server.shapes import BoardMessage, BoardProgressShape, BoardStep
 from kitrobot.text import Recorded, Sentence
 from kitrobot.workspace.bench import Bench, PartKey
@@ -70,14 +70,14 @@ class RobotWorker:
         self._links = links
         self._changed = changed
         self._orders: deque[Order] = deque()
-        self._wake = Turn()
+        self._wake = WakeCondition()
         self._stopping = self._closing = self._cancelled = False
-        self.standing = Standing()
+        self.status = RobotStatus()
         self.session = RobotSession(clock)
-        self.recorder = LastRun(name, self.session)
-        self._tried: Tried | None = None
+        self.recorder = LastRunRecorder(name, self.session)
+        self._bench: RobotBench | None = None
         self.session.subscribe(self._robot_changed)
-        self._begun = Begun(self._serve, f"board-{address}")
+        self._task = BackgroundTask(self._serve, f"board-{address}")
 
     # -- what is asked for, from any thread
 
@@ -95,7 +95,7 @@ class RobotWorker:
     def bench(self, bench: Bench, replace: bool = False) -> None:
         """Puts the program that tries its parts on the robot, which then waits for steps."""
         self._cancelled = False
-        self._order(lambda: self._begin_bench(Tried(self.session, bench), None, replace))
+        self._order(lambda: self._begin_bench(RobotBench(self.session, bench), None, replace))
 
     def try_step(self, at: int | None) -> None:
         """Does that step of the bench until the next one; None ends it."""
@@ -141,7 +141,7 @@ class RobotWorker:
 
     def wait(self, within_s: float) -> None:
         """Waits until it has let go, but not for ever."""
-        self._begun.wait(within_s)
+        self._task.wait(within_s)
 
     def _order(self, order: Order) -> None:
         with self._wake:
@@ -171,7 +171,7 @@ class RobotWorker:
             self._attempt(lambda name=sensor: self.session.force(name, None))  # type: ignore[misc]
         self.session.close()
         self.recorder.close()
-        self._say(phase="closed")
+        self._update_status(phase="closed")
 
     def _next(self) -> Order | None:
         """What is to be done now; waits for it while there is no robot to listen to."""
@@ -188,7 +188,7 @@ class RobotWorker:
             if self.session.is_open and self._links.is_lost(error):
                 self._lose()
             else:
-                self._say(message=error.message, help=way_out(error))
+                self._update_status(message=error.message, help=recovery_hint(error))
         except Exception as error:
             # What a broken line or a strange robot brings about; the session goes on.
             debugging = bool(os.environ.get("KITROBOT_DEBUG"))
@@ -204,7 +204,7 @@ class RobotWorker:
         else:
             message = Recorded("the link to `{robot}` is lost; it runs on by itself", self.name)
         self.session.lose(message)
-        self._say(
+        self._update_status(
             phase="lost", progress=None, message=message, help=Sentence("look at its cable, then press Reconnect")
         )
 
@@ -212,13 +212,13 @@ class RobotWorker:
 
     def _connect(self, program: BoardProgram | None) -> None:
         self.session.close()
-        self._say(phase="connecting", message="", help="", way="", progress=None)
+        self._update_status(phase="connecting", message="", help="", way="", progress=None)
         try:
             self._greet(program)
         except (KitRobotError, OSError) as error:
             self.session.close()
-            said = error if isinstance(error, KitRobotError) else no_answer(self.name)
-            self._say(phase="closed", message=said.message, help=way_out(said))
+            said = error if isinstance(error, KitRobotError) else no_answer_error(self.name)
+            self._update_status(phase="closed", message=said.message, help=recovery_hint(said))
         else:
             self._follow()
 
@@ -231,7 +231,7 @@ class RobotWorker:
             raise
         known = program.known if program is not None and program.is_called(hello.program) else None
         self.session.open(link, hello, known)
-        self._say(phase="open", micropython=kept_firmware(self.address, hello))
+        self._update_status(phase="open", micropython=kept_firmware(self.address, hello))
 
     def _follow(self) -> None:
         """Has a robot whose program is known tell what changes. One that does not answer any more now is lost."""
@@ -250,63 +250,65 @@ class RobotWorker:
         else:
             self._start(then == "held")
         if (warning := program.warning) is not None:
-            self._say(message=warning.message, help=warning.help)
+            self._update_status(message=warning.message, help=warning.help)
 
     def _put(self, put: Callable[[], BoardProgram]) -> bool:
         """Has a program put on the robot and greets it; whether that went well, else it is said what did not."""
-        self._tried = None
+        self._bench = None
         self.session.close()
         self.session.replaced()
-        self._say(phase="sending", message="", help="", way="")
+        self._update_status(phase="sending", message="", help="", way="")
         try:
             program = put()
-            self._say(progress=None)
+            self._update_status(progress=None)
             self._greet(program)
         except _Cancelled:
-            self._say(phase="closed", progress=None, message=Sentence("the sending was broken off"), help=_KEPT)
+            self._update_status(
+                phase="closed", progress=None, message=Sentence("the sending was broken off"), help=_KEPT
+            )
             return False
         except (KitRobotError, OSError) as error:
             self.session.close()
-            said = error if isinstance(error, KitRobotError) else no_answer(self.name)
+            said = error if isinstance(error, KitRobotError) else no_answer_error(self.name)
             way = self._links.way(said)
-            self._say(phase="closed", progress=None, message=said.message, help=way_out(said), way=way)
+            self._update_status(phase="closed", progress=None, message=said.message, help=recovery_hint(said), way=way)
             return False
         self._follow()
         return True
 
-    def _begin_bench(self, tried: Tried, needed: PartKey | None, replace: bool) -> None:
+    def _begin_bench(self, bench_run: RobotBench, needed: PartKey | None, replace: bool) -> None:
         def deploy(program: BoardProgram, fresh: bool) -> None:
             self._links.deploy(self.address, program, self._progress, replace, fresh)
 
-        if self._put(lambda: tried.load(needed, deploy)):
-            self._tried = tried
-            tried.hand.restart()
-            self._say()
+        if self._put(lambda: bench_run.load(needed, deploy)):
+            self._bench = bench_run
+            bench_run.hand.restart()
+            self._update_status()
 
     def _try(self, at: int | None) -> None:
-        tried = self._tried
-        if tried is None or not self.session.is_open:
+        bench_run = self._bench
+        if bench_run is None or not self.session.is_open:
             return
-        needed = tried.needs(at)
+        needed = bench_run.needs(at)
         if needed is not None:
-            self._begin_bench(tried, needed, False)
-        if self._tried is not None:
-            tried.do(at)
-            self._say()
+            self._begin_bench(bench_run, needed, False)
+        if self._bench is not None:
+            bench_run.do(at)
+            self._update_status()
 
     def _progress(self, step: Any, done: int, total: int) -> None:
         if self._cancelled:
             raise _Cancelled
         if step in STEPS:
-            self._say(progress=BoardProgressShape(step=step, done=done, total=total))
+            self._update_status(progress=BoardProgressShape(step=step, done=done, total=total))
 
     def _start(self, held: bool) -> None:
         self.session.start(held)
-        self._say(message="", help="")
+        self._update_status(message="", help="")
 
     def _stop(self) -> None:
-        if self._tried is not None:
-            self._tried.hand.step = None
+        if self._bench is not None:
+            self._bench.hand.step = None
         if self.session.is_open:
             self.session.stop()
 
@@ -314,36 +316,36 @@ class RobotWorker:
 
     def _listen(self) -> None:
         self.session.poll(LISTEN_S)
-        if self._tried is not None:
-            self._tried.check()
-            self._say()
+        if self._bench is not None:
+            self._bench.check()
+            self._update_status()
         error = self.recorder.error()
         if error is not None:
-            self._say(message=error.message, help=Sentence("what was recorded before can be saved"))
+            self._update_status(message=error.message, help=Sentence("what was recorded before can be saved"))
 
     def _robot_changed(self, change: Change) -> None:
         if change.happening is not Happening.REBOOTED:
-            self._say()
+            self._update_status()
             return
         help = Sentence("it may have lost its power for a moment: look at its battery and cable")
         if change.state.doing != "running":
             help = Sentence("it was stopped; it may have lost its power for a moment: look at its battery and cable")
-        self._say(message=Sentence("`{robot}` began anew by itself", self.name), help=help)
+        self._update_status(message=Sentence("`{robot}` began anew by itself", self.name), help=help)
 
     # -- telling
 
-    def _say(self, **changes: Any) -> None:
+    def _update_status(self, **changes: Any) -> None:
         session, recorded = self.session, self.recorder.is_there
         names = session.known.names if session.known is not None else None
         # What its program does changes all the time, and is told as a run.
         state = replace(session.state, tick=0, late=0, threads={}, cells={}, forced={})
-        bench = self._tried.shape() if self._tried is not None else None
-        now = replace(self.standing, robot=state, names=names, recorded=recorded, bench=bench, **changes)
-        if now == self.standing:
+        bench = self._bench.shape() if self._bench is not None else None
+        now = replace(self.status, robot=state, names=names, recorded=recorded, bench=bench, **changes)
+        if now == self.status:
             return
-        self.standing = replace(now, version=self.standing.version + 1)
+        self.status = replace(now, version=self.status.version + 1)
         self._changed()
 
     def message(self) -> BoardMessage:
         """What pages are told."""
-        return self.standing.message_of(self.address, self.name, self.holder)
+        return self.status.to_message(self.address, self.name, self.holder)

@@ -10,9 +10,9 @@ import kitrobot
 from kitrobot.diagnostics import ProblemsError
 from kitrobot.files import carried_mission, is_picture, revision_of
 from kitrobot.mission import save, write_mission
+from kitrobot.server.api_router import ThisStudio, api_router
 from kitrobot.server.fast_json import report_answer
-from kitrobot.server.routing import ThisStudio, api_router
-from kitrobot.server.saving import mission_bytes
+from kitrobot.server.mission_encoding import mission_bytes
 from kitrobot.server.shapes import (
     CheckShape,
     ConflictShape,

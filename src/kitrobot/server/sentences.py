@@ -64,7 +64,7 @@ def not_understood(error: ValidationError) -> KitRobotError:
     )
 
 
-class InReadersLanguage:
+class LanguageMiddleware:
     """An ASGI shell: what is said while a request or a WebSocket is served is said in the language that it asks for.
 
     `?language=` counts before `Accept-Language`: a browser lets no page write the headers of a WebSocket.

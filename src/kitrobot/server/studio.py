@@ -19,7 +19,7 @@ from kitrobot.diagnostics import KitRobotError
 from kitrobot.files import RECORDING, Journals, MissionFolder
 from kitrobot.mission import Mission
 from kitrobot.primitives import SHIPPED, Catalogue, load_catalogue
-from kitrobot.server.beside_loop import Stop
+from kitrobot.server.background import StopSignal
 from kitrobot.server.broadcast import Broadcast
 from kitrobot.server.gallery import Gallery
 from kitrobot.server.recordings import Recordings
@@ -70,7 +70,7 @@ class Studio:
         self.first = self.folder.name_of(mission) if mission is not None else None
         self.runs = 0
         self.at_work: set[str] = set()
-        """The kinds of work in the background that are on (`background_work`); as `runs`."""
+        """The kinds of work in the background that are on (`websocket_jobs`); as `runs`."""
         self.watches: dict[str, WatchedRun] = {}
         """The runs and recordings that are on, by their names."""
         self.broadcasts: dict[str, Broadcast] = {}
@@ -80,7 +80,7 @@ class Studio:
         self.boards_for_visitors = False
         """Whether pages on other machines may use the ports of this one."""
         self.in_page = False
-        """Whether it runs in the page itself: it reaches no network, and only ports that were chosen (`in_page`)."""
+        """Whether it runs in the page itself, without a network, and with chosen ports only (`in_page_server`)."""
         self.recordings = Recordings(self._recordings_are_in)
         self.saving = asyncio.Lock()
         """Held while a run is recorded once more: one at a time is quick enough."""
@@ -89,7 +89,7 @@ class Studio:
         """What missions do in their first seconds."""
         self.tutorials = Tutorials(self.folder)
         self.exercises = Exercises(self.folder)
-        self.judging: dict[str, Stop] = {}
+        self.judging: dict[str, StopSignal] = {}
         """What stops each judging that is on, by the name that its page gave it."""
         self.programs = KeptPrograms()
         self._lock = threading.Lock()

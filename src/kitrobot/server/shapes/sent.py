@@ -17,7 +17,7 @@ from kitrobot.diagnostics import KitRobotError
 from kitrobot.graph import Program
 from kitrobot.mission import Mission
 from kitrobot.primitives import Level
-from kitrobot.server.list_delta import taken
+from kitrobot.server.list_delta import apply_delta
 from kitrobot.server.shapes.catalogue import LevelName
 from kitrobot.server.shapes.mission import (
     MOST_PROGRAMS,
@@ -93,8 +93,8 @@ def _program(shape: SentProgramShape, known: Callable[[str], Program | None]) ->
                 Sentence("load the page again"),
             )
         before = found
-    vertices = taken(shape.vertices, before.vertices, MOST_VERTICES)
-    arcs = taken(shape.arcs, before.arcs, 2 * MOST_VERTICES)
+    vertices = apply_delta(shape.vertices, before.vertices, MOST_VERTICES)
+    arcs = apply_delta(shape.arcs, before.arcs, 2 * MOST_VERTICES)
     same = (before.name, before.target, before.level) == (shape.name, shape.robot, level)
     if same and _are(vertices, before.vertices) and _are(arcs, before.arcs):
         return before
