@@ -160,8 +160,8 @@ def test_it_pauses_in_programs_that_stand_in_a_team_s(tmp_path):
 def test_without_its_robot_a_condition_is_said_not_to_be_tested_and_the_place_still_pauses(recording, replay, place):
     mark = Breakpoint("carrier", place, when="Cargo.IsPressed()")
     header = open_trace(recording).reader.header
-    assert recorded_agents.testable([mark], header, {}, ()) == ([replace(mark, when="")], False)
-    assert recorded_agents.testable([replace(mark, enabled=False)], header, {}, ())[1]
+    assert recorded_agents.select_testable([mark], header, {}, ()) == ([replace(mark, when="")], False)
+    assert recorded_agents.select_testable([replace(mark, enabled=False)], header, {}, ())[1]
     robots = {**TRANSPORT.catalogue.robots, "carrier": TRANSPORT.catalogue.robot("mini-robot")}
     changed = WatchedRecording(
         open_trace(recording), replace(TRANSPORT, catalogue=replace(TRANSPORT.catalogue, robots=robots))

@@ -336,7 +336,7 @@ def test_own_robots_and_constructors_travel_with_the_recording(page, folder, con
 def test_only_so_many_recordings_stay_open(tmp_path, recorded, monkeypatch):
     from kitrobot.server import recordings
 
-    monkeypatch.setattr(recordings, "MOST_KEPT", 2)
+    monkeypatch.setattr(recordings, "MAX_OPEN", 2)
     kept = Recordings(lambda folder: None)
     names = []
     for _ in range(3):

@@ -163,7 +163,7 @@ def sanitize(text: str) -> str:
 
 
 def print_message(text: str) -> None:
-    """Prints a sanitised message on standard error, in one write with its line feed: other processes write there too."""
+    """Prints a sanitised message on standard error, in one write with its line feed: other processes write too."""
     if sys.stderr is not None:
         sys.stderr.write(f"{sanitize(text)}\n")
 

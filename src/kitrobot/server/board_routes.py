@@ -21,7 +21,7 @@ from kitrobot.diagnostics import KitRobotError
 from kitrobot.server.api_router import refuse_visitors, studio_of
 from kitrobot.server.background import run_in_background
 from kitrobot.server.robot_registry import AddressError, RobotRegistry
-from kitrobot.server.robot_subscriber import Subscriber
+from kitrobot.server.robot_subscriber import RobotSubscriber
 from kitrobot.server.sentences import not_understood
 from kitrobot.server.shapes import (
     BOARD_REQUEST,
@@ -105,7 +105,7 @@ class BoardSession:
 
     async def serve(self) -> None:
         """Reads requests until the socket closes, then lets go of the page's robots."""
-        subscriber = self._room.enter(self._socket)
+        subscriber = self._room.subscribe(self._socket)
         try:
             while True:
                 message = await self._socket.receive()
@@ -113,9 +113,9 @@ class BoardSession:
                     return
                 await self._handle_message(subscriber, message.get("text") or message.get("bytes") or "")
         finally:
-            await self._room.leave(subscriber)
+            await self._room.unsubscribe(subscriber)
 
-    async def _handle_message(self, subscriber: Subscriber, text: str | bytes) -> None:
+    async def _handle_message(self, subscriber: RobotSubscriber, text: str | bytes) -> None:
         try:
             request: BoardRequest = BOARD_REQUEST.validate_json(text)
         except ValidationError as error:
@@ -135,14 +135,14 @@ class BoardSession:
                 KitRobotError(Sentence("something went wrong inside KitRobot"), Sentence("please report it")),
             )
 
-    def _refuse(self, subscriber: Subscriber, address: str, error: KitRobotError) -> None:
+    def _refuse(self, subscriber: RobotSubscriber, address: str, error: KitRobotError) -> None:
         subscriber.queue_message(_refusal(address, error))
 
-    async def _do(self, subscriber: Subscriber, request: BoardRequest) -> None:
+    async def _do(self, subscriber: RobotSubscriber, request: BoardRequest) -> None:
         room = self._room
         match request:
             case BoardsLookRequest():
-                room.look(subscriber, request.on)
+                room.show_ports(subscriber, request.on)
             case BoardConnectRequest():
                 program: BoardProgram | None = None
                 try:
@@ -164,19 +164,19 @@ class BoardSession:
                 subscriber.queue_message(steps_message(request.address, bench))
                 worker.bench(bench, request.replace)
             case BoardTryRequest():
-                room.taken(subscriber.name, request.address).try_step(request.step)
+                room.held_session(subscriber.name, request.address).try_step(request.step)
             case BoardStopRequest():
                 room.stop(request.address)
             case BoardCancelRequest():
-                room.taken(subscriber.name, request.address).cancel()
+                room.held_session(subscriber.name, request.address).cancel()
             case BoardStartRequest():
-                room.taken(subscriber.name, request.address).start(request.held)
+                room.held_session(subscriber.name, request.address).start(request.held)
             case BoardIdentifyRequest():
-                room.taken(subscriber.name, request.address).identify()
+                room.held_session(subscriber.name, request.address).identify()
             case BoardForgetRequest():
-                await room.forget(room.taken(subscriber.name, request.address))
+                await room.release(room.held_session(subscriber.name, request.address))
             case TeamSendRequest():
-                opened = await run_in_background(self._opened, request)
+                opened = await run_in_background(self._open_message, request)
                 folder = self._studio.folder.folders_of(request.path)[0]
                 await room.team.send(subscriber.name, opened, request.path, request.boards, folder)
             case TeamCancelRequest():
@@ -187,7 +187,7 @@ class BoardSession:
 
         folder = self._studio.folder.folders_of(request.path)[0]
         kit = kit_named(request.kit, folder) if request.kit else None
-        return board_program(self._opened(request), request.program, folder, kit)
+        return board_program(self._open_message(request), request.program, folder, kit)
 
     def _bench(self, request: BoardBenchRequest) -> Bench:
         from kitrobot.compiler import robot_of
@@ -196,10 +196,10 @@ class BoardSession:
 
         folder = self._studio.folder.folders_of(request.path)[0]
         kit = kit_named(request.kit, folder) if request.kit else None
-        opened = self._opened(request)
+        opened = self._open_message(request)
         return bench_of(robot_of(opened.program(request.program), opened.catalogue), kit, folder)
 
-    def _opened(
+    def _open_message(
         self, request: BoardConnectRequest | BoardSendRequest | BoardBenchRequest | TeamSendRequest
     ) -> OpenMission:
         return self._studio.open(mission_from_shape(request.mission), request.path)

@@ -152,7 +152,7 @@ class Watcher:
                     return
 
 
-class Subscriber:
+class Subscription:
     """The place of one watcher in a broadcast, from when it joins until it leaves."""
 
     def __init__(self, broadcast: Broadcast, sink: MessageSink, another: bool) -> None:

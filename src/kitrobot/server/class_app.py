@@ -14,9 +14,9 @@ from kitrobot.diagnostics import KitRobotError
 from kitrobot.server.app import STATIC, create_app, install_failures
 from kitrobot.server.class_gateway import ClassGateway, new_key
 from kitrobot.server.class_grader import ClassGrader
-from kitrobot.server.class_overview import Overview, Reach
+from kitrobot.server.class_overview import JoinAddress, Overview
 from kitrobot.server.class_pages import serve_pages
-from kitrobot.server.class_pictures import Pictures
+from kitrobot.server.class_pictures import ClassPictures
 from kitrobot.server.class_routes import class_routes
 from kitrobot.server.class_sockets import class_socket_routes
 from kitrobot.server.class_studios import PupilStudios
@@ -44,7 +44,7 @@ class ClassApp:
 
 
 def create_class_app(
-    room: ClassRoom, key: str, reach: Reach, static: Path = STATIC, site: Path | None = None
+    room: ClassRoom, key: str, reach: JoinAddress, static: Path = STATIC, site: Path | None = None
 ) -> ClassApp:
     """The application of a class.
 
@@ -63,7 +63,7 @@ def create_class_app(
     app = class_api()
     app.state.room = room
     app.state.entrance = entrance
-    app.state.pictures = Pictures(room)
+    app.state.pictures = ClassPictures(room)
     app.state.studio = studio.state.studio
     app.state.grading = grading
     app.state.overview = Overview(room, entrance, studio.state.studio, grading, reach)

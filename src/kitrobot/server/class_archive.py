@@ -1,4 +1,4 @@
-"""What a class handed in as a ZIP file, and as a table in which no cell can begin as a spreadsheet's formula does."""
+"""The work of a class as a ZIP file, and as a table in which no cell can start a spreadsheet formula."""
 
 from __future__ import annotations
 
@@ -23,13 +23,13 @@ TABLE: Final = "class.csv"
 
 @dataclass(frozen=True)
 class ClassArchive:
-    """The ZIP file, and how many files of pupils are in it."""
+    """The ZIP file, and the number of pupils' files in it."""
 
     data: bytes
     files: int
 
 
-def collect(room: ClassRoom, studio: Studio, folders: list[str] | None) -> ClassArchive:
+def build_archive(room: ClassRoom, studio: Studio, folders: list[str] | None) -> ClassArchive:
     """Everything that those pupils, or all, handed in.
 
     Raises:

@@ -1,6 +1,6 @@
 """Grading a class with its exercise: what each pupil handed in last, beside the running class, one piece after another.
 
-It writes `grades.html` and `grades.csv` into the class's folder; what pupils' own pages say of goals does not count.
+It writes `grades.html` and `grades.csv` into the class's folder; goals that pupils' own pages report do not count.
 """
 
 from __future__ import annotations
@@ -48,7 +48,7 @@ class ClassGrader:
         self.state: GradingState | None = None
 
     def begin(self, folders: Sequence[str] | None) -> int:
-        """Begins; gives how many submissions there are.
+        """Starts grading; returns the number of submissions.
 
         Raises:
             ClassError: there is nothing to grade, or grading is on.
@@ -75,20 +75,20 @@ class ClassGrader:
         return len(names)
 
     def end(self) -> None:
-        """Breaks it off."""
+        """Cancels grading."""
         self._stop.set()
         self.wait(10)
 
     def wait(self, within_s: float) -> None:
-        """Waits until it is over, but not for ever."""
+        """Waits until grading is over, at most `within_s` seconds."""
         if self._thread is not None:
             self._thread.join(within_s)
 
     def page(self) -> bytes:
-        """What was written last.
+        """The page of grades that was written last.
 
         Raises:
-            FileError: nothing was.
+            FileError: there is none.
         """
         return read_bytes(self._room.folder / GRADES_PAGE)
 

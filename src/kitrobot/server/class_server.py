@@ -15,12 +15,12 @@ from typing import TYPE_CHECKING, Final
 from kitrobot.classroom import SITE, ClassRoom, Desk, unread_sentence
 from kitrobot.server.class_certificate import usable_certificate
 from kitrobot.server.presence import Presence
-from kitrobot.server.studio_server import ServerError, give_address, has_screen, listen
+from kitrobot.server.studio_server import ServerError, has_screen, listen, print_address
 from kitrobot.text import Sentence
 from kitrobot.translation import said
 
 if TYPE_CHECKING:
-    from kitrobot.server.class_overview import Reach
+    from kitrobot.server.class_overview import JoinAddress
 
 USUAL_FOLDER: Final = "Class"
 
@@ -89,7 +89,7 @@ def _serve(room: ClassRoom, address: str, opening: ClassSettings, site: Path | N
     # Only now: where it cannot listen, nobody waits for the web server to load.
     from kitrobot.server.class_app import create_class_app
     from kitrobot.server.class_gateway import new_key
-    from kitrobot.server.class_overview import Reach
+    from kitrobot.server.class_overview import JoinAddress
     from kitrobot.server.web_server import run_server
 
     scheme = "http" if tls is None else "https"
@@ -97,16 +97,16 @@ def _serve(room: ClassRoom, address: str, opening: ClassSettings, site: Path | N
     pupils = f"{scheme}://{_name(shown)}:{number}/"
     home = f"{scheme}://{'127.0.0.1' if tls is None else _name(shown)}:{number}/"
     key = new_key()
-    reach = Reach(pupils, tuple(qr_rows(pupils)), reach_sentence(address, tls is not None))
+    reach = JoinAddress(pupils, tuple(qr_rows(pupils)), reach_sentence(address, tls is not None))
     made = create_class_app(room, key, reach, site=site)
     teacher = f"{home}teacher?token={key}"
 
     def ready() -> None:
-        give_address(teacher)
+        print_address(teacher)
         for line in _welcome(room, reach, site):
             print(line, file=sys.stderr, flush=True)
         if opening.browser and has_screen():
-            threading.Thread(target=_show, args=(room.folder, teacher), daemon=True).start()
+            threading.Thread(target=_open_browser, args=(room.folder, teacher), daemon=True).start()
 
     try:
         run_server(made.app, listening, ready, tls)
@@ -116,7 +116,7 @@ def _serve(room: ClassRoom, address: str, opening: ClassSettings, site: Path | N
             one.close()
 
 
-def _welcome(room: ClassRoom, reach: Reach, site: Path | None) -> list[str]:
+def _welcome(room: ClassRoom, reach: JoinAddress, site: Path | None) -> list[str]:
     code = room.record.code
     runs = Sentence("Programs of pupils run in their own browsers.")
     if site is None:
@@ -208,8 +208,8 @@ def _name(host: str) -> str:
     return f"[{host}]" if ":" in host else host
 
 
-def _show(folder: Path, address: str) -> None:
+def _open_browser(folder: Path, address: str) -> None:
     """Opens the browser, without the key in its command line: other users of this machine can read that."""
-    page = Presence(folder).page_to(address)
+    page = Presence(folder).write_redirect_page(address)
     if page is not None:
         webbrowser.open(page.as_uri())

@@ -1,4 +1,4 @@
-"""Every request is answered: an ASGI shell that refuses what takes too long, and what comes when there is too much.
+"""Deadlines for requests: ASGI middleware that refuses what takes too long, and requests beyond a limit.
 
 A request waits for a disk that does not answer, or for more work than anybody has patience for. Its answer is 504, and
 long work is cancelled (request_cancellation); any other thread cannot be stopped, so its work goes on, counts as under
@@ -54,25 +54,25 @@ class DeadlineMiddleware:
 
     async def _serve(self, scope: Scope, receive: Receive, send: Send) -> None:
         now = asyncio.get_running_loop().time
-        heard, begun, late = now(), False, False
+        last_received, begun, late = now(), False, False
 
-        async def hears() -> Message:
-            nonlocal heard
+        async def tracked_receive() -> Message:
+            nonlocal last_received
             message = await receive()
-            heard = now()
+            last_received = now()
             return message
 
-        async def says(message: Message) -> None:
+        async def tracked_send(message: Message) -> None:
             nonlocal begun
             if not late:
                 begun = True
                 await send(message)
 
-        task = asyncio.create_task(self._work(scope, hears, says))
+        task = asyncio.create_task(self._work(scope, tracked_receive, tracked_send))
         self._under_way.add(task)
         task.add_done_callback(self._under_way.discard)
         try:
-            while not (task.done() or begun) and (left := heard + self._within_s - now()) > 0:
+            while not (task.done() or begun) and (left := last_received + self._within_s - now()) > 0:
                 await asyncio.wait({task}, timeout=left)
             if task.done() or begun:
                 await task
@@ -81,8 +81,8 @@ class DeadlineMiddleware:
             task.cancel()
             raise
         late = True
-        task.add_done_callback(_forget)
-        # What waits beside a thread hears of it (`request_cancellation`).
+        task.add_done_callback(_log_late_failure)
+        # Waiting work in a thread is cancelled by this (`request_cancellation`).
         task.cancel()
         _log.warning("%s %s was not answered within %g s", scope["method"], scope["path"], self._within_s)
         await self._refuse(
@@ -97,7 +97,7 @@ class DeadlineMiddleware:
         await self._app(scope, receive, send)
 
 
-def _forget(task: asyncio.Task[None]) -> None:
-    """Whoever asked has been answered."""
+def _log_late_failure(task: asyncio.Task[None]) -> None:
+    """Logs the failure of a request that has been answered already."""
     if not task.cancelled() and (error := task.exception()) is not None:
         _log.warning("what was not answered in time failed: %s: %s", type(error).__name__, error)

@@ -5,7 +5,7 @@ from __future__ import annotations
 import gc
 
 
-def calm_collector() -> None:
+def tune_garbage_collector() -> None:
     """Has it look at everything less often, and never at what is there now.
 
     Hardly anything here is garbage that counting references does not find, and a look at a large mission's programs

@@ -20,7 +20,7 @@ from starlette.types import ASGIApp, Message
 from kitrobot.files import first_example
 from kitrobot.server.app import create_app
 from kitrobot.server.background import disable_threads
-from kitrobot.server.garbage_collector import calm_collector
+from kitrobot.server.garbage_collector import tune_garbage_collector
 from kitrobot.server.security import TOKEN_HEADER
 
 HOST = "127.0.0.1"
@@ -159,5 +159,5 @@ def begin(folder: Path, in_class: bool = False) -> InPageServer:
     app.state.studio.in_page = app.state.studio.boards.in_page = True
     with suppress(OSError):
         app.state.studio.folder.sweep()
-    calm_collector()
+    tune_garbage_collector()
     return InPageServer(app, token)

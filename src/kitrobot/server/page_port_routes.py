@@ -35,7 +35,7 @@ async def page_port(
     except AddressError:
         await socket.close(_NOT_ALLOWED)
         return
-    from kitrobot.server.page_ports import hold
+    from kitrobot.server.page_ports import register_port
 
     async def send(words: str | bytes) -> None:
         try:
@@ -44,8 +44,8 @@ async def page_port(
             raise OSError("the page hung up") from error
 
     registry = studio_of(socket).boards
-    owner = registry.page_with(key)
-    port = None if owner is None or not owner.has_room else hold(mark, vendor, send)
+    owner = registry.page_by_key(key)
+    port = None if owner is None or not owner.has_room else register_port(mark, vendor, send)
     if owner is None or port is None:
         await socket.close(_NOT_ALLOWED)
         return
@@ -67,10 +67,10 @@ async def page_port(
                 await socket.close(_TOO_MUCH)
                 return
             else:
-                port.arrived(data)
+                port.receive_data(data)
                 await port.room()
         with contextlib.suppress(RuntimeError, OSError):
             await socket.close()
     finally:
-        port.gone()
+        port.disconnect()
         owner.drop(port)

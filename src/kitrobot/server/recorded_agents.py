@@ -50,7 +50,7 @@ class RecordedAgent:
         """What knows and does."""
         return self
 
-    def look(self, record: TickRecord) -> None:
+    def update(self, record: TickRecord) -> None:
         """As it is in this record."""
         self.active = record.active[self.index]
         self.cells = record.numbers[self._places]
@@ -91,7 +91,7 @@ def recorded_agents(
     return made
 
 
-def testable(
+def select_testable(
     breakpoints: Iterable[Breakpoint],
     header: TraceHeader,
     robots: Mapping[str, Robot],

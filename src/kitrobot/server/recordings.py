@@ -17,7 +17,7 @@ from kitrobot.diagnostics import KitRobotError
 from kitrobot.text import Sentence
 from kitrobot.workspace import OpenTrace, open_trace, unpack
 
-MOST_KEPT = 16
+MAX_OPEN = 16
 """Recordings that stay open; the one that was opened first goes when there are more."""
 
 
@@ -64,7 +64,7 @@ class Recordings:
             raise
         with self._lock:
             self._files[name] = path
-            gone = list(self._files)[:-MOST_KEPT]
+            gone = list(self._files)[:-MAX_OPEN]
             left = [(one, self._files.pop(one)) for one in gone]
         for one, file in left:
             shutil.rmtree(self.folder() / one, ignore_errors=True)

@@ -35,12 +35,12 @@ class MessageSink(Protocol):
         """Sends a message; comes back when there is room for more."""
 
 
-class Subscriber:
+class RobotSubscriber:
     """A page that is told of the robots. What it is to be told is collected until it has taken what came before."""
 
     def __init__(self, room: RobotRegistry, line: MessageSink, name: str) -> None:
         self.name = name
-        self.looks = False
+        self.shows_ports = False
         """Whether it shows the ports."""
         self._room = room
         self._line = line
@@ -108,9 +108,9 @@ class Subscriber:
                 for message in own:
                     await self._line.send_text(message.model_dump_json())
                 if ports:
-                    await self._line.send_text(self._room.ports_text(self))
+                    await self._line.send_text(self._room.encode_ports(self))
                 for address in boards:
-                    await self._line.send_text(self._room.board_text(address))
+                    await self._line.send_text(self._room.encode_board(address))
                 if team:
                     await self._line.send_text(self._room.team.text())
                 await asyncio.sleep(FRAME_S)

@@ -75,7 +75,9 @@ def _robots(studio: Studio, request: RobotsRequest, opened: OpenMission, wake: C
     """In the loop of the server, which knows the robots; whoever calls this off finds no run that hears them still."""
     from kitrobot.server.watched_robots import WatchedRobots
 
-    return WatchedRobots(studio.boards.together(request.holder, request.addresses), opened, _from_any_thread(wake))
+    return WatchedRobots(
+        studio.boards.named_sessions(request.holder, request.addresses), opened, _from_any_thread(wake)
+    )
 
 
 def _from_any_thread(wake: Callable[[], None]) -> Callable[[], None]:

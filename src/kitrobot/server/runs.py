@@ -25,7 +25,7 @@ from pydantic import ValidationError
 from kitrobot.diagnostics import KitRobotError
 from kitrobot.server.api_router import studio_of
 from kitrobot.server.background import run_in_background
-from kitrobot.server.broadcast import MOST_WATCHERS, Broadcast, Subscriber
+from kitrobot.server.broadcast import MOST_WATCHERS, Broadcast, Subscription
 from kitrobot.server.realtime_pacer import RealtimePacer, speed_of
 from kitrobot.server.run_jobs import Job, job_for_request, run_job_until, single_step_job, steps_back
 from kitrobot.server.run_publisher import RunPublisher
@@ -80,7 +80,7 @@ class Session:
         self._pace: RealtimePacer | None = None
         self._watch: WatchedRun | None = None
         self._name = ""
-        self._subscriber: Subscriber | None = None
+        self._subscription: Subscription | None = None
         """The place from which this socket watches another's run."""
         self._looks: tuple[str, ...] = ()
         self._early: list[Steering] = []
@@ -135,9 +135,9 @@ class Session:
             await self._start(request)
         elif isinstance(request, WatchRequest):
             await self._start_watching(request)
-        elif self._subscriber is not None:
+        elif self._subscription is not None:
             if isinstance(request, LookRequest):
-                self._subscriber.select_agents(request.agents)
+                self._subscription.select_agents(request.agents)
             else:
                 help = Sentence("to steer one, start a run of your own")
                 await self._publisher.send_error(Sentence("the page that started this run steers it"), help)
@@ -188,13 +188,13 @@ class Session:
             message = Sentence("{most} pages watch this run already", MOST_WATCHERS)
             await self._publisher.send_error(message, Sentence("try again later"), ended=True)
         else:
-            self._subscriber = Subscriber(broadcast, self._socket, another=not broadcast.runs_mission(mission))
+            self._subscription = Subscription(broadcast, self._socket, another=not broadcast.runs_mission(mission))
 
     async def _stop_watching(self) -> None:
         """Ends this socket's watching."""
-        subscriber, self._subscriber = self._subscriber, None
-        if subscriber is not None:
-            await subscriber.leave()
+        subscription, self._subscription = self._subscription, None
+        if subscription is not None:
+            await subscription.leave()
 
     def _steer(self, request: Steering) -> None:
         if isinstance(request, StopRequest):

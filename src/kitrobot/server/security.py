@@ -98,13 +98,13 @@ class SecurityMiddleware:
             return
         gone = False
 
-        async def heard() -> Message:
+        async def tracked_receive() -> Message:
             nonlocal gone
             message = await receive()
             gone = gone or message["type"] == "websocket.disconnect"
             return message
 
-        async def said(message: Message) -> None:
+        async def tracked_send(message: Message) -> None:
             nonlocal gone
             try:
                 if not gone:
@@ -115,7 +115,7 @@ class SecurityMiddleware:
                 raise OSError("the page is gone")
 
         try:
-            await self.app(scope, heard, said)
+            await self.app(scope, tracked_receive, tracked_send)
         except (WebSocketDisconnect, OSError):
             # A page may close while a message is sent to it, whatever the socket is for.
             if not gone:

@@ -43,13 +43,13 @@ from kitrobot.workspace import (
 from kitrobot.world import EMPTY
 
 Stamp = tuple[tuple[str, int, int, int], ...]
-MOST_KEPT = 16
+MAX_CACHED = 16
 """Folders whose catalogue is kept."""
 MOST_WORLDS = 1000
 """Missions of which it is known which world they are in."""
 
 
-class _Kept:
+class CachedCatalogue:
     """What was read for the missions of some folders, in the state of `stamp`."""
 
     def __init__(self, stamp: Stamp, catalogue: Catalogue) -> None:
@@ -93,7 +93,7 @@ class Studio:
         """What stops each judging that is on, by the name that its page gave it."""
         self.programs = KeptPrograms()
         self._lock = threading.Lock()
-        self._kept: dict[tuple[Path, ...], _Kept] = {}
+        self._catalogues: dict[tuple[Path, ...], CachedCatalogue] = {}
         self._worlds: dict[str, Path] = {}
 
     @cached_property
@@ -124,18 +124,18 @@ class Studio:
         """As `catalogue`, as it travels."""
         return self._parts(path).shape
 
-    def _parts(self, path: str) -> _Kept:
+    def _parts(self, path: str) -> CachedCatalogue:
         folders = self.folder.folders_of(path)
         stamp = _stamp((SHIPPED, config_folder(), *folders))
         with self._lock:
-            kept = self._kept.get(folders)
+            kept = self._catalogues.get(folders)
         if kept is not None and kept.stamp == stamp:
             return kept
-        kept = _Kept(stamp, load_catalogue(folders))
+        kept = CachedCatalogue(stamp, load_catalogue(folders))
         with self._lock:
-            if len(self._kept) >= MOST_KEPT:
-                self._kept.clear()
-            self._kept[folders] = kept
+            if len(self._catalogues) >= MAX_CACHED:
+                self._catalogues.clear()
+            self._catalogues[folders] = kept
         return kept
 
     def stamp(self, path: str) -> str:

@@ -29,8 +29,8 @@ class ServerError(KitRobotError):
 
 
 @dataclass(frozen=True)
-class Place:
-    """The folder that missions are in, and the mission to begin with."""
+class StudioLocation:
+    """The folder of the missions, and the mission to open first."""
 
     workspace: Path
     mission: Path | None
@@ -56,9 +56,9 @@ def serve(
     bound = _loopback(host)
     presence = Presence(place.workspace)
     if new:
-        presence.take()
-    elif (running := presence.take_or_find()) is not None:
-        _join(presence, running, place, browser)
+        presence.acquire()
+    elif (running := presence.acquire_or_find()) is not None:
+        _open_running_studio(presence, running, place, browser)
         return
     try:
         _serve(place, presence, bound, port, browser)
@@ -66,21 +66,21 @@ def serve(
         presence.leave()
 
 
-def _join(presence: Presence, running: StudioInfo, place: Place, browser: bool) -> None:
+def _open_running_studio(presence: Presence, running: StudioInfo, place: StudioLocation, browser: bool) -> None:
     """Opens another page of a studio that runs."""
     wanted = MissionFolder(place.workspace).name_of(place.mission) if place.mission is not None else ""
     address = f"{running.address}?{urlencode({'token': running.token, 'open': wanted})}"
-    give_address(address)
+    print_address(address)
     print(
         "The studio of this folder runs already: this is another page of it. --new starts a second one.",
         file=sys.stderr,
         flush=True,
     )
     if browser and has_screen():
-        _show(presence, address)
+        _open_browser(presence, address)
 
 
-def _serve(place: Place, presence: Presence, bound: str, port: int | None, browser: bool) -> None:
+def _serve(place: StudioLocation, presence: Presence, bound: str, port: int | None, browser: bool) -> None:
     listening = listen(bound, port, presence.port)
     # Only now: where the studio is not served, nobody waits for the web server to load.
     from kitrobot.server.app import create_app
@@ -92,13 +92,13 @@ def _serve(place: Place, presence: Presence, bound: str, port: int | None, brows
     app = create_app(place.workspace, place.mission, running.token, secret=presence.secret)
 
     def ready() -> None:
-        presence.listens(running, number)
+        presence.publish(running, number)
         threading.Thread(target=app.state.studio.folder.sweep, daemon=True).start()
-        give_address(address)
+        print_address(address)
         print("Ctrl-C ends the studio.", file=sys.stderr, flush=True)
         if browser and has_screen():
             # A browser that is slow to start must not keep the server waiting.
-            threading.Thread(target=_show, args=(presence, address), daemon=True).start()
+            threading.Thread(target=_open_browser, args=(presence, address), daemon=True).start()
 
     try:
         run_server(app, [listening], ready)
@@ -107,26 +107,26 @@ def _serve(place: Place, presence: Presence, bound: str, port: int | None, brows
         listening.close()
 
 
-def give_address(address: str) -> None:
-    """Says on standard output where the server is, if that can be written: it serves all the same."""
+def print_address(address: str) -> None:
+    """Prints the server's address on standard output; it serves even if that fails."""
     with suppress(OSError):
         print(address, flush=True)
 
 
-def _show(presence: Presence, address: str) -> None:
+def _open_browser(presence: Presence, address: str) -> None:
     """Opens the browser, without the token in its command line: other users of this machine can read that."""
-    page = presence.page_to(address)
+    page = presence.write_redirect_page(address)
     if page is not None:
         webbrowser.open(page.as_uri())
 
 
-def _place(target: Path | None) -> Place:
+def _place(target: Path | None) -> StudioLocation:
     if target is None:
-        return Place(Path.cwd(), first_example())
+        return StudioLocation(Path.cwd(), first_example())
     if target.is_dir():
-        return Place(target, None)
+        return StudioLocation(target, None)
     mission = target.resolve()
-    return Place(mission.parent, mission)
+    return StudioLocation(mission.parent, mission)
 
 
 def _loopback(host: str) -> str:

@@ -145,7 +145,7 @@ class TeamController:
     def _notify_if_changed(self, before: TeamStatus) -> None:
         if self._loop is not None and self.status != before:
             with contextlib.suppress(RuntimeError):  # the studio has ended meanwhile
-                self._loop.call_soon_threadsafe(self._registry.team_changed)
+                self._loop.call_soon_threadsafe(self._registry.notify_team_changed)
 
     # -- claiming and releasing
 
@@ -186,7 +186,7 @@ class TeamController:
             names = [agent.name for agent in opened.mission.team.agents]
             boards = check_boards(((one.agent, one.address) for one in wanted), names)
             for address in boards.values():
-                await self._registry.free(holder, address)
+                await self._registry.release_board(holder, address)
             self.addresses = frozenset(boards.values())
         except BaseException:
             self._claimed = False

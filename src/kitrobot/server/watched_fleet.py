@@ -56,7 +56,7 @@ class FleetThread:
         self._over = threading.Event()
         self._folder = tempfile.TemporaryDirectory(prefix="kitrobot-", ignore_cleanup_errors=True)
         self._cleaning = threading.Lock()
-        self.agents = Agents(self._heard)
+        self.agents = Agents(self._on_agent_report)
         try:
             trace = Path(self._folder.name) / f"run{ENDING}"
             self.source = FleetSource(prepared.simulation, trace, parts_of(prepared.opened), self.stop)
@@ -82,7 +82,7 @@ class FleetThread:
             self._thread.join(within_s)
 
     def close(self) -> None:
-        """Nobody looks at it any more."""
+        """No page shows it any more."""
         self._closed.set()
         self._clean()
 
@@ -97,13 +97,13 @@ class FleetThread:
         outcome, sentence = "failed", ""
         try:
             with self.agents:
-                run = self._begun()
+                run = self._start_fleet()
                 outcome, sentence = run.outcome, run.sentence
-                self._tell_end(run)
+                self._report_end(run)
                 self.source.finish(outcome, sentence)
                 self._changed()
         except KitRobotError as error:
-            sentence = self._why(error)
+            sentence = self._start_failure(error)
             self._team.update(message=sentence, help=recovery_hint(error), failed=True)
         except Exception as error:
             debugging = bool(os.environ.get("KITROBOT_DEBUG"))
@@ -118,7 +118,7 @@ class FleetThread:
             self._clean()
             self._changed()
 
-    def _begun(self) -> FleetRun:
+    def _start_fleet(self) -> FleetRun:
         prepared = self._prepared
         simulation = prepared.simulation
         folder = Path(self._folder.name) / "mission"
@@ -128,40 +128,46 @@ class FleetThread:
         network = Network(identity_of(simulation), (free_endpoint(),))
         lease = max(self._team.lease_ms, BOARD_LEASE_MS if self._boards else 0)
         plan = FleetPlan(file, names, network, None, self._boards, lease, self._team.pace)
-        told = FleetTold(self._said, self._pressed.is_set, lambda now: self._stepped(), self._came, self._ended)
+        told = FleetTold(
+            self._on_log_line,
+            self._pressed.is_set,
+            lambda now: self._on_step(),
+            self._on_agent_joined,
+            self._on_agent_ended,
+        )
         return run_fleet(simulation, plan, self.agents, told)
 
-    def _stepped(self) -> None:
+    def _on_step(self) -> None:
         self.source.step()
         if self._team.status.phase == "starting":
             self._team.update(phase="running", message="")
         self._changed()
 
-    def _came(self, name: str) -> None:
+    def _on_agent_joined(self, name: str) -> None:
         self._team.update_agent(name, state="there")
 
-    def _said(self, name: str, sentence: str) -> None:
+    def _on_log_line(self, name: str, sentence: str) -> None:
         """A line of the team's log."""
         if name:
             self._team.report_agent(name, sentence)
         else:
             self._team.update(message=sentence)
 
-    def _heard(self, name: str, told: Told) -> None:
-        """What an agent says, in a thread of its own."""
+    def _on_agent_report(self, name: str, told: Told) -> None:
+        """A report of an agent, in a thread of its own."""
         if told.failed:
             self._team.update_agent(name, message=told.sentence, help=_help(told), failed=True)
         else:
             self._team.report_agent(name, told.sentence)
 
-    def _ended(self, name: str, sentence: str) -> None:
-        """An agent's process has ended, and all that it said was heard: why it failed, where it said so."""
+    def _on_agent_ended(self, name: str, sentence: str) -> None:
+        """An agent's process has ended, and all its reports were read."""
         self._team.report_agent(name, sentence, ended=True)
 
-    # -- what came of it
+    # -- the result
 
-    def _why(self, error: KitRobotError) -> str:
-        """Why it did not begin: what the agents say of it, where they do."""
+    def _start_failure(self, error: KitRobotError) -> str:
+        """Why the run did not begin: the agents' own reports, if there are any."""
         failed = [one for one in self._team.status.agents if one.failed]
         if not failed:
             return error.message
@@ -169,7 +175,7 @@ class FleetThread:
             return Sentence("{agent}: {why}", failed[0].name, failed[0].message)
         return Sentence("the team was not started, since this failed: {names}", listed(one.name for one in failed))
 
-    def _tell_end(self, run: FleetRun) -> None:
+    def _report_end(self, run: FleetRun) -> None:
         if run.outcome != "stopped":
             self._team.update(message=run.sentence, help="", failed=False)
             return

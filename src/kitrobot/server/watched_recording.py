@@ -11,7 +11,7 @@ from pathlib import Path
 
 from kitrobot.diagnostics import KitRobotError
 from kitrobot.mission import Breakpoint
-from kitrobot.server.recorded_agents import recorded_agents, testable
+from kitrobot.server.recorded_agents import recorded_agents, select_testable
 from kitrobot.server.watched_run import WatchedRun
 from kitrobot.text import Sentence
 from kitrobot.trace import RecordingSource, RunSource
@@ -36,7 +36,7 @@ class WatchedRecords(WatchedRun):
     def _observe(self) -> None:
         record = self._source.record()
         for agent in self._recorded:
-            agent.look(record)
+            agent.update(record)
 
     def pause_at(self, breakpoints: Iterable[Breakpoint]) -> None:
         """These are the breakpoints from now on; visits are counted anew.
@@ -45,7 +45,7 @@ class WatchedRecords(WatchedRun):
             ConditionError: a condition cannot be understood.
             ReplayError: a condition cannot be tested here; its breakpoint pauses at each visit.
         """
-        sensible, all_of_them = testable(breakpoints, self._source.header, self._robots, self._works)
+        sensible, all_of_them = select_testable(breakpoints, self._source.header, self._robots, self._works)
         super().pause_at(sensible)
         if not all_of_them:
             raise ReplayError(

@@ -11,7 +11,7 @@ import uvicorn
 from starlette.types import ASGIApp
 
 from kitrobot.server.connections import LARGEST_HEAD_BYTES, MOST_CONNECTIONS, BoundedConnection
-from kitrobot.server.garbage_collector import calm_collector
+from kitrobot.server.garbage_collector import tune_garbage_collector
 from kitrobot.server.runs import LARGEST_MESSAGE_BYTES
 
 END_WITHIN_S = 2
@@ -23,7 +23,7 @@ def run_server(
 ) -> None:
     """Serves until Ctrl-C; `ready` is called once it listens, `tls` is a certificate and its key."""
     config = server_config(app, tls)
-    calm_collector()
+    tune_garbage_collector()
     with suppress(KeyboardInterrupt):
         _Server(config, ready).run(sockets=list(listening))
 
