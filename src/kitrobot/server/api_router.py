@@ -1,4 +1,4 @@
-"""What routes of the API have in common: prefix, how bodies are read, how failures look, the studio that is asked."""
+"""The common part of all API routes: prefix, reading of bodies, the shape of failures, the studio of a request."""
 
 from __future__ import annotations
 

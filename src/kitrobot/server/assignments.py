@@ -67,7 +67,7 @@ def pack(files: dict[str, bytes]) -> bytes:
     made = io.BytesIO()
     with zipfile.ZipFile(made, "w", zipfile.ZIP_DEFLATED) as archive:
         for name, data in files.items():
-            # Without the moment: the clock of a small machine may stand before 1980, which no ZIP file can say.
+            # Without the time: a small machine's clock may be before 1980, which a ZIP file cannot hold.
             archive.writestr(zipfile.ZipInfo(name), data, zipfile.ZIP_DEFLATED)
     return made.getvalue()
 
@@ -81,7 +81,7 @@ def unpack(data: bytes) -> dict[str, bytes]:
     try:
         with zipfile.ZipFile(io.BytesIO(data)) as archive:
             entries = archive.infolist()
-            # What an entry says of its size is believed only as far as that is read.
+            # An entry's announced size is not trusted: it is read up to the limit.
             if len(entries) > MOST_FILES or sum(one.file_size for one in entries) > MOST_BYTES:
                 raise _assignment_error()
             return {_plain(one.filename): archive.read(one) for one in entries}

@@ -243,7 +243,7 @@ class Broadcast:
             watcher.send_state(state)
 
     def end(self, message: str, help: str) -> None:
-        """Tells watchers why there is no run any more, except those that know that it is over."""
+        """Sends watchers why there is no run any more, except those that know that it is over."""
         if not self.on and not self._new:
             return
         last = ErrorMessage(message=message, help=help, ended=True)

@@ -1,6 +1,6 @@
 """The pages of a class: `/` for pupils, `/teacher` for the teacher, `/studio` for the teacher's own studio.
 
-All are the built page, which is told by a word in its head whom it is for. With a static site (`kitrobot site`) the
+All are the built page, with a word in its head that names its user. With a static site (`kitrobot site`) the
 page of pupils is that of the site: Python runs in it, and the class only keeps its work.
 """
 

@@ -99,7 +99,7 @@ def ask(entrance: Door, who: From, wanted: ClassAskShape) -> ClassAskedShape:
 
 @class_routes.post("/asked")
 def asked(entrance: Door, wanted: ClassAskedShape) -> ClassAnsweredShape:
-    """What the teacher said to that."""
+    """The teacher's answer to that."""
     yes, _, key = entrance.answered(wanted.asked)
     if yes is None:
         return ClassAnsweredShape(state="waiting")

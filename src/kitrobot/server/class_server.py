@@ -195,7 +195,7 @@ def _is_any(address: str) -> bool:
 
 
 def _own_address() -> str:
-    """What others in the network know this machine by, as far as it can tell; nothing is sent for it."""
+    """This machine's address in the network, as far as it is known; nothing is sent for it."""
     with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as asked:
         try:
             asked.connect(("192.0.2.1", 9))

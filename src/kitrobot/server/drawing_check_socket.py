@@ -1,4 +1,4 @@
-"""`WS /api/drawing-check`: what a mission that is being drawn may do for ever; asked after an edit, and only told.
+"""`WS /api/drawing-check`: endless behaviour of a mission that is being drawn; checked after an edit.
 
 Left to others: finding it (`workspace.drawing_check`). The page closes the socket at the next edit, which ends it.
 """

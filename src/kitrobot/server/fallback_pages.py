@@ -31,7 +31,7 @@ code {{ font-family: ui-monospace, monospace; padding: 0.1em 0.35em; border-radi
 
 
 def sentence(message: str, help: str) -> str:
-    """A page that says one thing; `words` in back quotes are set as code."""
+    """A page with one sentence; `words` in back quotes are set as code."""
     language = said_in()
     return _PAGE.format(
         language=language,

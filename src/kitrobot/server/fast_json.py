@@ -2,7 +2,7 @@
 
 A report has an entry for each vertex: making a shape of each, only to write it out, took half as long as compiling. So
 they are written as plain dictionaries with the fields of the shapes (`ReportShape`, `FollowedShape`); a test holds
-them to that. Only problems are shaped, for they are few and said in the reader's language.
+them to that. Only problems are models, for they are few and translated into the reader's language.
 """
 
 from __future__ import annotations

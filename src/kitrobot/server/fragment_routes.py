@@ -60,7 +60,7 @@ def _drawn(program: Seq, robot: Robot, catalogue: Catalogue) -> Program | None:
 
 
 def _without_chain(program: Program) -> Program:
-    """What does not stand in the chain: the condition of its only instruction."""
+    """The program without its chain: the condition of its only instruction."""
     chained = {arc.target for arc in program.arcs if arc.at == IN}
     gone = chained | {vertex.id for vertex in program.vertices if vertex.element in (START, STOP)}
     return replace(

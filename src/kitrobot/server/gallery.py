@@ -1,6 +1,6 @@
 """What can be opened, as a list: the missions of the folder by path, then the examples, the easiest first.
 
-An example says its title, what happens in it, how hard it is and what it is about; what it does is fetched for each
+An example has its title, what happens in it, its difficulty and its topics; what it does is fetched for each
 picture that is seen. An example is read again only when its file changed. A mission of the folder is known by its
 file's name alone: what was copied from an example keeps the example's title inside, which would mislead.
 """

@@ -32,7 +32,7 @@ handshake_routes = api_router("/api/again")
 
 
 class StrangerError(KitRobotError):
-    """Who asks does not know the folder's secret."""
+    """The sender does not know the folder's secret."""
 
 
 class AgainAskShape(BaseModel):
@@ -103,7 +103,7 @@ def _handshake(request: Request) -> Handshake:
 
 
 def _address(request: Request) -> str:
-    """Where the connection really ends, whatever the request says."""
+    """The address at which the connection really ends, whatever the request claims."""
     name, port = request.scope["server"]
     return f"[{name}]:{port}" if ":" in name else f"{name}:{port}"
 

@@ -7,6 +7,6 @@ import hmac
 
 
 def compute_proof(secret: str, who: str, address: str, asked: str, answered: str) -> str:
-    """What only somebody who knows the secret can say; `who` is "studio" or "page", `address` a name and a port."""
+    """The proof of knowing `secret`; `who` is "studio" or "page", `address` a name and a port."""
     words = "\n".join((who, address, asked, answered))
     return hmac.new(secret.encode(), words.encode(), hashlib.sha256).hexdigest()

@@ -27,7 +27,7 @@ HOST = "127.0.0.1"
 _NORMAL, _GONE = 1000, 1006
 
 Heard = Callable[[str | bytes | None], None]
-"""Told each message of the studio, and None when the socket is closed."""
+"""Receives each message of the studio, and None when the socket is closed."""
 
 
 @dataclass(frozen=True)
@@ -112,7 +112,7 @@ class Socket:
         self._said.put_nowait({"type": "websocket.connect"})
 
     def say(self, words: str | bytes) -> None:
-        """Tells the studio."""
+        """Sends the studio a message."""
         kind = "text" if isinstance(words, str) else "bytes"
         self._said.put_nowait({"type": "websocket.receive", kind: words})
 
@@ -128,14 +128,14 @@ class Socket:
             heard(None)
 
     async def receive(self) -> Message:
-        """What the application hears."""
+        """The next message for the application."""
         return await self._said.get()
 
     async def send(self, message: Message) -> None:
-        """What the application says.
+        """Takes a message of the application.
 
         Raises:
-            OSError: nobody hears it any more.
+            OSError: the socket is closed.
         """
         if message["type"] == "websocket.close":
             self.end()
@@ -149,7 +149,7 @@ class Socket:
 def begin(folder: Path, in_class: bool = False) -> InPageServer:
     """A studio on a folder, which is made, in a process that has neither threads nor other processes.
 
-    In a class it begins without a mission: the class says which one.
+    In a class it begins without a mission: the class chooses one.
     """
     disable_threads()
     folder.mkdir(parents=True, exist_ok=True)

@@ -51,7 +51,7 @@ class WorkerSocket:
 
 async def begin_here(folder: str, in_class: bool) -> WorkerServer:
     """The studio on a folder of this worker's file system; `in_class` as for `begin`."""
-    # A browser goes on from a memory that it kept: what was drawn at random before is the same each time.
+    # A browser goes on from a stored memory: what was drawn at random before is the same each time.
     random.seed()
     # Where the browser can put a call to sleep (JSPI).
     set_sleep_function(run_sync if can_run_sync() else None)

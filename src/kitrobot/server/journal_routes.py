@@ -1,6 +1,6 @@
 """Nothing is lost: the page's journal, and what it must know of its file and of other pages.
 
-`WS /api/watch` is open as long as the page is: it makes the page a tab, tells it what changes on disk, and when it
+`WS /api/watch` is open as long as the page is: it makes the page a tab, sends it what changes on disk, and when it
 closes, for whatever reason, what the page wrote is free for the next one. The other requests bring records in.
 """
 
@@ -165,7 +165,7 @@ def _news(studio: Studio, tab: str) -> NewsMessage:
 
 
 async def _until_closed(socket: WebSocket) -> None:
-    """Answers whatever the page says by the threads that answer requests: the page asks whether they do."""
+    """Answers any message from the threads that answer requests, so the page can check that they do."""
     with contextlib.suppress(WebSocketDisconnect, RuntimeError):
         while (await socket.receive())["type"] != "websocket.disconnect":
             await run_in_background(lambda: None)

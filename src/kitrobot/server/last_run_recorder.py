@@ -1,8 +1,8 @@
 """Which part of a real robot's session is recorded while the studio is connected to it: its last run.
 
-A run is recorded from the moment it is started here, or found running, until it stops, ends or fails, and kept until
+A run is recorded from the moment it is started here, or found running, until it stops, ends or fails, and stored until
 the next one. When the link is lost the recording waits: it goes on when the same program is found running again. Files
-stand in a temporary folder that goes with the robot's session. Only the session's thread calls this, except for `save`.
+are in a temporary folder that goes with the robot's session. Only the session's thread calls this, except for `save`.
 """
 
 from __future__ import annotations
@@ -40,7 +40,7 @@ class LastRunRecorder:
         return self._recorder is not None
 
     def error(self) -> TraceError | None:
-        """Why the recording ended before its run did; said once."""
+        """Why the recording ended before its run did; returned once."""
         found = self._recorder.error if self._recorder is not None else None
         if found is None or self._is_error_reported:
             return None
@@ -61,7 +61,7 @@ class LastRunRecorder:
             self._recorder.save(path)
 
     def close(self) -> None:
-        """The robot is let go, and its recording with it."""
+        """Ends with the robot's session, and removes the recording."""
         self._end()
         with self._lock:
             self._recorder = None

@@ -15,7 +15,7 @@ def mission_bytes(mission: Mission, name: str) -> bytes:
     """The file of a mission.
 
     Raises:
-        UnsavableError: the studio could not open it: XML that is kept word for word makes none, or it has no program.
+        UnsavableError: the studio could not open it: its verbatim XML is invalid, or it has no program.
     """
     data = write_mission(mission)
     # What is on the disk is worth more than what cannot be read.

@@ -2,7 +2,7 @@
 
 Bytes travel as binary messages; a text is one word: `open` and `close` to the page; `opened`, `busy`, `failed` and
 `gone` from it. The page shows by the key of its welcome that the port is its own. When the socket closes the port is
-gone, and a robot that runs held hears nothing any more.
+gone, and a robot that runs held receives nothing any more.
 """
 
 from __future__ import annotations

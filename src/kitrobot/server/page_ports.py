@@ -23,7 +23,7 @@ KIND: Final = "page"
 MOST_WAITING: Final = 64 * 1024
 """Bytes that wait to be read: the page is not read until there is room; and bytes that wait to be sent."""
 OPEN_S: Final = 10.0
-"""How long a page may take to open a port: the reader may be asked something."""
+"""How long a page may take to open a port: the browser may show a prompt."""
 WRITE_S: Final = 10.0
 _SLICE_S: Final = 0.02
 

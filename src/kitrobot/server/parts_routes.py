@@ -117,7 +117,7 @@ def kits(studio: ThisStudio, path: Name) -> list[KitEntryShape]:
 
 @parts_routes.post("/kits/fit")
 def kits_fit(studio: ThisStudio, wanted: KitFitAskShape) -> list[KitFitShape]:
-    """Whether a program of a mission runs as its robot's own file says, and on each of the kits."""
+    """Whether a program of a mission runs on its robot's own board, and on each of the kits."""
     opened = studio.open(mission_from_shape(wanted.mission), wanted.path)
     folder = studio.folder.folders_of(wanted.path)[0]
     fits = program_on_kits(opened, wanted.program, kits_at_hand(folder).values(), folder)

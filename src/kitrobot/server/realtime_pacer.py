@@ -15,7 +15,7 @@ UNPACED = 0.0
 """The speed that means: as fast as it goes."""
 
 MOST_BEHIND_S = 0.25
-"""What a run makes up for at most; time beyond it is let go."""
+"""The longest delay that a run makes up for; time beyond it is dropped."""
 
 
 class RealtimePacer:
@@ -78,5 +78,5 @@ class RealtimePacer:
 
 
 def speed_of(wanted: float) -> float:
-    """The speed for one that was asked for: none is slower than `SLOWEST` but `UNPACED`."""
+    """The speed for a requested one: at least `SLOWEST`, except `UNPACED`."""
     return wanted if wanted == UNPACED else max(SLOWEST, wanted)

@@ -1,10 +1,10 @@
-"""The agents of a recording as breakpoints ask of them: where each stood after a step, what ran in it, what it knew.
+"""The agents of a recording as breakpoints query them: the position of each after a step, what ran in it, its values.
 
-A recording holds where every thread stands after each step, and the commands that devices took. So a vertex is known to
-have run when a thread stands there afterwards, or when the agent gave a command that no other vertex of its program
-can give; what ran and was left within one step otherwise is not known, and nobody is said to have been there.
+A recording holds the position of every thread after each step, and the commands that devices took. So a vertex is known
+to have run when a thread is at it afterwards, or when the agent gave a command that no other vertex of its program can
+give; what ran and was left within one step otherwise is not known, and does not count as a visit.
 
-What an agent knew (fault, inputs, variables) is recorded whole, so conditions can be tested, as long as its robot is
+The values of an agent (fault, inputs, variables) are recorded whole, so conditions can be tested, as long as its robot is
 still defined as it was.
 """
 

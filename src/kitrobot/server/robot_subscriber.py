@@ -1,4 +1,4 @@
-"""A page that is told of real robots: what it is to be told is collected until it has taken what came before.
+"""A page that receives the status of real robots: messages are queued until it has taken the earlier ones.
 
 It has a task of its own, which sends what changed since it last sent, at most every `FRAME_S`.
 """
@@ -29,14 +29,14 @@ AT_PAGE = "page:"
 
 
 class MessageSink(Protocol):
-    """What a page is told through: a WebSocket, or its twin in a test."""
+    """The receiver of a page's messages: a WebSocket, or its twin in a test."""
 
     async def send_text(self, data: str) -> None:
         """Sends a message; comes back when there is room for more."""
 
 
 class RobotSubscriber:
-    """A page that is told of the robots. What it is to be told is collected until it has taken what came before."""
+    """A page that receives the robots' status. Messages are queued until it has taken the earlier ones."""
 
     def __init__(self, room: RobotRegistry, line: MessageSink, name: str) -> None:
         self.name = name
@@ -49,7 +49,7 @@ class RobotSubscriber:
         self._team_due = False
         self._boards_due: dict[str, None] = {}
         self.key = secrets.token_urlsafe(24)
-        """By which it shows that a port is its own; only this page is told."""
+        """The key by which the page shows that a port is its own; sent to this page only."""
         self.ports: dict[str, PagePort] = {}
         """Those that it has opened itself, by their addresses."""
         self._own: deque[BaseModel] = deque([BoardsWelcomeMessage(you=name, key=self.key)], MOST_TOLD)
@@ -57,7 +57,7 @@ class RobotSubscriber:
         self._task = asyncio.create_task(self._serve())
 
     def queue_message(self, message: BaseModel) -> None:
-        """Tells this page alone."""
+        """Sends a message to this page alone."""
         self._own.append(message)
         self._due.set()
 
@@ -92,7 +92,7 @@ class RobotSubscriber:
         self._due.set()
 
     def is_sent_board(self, address: str, holder: str) -> bool:
-        """Whether it is told of a robot there, which that page has or had."""
+        """Whether it receives the status of that robot, which page `holder` has or had."""
         return not address.startswith(AT_PAGE) or holder == self.name
 
     async def _serve(self) -> None:
@@ -116,6 +116,6 @@ class RobotSubscriber:
                 await asyncio.sleep(FRAME_S)
 
     async def end(self) -> None:
-        """Tells no more."""
+        """Stops sending."""
         self._task.cancel()
         await asyncio.gather(self._task, return_exceptions=True)

@@ -2,14 +2,14 @@
 
 The thread loops: STOP before anything else, then requests in their order, then the robot's news. Everything that waits
 for the robot waits here, so twelve robots never wait for one another. While a program runs *held*, the robot
-hears something every quarter of a second; it stops by itself within a second when it hears nothing, so a studio that
+receives something every quarter of a second; it stops by itself within a second otherwise, so a studio that
 dies, a cable that is pulled and a page that is closed all end in the same safe way. When the worker ends,
 what is held is stopped; what runs free runs on.
 
 Where there are no threads it is a call that sleeps while it waits (`run_in_background`).
 
-`changed` is called from this thread each time that what pages are told is replaced (`status`). Left to others: the
-robot's state (kitrobot.robots), what pages are told (robot_status), who may ask and who is told (robot_registry).
+`changed` is called from this thread each time that `status` is replaced. Not here: the robot's state
+(kitrobot.robots), its status for pages (robot_status), holders and subscribers (robot_registry).
 """
 
 from __future__ import annotations
@@ -35,9 +35,9 @@ from kitrobot.workspace.bench import Bench, PartKey
 from kitrobot.workspace.kept_firmware import kept_firmware
 
 LISTEN_S = 0.05
-"""How long the robot is listened to before what was asked for meanwhile is looked at."""
+"""How long the worker listens to the robot before it handles requests again."""
 WATCH_MS = 100
-"""The robot tells what changed at most so often."""
+"""The shortest interval at which the robot reports changes."""
 MOST_ORDERS = 64
 STEPS: tuple[BoardStep, ...] = get_args(BoardStep)
 _KEPT = Sentence("the robot still has the program that it had")
@@ -47,7 +47,7 @@ _log = logging.getLogger("kitrobot.server")
 
 
 class BusyError(KitRobotError):
-    """The robot was asked for more than it can do."""
+    """The robot was sent more requests than it can handle."""
 
 
 class _Cancelled(Exception):
@@ -79,7 +79,7 @@ class RobotWorker:
         self.session.subscribe(self._robot_changed)
         self._task = BackgroundTask(self._serve, f"board-{address}")
 
-    # -- what is asked for, from any thread
+    # -- requests, from any thread
 
     def connect(self, program: BoardProgram | None) -> None:
         """Greets the robot; `program` gives names to what it does, if it has that."""
@@ -102,7 +102,7 @@ class RobotWorker:
         self._order(lambda: self._try(at))
 
     def cancel(self) -> None:
-        """Breaks off the sending."""
+        """Cancels sending."""
         self._cancelled = True
 
     def start(self, held: bool) -> None:
@@ -110,14 +110,14 @@ class RobotWorker:
         self._order(lambda: self._start(held))
 
     def stop(self) -> None:
-        """Stops it before anything else, and forgets what was asked for and not done."""
+        """Stops it before anything else, and drops pending requests."""
         with self._wake:
             self._stopping = self._cancelled = True
             self._orders.clear()
             self._wake.notify()
 
     def identify(self) -> None:
-        """Lets it show which one it is."""
+        """Has the robot show which one it is."""
         self._order(lambda: self.session.link.identify())
 
     def force(self, sensor: str, value: int | None) -> None:
@@ -130,17 +130,17 @@ class RobotWorker:
 
     @property
     def closing(self) -> bool:
-        """Whether it lets go, or has."""
+        """Whether it is closing, or closed."""
         return self._closing
 
     def close(self) -> None:
-        """Lets go of the robot: one that is held stops."""
+        """Releases the robot: one that is held stops."""
         with self._wake:
             self._closing = self._cancelled = True
             self._wake.notify()
 
     def wait(self, within_s: float) -> None:
-        """Waits until it has let go, but not for ever."""
+        """Waits until it has ended, at most `within_s` seconds."""
         self._task.wait(within_s)
 
     def _order(self, order: Order) -> None:
@@ -181,7 +181,7 @@ class RobotWorker:
             return self._orders.popleft() if self._orders and not self._stopping else None
 
     def _attempt(self, work: Order) -> None:
-        """Does something with the robot; whatever goes wrong is said, and nothing is left half open."""
+        """Does something with the robot; every error is reported, and nothing is left half open."""
         try:
             work()
         except KitRobotError as error:
@@ -234,7 +234,7 @@ class RobotWorker:
         self._update_status(phase="open", micropython=kept_firmware(self.address, hello))
 
     def _follow(self) -> None:
-        """Has a robot whose program is known tell what changes. One that does not answer any more now is lost."""
+        """Subscribes to the changes of a robot whose program is known. One that does not answer any more is lost."""
         if self.session.known is not None:
             self.session.watch(WATCH_MS)
 
@@ -253,7 +253,7 @@ class RobotWorker:
             self._update_status(message=warning.message, help=warning.help)
 
     def _put(self, put: Callable[[], BoardProgram]) -> bool:
-        """Has a program put on the robot and greets it; whether that went well, else it is said what did not."""
+        """Puts a program on the robot and greets it; returns whether that succeeded, else the error is reported."""
         self._bench = None
         self.session.close()
         self.session.replaced()
@@ -312,7 +312,7 @@ class RobotWorker:
         if self.session.is_open:
             self.session.stop()
 
-    # -- what the robot says
+    # -- messages of the robot
 
     def _listen(self) -> None:
         self.session.poll(LISTEN_S)
@@ -332,12 +332,12 @@ class RobotWorker:
             help = Sentence("it was stopped; it may have lost its power for a moment: look at its battery and cable")
         self._update_status(message=Sentence("`{robot}` began anew by itself", self.name), help=help)
 
-    # -- telling
+    # -- status
 
     def _update_status(self, **changes: Any) -> None:
         session, recorded = self.session, self.recorder.is_there
         names = session.known.names if session.known is not None else None
-        # What its program does changes all the time, and is told as a run.
+        # The state of its program changes all the time, and is sent as a run.
         state = replace(session.state, tick=0, late=0, threads={}, cells={}, forced={})
         bench = self._bench.shape() if self._bench is not None else None
         now = replace(self.status, robot=state, names=names, recorded=recorded, bench=bench, **changes)
@@ -347,5 +347,5 @@ class RobotWorker:
         self._changed()
 
     def message(self) -> BoardMessage:
-        """What pages are told."""
+        """The status as a message to pages."""
         return self.status.to_message(self.address, self.name, self.holder)

@@ -54,7 +54,7 @@ routes = api_router()
 
 
 async def _body(request: Request) -> bytes:
-    """The body as it came, whatever the page says it is."""
+    """The raw body, whatever its content type."""
     return await request.body()
 
 
@@ -114,7 +114,7 @@ def _read(studio: Studio, data: bytes, name: str, path: str) -> OpenMission:
     """A file opened, of which there is something to show.
 
     Raises:
-        ProblemsError: it holds no program; what is wrong with it is told.
+        ProblemsError: it holds no program; the error has the diagnostics.
     """
     opened = studio.read(data, name, path)
     if not any(program.vertices for program in opened.mission.programs):
@@ -161,7 +161,7 @@ def mission_team(studio: ThisStudio, wanted: FirstTeamShape) -> MissionShape:
 def mission_file(studio: Studio, opened: OpenMission, path: str, revision: str) -> MissionFileShape:
     """An opened mission as the page gets it."""
     studio.world_file(opened.mission.world_href, path)
-    # What is wrong with the mission's own world is told by each check anew.
+    # Each check reports the problems of the mission's own world again.
     problems = [item for item in opened.diagnostics if not (item.thing and opened.mission.own_world)]
     # Before the files are read: what changes meanwhile is then news.
     parts = studio.stamp(path)

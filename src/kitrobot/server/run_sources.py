@@ -72,7 +72,7 @@ def _opened(studio: Studio, request: StartRequest | RobotsRequest | FleetRequest
 
 
 def _robots(studio: Studio, request: RobotsRequest, opened: OpenMission, wake: Callable[[], None]) -> WatchedRun:
-    """In the loop of the server, which knows the robots; whoever calls this off finds no run that hears them still."""
+    """In the loop of the server, which knows the robots; so after a cancellation no run is subscribed to them."""
     from kitrobot.server.watched_robots import WatchedRobots
 
     return WatchedRobots(
@@ -122,7 +122,7 @@ async def _fleet(studio: Studio, request: FleetRequest, wake: Callable[[], None]
 
 
 def _prepared(studio: Studio, request: FleetRequest) -> tuple[PreparedRun, Mission]:
-    """The network is the radio of a fleet, whatever the mission says of one."""
+    """The network is the radio of a fleet, instead of the mission's radio."""
     from kitrobot.fleet import charter_of
 
     opened = _opened(studio, request)

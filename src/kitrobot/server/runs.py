@@ -84,7 +84,7 @@ class Session:
         """The place from which this socket watches another's run."""
         self._looks: tuple[str, ...] = ()
         self._early: list[Steering] = []
-        """What was asked for while the mission was still being compiled."""
+        """Requests that came while the mission was still being compiled."""
         self._steps = 0
         self._jobs: list[Job] = []
         """What is to be done to the run between two rounds, in a thread."""
@@ -92,7 +92,7 @@ class Session:
         """Whether the job that is on is to leave off."""
         self._stopping = False
         self._counts = False
-        """Whether it is one of the studio's runs; one that stands at its end is not."""
+        """Whether it is one of the studio's runs; one that is at its end is not."""
 
     async def serve(self) -> None:
         """Reads requests until the socket closes, then ends the run."""
@@ -103,7 +103,7 @@ class Session:
                     return
                 await self._handle_message(message.get("text") or message.get("bytes") or "")
         finally:
-            # Others are told before anything is waited for: whoever calls this off ends the waiting too.
+            # Watchers are notified before anything is awaited: a cancellation ends the awaiting too.
             self._close_run()
             try:
                 if self._task is not None:
@@ -198,7 +198,7 @@ class Session:
 
     def _steer(self, request: Steering) -> None:
         if isinstance(request, StopRequest):
-            # Nobody waits any more for what was asked for before; what real robots do, they are told next.
+            # Earlier requests are obsolete; real robots get this one next.
             self._jobs, self._breaking_off = [], True
         if isinstance(request, StopRequest) and not (self._watch is not None and self._watch.real):
             self._stopping = True
@@ -248,7 +248,7 @@ class Session:
         except KitRobotError as error:
             await self._publisher.end_for_all(error.message, error.help)
         except (RuntimeError, OSError, WebSocketDisconnect):
-            # The page is gone in the middle of a message; `serve` hears of it too.
+            # The page is gone in the middle of a message; `serve` notices it too.
             _log.debug("the page left during a run", exc_info=True)
         except Exception as error:
             debugging = bool(os.environ.get("KITROBOT_DEBUG"))
@@ -277,8 +277,8 @@ class Session:
         self._counts = counts
 
     async def _drive(self, watch: WatchedRun, pace: RealtimePacer, broadcast: Broadcast) -> None:
-        """Loops until the run is stopped. At its end it stands still, and can be taken back from there; it goes on
-        when a person changes what kept it from going on.
+        """Loops until the run is stopped. At its end it pauses, and can be taken back from there; it goes on
+        when a person removes what held it.
         """
         self._pace, self._name = pace, f"run-{next(_numbers)}"
         self._studio.watches[self._name] = watch

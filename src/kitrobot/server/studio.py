@@ -44,13 +44,13 @@ from kitrobot.world import EMPTY
 
 Stamp = tuple[tuple[str, int, int, int], ...]
 MAX_CACHED = 16
-"""Folders whose catalogue is kept."""
+"""The number of folders whose catalogue is cached."""
 MOST_WORLDS = 1000
 """Missions of which it is known which world they are in."""
 
 
 class CachedCatalogue:
-    """What was read for the missions of some folders, in the state of `stamp`."""
+    """The catalogue of some folders, read in the state of `stamp`."""
 
     def __init__(self, stamp: Stamp, catalogue: Catalogue) -> None:
         self.stamp = stamp
@@ -74,7 +74,7 @@ class Studio:
         self.watches: dict[str, WatchedRun] = {}
         """The runs and recordings that are on, by their names."""
         self.broadcasts: dict[str, Broadcast] = {}
-        """Who watches them, by the same names."""
+        """Their watchers, by the same names."""
         self.boards = RobotRegistry(SerialGateway())
         """The real robots."""
         self.boards_for_visitors = False

@@ -42,7 +42,7 @@ class _Sweep(WebSocketJob):
         return sweep_map(run_sweep(prepared, options, self._came_to, self.stop.is_set))
 
     def _came_to(self, done: int, total: int) -> None:
-        """Each hundredth is told."""
+        """Reports each hundredth."""
         if done * 100 // total != (done - 1) * 100 // total:
             self.send_progress(SweepProgressMessage(done=done, total=total))
 

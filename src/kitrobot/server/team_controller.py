@@ -205,7 +205,7 @@ class TeamController:
             self.status = replace(before, phase="idle", agents=agents, **changes)
             self.addresses = frozenset()
             self._fleet = None
-            # Whoever hears of it may have the team at once.
+            # A page that is notified may claim the team at once.
             self._claimed = False
         self._notify_if_changed(before)
 

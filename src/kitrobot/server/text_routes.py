@@ -15,7 +15,7 @@ from kitrobot.workspace import NoProgramError
 
 LONGEST_TEXT = 1_000_000
 MOST_PROBLEMS = 100
-"""More do not help; they are told in reading order."""
+"""More do not help; they are sent in reading order."""
 
 
 class TextError(KitRobotError):

@@ -62,7 +62,7 @@ async def trace_read(studio: ThisStudio, request: Request, name: Name = f"record
 
 @trace_routes.get("/run/trace", response_class=FileResponse)
 async def run_trace(studio: ThisStudio, request: Request, run: Name, after: BackgroundTasks) -> FileResponse:
-    """The whole past of a run that is on, or stands at its end, as a recording."""
+    """The whole past of a run that is on, or at its end, as a recording."""
     watch = studio.watches.get(run)
     if watch is None:
         raise RecordingError(

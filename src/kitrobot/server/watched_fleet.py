@@ -1,4 +1,4 @@
-"""A team of processes for the page: started in a thread, told like a simulated run, and ended with the page.
+"""A team of processes for the page: started in a thread, shown like a simulated run, and ended with the page.
 
 The agents are processes; the world of their bodies and what watches over them is a thread here (`fleet.TeamProcess`).
 A studio that is killed takes its agents along: they read an input that ends with it. What they read besides is laid out

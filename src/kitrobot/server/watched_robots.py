@@ -80,7 +80,7 @@ class WatchedRobots(WatchedRecords):
         return True
 
     def record_to(self, path: Path, stop: Callable[[], bool] = lambda: False) -> None:
-        """Writes what is kept of its past."""
+        """Writes the stored part of its past."""
         with TraceWriter(path, self._robots_run.header) as writer:
             records = self._robots_run.records()
             for record in records:

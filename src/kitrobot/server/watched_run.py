@@ -33,11 +33,11 @@ LONGEST_STEP_S = 600
 
 
 class StepError(KitRobotError):
-    """Nobody came to another vertex."""
+    """No agent came to another vertex."""
 
 
 class WatchedRun(ABC):
-    """One run. `agents` are what breakpoints ask of its members; `recording` says that all of it has happened.
+    """One run. `agents` are queried by breakpoints; `recording`: all of it has happened.
 
     Raises:
         ConditionError: the condition of a breakpoint cannot be understood.
@@ -65,7 +65,7 @@ class WatchedRun(ABC):
         self._path_tick = 0
         self._path_interval = _PATH_INTERVAL_TICKS
         self.hits: list[Hit] = []
-        """Why `advance` came to an end before its time: who came to a breakpoint."""
+        """Why `advance` came to an end before its time: the agents at breakpoints."""
 
     @property
     def real(self) -> bool:
@@ -141,7 +141,7 @@ class WatchedRun(ABC):
             del self._path_frames[::2]
             self._path_interval *= 2
 
-    def _observe(self) -> None:  # noqa: B027 (members of a simulation always stand where it does)
+    def _observe(self) -> None:  # noqa: B027 (members of a simulation are always at its tick)
         """Brings the agents that breakpoints ask to the tick that the run is at."""
 
     def seek(self, tick: int) -> Iterator[None]:
@@ -164,10 +164,10 @@ class WatchedRun(ABC):
         self.follows = False
 
     def step(self, agent: str) -> Iterator[None]:
-        """The way on until the agent ("" for anybody) stands at another vertex, or somebody comes to a breakpoint.
+        """The way on until the agent ("" for anybody) is at another vertex, or an agent comes to a breakpoint.
 
         Raises:
-            StepError: it still stands where it did after `LONGEST_STEP_S` of the run; there the run stands too.
+            StepError: it is still at the same vertex after `LONGEST_STEP_S` of the run; the run stays there.
         """
         before, last = self._thread_positions(agent), self.tick + self._longest_step
         self.hits = []
@@ -271,8 +271,8 @@ class WatchedRun(ABC):
 
     @abstractmethod
     def record_to(self, path: Path, stop: Callable[[], bool] = lambda: False) -> None:
-        """Writes its whole past into a file, or as much as there is until `stop` says so, where that takes long. It may
-        go on meanwhile, in another thread.
+        """Writes its whole past into a file, or the part of it that was written when `stop` returns True. The run may go on
+        meanwhile, in another thread.
 
         Raises:
             TraceError: the trace cannot be written.

@@ -40,7 +40,7 @@ def server_config(app: ASGIApp, tls: tuple[Path, Path] | None = None) -> uvicorn
         # Else it asks standard output whether that is a terminal, which may be closed.
         use_colors=False,
         server_header=False,
-        # Nobody stands between: a header that says who asks is somebody's invention.
+        # There is no proxy: a header that names another client is forged.
         proxy_headers=False,
         http=BoundedConnection,
         h11_max_incomplete_event_size=LARGEST_HEAD_BYTES,
@@ -53,7 +53,7 @@ def server_config(app: ASGIApp, tls: tuple[Path, Path] | None = None) -> uvicorn
 
 
 class _Server(uvicorn.Server):
-    """A server that says when it listens."""
+    """A server that reports when it listens."""
 
     def __init__(self, config: uvicorn.Config, ready: Callable[[], None]) -> None:
         super().__init__(config)

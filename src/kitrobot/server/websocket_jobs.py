@@ -34,11 +34,11 @@ class WebSocketJob(ABC):
     """One socket and its job.
 
     Attributes:
-        kind: the kind of work, for the log; a studio is at one of each.
-        request: reads what the page asks.
-        start: the request that begins it; any other breaks it off.
+        kind: the kind of job, for the log; a studio runs one of each.
+        request: parses the page's requests.
+        start: the request that starts it; any other cancels it.
         progress: the message of which only the newest is worth sending.
-        busy: said where this studio is at such work already.
+        busy: the refusal while this studio has such a job already.
     """
 
     kind: ClassVar[str]
