@@ -17,7 +17,7 @@ from kitrobot.primitives import Catalogue, Robot
 from kitrobot.server.api_router import ThisStudio, api_router
 from kitrobot.server.shapes import mission_shape, problem_shapes
 from kitrobot.server.shapes.fragment import FragmentRequestShape, FragmentShape
-from kitrobot.server.shapes.own import own_constructor, own_variable
+from kitrobot.server.shapes.own_parts import own_constructor, own_variable
 
 FILE = "clipboard.lll"
 """The name by which problems speak of the text."""

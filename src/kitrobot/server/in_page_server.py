@@ -26,12 +26,12 @@ from kitrobot.server.security import TOKEN_HEADER
 HOST = "127.0.0.1"
 _NORMAL, _GONE = 1000, 1006
 
-Heard = Callable[[str | bytes | None], None]
+MessageHandler = Callable[[str | bytes | None], None]
 """Receives each message of the studio, and None when the socket is closed."""
 
 
 @dataclass(frozen=True)
-class Answer:
+class PageResponse:
     """What came of a request."""
 
     status: int
@@ -47,7 +47,7 @@ class InPageServer:
         self._token = token
         self._sockets: set[asyncio.Task[None]] = set()
 
-    async def fetch(self, method: str, address: str, headers: Mapping[str, str], body: bytes = b"") -> Answer:
+    async def fetch(self, method: str, address: str, headers: Mapping[str, str], body: bytes = b"") -> PageResponse:
         """Asks: `address` is a path with its query. Whatever breaks is an answer too."""
         scope = self._scope("http", address, headers) | {"method": method, "scheme": "http"}
         status, told, pieces = 500, (), bytearray()  # type: tuple[int, tuple[tuple[str, str], ...], bytearray]
@@ -68,11 +68,11 @@ class InPageServer:
                 pieces.extend(message.get("body", b""))
 
         await self._app(scope, receive, send)
-        return Answer(status, told, bytes(pieces))
+        return PageResponse(status, told, bytes(pieces))
 
-    def open(self, address: str, heard: Heard) -> Socket:
+    def open(self, address: str, handler: MessageHandler) -> Socket:
         """Opens a socket; `address` as for `fetch`."""
-        socket = Socket(heard)
+        socket = Socket(handler)
         scope = self._scope("websocket", address, {}) | {"scheme": "ws", "subprotocols": []}
         task = asyncio.create_task(self._serve(scope, socket))
         self._sockets.add(task)
@@ -106,8 +106,8 @@ class InPageServer:
 class Socket:
     """The page's end of a socket."""
 
-    def __init__(self, heard: Heard) -> None:
-        self._heard: Heard | None = heard
+    def __init__(self, handler: MessageHandler) -> None:
+        self._handler: MessageHandler | None = handler
         self._said: asyncio.Queue[Message] = asyncio.Queue()
         self._said.put_nowait({"type": "websocket.connect"})
 
@@ -118,14 +118,14 @@ class Socket:
 
     def close(self) -> None:
         """Hangs up."""
-        self._heard = None
+        self._handler = None
         self._said.put_nowait({"type": "websocket.disconnect", "code": _NORMAL})
 
     def end(self) -> None:
         """The studio has hung up."""
-        heard, self._heard = self._heard, None
-        if heard is not None:
-            heard(None)
+        handler, self._handler = self._handler, None
+        if handler is not None:
+            handler(None)
 
     async def receive(self) -> Message:
         """The next message for the application."""
@@ -140,10 +140,10 @@ class Socket:
         if message["type"] == "websocket.close":
             self.end()
         elif message["type"] == "websocket.send":
-            if self._heard is None:
+            if self._handler is None:
                 raise OSError("the page hung up")
             text = message.get("text")
-            self._heard(text if text is not None else message["bytes"])
+            self._handler(text if text is not None else message["bytes"])
 
 
 def begin(folder: Path, in_class: bool = False) -> InPageServer:

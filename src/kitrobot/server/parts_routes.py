@@ -10,9 +10,9 @@ from kitrobot.diagnostics import KitRobotError
 from kitrobot.primitives import ValueType
 from kitrobot.server.api_router import ThisStudio, api_router
 from kitrobot.server.shapes import ConflictShape, TextShape, mission_from_shape, problem_shapes, world_shape
-from kitrobot.server.shapes.own import OwnVariableShape, own_variable
+from kitrobot.server.shapes.own_parts import OwnVariableShape, own_variable
 from kitrobot.server.shapes.own_world import OwnWorldShape, own_world, own_world_shape
-from kitrobot.server.shapes.parts import (
+from kitrobot.server.shapes.part_files import (
     KitEntryShape,
     KitFitAskShape,
     KitFitShape,

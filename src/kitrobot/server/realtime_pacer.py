@@ -77,6 +77,6 @@ class RealtimePacer:
         self._from_tick = tick
 
 
-def speed_of(wanted: float) -> float:
+def clamp_speed(wanted: float) -> float:
     """The speed for a requested one: at least `SLOWEST`, except `UNPACED`."""
     return wanted if wanted == UNPACED else max(SLOWEST, wanted)

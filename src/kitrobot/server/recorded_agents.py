@@ -4,8 +4,8 @@ A recording holds the position of every thread after each step, and the commands
 to have run when a thread is at it afterwards, or when the agent gave a command that no other vertex of its program can
 give; what ran and was left within one step otherwise is not known, and does not count as a visit.
 
-The values of an agent (fault, inputs, variables) are recorded whole, so conditions can be tested, as long as its robot is
-still defined as it was.
+The values of an agent (fault, inputs, variables) are recorded whole, so conditions can be tested, as long as its
+robot is still defined as it was.
 """
 
 from __future__ import annotations

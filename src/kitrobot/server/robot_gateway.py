@@ -1,7 +1,7 @@
 """Access to real robots as an interface: ports, links, sending a program.
 
-It is implemented by `kitrobot.deploy`, which is imported when the first page opens the robots' panel; a test may replace
-it by a twin that fails at will.
+It is implemented by `kitrobot.deploy`, which is imported when the first page opens the robots' panel; a test may
+replace it by a twin that fails at will.
 """
 
 from __future__ import annotations

@@ -26,7 +26,7 @@ from kitrobot.diagnostics import KitRobotError
 from kitrobot.server.api_router import studio_of
 from kitrobot.server.background import run_in_background
 from kitrobot.server.broadcast import MOST_WATCHERS, Broadcast, Subscription
-from kitrobot.server.realtime_pacer import RealtimePacer, speed_of
+from kitrobot.server.realtime_pacer import RealtimePacer, clamp_speed
 from kitrobot.server.run_jobs import Job, job_for_request, run_job_until, single_step_job, steps_back
 from kitrobot.server.run_publisher import RunPublisher
 from kitrobot.server.run_sources import create_run, initial_requests
@@ -64,10 +64,10 @@ _numbers = itertools.count(1)
 async def run(socket: WebSocket) -> None:
     """Serves one socket until it closes."""
     await socket.accept()
-    await Session(socket, studio_of(socket)).serve()
+    await RunSession(socket, studio_of(socket)).serve()
 
 
-class Session:
+class RunSession:
     """One socket and the run on it. `clock` gives seconds and never goes back."""
 
     def __init__(self, socket: WebSocket, studio: Studio, clock: Callable[[], float] = time.monotonic) -> None:
@@ -212,7 +212,7 @@ class Session:
         if isinstance(request, PauseRequest | ResumeRequest):
             pace.set_paused(isinstance(request, PauseRequest), watch.tick)
         elif isinstance(request, SpeedRequest):
-            pace.set_speed(speed_of(request.value), watch.tick)
+            pace.set_speed(clamp_speed(request.value), watch.tick)
         elif isinstance(request, LookRequest):
             self._looks = tuple(request.agents)
             self._jobs.append(single_step_job(lambda: watch.look_at(self._selected_agents())))
@@ -244,7 +244,9 @@ class Session:
             else:
                 path = "" if isinstance(request, ReplayRequest) else request.path
                 broadcast = self._publisher.broadcast = Broadcast(path, watch.mission, self._wake.set)
-                await self._drive(watch, RealtimePacer(watch.tick_s, self._clock, speed_of(request.speed)), broadcast)
+                await self._drive(
+                    watch, RealtimePacer(watch.tick_s, self._clock, clamp_speed(request.speed)), broadcast
+                )
         except KitRobotError as error:
             await self._publisher.end_for_all(error.message, error.help)
         except (RuntimeError, OSError, WebSocketDisconnect):

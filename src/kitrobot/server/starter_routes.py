@@ -6,14 +6,14 @@ from kitrobot.mission import Mission
 from kitrobot.server.api_router import ThisStudio, api_router
 from kitrobot.server.routes import Name, mission_file
 from kitrobot.server.shapes import MissionFileShape
-from kitrobot.server.shapes.beginning import (
+from kitrobot.server.shapes.gallery import run_preview_shape
+from kitrobot.server.shapes.starter import (
     BeginningsShape,
     PreviewShape,
     beginning_place_shape,
     robot_set_shape,
     starter_shape,
 )
-from kitrobot.server.shapes.gallery import run_preview_shape
 from kitrobot.workspace.beginnings import PREVIEW_S
 
 starter_routes = api_router()

@@ -13,7 +13,7 @@ from kitrobot.server.shapes.sweep import (
     SweepMapMessage,
     SweepProgressMessage,
     SweepStartRequest,
-    sweep_map,
+    sweep_map_message,
 )
 from kitrobot.server.websocket_jobs import WebSocketJob
 from kitrobot.text import Sentence
@@ -39,7 +39,7 @@ class _Sweep(WebSocketJob):
             raise SweepError(message, Sentence("choose fewer moments, or use `kitrobot run --fail-sweep`"))
         prepared = opened.prepare(RunOptions(request.seed, request.seconds, request.fail_rate))
         options = SweepOptions(request.moments, jobs=max(2, cores() - 1) if has_processes() else 1)
-        return sweep_map(run_sweep(prepared, options, self._came_to, self.stop.is_set))
+        return sweep_map_message(run_sweep(prepared, options, self._came_to, self.stop.is_set))
 
     def _came_to(self, done: int, total: int) -> None:
         """Reports each hundredth."""

@@ -271,7 +271,7 @@ class WatchedRun(ABC):
 
     @abstractmethod
     def record_to(self, path: Path, stop: Callable[[], bool] = lambda: False) -> None:
-        """Writes its whole past into a file, or the part of it that was written when `stop` returns True. The run may go on
+        """Writes its whole past into a file, or the part that was written when `stop` returns True. The run may go on
         meanwhile, in another thread.
 
         Raises:

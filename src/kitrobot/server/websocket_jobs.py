@@ -22,7 +22,7 @@ from kitrobot.server.api_router import studio_of
 from kitrobot.server.background import StopSignal, run_in_background
 from kitrobot.server.sentences import not_understood
 from kitrobot.server.shapes import mission_from_shape, problem_shapes
-from kitrobot.server.shapes.work import WorkRefusedMessage
+from kitrobot.server.shapes.job import WorkRefusedMessage
 from kitrobot.server.studio import Studio
 from kitrobot.text import Sentence
 from kitrobot.workspace import OpenMission

@@ -10,7 +10,7 @@ from kitrobot.primitives import MOST_OWN
 from kitrobot.server.sentences import FileName, Spoken
 from kitrobot.server.shapes.catalogue import CatalogueShape
 from kitrobot.server.shapes.mission import MissionShape
-from kitrobot.server.shapes.own import OwnVariableShape
+from kitrobot.server.shapes.own_parts import OwnVariableShape
 from kitrobot.server.shapes.own_world import OwnWorldShape
 from kitrobot.server.shapes.problem import ProblemShape
 from kitrobot.server.shapes.world import WorldShape

@@ -62,7 +62,7 @@ class DrawnProgramShape(BaseModel):
     arcs: list[ArcRow]
 
 
-def sent_mission(shape: SentMissionShape, known: Callable[[str], Program | None]) -> Mission:
+def mission_from_delta(shape: SentMissionShape, known: Callable[[str], Program | None]) -> Mission:
     """The mission that travelled; `known` finds a program by the name that an answer gave it.
 
     A program in which nothing changed is the very object that is known, and an edited one shares vertices with it: so
@@ -76,7 +76,9 @@ def sent_mission(shape: SentMissionShape, known: Callable[[str], Program | None]
     return mission_from_shape(shape, [_program(one, known) for one in shape.programs])
 
 
-def sent_reports(shape: SentMissionShape, known: Callable[[str], ProgramReport | None]) -> dict[str, ProgramReport]:
+def reports_from_delta(
+    shape: SentMissionShape, known: Callable[[str], ProgramReport | None]
+) -> dict[str, ProgramReport]:
     """By the names of programs, the reports of those that were named so, as far as they are `known`."""
     found = {one.name: known(one.of) for one in shape.programs if one.of}
     return {name: report for name, report in found.items() if report is not None}
@@ -96,10 +98,10 @@ def _program(shape: SentProgramShape, known: Callable[[str], Program | None]) ->
     vertices = apply_delta(shape.vertices, before.vertices, MOST_VERTICES)
     arcs = apply_delta(shape.arcs, before.arcs, 2 * MOST_VERTICES)
     same = (before.name, before.target, before.level) == (shape.name, shape.robot, level)
-    if same and _are(vertices, before.vertices) and _are(arcs, before.arcs):
+    if same and _are_identical(vertices, before.vertices) and _are_identical(arcs, before.arcs):
         return before
     return Program(shape.name, shape.robot, vertices, arcs, level)
 
 
-def _are(found: Sequence[object], before: Sequence[object]) -> bool:
+def _are_identical(found: Sequence[object], before: Sequence[object]) -> bool:
     return len(found) == len(before) and all(map(is_, found, before))

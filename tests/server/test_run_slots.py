@@ -9,7 +9,7 @@ from typing import Any
 import pytest
 
 from kitrobot.server import runs
-from kitrobot.server.runs import MOST_RUNS, Session
+from kitrobot.server.runs import MOST_RUNS, RunSession
 from tests import coroutines
 from tests.server.test_run import FOREVER
 
@@ -23,7 +23,7 @@ class Socket:
         self.app = app
         self._asked: asyncio.Queue[dict[str, Any]] = asyncio.Queue()
         self.said: asyncio.Queue[dict[str, Any]] = asyncio.Queue()
-        self._session = asyncio.create_task(Session(self, app.state.studio).serve())  # type: ignore[arg-type]
+        self._session = asyncio.create_task(RunSession(self, app.state.studio).serve())  # type: ignore[arg-type]
 
     def ask(self, **request: Any) -> None:
         self._asked.put_nowait({"type": "websocket.receive", "text": json.dumps(request)})
