@@ -32,7 +32,7 @@ TERMINAL = (
     "cli/",
     "files/forms.py",
     "image/",
-    "server/start.py",
+    "server/studio_server.py",
     "workspace/checking.py",
     "workspace/conversion.py",
     "workspace/executables.py",

@@ -26,7 +26,7 @@ import uvicorn
 from benchmarks.measurement import Rate, Row
 from kitrobot.files import examples_folder
 from kitrobot.server import create_app
-from kitrobot.server.serving import server_config
+from kitrobot.server.web_server import server_config
 
 TITLE = "watchers"
 TOKEN = "measuring"

@@ -14,22 +14,26 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from typing import Any
 
-    from kitrobot.cli import ClassWish, Opening
+    from kitrobot.cli import ClassOptions, StudioOptions
 
 INTERRUPTED = 130
 
 
-def _open_studio(opening: Opening) -> None:
+def _open_studio(options: StudioOptions) -> None:
     # Only now: nothing else needs a web server.
     from kitrobot.server import serve
 
-    serve(opening.target, opening.host, opening.port, opening.browser, opening.new)
+    serve(options.target, options.host, options.port, options.browser, options.new)
 
 
-def _open_class(wish: ClassWish) -> None:
-    from kitrobot.server import ClassOpening, serve_class
+def _open_class(options: ClassOptions) -> None:
+    from kitrobot.server import ClassSettings, serve_class
 
-    serve_class(ClassOpening(wish.folder, wish.host, wish.port, wish.tls, wish.browser, wish.new_code, wish.site))
+    serve_class(
+        ClassSettings(
+            options.folder, options.host, options.port, options.tls, options.browser, options.new_code, options.site
+        )
+    )
 
 
 def _first_missions() -> dict[str, bytes]:

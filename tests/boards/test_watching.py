@@ -75,7 +75,7 @@ def test_the_studio_asks_nothing_of_a_robot_that_runs(robot: HostBoard, tmp_path
             while ear.heard.count("T") < 10:
                 assert changed.wait(PATIENCE_S)
                 changed.clear()
-            assert worker.standing.robot.doing == "running"
+            assert worker.status.robot.doing == "running"
         finally:
             worker.close()
             worker.wait(PATIENCE_S)
@@ -102,8 +102,8 @@ def test_a_robot_whose_cable_is_pulled_as_soon_as_it_is_connected_is_lost(robot:
         try:
             with said:
                 worker.connect(program)
-                assert said.wait_for(lambda: bool(worker.standing.message), PATIENCE_S)
-            assert worker.standing.phase == "lost"
-            assert "look at its cable" in str(worker.standing.help)
+                assert said.wait_for(lambda: bool(worker.status.message), PATIENCE_S)
+            assert worker.status.phase == "lost"
+            assert "look at its cable" in str(worker.status.help)
         finally:
             worker.close()

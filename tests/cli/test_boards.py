@@ -66,14 +66,14 @@ def watch(kitrobot, monkeypatch):
     def call(*arguments, until):
         given = []
 
-        def give(text):
-            output.give(text)
+        def print_data(text):
+            output.print_data(text)
             given.append(text)
             if until("".join(given)):
                 raise KeyboardInterrupt
 
         with monkeypatch.context() as patched:
-            patched.setattr("kitrobot.cli.watch.give", give)
+            patched.setattr("kitrobot.cli.watch.print_data", print_data)
             return kitrobot("watch", *arguments)
 
     return call

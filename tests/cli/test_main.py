@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 import kitrobot as package
-from kitrobot.cli import Opening, format
+from kitrobot.cli import StudioOptions, format
 
 
 @pytest.fixture
@@ -16,7 +16,7 @@ def opened():
 
 def test_without_anything_the_studio_is_opened(kitrobot, opened):
     assert kitrobot(studio=opened.append).status == 0
-    assert opened == [Opening(None, "127.0.0.1", None, True)]
+    assert opened == [StudioOptions(None, "127.0.0.1", None, True)]
 
 
 def test_a_folder_or_a_mission_opens_the_studio_on_it(kitrobot, opened, here):

@@ -186,7 +186,7 @@ def test_where_no_studio_is_served_no_web_server_is_loaded(tmp_path):
     assert ended.returncode == 1
     assert b"does not listen" in ended.stderr
     loaded = set(re.findall(rb"\|\s+([\w.]+)\n", ended.stderr))
-    assert b"kitrobot.server.start" in loaded
+    assert b"kitrobot.server.studio_server" in loaded
     assert not loaded & {b"numpy", b"fastapi", b"uvicorn", b"kitrobot.sim", b"kitrobot.server.app"}
 
 
@@ -247,7 +247,7 @@ def test_ctrl_c_ends_the_studio_in_the_middle_of_runs_and_pages_that_left_leave_
 
 
 def test_a_usual_port_that_is_taken_is_passed_over():
-    from kitrobot.server.start import USUAL_PORT, listen
+    from kitrobot.server.studio_server import USUAL_PORT, listen
 
     with socket.socket() as taken:
         taken.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)

@@ -9,7 +9,7 @@ from pathlib import Path
 
 import pytest
 
-from kitrobot.cli.agent import prepare
+from kitrobot.cli.agent import prepare_team_run
 from kitrobot.sim import Simulation
 from kitrobot.sim.team_columns import T_HOLDER
 from kitrobot.workspace import OpenMission, RunOptions, open_mission
@@ -152,4 +152,4 @@ def test_the_network_is_the_radio_whatever_the_mission_says(tmp_path: Path) -> N
     text = CONVOY.read_text(encoding="utf-8").replace("</kitrobot>", '<radio range="1" loss="100"/></kitrobot>')
     file = tmp_path / "convoy.krt"
     file.write_text(text, encoding="utf-8")
-    assert prepare(file, RunOptions()).simulation.state.radio.numbers == []
+    assert prepare_team_run(file, RunOptions()).simulation.state.radio.numbers == []

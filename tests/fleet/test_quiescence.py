@@ -8,7 +8,7 @@ from pathlib import Path
 
 import pytest
 
-from kitrobot.cli.agent import prepare
+from kitrobot.cli.agent import prepare_team_run
 from kitrobot.fleet.quiescence import QUIESCENT_MS, QuiescenceDetector
 from kitrobot.fleet.recurrence import Recurrence, Snapshot
 from kitrobot.fleet.replica import Replica
@@ -40,7 +40,7 @@ def made(folder: Path, text: str, seconds: float) -> Callable[[], Simulation]:
     (folder / "flat.world.xml").write_text(WORLD)
     file = folder / "two.krt"
     file.write_text(text)
-    return lambda: prepare(file, RunOptions(1, seconds)).simulation
+    return lambda: prepare_team_run(file, RunOptions(1, seconds)).simulation
 
 
 def test_programs_that_only_look_again_and_again_are_stuck(tmp_path: Path) -> None:

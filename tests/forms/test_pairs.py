@@ -58,7 +58,7 @@ from kitrobot.mission import (
 from kitrobot.primitives import Constructor, Kit, Tried, read_constructors, read_kit, write_constructors, write_kit
 from kitrobot.primitives.kit import Source
 from kitrobot.robots import BoardNames, RecordingContext
-from kitrobot.server.handed_out import is_plain, pack, unpack
+from kitrobot.server.assignments import is_plain, pack, unpack
 from kitrobot.text import name_form
 from kitrobot.trace import TracePart
 from kitrobot.workspace import board_labels

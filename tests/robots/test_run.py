@@ -9,7 +9,7 @@ import pytest
 from kitrobot.deploy import Fault, News
 from kitrobot.diagnostics import KitRobotError
 from kitrobot.robots import InstalledProgram, RecordedBoard, RobotSession, RobotsRun
-from kitrobot.server.run_messages import RunEncoder
+from kitrobot.server.run_encoder import RunEncoder
 from kitrobot.trace import AbilityError, RunSource, TickRecord, walk
 from kitrobot.translation import reading_in, said
 from kitrobot.workspace import load_board_program
@@ -101,13 +101,13 @@ def test_the_page_is_told_of_them_as_of_every_run(made: Run) -> None:
     wait = next(number for number, (vertex, _, _) in enumerate(made.names.places) if vertex == "v5")
     made.hears(1, News(4, {COUNT: 6}, {0: wait}))
     made.sessions[1].force("ButtonA", 1)
-    told = encoder.news(made.run.record(), made.run.latest, *made.run.new_events(10))
+    told = encoder.encode_changes(made.run.record(), made.run.latest, *made.run.new_events(10))
     assert told["agents"]["b"]["active"] == [[0, "v5"]]
     assert told["agents"]["b"]["values"]["Count"] == 6
     assert (told["agents"]["b"]["inputs"], told["agents"]["b"]["forced"]) == ({"ButtonA": 1}, ["ButtonA"])
     assert [event["text"] for event in told["events"]] == ["ButtonA held by hand: true"]
     assert told["agents"]["a"]["state"] == "running"
-    again = encoder.news(made.run.record(), made.run.latest, *made.run.new_events(10))
+    again = encoder.encode_changes(made.run.record(), made.run.latest, *made.run.new_events(10))
     assert (again["agents"], again["events"]) == ({}, [])
 
 

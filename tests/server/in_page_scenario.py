@@ -36,8 +36,8 @@ def no_thread(self):
 
 
 async def scenario(folder: Path) -> dict:
-    from kitrobot.server.beside_loop import sleep_with
-    from kitrobot.server.in_page import begin
+    from kitrobot.server.background import set_sleep_function
+    from kitrobot.server.in_page_server import begin
 
     studio = begin(folder)
     told = {}
@@ -106,7 +106,7 @@ async def scenario(folder: Path) -> dict:
     status, refused = await ask("POST", "check", {"mission": 1}, "fr")
     told["french"] = refused["message"]
     told["nowhere"] = (await studio.fetch("GET", "/api/nowhere", {})).status
-    sleep_with(sleep)
+    set_sleep_function(sleep)
     told |= await with_a_board(studio, mission, session["path"], ask)
     told["imported"] = sorted(BANNED & set(sys.modules))
     return told

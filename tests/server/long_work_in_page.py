@@ -19,8 +19,8 @@ FIRST = 2000
 
 async def scenario(folder: Path, text: str) -> dict:
     from kitrobot.server import watched_run
-    from kitrobot.server.beside_loop import sleep_with
-    from kitrobot.server.in_page import begin
+    from kitrobot.server.background import set_sleep_function
+    from kitrobot.server.in_page_server import begin
 
     watched_run.LONGEST_STEP_S = HOURS
     studio = begin(folder)
@@ -52,7 +52,7 @@ async def scenario(folder: Path, text: str) -> dict:
         "to a moment": {"type": "seek", "tick": 1},
     }
     for where, how in (("calls that cannot sleep", None), ("calls that sleep", sleep)):
-        sleep_with(how)
+        set_sleep_function(how)
         told[where] = {}
         for name, job in jobs.items():
             run, _ = await paused_run()

@@ -5,7 +5,7 @@ from __future__ import annotations
 import shutil
 from pathlib import Path
 
-from kitrobot.server.robot_bench import Tried, steps_message
+from kitrobot.server.robot_bench import RobotBench, steps_message
 from kitrobot.translation import reading_in, said
 from kitrobot.workspace.bench import bench_of
 from kitrobot.workspace.bench_run import BenchRun
@@ -103,7 +103,7 @@ def test_a_fault_that_names_another_part_than_the_tried_one_is_told_at_the_part_
     with ModernBoard({"lib/machine.py": UNPLUGGED}) as board, BenchRun(board.address, bench) as run:
         run.begin(crane)
         run.watch(0.1)
-        tried = Tried(run._hand.session, bench)
+        tried = RobotBench(run._hand.session, bench)
         tried.hand = run._hand
         tried.do(bench.steps.index(eye))
         while not (failed := tried.shape().failed):

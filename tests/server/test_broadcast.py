@@ -9,7 +9,7 @@ from typing import Any
 import pytest
 
 from kitrobot.server import runs
-from kitrobot.server.live_run import LiveRun
+from kitrobot.server.watched_simulation import WatchedSimulation
 from tests.server.conftest import SOCKET, TOKEN
 from tests.server.test_run import FOREVER
 from tests.server.test_run import Watcher as Page
@@ -258,7 +258,7 @@ def test_a_run_that_breaks_is_over_for_all(connect, forever, monkeypatch):
         def broken(*arguments: object) -> None:
             raise ZeroDivisionError("secret detail")
 
-        monkeypatch.setattr(LiveRun, "advance", broken)
+        monkeypatch.setattr(WatchedSimulation, "advance", broken)
         for page in (owner, other):
             said = page.until("error")
             assert (said["message"], said["ended"]) == ("Something went wrong inside KitRobot.", True)

@@ -14,7 +14,7 @@ import uvicorn
 from websockets.sync.client import connect
 from websockets.typing import Origin
 
-from kitrobot.server import connections, create_app, serving
+from kitrobot.server import connections, create_app, web_server
 from kitrobot.server.connections import LARGEST_HEAD_BYTES, BoundedConnection
 from tests.patience import PATIENCE_S
 from tests.server.conftest import SHORT, TOKEN
@@ -33,7 +33,7 @@ def serving_studio(folder: Path) -> Iterator[int]:
     """The port of a studio."""
     (folder / "blink.krt").write_text(SHORT)
     listening = socket.create_server(("127.0.0.1", 0), backlog=200)
-    server = uvicorn.Server(serving.server_config(create_app(folder, folder / "blink.krt", TOKEN)))
+    server = uvicorn.Server(web_server.server_config(create_app(folder, folder / "blink.krt", TOKEN)))
     thread = threading.Thread(target=lambda: asyncio.run(server.serve([listening])))
     thread.start()
     yield listening.getsockname()[1]
@@ -74,7 +74,7 @@ def test_connections_that_say_nothing_make_room_for_others(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, said: str
 ) -> None:
     monkeypatch.setattr(connections, "MOST_BEFORE_ROOM_IS_MADE", 10)
-    monkeypatch.setattr(serving, "MOST_CONNECTIONS", 20)
+    monkeypatch.setattr(web_server, "MOST_CONNECTIONS", 20)
     with serving_studio(tmp_path) as port, contextlib.ExitStack() as lines:
         for _ in range(60):
             line = lines.enter_context(socket.create_connection(("127.0.0.1", port), PATIENCE_S))

@@ -11,7 +11,7 @@ import pytest
 from fastapi import FastAPI, Request
 from starlette.responses import StreamingResponse
 
-from kitrobot.server.deadlines import Deadlines
+from kitrobot.server.deadlines import DeadlineMiddleware
 from kitrobot.server.security import refuse
 from tests import coroutines
 from tests.patience import PATIENCE_S
@@ -88,12 +88,12 @@ async def ask(app: Any, path: str, receive: Callable[[], Any] | None = None, met
 
 
 def test_what_never_ends_is_refused_and_others_are_served(stuck) -> None:
-    app = Deadlines(stuck.app, refuse, within_s=0.05)
+    app = DeadlineMiddleware(stuck.app, refuse, within_s=0.05)
 
     async def both() -> None:
         slow = asyncio.create_task(ask(app, "/api/disk"))
         await asyncio.to_thread(stuck.entered.wait, PATIENCE_S)
-        assert await ask(Deadlines(stuck.app, refuse), "/api/quick") == (200, b'"quick"')
+        assert await ask(DeadlineMiddleware(stuck.app, refuse), "/api/quick") == (200, b'"quick"')
         status, body = await slow
         assert status == 504
         assert b"did not come to the end" in body
@@ -103,7 +103,7 @@ def test_what_never_ends_is_refused_and_others_are_served(stuck) -> None:
 
 
 def test_while_too_much_is_under_way_the_next_one_is_refused_at_once(stuck) -> None:
-    app = Deadlines(stuck.app, refuse, within_s=0.05, at_once=1)
+    app = DeadlineMiddleware(stuck.app, refuse, within_s=0.05, at_once=1)
 
     async def both() -> None:
         assert (await ask(app, "/api/disk"))[0] == 504
@@ -118,7 +118,7 @@ def test_while_too_much_is_under_way_the_next_one_is_refused_at_once(stuck) -> N
 
 
 def test_an_answer_that_has_begun_is_not_cut(stuck) -> None:
-    app = Deadlines(stuck.app, refuse, within_s=0.05)
+    app = DeadlineMiddleware(stuck.app, refuse, within_s=0.05)
 
     async def both() -> tuple[int, bytes]:
         answer = asyncio.create_task(ask(app, "/api/stream"))
@@ -131,7 +131,7 @@ def test_an_answer_that_has_begun_is_not_cut(stuck) -> None:
 
 
 def test_a_request_that_comes_slowly_is_no_slow_request(stuck) -> None:
-    app = Deadlines(stuck.app, refuse, within_s=PATIENCE_S)
+    app = DeadlineMiddleware(stuck.app, refuse, within_s=PATIENCE_S)
     pieces = [b"a"] * 50
 
     async def receive() -> dict[str, Any]:

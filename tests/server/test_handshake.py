@@ -6,7 +6,7 @@ import pytest
 
 from kitrobot.server import create_app
 from kitrobot.server.handshake import MOST_ASKED
-from kitrobot.server.proofs import proof_of
+from kitrobot.server.handshake_proof import compute_proof
 from tests.server.conftest import HOST, TOKEN, TestClient
 
 SECRET = "the secret of the folder"
@@ -24,13 +24,13 @@ def answered(studio, **more):
 
 
 def token(studio, number, secret=SECRET, address=ADDRESS, **more):
-    proof = proof_of(secret, "page", address, ASKED, number)
+    proof = compute_proof(secret, "page", address, ASKED, number)
     return studio.post("/api/again/token", json={"asked": ASKED, "answered": number, "proof": proof}, **more)
 
 
 def test_a_page_that_knows_the_secret_gets_the_token_and_can_be_loaded_again(studio):
     said = answered(studio).json()
-    assert said["proof"] == proof_of(SECRET, "studio", ADDRESS, ASKED, said["answered"])
+    assert said["proof"] == compute_proof(SECRET, "studio", ADDRESS, ASKED, said["answered"])
     assert studio.get("/").status_code == 403
     assert token(studio, said["answered"]).json() == {"token": TOKEN}
     assert studio.get("/").status_code == 503  # it was not built here, and is not refused
@@ -50,7 +50,7 @@ def test_a_proof_from_another_address_serves_nobody(studio):
     """Who took the place of a studio cannot fetch proofs from the one that runs elsewhere."""
     assert token(studio, answered(studio).json()["answered"], address="127.0.0.1:9999").status_code == 403
     moved = answered(studio, headers={"Host": "127.0.0.1:9999"}).json()
-    assert moved["proof"] == proof_of(SECRET, "studio", ADDRESS, ASKED, moved["answered"])
+    assert moved["proof"] == compute_proof(SECRET, "studio", ADDRESS, ASKED, moved["answered"])
 
 
 def test_numbers_that_wait_are_bounded(studio):

@@ -9,7 +9,7 @@ import pytest
 from fastapi.testclient import TestClient
 
 from kitrobot.server.app import create_app
-from kitrobot.server.page_files import accepted
+from kitrobot.server.page_files import accepted_encodings
 
 TOKEN = "t" * 20
 PLAIN = b"export const answer = 42;\n" * 100
@@ -79,4 +79,4 @@ def test_what_is_not_there_and_what_lies_outside_is_not_found(files: TestClient,
 
 
 def test_the_encodings_of_a_request_are_read() -> None:
-    assert accepted(" GZIP , br;q=0.5, zstd;q=0, ;q=1, x;q=") == {"gzip", "br", "x"}
+    assert accepted_encodings(" GZIP , br;q=0.5, zstd;q=0, ;q=1, x;q=") == {"gzip", "br", "x"}

@@ -9,10 +9,10 @@ import sys
 import pytest
 
 from kitrobot.server import presence as module
-from kitrobot.server.presence import Presence, PresenceError, Running
-from kitrobot.server.start import listen
+from kitrobot.server.presence import Presence, PresenceError, StudioInfo
+from kitrobot.server.studio_server import listen
 
-RUNNING = Running("http://127.0.0.1:1/", "secret")
+RUNNING = StudioInfo("http://127.0.0.1:1/", "secret")
 
 
 @pytest.fixture
@@ -30,38 +30,38 @@ def places(tmp_path):
 
 def test_one_process_at_a_time_is_the_studio_of_a_folder(places):
     first, second = places(), places()
-    assert first.take()
-    assert not second.take()
+    assert first.acquire()
+    assert not second.acquire()
     first.leave()
-    assert second.take()
+    assert second.acquire()
 
 
 def test_one_that_does_not_answer_is_told(places, monkeypatch):
     monkeypatch.setattr(module, "_STARTS_WITHIN_S", 0)
     first = places()
-    first.take()
-    first.listens(RUNNING, 1)
+    first.acquire()
+    first.publish(RUNNING, 1)
     with pytest.raises(PresenceError, match="does not answer") as told:
-        places().take_or_find()
+        places().acquire_or_find()
     assert "--new" in told.value.help
 
 
 def test_a_record_that_was_left_behind_is_no_studio(places):
     first = places()
-    first.take()
-    first.listens(RUNNING, 1)
+    first.acquire()
+    first.publish(RUNNING, 1)
     assert first._lock is not None
     os.close(first._lock.handle)  # as a kill does
     first._lock = None
-    assert places().take_or_find() is None
+    assert places().acquire_or_find() is None
 
 
 def test_pages_know_the_next_studio_by_the_same_secret_at_the_same_port(places):
     first = places()
-    first.take()
+    first.acquire()
     with listen("127.0.0.1", 0) as listening:
         port = listening.getsockname()[1]
-        first.listens(RUNNING, port)
+        first.publish(RUNNING, port)
         first.leave()
         assert (places().secret, places().port) == (first.secret, port)
         with listen("127.0.0.1", 0, port) as other:
@@ -74,9 +74,9 @@ def test_pages_know_the_next_studio_by_the_same_secret_at_the_same_port(places):
 @pytest.mark.skipif(sys.platform == "win32", reason="modes are of POSIX")
 def test_what_is_kept_is_for_the_user_alone_and_else_not_believed(places, tmp_path):
     first = places()
-    first.take()
-    first.listens(RUNNING, 1)
-    page = first.page_to(f"{RUNNING.address}?token=a&open=b")
+    first.acquire()
+    first.publish(RUNNING, 1)
+    page = first.write_redirect_page(f"{RUNNING.address}?token=a&open=b")
     files = [path for path in (tmp_path / "state").rglob("*") if path.is_file()]
     assert len(files) == 4
     # The lock's file says nothing.
@@ -91,7 +91,7 @@ def test_what_is_kept_is_for_the_user_alone_and_else_not_believed(places, tmp_pa
 def test_a_folder_for_states_that_cannot_be_used_keeps_nobody_from_working(tmp_path):
     (tmp_path / "file").write_text("")
     place = Presence(tmp_path, tmp_path / "file")
-    assert place.take_or_find() is None
-    place.listens(RUNNING, 1)
-    assert place.page_to("x") is None
+    assert place.acquire_or_find() is None
+    place.publish(RUNNING, 1)
+    assert place.write_redirect_page("x") is None
     place.leave()

@@ -12,8 +12,8 @@ import pytest
 import kitrobot
 from kitrobot.mission import Breakpoint
 from kitrobot.server import recorded_agents
-from kitrobot.server.live_run import LiveRun
-from kitrobot.server.replay import Replay, ReplayError
+from kitrobot.server.watched_recording import ReplayError, WatchedRecording
+from kitrobot.server.watched_simulation import WatchedSimulation
 from kitrobot.sim import simulate
 from kitrobot.sim.breakpoints import ConditionError, Hit
 from kitrobot.trace import walk
@@ -40,7 +40,7 @@ def recording(tmp_path_factory) -> Path:
 
 @pytest.fixture
 def replay(recording):
-    replay = Replay(open_trace(recording), TRANSPORT)
+    replay = WatchedRecording(open_trace(recording), TRANSPORT)
     yield replay
     replay.close()
 
@@ -49,7 +49,7 @@ def vertex(element: str, number: int = 0) -> str:
     return [one.id for one in CARRIER.vertices if one.element == element][number]
 
 
-def hits_of(one: LiveRun | Replay, *breakpoints: Breakpoint) -> Hits:
+def hits_of(one: WatchedSimulation | WatchedRecording, *breakpoints: Breakpoint) -> Hits:
     """Every pause on the way to the end, from the first tick."""
     walk(one.seek(0))
     one.pause_at(breakpoints)
@@ -62,7 +62,7 @@ def hits_of(one: LiveRun | Replay, *breakpoints: Breakpoint) -> Hits:
 
 @cache
 def live(*breakpoints: Breakpoint) -> Hits:
-    return hits_of(LiveRun(TRANSPORT.prepare()), *breakpoints)
+    return hits_of(WatchedSimulation(TRANSPORT.prepare()), *breakpoints)
 
 
 WAITS = [one.id for one in CARRIER.vertices if one.element in ("When", "While")]
@@ -88,7 +88,7 @@ def test_it_pauses_where_robots_wait_and_at_commands_of_one_part_and_nowhere_tha
 @pytest.fixture(scope="module")
 def place(recording) -> str:
     """A part of the carriers at which the recording pauses several times."""
-    replay = Replay(open_trace(recording), TRANSPORT)
+    replay = WatchedRecording(open_trace(recording), TRANSPORT)
     found = next(one.id for one in CARRIER.vertices if len(hits_of(replay, Breakpoint("carrier", one.id))) > 5)
     replay.close()
     return found
@@ -140,14 +140,14 @@ def test_a_condition_that_cannot_be_understood_is_refused(replay):
 def test_it_pauses_in_programs_that_stand_in_a_team_s(tmp_path):
     team = kitrobot.open(EXAMPLES / "transport-team" / "transport-team.krt")
     marks = [Breakpoint(name, one.id) for name in ("carry", "load") for one in team.program(name).vertices]
-    run, path = LiveRun(team.prepare()), tmp_path / "team.krtrace"
+    run, path = WatchedSimulation(team.prepare()), tmp_path / "team.krtrace"
     run.pause_at(marks)
     theirs: Hits = []
     while run.tick < 1500:
         run.advance(1500 - run.tick, 1e9, lambda: 0.0)
         theirs += [(run.tick, hit) for hit in run.hits]
     run.record_to(path)
-    replay = Replay(open_trace(path), team)
+    replay = WatchedRecording(open_trace(path), team)
     mine = hits_of(replay, *marks)
     replay.close()
     places = {(tick, hit.program, hit.vertex, hit.agent) for tick, hit in mine}
@@ -160,10 +160,12 @@ def test_it_pauses_in_programs_that_stand_in_a_team_s(tmp_path):
 def test_without_its_robot_a_condition_is_said_not_to_be_tested_and_the_place_still_pauses(recording, replay, place):
     mark = Breakpoint("carrier", place, when="Cargo.IsPressed()")
     header = open_trace(recording).reader.header
-    assert recorded_agents.testable([mark], header, {}, ()) == ([replace(mark, when="")], False)
-    assert recorded_agents.testable([replace(mark, enabled=False)], header, {}, ())[1]
+    assert recorded_agents.select_testable([mark], header, {}, ()) == ([replace(mark, when="")], False)
+    assert recorded_agents.select_testable([replace(mark, enabled=False)], header, {}, ())[1]
     robots = {**TRANSPORT.catalogue.robots, "carrier": TRANSPORT.catalogue.robot("mini-robot")}
-    changed = Replay(open_trace(recording), replace(TRANSPORT, catalogue=replace(TRANSPORT.catalogue, robots=robots)))
+    changed = WatchedRecording(
+        open_trace(recording), replace(TRANSPORT, catalogue=replace(TRANSPORT.catalogue, robots=robots))
+    )
     with pytest.raises(ReplayError, match="cannot be tested in this recording"):
         changed.pause_at([mark])
     changed.advance(None, 1e9, lambda: 0.0)
@@ -174,7 +176,7 @@ def test_without_its_robot_a_condition_is_said_not_to_be_tested_and_the_place_st
 def test_over_the_socket_a_recording_pauses_and_goes_on(connect, page, recording, place):
     opened = page.post("/api/trace", content=recording.read_bytes()).json()
     with connect() as watcher:
-        replay = Replay(open_trace(recording), TRANSPORT)
+        replay = WatchedRecording(open_trace(recording), TRANSPORT)
         # At full speed it may be over before another request comes: the breakpoints come with this one.
         marks = [{"program": "carrier", "vertex": place}]
         watcher.send(type="replay", recording=opened["recording"], speed=0, breakpoints=marks)

@@ -15,11 +15,11 @@ from hypothesis import strategies as st
 
 import kitrobot
 from kitrobot.diagnostics import KitRobotError
-from kitrobot.server.live_run import LiveRun
 from kitrobot.server.recordings import Recordings
-from kitrobot.server.replay import Replay
-from kitrobot.server.run_messages import MOST_REPORTED
-from kitrobot.server.security import Guard
+from kitrobot.server.run_encoder import MOST_REPORTED
+from kitrobot.server.security import SecurityMiddleware
+from kitrobot.server.watched_recording import WatchedRecording
+from kitrobot.server.watched_simulation import WatchedSimulation
 from kitrobot.trace import Threads, TraceReader, layout, walk
 from kitrobot.trace.header import header_to_json
 from kitrobot.workspace import RunOptions, open_trace
@@ -30,9 +30,9 @@ EXAMPLES = Path(__file__).resolve().parents[2] / "examples"
 TRANSPORT = kitrobot.open(EXAMPLES / "transport" / "transport.krt")
 
 
-def watched(ticks: int, random: Random) -> LiveRun:
+def watched(ticks: int, random: Random) -> WatchedSimulation:
     """A run of so many ticks, with things done to it on the way; it stands at its first tick again."""
-    watch = LiveRun(TRANSPORT.prepare(RunOptions(seed=random.randrange(100))))
+    watch = WatchedSimulation(TRANSPORT.prepare(RunOptions(seed=random.randrange(100))))
     while watch.tick < ticks and watch.outcome is None:
         watch.advance(random.randrange(1, 60), 1e9, lambda: 0.0)
         match random.randrange(4):
@@ -41,17 +41,17 @@ def watched(ticks: int, random: Random) -> LiveRun:
             case 1:
                 watch.set_variable("carrier-2", "Dock", random.randrange(6))
             case 2:
-                watch.harm("carrier-3", random.choice(["stall", "mute", "revive"]))
+                watch.inject_fault("carrier-3", random.choice(["stall", "mute", "revive"]))
     watch.advance(1, 1e9, lambda: 0.0)
     return watch
 
 
-def go(one: LiveRun | Replay) -> None:
+def go(one: WatchedSimulation | WatchedRecording) -> None:
     one.advance(1, 1e9, lambda: 0.0)
 
 
-def told(one: LiveRun | Replay) -> tuple[bytes, dict[str, Any], float]:
-    frame, news = one.tell()
+def told(one: WatchedSimulation | WatchedRecording) -> tuple[bytes, dict[str, Any], float]:
+    frame, news = one.encode_update()
     news["events"] = []
     return frame, news, one.seconds
 
@@ -70,7 +70,7 @@ def test_the_player_shows_at_every_tick_what_the_run_showed(
     watch._run._again = True
     # A page that has just begun to watch: nobody was told of yet.
     watch._encoder._before = [None] * len(watch._encoder._before)
-    replay = Replay(open_trace(path))
+    replay = WatchedRecording(open_trace(path))
     apart = {"recording", "abilities"}
     assert replay.started("x").model_dump(exclude=apart) == watch.started("x").model_dump(exclude=apart)
     events = replay._reader.events
@@ -107,11 +107,11 @@ def test_the_player_shows_at_every_tick_what_the_run_showed(
 
 def test_a_recording_refuses_what_would_change_it(tmp_path: Path) -> None:
     TRANSPORT.run(seed=1, seconds=1, trace=tmp_path / "a.krtrace")
-    replay = Replay(open_trace(tmp_path / "a.krtrace"))
+    replay = WatchedRecording(open_trace(tmp_path / "a.krtrace"))
     for act in (
         lambda: replay.force("carrier-1", "Collision", 1),
         lambda: replay.set_variable("carrier-1", "Dock", 1),
-        lambda: replay.harm("carrier-1", "fail"),
+        lambda: replay.inject_fault("carrier-1", "fail"),
     ):
         with pytest.raises(KitRobotError, match="recording"):
             act()
@@ -336,7 +336,7 @@ def test_own_robots_and_constructors_travel_with_the_recording(page, folder, con
 def test_only_so_many_recordings_stay_open(tmp_path, recorded, monkeypatch):
     from kitrobot.server import recordings
 
-    monkeypatch.setattr(recordings, "MOST_KEPT", 2)
+    monkeypatch.setattr(recordings, "MAX_OPEN", 2)
     kept = Recordings(lambda folder: None)
     names = []
     for _ in range(3):
@@ -352,7 +352,7 @@ def test_only_so_many_recordings_stay_open(tmp_path, recorded, monkeypatch):
 
 
 def test_a_recording_may_be_larger_than_a_mission(app):
-    guard = Guard(app, "", largest_body_bytes=10, largest_trace_bytes=1000)
+    guard = SecurityMiddleware(app, "", largest_body_bytes=10, largest_trace_bytes=1000)
     assert guard.largest_trace_bytes > guard.largest_body_bytes
 
 
@@ -379,14 +379,14 @@ def test_of_a_crowd_all_are_drawn_and_those_looked_at_are_told(tmp_path, monkeyp
     monkeypatch.setattr("kitrobot.sim.recorder.PROGRESS_STEPS", 20)
     path = tmp_path / "crowd.krtrace"
     simulate(random_team(3, 130), path, lambda run: run.tick >= 20)
-    replay = Replay(open_trace(path))
+    replay = WatchedRecording(open_trace(path))
     header = replay._reader.header
-    frame, news = replay.tell()
+    frame, news = replay.encode_update()
     assert struct.unpack_from("<2f", frame) == (0, len(header.agents))
     assert len(header.agents) > MOST_REPORTED
     first = {agent.program: agent.name for agent in reversed(header.agents)}
     assert set(news["agents"]) == set(first.values())
     other = next(agent.name for agent in reversed(header.agents) if agent.name not in first.values())
     replay.look_at([other, "nobody"])
-    assert other in replay.tell()[1]["agents"]
+    assert other in replay.encode_update()[1]["agents"]
     replay.close()

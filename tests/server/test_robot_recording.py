@@ -8,7 +8,7 @@ import pytest
 
 from kitrobot.robots import RobotSession
 from kitrobot.robots.state import Activity
-from kitrobot.server.robot_recorder import LastRun
+from kitrobot.server.last_run_recorder import LastRunRecorder
 from kitrobot.trace import TraceError, TraceReader
 from kitrobot.workspace import load_board_program
 from tests.boards.host import host_board, write_pulse
@@ -131,7 +131,7 @@ def test_without_a_run_there_is_nothing_to_save_and_strangers_get_nothing(visit,
 
 def test_a_robot_of_which_nothing_is_known_is_not_recorded(tmp_path) -> None:
     session, twin = RobotSession(), Twin()
-    last = LastRun("a", session)
+    last = LastRunRecorder("a", session)
     session.open(twin, twin.hello, None)
     session.start()
     session.poll(0)
@@ -163,7 +163,7 @@ def test_the_socket_of_runs_plays_it(visit, robot, saved, app, tmp_path) -> None
 def test_a_link_that_comes_back_goes_on_with_the_recording_of_the_same_program(tmp_path) -> None:
     program = load_board_program(write_pulse(tmp_path))
     session = RobotSession()
-    last = LastRun("a", session)
+    last = LastRunRecorder("a", session)
 
     def found(doing: Activity, installed: str = "12345678") -> None:
         twin = Twin(doing, program=installed)

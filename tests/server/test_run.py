@@ -15,8 +15,8 @@ import pytest
 from pydantic import TypeAdapter
 
 from kitrobot.server import runs
-from kitrobot.server.live_run import LiveRun
 from kitrobot.server.shapes import RunMessage
+from kitrobot.server.watched_simulation import WatchedSimulation
 from tests.server.conftest import SOCKET, TOKEN
 
 MESSAGE: TypeAdapter[Any] = TypeAdapter(RunMessage)
@@ -408,7 +408,7 @@ def test_a_run_that_breaks_is_one_sentence(connect, mission, monkeypatch, caplog
     def broken(*arguments: object) -> None:
         raise ZeroDivisionError("secret detail")
 
-    monkeypatch.setattr(LiveRun, "advance", broken)
+    monkeypatch.setattr(WatchedSimulation, "advance", broken)
     with connect() as watcher:
         watcher.start(mission())
         assert watcher.until("error")["message"] == "Something went wrong inside KitRobot."

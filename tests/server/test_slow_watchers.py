@@ -8,7 +8,7 @@ from typing import Any
 
 import orjson
 
-from kitrobot.server.broadcast import Telling, Watcher
+from kitrobot.server.broadcast import RunUpdate, Watcher
 from kitrobot.server.shapes import ErrorMessage, StateMessage
 from kitrobot.translation import reading_in
 from tests import coroutines
@@ -42,10 +42,10 @@ def told_late(told: list[Any]) -> list[Any]:
         watcher = Watcher(line)
         task = asyncio.create_task(watcher.serve())
         for one in told:
-            if isinstance(one, Telling):
-                watcher.tell(one)
+            if isinstance(one, RunUpdate):
+                watcher.send_update(one)
             elif isinstance(one, StateMessage):
-                watcher.state(one)
+                watcher.send_state(one)
             else:
                 watcher.end(one)
             await asyncio.sleep(0)
@@ -60,8 +60,8 @@ LAST = ErrorMessage(message="Over.", help="", ended=True)
 
 
 def test_a_slow_watcher_gets_fewer_messages_and_misses_nothing():
-    told = [Telling(b"0", news(0, {"a": 0, "b": 0}, ["zero"], again=True))]
-    told += [Telling(b"%d" % n, news(n, {"a": n}, [f"at {n}"])) for n in range(1, 100)]
+    told = [RunUpdate(b"0", news(0, {"a": 0, "b": 0}, ["zero"], again=True))]
+    told += [RunUpdate(b"%d" % n, news(n, {"a": n}, [f"at {n}"])) for n in range(1, 100)]
     sent = told_late([*told, LAST])
     assert [one for one in sent if isinstance(one, bytes)] == [b"0", b"".join(b"%d" % n for n in range(1, 100))]
     last = sent[3]
@@ -72,13 +72,13 @@ def test_a_slow_watcher_gets_fewer_messages_and_misses_nothing():
 
 def test_of_frames_that_are_too_many_for_a_slow_watcher_only_the_newest_come():
     frames = [bytes([n]) * 30_000 for n in range(4)]
-    sent = told_late([*[Telling(one, news(n, {}, [])) for n, one in enumerate(frames)], LAST])
+    sent = told_late([*[RunUpdate(one, news(n, {}, [])) for n, one in enumerate(frames)], LAST])
     assert [one for one in sent if isinstance(one, bytes)] == [frames[0], frames[3]]
 
 
 def test_of_a_slow_watchers_states_the_newest_is_told_after_the_news():
     states = [StateMessage(status="paused", tick=n, seconds=0, sentence="") for n in range(3)]
-    sent = told_late([Telling(b"0", news(0, {}, [])), *states, Telling(b"1", news(1, {}, [])), LAST])
+    sent = told_late([RunUpdate(b"0", news(0, {}, [])), *states, RunUpdate(b"1", news(1, {}, [])), LAST])
     assert [one if isinstance(one, bytes) else one["type"] for one in sent] == [
         b"0",
         "tick",
@@ -91,8 +91,8 @@ def test_of_a_slow_watchers_states_the_newest_is_told_after_the_news():
 
 
 def test_all_events_again_take_the_place_of_those_that_wait():
-    first, second = Telling(b"1", news(1, {"a": 1}, ["gone"])), Telling(b"2", news(2, {}, ["again"], again=True))
-    third = Telling(b"3", news(3, {}, ["more"]))
+    first, second = RunUpdate(b"1", news(1, {"a": 1}, ["gone"])), RunUpdate(b"2", news(2, {}, ["again"], again=True))
+    third = RunUpdate(b"3", news(3, {}, ["more"]))
     both = json.loads(third.after(second.after(first)).text())
     assert ([event["text"] for event in both["events"]], both["again"]) == (["again", "more"], True)
     assert both["agents"] == {"a": 1}
@@ -107,7 +107,7 @@ def test_news_are_encoded_once_for_all_who_read_them(monkeypatch):
         return dumps(what, **options)
 
     monkeypatch.setattr(orjson, "dumps", counted)
-    silent, spoken = Telling(b"", news(1, {}, [])), Telling(b"", news(1, {}, ["its program has ended"]))
+    silent, spoken = RunUpdate(b"", news(1, {}, [])), RunUpdate(b"", news(1, {}, ["its program has ended"]))
     for language in ("en", "fr", "ur", "fr"):
         with reading_in(language):
             silent.text()
@@ -119,16 +119,16 @@ def test_news_are_encoded_once_for_all_who_read_them(monkeypatch):
 
 
 def test_what_was_drawn_is_told_whole_to_who_missed_some_of_it():
-    def drew(n: int, keep: int, *marks: int) -> Telling:
-        return Telling(b"%d" % n, {**news(n, {}, []), "drawing": {"keep": keep, "marks": list(marks)}})
+    def drew(n: int, keep: int, *marks: int) -> RunUpdate:
+        return RunUpdate(b"%d" % n, {**news(n, {}, []), "drawing": {"keep": keep, "marks": list(marks)}})
 
-    def drawing(*told: Telling) -> object:
+    def drawing(*told: RunUpdate) -> object:
         made = told[0]
         for one in told[1:]:
             made = one.after(made)
         return json.loads(made.text())["drawing"]
 
-    quiet = Telling(b"9", {**news(9, {}, []), "drawing": None})
+    quiet = RunUpdate(b"9", {**news(9, {}, []), "drawing": None})
     assert drawing(drew(1, 4, 5, 6), drew(2, 6, 7), quiet) == {"keep": 4, "marks": [5, 6, 7]}
     assert drawing(drew(1, 4, 5, 6), drew(2, 5, 8)) == {"keep": 4, "marks": [5, 8]}
     assert drawing(drew(1, 4, 5, 6), drew(2, 3, 8)) == {"keep": 3, "marks": [8]}

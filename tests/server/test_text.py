@@ -9,7 +9,7 @@ import pytest
 
 from kitrobot.server.shapes import ReportShape
 from kitrobot.server.shapes.text import FollowedShape
-from kitrobot.server.texts import LONGEST_TEXT
+from kitrobot.server.text_routes import LONGEST_TEXT
 from tests.server.conftest import TestClient, whole
 
 

@@ -21,7 +21,7 @@ from playwright.sync_api import Error as PlaywrightError
 from starlette.types import Receive, Scope, Send
 
 from kitrobot.server import create_app
-from kitrobot.server.serving import server_config
+from kitrobot.server.web_server import server_config
 from tests.effort import THOROUGH
 from tests.patience import PATIENCE_S, STATE_MS
 from tests.studio.tabs import HANDS_MS, NOTHING, Tab, Tabs

@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 from playwright.sync_api import expect
 
-from kitrobot.server import drawing_checks
+from kitrobot.server import drawing_check_socket
 from tests.patience import PATIENCE_S
 from tests.studio.test_reach import find_nothing
 from tests.verifier.check_fixtures import EXAMPLES
@@ -110,7 +110,7 @@ def stranded(tmp_path: Path, monkeypatch: pytest.MonkeyPatch, open_studio) -> st
     path = tmp_path / "made" / "stranded" / "stranded.krt"
     path.parent.mkdir(parents=True)
     path.write_text(WAIT, encoding="utf-8")
-    monkeypatch.setattr(drawing_checks, "EXPLORE_S", None)  # However busy the machine is.
+    monkeypatch.setattr(drawing_check_socket, "EXPLORE_S", None)  # However busy the machine is.
     monkeypatch.setitem(open_studio.__globals__, "EXAMPLES", tmp_path / "made")
     return "stranded/stranded.krt"
 

@@ -119,7 +119,7 @@ def test_an_edit_sends_what_changed_and_to_a_server_that_forgot_everything(open_
 
 
 @pytest.mark.thorough(
-    "server/test_sent.py::test_two_windows_that_edit_the_same_program_are_each_answered_for_their_own"
+    "server/test_mission_delta.py::test_two_windows_that_edit_the_same_program_are_each_answered_for_their_own"
 )
 def test_two_windows_edit_the_same_mission_each_in_its_own_way(open_studio: OpenStudio) -> None:
     studio = open_studio(BLINK)

@@ -3,7 +3,8 @@
 One visit with two starts of Python, because a page with Python in it takes seconds to begin; the second start has no
 server any more, and a board behind a port of the page. More of it is tried in the thorough profile (`test_site_whole`,
 `test_site_boards`). Building the folder has tests of its own (`tests/workspace/test_site.py`), the same Python without
-a page (`tests/server/test_in_page.py`), and so have what is said in each state, storage and links (`web/src/site`).
+a page (`tests/server/test_in_page_server.py`), and so have the sentences of each state, storage and links
+(`web/src/site`).
 """
 
 from __future__ import annotations

@@ -23,7 +23,7 @@ pytestmark = [
     pytest.mark.boards,
     pytest.mark.thorough(
         "studio/test_site.py with one board; panel and server: test_page_ports, test_robots, test_try_parts; "
-        "answers while a board is sent to: server/test_in_page.py"
+        "answers while a board is sent to: server/test_in_page_server.py"
     ),
 ]
 

@@ -21,7 +21,7 @@ pytestmark = [
     pytest.mark.site,
     pytest.mark.thorough(
         "studio/test_site.py on the main path, web/src/site/*.test.ts for locks, memory and storage; features run the "
-        "same code as in the installed studio, without threads in server/test_in_page.py"
+        "same code as in the installed studio, without threads in server/test_in_page_server.py"
     ),
 ]
 

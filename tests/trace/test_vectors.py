@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 
-from kitrobot.server.replay import Replay
+from kitrobot.server.watched_recording import WatchedRecording
 from kitrobot.trace import POSE_WORDS, ROBOT, TickRecord, TraceError, TraceHeader, TraceReader, TraceWriter, walk
 from kitrobot.workspace import open_trace, state_at, summary_of
 
@@ -21,7 +21,7 @@ def test_a_simulated_run_from_before_real_ones_were_recorded() -> None:
         found = summary_of(trace)
         assert (found["outcome"], found["real"]) == ("done", False)
         assert state_at(trace, 0.1)["agents"]["robot-1"]["x_mm"] is not None
-        assert Replay(trace).started("r").agents[0].placed
+        assert WatchedRecording(trace).started("r").agents[0].placed
 
 
 def test_a_real_robot_that_failed() -> None:
@@ -41,10 +41,10 @@ def test_a_real_robot_that_failed() -> None:
         )
         assert [place["vertex"] for place in found["vertices"]] == ["v5"]
         assert state_at(trace, 9)["agents"]["micro:bit"]["state"] == "failed"
-        player = Replay(trace)
+        player = WatchedRecording(trace)
         assert not player.started("r").agents[0].placed
         walk(player.seek(40))
-        _, news = player.tell()
+        _, news = player.encode_update()
         assert news["agents"]["micro:bit"]["active"] == [[0, "v3"]]
         assert {event["cause"] for event in news["events"]} == {"person", "robot"}
 
@@ -68,7 +68,7 @@ def test_a_robot_with_a_piece_of_a_place_is_damage(tmp_path: Path) -> None:
             open_trace(changed(tmp_path / "r.krtrace", made)).reader as reader,
             pytest.raises(TraceError, match="lacks"),
         ):
-            Replay(open_trace(reader.path))
+            WatchedRecording(open_trace(reader.path))
 
 
 def test_a_real_robot_whose_program_is_not_in_the_mission_plays_without_vertices(tmp_path: Path) -> None:
@@ -80,7 +80,7 @@ def test_a_real_robot_whose_program_is_not_in_the_mission_plays_without_vertices
     trace = open_trace(changed(tmp_path / "r.krtrace", TraceHeader(**{**fields, "agents": (other,)})))
     with trace.reader:
         assert state_at(trace, 0)["agents"]["micro:bit"]["vertices"] == []
-        _, news = Replay(trace).tell()
+        _, news = WatchedRecording(trace).encode_update()
         assert news["agents"]["micro:bit"]["active"] == []
 
 

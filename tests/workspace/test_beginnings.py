@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 
 from kitrobot.primitives import SHIPPED
-from kitrobot.server.shapes.beginning import robot_set_shape
+from kitrobot.server.shapes.starter import robot_set_shape
 from kitrobot.server.studio import Studio
 from kitrobot.workspace import NoBeginningError
 from kitrobot.workspace.beginnings import NOTHING, read_beginnings

@@ -12,7 +12,7 @@ from kitrobot.diagnostics import Diagnostic
 from kitrobot.files import MissionFolder, listing
 from kitrobot.files.listing import MOST_LISTED
 from kitrobot.mission import Mission, SaveError, read_mission, save
-from kitrobot.server.saving import UnsavableError, mission_bytes
+from kitrobot.server.mission_encoding import UnsavableError, mission_bytes
 from kitrobot.server.sentences import clause, spoken
 from kitrobot.text import COMMA, Sentence, Series, conflict_mark
 from kitrobot.workspace import check_file, new_mission, open_mission, with_mission

@@ -1,7 +1,7 @@
 """The command line: a thin door to the workspace."""
 
 from kitrobot.cli.app import main
-from kitrobot.cli.classroom import ClassWish
-from kitrobot.cli.studio import Opening
+from kitrobot.cli.classroom import ClassOptions
+from kitrobot.cli.studio import StudioOptions
 
-__all__ = ["ClassWish", "Opening", "main"]
+__all__ = ["ClassOptions", "StudioOptions", "main"]

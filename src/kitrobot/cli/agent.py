@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from kitrobot.cli.output import give, json_text, tell
+from kitrobot.cli.output import json_text, print_data, print_message
 from kitrobot.diagnostics import KitRobotError
 from kitrobot.text import Sentence, did_you_mean, listed
 
@@ -37,8 +37,8 @@ Boards = Annotated[
 FleetName = Annotated[str, typer.Option("--fleet", metavar="NAME", help="Keeps teams on one network apart.")]
 
 
-def prepare(file: Path, options: RunOptions) -> PreparedRun:
-    """A mission whose agents are processes: the network is their radio, whatever the mission says of one."""
+def prepare_team_run(file: Path, options: RunOptions) -> PreparedRun:
+    """Prepares a mission whose agents are processes: the network is their radio, instead of the mission's."""
     from kitrobot.workspace import open_mission
 
     opened = open_mission(file)
@@ -93,8 +93,8 @@ def run_agent(
     check_wait(wait)
     over = end_of_input() if with_input else None
     with ExitStack() as stack:
-        say_so = stack.enter_context(_saying(name, told))
-        prepared = prepare(file, RunOptions())
+        log = stack.enter_context(_agent_log(name, told))
+        prepared = prepare_team_run(file, RunOptions())
         simulation = prepared.simulation
         names = [agent.name for agent in simulation.members]
         if name not in names:
@@ -129,19 +129,19 @@ def run_agent(
         channel = Channel(network, names.index(name), secret)
         stack.callback(channel.close)
         if not with_input:
-            say_so(Sentence("looks for its team at {endpoints}", ", ".join(network.connect)))
+            log(Sentence("looks for its team at {endpoints}", ", ".join(network.connect)))
         ended = AgentProcess(
             simulation,
             names.index(name),
             channel,
-            say_so,
+            log,
             lambda: over is not None and over.is_set(),
             body,
             wait,
-            (lambda sentence: None) if with_input else say_so,
+            (lambda sentence: None) if with_input else log,
         ).run()
     if as_json:
-        give(json_text({"agent": name, "outcome": ended.outcome, "sentence": ended.sentence}) + "\n")
+        print_data(json_text({"agent": name, "outcome": ended.outcome, "sentence": ended.sentence}) + "\n")
     elif not with_input:
         sys.stdout.write(f"{ended.sentence}\n")
     if ended.outcome != "done" and not with_input:
@@ -149,21 +149,21 @@ def run_agent(
 
 
 def check_wait(wait: float | None) -> None:
-    """Refuses a limit that is none."""
+    """Refuses an invalid limit."""
     if wait is not None and not (math.isfinite(wait) and wait >= 0):
         raise typer.BadParameter("a limit is a number of seconds from 0", param_hint="'--wait'")
 
 
-def say(name: str, sentence: str) -> None:
-    """A line of the log: the time of day, of whom it is ("": of the whole team), and what happened."""
-    tell(f"{datetime.now():%H:%M:%S.%f}"[:-3] + f"  {f'{name}: ' if name else ''}{sentence}")
+def log_event(name: str, sentence: str) -> None:
+    """Prints a line of the log: the time of day, the agent ("": the whole team), and what happened."""
+    print_message(f"{datetime.now():%H:%M:%S.%f}"[:-3] + f"  {f'{name}: ' if name else ''}{sentence}")
 
 
 @contextmanager
-def _saying(name: str, told: bool) -> Iterator[Callable[[str], None]]:
-    """How an agent says something: to people, or (`told`) to who started it, which hears why it failed too."""
+def _agent_log(name: str, told: bool) -> Iterator[Callable[[str], None]]:
+    """How an agent reports events: to people, or (`told`) to the process that started it, with why it failed."""
     if not told:
-        yield lambda sentence: say(name, sentence)
+        yield lambda sentence: log_event(name, sentence)
         return
     from kitrobot.fleet import StatusReport, encode_report
 

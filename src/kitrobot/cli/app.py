@@ -1,4 +1,4 @@
-"""The command line as a whole: which word does what, and what becomes of an error.
+"""The command line as a whole: its commands, and how errors end it.
 
 `kitrobot FILE` without a command's name opens the studio: such arguments are read as `kitrobot studio FILE`. The studio
 itself is another door, a stranger to this one, so whoever starts the command line hands it in (`kitrobot.__main__`).
@@ -41,15 +41,15 @@ from kitrobot.cli.log import show_log
 from kitrobot.cli.maze import give_maze
 from kitrobot.cli.merge import merge_missions_of_files
 from kitrobot.cli.output import (
-    NobodyReadsError,
-    begin,
-    complain,
-    failure,
-    give,
-    lead_nowhere,
-    remember,
+    OutputClosedError,
+    failure_json,
+    print_data,
+    print_error,
+    print_message,
+    record_error,
+    redirect_to_devnull,
+    reset_output_state,
     standard_streams,
-    tell,
 )
 from kitrobot.cli.replay import replay_trace
 from kitrobot.cli.run import run_mission
@@ -65,14 +65,14 @@ from kitrobot.text import Sentence, name_form, number_form
 
 DEBUG_VARIABLE = "KITROBOT_DEBUG"
 COMPLETION_VARIABLE = "_KITROBOT_COMPLETE"
-MISTAKE_OF_OURS: Final = 70
+INTERNAL_ERROR: Final = 70
 INTERRUPTED: Final = 130
-NOBODY_READS: Final = 141
+OUTPUT_CLOSED: Final = 141
 TERMINATED: Final = 143
 FAILED: Final = 1
-TROUBLE: Final = {"diff": 2, "merge": 2}
+FAILURE_STATUS: Final = {"diff": 2, "merge": 2}
 """Of commands whose 1 means something else, as it does in the tools of the same name."""
-LASTING: Final = ("studio", "class")
+LONG_RUNNING: Final = ("studio", "class")
 """Commands that read and write the same files as long as they are open."""
 
 # Typer brings its own Click, whose errors it does not name.
@@ -80,7 +80,7 @@ _ClickError: Any = next(base for base in typer.BadParameter.__mro__ if base.__na
 
 
 class _InterruptedError(Exception):
-    """Ctrl-C, with what is to be said of it."""
+    """Ctrl-C, with its message."""
 
 
 app = typer.Typer(
@@ -118,7 +118,7 @@ app.command("site")(write_site)
 app.command("desktop")(desktop_entry)
 
 
-def _say_version(wanted: bool) -> None:
+def _print_version(wanted: bool) -> None:
     if wanted:
         print(f"kitrobot {kitrobot.__version__}")
         raise typer.Exit
@@ -127,7 +127,7 @@ def _say_version(wanted: bool) -> None:
 @app.callback()
 def _kitrobot(
     version: Annotated[
-        bool, typer.Option("--version", help="Say the version.", is_eager=True, callback=_say_version)
+        bool, typer.Option("--version", help="Say the version.", is_eager=True, callback=_print_version)
     ] = False,
 ) -> None:
     """Draw a program as a graph and run it on small robots, alone or as a team.
@@ -151,14 +151,16 @@ def main(
     Raises:
         SystemExit: always.
     """
-    begin()
-    given = [_in_one_form(one) for one in (sys.argv[1:] if arguments is None else arguments)]
-    words = with_moments(_with_command(given))
-    failed = TROUBLE.get(words[0], FAILED)
-    with standard_streams(), _termination(), nullcontext() if words[0] in LASTING else recording_reads():
-        status = _status(lambda: _obey(words, {"class": classroom, "site": first}.get(words[0], studio)), failed)
-        if status not in (0, INTERRUPTED, NOBODY_READS) and _wants_json(given):
-            status = _status(lambda: _give_failure(status), failed) or status
+    reset_output_state()
+    given = [_normalise_argument(one) for one in (sys.argv[1:] if arguments is None else arguments)]
+    words = with_moments(_with_default_command(given))
+    failed = FAILURE_STATUS.get(words[0], FAILED)
+    with standard_streams(), _termination(), nullcontext() if words[0] in LONG_RUNNING else recording_reads():
+        status = _exit_status(
+            lambda: _run_command(words, {"class": classroom, "site": first}.get(words[0], studio)), failed
+        )
+        if status not in (0, INTERRUPTED, OUTPUT_CLOSED) and _wants_json(given):
+            status = _exit_status(lambda: _print_failure_json(status), failed) or status
     sys.exit(status)
 
 
@@ -166,7 +168,7 @@ _NUMBER = re.compile(r"[+-]?\d+\u066b\d+")
 """With the decimal sign of an Urdu keyboard, which Python does not read; it reads the digits."""
 
 
-def _in_one_form(argument: str) -> str:
+def _normalise_argument(argument: str) -> str:
     """An argument in the one form of names; the name of a file that is there stays as it is.
 
     Terminals type é in one form, and file systems give it back in another.
@@ -176,30 +178,30 @@ def _in_one_form(argument: str) -> str:
     return number_form(argument) if _NUMBER.fullmatch(argument) else name_form(argument)
 
 
-def _status(act: Callable[[], int], failed: int) -> int:
-    """Does it, writes the output to its end, and says what went wrong; `failed`: the status then."""
+def _exit_status(act: Callable[[], int], failed: int) -> int:
+    """Runs `act`, flushes the output and prints errors; `failed`: the status after an error."""
     try:
         status = act()
         if sys.stdout is not None:
             sys.stdout.flush()
     except KitRobotError as error:
-        complain(error)
+        print_error(error)
         return failed
     except (KeyboardInterrupt, _InterruptedError) as error:
-        tell(str(error) or "broken off")
+        print_message(str(error) or "broken off")
         return INTERRUPTED
-    except (BrokenPipeError, NobodyReadsError):
-        _stop_talking()
-        return NOBODY_READS
+    except (BrokenPipeError, OutputClosedError):
+        _discard_output()
+        return OUTPUT_CLOSED
     except OSError as error:
-        complain(
+        print_error(
             KitRobotError(Sentence(f"{error.strerror or error}{f': `{error.filename}`' if error.filename else ''}"))
         )
         if not error.filename:
-            _stop_talking()
+            _discard_output()
         return failed
     except Exception as error:
-        return _own_mistake(error)
+        return _report_internal_error(error)
     return status
 
 
@@ -221,7 +223,7 @@ def _command(name: str) -> Any:
     return command
 
 
-def _obey(arguments: list[str], door: Studio | Classroom | FirstMissions | None) -> int:
+def _run_command(arguments: list[str], door: Studio | Classroom | FirstMissions | None) -> int:
     # What a shell asks to have completed is not in the arguments; the studio tells which commands there are.
     name = "" if COMPLETION_VARIABLE in os.environ or arguments[0] == "studio" else arguments[0]
     try:
@@ -229,7 +231,7 @@ def _obey(arguments: list[str], door: Studio | Classroom | FirstMissions | None)
     except SystemExit as end:
         return end.code if isinstance(end.code, int) else int(end.code is not None)
     except _ClickError as error:
-        remember(error.format_message())
+        record_error(error.format_message())
         from typer.rich_utils import rich_format_error
 
         rich_format_error(error)
@@ -242,10 +244,10 @@ def _wants_json(arguments: Sequence[str]) -> bool:
     return "--json" in (arguments[: arguments.index("--")] if "--" in arguments else arguments)
 
 
-def _give_failure(status: int) -> int:
-    text = failure()
+def _print_failure_json(status: int) -> int:
+    text = failure_json()
     if text and sys.stdout is not None:
-        give(text)
+        print_data(text)
     return status
 
 
@@ -266,7 +268,7 @@ def _termination() -> Iterator[None]:
             signal.signal(signal.SIGTERM, signal.SIG_DFL)
 
 
-def _with_command(arguments: list[str]) -> list[str]:
+def _with_default_command(arguments: list[str]) -> list[str]:
     """The arguments with `studio` before them when they name no command and ask for no help."""
     first = arguments[0] if arguments else ""
     names = {command.name for command in app.registered_commands}
@@ -278,20 +280,22 @@ def _with_command(arguments: list[str]) -> list[str]:
     return ["studio", *arguments]
 
 
-def _stop_talking() -> None:
-    """Nobody reads the output any more: nothing to complain about, and nothing more to say at the exit."""
+def _discard_output() -> None:
+    """Discards all further output, without an error: nobody reads it any more."""
     for stream in (sys.stdout, sys.stderr):
-        lead_nowhere(stream)
+        redirect_to_devnull(stream)
 
 
-def _own_mistake(error: Exception) -> int:
+def _report_internal_error(error: Exception) -> int:
     if os.environ.get(DEBUG_VARIABLE):
         import traceback
 
         traceback.print_exception(error)
     kind = type(error).__name__
     first_line = str(error).strip().partition("\n")[0][:200]
-    remember(f"KitRobot itself went wrong ({kind}{f': {first_line}' if first_line else ''})")
-    tell(f"error: KitRobot itself went wrong ({kind}{f': {first_line}' if first_line else ''})")
-    tell(f"  help: this is our mistake; run the command again with {DEBUG_VARIABLE}=1 and report all that it says")
-    return MISTAKE_OF_OURS
+    record_error(f"KitRobot itself went wrong ({kind}{f': {first_line}' if first_line else ''})")
+    print_message(f"error: KitRobot itself went wrong ({kind}{f': {first_line}' if first_line else ''})")
+    print_message(
+        f"  help: this is our mistake; run the command again with {DEBUG_VARIABLE}=1 and report all that it says"
+    )
+    return INTERNAL_ERROR

@@ -9,8 +9,8 @@ from typing import TYPE_CHECKING, Annotated, Any
 import typer
 
 from kitrobot.cli.deploy import STAGES
-from kitrobot.cli.language import Language, in_words
-from kitrobot.cli.output import clean, complain, error_object, give, json_text, tell
+from kitrobot.cli.language import Language, translated
+from kitrobot.cli.output import error_object, json_text, print_data, print_error, print_message, sanitize
 from kitrobot.cli.watch import Board
 from kitrobot.diagnostics import KitRobotError
 from kitrobot.text import Sentence
@@ -83,15 +83,15 @@ def try_parts(
     kit = find_kit(board, folder) if board is not None else None
     bench = bench_of(find_robot(robot, folder) if robot is not None else bench_robot(), kit, folder)
     address = robot_address(port, to)
-    tell("lift the wheels off the ground")
+    print_message("lift the wheels off the ground")
     with reading_in(language):
         with BenchRun(address, bench, send_progress(), replace=replace) as run:
             if by_keys:
-                _by_keys(run, bench)
+                _control_by_keys(run, bench)
                 return
-            rows = _tried_steps(run, bench, seconds)
+            rows = _try_steps(run, bench, seconds)
         if as_json:
-            give(json_text(rows, 2) + "\n")
+            print_data(json_text(rows, 2) + "\n")
         else:
             _table(rows, bench)
     if not all(row["ok"] for row in rows):
@@ -116,13 +116,13 @@ def send_progress() -> Any:
         nonlocal last
         if stage != last:
             last = stage
-            tell(STAGES.get(stage, stage))
+            print_message(STAGES.get(stage, stage))
 
     return progress
 
 
-def _tried_steps(run: BenchRun, bench: Bench, seconds: float) -> list[dict[str, Any]]:
-    """What came of every step; once the board is gone, the rest is not tried.
+def _try_steps(run: BenchRun, bench: Bench, seconds: float) -> list[dict[str, Any]]:
+    """Tries every step; once the board is gone, the rest is not tried.
 
     Raises:
         KitRobotError: nothing could be tried.
@@ -133,13 +133,13 @@ def _tried_steps(run: BenchRun, bench: Bench, seconds: float) -> list[dict[str, 
     rows: list[dict[str, Any]] = []
     gone: KitRobotError | None = None
     for step in bench.steps:
-        row, error = _tried(run, step, seconds, gone)
+        row, error = _try_step(run, step, seconds, gone)
         if isinstance(error, PartError) and error.part != step.key:
-            # It failed at the end of its own step, and that is heard in this one.
+            # It failed at the end of its own step, and that is reported in this one.
             for earlier in rows:
                 if (earlier["category"], earlier["part"]) == error.part:
                     earlier |= {"ok": False, "error": error_object(error)}
-            row, error = _tried(run, step, seconds, gone)
+            row, error = _try_step(run, step, seconds, gone)
         if isinstance(error, OF_THE_BOARD) and gone is None:
             if not rows:
                 raise error
@@ -148,10 +148,10 @@ def _tried_steps(run: BenchRun, bench: Bench, seconds: float) -> list[dict[str, 
     return rows
 
 
-def _tried(
+def _try_step(
     run: BenchRun, step: BenchStep, seconds: float, gone: KitRobotError | None
 ) -> tuple[dict[str, Any], KitRobotError | None]:
-    """One step, done for so long, and what came of it; `gone`: why it cannot be done any more."""
+    """Tries one step for `seconds` and returns its result; `gone`: why it cannot be tried any more."""
     from kitrobot.primitives import reading
     from kitrobot.translation import said
 
@@ -170,8 +170,8 @@ def _tried(
         "part": step.part.name,
         "category": step.part.category.value,
         "call": step.call,
-        "seen": in_words(step.seen),
-        "help": in_words(step.trouble),
+        "seen": translated(step.seen),
+        "help": translated(step.trouble),
         "ok": error is None,
         "values": values,
         "words": [said(reading(step.part, value, run.bench.robot.wait_unit_ms)) for value in values],
@@ -185,23 +185,23 @@ def _tried(
 def _table(rows: list[dict[str, Any]], bench: Bench) -> None:
     from kitrobot.translation import said
 
-    words = [(_named(row["part"], row["call"]), row) for row in rows]
+    words = [(_step_name(row["part"], row["call"]), row) for row in rows]
     width = max(len(name) for name, _ in words)
     for name, row in words:
-        give(f"{name.ljust(width)}  {_result(row)}\n")
+        print_data(f"{name.ljust(width)}  {_result_text(row)}\n")
     for part, why in bench.left_out:
-        give(f"{clean(part.name).ljust(width)}  not here: {clean(said(why))}\n")
+        print_data(f"{sanitize(part.name).ljust(width)}  not here: {sanitize(said(why))}\n")
 
 
-def _named(part: str, call: str) -> str:
-    return clean(call or part)
+def _step_name(part: str, call: str) -> str:
+    return sanitize(call or part)
 
 
-def _result(row: dict[str, Any]) -> str:
+def _result_text(row: dict[str, Any]) -> str:
     if row["error"] is not None:
-        return f"FAILED: {clean(row['error']['message'])}"
-    values, words = row["values"], [clean(told) for told in row["words"]]
-    seen = clean(row["seen"])
+        return f"FAILED: {sanitize(row['error']['message'])}"
+    values, words = row["values"], [sanitize(told) for told in row["words"]]
+    seen = sanitize(row["seen"])
     if row["slow"]:
         seen += " (this part takes longer than a tick: programs that use it run slower than they say)"
     if not values:
@@ -211,18 +211,18 @@ def _result(row: dict[str, Any]) -> str:
     return f"{told}; {seen}"
 
 
-def _by_keys(run: BenchRun, bench: Bench) -> None:
+def _control_by_keys(run: BenchRun, bench: Bench) -> None:
     """Steps by keys until the person leaves."""
-    from kitrobot.cli.keys import ESCAPE, pressed_keys
+    from kitrobot.cli.key_input import ESCAPE, read_keys
     from kitrobot.primitives import reading
     from kitrobot.translation import said
     from kitrobot.workspace.bench_run import OF_THE_BOARD
 
-    tell(_HELP)
+    print_message(_HELP)
     for part, why in bench.left_out:
-        tell(f"not here: {part.name}: {said(why)}")
+        print_message(f"not here: {part.name}: {said(why)}")
     at, going = 0, False
-    with pressed_keys() as key:
+    with read_keys() as key:
         _show(bench, at)
         while True:
             pressed = key()
@@ -234,7 +234,7 @@ def _by_keys(run: BenchRun, bench: Bench) -> None:
                         "" if value is None else said(reading(bench.steps[at].part, value, bench.robot.wait_unit_ms))
                     )
                     slow = "  (takes longer than a tick)" if run.is_slow else ""
-                    _line(f"  on   {clean(words)}{slow}")
+                    _line(f"  on   {sanitize(words)}{slow}")
                 if pressed in ("q", ESCAPE):
                     run.end()
                     _line("")
@@ -255,19 +255,19 @@ def _by_keys(run: BenchRun, bench: Bench) -> None:
                 raise
             except KitRobotError as error:
                 _line("")
-                complain(error)
+                print_error(error)
                 going = False
 
 
 def _show(bench: Bench, at: int) -> None:
     step = bench.steps[at]
-    name = _named(step.part.name, step.call)
-    _line(f"{at + 1} of {len(bench.steps)}  {name}\n  {clean(in_words(step.seen))}\n")
+    name = _step_name(step.part.name, step.call)
+    _line(f"{at + 1} of {len(bench.steps)}  {name}\n  {sanitize(translated(step.seen))}\n")
     if step.trouble:
-        give(f"  if not: {clean(in_words(step.trouble))}\n")
+        print_data(f"  if not: {sanitize(translated(step.trouble))}\n")
 
 
 def _line(text: str) -> None:
     """In the place of the line that stands there."""
-    give(f"\r\x1b[K{text}")
+    print_data(f"\r\x1b[K{text}")
     sys.stdout.flush()

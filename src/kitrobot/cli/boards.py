@@ -8,8 +8,16 @@ import typer
 
 from kitrobot.cli.deploy import Addresses
 from kitrobot.cli.deploy_set import table
-from kitrobot.cli.json_results import AsJson, of_board
-from kitrobot.cli.output import clean, error_object, give, json_text, tell, tell_of_lateness, tell_of_waiting
+from kitrobot.cli.output import (
+    error_object,
+    json_text,
+    print_data,
+    print_late_ticks,
+    print_message,
+    print_no_answer,
+    sanitize,
+)
+from kitrobot.cli.result_json import AsJson, board_result
 
 if TYPE_CHECKING:
     from kitrobot.robots import BoardContents
@@ -41,11 +49,11 @@ def list_boards(
     if identify is not None:
         from kitrobot.deploy import connect
 
-        with connect(identify, waits=lambda: tell_of_waiting(identify)) as board:
+        with connect(identify, waits=lambda: print_no_answer(identify)) as board:
             board.identify()
         if as_json:
-            give(json_text([of_board(identify, None)], 2) + "\n")
-        tell(f"{identify}: look which robot shows itself")
+            print_data(json_text([board_result(identify, None)], 2) + "\n")
+        print_message(f"{identify}: look which robot shows itself")
         return
     if label is not None:
         _label(to or [], label, as_json)
@@ -54,31 +62,31 @@ def list_boards(
     from kitrobot.workspace import scan_boards
     from kitrobot.workspace.board_labels import labels_of
 
-    seen = scan_boards(to or [], tell_of_waiting)
+    seen = scan_boards(to or [], print_no_answer)
     labels = labels_of(one.port.address for one in seen)
     if as_json:
-        give(json_text([{**_object(one), "label": labels.get(one.port.address, "")} for one in seen], 2) + "\n")
+        print_data(json_text([{**_object(one), "label": labels.get(one.port.address, "")} for one in seen], 2) + "\n")
         return
     if not seen:
-        tell("no robot is plugged in")
-        tell("  help: plug one in with a USB cable that carries data, or name its address with --to")
+        print_message("no robot is plugged in")
+        print_message("  help: plug one in with a USB cable that carries data, or name its address with --to")
         return
     rows: list[tuple[str, ...]] = [
         ("port", "board", "state", "program", "KitRobot", "MicroPython", "generation", "memory left")
     ]
     rows += [_row(one) for one in seen]
     if labels:
-        named = ["label", *(clean(labels.get(one.port.address, "")) for one in seen)]
+        named = ["label", *(sanitize(labels.get(one.port.address, "")) for one in seen)]
         rows = [(name, *row) for name, row in zip(named, rows, strict=True)]
     for line in table(rows):
-        give(line)
+        print_data(line)
     for one in seen:
         if one.hello is not None and is_slow(one.hello.state_name, one.hello.late, one.hello.tick):
-            tell_of_lateness(one.port.address)
+            print_late_ticks(one.port.address)
         if one.error is not None:
-            tell(f"{one.port.address}: {one.error.message}")
+            print_message(f"{one.port.address}: {one.error.message}")
             if one.port.firmware:
-                tell(f"  help: a board without MicroPython gets it from {one.port.firmware}")
+                print_message(f"  help: a board without MicroPython gets it from {one.port.firmware}")
 
 
 def _label(addresses: list[str], label: str, as_json: bool) -> None:
@@ -88,17 +96,17 @@ def _label(addresses: list[str], label: str, as_json: bool) -> None:
 
     kept = keep_label(addresses[0], label)
     if as_json:
-        give(json_text([of_board(addresses[0], None, label=kept)], 2) + "\n")
-    tell(f"{addresses[0]}: the label is {kept}" if kept else f"{addresses[0]}: no label")
+        print_data(json_text([board_result(addresses[0], None, label=kept)], 2) + "\n")
+    print_message(f"{addresses[0]}: the label is {kept}" if kept else f"{addresses[0]}: no label")
 
 
 def _row(seen: BoardContents) -> tuple[str, ...]:
-    where = (clean(seen.port.address), clean(seen.port.name))
+    where = (sanitize(seen.port.address), sanitize(seen.port.name))
     hello = seen.hello
     if hello is None:
         return (*where, "no answer", "", "", "", "", "")
-    program = f"{clean(seen.program)} ({hello.program})" if seen.program else clean(hello.program)
-    had = (clean(hello.package), clean(seen.micropython) or "?", str(hello.generation), f"{hello.free} bytes")
+    program = f"{sanitize(seen.program)} ({hello.program})" if seen.program else sanitize(hello.program)
+    had = (sanitize(hello.package), sanitize(seen.micropython) or "?", str(hello.generation), f"{hello.free} bytes")
     return (*where, hello.state_name, program, *had)
 
 

@@ -9,7 +9,7 @@ import typer
 
 from kitrobot.cli.bench import Port, Replace, robot_address, send_progress
 from kitrobot.cli.dialogue import Dialogue
-from kitrobot.cli.output import clean, give, json_text, show, tell
+from kitrobot.cli.output import json_text, print_data, print_diagnostics, print_message, sanitize
 from kitrobot.cli.watch import Board
 from kitrobot.text import number_form
 
@@ -76,16 +76,16 @@ def calibrate_robot(
         answers = _answers(run, steps, times)
     made = calibrated(kit, answers)
     if made == kit:
-        tell("nothing was changed: what was measured is what the kit's file says")
+        print_message("nothing was changed: what was measured is what the kit's file says")
     else:
-        show(*left_out(target))
+        print_diagnostics(*left_out(target))
         write_kit_file(made, target)
-        tell(f"written into {target}")
+        print_message(f"written into {target}")
     if as_json:
-        give(json_text(_object(kit, made, target), 2) + "\n")
+        print_data(json_text(_object(kit, made, target), 2) + "\n")
     else:
         for line in _changes(kit, made):
-            give(line + "\n")
+            print_data(line + "\n")
 
 
 def _answers(run: BenchRun, steps: dict[str, BenchStep], times: int) -> Answers:
@@ -96,7 +96,7 @@ def _answers(run: BenchRun, steps: dict[str, BenchStep], times: int) -> Answers:
     numbers: dict[str, list[float]] = {"distance": [], "turn": []}
     for measure, step in steps.items():
         for _ in range(times if measure in numbers else 1):
-            tell(step.trouble.get("", ""))
+            print_message(step.trouble.get("", ""))
             dialogue.ask("press Enter, then it moves: ")
             run.begin(step)
             run.finish(_LONGEST_S)
@@ -118,7 +118,9 @@ def _which_wheel(dialogue: Dialogue, step: BenchStep) -> Turned | None:
             return None
         if len(words) == 2 and words[0] in _SIDES and words[1] in _WAYS:
             return Turned(_SIDES[words[0]], _WAYS[words[1]])
-        tell("say for example: left forward; an empty line leaves it out, and `kitrobot bench` says what to look for")
+        print_message(
+            "say for example: left forward; an empty line leaves it out, and `kitrobot bench` says what to look for"
+        )
 
 
 def _number(dialogue: Dialogue, step: BenchStep) -> float | None:
@@ -129,7 +131,7 @@ def _number(dialogue: Dialogue, step: BenchStep) -> float | None:
         try:
             return float(text)
         except ValueError:
-            tell("say a number; an empty line leaves it out")
+            print_message("say a number; an empty line leaves it out")
 
 
 def _differences(before: Kit, after: Kit) -> list[tuple[str, str, str | None, str | None]]:
@@ -149,7 +151,7 @@ def _differences(before: Kit, after: Kit) -> list[tuple[str, str, str | None, st
 
 def _changes(before: Kit, after: Kit) -> list[str]:
     return [
-        clean(f"{devices}: {name} {f'{was} → ' if was is not None else ''}{now if now is not None else 'none'}")
+        sanitize(f"{devices}: {name} {f'{was} → ' if was is not None else ''}{now if now is not None else 'none'}")
         for devices, name, was, now in _differences(before, after)
     ]
 

@@ -9,7 +9,7 @@ import typer
 
 from kitrobot.cli.check_kit import check_on_kit
 from kitrobot.cli.language import Language
-from kitrobot.cli.output import give, json_text, tell
+from kitrobot.cli.output import json_text, print_data, print_message
 from kitrobot.diagnostics import Severity
 
 
@@ -53,14 +53,14 @@ def check_files(
     reports = [check_file(path, meant) for path in files]
     problems = [problem for report in reports for problem in with_help(report.diagnostics)]
     if as_json:
-        give(json_text([to_json(problem) for problem in problems], 2) + "\n")
+        print_data(json_text([to_json(problem) for problem in problems], 2) + "\n")
     else:
         for report in reports:
             text = written_out(report.diagnostics, report.sources)
-            give(text + "\n" if text else "")
+            print_data(text + "\n" if text else "")
             for note in report.notes:
-                tell(note)
-        tell(_count([problem.severity for problem in problems], len(files)))
+                print_message(note)
+        print_message(_count([problem.severity for problem in problems], len(files)))
     if any(problem.is_error for problem in problems):
         raise typer.Exit(1)
 

@@ -8,8 +8,8 @@ from typing import TYPE_CHECKING, Any
 
 import typer
 
-from kitrobot.cli.language import in_words
-from kitrobot.cli.output import clean, error_object, give, json_text, show, tell
+from kitrobot.cli.language import translated
+from kitrobot.cli.output import error_object, json_text, print_data, print_diagnostics, print_message, sanitize
 
 if TYPE_CHECKING:
     from kitrobot.deploy import PartOnKit
@@ -34,7 +34,7 @@ def check_on_kit(files: Sequence[Path], board: str, robot: str | None, *, as_jso
             else:
                 _write(program, kit)
     if as_json:
-        give(json_text(rows, 2) + "\n")
+        print_data(json_text(rows, 2) + "\n")
     if failed:
         raise typer.Exit(1)
 
@@ -55,39 +55,39 @@ def _programs(path: Path, kit: Kit, robot: str | None) -> list[ProgramOnKit]:
 def _write(program: ProgramOnKit, kit: Kit) -> None:
     from kitrobot.translation import said
 
-    tell_of = f"{clean(program.program)} (robot {clean(program.robot)}) on {clean(kit.name)}:"
+    heading = f"{sanitize(program.program)} (robot {sanitize(program.robot)}) on {sanitize(kit.name)}:"
     table = [_row(one) for one in program.parts]
     widths = [max((len(row[column]) for row in table), default=0) for column in range(2)]
-    give(tell_of + "\n")
+    print_data(heading + "\n")
     for name, used, words in table:
-        give(f"  {name.ljust(widths[0])}  {used.ljust(widths[1])}  {words}\n")
+        print_data(f"  {name.ljust(widths[0])}  {used.ljust(widths[1])}  {words}\n")
     if program.problem is None:
-        give("  it can be sent\n")
+        print_data("  it can be sent\n")
     else:
         if program.problem.diagnostics:
-            show(program.problem.diagnostics, getattr(program.problem, "sources", ()))
-        tell(f"{program.program}: {said(program.problem.message)}")
+            print_diagnostics(program.problem.diagnostics, getattr(program.problem, "sources", ()))
+        print_message(f"{program.program}: {said(program.problem.message)}")
         if program.problem.help:
-            tell(f"  help: {said(program.problem.help)}")
+            print_message(f"  help: {said(program.problem.help)}")
 
 
 def _row(one: PartOnKit) -> tuple[str, str, str]:
-    return clean(one.part.name), "used" if one.is_used else "not used", _words(one)
+    return sanitize(one.part.name), "used" if one.is_used else "not used", _words(one)
 
 
 def _words(one: PartOnKit) -> str:
     from kitrobot.translation import said
 
     if one.found is None or one.found.is_missing:
-        why = in_words(one.found.help) if one.found is not None else ""
+        why = translated(one.found.help) if one.found is not None else ""
         if one.is_missing:
-            return "missing" + (f": {clean(why)}" if why else "")
+            return "missing" + (f": {sanitize(why)}" if why else "")
     if one.problem is not None:
-        return f"does not work: {clean(said(one.problem.message))}"
+        return f"does not work: {sanitize(said(one.problem.message))}"
     if one.found is None:
         return "every board has it"
     told = " ".join(f"{name}={value}" for name, value in one.part.board.settings.items())
-    return clean(f"{one.part.board.driver} {told}".rstrip())
+    return sanitize(f"{one.part.board.driver} {told}".rstrip())
 
 
 def _object(program: ProgramOnKit) -> dict[str, Any]:
@@ -104,7 +104,7 @@ def _object(program: ProgramOnKit) -> dict[str, Any]:
                 "category": one.part.category.value,
                 "used": one.is_used,
                 "missing": one.is_missing,
-                "why": in_words(one.found.help) if one.found is not None and one.is_missing else "",
+                "why": translated(one.found.help) if one.found is not None and one.is_missing else "",
                 "problem": said(one.problem.message) if one.problem is not None else "",
                 "driver": "" if one.is_missing else one.part.board.driver,
                 "settings": {} if one.is_missing else dict(one.part.board.settings),

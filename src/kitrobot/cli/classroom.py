@@ -13,8 +13,8 @@ from kitrobot.text import Sentence
 
 
 @dataclass(frozen=True)
-class ClassWish:
-    """How a class is to be opened; `tls` is a certificate and its key, None for plain HTTP; `site` the
+class ClassOptions:
+    """The options of `kitrobot class`; `tls` is a certificate and its key, None for plain HTTP; `site` the
     folder of a static site, None for that in the folder of the class.
     """
 
@@ -28,9 +28,9 @@ class ClassWish:
 
 
 class Classroom(Protocol):
-    """Opens a class and comes back when it is closed."""
+    """Opens a class and returns when it is closed."""
 
-    def __call__(self, wish: ClassWish, /) -> None: ...
+    def __call__(self, options: ClassOptions, /) -> None: ...
 
 
 def open_class(
@@ -72,4 +72,4 @@ def open_class(
         raise StudioError(
             Sentence("this command line was started without a studio"), Sentence("start it with `python -m kitrobot`")
         )
-    classroom(ClassWish(folder, host, port, tls, browser, new_code, site))
+    classroom(ClassOptions(folder, host, port, tls, browser, new_code, site))

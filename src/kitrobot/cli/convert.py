@@ -7,7 +7,7 @@ from typing import Annotated
 
 import typer
 
-from kitrobot.cli.output import show, tell
+from kitrobot.cli.output import print_diagnostics, print_message
 
 
 def convert_file(
@@ -36,7 +36,7 @@ def convert_file(
     from kitrobot.workspace import convert
 
     done = convert(source, target, program=program, robot=robot)
-    show(done.diagnostics, done.sources)
+    print_diagnostics(done.diagnostics, done.sources)
     if not done.written:
         raise typer.Exit(1)
-    tell(f"{target}: written")
+    print_message(f"{target}: written")

@@ -10,8 +10,8 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from kitrobot.cli.json_results import AsJson, of_board, of_deployed
-from kitrobot.cli.output import clean, complain, give, json_text, show, tell
+from kitrobot.cli.output import json_text, print_data, print_diagnostics, print_error, print_message, sanitize
+from kitrobot.cli.result_json import AsJson, board_result, deployed_result
 from kitrobot.text import Sentence, listed
 
 if TYPE_CHECKING:
@@ -112,18 +112,18 @@ def deploy_program(
         words = "without --team it is one kit: a name or a .board.xml; --board AGENT=PORT belongs to --team"
         raise typer.BadParameter(words, param_hint="'--board'")
     ready = load_board_program(mission, robot=robot, program=program, kit=board[0] if board else None)
-    show(ready.diagnostics, ready.sources)
+    print_diagnostics(ready.diagnostics, ready.sources)
     addresses = choose_boards(to or [])
     with _bars(addresses) as progress:
         sent = send_program(ready, addresses, progress, replace=replace, fresh=fresh)
     if as_json:
-        give(json_text([_object(one) for one in sent], 2) + "\n")
+        print_data(json_text([_object(one) for one in sent], 2) + "\n")
     for one in sent:
         if one.error is not None:
-            tell(f"{one.address}:")
-            complain(one.error)
+            print_message(f"{one.address}:")
+            print_error(one.error)
         elif not as_json:
-            give(_sentence(one, ready.names.program))
+            print_data(_sentence(one, ready.names.program))
     if any(one.error is not None for one in sent):
         raise typer.Exit(1)
 
@@ -140,24 +140,26 @@ def _deploy_team(mission: Path, board: Sequence[str], *, replace: bool, fresh: b
     names = {port: name for name, port in boards.items()}
     with _bars(list(names)) as progress:
         sent = send_team(opened, boards, progress, replace=replace, fresh=fresh, kit=kit)
-    show(opened.before_setup, opened.sources)
+    print_diagnostics(opened.before_setup, opened.sources)
     if as_json:
-        give(json_text([{**_object(one), "agent": names[one.address]} for one in sent], 2) + "\n")
+        print_data(json_text([{**_object(one), "agent": names[one.address]} for one in sent], 2) + "\n")
     for one in sent:
         if one.error is not None:
-            tell(f"{names[one.address]} ({one.address}):")
-            complain(one.error)
+            print_message(f"{names[one.address]} ({one.address}):")
+            print_error(one.error)
         elif not as_json:
-            give(_sentence(one, names[one.address], "has its program"))
+            print_data(_sentence(one, names[one.address], "has its program"))
     failed = [names[one.address] for one in sent if one.error is not None]
     if failed:
-        tell(
+        print_message(
             Sentence(
                 "no robot of the team is started; mend what is said above of {names}, then send again", listed(failed)
             )
         )
         if has := [names[one.address] for one in sent if one.error is None]:
-            tell(Sentence("the new program is already on the boards of these, where it waits: {names}", listed(has)))
+            print_message(
+                Sentence("the new program is already on the boards of these, where it waits: {names}", listed(has))
+            )
         raise typer.Exit(1)
 
 
@@ -167,7 +169,7 @@ def _sentence(sent: SendResult, program: str, does: str = "runs") -> str:
     files = len(done.sent_files)
     news = f"{files} file{'s' if files != 1 else ''} sent ({done.bytes_sent} bytes)" if files else "nothing to send"
     return (
-        f"{clean(sent.address)}: {clean(program)} {does}; {done.free} bytes of memory are left\n"
+        f"{sanitize(sent.address)}: {sanitize(program)} {does}; {done.free} bytes of memory are left\n"
         f"  {news}, {len(done.kept_files)} kept, {done.seconds:.1f} s; program {done.program},"
         f" KitRobot {done.package}, generation {done.generation}, MicroPython {done.micropython}\n"
     )
@@ -176,21 +178,23 @@ def _sentence(sent: SendResult, program: str, does: str = "runs") -> str:
 def _object(sent: SendResult) -> dict[str, Any]:
     done = sent.deployed
     if done is None:
-        return of_board(sent.address, sent.error)
-    return of_board(sent.address, None, **of_deployed(done), sent=list(done.sent_files), kept=list(done.kept_files))
+        return board_result(sent.address, sent.error)
+    return board_result(
+        sent.address, None, **deployed_result(done), sent=list(done.sent_files), kept=list(done.kept_files)
+    )
 
 
-def _tell_of_reset(address: str, stage: str, done: int, total: int) -> None:
+def _print_reset(address: str, stage: str, done: int, total: int) -> None:
     """Where nobody watches bars: only what a person has to do."""
     if stage == "reset":
-        tell(f"{address}: {STAGES[stage]}")
+        print_message(f"{address}: {STAGES[stage]}")
 
 
 @contextmanager
 def _bars(addresses: Sequence[str]) -> Iterator[Callable[[str, str, int, int], None]]:
     """A bar for each robot on standard error while a person watches."""
     if sys.stderr is None or not sys.stderr.isatty():
-        yield _tell_of_reset
+        yield _print_reset
         return
     from rich.console import Console
     from rich.progress import BarColumn, Progress, TextColumn, TimeElapsedColumn
@@ -202,7 +206,7 @@ def _bars(addresses: Sequence[str]) -> Iterator[Callable[[str, str, int, int], N
         TimeElapsedColumn(),
     )
     with Progress(*columns, console=Console(stderr=True), transient=True) as bar:
-        tasks = {address: bar.add_task(clean(address), total=None, stage="") for address in addresses}
+        tasks = {address: bar.add_task(sanitize(address), total=None, stage="") for address in addresses}
 
         def progress(address: str, stage: str, done: int, total: int) -> None:
             bar.update(tasks[address], completed=done, total=total or None, stage=STAGES.get(stage, stage))

@@ -9,8 +9,8 @@ from typing import TYPE_CHECKING, Any
 
 import typer
 
-from kitrobot.cli.json_results import of_board, of_deployed
-from kitrobot.cli.output import clean, complain, give, json_text, show, tell
+from kitrobot.cli.output import json_text, print_data, print_diagnostics, print_error, print_message, sanitize
+from kitrobot.cli.result_json import board_result, deployed_result
 from kitrobot.diagnostics import KitRobotError
 from kitrobot.text import Sentence, listed
 
@@ -28,17 +28,17 @@ def deploy_set(path: Path, bars: Bars, *, replace: bool, fresh: bool, as_json: b
 
     found = prepare_set(read_set(path))
     for program in {id(one.program): one.program for one in found.members if one.program is not None}.values():
-        show(program.diagnostics, program.sources)
+        print_diagnostics(program.diagnostics, program.sources)
     with bars(found.addresses) as progress:
         results = found.send(progress, replace=replace, fresh=fresh)
     if as_json:
-        give(json_text([_object(one) for one in results], 2) + "\n")
+        print_data(json_text([_object(one) for one in results], 2) + "\n")
     else:
         for line in table([HEAD, *map(_row, results)]):
-            give(line)
-    _tell_of(results)
+            print_data(line)
+    _print_results(results)
     if found.others:
-        tell(Sentence("not in the list, and left as they are: {ports}", listed(found.others)))
+        print_message(Sentence("not in the list, and left as they are: {ports}", listed(found.others)))
     if any(one.error is not None for one in results):
         raise typer.Exit(1)
 
@@ -50,31 +50,31 @@ def table(rows: Sequence[Sequence[str]]) -> Iterator[str]:
         yield "  ".join(word.ljust(width) for word, width in zip(row, widths, strict=True)).rstrip() + "\n"
 
 
-def _tell_of(results: Sequence[SetResult]) -> None:
+def _print_results(results: Sequence[SetResult]) -> None:
     """What went wrong with which boards; what is the same for several is said once."""
     wrong: dict[KitRobotError | tuple[str, str], tuple[KitRobotError, list[str]]] = {}
     for one in results:
         if one.error is not None:
             place = f" ({one.member.address})" if one.member.address else ""
-            name = clean(one.member.wanted.label + place)
+            name = sanitize(one.member.wanted.label + place)
             wrong.setdefault((one.error.message, one.error.help), (one.error, []))[1].append(name)
     for error, names in wrong.values():
-        tell(f"{', '.join(names)}:")
-        complain(error)
+        print_message(f"{', '.join(names)}:")
+        print_error(error)
 
 
 def _row(one: SetResult) -> tuple[str, ...]:
-    where = (clean(one.member.wanted.label), clean(one.member.address))
+    where = (sanitize(one.member.wanted.label), sanitize(one.member.address))
     done = one.sent.deployed if one.sent is not None else None
     if done is None or one.member.program is None:
         return (*where, "", "failed", "", "", "", "")
-    program = f"{clean(one.member.program.names.program)} ({done.program})"
+    program = f"{sanitize(one.member.program.names.program)} ({done.program})"
     return (
         *where,
         program,
         done.hello.state_name,
-        clean(done.package),
-        clean(done.micropython) or "?",
+        sanitize(done.package),
+        sanitize(done.micropython) or "?",
         str(done.generation),
         f"{done.free} bytes",
     )
@@ -85,6 +85,10 @@ def _object(one: SetResult) -> dict[str, Any]:
     named = {"label": wanted.label, "mission": str(wanted.mission)}
     done = one.sent.deployed if one.sent is not None else None
     if done is None or one.member.program is None:
-        return {**named, **of_board(one.member.address, one.error)}
-    told = {"state": done.hello.state_name, "name_of_program": one.member.program.names.program, **of_deployed(done)}
-    return {**named, **of_board(one.member.address, None, **told)}
+        return {**named, **board_result(one.member.address, one.error)}
+    told = {
+        "state": done.hello.state_name,
+        "name_of_program": one.member.program.names.program,
+        **deployed_result(done),
+    }
+    return {**named, **board_result(one.member.address, None, **told)}

@@ -7,7 +7,7 @@ from typing import Annotated
 
 import typer
 
-from kitrobot.cli.output import tell
+from kitrobot.cli.output import print_message
 
 
 def desktop_entry(
@@ -28,11 +28,11 @@ def desktop_entry(
     if remove:
         removed = remove_entry()
         for path in removed:
-            tell(f"{path}: removed")
+            print_message(f"{path}: removed")
         if not removed:
-            tell("there is no entry")
+            print_message("there is no entry")
         return
     missions = folder if folder is not None else Path.home() / "KitRobot"
     for path in install_entry(missions).all:
-        tell(f"{path}: written")
-    tell(f"KitRobot is in the menu, and opens {missions.absolute()}")
+        print_message(f"{path}: written")
+    print_message(f"KitRobot is in the menu, and opens {missions.absolute()}")

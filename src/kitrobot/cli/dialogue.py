@@ -1,7 +1,7 @@
-"""Questions to a person at the command line, while something else has to be served.
+"""Questions at the command line, while something else has to be served.
 
-A robot that is held stops when it hears nothing for 0.8 s, and a person thinks longer than that. So a line is awaited
-in a thread of its own, and what the question's command serves is served meanwhile.
+A held robot stops when it receives nothing for 0.8 s, and a person thinks longer than that. So a thread of its own
+reads the line, and the caller serves the robot meanwhile.
 """
 
 from __future__ import annotations
@@ -11,7 +11,7 @@ from collections.abc import Callable
 from queue import Empty, Queue
 from threading import Thread
 
-from kitrobot.cli.output import clean
+from kitrobot.cli.output import sanitize
 from kitrobot.diagnostics import KitRobotError
 from kitrobot.text import Sentence
 
@@ -38,7 +38,7 @@ class Dialogue:
             KitRobotError: the answers have ended, or what `serve` raises.
         """
         if sys.stderr is not None:
-            sys.stderr.write(clean(question))
+            sys.stderr.write(sanitize(question))
             sys.stderr.flush()
         line: Queue[str | BaseException] = Queue()
         # Nobody waits for it at the end: a read of a terminal cannot be called back.

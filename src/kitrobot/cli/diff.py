@@ -8,7 +8,7 @@ from typing import Annotated
 
 import typer
 
-from kitrobot.cli.output import give, json_text
+from kitrobot.cli.output import json_text, print_data
 
 DIFFERENT = 1
 
@@ -27,8 +27,8 @@ def diff_files(
 
     found = compare_files(before, after)
     if as_json:
-        give(json_text([asdict(one) for one in found], 2) + "\n")
+        print_data(json_text([asdict(one) for one in found], 2) + "\n")
     else:
-        give("".join(f"{one.sentence}\n" for one in found))
+        print_data("".join(f"{one.sentence}\n" for one in found))
     if found:
         raise typer.Exit(DIFFERENT)

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from kitrobot.cli.output import give, show
+from kitrobot.cli.output import print_data, print_diagnostics
 from kitrobot.text import Sentence
 
 if TYPE_CHECKING:
@@ -54,7 +54,7 @@ def execute_program(
         raise ProblemsError(
             Sentence("`{wrong}` has errors, so nothing was run", wrong), "", tuple(loaded.diagnostics), loaded.sources
         )
-    show(loaded.diagnostics, loaded.sources)
+    print_diagnostics(loaded.diagnostics, loaded.sources)
     made = execute(loaded.image, loaded.robot, ticks, loaded.inputs)
     lines = (
         (_json_line(tick) for tick in made)
@@ -65,9 +65,9 @@ def execute_program(
     for line in lines:
         held.append(line)
         if len(held) == _AT_ONCE:
-            give("".join(held))
+            print_data("".join(held))
             held.clear()
-    give("".join(held))
+    print_data("".join(held))
 
 
 def _json_line(tick: Executed) -> str:

@@ -7,7 +7,7 @@ from typing import Annotated
 
 import typer
 
-from kitrobot.cli.output import clean, give, json_text, tell
+from kitrobot.cli.output import json_text, print_data, print_message, sanitize
 
 
 def flash_board(
@@ -33,7 +33,7 @@ def flash_board(
     firmware = read_firmware(file)
     target = chosen_drive(drive)
     if not firmware.micropython:
-        tell(f"no MicroPython was found in {file}; it is copied all the same")
+        print_message(f"no MicroPython was found in {file}; it is copied all the same")
     flash(firmware, target)
     if as_json:
         found = {
@@ -43,10 +43,11 @@ def flash_board(
             "micropython": firmware.micropython,
             "bytes": len(firmware.data),
         }
-        give(json_text(found, 2) + "\n")
+        print_data(json_text(found, 2) + "\n")
         return
     named = f"MicroPython {firmware.micropython}" if firmware.micropython else "the firmware"
-    give(
-        f"{clean(str(target.folder))}: {clean(named)} is on the board ({clean(target.board) or 'which says no name'})\n"
+    print_data(
+        f"{sanitize(str(target.folder))}: {sanitize(named)} is on the board"
+        f" ({sanitize(target.board) or 'which says no name'})\n"
     )
-    tell("it restarts by itself; then `kitrobot boards` lists it")
+    print_message("it restarts by itself; then `kitrobot boards` lists it")

@@ -8,7 +8,7 @@ from typing import Annotated
 
 import typer
 
-from kitrobot.cli.output import complain, give, show, tell
+from kitrobot.cli.output import print_data, print_diagnostics, print_error, print_message
 from kitrobot.diagnostics import KitRobotError
 from kitrobot.text import Sentence
 
@@ -34,7 +34,7 @@ def format_files(
         try:
             good &= _format(name, write, check)
         except KitRobotError as error:
-            complain(error)
+            print_error(error)
             good = False
     if not good:
         raise typer.Exit(1)
@@ -52,15 +52,15 @@ def _format(name: str, write: bool, check: bool) -> bool:
     else:
         layout = lay_out_file(Path(name))
     if layout.text is None:
-        show(layout.diagnostics, [layout.source])
+        print_diagnostics(layout.diagnostics, [layout.source])
         return False
     if check:
         if layout.changed:
-            tell(f"{layout.source.name}: would change")
+            print_message(f"{layout.source.name}: would change")
         return not layout.changed
     if write:
         if layout.write():
-            tell(f"{layout.source.name}: written")
+            print_message(f"{layout.source.name}: written")
     else:
-        give(layout.text)
+        print_data(layout.text)
     return True

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from kitrobot.cli.output import clean, give, json_text, tell
+from kitrobot.cli.output import json_text, print_data, print_message, sanitize
 from kitrobot.diagnostics import expect_outputs, note_read
 
 if TYPE_CHECKING:
@@ -60,11 +60,11 @@ def grade_submissions(
     if csv is not None or html is not None:
         _write(found, csv, html)
     if as_json:
-        give(json_text([one.to_json() for one in found], 2) + "\n")
+        print_data(json_text([one.to_json() for one in found], 2) + "\n")
     else:
-        give(_tables(found))
+        print_data(_tables(found))
     full = sum(one.full for one in found)
-    tell(f"{full} of {len(found)} reached every goal")
+    print_message(f"{full} of {len(found)} reached every goal")
     if full < len(found):
         raise typer.Exit(1)
 
@@ -140,4 +140,4 @@ def _where(seed: int | None, seconds: float | None) -> str:
 
 def _line(text: str) -> str:
     """A text as one line that steers no terminal."""
-    return clean(text.replace("\n", " "))
+    return sanitize(text.replace("\n", " "))

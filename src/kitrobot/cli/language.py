@@ -32,8 +32,8 @@ Language = Annotated[
 ]
 
 
-def in_words(texts: Texts) -> str:
-    """The text in the language that is read (`kitrobot.translation`), else the English one, else ""."""
+def translated(texts: Texts) -> str:
+    """The text in the reader's language (`kitrobot.translation`), else in English, else ""."""
     from kitrobot.text import Label
     from kitrobot.translation import said
 

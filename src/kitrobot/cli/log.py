@@ -8,7 +8,7 @@ from typing import Annotated, Any
 
 import typer
 
-from kitrobot.cli.output import clean, give, json_text, tell_of_waiting
+from kitrobot.cli.output import json_text, print_data, print_no_answer, sanitize
 from kitrobot.cli.watch import Board, Mission, Program, Robot
 
 _LISTEN_S = 0.5
@@ -28,11 +28,11 @@ def show_log(
     from kitrobot.workspace.watching import known_program
 
     def say(sentence: str, found: dict[str, Any]) -> None:
-        give(json_text(found) + "\n" if as_json else f"{clean(sentence)}\n")
+        print_data(json_text(found) + "\n" if as_json else f"{sanitize(sentence)}\n")
 
     address = choose_boards([to] if to is not None else [])[0]
     try:
-        board = connect(address, waits=lambda: tell_of_waiting(address))
+        board = connect(address, waits=lambda: print_no_answer(address))
     except SilentError as error:
         printed = getattr(error, "printed", "").strip()
         if printed:

@@ -6,7 +6,7 @@ from typing import Annotated
 
 import typer
 
-from kitrobot.cli.output import give
+from kitrobot.cli.output import print_data
 
 
 def give_maze(
@@ -21,4 +21,4 @@ def give_maze(
     """
     from kitrobot.world import make_maze, write_world
 
-    give(write_world(make_maze(seed, columns, rows)).decode())
+    print_data(write_world(make_maze(seed, columns, rows)).decode())

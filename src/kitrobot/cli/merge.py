@@ -7,7 +7,7 @@ from typing import Annotated
 
 import typer
 
-from kitrobot.cli.output import show, tell
+from kitrobot.cli.output import print_diagnostics, print_message
 
 CONFLICT = 1
 
@@ -29,8 +29,8 @@ def merge_missions_of_files(
     from kitrobot.workspace import merge_files
 
     merged = merge_files(base, ours, theirs, output or ours)
-    show(merged.left_out, merged.sources)
+    print_diagnostics(merged.left_out, merged.sources)
     for one in merged.conflicts:
-        tell(f"conflict: {one.sentence}")
+        print_message(f"conflict: {one.sentence}")
     if merged.conflicts:
         raise typer.Exit(CONFLICT)

@@ -1,7 +1,7 @@
 """Output of the command line: data on standard output, messages on standard error, UTF-8 on both, whatever the locale.
 
-What a command says of its failure is remembered, so that whoever asked for JSON gets it as an object when the command
-ends without data (`failure`). Standard output may be closed from the start (`>&-`): then it is None.
+The error of a command is recorded, so that a caller who wanted JSON gets it as an object when the command ends without
+data (`failure_json`). Standard output may be closed from the start (`>&-`): then it is None.
 """
 
 from __future__ import annotations
@@ -18,47 +18,47 @@ from typing import Any, ClassVar, TextIO
 from kitrobot.diagnostics import Diagnostic, KitRobotError, Place, Source
 from kitrobot.text import Sentence
 
-_STEERING = re.compile("[\x00-\x09\x0b-\x1f\x7f-\x9f\u202a-\u202e\u2066-\u2069]")
+_CONTROL_CHARACTERS = re.compile("[\x00-\x09\x0b-\x1f\x7f-\x9f\u202a-\u202e\u2066-\u2069]")
 
 
-_LONE = re.compile("[\ud800-\udfff]")
+_LONE_SURROGATE = re.compile("[\ud800-\udfff]")
 
 
-_PIECE = 4096
-"""Characters written at once."""
+_CHUNK_LENGTH = 4096
+"""Characters in one write."""
 
 
-class NobodyReadsError(Exception):
-    """Whoever read the output has gone. No OSError, of which Typer would make a status of its own."""
+class OutputClosedError(Exception):
+    """The reader of the output has gone. It is no OSError: Typer would make a status of its own of one."""
 
 
-class _Said:
-    """What was given and complained about since the command began."""
+class _OutputState:
+    """The data and errors that were printed since the command began."""
 
     given = False
     error: ClassVar[tuple[str, str]] = ("", "")
     problems: ClassVar[list[Diagnostic]] = []
 
 
-def begin() -> None:
-    """Forgets what an earlier command said."""
-    _Said.given, _Said.error, _Said.problems = False, ("", ""), []
+def reset_output_state() -> None:
+    """Forgets the output of an earlier command."""
+    _OutputState.given, _OutputState.error, _OutputState.problems = False, ("", ""), []
 
 
-def failure() -> str:
-    """What went wrong as one line of JSON; "" when the command has given data already."""
+def failure_json() -> str:
+    """The error as one line of JSON; "" when the command has printed data already."""
     from kitrobot.diagnostics import with_help
 
-    if _Said.given:
+    if _OutputState.given:
         return ""
-    problems = with_help(_Said.problems)
+    problems = with_help(_OutputState.problems)
     first = next(((one.message, one.help) for one in problems if one.is_error), ("", ""))
-    message, help = _Said.error if _Said.error[0] else first
+    message, help = _OutputState.error if _OutputState.error[0] else first
     return json_text({"error": error_object(KitRobotError(Sentence(message), Sentence(help), tuple(problems)))}) + "\n"
 
 
 def error_object(error: KitRobotError) -> dict[str, Any]:
-    """`message`, `help`, and `diagnostics` as `kitrobot check --json` gives them."""
+    """`message`, `help`, and `diagnostics` as `kitrobot check --json` prints them."""
     from kitrobot.diagnostics import to_json
     from kitrobot.translation import said
 
@@ -69,19 +69,19 @@ def error_object(error: KitRobotError) -> dict[str, Any]:
     }
 
 
-def remember(message: str, help: str = "") -> None:
-    """Keeps what went wrong, for `failure`."""
-    _Said.error = (message, help)
+def record_error(message: str, help: str = "") -> None:
+    """Records the error, for `failure_json`."""
+    _OutputState.error = (message, help)
 
 
 def json_text(value: Any, indent: int | None = None) -> str:
-    """JSON that is UTF-8 whatever stands in it: a byte of a file's name that is none is escaped."""
+    """JSON that is always valid UTF-8: an undecodable byte of a file's name is escaped."""
     text = json.dumps(value, ensure_ascii=False, indent=indent)
-    return _LONE.sub(lambda lone: f"\\u{ord(lone[0]):04x}", text)
+    return _LONE_SURROGATE.sub(lambda lone: f"\\u{ord(lone[0]):04x}", text)
 
 
-class Talk(io.TextIOBase):
-    """Standard error while a command runs: where nobody can be told anything, the work goes on all the same."""
+class TolerantStderr(io.TextIOBase):
+    """Standard error while a command runs: where it cannot be written, the command goes on all the same."""
 
     def __init__(self, stream: TextIO | None) -> None:
         self._stream = stream
@@ -92,11 +92,11 @@ class Talk(io.TextIOBase):
         return "utf-8"
 
     def writable(self) -> bool:
-        """It always is."""
+        """Always True."""
         return True
 
     def isatty(self) -> bool:
-        """Whether somebody sits there."""
+        """Whether it is a terminal."""
         try:
             return self._stream is not None and self._stream.isatty()
         except (OSError, ValueError):
@@ -113,7 +113,7 @@ class Talk(io.TextIOBase):
         return self._stream.fileno()
 
     def write(self, text: str) -> int:
-        """Writes it, where that can be."""
+        """Writes the text, if possible."""
         self._attempt(lambda stream: stream.write(text))
         return len(text)
 
@@ -126,11 +126,11 @@ class Talk(io.TextIOBase):
             try:
                 act(self._stream)
             except (OSError, ValueError):
-                lead_nowhere(self._stream)
+                redirect_to_devnull(self._stream)
 
 
-def lead_nowhere(stream: TextIO | None) -> None:
-    """What is written there is lost from now on, also what Python writes at its end."""
+def redirect_to_devnull(stream: TextIO | None) -> None:
+    """Discards everything that is written to the stream from now on, also what Python writes at its end."""
     try:
         if stream is not None:
             nowhere = os.open(os.devnull, os.O_WRONLY)
@@ -142,78 +142,78 @@ def lead_nowhere(stream: TextIO | None) -> None:
 
 @contextmanager
 def standard_streams() -> Iterator[None]:
-    """Both streams in UTF-8 with plain line feeds; what cannot be said is escaped, never refused. Standard error is a
-    `Talk` meanwhile.
+    """Sets both streams to UTF-8 with plain line feeds; what cannot be encoded is escaped, never refused. Standard
+    error is a `TolerantStderr` meanwhile.
     """
     usual = sys.stderr
     for stream, errors in ((sys.stdout, "surrogateescape"), (usual, "backslashreplace")):
         reconfigure: Any = getattr(stream, "reconfigure", None)
         if reconfigure is not None:
             reconfigure(encoding="utf-8", errors=errors, newline="\n")
-    sys.stderr = Talk(usual)
+    sys.stderr = TolerantStderr(usual)
     try:
         yield
     finally:
         sys.stderr = usual
 
 
-def clean(text: str) -> str:
-    """The same with U+FFFD for what would steer the terminal: a file's name may hold anything."""
-    return _STEERING.sub("\N{REPLACEMENT CHARACTER}", text)
+def sanitize(text: str) -> str:
+    """The text with U+FFFD for each control character: a file's name may contain anything."""
+    return _CONTROL_CHARACTERS.sub("\N{REPLACEMENT CHARACTER}", text)
 
 
-def tell(text: str) -> None:
-    """Talk, on standard error, cleaned; in one piece with its line feed, since other processes write there too."""
+def print_message(text: str) -> None:
+    """Prints a sanitised message on standard error, in one write with its line feed: other processes write too."""
     if sys.stderr is not None:
-        sys.stderr.write(f"{clean(text)}\n")
+        sys.stderr.write(f"{sanitize(text)}\n")
 
 
-def tell_of_waiting(address: str) -> None:
-    """That a robot has not answered yet."""
-    tell(f"{address}: no answer yet, asking again")
+def print_no_answer(address: str) -> None:
+    """Reports that a robot has not answered yet."""
+    print_message(f"{address}: no answer yet, asking again")
 
 
-def tell_of_lateness(address: str) -> None:
-    """That a robot's program does not keep its time."""
-    tell(f"{address}: most ticks take longer than they may, so the program runs slower than it says")
-    tell("  help: `kitrobot bench` says which part takes so long; or give the robot a longer tick")
+def print_late_ticks(address: str) -> None:
+    """Reports that a robot's program does not keep its time."""
+    print_message(f"{address}: most ticks take longer than they may, so the program runs slower than it says")
+    print_message("  help: `kitrobot bench` says which part takes so long; or give the robot a longer tick")
 
 
-def give(text: str) -> None:
-    """Data, on standard output, without adding anything."""
+def print_data(text: str) -> None:
+    """Prints data on standard output, without adding anything."""
     if sys.stdout is None:
         raise KitRobotError(
             Sentence("the output cannot be written: standard output is closed"), Sentence("open it, or write to a file")
         )
-    _Said.given = _Said.given or bool(text)
+    _OutputState.given = _OutputState.given or bool(text)
     try:
-        # In pieces: of one write in the middle of which the reader goes, Python does not tell.
-        for at in range(0, len(text), _PIECE):
-            sys.stdout.write(text[at : at + _PIECE])
+        # In chunks: Python does not report that the reader has gone in the middle of one write.
+        for at in range(0, len(text), _CHUNK_LENGTH):
+            sys.stdout.write(text[at : at + _CHUNK_LENGTH])
     except BrokenPipeError:
-        raise NobodyReadsError from None
+        raise OutputClosedError from None
 
 
-def show(diagnostics: Iterable[Diagnostic], sources: Iterable[Source] = ()) -> None:
-    """Diagnostics, on standard error."""
+def print_diagnostics(diagnostics: Iterable[Diagnostic], sources: Iterable[Source] = ()) -> None:
+    """Prints diagnostics on standard error."""
     from kitrobot.diagnostics import written_out
 
     diagnostics = list(diagnostics)
-    _Said.problems += diagnostics
+    _OutputState.problems += diagnostics
     text = written_out(diagnostics, sources)
     if text:
-        tell(text)
+        print_message(text)
 
 
-def complain(error: KitRobotError) -> None:
-    """What went wrong, on standard error: the diagnostics where there are any, and the sentence with its way out."""
+def print_error(error: KitRobotError) -> None:
+    """Prints an error on standard error: its diagnostics, its sentence and its help."""
     from kitrobot.translation import said
 
-    remember(error.message, error.help)
+    record_error(error.message, error.help)
     place: Place | None = getattr(error, "place", None)
     if error.diagnostics:
-        show(error.diagnostics, getattr(error, "sources", ()))
+        print_diagnostics(error.diagnostics, getattr(error, "sources", ()))
     where = f"{place.file}:{place.line}:{place.column}: " if place is not None else ""
-    tell(f"{where}error: {said(error.message)}")
+    print_message(f"{where}error: {said(error.message)}")
     if error.help:
-        tell(f"  help: {said(error.help)}")
+        print_message(f"  help: {said(error.help)}")

@@ -9,7 +9,7 @@ from typing import Annotated, Any
 
 import typer
 
-from kitrobot.cli.output import clean, give, json_text
+from kitrobot.cli.output import json_text, print_data, sanitize
 
 
 def replay_trace(
@@ -32,9 +32,9 @@ def replay_trace(
     with trace.reader:
         found = summary_of(trace) if at is None else state_at(trace, at)
     if as_json:
-        give(json_text(found) + "\n")
+        print_data(json_text(found) + "\n")
     else:
-        give("\n".join(_story(found) if at is None else _moment(found)) + "\n")
+        print_data("\n".join(_story(found) if at is None else _moment(found)) + "\n")
 
 
 def _time(seconds: float) -> str:
@@ -46,16 +46,16 @@ def _story(found: dict[str, Any]) -> Iterator[str]:
     yield (
         f"{_time(found['seconds'])} of {many} real robot{'' if many == 1 else 's'}"
         if found["real"]
-        else f"{_time(found['seconds'])} of {many} robot{'' if many == 1 else 's'} in {clean(found['world'])},"
+        else f"{_time(found['seconds'])} of {many} robot{'' if many == 1 else 's'} in {sanitize(found['world'])},"
         f" seed {found['seed']}"
     )
     yield ""
     events = found["events"]
-    widths = [max((len(clean(event[name])) for event in events), default=0) for name in ("agent", "kind")]
+    widths = [max((len(sanitize(event[name])) for event in events), default=0) for name in ("agent", "kind")]
     for event in events:
-        who, kind = (clean(event[name]).ljust(width) for name, width in zip(("agent", "kind"), widths, strict=True))
-        cause = "" if event["cause"] == "program" or "(" in event["text"] else f" ({clean(event['cause'])})"
-        yield f"  {_time(event['seconds'])}  {who}  {kind}  {clean(event['text'])}{cause}"
+        who, kind = (sanitize(event[name]).ljust(width) for name, width in zip(("agent", "kind"), widths, strict=True))
+        cause = "" if event["cause"] == "program" or "(" in event["text"] else f" ({sanitize(event['cause'])})"
+        yield f"  {_time(event['seconds'])}  {who}  {kind}  {sanitize(event['text'])}{cause}"
     if events:
         yield ""
     if found["cut"]:
@@ -63,26 +63,26 @@ def _story(found: dict[str, Any]) -> Iterator[str]:
     elif found["outcome"] == "stopped":
         yield "The recording ends here; the run was still on."
     else:
-        yield clean(found["sentence"]) or clean(found["outcome"])
+        yield sanitize(found["sentence"]) or sanitize(found["outcome"])
 
 
 def _moment(found: dict[str, Any]) -> Iterator[str]:
     yield f"{_time(found['seconds'])} (tick {found['tick']})"
     for name, agent in found["agents"].items():
-        stands = ", ".join(clean(f"{one['element']} ({one['vertex']})") for one in agent["vertices"]) or "nowhere"
+        stands = ", ".join(sanitize(f"{one['element']} ({one['vertex']})") for one in agent["vertices"]) or "nowhere"
         yield ""
-        yield f"  {clean(name)}: {agent['state']}, {_place(agent)}"
+        yield f"  {sanitize(name)}: {agent['state']}, {_place(agent)}"
         yield f"    stands at {stands}"
         for word, values in (("variables", agent["values"]), ("inputs", agent["inputs"])):
             if values:
                 shown = (
-                    f"{clean(one)} = {value:g}{' (held)' if one in agent['forced'] and word == 'inputs' else ''}"
+                    f"{sanitize(one)} = {value:g}{' (held)' if one in agent['forced'] and word == 'inputs' else ''}"
                     for one, value in values.items()
                 )
                 yield f"    {word}: " + ", ".join(shown)
     if found["real"]:
         return
-    counts = [f"{clean(house)} holds {count:g}" for house, count in found["stock"].items()]
+    counts = [f"{sanitize(house)} holds {count:g}" for house, count in found["stock"].items()]
     yield ""
     yield "  " + ", ".join([*counts, f"collisions: {found['collisions']:g}"])
 

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from kitrobot.cli.output import give, json_text, show, tell
+from kitrobot.cli.output import json_text, print_data, print_diagnostics, print_message
 from kitrobot.diagnostics import expect_outputs
 
 if TYPE_CHECKING:
@@ -101,7 +101,7 @@ def run_mission(
     kit = _measured_kit(board, file) if board is not None else None
     prepared = open_mission(file).prepare(RunOptions(seed, seconds, fail_rate, trace, kit))
     expect_outputs(trace, drawing, picture)
-    show(prepared.problems, prepared.sources)
+    print_diagnostics(prepared.problems, prepared.sources)
     if fail_sweep is not None:
         from kitrobot.cli.sweep import MOMENTS, MOMENTS_OF_PAIRS, sweep_mission
         from kitrobot.workspace.sweep import SweepOptions
@@ -115,7 +115,7 @@ def run_mission(
         world = prepared.simulation.world
         under = floor_svg(world) if floor else ()
         replace_whole(drawing, drawing_svg(run.strokes, world.width_mm, world.height_mm, under).encode())
-    give(json_text(run.to_json()) + "\n" if as_json else _summary(run))
+    print_data(json_text(run.to_json()) + "\n" if as_json else _summary(run))
     if run.outcome != "done":
         raise typer.Exit(1)
 
@@ -126,8 +126,8 @@ def _measured_kit(board: str, mission: Path) -> Kit:
 
     kit = find_kit(board, mission.parent)
     if not kit.measured:
-        tell(f"nothing was measured of the kit {kit.name}: the robots move as their own files say")
-        tell(f"  help: kitrobot calibrate --board {kit.name}")
+        print_message(f"nothing was measured of the kit {kit.name}: the robots move as their own files say")
+        print_message(f"  help: kitrobot calibrate --board {kit.name}")
     return kit
 
 

@@ -8,7 +8,7 @@ from typing import Annotated
 
 import typer
 
-from kitrobot.cli.output import clean, tell
+from kitrobot.cli.output import print_message, sanitize
 
 FirstMissions = Callable[[], dict[str, bytes]]
 """Gives the missions that a site draws before Python is there; the server knows how the page gets them."""
@@ -30,4 +30,4 @@ def write_site(
     first: FirstMissions | None = context.obj
     made = make_site(folder, parts or [], first=first() if first is not None else {})
     mega = 1_000_000
-    tell(f"{clean(str(folder))}: {made.files} files, {made.size / mega:.1f} MB")
+    print_message(f"{sanitize(str(folder))}: {made.files} files, {made.size / mega:.1f} MB")

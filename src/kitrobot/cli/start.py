@@ -8,8 +8,8 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from kitrobot.cli.deploy import Addresses
-from kitrobot.cli.json_results import AsJson, of_board
-from kitrobot.cli.output import complain, give, json_text, tell, tell_of_waiting
+from kitrobot.cli.output import json_text, print_data, print_error, print_message, print_no_answer
+from kitrobot.cli.result_json import AsJson, board_result
 
 if TYPE_CHECKING:
     from kitrobot.deploy import Board
@@ -35,15 +35,15 @@ def _each(to: Sequence[str], everyone: bool, as_json: bool, act: Callable[[Board
         raise typer.BadParameter("choose one of --all and --to")
     named = [port.address for port in list_ports()] if everyone else list(to)
     good = True
-    done = run_on_boards(choose_boards(named), act, tell_of_waiting)
+    done = run_on_boards(choose_boards(named), act, print_no_answer)
     if as_json:
-        give(json_text([of_board(address, error) for address, error in done], 2) + "\n")
+        print_data(json_text([board_result(address, error) for address, error in done], 2) + "\n")
     for address, error in done:
         if error is None:
-            tell(f"{address}: {word}")
+            print_message(f"{address}: {word}")
         else:
-            tell(f"{address}:")
-            complain(error)
+            print_message(f"{address}:")
+            print_error(error)
             good = False
     if not good:
         raise typer.Exit(1)

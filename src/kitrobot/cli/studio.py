@@ -17,9 +17,9 @@ class StudioError(KitRobotError):
 
 
 @dataclass(frozen=True)
-class Opening:
-    """How the studio is to be opened: `target` is a mission, a folder, or None for an example; `port` None: any; `new`:
-    a second one, where one of the folder runs.
+class StudioOptions:
+    """The options of `kitrobot studio`: `target` is a mission, a folder, or None for an example; `port` None: any;
+    `new`: a second one, where one of the folder runs.
     """
 
     target: Path | None
@@ -30,9 +30,9 @@ class Opening:
 
 
 class Studio(Protocol):
-    """Opens the studio and comes back when it is closed."""
+    """Opens the studio and returns when it is closed."""
 
-    def __call__(self, opening: Opening, /) -> None: ...
+    def __call__(self, options: StudioOptions, /) -> None: ...
 
 
 def open_studio(
@@ -60,7 +60,7 @@ def open_studio(
         raise StudioError(
             Sentence("this command line was started without a studio"), Sentence("start it with `python -m kitrobot`")
         )
-    studio(Opening(path, host, port, browser, new))
+    studio(StudioOptions(path, host, port, browser, new))
 
 
 def _commands(context: typer.Context) -> list[str]:
@@ -78,11 +78,11 @@ def _existing(target: str, commands: list[str]) -> Path:
     from kitrobot.workspace import is_trace, open_trace
 
     if path.is_file() and is_trace(path.name):
-        # As with pictures: one that cannot be played is told before a browser opens.
+        # As with pictures: one that cannot be played is reported before a browser opens.
         open_trace(path).reader.close()
         return path
     if path.is_file() and is_picture(path.name):
-        # A picture without a mission is told here, before a browser opens.
+        # A picture without a mission is reported here, before a browser opens.
         read_carried(path)
         return path
     if path.exists():

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING
 
 import typer
 
-from kitrobot.cli.output import give, json_text, tell
+from kitrobot.cli.output import json_text, print_data, print_message
 
 if TYPE_CHECKING:
     from kitrobot.sim.sweep import Field
@@ -50,11 +50,11 @@ def sweep_mission(prepared: PreparedRun, options: SweepOptions, picture: Path | 
         name = prepared.opened.mission.label.get("") or prepared.opened.name
         what = "two agents fail" if sweep.pairs else "an agent fails"
         replace_whole(picture, heat_map(sweep, f"{name}: {what}").encode())
-    give(json_text(sweep.to_json()) + "\n" if as_json else _table(sweep))
+    print_data(json_text(sweep.to_json()) + "\n" if as_json else _table(sweep))
     if sweep.would_gain and not as_json:
-        tell(FASTER)
+        print_message(FASTER)
     if not sweep.complete:
-        tell(f"broken off after {len(sweep.fields)} of {sweep.total} fields")
+        print_message(f"broken off after {len(sweep.fields)} of {sweep.total} fields")
         raise typer.Exit(INTERRUPTED)
     if not sweep.holds:
         raise typer.Exit(1)
@@ -79,12 +79,15 @@ def _table(sweep: Sweep) -> str:
     """The result as people read it."""
     from kitrobot.workspace.sweep import OUTCOMES
 
-    who = {field: _who(sweep, field) for field in sweep.fields}
+    who = {field: _agent_names(sweep, field) for field in sweep.fields}
     counts: dict[str, Counter[str]] = defaultdict(Counter)
     for field, names in who.items():
         counts[names][field.outcome] += 1
         counts["all"][field.outcome] += 1
-    rows = [*sorted((names for names in counts if names != "all"), key=_order(sweep)), *(["all"] if counts else [])]
+    rows = [
+        *sorted((names for names in counts if names != "all"), key=_team_order(sweep)),
+        *(["all"] if counts else []),
+    ]
     width = max((len(names) for names in rows), default=0)
     head = "".join(f"{outcome:>8}" for outcome in OUTCOMES)
     lines = [f"Without these failures: {sweep.baseline.sentence}", "", f"  {'':<{width}}{head}"]
@@ -102,11 +105,11 @@ def _table(sweep: Sweep) -> str:
     return "\n".join(lines) + "\n"
 
 
-def _who(sweep: Sweep, field: Field) -> str:
+def _agent_names(sweep: Sweep, field: Field) -> str:
     return " + ".join(sweep.agents[agent] for agent in sorted(fault.agent for fault in field.faults))
 
 
-def _order(sweep: Sweep) -> Callable[[str], list[int]]:
+def _team_order(sweep: Sweep) -> Callable[[str], list[int]]:
     places = {name: place for place, name in enumerate(sweep.agents)}
     return lambda names: [places[name] for name in names.split(" + ") if name in places]
 

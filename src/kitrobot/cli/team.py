@@ -12,8 +12,8 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from kitrobot.cli.agent import Boards, FleetName, KeyFile, Listen, Router, Tls, check_wait, prepare, say
-from kitrobot.cli.output import give, json_text, show
+from kitrobot.cli.agent import Boards, FleetName, KeyFile, Listen, Router, Tls, check_wait, log_event, prepare_team_run
+from kitrobot.cli.output import json_text, print_data, print_diagnostics
 from kitrobot.diagnostics import KitRobotError, note_read
 from kitrobot.text import Sentence, did_you_mean, listed
 
@@ -71,8 +71,8 @@ def run_team(
     for secret in (key, *(tls.glob("*.pem") if tls is not None else ())):
         if secret is not None:
             note_read(secret)
-    prepared = prepare(file, RunOptions(seed, seconds, 0.0, trace))
-    show(prepared.problems, prepared.sources)
+    prepared = prepare_team_run(file, RunOptions(seed, seconds, 0.0, trace))
+    print_diagnostics(prepared.problems, prepared.sources)
     simulation = prepared.simulation
     if pace and simulation.tick_ms / pace > lease / 2:
         raise FleetError(
@@ -108,9 +108,9 @@ def run_team(
     here = [name for name in names if name not in (elsewhere or ())]
     plan = FleetPlan(file, here, network, key, boards, lease, pace, wait)
     with Agents() as agents, emergency_stop() as pressed, recording(prepared) as on_step:
-        run = run_fleet(simulation, plan, agents, FleetCallbacks(say, pressed.is_set, on_step))
+        run = run_fleet(simulation, plan, agents, FleetCallbacks(log_event, pressed.is_set, on_step))
     result = result_of(simulation, run)
-    give(json_text(result) + "\n" if as_json else _summary(result))
+    print_data(json_text(result) + "\n" if as_json else _summary(result))
     if run.outcome != "done":
         raise typer.Exit(130 if run.outcome == "stopped" else 1)
 

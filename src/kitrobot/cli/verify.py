@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from kitrobot.cli.output import give, json_text, show, tell
+from kitrobot.cli.output import json_text, print_data, print_diagnostics, print_message
 
 if TYPE_CHECKING:
     from kitrobot.verifier import CutReason, Timing
@@ -92,16 +92,16 @@ def verify_mission(
             raise typer.BadParameter(f"expected one of {', '.join(befalls)}", param_hint="'--kind'")
     chosen = tuple(one for one in Timing if not timings or one.value in timings)
     prepared = open_mission(file).prepare(RunOptions(1, 600.0))
-    show(prepared.problems, prepared.sources)
+    print_diagnostics(prepared.problems, prepared.sources)
     wanted = tuple(one for name, one in befalls.items() if name in kinds) if kinds else USUAL_KINDS
     options = VerificationOptions(
         tuple(properties or ()), chosen, failures, wanted, most_states, seconds, memory=most_memory * _MEGA
     )
     with _progress() as progress:
         made = verify(prepared, options, progress)
-    give(json_text(made.to_json()) + "\n" if as_json else _table(made))
+    print_data(json_text(made.to_json()) + "\n" if as_json else _table(made))
     if made.would_gain and not as_json:
-        tell(FASTER)
+        print_message(FASTER)
     if Answer.BROKEN in made.answers:
         raise typer.Exit(1)
     if Answer.NOT_FINISHED in made.answers:
@@ -156,7 +156,7 @@ def _table(made: Verification) -> str:
     rows: dict[str, list[str]] = {}
     for column in made.columns:
         for finding in column.findings:
-            rows.setdefault(finding.verdict.property.name, []).append(_answer(finding))
+            rows.setdefault(finding.verdict.property.name, []).append(_answer_text(finding))
     names = max((len(name) for name in rows), default=0)
     widths = [max(len(head), 13) for head in heads]
     lines = ["  ".join([" " * names, *(head.ljust(width) for head, width in zip(heads, widths, strict=True))]).rstrip()]
@@ -170,7 +170,7 @@ def _table(made: Verification) -> str:
     for column, head in zip(made.columns, heads, strict=True):
         if column.judged.cut is not None:
             cuts.setdefault(column.judged.cut, []).append(head)
-    lines += [f"  not finished: {_cut_words(cut, '; '.join(heads))}" for cut, heads in cuts.items()]
+    lines += [f"  not finished: {_cut_sentence(cut, '; '.join(heads))}" for cut, heads in cuts.items()]
     lines += [f"  taken for granted: {limit}" for limit in made.limits]
     told: set[str] = set()
     for column, head in zip(made.columns, heads, strict=True):
@@ -179,15 +179,15 @@ def _table(made: Verification) -> str:
             if finding.verdict.counterexample is None or name in told:
                 continue
             if not told:
-                lines += ["", *_told(finding, head, made.tick_ms)]
+                lines += ["", *_counterexample_lines(finding, head, made.tick_ms)]
             else:
                 lines += ["", f"{name} ({head}): see its run with --property {name}"]
             told.add(name)
     return "\n".join(lines) + "\n"
 
 
-def _cut_words(cut: CutReason, where: str) -> str:
-    """Why a search was not finished under these assumptions, and what helps."""
+def _cut_sentence(cut: CutReason, where: str) -> str:
+    """The sentence on why a search was not finished under these assumptions, and what helps."""
     return {
         "states": f"{where} came to the limit of states; --max-states sets another",
         "memory": f"{where} came to the limit of memory; --max-memory sets another",
@@ -197,14 +197,14 @@ def _cut_words(cut: CutReason, where: str) -> str:
     }[cut.value]
 
 
-def _answer(finding: Finding) -> str:
+def _answer_text(finding: Finding) -> str:
     if finding.verdict.counterexample is None:
         return finding.verdict.answer.value
     return "broken" if finding.confirmed is not None else "broken?"
 
 
-def _told(finding: Finding, head: str, tick_ms: int) -> Sequence[str]:
-    """One broken property: what it demands, the run, and whether the simulator shows it too."""
+def _counterexample_lines(finding: Finding, head: str, tick_ms: int) -> Sequence[str]:
+    """The lines of one broken property: its demand, the counterexample, and whether the simulator confirms it."""
     verdict, counterexample = finding.verdict, finding.verdict.counterexample
     assert counterexample is not None
     lines = [f"{verdict.property.name} ({head}): not always: {verdict.property.sentence}"]

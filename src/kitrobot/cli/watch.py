@@ -14,7 +14,16 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from kitrobot.cli.output import clean, complain, error_object, give, json_text, tell, tell_of_lateness, tell_of_waiting
+from kitrobot.cli.output import (
+    error_object,
+    json_text,
+    print_data,
+    print_error,
+    print_late_ticks,
+    print_message,
+    print_no_answer,
+    sanitize,
+)
 
 if TYPE_CHECKING:
     from rich.console import Group
@@ -93,14 +102,14 @@ def watch_board(
 
     with ExitStack() as stack:
         watched = [
-            stack.enter_context(watched_robot(address, mission, program, robot, partial(tell_of_waiting, address)))
+            stack.enter_context(watched_robot(address, mission, program, robot, partial(print_no_answer, address)))
             for address in choose_boards(to or [])
         ]
         for one in watched:
             if one.names is None:
                 called = one.hello.program
-                tell(f"{one.address}: the program {called} was not sent from here; only its numbers are known")
-                tell("  help: name the mission with --mission")
+                print_message(f"{one.address}: the program {called} was not sent from here; only its numbers are known")
+                print_message("  help: name the mission with --mission")
         recorder = None
         if trace is not None:
             recorder = record_robots(trace, watched, mission)
@@ -109,35 +118,35 @@ def watch_board(
         if recorder is not None:
             recorder.close()
             if recorder.error is not None:
-                complain(recorder.error)
-            tell(f"recorded in {recorder.path}; `kitrobot {recorder.path}` plays it")
+                print_error(recorder.error)
+            print_message(f"recorded in {recorder.path}; `kitrobot {recorder.path}` plays it")
             failed |= recorder.error is not None
     if failed:
         raise typer.Exit(1)
 
 
 def _watch(watched: Sequence[WatchedRobot], period: int, seconds: float, as_json: bool) -> bool:
-    """Watches for so long, until Ctrl-C, or until no robot answers any more; whether a link was lost."""
+    """Watches for `seconds`, until Ctrl-C, or until no robot answers any more; returns whether a link was lost."""
     there = list(watched)
     slow: list[WatchedRobot] = []
     try:
         for one in watched:
             one.begin(period)
         until = time.monotonic() + seconds
-        with _shown(watched, as_json) as show:
+        with _display(watched, as_json) as on_change:
             while there and (left := until - time.monotonic()) > 0:
                 for one in tuple(there):
                     error = one.listen(min(left, 0.5 / len(there)))
                     if error is not None:
                         there.remove(one)
-                        complain(error)
+                        print_error(error)
                         if as_json:
-                            give(json.dumps({"board": one.address, "error": error_object(error)}) + "\n")
+                            print_data(json.dumps({"board": one.address, "error": error_object(error)}) + "\n")
                         continue
-                    show(one)
+                    on_change(one)
                     if one.is_slow and one not in slow:
                         slow.append(one)
-                        tell_of_lateness(one.address)
+                        print_late_ticks(one.address)
     except KeyboardInterrupt:
         pass
     finally:
@@ -147,14 +156,14 @@ def _watch(watched: Sequence[WatchedRobot], period: int, seconds: float, as_json
 
 
 @contextmanager
-def _shown(watched: Sequence[WatchedRobot], as_json: bool) -> Iterator[Any]:
-    """What shows a robot after some news: a table that stays in its place, or lines."""
+def _display(watched: Sequence[WatchedRobot], as_json: bool) -> Iterator[Any]:
+    """Yields a function that displays a robot after news: a table that stays in its place, or lines."""
     several = len(watched) > 1
     if as_json:
-        yield lambda one: give(_json(one, one.news)) if one.news is not None else None
+        yield lambda one: print_data(_json(one, one.news)) if one.news is not None else None
         return
     if not sys.stdout.isatty():
-        yield lambda one: give(_lines(one, one.news, several)) if one.news else None
+        yield lambda one: print_data(_lines(one, one.news, several)) if one.news else None
         return
     from rich.console import Console, Group
     from rich.live import Live
@@ -174,7 +183,7 @@ def _json(one: WatchedRobot, news: News | Fault | Text) -> str:
 
 def _lines(one: WatchedRobot, news: News | Fault | Text, several: bool) -> str:
     before = f"{one.address}: " if several else ""
-    return "".join(f"{clean(before + line)}\n" for line in one.describe(news))
+    return "".join(f"{sanitize(before + line)}\n" for line in one.describe(news))
 
 
 def _table(one: WatchedRobot, several: bool) -> Group:
@@ -184,11 +193,11 @@ def _table(one: WatchedRobot, several: bool) -> Group:
     from rich.text import Text
 
     title = f"{one.address}: {one.title()}" if several else one.title()
-    table = Table(box=box.SIMPLE, title=Text(clean(title)), title_justify="left")
+    table = Table(box=box.SIMPLE, title=Text(sanitize(title)), title_justify="left")
     table.add_column("runs")
     table.add_column("variables")
     table.add_column("inputs")
     rows = [one.thread_places(), one.variables(), one.inputs()]
-    table.add_row(*(Text("\n".join(clean(line) for line in row)) for row in rows))
-    last = [Text(clean(line)) for line in one.printed[-5:]]
+    table.add_row(*(Text("\n".join(sanitize(line) for line in row)) for row in rows))
+    last = [Text(sanitize(line)) for line in one.printed[-5:]]
     return Group(table, *last)

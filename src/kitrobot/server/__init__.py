@@ -2,13 +2,13 @@
 
 from typing import TYPE_CHECKING, Any
 
-from kitrobot.server.start import serve
+from kitrobot.server.studio_server import serve
 
 if TYPE_CHECKING:
     from kitrobot.server.app import create_app
-    from kitrobot.server.class_start import ClassOpening, serve_class
+    from kitrobot.server.class_server import ClassSettings, serve_class
 
-__all__ = ["ClassOpening", "create_app", "serve", "serve_class"]
+__all__ = ["ClassSettings", "create_app", "serve", "serve_class"]
 
 
 def __getattr__(name: str) -> Any:
@@ -17,8 +17,8 @@ def __getattr__(name: str) -> Any:
         from kitrobot.server.app import create_app
 
         return create_app
-    if name in ("ClassOpening", "serve_class"):
-        from kitrobot.server import class_start
+    if name in ("ClassSettings", "serve_class"):
+        from kitrobot.server import class_server
 
-        return getattr(class_start, name)
+        return getattr(class_server, name)
     raise AttributeError(f"module {__name__!r} has no attribute {name!r}")

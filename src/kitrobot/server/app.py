@@ -15,15 +15,14 @@ from starlette.exceptions import HTTPException
 
 from kitrobot.diagnostics import KitRobotError
 from kitrobot.files import ConflictError, FileError, MissionNameError, QuotaError, ReadOnlyError
-from kitrobot.server import pages
-from kitrobot.server.beginning_routes import beginning_routes
+from kitrobot.server import fallback_pages
+from kitrobot.server.assignments import handed_out_routes
 from kitrobot.server.board_routes import board_routes
-from kitrobot.server.deadlines import Deadlines
-from kitrobot.server.drawing_checks import drawing_check_routes
-from kitrobot.server.exercises import exercise_routes
+from kitrobot.server.deadlines import DeadlineMiddleware
+from kitrobot.server.drawing_check_socket import drawing_check_routes
+from kitrobot.server.exercise_routes import exercise_routes
 from kitrobot.server.firmware_routes import firmware_routes
-from kitrobot.server.fragments import routes as fragment_routes
-from kitrobot.server.handed_out import handed_out_routes
+from kitrobot.server.fragment_routes import routes as fragment_routes
 from kitrobot.server.handshake import Handshake, StrangerError, handshake_routes
 from kitrobot.server.image_routes import image_routes
 from kitrobot.server.journal_routes import journal_routes
@@ -33,8 +32,8 @@ from kitrobot.server.page_port_routes import page_port_routes
 from kitrobot.server.parts_routes import parts_routes
 from kitrobot.server.routes import routes
 from kitrobot.server.runs import run_routes
-from kitrobot.server.security import Guard, refuse
-from kitrobot.server.sentences import InReadersLanguage
+from kitrobot.server.security import SecurityMiddleware, refuse
+from kitrobot.server.sentences import LanguageMiddleware
 from kitrobot.server.shapes import (
     BOARD_MESSAGE_MODELS,
     BOARD_REQUEST_MODELS,
@@ -46,15 +45,16 @@ from kitrobot.server.shapes import (
     problem_shapes,
 )
 from kitrobot.server.shapes.drawing_check import DRAWING_CHECK_MESSAGE_MODELS, DRAWING_CHECK_REQUEST_MODELS
-from kitrobot.server.shapes.sent import ForgottenError
+from kitrobot.server.shapes.mission_delta import ForgottenError
 from kitrobot.server.shapes.sweep import SWEEP_MESSAGE_MODELS, SWEEP_REQUEST_MODELS
 from kitrobot.server.shapes.verification import VERIFY_MESSAGE_MODELS, VERIFY_REQUEST_MODELS
+from kitrobot.server.starter_routes import starter_routes
 from kitrobot.server.studio import Studio
-from kitrobot.server.sweeps import sweep_routes
-from kitrobot.server.texts import text_routes
+from kitrobot.server.sweep_socket import sweep_routes
+from kitrobot.server.text_routes import text_routes
 from kitrobot.server.trace_routes import trace_routes
-from kitrobot.server.tutorials import tutorial_routes
-from kitrobot.server.verifications import verify_routes
+from kitrobot.server.tutorial_routes import tutorial_routes
+from kitrobot.server.verification_socket import verify_routes
 from kitrobot.text import Sentence, Word
 
 ROUTERS = (
@@ -76,7 +76,7 @@ ROUTERS = (
     tutorial_routes,
     exercise_routes,
     handed_out_routes,
-    beginning_routes,
+    starter_routes,
     trace_routes,
 )
 """The requests, in the order that they are looked for."""
@@ -112,9 +112,9 @@ def create_app(
     install_failures(app)
     _serve_page(app, static)
     app.openapi = lambda: _openapi(app)  # type: ignore[method-assign]
-    app.add_middleware(Deadlines, refuse=refuse)
-    app.add_middleware(Guard, token=token)
-    app.add_middleware(InReadersLanguage)
+    app.add_middleware(DeadlineMiddleware, refuse=refuse)
+    app.add_middleware(SecurityMiddleware, token=token)
+    app.add_middleware(LanguageMiddleware)
     return app
 
 
@@ -148,7 +148,7 @@ def _serve_page(app: FastAPI, static: Path) -> None:
             Sentence("The studio's page has not been built"),
             Sentence("run `python tools/page.py build` and load this page again"),
         )
-        return HTMLResponse(pages.sentence(message, help), status_code=503)
+        return HTMLResponse(fallback_pages.sentence(message, help), status_code=503)
 
     app.mount("/", PageFiles(static))
 
@@ -217,5 +217,5 @@ def _refused(request: Request, error: Exception) -> Response:
     if request.url.path.startswith("/api/"):
         failure = FailureShape(message=Word(error.detail), help="")
         return JSONResponse(failure.model_dump(), status_code=error.status_code, headers=error.headers)
-    page = pages.sentence(Word(error.detail), Sentence("the studio is at `/`"))
+    page = fallback_pages.sentence(Word(error.detail), Sentence("the studio is at `/`"))
     return HTMLResponse(page, status_code=error.status_code, headers=error.headers)

@@ -18,10 +18,10 @@ from pydantic import ValidationError
 from starlette.background import BackgroundTask
 
 from kitrobot.diagnostics import KitRobotError
-from kitrobot.server.beside_loop import beside_loop
+from kitrobot.server.api_router import refuse_visitors, studio_of
+from kitrobot.server.background import run_in_background
 from kitrobot.server.robot_registry import AddressError, RobotRegistry
-from kitrobot.server.robot_subscriber import Subscriber
-from kitrobot.server.routing import refuse_visitors, studio_of
+from kitrobot.server.robot_subscriber import RobotSubscriber
 from kitrobot.server.sentences import not_understood
 from kitrobot.server.shapes import (
     BOARD_REQUEST,
@@ -43,7 +43,7 @@ from kitrobot.server.shapes import (
     problem_shapes,
 )
 from kitrobot.server.studio import Studio
-from kitrobot.server.team_room import TEAM
+from kitrobot.server.team_controller import TEAM
 from kitrobot.text import Sentence
 from kitrobot.trace import ENDING
 
@@ -76,9 +76,9 @@ async def board_trace(request: Request, address: Annotated[str, Query(max_length
     studio = studio_of(request)
     refuse_visitors(request)
     recorder = studio.boards.recorder(address)
-    path = await beside_loop(studio.recordings.new_file, f"robot{ENDING}")
+    path = await run_in_background(studio.recordings.new_file, f"robot{ENDING}")
     try:
-        await beside_loop(recorder.save, path)
+        await run_in_background(recorder.save, path)
     except BaseException:
         shutil.rmtree(path.parent, ignore_errors=True)
         raise
@@ -105,17 +105,17 @@ class BoardSession:
 
     async def serve(self) -> None:
         """Reads requests until the socket closes, then lets go of the page's robots."""
-        subscriber = self._room.enter(self._socket)
+        subscriber = self._room.subscribe(self._socket)
         try:
             while True:
                 message = await self._socket.receive()
                 if message["type"] == "websocket.disconnect":
                     return
-                await self._obey(subscriber, message.get("text") or message.get("bytes") or "")
+                await self._handle_message(subscriber, message.get("text") or message.get("bytes") or "")
         finally:
-            await self._room.leave(subscriber)
+            await self._room.unsubscribe(subscriber)
 
-    async def _obey(self, subscriber: Subscriber, text: str | bytes) -> None:
+    async def _handle_message(self, subscriber: RobotSubscriber, text: str | bytes) -> None:
         try:
             request: BoardRequest = BOARD_REQUEST.validate_json(text)
         except ValidationError as error:
@@ -135,48 +135,48 @@ class BoardSession:
                 KitRobotError(Sentence("something went wrong inside KitRobot"), Sentence("please report it")),
             )
 
-    def _refuse(self, subscriber: Subscriber, address: str, error: KitRobotError) -> None:
-        subscriber.tell(_refusal(address, error))
+    def _refuse(self, subscriber: RobotSubscriber, address: str, error: KitRobotError) -> None:
+        subscriber.queue_message(_refusal(address, error))
 
-    async def _do(self, subscriber: Subscriber, request: BoardRequest) -> None:
+    async def _do(self, subscriber: RobotSubscriber, request: BoardRequest) -> None:
         room = self._room
         match request:
             case BoardsLookRequest():
-                room.look(subscriber, request.on)
+                room.show_ports(subscriber, request.on)
             case BoardConnectRequest():
                 program: BoardProgram | None = None
                 try:
-                    program = await beside_loop(self._program, request)
+                    program = await run_in_background(self._program, request)
                 except KitRobotError:
                     # A program with a mistake is on no robot; the robot can be greeted all the same.
                     _log.debug("greeted without a program", exc_info=True)
                 (await room.session(subscriber.name, request.address)).connect(program)
             case BoardSendRequest():
-                program = await beside_loop(self._program, request)
+                program = await run_in_background(self._program, request)
                 (await room.session(subscriber.name, request.address)).send(
                     program, request.then, request.replace, request.fresh
                 )
             case BoardBenchRequest():
                 from kitrobot.server.robot_bench import steps_message
 
-                bench = await beside_loop(self._bench, request)
+                bench = await run_in_background(self._bench, request)
                 worker = await room.session(subscriber.name, request.address)
-                subscriber.tell(steps_message(request.address, bench))
+                subscriber.queue_message(steps_message(request.address, bench))
                 worker.bench(bench, request.replace)
             case BoardTryRequest():
-                room.taken(subscriber.name, request.address).try_step(request.step)
+                room.held_session(subscriber.name, request.address).try_step(request.step)
             case BoardStopRequest():
                 room.stop(request.address)
             case BoardCancelRequest():
-                room.taken(subscriber.name, request.address).cancel()
+                room.held_session(subscriber.name, request.address).cancel()
             case BoardStartRequest():
-                room.taken(subscriber.name, request.address).start(request.held)
+                room.held_session(subscriber.name, request.address).start(request.held)
             case BoardIdentifyRequest():
-                room.taken(subscriber.name, request.address).identify()
+                room.held_session(subscriber.name, request.address).identify()
             case BoardForgetRequest():
-                await room.forget(room.taken(subscriber.name, request.address))
+                await room.release(room.held_session(subscriber.name, request.address))
             case TeamSendRequest():
-                opened = await beside_loop(self._opened, request)
+                opened = await run_in_background(self._open_message, request)
                 folder = self._studio.folder.folders_of(request.path)[0]
                 await room.team.send(subscriber.name, opened, request.path, request.boards, folder)
             case TeamCancelRequest():
@@ -187,7 +187,7 @@ class BoardSession:
 
         folder = self._studio.folder.folders_of(request.path)[0]
         kit = kit_named(request.kit, folder) if request.kit else None
-        return board_program(self._opened(request), request.program, folder, kit)
+        return board_program(self._open_message(request), request.program, folder, kit)
 
     def _bench(self, request: BoardBenchRequest) -> Bench:
         from kitrobot.compiler import robot_of
@@ -196,10 +196,10 @@ class BoardSession:
 
         folder = self._studio.folder.folders_of(request.path)[0]
         kit = kit_named(request.kit, folder) if request.kit else None
-        opened = self._opened(request)
+        opened = self._open_message(request)
         return bench_of(robot_of(opened.program(request.program), opened.catalogue), kit, folder)
 
-    def _opened(
+    def _open_message(
         self, request: BoardConnectRequest | BoardSendRequest | BoardBenchRequest | TeamSendRequest
     ) -> OpenMission:
         return self._studio.open(mission_from_shape(request.mission), request.path)

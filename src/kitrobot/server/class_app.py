@@ -12,18 +12,18 @@ from starlette.types import ASGIApp
 from kitrobot.classroom import ClassRoom, Entrance, NotLetInError, TakenNameError
 from kitrobot.diagnostics import KitRobotError
 from kitrobot.server.app import STATIC, create_app, install_failures
-from kitrobot.server.class_door import ClassDoor, new_key
-from kitrobot.server.class_grading import Grading
-from kitrobot.server.class_overview import Overview, Reach
+from kitrobot.server.class_gateway import ClassGateway, new_key
+from kitrobot.server.class_grader import ClassGrader
+from kitrobot.server.class_overview import JoinAddress, Overview
 from kitrobot.server.class_pages import serve_pages
-from kitrobot.server.class_pictures import Pictures
+from kitrobot.server.class_pictures import ClassPictures
 from kitrobot.server.class_routes import class_routes
 from kitrobot.server.class_sockets import class_socket_routes
 from kitrobot.server.class_studios import PupilStudios
 from kitrobot.server.class_teacher_routes import teacher_routes
-from kitrobot.server.deadlines import Deadlines
-from kitrobot.server.security import Guard, refuse
-from kitrobot.server.sentences import InReadersLanguage
+from kitrobot.server.deadlines import DeadlineMiddleware
+from kitrobot.server.security import SecurityMiddleware, refuse
+from kitrobot.server.sentences import LanguageMiddleware
 
 LARGEST_BODY_BYTES: Final = 2 * 1024 * 1024
 """Of what a pupil hands in, as JSON; the file is smaller."""
@@ -34,7 +34,7 @@ class ClassApp:
     """A class that can be served, and what ends it."""
 
     app: ASGIApp
-    grading: Grading
+    grading: ClassGrader
     studio: FastAPI
 
     def close(self) -> None:
@@ -44,7 +44,7 @@ class ClassApp:
 
 
 def create_class_app(
-    room: ClassRoom, key: str, reach: Reach, static: Path = STATIC, site: Path | None = None
+    room: ClassRoom, key: str, reach: JoinAddress, static: Path = STATIC, site: Path | None = None
 ) -> ClassApp:
     """The application of a class.
 
@@ -59,21 +59,21 @@ def create_class_app(
     token = new_key()
     studio = create_app(room.folder, None, key, static=static)
     entrance = Entrance(room)
-    grading = Grading(room, studio.state.studio)
+    grading = ClassGrader(room, studio.state.studio)
     app = class_api()
     app.state.room = room
     app.state.entrance = entrance
-    app.state.pictures = Pictures(room)
+    app.state.pictures = ClassPictures(room)
     app.state.studio = studio.state.studio
     app.state.grading = grading
     app.state.overview = Overview(room, entrance, studio.state.studio, grading, reach)
     serve_pages(app, static, site)
-    app.add_middleware(Deadlines, refuse=refuse)
-    app.add_middleware(Guard, token=token, largest_body_bytes=LARGEST_BODY_BYTES)
-    app.add_middleware(InReadersLanguage)
+    app.add_middleware(DeadlineMiddleware, refuse=refuse)
+    app.add_middleware(SecurityMiddleware, token=token, largest_body_bytes=LARGEST_BODY_BYTES)
+    app.add_middleware(LanguageMiddleware)
     app.state.studios = PupilStudios(room) if site is None else None
-    door = ClassDoor(room, app, token, studio, key, app.state.studios, room.clock)
-    return ClassApp(InReadersLanguage(door), grading, studio)
+    door = ClassGateway(room, app, token, studio, key, app.state.studios, room.clock)
+    return ClassApp(LanguageMiddleware(door), grading, studio)
 
 
 def class_api() -> FastAPI:

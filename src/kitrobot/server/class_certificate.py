@@ -1,6 +1,6 @@
 """The certificate of a class and its key, looked at before anything listens: what is wrong with them is one sentence.
 
-A certificate's days are read here by hand (`validity`): Python tells them only of certificates that it has verified.
+A certificate's days are read here by hand (`validity`): Python gives them only for certificates that it has verified.
 """
 
 from __future__ import annotations
@@ -11,7 +11,7 @@ from pathlib import Path
 from typing import Final
 
 from kitrobot.files import read_bytes
-from kitrobot.server.start import ServerError
+from kitrobot.server.studio_server import ServerError
 from kitrobot.text import Sentence
 
 _BEGIN: Final = "-----BEGIN CERTIFICATE-----"
@@ -47,7 +47,7 @@ def usable_certificate(certificate: Path, key: Path, now: datetime | None = None
             Sentence("write it without one: `openssl pkey -in {path} -out key.pem`", key.name),
         )
     try:
-        # Else OpenSSL asks in the terminal for a password that the lines above did not tell of.
+        # Otherwise OpenSSL asks in the terminal for a password that the lines above did not reveal.
         ssl.SSLContext(ssl.PROTOCOL_TLS_SERVER).load_cert_chain(certificate, key, password=lambda: "-")
         first, last = validity(ssl.PEM_cert_to_DER_cert(words[words.index(_BEGIN) : words.index(_END) + len(_END)]))
     except ssl.SSLError as error:

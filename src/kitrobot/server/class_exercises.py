@@ -13,7 +13,7 @@ from kitrobot.classroom import ClassError, ClassRoom
 from kitrobot.classroom.names import as_file_name
 from kitrobot.exercise import without_hidden
 from kitrobot.files import EXAMPLE, EXERCISE_ENDING, HANDED_OUT, TUTORIAL_ENDING
-from kitrobot.server.handed_out import is_plain, read_files, write_files
+from kitrobot.server.assignments import is_plain, read_files, write_files
 from kitrobot.server.studio import Studio
 from kitrobot.text import Sentence
 

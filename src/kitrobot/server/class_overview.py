@@ -1,4 +1,4 @@
-"""What the teacher's page sees of a class: the class as a whole, and each pupil's card; messages of what changed."""
+"""The teacher's view of a class: the class as a whole, and each pupil's card; messages of what changed."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from pydantic import BaseModel
 
 from kitrobot.classroom import ClassRoom, Entrance, Pupil, state_of
 from kitrobot.diagnostics import KitRobotError
-from kitrobot.server.class_grading import Grading
+from kitrobot.server.class_grader import ClassGrader
 from kitrobot.server.shapes.classroom import (
     ClassAskingShape,
     ClassGoalNameShape,
@@ -29,8 +29,8 @@ FOLDER_S: Final = 10.0
 
 
 @dataclass(frozen=True)
-class Reach:
-    """Where pupils come in: the address, as a QR code too (rows of 0 and 1), and a sentence about who can reach it."""
+class JoinAddress:
+    """Where pupils join: the address, as a QR code too (rows of 0 and 1), and a sentence about who can reach it."""
 
     address: str
     qr: tuple[str, ...]
@@ -40,7 +40,9 @@ class Reach:
 class Overview:
     """The overview of one class."""
 
-    def __init__(self, room: ClassRoom, entrance: Entrance, studio: Studio, grading: Grading, reach: Reach) -> None:
+    def __init__(
+        self, room: ClassRoom, entrance: Entrance, studio: Studio, grading: ClassGrader, reach: JoinAddress
+    ) -> None:
         self._room = room
         self._entrance = entrance
         self._studio = studio
@@ -49,8 +51,8 @@ class Overview:
         self._bytes = 0
         self._measured = -math.inf
 
-    def whole(self) -> ClassNewsMessage:
-        """The class but for its pupils."""
+    def class_message(self) -> ClassNewsMessage:
+        """The message about the class, without its pupils."""
         room, record = self._room, self._room.record
         label, goals = self._exercise()
         grading = self._grading.state
@@ -86,8 +88,8 @@ class Overview:
         with self._room.lock:
             return {one.folder: self._card(one, goals, now) for one in self._room.pupils.values()}
 
-    def news(self, before: Mapping[str, BaseModel], now: Mapping[str, PupilShape]) -> PupilsMessage:
-        """What changed. That a state lasts longer is none: the page counts on by itself."""
+    def pupils_message(self, before: Mapping[str, BaseModel], now: Mapping[str, PupilShape]) -> PupilsMessage:
+        """The message of changed cards. A state that only lasts longer is no change: the page counts by itself."""
         changed = [
             card
             for folder, card in now.items()

@@ -1,6 +1,6 @@
 """The pages of a class: `/` for pupils, `/teacher` for the teacher, `/studio` for the teacher's own studio.
 
-All are the built page, which is told by a word in its head whom it is for. With a static site (`kitrobot site`) the
+All are the built page, with a word in its head that names its user. With a static site (`kitrobot site`) the
 page of pupils is that of the site: Python runs in it, and the class only keeps its work.
 """
 
@@ -14,7 +14,7 @@ from fastapi.responses import HTMLResponse
 from starlette.exceptions import HTTPException
 from starlette.types import Scope
 
-from kitrobot.server import pages
+from kitrobot.server import fallback_pages
 from kitrobot.server.page_files import PageFiles
 from kitrobot.server.security import CONTENT_POLICY
 from kitrobot.text import Sentence
@@ -41,7 +41,7 @@ def serve_pages(app: FastAPI, static: Path, site: Path | None) -> None:
         if not index.is_file():
             message = Sentence("The studio's page has not been built")
             help = Sentence("run `python tools/page.py build` and load this page again")
-            return HTMLResponse(pages.sentence(message, help), status_code=503)
+            return HTMLResponse(fallback_pages.sentence(message, help), status_code=503)
         text = index.read_text(encoding="utf-8")
         if role:
             text = text.replace("<head>", f'<head><meta name="kitrobot-class" content="{role}">', 1)

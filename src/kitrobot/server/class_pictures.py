@@ -1,4 +1,4 @@
-"""What the pictures on the cards of a class are drawn from: of each pupil the program that was handed in last.
+"""The pictures on the cards of a class: for each pupil the program that was handed in last.
 
 Made when work comes in, or from the file when the class was started anew. Safe to use from many threads.
 """
@@ -17,26 +17,26 @@ MOST_VERTICES = 500
 """Of a program that is drawn; nobody could tell a larger one's parts apart on a card."""
 
 
-class Pictures:
+class ClassPictures:
     """The pictures of one class."""
 
     def __init__(self, room: ClassRoom) -> None:
         self._room = room
-        self._kept: dict[str, bytes] = {}
+        self._cache: dict[str, bytes] = {}
         self._lock = threading.Lock()
         for pupil in room.pupils.values():
             if pupil.work:
                 pupil.version = 1
 
     def take(self, pupil: Pupil, mission: MissionShape) -> None:
-        """That was handed in."""
+        """Stores the picture of a mission that was handed in."""
         with self._lock:
-            self._kept[pupil.folder] = _picture(pupil.version, mission)
+            self._cache[pupil.folder] = _picture(pupil.version, mission)
 
     def of(self, pupil: Pupil) -> bytes | None:
         """The picture as JSON; None where there is nothing to draw."""
         with self._lock:
-            kept = self._kept.get(pupil.folder)
+            kept = self._cache.get(pupil.folder)
         if kept is None and pupil.work:
             try:
                 data, _ = self._room.read_work(pupil, pupil.work)
@@ -46,7 +46,7 @@ class Pictures:
             if mission is not None:
                 self.take(pupil, mission_shape(mission))
             with self._lock:
-                kept = self._kept.get(pupil.folder)
+                kept = self._cache.get(pupil.folder)
         return kept or None
 
 

@@ -1,6 +1,6 @@
-"""The requests of pupils to their class: coming in, handing in, getting what was handed out.
+"""The requests of pupils to their class: joining, handing in, getting assignments.
 
-Who asks is known by then: the door (`class_door`) has looked at the key and put the pupil into the request's state.
+The gateway (`class_gateway`) has checked the key and put the pupil into the request's state.
 """
 
 from __future__ import annotations
@@ -11,11 +11,11 @@ from fastapi import Depends, Query, Request, Response
 from starlette.requests import HTTPConnection
 
 from kitrobot.classroom import ClassRoom, Entrance, NotLetInError, Pupil, TakenNameError
+from kitrobot.server.api_router import api_router
+from kitrobot.server.assignments import pack
 from kitrobot.server.class_exercises import files_of_exercise
-from kitrobot.server.class_pictures import Pictures
-from kitrobot.server.handed_out import pack
-from kitrobot.server.routing import api_router
-from kitrobot.server.saving import mission_bytes
+from kitrobot.server.class_pictures import ClassPictures
+from kitrobot.server.mission_encoding import mission_bytes
 from kitrobot.server.shapes.classroom import (
     ClassAnsweredShape,
     ClassAskedShape,
@@ -34,17 +34,17 @@ class_routes = api_router("/api/class")
 
 
 def room_of(connection: HTTPConnection) -> ClassRoom:
-    """The class that a request or a socket came to."""
+    """The class of a request or a socket."""
     room = connection.app.state.room
     assert isinstance(room, ClassRoom)
     return room
 
 
 def pupil_of(connection: HTTPConnection) -> Pupil:
-    """Who asks.
+    """The pupil who sent a request.
 
     Raises:
-        NotLetInError: no pupil does.
+        NotLetInError: no pupil sent it.
     """
     pupil = connection.scope.get("state", {}).get("class_pupil")
     if not isinstance(pupil, Pupil):
@@ -58,9 +58,9 @@ def _entrance(request: Request) -> Entrance:
     return entrance
 
 
-def _pictures(request: Request) -> Pictures:
+def _pictures(request: Request) -> ClassPictures:
     pictures = request.app.state.pictures
-    assert isinstance(pictures, Pictures)
+    assert isinstance(pictures, ClassPictures)
     return pictures
 
 
@@ -99,7 +99,7 @@ def ask(entrance: Door, who: From, wanted: ClassAskShape) -> ClassAskedShape:
 
 @class_routes.post("/asked")
 def asked(entrance: Door, wanted: ClassAskedShape) -> ClassAnsweredShape:
-    """What the teacher said to that."""
+    """The teacher's answer to that."""
     yes, _, key = entrance.answered(wanted.asked)
     if yes is None:
         return ClassAnsweredShape(state="waiting")

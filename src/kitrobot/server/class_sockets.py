@@ -1,7 +1,7 @@
-"""The two sockets of a class: a pupil's page reports and is told, the teacher's page sees all pupils.
+"""The two WebSockets of a class: a pupil's page sends reports and receives news, the teacher's page sees all pupils.
 
-A socket that says more than a page ever does is closed. What the teacher sees is looked at once a second, and only
-pupils that changed are sent.
+A socket that sends more than a page ever does is closed. The teacher's view is refreshed once a second, with only the
+pupils that changed.
 """
 
 from __future__ import annotations
@@ -16,10 +16,10 @@ from pydantic import BaseModel, Field, TypeAdapter, ValidationError
 
 from kitrobot.classroom import Allowance, ClassRoom, Desk, Goal, Pupil, Report, Told
 from kitrobot.diagnostics import KitRobotError
-from kitrobot.server.beside_loop import beside_loop
+from kitrobot.server.api_router import api_router
+from kitrobot.server.background import run_in_background
 from kitrobot.server.class_overview import Overview
 from kitrobot.server.class_routes import pupil_of, room_of
-from kitrobot.server.routing import api_router
 from kitrobot.server.shapes import HereMessage
 from kitrobot.server.shapes.classroom import (
     ArenaMessage,
@@ -33,7 +33,7 @@ from kitrobot.server.shapes.classroom import (
 )
 
 LOOK_S: Final = 1.0
-"""How often the teacher's page is told."""
+"""How often the teacher's page is refreshed."""
 MOST_A_SECOND: Final = 20.0
 MOST_AT_ONCE: Final = 60.0
 LONGEST_MESSAGE: Final = 64 * 1024
@@ -42,14 +42,14 @@ MOST_PAGES: Final = 6
 
 class_socket_routes = api_router("/api/class")
 
-_Said = Annotated[ReportMessage | HandMessage | TurnMessage | ShowArenaMessage, Field(discriminator="type")]
-_SAID: TypeAdapter[_Said] = TypeAdapter(_Said)
-_LOOKED: TypeAdapter[LookMessage] = TypeAdapter(LookMessage)
+PupilRequest = Annotated[ReportMessage | HandMessage | TurnMessage | ShowArenaMessage, Field(discriminator="type")]
+PUPIL_REQUEST: TypeAdapter[PupilRequest] = TypeAdapter(PupilRequest)
+TEACHER_REQUEST: TypeAdapter[LookMessage] = TypeAdapter(LookMessage)
 
 
 @contextmanager
-def _woken(room: ClassRoom) -> Iterator[asyncio.Event]:
-    """An event of this loop that is set, from whatever thread, when what pupils are told changes."""
+def _change_event(room: ClassRoom) -> Iterator[asyncio.Event]:
+    """An event of this loop that is set, from any thread, when the news for pupils changes."""
     news = asyncio.Event()
     loop = asyncio.get_running_loop()
 
@@ -80,77 +80,77 @@ async def pupil_socket(socket: WebSocket) -> None:
     room.comes(pupil)
     try:
         await socket.accept()
-        await _tell_pupil(socket, room, pupil)
+        await _send_pupil_news(socket, room, pupil)
     finally:
         room.goes(pupil)
 
 
-async def _tell_pupil(socket: WebSocket, room: ClassRoom, pupil: Pupil) -> None:
-    hears = asyncio.ensure_future(_hear(socket, lambda text: _take(room, pupil, text)))
+async def _send_pupil_news(socket: WebSocket, room: ClassRoom, pupil: Pupil) -> None:
+    receiver = asyncio.ensure_future(_receive_messages(socket, lambda text: _handle_pupil_message(room, pupil, text)))
     try:
-        with _woken(room) as news:
-            told: Told | None = None
-            while not hears.done() and room.pupils.get(pupil.folder) is pupil:
+        with _change_event(room) as news:
+            sent: Told | None = None
+            while not receiver.done() and room.pupils.get(pupil.folder) is pupil:
                 now = room.told(pupil)
-                if now != told:
-                    told = now
-                    await socket.send_text(_news(now).model_dump_json())
-                await _either(hears, news)
+                if now != sent:
+                    sent = now
+                    await socket.send_text(_pupil_message(now).model_dump_json())
+                await _wait_for_either(receiver, news)
     except (WebSocketDisconnect, RuntimeError):
-        pass  # gone while we spoke
+        pass  # the page has gone meanwhile
     finally:
-        await _end(socket, hears)
+        await _close_socket(socket, receiver)
 
 
 @class_socket_routes.websocket("/teacher/watch")
 async def teacher_socket(socket: WebSocket) -> None:
-    """Serves the teacher's page until it closes. The door lets nobody else come as far as here."""
+    """Serves the teacher's page until it closes. The gateway refuses everybody else."""
     room = room_of(socket)
     overview: Overview = socket.app.state.overview
     await socket.accept()
-    hears = asyncio.ensure_future(_hear(socket, lambda text: _look(room, text)))
-    told: dict[str, BaseModel] = {}
-    class_told: BaseModel | None = None
-    arena_told = ("", "")
+    receiver = asyncio.ensure_future(_receive_messages(socket, lambda text: _handle_teacher_message(room, text)))
+    sent: dict[str, BaseModel] = {}
+    sent_class: BaseModel | None = None
+    sent_arena = ("", "")
     try:
-        while not hears.done():
-            whole, pupils = await beside_loop(lambda: (overview.whole(), overview.pupils()))
-            if whole != class_told:
-                class_told = whole
+        while not receiver.done():
+            whole, pupils = await run_in_background(lambda: (overview.class_message(), overview.pupils()))
+            if whole != sent_class:
+                sent_class = whole
                 await socket.send_text(whole.model_dump_json())
-            message = overview.news(told, pupils)
-            told = dict(pupils)
+            message = overview.pupils_message(sent, pupils)
+            sent = dict(pupils)
             await socket.send_text(message.model_dump_json())
-            arena = _arena(room)
-            if arena != arena_told:
-                arena_told = arena
-                await socket.send_text(_arena_news(*arena).model_dump_json())
-            await asyncio.wait({hears}, timeout=LOOK_S)
+            arena = _current_arena(room)
+            if arena != sent_arena:
+                sent_arena = arena
+                await socket.send_text(_arena_message(*arena).model_dump_json())
+            await asyncio.wait({receiver}, timeout=LOOK_S)
     except (WebSocketDisconnect, RuntimeError):
         pass
     finally:
         Desk(room).look_on(None)
-        await _end(socket, hears)
+        await _close_socket(socket, receiver)
 
 
-async def _either(hears: asyncio.Future[None], news: asyncio.Event) -> None:
+async def _wait_for_either(receiver: asyncio.Future[None], news: asyncio.Event) -> None:
     waits: asyncio.Future[bool] = asyncio.ensure_future(news.wait())
-    both: set[asyncio.Future[Any]] = {hears, waits}
+    both: set[asyncio.Future[Any]] = {receiver, waits}
     await asyncio.wait(both, return_when=asyncio.FIRST_COMPLETED)
     waits.cancel()
     news.clear()
 
 
-async def _end(socket: WebSocket, hears: asyncio.Future[None]) -> None:
-    hears.cancel()
+async def _close_socket(socket: WebSocket, receiver: asyncio.Future[None]) -> None:
+    receiver.cancel()
     with suppress(asyncio.CancelledError, Exception):
-        await hears
+        await receiver
     with suppress(RuntimeError, WebSocketDisconnect):
         await socket.close(1008)
 
 
-async def _hear(socket: WebSocket, take: Callable[[str], None]) -> None:
-    """Takes what the page says until it closes, says too much, or says what makes no sense."""
+async def _receive_messages(socket: WebSocket, take: Callable[[str], None]) -> None:
+    """Handles the page's messages until it closes, sends too much, or sends an invalid one."""
     now = asyncio.get_running_loop().time
     allowance = Allowance(MOST_A_SECOND, MOST_AT_ONCE)
     with suppress(WebSocketDisconnect, RuntimeError):
@@ -161,18 +161,18 @@ async def _hear(socket: WebSocket, take: Callable[[str], None]) -> None:
                 return
             if len(text) > LONGEST_MESSAGE or not allowance.take(now()):
                 return
-            if text == "?":  # whether anybody answers
+            if text == "?":  # a ping
                 await socket.send_text(HereMessage().model_dump_json())
                 continue
             try:
                 # It may write: a full or slow disk holds up nobody else.
-                await beside_loop(take, text)
+                await run_in_background(take, text)
             except (ValidationError, ValueError):
                 return
 
 
-def _take(room: ClassRoom, pupil: Pupil, text: str) -> None:
-    said = _SAID.validate_json(text)
+def _handle_pupil_message(room: ClassRoom, pupil: Pupil, text: str) -> None:
+    said = PUPIL_REQUEST.validate_json(text)
     if isinstance(said, HandMessage):
         room.put_hand(pupil, said.up)
         return
@@ -189,23 +189,23 @@ def _take(room: ClassRoom, pupil: Pupil, text: str) -> None:
     room.take(pupil, Report(said.running, said.edits, said.runs, said.file, said.exercise, goals))
 
 
-def _look(room: ClassRoom, text: str) -> None:
-    Desk(room).look_on(room.pupils.get(_LOOKED.validate_json(text).folder))
+def _handle_teacher_message(room: ClassRoom, text: str) -> None:
+    Desk(room).look_on(room.pupils.get(TEACHER_REQUEST.validate_json(text).folder))
 
 
-def _arena(room: ClassRoom) -> tuple[str, str]:
-    """Whom the teacher looks on, and what that page shows."""
+def _current_arena(room: ClassRoom) -> tuple[str, str]:
+    """The folder of the pupil whom the teacher watches, and what that page shows."""
     with room.lock:
         pupil = room.pupils.get(room.looked)
         return ("", "") if pupil is None else (pupil.folder, pupil.arena)
 
 
-def _arena_news(folder: str, arena: str) -> ArenaMessage:
+def _arena_message(folder: str, arena: str) -> ArenaMessage:
     shown = ClassArenaShape.model_validate_json(arena) if arena else None
     return ArenaMessage(type="arena", folder=folder, arena=shown)
 
 
-def _news(told: Told) -> PupilNewsMessage:
+def _pupil_message(told: Told) -> PupilNewsMessage:
     return PupilNewsMessage(
         type="pupil",
         class_name=told.class_name,

@@ -43,7 +43,7 @@ class PupilStudio:
         self.quota = Quota(folder, MOST_BYTES, MOST_FILES)
 
     def take_exercise(self) -> None:
-        """Gets the files of the exercise of the class; where that cannot be, the log says so."""
+        """Gets the files of the class's exercise; if that fails, the log reports it."""
         try:
             copy_exercise(self._room, self.folder)
         except (KitRobotError, OSError) as error:

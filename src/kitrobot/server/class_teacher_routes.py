@@ -11,13 +11,13 @@ from fastapi import Depends, Query, Request, Response
 
 from kitrobot.classroom import ClassError, Desk, Entrance, Pupil
 from kitrobot.files import carried_mission
-from kitrobot.server.class_collecting import Collected, collect, table
+from kitrobot.server.api_router import ThisStudio, api_router
+from kitrobot.server.class_archive import ClassArchive, build_archive, table
 from kitrobot.server.class_exercises import hand_out_exercise
-from kitrobot.server.class_grading import Grading
-from kitrobot.server.class_pictures import Pictures
+from kitrobot.server.class_grader import ClassGrader
+from kitrobot.server.class_pictures import ClassPictures
 from kitrobot.server.class_routes import ThisRoom, room_of
 from kitrobot.server.class_studios import PupilStudios
-from kitrobot.server.routing import ThisStudio, api_router
 from kitrobot.server.shapes.classroom import (
     ClassPictureShape,
     TeacherAddShape,
@@ -43,14 +43,14 @@ def _desk(request: Request) -> Desk:
     return Desk(room_of(request))
 
 
-def _grading(request: Request) -> Grading:
+def _grading(request: Request) -> ClassGrader:
     grading = request.app.state.grading
-    assert isinstance(grading, Grading)
+    assert isinstance(grading, ClassGrader)
     return grading
 
 
 ThisDesk = Annotated[Desk, Depends(_desk)]
-TheGrading = Annotated[Grading, Depends(_grading)]
+TheGrading = Annotated[ClassGrader, Depends(_grading)]
 Folder = Annotated[str, Query(max_length=300)]
 Folders = Annotated[list[str] | None, Query(max_length=1000)]
 
@@ -71,7 +71,7 @@ def _one(room: ThisRoom, folder: str) -> Pupil:
 def picture(room: ThisRoom, request: Request, folder: Folder) -> Response:
     """What a card's picture is drawn from; 204 where there is nothing to draw."""
     pictures = request.app.state.pictures
-    assert isinstance(pictures, Pictures)
+    assert isinstance(pictures, ClassPictures)
     found = pictures.of(_one(room, folder))
     return Response(status_code=204) if found is None else Response(found, media_type="application/json")
 
@@ -186,7 +186,7 @@ def log(room: ThisRoom) -> TeacherLogShape:
 @teacher_routes.get("/collect", response_class=Response)
 def collected(room: ThisRoom, studio: ThisStudio, folder: Folders = None) -> Response:
     """Everything that those pupils, or all, handed in, and a table of it: a ZIP file."""
-    made: Collected = collect(room, studio, folder)
+    made: ClassArchive = build_archive(room, studio, folder)
     return Response(made.data, media_type="application/zip", headers={"x-kitrobot-files": str(made.files)})
 
 

@@ -1,9 +1,9 @@
 """Limits on what one connection may hold: the size of a request's head, and how long it may take to arrive.
 
 A studio is reached from this machine alone, but by every program and every page on it; a class by a whole network. A
-connection that says nothing, or a request that never becomes whole, is closed; one whose answer is being made, and a
-WebSocket, may take their time. Where connections become many, those that say nothing make room for new ones: first
-those of the address that has most of them.
+silent connection, or a request that never becomes whole, is closed; one whose answer is being made, and a WebSocket,
+may take their time. When there are many connections, silent ones are closed for new ones: first those of the address
+that has most of them.
 """
 
 from __future__ import annotations
@@ -21,59 +21,59 @@ MOST_CONNECTIONS = 500
 """At one time; more are answered with 503."""
 
 MOST_BEFORE_ROOM_IS_MADE = 450
-"""With more, one that says nothing is closed for each that comes."""
+"""With more, a silent one is closed for each new one."""
 
 WHOLE_WITHIN_S = 60.0
-"""A request that is not whole is given so long, and at most twice that."""
+"""The time limit for a request to become whole; at most twice that passes."""
 
 
 class BoundedConnection(H11Protocol):
     """An HTTP connection that is closed where no whole request comes."""
 
     whole_within_s = WHOLE_WITHIN_S
-    heard = 0.0
-    """When something came from there last."""
-    _look: asyncio.TimerHandle | None = None
+    last_received_s = 0.0
+    """The time of the last data."""
+    _timer: asyncio.TimerHandle | None = None
 
     def connection_made(self, transport: asyncio.Transport) -> None:  # type: ignore[override]
         super().connection_made(transport)
         if len(self.connections) > MOST_BEFORE_ROOM_IS_MADE:
-            self._make_room()
-        self._look_again()
+            self._close_oldest_silent()
+        self._schedule_check()
 
     def connection_lost(self, exc: Exception | None) -> None:
-        if self._look is not None:
-            self._look.cancel()
+        if self._timer is not None:
+            self._timer.cancel()
         super().connection_lost(exc)
 
-    def _make_room(self) -> None:
+    def _close_oldest_silent(self) -> None:
         others = [one for one in self.connections if isinstance(one, BoundedConnection) and one is not self]
         silent = [one for one in others if not one.transport.is_closing() and not one.is_answering]
         if silent:
             many = Counter(one.client[0] if one.client else "" for one in silent)
             most = max(many.values())
             old = (one for one in silent if many[one.client[0] if one.client else ""] == most)
-            min(old, key=lambda one: one.heard).transport.close()
+            min(old, key=lambda one: one.last_received_s).transport.close()
 
     def data_received(self, data: bytes) -> None:
-        self.heard = self.loop.time()
+        self.last_received_s = self.loop.time()
         super().data_received(data)
 
     @property
     def is_answering(self) -> bool:
         """Whether a request came whole, and its answer is being made."""
-        # uvicorn says that there always is one, and has none before the first request.
+        # uvicorn's types claim that there always is one; there is none before the first request.
         cycle: RequestResponseCycle | None = self.cycle
         whole = self.conn.their_state is not h11.SEND_BODY
         return cycle is not None and not cycle.response_complete and whole
 
-    def _look_again(self) -> None:
-        self._look = self.loop.call_later(self.whole_within_s, self._close_where_nothing_came, self.cycle)
+    def _schedule_check(self) -> None:
+        self._timer = self.loop.call_later(self.whole_within_s, self._close_if_idle, self.cycle)
 
-    def _close_where_nothing_came(self, before: object) -> None:
+    def _close_if_idle(self, before: object) -> None:
         if self not in self.connections:
             return  # it is a WebSocket now
         if self.cycle is before and not self.is_answering:
             self.transport.close()
         else:
-            self._look_again()
+            self._schedule_check()

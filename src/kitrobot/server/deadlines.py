@@ -1,8 +1,8 @@
-"""Every request is answered: an ASGI shell that refuses what takes too long, and what comes when there is too much.
+"""Deadlines for requests: ASGI middleware that refuses what takes too long, and requests beyond a limit.
 
 A request waits for a disk that does not answer, or for more work than anybody has patience for. Its answer is 504, and
-long work is broken off (request_work); any other thread cannot be stopped, so what it does goes on, counts as under way
-until it ends, and is told to nobody. The time
+long work is cancelled (request_cancellation); any other thread cannot be stopped, so its work goes on, counts as under
+way until it ends, and its result is dropped. The time
 counts from the last piece of the request that came: a large file over a slow line is no slow request. An answer that
 has begun may take as long as its reader does (connections).
 """
@@ -27,7 +27,7 @@ Refuse = Callable[[Scope, Send, int, str, str], Awaitable[None]]
 _log = logging.getLogger("kitrobot.server")
 
 
-class Deadlines:
+class DeadlineMiddleware:
     """`app`, each of whose answers begins within a time. `refuse` answers without it: status, message, help."""
 
     def __init__(self, app: ASGIApp, refuse: Refuse, within_s: float = DEADLINE_S, at_once: int = MOST_AT_ONCE) -> None:
@@ -54,25 +54,25 @@ class Deadlines:
 
     async def _serve(self, scope: Scope, receive: Receive, send: Send) -> None:
         now = asyncio.get_running_loop().time
-        heard, begun, late = now(), False, False
+        last_received, begun, late = now(), False, False
 
-        async def hears() -> Message:
-            nonlocal heard
+        async def tracked_receive() -> Message:
+            nonlocal last_received
             message = await receive()
-            heard = now()
+            last_received = now()
             return message
 
-        async def says(message: Message) -> None:
+        async def tracked_send(message: Message) -> None:
             nonlocal begun
             if not late:
                 begun = True
                 await send(message)
 
-        task = asyncio.create_task(self._work(scope, hears, says))
+        task = asyncio.create_task(self._work(scope, tracked_receive, tracked_send))
         self._under_way.add(task)
         task.add_done_callback(self._under_way.discard)
         try:
-            while not (task.done() or begun) and (left := heard + self._within_s - now()) > 0:
+            while not (task.done() or begun) and (left := last_received + self._within_s - now()) > 0:
                 await asyncio.wait({task}, timeout=left)
             if task.done() or begun:
                 await task
@@ -81,8 +81,8 @@ class Deadlines:
             task.cancel()
             raise
         late = True
-        task.add_done_callback(_forget)
-        # What waits beside a thread hears of it (`request_work`).
+        task.add_done_callback(_log_late_failure)
+        # Waiting work in a thread is cancelled by this (`request_cancellation`).
         task.cancel()
         _log.warning("%s %s was not answered within %g s", scope["method"], scope["path"], self._within_s)
         await self._refuse(
@@ -97,7 +97,7 @@ class Deadlines:
         await self._app(scope, receive, send)
 
 
-def _forget(task: asyncio.Task[None]) -> None:
-    """Whoever asked has been answered."""
+def _log_late_failure(task: asyncio.Task[None]) -> None:
+    """Logs the failure of a request that has been answered already."""
     if not task.cancelled() and (error := task.exception()) is not None:
         _log.warning("what was not answered in time failed: %s: %s", type(error).__name__, error)

@@ -2,7 +2,7 @@
 
 A report has an entry for each vertex: making a shape of each, only to write it out, took half as long as compiling. So
 they are written as plain dictionaries with the fields of the shapes (`ReportShape`, `FollowedShape`); a test holds
-them to that. Only problems are shaped, for they are few and said in the reader's language.
+them to that. Only problems are models, for they are few and translated into the reader's language.
 """
 
 from __future__ import annotations
@@ -16,7 +16,7 @@ from kitrobot.compiler import Followed, VertexPlace
 from kitrobot.diagnostics import Diagnostic
 from kitrobot.graph import Arc, Program, Vertex
 from kitrobot.lll import TeamProgram
-from kitrobot.server.list_delta import stretched
+from kitrobot.server.list_delta import encode_delta
 from kitrobot.server.shapes import problem_shapes
 from kitrobot.server.shapes.mission import DeclaredShape
 from kitrobot.text import same_ends
@@ -104,8 +104,8 @@ def _moved(before: Sequence[VertexPlace], after: Sequence[VertexPlace]) -> list[
 
 def _drawn(before: Program, after: Program) -> dict[str, Any]:
     return {
-        "vertices": stretched(before.vertices, after.vertices, lambda one: one.id, _vertex),
-        "arcs": stretched(before.arcs, after.arcs, lambda one: (one.source, one.out, one.target, one.at), _arc),
+        "vertices": encode_delta(before.vertices, after.vertices, lambda one: one.id, _vertex),
+        "arcs": encode_delta(before.arcs, after.arcs, lambda one: (one.source, one.out, one.target, one.at), _arc),
     }
 
 

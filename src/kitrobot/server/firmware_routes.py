@@ -10,7 +10,7 @@ from typing import Annotated
 
 from fastapi import Depends, Query, Request
 
-from kitrobot.server.routing import api_router, refuse_visitors
+from kitrobot.server.api_router import api_router, refuse_visitors
 from kitrobot.server.shapes.firmware import DriveShape, FirmwareShape, FlashedShape
 
 firmware_routes = api_router()

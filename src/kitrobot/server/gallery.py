@@ -1,6 +1,6 @@
 """What can be opened, as a list: the missions of the folder by path, then the examples, the easiest first.
 
-An example says its title, what happens in it, how hard it is and what it is about; what it does is fetched for each
+An example has its title, what happens in it, its difficulty and its topics; what it does is fetched for each
 picture that is seen. An example is read again only when its file changed. A mission of the folder is known by its
 file's name alone: what was copied from an example keeps the example's title inside, which would mislead.
 """
@@ -22,7 +22,9 @@ if TYPE_CHECKING:
 
 
 @dataclass(frozen=True)
-class _Kept:
+class CachedEntry:
+    """The entry of an example, of one revision of its file."""
+
     revision: str
     shape: MissionEntryShape
 
@@ -31,13 +33,13 @@ class Gallery:
     """The list of a studio. Safe to use from many threads: what two make at once is the same."""
 
     def __init__(self) -> None:
-        self._kept: dict[str, _Kept] = {}
+        self._cache: dict[str, CachedEntry] = {}
 
     def entries(self, studio: Studio) -> list[MissionEntryShape]:
         """Every mission that can be opened; what a tutorial or an exercise begins with is no example."""
         found = studio.folder.missions()
         starts = studio.tutorials.starts() | studio.exercises.starts()
-        own = [_plain(entry) for entry in found if not entry.example]
+        own = [_plain_entry(entry) for entry in found if not entry.example]
         examples = [self._example(studio, entry) for entry in found if entry.example and entry.path not in starts]
         return own + sorted(examples, key=_difficulty)
 
@@ -45,11 +47,13 @@ class Gallery:
         try:
             data, revision = studio.folder.read(entry.path)
         except KitRobotError:
-            return _plain(entry)  # opening it says what is wrong
-        kept = self._kept.get(entry.path)
+            return _plain_entry(entry)  # opening it says what is wrong
+        kept = self._cache.get(entry.path)
         if kept is None or kept.revision != revision:
             mission, _ = read_mission(data, entry.path)
-            kept = self._kept[entry.path] = _Kept(revision, _plain(entry) if mission is None else _told(entry, mission))
+            kept = self._cache[entry.path] = CachedEntry(
+                revision, _plain_entry(entry) if mission is None else _described_entry(entry, mission)
+            )
         return kept.shape
 
     def preview(self, studio: Studio, path: str) -> RunPreviewShape:
@@ -65,7 +69,7 @@ class Gallery:
         return run_preview_shape(opened, preview)
 
 
-def _plain(entry: MissionEntry) -> MissionEntryShape:
+def _plain_entry(entry: MissionEntry) -> MissionEntryShape:
     return MissionEntryShape(
         path=entry.path,
         name=entry.name,
@@ -73,20 +77,20 @@ def _plain(entry: MissionEntry) -> MissionEntryShape:
         modified=entry.modified,
         label={},
         help={},
-        example=None if not entry.example else _listed(entry, None),
+        example=None if not entry.example else _example_shape(entry, None),
         problem=entry.problem,
     )
 
 
-def _told(entry: MissionEntry, mission: Mission) -> MissionEntryShape:
-    plain = _plain(entry)
+def _described_entry(entry: MissionEntry, mission: Mission) -> MissionEntryShape:
+    plain = _plain_entry(entry)
     plain.label, plain.help = dict(mission.label), dict(mission.help)
     plain.title = plain.label.get("", plain.title)
-    plain.example = _listed(entry, mission)
+    plain.example = _example_shape(entry, mission)
     return plain
 
 
-def _listed(entry: MissionEntry, mission: Mission | None) -> ExampleShape:
+def _example_shape(entry: MissionEntry, mission: Mission | None) -> ExampleShape:
     known = shipped_examples()
     listed = known.examples.get(entry.path.removeprefix(EXAMPLE))
     topics = [topic for topic in known.topics if listed is not None and topic.name in listed.topics]

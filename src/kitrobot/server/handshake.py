@@ -18,8 +18,8 @@ from fastapi import Request, Response
 from pydantic import BaseModel, StringConstraints
 
 from kitrobot.diagnostics import KitRobotError
-from kitrobot.server.proofs import proof_of
-from kitrobot.server.routing import api_router
+from kitrobot.server.api_router import api_router
+from kitrobot.server.handshake_proof import compute_proof
 from kitrobot.server.security import page_cookie
 from kitrobot.text import Sentence
 
@@ -32,7 +32,7 @@ handshake_routes = api_router("/api/again")
 
 
 class StrangerError(KitRobotError):
-    """Who asks does not know the folder's secret."""
+    """The sender does not know the folder's secret."""
 
 
 class AgainAskShape(BaseModel):
@@ -78,7 +78,7 @@ class Handshake:
             self._open[answered] = None
             while len(self._open) > MOST_ASKED:
                 del self._open[next(iter(self._open))]
-        return answered, proof_of(self.secret, "studio", address, asked, answered)
+        return answered, compute_proof(self.secret, "studio", address, asked, answered)
 
     def token_for(self, address: str, asked: str, answered: str, proof: str) -> str:
         """The token, for the proof of a page.
@@ -89,7 +89,7 @@ class Handshake:
         with self._lock:
             fresh = answered in self._open
             self._open.pop(answered, None)
-        if hmac.compare_digest(proof_of(self.secret, "page", address, asked, answered), proof) and fresh:
+        if hmac.compare_digest(compute_proof(self.secret, "page", address, asked, answered), proof) and fresh:
             return self._token
         raise StrangerError(
             Sentence("this page is not one of this folder"), Sentence("open the address that `kitrobot` printed")
@@ -103,7 +103,7 @@ def _handshake(request: Request) -> Handshake:
 
 
 def _address(request: Request) -> str:
-    """Where the connection really ends, whatever the request says."""
+    """The address at which the connection really ends, whatever the request claims."""
     name, port = request.scope["server"]
     return f"[{name}]:{port}" if ":" in name else f"{name}:{port}"
 

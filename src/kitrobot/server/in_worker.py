@@ -10,31 +10,31 @@ from typing import Any
 
 from pyodide.ffi import can_run_sync, create_proxy, run_sync, to_js
 
-from kitrobot.server.beside_loop import sleep_with
-from kitrobot.server.in_page import InPage, Socket, begin
+from kitrobot.server.background import set_sleep_function
+from kitrobot.server.in_page_server import InPageServer, Socket, begin
 
 
-class InWorker:
+class WorkerServer:
     """What the worker calls."""
 
-    def __init__(self, studio: InPage) -> None:
+    def __init__(self, studio: InPageServer) -> None:
         self._studio = studio
 
     async def fetch(self, method: str, address: str, headers: Any, body: Any) -> Any:
-        """As `InPage.fetch`; the answer is an array: status, headers as pairs, bytes."""
+        """As `InPageServer.fetch`; the answer is an array: status, headers as pairs, bytes."""
         made = await self._studio.fetch(method, address, headers.to_py(), bytes(body.to_py()))
         return to_js([made.status, [list(one) for one in made.headers], made.body])
 
     def open(self, address: str, heard: Any) -> Any:
-        """As `InPage.open`."""
+        """As `InPageServer.open`."""
 
         def tell(words: str | bytes | None) -> None:
             heard(to_js(words) if isinstance(words, bytes) else words)
 
-        return create_proxy(SocketInWorker(self._studio.open(address, tell)))
+        return create_proxy(WorkerSocket(self._studio.open(address, tell)))
 
 
-class SocketInWorker:
+class WorkerSocket:
     """A socket of the studio, as the worker uses it."""
 
     def __init__(self, socket: Socket) -> None:
@@ -49,14 +49,14 @@ class SocketInWorker:
         self._socket.close()
 
 
-async def begin_here(folder: str, in_class: bool) -> InWorker:
+async def begin_here(folder: str, in_class: bool) -> WorkerServer:
     """The studio on a folder of this worker's file system; `in_class` as for `begin`."""
-    # A browser goes on from a memory that it kept: what was drawn at random before is the same each time.
+    # A browser goes on from a stored memory: what was drawn at random before is the same each time.
     random.seed()
     # Where the browser can put a call to sleep (JSPI).
-    sleep_with(run_sync if can_run_sync() else None)
+    set_sleep_function(run_sync if can_run_sync() else None)
     _without_ports()
-    return InWorker(begin(Path(folder), in_class))
+    return WorkerServer(begin(Path(folder), in_class))
 
 
 def _without_ports() -> None:

@@ -1,6 +1,6 @@
 """Nothing is lost: the page's journal, and what it must know of its file and of other pages.
 
-`WS /api/watch` is open as long as the page is: it makes the page a tab, tells it what changes on disk, and when it
+`WS /api/watch` is open as long as the page is: it makes the page a tab, sends it what changes on disk, and when it
 closes, for whatever reason, what the page wrote is free for the next one. The other requests bring records in.
 """
 
@@ -13,8 +13,8 @@ from fastapi import WebSocket, WebSocketDisconnect
 
 from kitrobot.files import Journal, MissionNameError
 from kitrobot.mission import write_mission
-from kitrobot.server.beside_loop import beside_loop
-from kitrobot.server.routing import ThisStudio, api_router, studio_of
+from kitrobot.server.api_router import ThisStudio, api_router, studio_of
+from kitrobot.server.background import run_in_background
 from kitrobot.server.shapes import (
     ClaimShape,
     DifferenceAskShape,
@@ -140,7 +140,7 @@ async def watch(socket: WebSocket) -> None:
         await socket.send_text(HelloMessage(tab=tab).model_dump_json())
         told: object = None
         while not closed.done():
-            message = await beside_loop(_news, studio, tab)
+            message = await run_in_background(_news, studio, tab)
             if message != told:
                 told = message
                 await socket.send_text(message.model_dump_json())
@@ -165,8 +165,8 @@ def _news(studio: Studio, tab: str) -> NewsMessage:
 
 
 async def _until_closed(socket: WebSocket) -> None:
-    """Answers whatever the page says by the threads that answer requests: the page asks whether they do."""
+    """Answers any message from the threads that answer requests, so the page can check that they do."""
     with contextlib.suppress(WebSocketDisconnect, RuntimeError):
         while (await socket.receive())["type"] != "websocket.disconnect":
-            await beside_loop(lambda: None)
+            await run_in_background(lambda: None)
             await socket.send_text(HereMessage().model_dump_json())

@@ -1,7 +1,7 @@
 r"""Reading the JSON body of a request, so that every string of it can be written again.
 
-JSON can say half of a character (`"\ud800"`, a lone surrogate), which no file and no answer can hold. An editor sends
-it when a text is cut in the middle of a character: it is read as U+FFFD, as a text in UTF-16 would be.
+JSON can contain half of a character (`"\ud800"`, a lone surrogate), which no file and no answer can hold. An editor
+sends it when a text is cut in the middle of a character: it is read as U+FFFD, as a text in UTF-16 would be.
 """
 
 from __future__ import annotations

@@ -1,7 +1,7 @@
 """The difference of two lists: ranges of the old list that stay, and new items as they are.
 
-A row is a new thing, or a stretch (from, to) of the list before, `to` exclusive. So a list of a thousand vertices in
-which one was edited is two stretches and a vertex, whichever end sends it. Left to others: what the things are.
+A row is a new item, or a range (from, to) of the old list, `to` exclusive. So a list of a thousand vertices in which
+one was edited is two ranges and a vertex, whichever end sends it. The items may be of any type.
 """
 
 from __future__ import annotations
@@ -12,60 +12,60 @@ from typing import Any, TypeVar
 from kitrobot.diagnostics import KitRobotError
 from kitrobot.text import Sentence, same_ends
 
-Thing = TypeVar("Thing")
+Item = TypeVar("Item")
 
 
-class StretchError(KitRobotError):
-    """Rows that do not fit the list that they are to be taken from."""
+class DeltaError(KitRobotError):
+    """Rows that do not fit the old list."""
 
 
-def taken(rows: Sequence[Thing | tuple[int, int]], before: Sequence[Thing], most: int) -> list[Thing]:
-    """The list that rows say; what stayed is the same objects.
+def apply_delta(rows: Sequence[Item | tuple[int, int]], before: Sequence[Item], most: int) -> list[Item]:
+    """The new list; items that stayed are the same objects.
 
     Raises:
-        StretchError: a stretch is not in the list before, or there would be more than `most` things.
+        DeltaError: a range is outside the old list, or there would be more than `most` items.
     """
-    found: list[Thing] = []
+    found: list[Item] = []
     for row in rows:
         if not isinstance(row, tuple):
             found.append(row)
             continue
         start, end = row
         if not 0 <= start < end <= len(before):
-            raise StretchError(
+            raise DeltaError(
                 Sentence("a list of {count} has no stretch from {start} to {end}", len(before), start, end),
                 Sentence("load the page again"),
             )
         found += before[start:end]
         if len(found) > most:
-            raise StretchError(
+            raise DeltaError(
                 Sentence("this program has a list of more than {most}", most), Sentence("make the program smaller")
             )
     return found
 
 
-def stretched(
-    before: Sequence[Thing], after: Sequence[Thing], name: Callable[[Thing], Hashable], written: Callable[[Thing], Any]
+def encode_delta(
+    before: Sequence[Item], after: Sequence[Item], name: Callable[[Item], Hashable], written: Callable[[Item], Any]
 ) -> list[Any]:
-    """The rows that say `after`. What has one name and is equal stayed; `written` is how a new thing travels."""
+    """The rows that turn `before` into `after`. Equal items of one name stayed; `written` encodes a new one."""
     start, tail = same_ends(before, after)
     if start + tail == len(before) == len(after):
         return [[0, len(after)]] if after else []
-    rows = _between(before, after[start : len(after) - tail], name, written)
+    rows = _encode_rows(before, after[start : len(after) - tail], name, written)
     if start:
         rows = _joined([[0, start]], rows)
     return _joined(rows, [[len(before) - tail, len(before)]]) if tail else rows
 
 
 def _joined(rows: list[Any], more: list[Any]) -> list[Any]:
-    """Both, in which a stretch that goes on is one."""
+    """Both lists of rows, with adjacent ranges joined."""
     if rows and more and isinstance(rows[-1], list) and isinstance(more[0], list) and rows[-1][1] == more[0][0]:
         return [*rows[:-1], [rows[-1][0], more[0][1]], *more[1:]]
     return [*rows, *more]
 
 
-def _between(
-    before: Sequence[Thing], after: Sequence[Thing], name: Callable[[Thing], Hashable], written: Callable[[Thing], Any]
+def _encode_rows(
+    before: Sequence[Item], after: Sequence[Item], name: Callable[[Item], Hashable], written: Callable[[Item], Any]
 ) -> list[Any]:
     if not after:
         return []

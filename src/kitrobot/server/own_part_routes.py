@@ -8,12 +8,11 @@ from kitrobot.graph import Program
 from kitrobot.lll import print_template
 from kitrobot.mission import Mission
 from kitrobot.primitives import Catalogue, write_constructors
-from kitrobot.server.routing import ThisStudio, api_router
+from kitrobot.server.api_router import ThisStudio, api_router
 from kitrobot.server.shapes import FailureShape, TextShape, mission_from_shape, mission_shape, problem_shapes
 from kitrobot.server.shapes.catalogue import ConstructorShape
 from kitrobot.server.shapes.mission import ProgramShape
-from kitrobot.server.shapes.own import OwnPartError, own_constructor, raw_constructor
-from kitrobot.server.shapes.part import (
+from kitrobot.server.shapes.own_part_draft import (
     LONGEST_PART,
     OfferAnswerShape,
     OfferedShape,
@@ -27,6 +26,7 @@ from kitrobot.server.shapes.part import (
     SelectedShape,
     chosen_from_shape,
 )
+from kitrobot.server.shapes.own_parts import OwnPartError, own_constructor, raw_constructor
 from kitrobot.server.studio import Studio
 from kitrobot.text import Sentence
 from kitrobot.workspace import NoProgramError

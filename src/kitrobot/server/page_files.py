@@ -15,9 +15,9 @@ from starlette.responses import Response
 from starlette.staticfiles import StaticFiles
 from starlette.types import Scope
 
-_PACKED = {"br": ".br", "gzip": ".gz"}
+_ENCODING_SUFFIXES = {"br": ".br", "gzip": ".gz"}
 """Encodings and the endings of their files, the smallest first."""
-_KEEP = "public, max-age=31536000, immutable"
+_IMMUTABLE = "public, max-age=31536000, immutable"
 
 
 class PageFiles(StaticFiles):
@@ -28,16 +28,16 @@ class PageFiles(StaticFiles):
 
     async def get_response(self, path: str, scope: Scope) -> Response:
         """The file, or its smallest twin that the browser can read."""
-        response = await self._smallest(path, scope) or await super().get_response(path, scope)
+        response = await self._compressed_response(path, scope) or await super().get_response(path, scope)
         if response.status_code in (200, 304):
             response.headers["vary"] = "accept-encoding"
             if Path(path).parts[:1] == ("assets",):
-                response.headers["cache-control"] = _KEEP
+                response.headers["cache-control"] = _IMMUTABLE
         return response
 
-    async def _smallest(self, path: str, scope: Scope) -> Response | None:
-        taken = accepted(Headers(scope=scope).get("accept-encoding", ""))
-        for encoding, ending in _PACKED.items():
+    async def _compressed_response(self, path: str, scope: Scope) -> Response | None:
+        taken = accepted_encodings(Headers(scope=scope).get("accept-encoding", ""))
+        for encoding, ending in _ENCODING_SUFFIXES.items():
             if encoding not in taken:
                 continue
             try:
@@ -50,7 +50,7 @@ class PageFiles(StaticFiles):
         return None
 
 
-def accepted(header: str) -> set[str]:
+def accepted_encodings(header: str) -> set[str]:
     """The encodings that an Accept-Encoding names, without those it forbids by `q=0`."""
     found = set()
     for part in header.lower().split(","):

@@ -2,7 +2,7 @@
 
 Bytes travel as binary messages; a text is one word: `open` and `close` to the page; `opened`, `busy`, `failed` and
 `gone` from it. The page shows by the key of its welcome that the port is its own. When the socket closes the port is
-gone, and a robot that runs held hears nothing any more.
+gone, and a robot that runs held receives nothing any more.
 """
 
 from __future__ import annotations
@@ -12,8 +12,8 @@ from typing import Annotated, Final
 
 from fastapi import APIRouter, Query, WebSocket, WebSocketDisconnect
 
+from kitrobot.server.api_router import refuse_visitors, studio_of
 from kitrobot.server.robot_registry import AddressError
-from kitrobot.server.routing import refuse_visitors, studio_of
 
 page_port_routes = APIRouter()
 MOST_PIECE: Final = 64 * 1024
@@ -35,7 +35,7 @@ async def page_port(
     except AddressError:
         await socket.close(_NOT_ALLOWED)
         return
-    from kitrobot.server.page_ports import hold
+    from kitrobot.server.page_ports import register_port
 
     async def send(words: str | bytes) -> None:
         try:
@@ -44,8 +44,8 @@ async def page_port(
             raise OSError("the page hung up") from error
 
     registry = studio_of(socket).boards
-    owner = registry.page_with(key)
-    port = None if owner is None or not owner.has_room else hold(mark, vendor, send)
+    owner = registry.page_by_key(key)
+    port = None if owner is None or not owner.has_room else register_port(mark, vendor, send)
     if owner is None or port is None:
         await socket.close(_NOT_ALLOWED)
         return
@@ -67,10 +67,10 @@ async def page_port(
                 await socket.close(_TOO_MUCH)
                 return
             else:
-                port.arrived(data)
+                port.receive_data(data)
                 await port.room()
         with contextlib.suppress(RuntimeError, OSError):
             await socket.close()
     finally:
-        port.gone()
+        port.disconnect()
         owner.drop(port)

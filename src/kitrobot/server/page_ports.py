@@ -1,8 +1,8 @@
 """Serial ports that a page has opened where its visitor sits (Web Serial), for `kitrobot.deploy` as ports of its own.
 
-The page is a pipe of bytes, also to Python that runs in it (`in_page`). A port has an address `page:…`, which only the
-page that holds it is told; a robot's thread uses it as a port of pyserial, the server's event loop hands on what the
-page says. Left to others: the socket (`page_port_routes`), whose a port is (`robot_registry`).
+The page is a pipe of bytes, also to Python that runs in it (`in_page_server`). A port has an address `page:…`, which is
+sent only to the page that holds it; a robot's thread uses it as a port of pyserial, and the server's event loop passes
+on the page's messages. Not here: the socket (`page_port_routes`), whose a port is (`robot_registry`).
 """
 
 from __future__ import annotations
@@ -16,28 +16,28 @@ from typing import Final, Literal
 from kitrobot.deploy import LineError, Port
 from kitrobot.deploy.line import open_with
 from kitrobot.deploy.ports import port_of
-from kitrobot.server.beside_loop import Turn
+from kitrobot.server.background import WakeCondition
 from kitrobot.text import Sentence
 
 KIND: Final = "page"
 MOST_WAITING: Final = 64 * 1024
-"""Bytes that wait to be read: the page is not listened to until there is room; and bytes that wait to be sent."""
+"""Bytes that wait to be read: the page is not read until there is room; and bytes that wait to be sent."""
 OPEN_S: Final = 10.0
-"""How long a page may take to open a port: the reader may be asked something."""
+"""How long a page may take to open a port: the browser may show a prompt."""
 WRITE_S: Final = 10.0
 _SLICE_S: Final = 0.02
 
 Send = Callable[[str | bytes], Awaitable[None]]
-"""Tells the page: bytes for the board, or `open` or `close`."""
+"""Sends the page bytes for the board, or `open` or `close`."""
 Why = Literal["busy", "failed"]
 State = Literal["shut", "opening", "open", "gone"]
 
 _ports: dict[str, PagePort] = {}
-"""All that pages hold in this process, by their addresses."""
+"""All ports of pages in this process, by address."""
 
 
 class PagePort:
-    """A port at a page, as a robot's thread uses it; what the page tells comes from the event loop it was made in."""
+    """A port at a page, as a robot's thread uses it; the page's messages come from the event loop it was made in."""
 
     rts = dtr = True
     """The page sets both wires itself when it closes the port."""
@@ -47,14 +47,14 @@ class PagePort:
         self.called = port.name
         self._send = send
         self._loop = asyncio.get_running_loop()
-        self._turn = Turn()
+        self._condition = WakeCondition()
         self._state: State = "shut"
         self._refused: Why | None = None
         self._waiting = bytearray()
         self._unsent = 0
         self._room = asyncio.Event()
         self._room.set()
-        self._said = asyncio.Lock()
+        self._send_lock = asyncio.Lock()
 
     # -- from a robot's thread, as pyserial
 
@@ -64,7 +64,7 @@ class PagePort:
         Raises:
             LineError: it does not.
         """
-        with self._turn:
+        with self._condition:
             if self._state == "gone":
                 raise self._unplugged()
             if self._state != "shut":
@@ -74,10 +74,10 @@ class PagePort:
             self._state, self._refused = "opening", None
             self._waiting.clear()
         try:
-            self._begin("open")
-            with self._turn:
-                self._turn.wait_for(lambda: self._state != "opening" or self._refused is not None, OPEN_S)
-                answered, why = self._as_told(), self._refused
+            self._post("open")
+            with self._condition:
+                self._condition.wait_for(lambda: self._state != "opening" or self._refused is not None, OPEN_S)
+                answered, why = self._current_state(), self._refused
             if answered == "gone":
                 raise self._unplugged()
             if answered != "open":
@@ -86,54 +86,54 @@ class PagePort:
             self.close()
             raise
 
-    def _as_told(self) -> State:
-        """What it is now: others have changed it while this thread waited."""
+    def _current_state(self) -> State:
+        """The state now: others have changed it while this thread waited."""
         return self._state
 
     @property
     def in_waiting(self) -> int:
         """How many bytes can be read at once."""
-        with self._turn:
+        with self._condition:
             self._refuse_when_broken()
             return len(self._waiting)
 
     def read(self, most: int) -> bytes:
-        """What has come, at most so much; waits for a slice of time when nothing has."""
+        """The received bytes, at most `most`; waits a moment when there are none."""
         until = time.monotonic() + _SLICE_S
-        with self._turn:
+        with self._condition:
             while not self._waiting:
                 self._refuse_when_broken()
                 left = until - time.monotonic()
                 if left <= 0:
                     return b""
-                self._turn.wait(left)
+                self._condition.wait(left)
             data = bytes(self._waiting[:most])
             del self._waiting[:most]
             self._make_room()
             return data
 
     def write(self, data: bytes) -> None:
-        """Has the page send bytes; comes back at once, unless the page does not take what came before."""
-        with self._turn:
-            self._turn.wait_for(lambda: self._state != "open" or self._unsent <= MOST_WAITING, WRITE_S)
+        """Has the page send bytes; returns at once, unless the page has not taken earlier bytes."""
+        with self._condition:
+            self._condition.wait_for(lambda: self._state != "open" or self._unsent <= MOST_WAITING, WRITE_S)
             self._refuse_when_broken()
             if self._unsent > MOST_WAITING:
                 raise self._unplugged()
             self._unsent += len(data)
-        self._begin(bytes(data))
+        self._post(bytes(data))
 
     def flush(self) -> None:
-        """Nothing is kept back."""
+        """Does nothing: bytes are not buffered."""
 
     def close(self) -> None:
-        """Has the page close it, and waits for nobody."""
-        with self._turn:
+        """Has the page close the port, without waiting."""
+        with self._condition:
             if self._state not in ("open", "opening"):
                 return
             self._state = "shut"
             self._waiting.clear()
             self._make_room()
-        self._begin("close")
+        self._post("close")
 
     def _make_room(self) -> None:
         if not self._room.is_set() and len(self._waiting) < MOST_WAITING:
@@ -143,24 +143,24 @@ class PagePort:
         if not self._loop.is_closed():
             self._loop.call_soon_threadsafe(work)
 
-    def _begin(self, words: str | bytes) -> None:
-        """Tells the page without waiting for it."""
-        telling = self._tell(words)
+    def _post(self, words: str | bytes) -> None:
+        """Sends the page a message without waiting for it."""
+        coroutine = self._send_in_order(words)
         try:
-            asyncio.run_coroutine_threadsafe(telling, self._loop)
+            asyncio.run_coroutine_threadsafe(coroutine, self._loop)
         except RuntimeError:  # the studio has ended meanwhile
-            telling.close()
+            coroutine.close()
 
-    async def _tell(self, words: str | bytes) -> None:
-        # One after another: a page that does not take them may not be told of two at once.
-        async with self._said:
-            # When it has hung up, its socket says so.
+    async def _send_in_order(self, words: str | bytes) -> None:
+        # One after another: a slow page must not get two at once.
+        async with self._send_lock:
+            # When it has disconnected, its socket reports that.
             with suppress(OSError, RuntimeError):
                 await self._send(words)
         if isinstance(words, bytes):
-            with self._turn:
+            with self._condition:
                 self._unsent -= len(words)
-                self._turn.notify_all()
+                self._condition.notify_all()
 
     def _refuse_when_broken(self) -> None:
         if self._state != "open":
@@ -175,38 +175,38 @@ class PagePort:
     # -- from the event loop
 
     def opened(self) -> None:
-        """The page has opened it."""
-        with self._turn:
+        """The page has opened the port."""
+        with self._condition:
             if self._state == "opening":
                 self._state = "open"
-                self._turn.notify_all()
+                self._condition.notify_all()
 
     def refused(self, why: Why) -> None:
         """The page could not open it."""
-        with self._turn:
+        with self._condition:
             if self._state == "opening":
                 self._refused = why
-                self._turn.notify_all()
+                self._condition.notify_all()
 
-    def arrived(self, data: bytes) -> None:
-        """Bytes of the board; of one that nobody listens to they are dropped."""
-        with self._turn:
+    def receive_data(self, data: bytes) -> None:
+        """Takes bytes of the board; drops them when the port is not open."""
+        with self._condition:
             if self._state != "open":
                 return
             self._waiting += data
             if len(self._waiting) >= MOST_WAITING:
                 self._room.clear()
-            self._turn.notify_all()
+            self._condition.notify_all()
 
     async def room(self) -> None:
-        """Waits until more may come."""
+        """Waits until there is room for more bytes."""
         await self._room.wait()
 
-    def gone(self) -> None:
-        """The cable is out, or the page has gone."""
-        with self._turn:
+    def disconnect(self) -> None:
+        """Marks the port as gone: the cable is out, or the page has closed."""
+        with self._condition:
             self._state = "gone"
-            self._turn.notify_all()
+            self._condition.notify_all()
         self._room.set()
         if _ports.get(self.port.address) is self:
             del _ports[self.port.address]
@@ -227,13 +227,13 @@ def _not_opened(name: str, why: Why | None) -> LineError:
     )
 
 
-def hold(mark: str, vendor: int, send: Send) -> PagePort | None:
-    """A page has a port; None where another has that mark already.
+def register_port(mark: str, vendor: int, send: Send) -> PagePort | None:
+    """Registers a port of a page; None where another port has that mark.
 
     Args:
-        mark: what the page calls it, which nobody guesses.
+        mark: the page's name of the port, which nobody can guess.
         vendor: the number of its vendor on USB, 0 where it has none.
-        send: tells the page.
+        send: sends the page a message.
     """
     address = f"{KIND}:{mark}"
     if address in _ports:

@@ -8,11 +8,11 @@ from fastapi import Depends, Query, Request
 
 from kitrobot.diagnostics import KitRobotError
 from kitrobot.primitives import ValueType
-from kitrobot.server.routing import ThisStudio, api_router
+from kitrobot.server.api_router import ThisStudio, api_router
 from kitrobot.server.shapes import ConflictShape, TextShape, mission_from_shape, problem_shapes, world_shape
-from kitrobot.server.shapes.own import OwnVariableShape, own_variable
+from kitrobot.server.shapes.own_parts import OwnVariableShape, own_variable
 from kitrobot.server.shapes.own_world import OwnWorldShape, own_world, own_world_shape
-from kitrobot.server.shapes.parts import (
+from kitrobot.server.shapes.part_files import (
     KitEntryShape,
     KitFitAskShape,
     KitFitShape,
@@ -117,7 +117,7 @@ def kits(studio: ThisStudio, path: Name) -> list[KitEntryShape]:
 
 @parts_routes.post("/kits/fit")
 def kits_fit(studio: ThisStudio, wanted: KitFitAskShape) -> list[KitFitShape]:
-    """Whether a program of a mission runs as its robot's own file says, and on each of the kits."""
+    """Whether a program of a mission runs on its robot's own board, and on each of the kits."""
     opened = studio.open(mission_from_shape(wanted.mission), wanted.path)
     folder = studio.folder.folders_of(wanted.path)[0]
     fits = program_on_kits(opened, wanted.program, kits_at_hand(folder).values(), folder)

@@ -5,12 +5,11 @@ Of each folder there is a place in the user's state folder, which only the user 
 - `lock`, a lock of the system that the running studio holds: it ends with the process, so a record that was left behind
   by a kill is never taken for a studio;
 - `running`, the address and the token of the studio that holds the lock;
-- `kept`, what outlives a studio: its port, and the secret by which its pages know the next one (handshake);
+- `kept`, data that outlives a studio: its port, and the secret by which its pages know the next one (handshake);
 - `open-*.html`, pages that lead the browser to an address with its token, which has no place in the browser's command
   line: other users of the machine can read that.
 
-Where the state folder cannot be used nothing is kept and nobody is found; the studio runs without. Left to others: what
-is done with what is found.
+Where the state folder cannot be used nothing is stored and no studio is found; the studio runs without.
 """
 
 from __future__ import annotations
@@ -34,15 +33,15 @@ from urllib.parse import urlsplit
 
 from kitrobot.diagnostics import KitRobotError
 from kitrobot.files import FileLock
-from kitrobot.server import pages
-from kitrobot.server.proofs import proof_of
+from kitrobot.server import fallback_pages
+from kitrobot.server.handshake_proof import compute_proof
 from kitrobot.text import Sentence
 from kitrobot.user_folders import state_folder
 
 _LARGEST_BYTES = 10_000
 _STARTS_WITHIN_S = 10.0
 _ANSWERS_WITHIN_S = 3.0
-_LOOK_AGAIN_S = 0.05
+_RETRY_INTERVAL_S = 0.05
 
 
 class PresenceError(KitRobotError):
@@ -50,7 +49,7 @@ class PresenceError(KitRobotError):
 
 
 @dataclass(frozen=True)
-class Running:
+class StudioInfo:
     """A studio that listens: `address` ends with `/`."""
 
     address: str
@@ -71,8 +70,8 @@ class Presence:
         self.port: int | None = port if isinstance(port, int) and 0 < port < 65536 else None
         """Where the folder's last studio listened: its pages look for the next one there."""
 
-    def take(self) -> bool:
-        """Becomes the folder's studio. False when another process is it; True also where nobody can know."""
+    def acquire(self) -> bool:
+        """Becomes the folder's studio. False when another process is it; True also where that is unknown."""
         try:
             self._place.mkdir(mode=0o700, parents=True, exist_ok=True)
             self._lock = FileLock.take(self._place / "lock")
@@ -83,16 +82,16 @@ class Presence:
         self._clear()
         return True
 
-    def take_or_find(self) -> Running | None:
+    def acquire_or_find(self) -> StudioInfo | None:
         """Becomes the folder's studio (None), or finds the one that is there, waiting for it while it starts.
 
         Raises:
             PresenceError: there is one, and it does not answer.
         """
         until = time.monotonic() + _STARTS_WITHIN_S
-        while not self.take():
+        while not self.acquire():
             found = self._read("running")
-            running = Running(str(found.get("address", "")), str(found.get("token", "")))
+            running = StudioInfo(str(found.get("address", "")), str(found.get("token", "")))
             if running.token and self._answers(running.address):
                 return running
             if time.monotonic() > until:
@@ -100,11 +99,11 @@ class Presence:
                     Sentence("the studio of this folder runs already, and does not answer"),
                     Sentence("end it in its terminal, or start a second one with --new"),
                 )
-            time.sleep(_LOOK_AGAIN_S)
+            time.sleep(_RETRY_INTERVAL_S)
         return None
 
     def _answers(self, address: str) -> bool:
-        """Whether a studio of this folder listens there; before it proves that, nobody is told a token."""
+        """Whether a studio of this folder listens there; no token is sent before it has proved that."""
         secret, asked = self._read("kept").get("secret", ""), secrets.token_hex(32)
         request = urllib.request.Request(
             f"{address}api/again", json.dumps({"asked": asked}).encode(), {"Content-Type": "application/json"}
@@ -113,24 +112,24 @@ class Presence:
         try:
             with opener.open(request, timeout=_ANSWERS_WITHIN_S) as stream:
                 said = json.loads(stream.read(_LARGEST_BYTES))
-            proof = proof_of(secret, "studio", urlsplit(address).netloc, asked, said["answered"])
+            proof = compute_proof(secret, "studio", urlsplit(address).netloc, asked, said["answered"])
             return hmac.compare_digest(proof, said["proof"])
         except (OSError, ValueError, KeyError, TypeError, http.client.HTTPException):
             return False
 
-    def listens(self, running: Running, port: int) -> None:
-        """Says where this process listens, if it is the folder's studio."""
+    def publish(self, running: StudioInfo, port: int) -> None:
+        """Publishes where this process listens, if it is the folder's studio."""
         if self._lock is not None:
             with contextlib.suppress(OSError):
                 self._write("kept", json.dumps({"secret": self.secret, "port": port}))
                 self._write("running", json.dumps({"address": running.address, "token": running.token}))
 
-    def page_to(self, address: str) -> Path | None:
+    def write_redirect_page(self, address: str) -> Path | None:
         """A file for the user alone that leads a browser on to the address; None where there is no place for it."""
         name = f"open-{secrets.token_hex(8)}.html"
         try:
             self._place.mkdir(mode=0o700, parents=True, exist_ok=True)
-            return self._write(name, pages.redirect(address))
+            return self._write(name, fallback_pages.redirect(address))
         except OSError:
             return None
 
@@ -148,7 +147,7 @@ class Presence:
                 path.unlink(missing_ok=True)
 
     def _read(self, name: str) -> dict[str, Any]:
-        """What a file of ours says; nothing when it is missing, or when anybody else could have read or written it."""
+        """The content of a file of ours; empty when it is missing, or when another user could read or write it."""
         flags = os.O_RDONLY | getattr(os, "O_NOFOLLOW", 0) | getattr(os, "O_NONBLOCK", 0) | getattr(os, "O_CLOEXEC", 0)
         try:
             with os.fdopen(os.open(self._place / name, flags), "rb") as stream:

@@ -1,11 +1,11 @@
-"""The agents of a recording as breakpoints ask of them: where each stood after a step, what ran in it, what it knew.
+"""The agents of a recording as breakpoints query them: the position of each after a step, what ran in it, its values.
 
-A recording holds where every thread stands after each step, and the commands that devices took. So a vertex is known to
-have run when a thread stands there afterwards, or when the agent gave a command that no other vertex of its program
-can give; what ran and was left within one step otherwise is not known, and nobody is said to have been there.
+A recording holds the position of every thread after each step, and the commands that devices took. So a vertex is known
+to have run when a thread is at it afterwards, or when the agent gave a command that no other vertex of its program can
+give; what ran and was left within one step otherwise is not known, and does not count as a visit.
 
-What an agent knew (fault, inputs, variables) is recorded whole, so conditions can be tested, as long as its robot is
-still defined as it was.
+The values of an agent (fault, inputs, variables) are recorded whole, so conditions can be tested, as long as its
+robot is still defined as it was.
 """
 
 from __future__ import annotations
@@ -50,7 +50,7 @@ class RecordedAgent:
         """What knows and does."""
         return self
 
-    def look(self, record: TickRecord) -> None:
+    def update(self, record: TickRecord) -> None:
         """As it is in this record."""
         self.active = record.active[self.index]
         self.cells = record.numbers[self._places]
@@ -91,7 +91,7 @@ def recorded_agents(
     return made
 
 
-def testable(
+def select_testable(
     breakpoints: Iterable[Breakpoint],
     header: TraceHeader,
     robots: Mapping[str, Robot],

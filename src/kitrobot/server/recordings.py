@@ -1,7 +1,7 @@
 """The recordings that a studio has open: their files, and a folder for each with what it brought along.
 
 Each has a name of its own, never used twice; `MissionFolder` finds the mission of one as `recording:NAME/FILE.krt`. A
-file that the page sent is kept in a temporary folder, which goes when the studio ends. Safe to use from many threads.
+file that the page sent is stored in a temporary folder, which goes when the studio ends. Safe to use from many threads.
 """
 
 from __future__ import annotations
@@ -17,7 +17,7 @@ from kitrobot.diagnostics import KitRobotError
 from kitrobot.text import Sentence
 from kitrobot.workspace import OpenTrace, open_trace, unpack
 
-MOST_KEPT = 16
+MAX_OPEN = 16
 """Recordings that stay open; the one that was opened first goes when there are more."""
 
 
@@ -26,7 +26,7 @@ class RecordingError(KitRobotError):
 
 
 class Recordings:
-    """Those of one studio. `placed` is told the folder that their missions are in, when it is made."""
+    """The recordings of one studio. `placed` is called with the folder of their missions, when it is created."""
 
     def __init__(self, placed: Callable[[Path], None]) -> None:
         self._placed = placed
@@ -64,7 +64,7 @@ class Recordings:
             raise
         with self._lock:
             self._files[name] = path
-            gone = list(self._files)[:-MOST_KEPT]
+            gone = list(self._files)[:-MAX_OPEN]
             left = [(one, self._files.pop(one)) for one in gone]
         for one, file in left:
             shutil.rmtree(self.folder() / one, ignore_errors=True)

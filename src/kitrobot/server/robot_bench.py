@@ -1,4 +1,4 @@
-"""The parts of a robot that a page tries: which step is done, what failed. It lives on the thread of its worker."""
+"""The bench of a robot, on which a page tries its parts: current step and failures. It lives on the worker's thread."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ class StepError(KitRobotError):
     """There is no such step."""
 
 
-class Tried:
+class RobotBench:
     """A bench on the session of a robot."""
 
     def __init__(self, session: RobotSession, bench: Bench) -> None:
@@ -42,7 +42,7 @@ class Tried:
         return program
 
     def needs(self, at: int | None) -> PartKey | None:
-        """The part of a step that the program on the robot is not for.
+        """The part of a step that the program on the robot lacks; None when it has it.
 
         Raises:
             StepError: there is no such step.
@@ -59,7 +59,7 @@ class Tried:
         """Does a step until the next one; None ends it. One whose part does not start is not done.
 
         Raises:
-            KitRobotError: the robot does not answer, or says no.
+            KitRobotError: the robot does not answer, or refuses.
         """
         if at is None or self.hand.bench.steps[at].key not in self.hand.parts:
             self.hand.end()
@@ -68,7 +68,7 @@ class Tried:
             self.hand.begin(self.hand.bench.steps[at])
 
     def check(self) -> None:
-        """Looks whether the part of the step failed."""
+        """Checks whether the part of the step failed."""
         try:
             self.hand.check()
         except PartError as error:
@@ -76,7 +76,7 @@ class Tried:
                 self._broken[error.part] = error
 
     def shape(self) -> BoardBenchShape:
-        """How it stands."""
+        """The state of the bench for the page."""
         steps, step = self.hand.bench.steps, self.hand.step
         failed = [
             BoardBenchFailureShape(step=at, message=_by_label(error, one.part), help=error.help)
@@ -88,14 +88,14 @@ class Tried:
 
 
 def _by_label(error: KitRobotError, part: RobotObject) -> str:
-    """What is wrong with a part, which is called what the page calls it."""
+    """The message of an error, with the part's label as the page shows it."""
     if isinstance(error, PartError) and isinstance(error.message, Sentence):
         return error.message.with_value("part", Label(part.name, part.label))
     return error.message
 
 
 def steps_message(address: str, bench: Bench) -> BoardStepsMessage:
-    """What can be tried, for a page."""
+    """The steps of a bench, for a page."""
     return BoardStepsMessage(
         address=address,
         steps=[

@@ -1,7 +1,7 @@
 """Access to real robots as an interface: ports, links, sending a program.
 
-Behind it stands `kitrobot.deploy`, which is read when the first page asks for robots; a test may put a twin here, where
-the real thing could not be made to fail at will.
+It is implemented by `kitrobot.deploy`, which is imported when the first page opens the robots' panel; a test may
+replace it by a twin that fails at will.
 """
 
 from __future__ import annotations
@@ -35,10 +35,10 @@ class RobotGateway(Protocol):
         """Puts a program on the robot there. Raises KitRobotError, and what `progress` raises."""
 
     def way(self, error: KitRobotError) -> BoardWay:
-        """With what a sending that failed so can be asked for again."""
+        """The way in which a sending that failed so can be repeated."""
 
     def is_lost(self, error: KitRobotError) -> bool:
-        """Whether an error means that the link is gone, not only that the robot said no."""
+        """Whether an error means that the link is lost, not only that the robot refused."""
 
 
 class SerialGateway:

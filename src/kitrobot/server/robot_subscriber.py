@@ -1,4 +1,4 @@
-"""A page that is told of real robots: what it is to be told is collected until it has taken what came before.
+"""A page that receives the status of real robots: messages are queued until it has taken the earlier ones.
 
 It has a task of its own, which sends what changed since it last sent, at most every `FRAME_S`.
 """
@@ -28,19 +28,19 @@ AT_PAGE = "page:"
 """The addresses of ports that pages have opened."""
 
 
-class Line(Protocol):
-    """What a page is told through: a WebSocket, or its twin in a test."""
+class MessageSink(Protocol):
+    """The receiver of a page's messages: a WebSocket, or its twin in a test."""
 
     async def send_text(self, data: str) -> None:
         """Sends a message; comes back when there is room for more."""
 
 
-class Subscriber:
-    """A page that is told of the robots. What it is to be told is collected until it has taken what came before."""
+class RobotSubscriber:
+    """A page that receives the robots' status. Messages are queued until it has taken the earlier ones."""
 
-    def __init__(self, room: RobotRegistry, line: Line, name: str) -> None:
+    def __init__(self, room: RobotRegistry, line: MessageSink, name: str) -> None:
         self.name = name
-        self.looks = False
+        self.shows_ports = False
         """Whether it shows the ports."""
         self._room = room
         self._line = line
@@ -49,15 +49,15 @@ class Subscriber:
         self._team_due = False
         self._boards_due: dict[str, None] = {}
         self.key = secrets.token_urlsafe(24)
-        """By which it shows that a port is its own; only this page is told."""
+        """The key by which the page shows that a port is its own; sent to this page only."""
         self.ports: dict[str, PagePort] = {}
         """Those that it has opened itself, by their addresses."""
         self._own: deque[BaseModel] = deque([BoardsWelcomeMessage(you=name, key=self.key)], MOST_TOLD)
         self._due.set()
         self._task = asyncio.create_task(self._serve())
 
-    def tell(self, message: BaseModel) -> None:
-        """Tells this page alone."""
+    def queue_message(self, message: BaseModel) -> None:
+        """Sends a message to this page alone."""
         self._own.append(message)
         self._due.set()
 
@@ -69,30 +69,30 @@ class Subscriber:
     def hold(self, port: PagePort) -> None:
         """It has opened a port."""
         self.ports[port.port.address] = port
-        self.tell_ports()
+        self.queue_ports()
 
     def drop(self, port: PagePort) -> None:
         """It has that port no more."""
         self.ports.pop(port.port.address, None)
-        self.tell_ports()
+        self.queue_ports()
 
-    def tell_ports(self) -> None:
+    def queue_ports(self) -> None:
         """The ports are others now."""
         self._ports_due = True
         self._due.set()
 
-    def tell_team(self) -> None:
+    def queue_team(self) -> None:
         """Something about the team changed."""
         self._team_due = True
         self._due.set()
 
-    def tell_board(self, address: str) -> None:
+    def queue_board(self, address: str) -> None:
         """Something about that robot changed."""
         self._boards_due[address] = None
         self._due.set()
 
-    def tells_of(self, address: str, holder: str) -> bool:
-        """Whether it is told of a robot there, which that page has or had."""
+    def is_sent_board(self, address: str, holder: str) -> bool:
+        """Whether it receives the status of that robot, which page `holder` has or had."""
         return not address.startswith(AT_PAGE) or holder == self.name
 
     async def _serve(self) -> None:
@@ -108,14 +108,14 @@ class Subscriber:
                 for message in own:
                     await self._line.send_text(message.model_dump_json())
                 if ports:
-                    await self._line.send_text(self._room.ports_text(self))
+                    await self._line.send_text(self._room.encode_ports(self))
                 for address in boards:
-                    await self._line.send_text(self._room.board_text(address))
+                    await self._line.send_text(self._room.encode_board(address))
                 if team:
                     await self._line.send_text(self._room.team.text())
                 await asyncio.sleep(FRAME_S)
 
     async def end(self) -> None:
-        """Tells no more."""
+        """Stops sending."""
         self._task.cancel()
         await asyncio.gather(self._task, return_exceptions=True)

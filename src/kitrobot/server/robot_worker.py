@@ -2,14 +2,14 @@
 
 The thread loops: STOP before anything else, then requests in their order, then the robot's news. Everything that waits
 for the robot waits here, so twelve robots never wait for one another. While a program runs *held*, the robot
-hears something every quarter of a second; it stops by itself within a second when it hears nothing, so a studio that
+receives something every quarter of a second; it stops by itself within a second otherwise, so a studio that
 dies, a cable that is pulled and a page that is closed all end in the same safe way. When the worker ends,
 what is held is stopped; what runs free runs on.
 
-Where there are no threads it is a call that sleeps while it waits (`beside_loop`).
+Where there are no threads it is a call that sleeps while it waits (`run_in_background`).
 
-`changed` is called from this thread each time that what pages are told is replaced (`standing`). Left to others: the
-robot's state (kitrobot.robots), what pages are told (robot_standing), who may ask and who is told (robot_registry).
+`changed` is called from this thread each time that `status` is replaced. Not here: the robot's state
+(kitrobot.robots), its status for pages (robot_status), holders and subscribers (robot_registry).
 """
 
 from __future__ import annotations
@@ -24,20 +24,20 @@ from typing import Any, get_args
 
 from kitrobot.diagnostics import KitRobotError
 from kitrobot.robots import BoardProgram, Change, ChangeKind, RobotSession
-from kitrobot.server.beside_loop import Begun, Turn
-from kitrobot.server.robot_bench import Tried
+from kitrobot.server.background import BackgroundTask, WakeCondition
+from kitrobot.server.last_run_recorder import LastRunRecorder
+from kitrobot.server.robot_bench import RobotBench
 from kitrobot.server.robot_gateway import RobotGateway
-from kitrobot.server.robot_recorder import LastRun
-from kitrobot.server.robot_standing import Standing, no_answer, way_out
+from kitrobot.server.robot_status import RobotStatus, no_answer_error, recovery_hint
 from kitrobot.server.shapes import BoardMessage, BoardProgressShape, BoardStep
 from kitrobot.text import Recorded, Sentence
 from kitrobot.workspace.bench import Bench, PartKey
 from kitrobot.workspace.kept_firmware import kept_firmware
 
 LISTEN_S = 0.05
-"""How long the robot is listened to before what was asked for meanwhile is looked at."""
+"""How long the worker listens to the robot before it handles requests again."""
 WATCH_MS = 100
-"""The robot tells what changed at most so often."""
+"""The shortest interval at which the robot reports changes."""
 MOST_ORDERS = 64
 STEPS: tuple[BoardStep, ...] = get_args(BoardStep)
 _KEPT = Sentence("the robot still has the program that it had")
@@ -47,7 +47,7 @@ _log = logging.getLogger("kitrobot.server")
 
 
 class BusyError(KitRobotError):
-    """The robot was asked for more than it can do."""
+    """The robot was sent more requests than it can handle."""
 
 
 class _Cancelled(Exception):
@@ -70,16 +70,16 @@ class RobotWorker:
         self._links = links
         self._changed = changed
         self._orders: deque[Order] = deque()
-        self._wake = Turn()
+        self._wake = WakeCondition()
         self._stopping = self._closing = self._cancelled = False
-        self.standing = Standing()
+        self.status = RobotStatus()
         self.session = RobotSession(clock)
-        self.recorder = LastRun(name, self.session)
-        self._tried: Tried | None = None
+        self.recorder = LastRunRecorder(name, self.session)
+        self._bench: RobotBench | None = None
         self.session.subscribe(self._robot_changed)
-        self._begun = Begun(self._serve, f"board-{address}")
+        self._task = BackgroundTask(self._serve, f"board-{address}")
 
-    # -- what is asked for, from any thread
+    # -- requests, from any thread
 
     def connect(self, program: BoardProgram | None) -> None:
         """Greets the robot; `program` gives names to what it does, if it has that."""
@@ -95,14 +95,14 @@ class RobotWorker:
     def bench(self, bench: Bench, replace: bool = False) -> None:
         """Puts the program that tries its parts on the robot, which then waits for steps."""
         self._cancelled = False
-        self._order(lambda: self._begin_bench(Tried(self.session, bench), None, replace))
+        self._order(lambda: self._begin_bench(RobotBench(self.session, bench), None, replace))
 
     def try_step(self, at: int | None) -> None:
         """Does that step of the bench until the next one; None ends it."""
         self._order(lambda: self._try(at))
 
     def cancel(self) -> None:
-        """Breaks off the sending."""
+        """Cancels sending."""
         self._cancelled = True
 
     def start(self, held: bool) -> None:
@@ -110,14 +110,14 @@ class RobotWorker:
         self._order(lambda: self._start(held))
 
     def stop(self) -> None:
-        """Stops it before anything else, and forgets what was asked for and not done."""
+        """Stops it before anything else, and drops pending requests."""
         with self._wake:
             self._stopping = self._cancelled = True
             self._orders.clear()
             self._wake.notify()
 
     def identify(self) -> None:
-        """Lets it show which one it is."""
+        """Has the robot show which one it is."""
         self._order(lambda: self.session.link.identify())
 
     def force(self, sensor: str, value: int | None) -> None:
@@ -130,18 +130,18 @@ class RobotWorker:
 
     @property
     def closing(self) -> bool:
-        """Whether it lets go, or has."""
+        """Whether it is closing, or closed."""
         return self._closing
 
     def close(self) -> None:
-        """Lets go of the robot: one that is held stops."""
+        """Releases the robot: one that is held stops."""
         with self._wake:
             self._closing = self._cancelled = True
             self._wake.notify()
 
     def wait(self, within_s: float) -> None:
-        """Waits until it has let go, but not for ever."""
-        self._begun.wait(within_s)
+        """Waits until it has ended, at most `within_s` seconds."""
+        self._task.wait(within_s)
 
     def _order(self, order: Order) -> None:
         with self._wake:
@@ -171,7 +171,7 @@ class RobotWorker:
             self._attempt(lambda name=sensor: self.session.force(name, None))  # type: ignore[misc]
         self.session.close()
         self.recorder.close()
-        self._say(phase="closed")
+        self._update_status(phase="closed")
 
     def _next(self) -> Order | None:
         """What is to be done now; waits for it while there is no robot to listen to."""
@@ -181,14 +181,14 @@ class RobotWorker:
             return self._orders.popleft() if self._orders and not self._stopping else None
 
     def _attempt(self, work: Order) -> None:
-        """Does something with the robot; whatever goes wrong is said, and nothing is left half open."""
+        """Does something with the robot; every error is reported, and nothing is left half open."""
         try:
             work()
         except KitRobotError as error:
             if self.session.is_open and self._links.is_lost(error):
                 self._lose()
             else:
-                self._say(message=error.message, help=way_out(error))
+                self._update_status(message=error.message, help=recovery_hint(error))
         except Exception as error:
             # What a broken line or a strange robot brings about; the session goes on.
             debugging = bool(os.environ.get("KITROBOT_DEBUG"))
@@ -204,7 +204,7 @@ class RobotWorker:
         else:
             message = Recorded("the link to `{robot}` is lost; it runs on by itself", self.name)
         self.session.lose(message)
-        self._say(
+        self._update_status(
             phase="lost", progress=None, message=message, help=Sentence("look at its cable, then press Reconnect")
         )
 
@@ -212,13 +212,13 @@ class RobotWorker:
 
     def _connect(self, program: BoardProgram | None) -> None:
         self.session.close()
-        self._say(phase="connecting", message="", help="", way="", progress=None)
+        self._update_status(phase="connecting", message="", help="", way="", progress=None)
         try:
             self._greet(program)
         except (KitRobotError, OSError) as error:
             self.session.close()
-            said = error if isinstance(error, KitRobotError) else no_answer(self.name)
-            self._say(phase="closed", message=said.message, help=way_out(said))
+            said = error if isinstance(error, KitRobotError) else no_answer_error(self.name)
+            self._update_status(phase="closed", message=said.message, help=recovery_hint(said))
         else:
             self._follow()
 
@@ -231,10 +231,10 @@ class RobotWorker:
             raise
         known = program.known if program is not None and program.is_called(hello.program) else None
         self.session.open(link, hello, known)
-        self._say(phase="open", micropython=kept_firmware(self.address, hello))
+        self._update_status(phase="open", micropython=kept_firmware(self.address, hello))
 
     def _follow(self) -> None:
-        """Has a robot whose program is known tell what changes. One that does not answer any more now is lost."""
+        """Subscribes to the changes of a robot whose program is known. One that does not answer any more is lost."""
         if self.session.known is not None:
             self.session.watch(WATCH_MS)
 
@@ -250,100 +250,102 @@ class RobotWorker:
         else:
             self._start(then == "held")
         if (warning := program.warning) is not None:
-            self._say(message=warning.message, help=warning.help)
+            self._update_status(message=warning.message, help=warning.help)
 
     def _put(self, put: Callable[[], BoardProgram]) -> bool:
-        """Has a program put on the robot and greets it; whether that went well, else it is said what did not."""
-        self._tried = None
+        """Puts a program on the robot and greets it; returns whether that succeeded, else the error is reported."""
+        self._bench = None
         self.session.close()
         self.session.replaced()
-        self._say(phase="sending", message="", help="", way="")
+        self._update_status(phase="sending", message="", help="", way="")
         try:
             program = put()
-            self._say(progress=None)
+            self._update_status(progress=None)
             self._greet(program)
         except _Cancelled:
-            self._say(phase="closed", progress=None, message=Sentence("the sending was broken off"), help=_KEPT)
+            self._update_status(
+                phase="closed", progress=None, message=Sentence("the sending was broken off"), help=_KEPT
+            )
             return False
         except (KitRobotError, OSError) as error:
             self.session.close()
-            said = error if isinstance(error, KitRobotError) else no_answer(self.name)
+            said = error if isinstance(error, KitRobotError) else no_answer_error(self.name)
             way = self._links.way(said)
-            self._say(phase="closed", progress=None, message=said.message, help=way_out(said), way=way)
+            self._update_status(phase="closed", progress=None, message=said.message, help=recovery_hint(said), way=way)
             return False
         self._follow()
         return True
 
-    def _begin_bench(self, tried: Tried, needed: PartKey | None, replace: bool) -> None:
+    def _begin_bench(self, bench_run: RobotBench, needed: PartKey | None, replace: bool) -> None:
         def deploy(program: BoardProgram, fresh: bool) -> None:
             self._links.deploy(self.address, program, self._progress, replace, fresh)
 
-        if self._put(lambda: tried.load(needed, deploy)):
-            self._tried = tried
-            tried.hand.restart()
-            self._say()
+        if self._put(lambda: bench_run.load(needed, deploy)):
+            self._bench = bench_run
+            bench_run.hand.restart()
+            self._update_status()
 
     def _try(self, at: int | None) -> None:
-        tried = self._tried
-        if tried is None or not self.session.is_open:
+        bench_run = self._bench
+        if bench_run is None or not self.session.is_open:
             return
-        needed = tried.needs(at)
+        needed = bench_run.needs(at)
         if needed is not None:
-            self._begin_bench(tried, needed, False)
-        if self._tried is not None:
-            tried.do(at)
-            self._say()
+            self._begin_bench(bench_run, needed, False)
+        if self._bench is not None:
+            bench_run.do(at)
+            self._update_status()
 
     def _progress(self, step: Any, done: int, total: int) -> None:
         if self._cancelled:
             raise _Cancelled
         if step in STEPS:
-            self._say(progress=BoardProgressShape(step=step, done=done, total=total))
+            self._update_status(progress=BoardProgressShape(step=step, done=done, total=total))
 
     def _start(self, held: bool) -> None:
         self.session.start(held)
-        self._say(message="", help="")
+        self._update_status(message="", help="")
 
     def _stop(self) -> None:
-        if self._tried is not None:
-            self._tried.hand.step = None
+        if self._bench is not None:
+            self._bench.hand.step = None
         if self.session.is_open:
             self.session.stop()
 
-    # -- what the robot says
+    # -- messages of the robot
 
     def _listen(self) -> None:
         self.session.poll(LISTEN_S)
-        if self._tried is not None:
-            self._tried.check()
-            self._say()
+        if self._bench is not None:
+            self._bench.check()
+            self._update_status()
         error = self.recorder.error()
         if error is not None:
-            self._say(message=error.message, help=Sentence("what was recorded before can be saved"))
+            self._update_status(message=error.message, help=Sentence("what was recorded before can be saved"))
 
     def _robot_changed(self, change: Change) -> None:
         if change.kind is not ChangeKind.REBOOTED:
-            self._say()
+            self._update_status()
             return
         help = Sentence("it may have lost its power for a moment: look at its battery and cable")
         if change.state.doing != "running":
             help = Sentence("it was stopped; it may have lost its power for a moment: look at its battery and cable")
-        self._say(message=Sentence("`{robot}` began anew by itself", self.name), help=help)
+        self._update_status(message=Sentence("`{robot}` began anew by itself", self.name), help=help)
 
-    # -- telling
+    # -- status
 
-    def _say(self, **changes: Any) -> None:
+    def _update_status(self, **changes: Any) -> None:
         session, recorded = self.session, self.recorder.is_there
         names = session.known.names if session.known is not None else None
-        # What its program does changes all the time, and is told as a run.
+        # The state of its program changes all the time, and is sent as a run.
         state = replace(session.state, tick=0, late=0, threads={}, cells={}, forced={})
-        bench = self._tried.shape() if self._tried is not None else None
-        now = replace(self.standing, robot=state, names=names, recorded=recorded, bench=bench, **changes)
-        if now == self.standing:
+        bench = self._bench.shape() if self._bench is not None else None
+        now = replace(self.status, robot=state, names=names, recorded=recorded, bench=bench, **changes)
+        if now == self.status:
             return
-        self.standing = replace(now, version=self.standing.version + 1)
+        self.status = replace(now, version=self.status.version + 1)
         self._changed()
 
     def message(self) -> BoardMessage:
-        """What pages are told."""
-        return self.standing.message_of(self.address, self.name, self.holder)
+        """The status as a message to pages."""
+        return self.status.to_message(self.address, self.name, self.holder)

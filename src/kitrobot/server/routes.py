@@ -10,9 +10,9 @@ import kitrobot
 from kitrobot.diagnostics import ProblemsError
 from kitrobot.files import carried_mission, is_picture, revision_of
 from kitrobot.mission import save, write_mission
+from kitrobot.server.api_router import ThisStudio, api_router
 from kitrobot.server.fast_json import report_answer
-from kitrobot.server.routing import ThisStudio, api_router
-from kitrobot.server.saving import mission_bytes
+from kitrobot.server.mission_encoding import mission_bytes
 from kitrobot.server.shapes import (
     CheckShape,
     ConflictShape,
@@ -33,7 +33,7 @@ from kitrobot.server.shapes import (
     world_shape,
 )
 from kitrobot.server.shapes.gallery import RunPreviewShape
-from kitrobot.server.shapes.sent import sent_mission, sent_reports
+from kitrobot.server.shapes.mission_delta import mission_from_delta, reports_from_delta
 from kitrobot.server.studio import Studio
 from kitrobot.sim import expect_run
 from kitrobot.text import Sentence, collection_paused, name_form
@@ -54,7 +54,7 @@ routes = api_router()
 
 
 async def _body(request: Request) -> bytes:
-    """The body as it came, whatever the page says it is."""
+    """The raw body, whatever its content type."""
     return await request.body()
 
 
@@ -114,7 +114,7 @@ def _read(studio: Studio, data: bytes, name: str, path: str) -> OpenMission:
     """A file opened, of which there is something to show.
 
     Raises:
-        ProblemsError: it holds no program; what is wrong with it is told.
+        ProblemsError: it holds no program; the error has the diagnostics.
     """
     opened = studio.read(data, name, path)
     if not any(program.vertices for program in opened.mission.programs):
@@ -144,8 +144,8 @@ def mission_text(wanted: MissionTextShape) -> TextShape:
 def check(studio: ThisStudio, wanted: CheckShape) -> Response:
     """Looks a mission through: LLL and three-address code of each program, and every problem."""
     with collection_paused():
-        opened = studio.open(sent_mission(wanted.mission, studio.programs.named), wanted.path)
-        bases = sent_reports(wanted.mission, studio.programs.report_of)
+        opened = studio.open(mission_from_delta(wanted.mission, studio.programs.named), wanted.path)
+        bases = reports_from_delta(wanted.mission, studio.programs.report_of)
         answer = report_answer(opened.check(), bases)
     expect_run(len(opened.mission.team.agents))
     return answer
@@ -154,14 +154,14 @@ def check(studio: ThisStudio, wanted: CheckShape) -> Response:
 @routes.post("/mission/team")
 def mission_team(studio: ThisStudio, wanted: FirstTeamShape) -> MissionShape:
     """The mission with a first program of the whole team, in which each robot does what it did before."""
-    opened = studio.open(sent_mission(wanted.mission, studio.programs.named), wanted.path)
+    opened = studio.open(mission_from_delta(wanted.mission, studio.programs.named), wanted.path)
     return mission_shape(first_team(opened, name_form(wanted.name)))
 
 
 def mission_file(studio: Studio, opened: OpenMission, path: str, revision: str) -> MissionFileShape:
     """An opened mission as the page gets it."""
     studio.world_file(opened.mission.world_href, path)
-    # What is wrong with the mission's own world is told by each check anew.
+    # Each check reports the problems of the mission's own world again.
     problems = [item for item in opened.diagnostics if not (item.thing and opened.mission.own_world)]
     # Before the files are read: what changes meanwhile is then news.
     parts = studio.stamp(path)

@@ -14,10 +14,8 @@ from starlette.requests import HTTPConnection
 
 from kitrobot.diagnostics import KitRobotError, ProblemsError
 from kitrobot.mission import Mission
-from kitrobot.server.beside_loop import beside_loop
-from kitrobot.server.live_run import LiveRun
-from kitrobot.server.replay import Replay
-from kitrobot.server.routing import refuse_visitors, studio_of
+from kitrobot.server.api_router import refuse_visitors, studio_of
+from kitrobot.server.background import run_in_background
 from kitrobot.server.shapes import (
     Beginning,
     BreakpointsRequest,
@@ -31,12 +29,14 @@ from kitrobot.server.shapes import (
     problem_shapes,
 )
 from kitrobot.server.studio import Studio
+from kitrobot.server.watched_recording import WatchedRecording
 from kitrobot.server.watched_run import WatchedRun
+from kitrobot.server.watched_simulation import WatchedSimulation
 from kitrobot.text import Sentence
 from kitrobot.workspace import OpenMission, PreparedRun, RunOptions
 
 
-async def run_of(
+async def create_run(
     request: Beginning, connection: HTTPConnection, wake: Callable[[], None]
 ) -> WatchedRun | ProblemsMessage:
     """The run, or why it cannot begin. `wake` is called when real robots did something.
@@ -47,18 +47,18 @@ async def run_of(
     studio = studio_of(connection)
     if isinstance(request, RobotsRequest):
         refuse_visitors(connection)
-        opened = await beside_loop(_opened, studio, request)
+        opened = await run_in_background(_opened, studio, request)
         return _robots(studio, request, opened, wake)
     if isinstance(request, FleetRequest):
         if not studio.in_page:
             refuse_visitors(connection)
         return await _fleet(studio, request, wake)
     if isinstance(request, ReplayRequest):
-        return await beside_loop(_replay, studio, request)
-    return await beside_loop(_simulated, studio, request)
+        return await run_in_background(_replay, studio, request)
+    return await run_in_background(_simulated, studio, request)
 
 
-def come_with(request: Beginning) -> list[Steering]:
+def initial_requests(request: Beginning) -> list[Steering]:
     """What a request asks of its run before its first step; what is at full speed may be over when the next comes."""
     if isinstance(request, ReplayRequest | RobotsRequest | FleetRequest) and request.breakpoints:
         return [BreakpointsRequest(type="breakpoints", breakpoints=request.breakpoints)]
@@ -72,10 +72,12 @@ def _opened(studio: Studio, request: StartRequest | RobotsRequest | FleetRequest
 
 
 def _robots(studio: Studio, request: RobotsRequest, opened: OpenMission, wake: Callable[[], None]) -> WatchedRun:
-    """In the loop of the server, which knows the robots; whoever calls this off finds no run that hears them still."""
-    from kitrobot.server.robots_watch import RobotsWatch
+    """In the loop of the server, which knows the robots; so after a cancellation no run is subscribed to them."""
+    from kitrobot.server.watched_robots import WatchedRobots
 
-    return RobotsWatch(studio.boards.together(request.holder, request.addresses), opened, _from_any_thread(wake))
+    return WatchedRobots(
+        studio.boards.named_sessions(request.holder, request.addresses), opened, _from_any_thread(wake)
+    )
 
 
 def _from_any_thread(wake: Callable[[], None]) -> Callable[[], None]:
@@ -101,17 +103,17 @@ async def _fleet(studio: Studio, request: FleetRequest, wake: Callable[[], None]
             Sentence("install it: {command}", "`pip install kitrobot[fleet]`"),
         )
     try:
-        prepared, mission = await beside_loop(_prepared, studio, request)
+        prepared, mission = await run_in_background(_prepared, studio, request)
     except ProblemsError as error:
         return ProblemsMessage(problems=problem_shapes(error.diagnostics))
-    from kitrobot.server.fleet_run import FleetRunning, FleetWatch
+    from kitrobot.server.watched_fleet import FleetThread, WatchedFleet
 
     team = studio.boards.team
     boards = await team.claim(request.holder, prepared.opened, request.path, request.boards)
     try:
         drivers = studio.folder.folders_of(request.path)[0]
-        running = FleetRunning(team, prepared, boards, drivers, _from_any_thread(wake))
-        watch = FleetWatch(running, prepared, mission)
+        running = FleetThread(team, prepared, boards, drivers, _from_any_thread(wake))
+        watch = WatchedFleet(running, prepared, mission)
     except BaseException:
         team.release()
         raise
@@ -120,7 +122,7 @@ async def _fleet(studio: Studio, request: FleetRequest, wake: Callable[[], None]
 
 
 def _prepared(studio: Studio, request: FleetRequest) -> tuple[PreparedRun, Mission]:
-    """The network is the radio of a fleet, whatever the mission says of one."""
+    """The network is the radio of a fleet, instead of the mission's radio."""
     from kitrobot.fleet import charter_of
 
     opened = _opened(studio, request)
@@ -133,12 +135,12 @@ def _prepared(studio: Studio, request: FleetRequest) -> tuple[PreparedRun, Missi
 
 def _replay(studio: Studio, request: ReplayRequest) -> WatchedRun:
     trace = studio.recordings.open(request.recording)
-    return Replay(trace, studio.recorded(trace, request.recording))
+    return WatchedRecording(trace, studio.recorded(trace, request.recording))
 
 
 def _simulated(studio: Studio, request: StartRequest) -> WatchedRun | ProblemsMessage:
     try:
         options = RunOptions(request.seed, request.seconds, request.fail_rate)
-        return LiveRun(_opened(studio, request).prepare(options))
+        return WatchedSimulation(_opened(studio, request).prepare(options))
     except ProblemsError as error:
         return ProblemsMessage(problems=problem_shapes(error.diagnostics))

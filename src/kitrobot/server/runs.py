@@ -23,12 +23,13 @@ from fastapi import APIRouter, WebSocket, WebSocketDisconnect
 from pydantic import ValidationError
 
 from kitrobot.diagnostics import KitRobotError
-from kitrobot.server.beside_loop import beside_loop
-from kitrobot.server.broadcast import MOST_WATCHERS, Broadcast, Subscriber
-from kitrobot.server.realtime_clock import Pace, speed_of
-from kitrobot.server.routing import studio_of
-from kitrobot.server.run_sources import come_with, run_of
-from kitrobot.server.run_telling import RunTelling
+from kitrobot.server.api_router import studio_of
+from kitrobot.server.background import run_in_background
+from kitrobot.server.broadcast import MOST_WATCHERS, Broadcast, Subscription
+from kitrobot.server.realtime_pacer import RealtimePacer, clamp_speed
+from kitrobot.server.run_jobs import Job, job_for_request, run_job_until, single_step_job, steps_back
+from kitrobot.server.run_publisher import RunPublisher
+from kitrobot.server.run_sources import create_run, initial_requests
 from kitrobot.server.sentences import not_understood
 from kitrobot.server.shapes import (
     REQUEST,
@@ -45,7 +46,6 @@ from kitrobot.server.shapes import (
     WatchRequest,
     mission_from_shape,
 )
-from kitrobot.server.steering import Job, do_until, goes_back, in_one_piece, job_of
 from kitrobot.server.studio import Studio
 from kitrobot.server.watched_run import WatchedRun
 from kitrobot.text import Sentence
@@ -64,27 +64,27 @@ _numbers = itertools.count(1)
 async def run(socket: WebSocket) -> None:
     """Serves one socket until it closes."""
     await socket.accept()
-    await Session(socket, studio_of(socket)).serve()
+    await RunSession(socket, studio_of(socket)).serve()
 
 
-class Session:
+class RunSession:
     """One socket and the run on it. `clock` gives seconds and never goes back."""
 
     def __init__(self, socket: WebSocket, studio: Studio, clock: Callable[[], float] = time.monotonic) -> None:
         self._socket = socket
-        self._telling = RunTelling(socket)
+        self._publisher = RunPublisher(socket)
         self._studio = studio
         self._clock = clock
         self._task: asyncio.Task[None] | None = None
         self._wake = asyncio.Event()
-        self._pace: Pace | None = None
+        self._pace: RealtimePacer | None = None
         self._watch: WatchedRun | None = None
         self._name = ""
-        self._subscriber: Subscriber | None = None
+        self._subscription: Subscription | None = None
         """The place from which this socket watches another's run."""
         self._looks: tuple[str, ...] = ()
         self._early: list[Steering] = []
-        """What was asked for while the mission was still being compiled."""
+        """Requests that came while the mission was still being compiled."""
         self._steps = 0
         self._jobs: list[Job] = []
         """What is to be done to the run between two rounds, in a thread."""
@@ -92,7 +92,7 @@ class Session:
         """Whether the job that is on is to leave off."""
         self._stopping = False
         self._counts = False
-        """Whether it is one of the studio's runs; one that stands at its end is not."""
+        """Whether it is one of the studio's runs; one that is at its end is not."""
 
     async def serve(self) -> None:
         """Reads requests until the socket closes, then ends the run."""
@@ -101,252 +101,256 @@ class Session:
                 message = await self._socket.receive()
                 if message["type"] == "websocket.disconnect":
                     return
-                await self._obey(message.get("text") or message.get("bytes") or "")
+                await self._handle_message(message.get("text") or message.get("bytes") or "")
         finally:
-            # Others are told before anything is waited for: whoever calls this off ends the waiting too.
-            self._let_go()
+            # Watchers are notified before anything is awaited: a cancellation ends the awaiting too.
+            self._close_run()
             try:
                 if self._task is not None:
                     self._task.cancel()
                     await asyncio.gather(self._task, return_exceptions=True)
             finally:
                 self._close_watch()
-                await self._stand_up()
+                await self._stop_watching()
 
-    def _let_go(self) -> None:
+    def _close_run(self) -> None:
         """The run of this socket is looked at no more, and cannot be saved any more."""
         self._studio.watches.pop(self._name, None)
         self._studio.broadcasts.pop(self._name, None)
         message = Sentence("the page that steered this run is gone, and the run with it")
-        self._telling.end_for_others(message, Sentence("start one of your own"))
+        self._publisher.end_for_others(message, Sentence("start one of your own"))
 
     def _close_watch(self) -> None:
         if self._watch is not None:
             self._watch.close()
 
-    async def _obey(self, text: str | bytes) -> None:
+    async def _handle_message(self, text: str | bytes) -> None:
         try:
             request = REQUEST.validate_json(text)
         except ValidationError as error:
             wrong = not_understood(error)
-            await self._telling.fail(wrong.message, wrong.help)
+            await self._publisher.send_error(wrong.message, wrong.help)
             return
         if isinstance(request, Beginning):
             await self._start(request)
         elif isinstance(request, WatchRequest):
-            await self._sit_down(request)
-        elif self._subscriber is not None:
+            await self._start_watching(request)
+        elif self._subscription is not None:
             if isinstance(request, LookRequest):
-                self._subscriber.look(request.agents)
+                self._subscription.select_agents(request.agents)
             else:
                 help = Sentence("to steer one, start a run of your own")
-                await self._telling.fail(Sentence("the page that started this run steers it"), help)
+                await self._publisher.send_error(Sentence("the page that started this run steers it"), help)
         elif self._task is not None and not self._task.done():
             self._steer(request)
 
     async def _start(self, request: Beginning) -> None:
         if self._task is not None and not self._task.done():
             if self._counts:
-                await self._telling.fail(Sentence("a run is on already"), Sentence("stop it first"))
+                await self._publisher.send_error(Sentence("a run is on already"), Sentence("stop it first"))
                 return
             self._task.cancel()
             await asyncio.gather(self._task, return_exceptions=True)
         # Looked for and taken in one breath: nobody comes between.
-        if not self._take_place():
-            await self._no_place()
+        if not self._acquire_slot():
+            await self._refuse_no_slot()
             return
         try:
-            self._let_go()
+            self._close_run()
             self._close_watch()
-            await self._stand_up()
+            await self._stop_watching()
         except BaseException:
             self._count(False)
             raise
-        self._pace, self._watch, self._early, self._steps, self._jobs = None, None, come_with(request), 0, []
+        self._pace, self._watch, self._early, self._steps, self._jobs = None, None, initial_requests(request), 0, []
         self._stopping, self._looks = False, ()
-        self._telling.begin_anew()
+        self._publisher.reset()
         self._wake.clear()
-        self._task = asyncio.create_task(self._whole_run(request))
-        self._task.add_done_callback(self._give_back)
+        self._task = asyncio.create_task(self._run_to_end(request))
+        self._task.add_done_callback(self._release_slot)
 
-    async def _sit_down(self, request: WatchRequest) -> None:
+    async def _start_watching(self, request: WatchRequest) -> None:
         if self._task is not None and not self._task.done():
-            await self._telling.fail(Sentence("a run is on already"), Sentence("stop it first"))
+            await self._publisher.send_error(Sentence("a run is on already"), Sentence("stop it first"))
             return
-        await self._stand_up()
+        await self._stop_watching()
         try:
-            mission = await beside_loop(mission_from_shape, request.mission)
+            mission = await run_in_background(mission_from_shape, request.mission)
         except KitRobotError as error:
-            await self._telling.fail(error.message, error.help, ended=True)
+            await self._publisher.send_error(error.message, error.help, ended=True)
             return
         broadcast = self._studio.broadcasts.get(request.run)
         if broadcast is None or not broadcast.on:
-            await self._telling.fail(Sentence("this run is over"), Sentence("start one of your own"), ended=True)
+            await self._publisher.send_error(
+                Sentence("this run is over"), Sentence("start one of your own"), ended=True
+            )
         elif len(broadcast) >= MOST_WATCHERS:
             message = Sentence("{most} pages watch this run already", MOST_WATCHERS)
-            await self._telling.fail(message, Sentence("try again later"), ended=True)
+            await self._publisher.send_error(message, Sentence("try again later"), ended=True)
         else:
-            self._subscriber = Subscriber(broadcast, self._socket, another=not broadcast.is_of(mission))
+            self._subscription = Subscription(broadcast, self._socket, another=not broadcast.runs_mission(mission))
 
-    async def _stand_up(self) -> None:
-        """This socket watches nothing any more."""
-        subscriber, self._subscriber = self._subscriber, None
-        if subscriber is not None:
-            await subscriber.leave()
+    async def _stop_watching(self) -> None:
+        """Ends this socket's watching."""
+        subscription, self._subscription = self._subscription, None
+        if subscription is not None:
+            await subscription.leave()
 
     def _steer(self, request: Steering) -> None:
         if isinstance(request, StopRequest):
-            # Nobody waits any more for what was asked for before; what real robots do, they are told next.
+            # Earlier requests are obsolete; real robots get this one next.
             self._jobs, self._breaking_off = [], True
         if isinstance(request, StopRequest) and not (self._watch is not None and self._watch.real):
             self._stopping = True
         elif self._pace is None or self._watch is None:
             self._early.append(request)
         else:
-            self._bid(request, self._watch, self._pace)
+            self._apply(request, self._watch, self._pace)
         self._wake.set()
 
-    def _bid(self, request: Steering, watch: WatchedRun, pace: Pace) -> None:
+    def _apply(self, request: Steering, watch: WatchedRun, pace: RealtimePacer) -> None:
         if isinstance(request, PauseRequest | ResumeRequest):
             pace.set_paused(isinstance(request, PauseRequest), watch.tick)
         elif isinstance(request, SpeedRequest):
-            pace.set_speed(speed_of(request.value), watch.tick)
+            pace.set_speed(clamp_speed(request.value), watch.tick)
         elif isinstance(request, LookRequest):
             self._looks = tuple(request.agents)
-            self._jobs.append(in_one_piece(lambda: watch.look_at(self._looked_at())))
-        job = job_of(request, watch)
+            self._jobs.append(single_step_job(lambda: watch.look_at(self._selected_agents())))
+        job = job_for_request(request, watch)
         if job is not None:
             self._jobs.append(job)
         elif isinstance(request, StepRequest):
             self._steps += pace.paused
-        if goes_back(request):
+        if steps_back(request):
             pace.set_paused(True, watch.tick)
 
-    def _looked_at(self) -> tuple[str, ...]:
-        """All agents that somebody looks at, here or watching."""
-        return (*self._looks, *self._telling.looks_of_others())
+    def _selected_agents(self) -> tuple[str, ...]:
+        """All agents that this page or a watcher has selected."""
+        return (*self._looks, *self._publisher.watcher_selected_agents())
 
     def _is_stopping(self) -> bool:
         return self._stopping
 
-    async def _whole_run(self, request: Beginning) -> None:
+    async def _run_to_end(self, request: Beginning) -> None:
         try:
-            watch = await run_of(request, self._socket, self._wake.set)
+            watch = await create_run(request, self._socket, self._wake.set)
             if isinstance(watch, ProblemsMessage):
-                await self._telling.tell(watch)
+                await self._publisher.send(watch)
                 return
             self._watch = watch
             if self._stopping:
                 watch.stop()
-                await self._telling.state(watch, "stopped")
+                await self._publisher.publish_state(watch, "stopped")
             else:
                 path = "" if isinstance(request, ReplayRequest) else request.path
-                broadcast = self._telling.broadcast = Broadcast(path, watch.mission, self._wake.set)
-                await self._drive(watch, Pace(watch.tick_s, self._clock, speed_of(request.speed)), broadcast)
+                broadcast = self._publisher.broadcast = Broadcast(path, watch.mission, self._wake.set)
+                await self._drive(
+                    watch, RealtimePacer(watch.tick_s, self._clock, clamp_speed(request.speed)), broadcast
+                )
         except KitRobotError as error:
-            await self._telling.break_off(error.message, error.help)
+            await self._publisher.end_for_all(error.message, error.help)
         except (RuntimeError, OSError, WebSocketDisconnect):
-            # The page is gone in the middle of a message; `serve` hears of it too.
+            # The page is gone in the middle of a message; `serve` notices it too.
             _log.debug("the page left during a run", exc_info=True)
         except Exception as error:
             debugging = bool(os.environ.get("KITROBOT_DEBUG"))
             _log.error("a run broke: %s: %s", type(error).__name__, error, exc_info=debugging)
             help = Sentence("the run has ended; please report it")
-            await self._telling.break_off(Sentence("something went wrong inside KitRobot"), help)
+            await self._publisher.end_for_all(Sentence("something went wrong inside KitRobot"), help)
 
-    def _take_place(self) -> bool:
-        """Becomes one of the studio's runs; False when there are as many as it has."""
+    def _acquire_slot(self) -> bool:
+        """Takes one of the studio's run slots; False when all are taken."""
         if not self._counts and self._studio.runs >= MOST_RUNS:
             return False
         self._count(True)
         return True
 
-    def _give_back(self, task: asyncio.Task[None]) -> None:
-        """The place of a run that is over. Not for the task to do: one that is called off early runs no line of it."""
+    def _release_slot(self, task: asyncio.Task[None]) -> None:
+        """Releases the slot of a run that is over. The task cannot do it: one that is cancelled early runs no line."""
         if task is self._task:
             self._count(False)
 
-    async def _no_place(self) -> None:
+    async def _refuse_no_slot(self) -> None:
         help = Sentence("stop one of them, perhaps in another tab")
-        await self._telling.fail(Sentence("this studio has {most} runs already", MOST_RUNS), help)
+        await self._publisher.send_error(Sentence("this studio has {most} runs already", MOST_RUNS), help)
 
     def _count(self, counts: bool) -> None:
         self._studio.runs += counts - self._counts
         self._counts = counts
 
-    async def _drive(self, watch: WatchedRun, pace: Pace, broadcast: Broadcast) -> None:
-        """Goes round until the run is stopped. At its end it stands still, and can be taken back from there; it goes on
-        when a person changes what kept it from going on.
+    async def _drive(self, watch: WatchedRun, pace: RealtimePacer, broadcast: Broadcast) -> None:
+        """Loops until the run is stopped. At its end it pauses, and can be taken back from there; it goes on
+        when a person removes what held it.
         """
         self._pace, self._name = pace, f"run-{next(_numbers)}"
         self._studio.watches[self._name] = watch
         self._studio.broadcasts[self._name] = broadcast
         for request in self._early:
             self._steer(request)
-        await self._telling.tell(watch.started(self._name))
-        await self._telling.news(watch)
+        await self._publisher.send(watch.started(self._name))
+        await self._publisher.publish_update(watch)
         while True:
             began = self._clock()
             self._wake.clear()
             if self._stopping:
                 watch.stop()
-                await self._telling.news(watch)
-                await self._telling.state(watch, "stopped")
+                await self._publisher.publish_update(watch)
+                await self._publisher.publish_state(watch, "stopped")
                 broadcast.on = False
                 return
-            if watch.begins_anew():
+            if watch.has_restarted():
                 pace.set_paused(False, watch.tick)
-            if await self._do_jobs(watch):
+            if await self._run_jobs(watch):
                 pace.set_paused(pace.paused, watch.tick)
-                await self._telling.news(watch)
-            self._attend(watch, broadcast)
+                await self._publisher.publish_update(watch)
+            self._serve_watchers(watch, broadcast)
             broadcast.on = not watch.outcome
             if pace.paused:
                 watch.hold()
             if watch.outcome and not watch.real:
-                await self._telling.state(watch, watch.outcome)
+                await self._publisher.publish_state(watch, watch.outcome)
                 self._count(False)
                 await self._wake.wait()
-                if not self._is_stopping() and not self._take_place():
+                if not self._is_stopping() and not self._acquire_slot():
                     self._jobs = []
-                    await self._no_place()
+                    await self._refuse_no_slot()
                 continue
-            await self._telling.state(watch, watch.outcome or ("paused" if pace.paused else "running"))
+            await self._publisher.publish_state(watch, watch.outcome or ("paused" if pace.paused else "running"))
             due = None if watch.follows else pace.due(watch.tick)
             if pace.paused:
                 due, self._steps = self._steps, 0
             if due != 0:
-                await beside_loop(watch.advance, due, began + FRAME_S, self._clock)
+                await run_in_background(watch.advance, due, began + FRAME_S, self._clock)
                 if watch.hits:
                     pace.set_paused(True, watch.tick)
-                await self._telling.news(watch)
+                await self._publisher.publish_update(watch)
                 if pace.paused or watch.outcome:
-                    await self._telling.state(watch, watch.outcome or "paused")
+                    await self._publisher.publish_state(watch, watch.outcome or "paused")
             elif watch.real:
-                await self._telling.news(watch)
-            await self._rest(pace, watch, began)
+                await self._publisher.publish_update(watch)
+            await self._wait_for_next_frame(pace, watch, began)
 
-    def _attend(self, watch: WatchedRun, broadcast: Broadcast) -> None:
-        """Looks after those who watch; everything is told to everybody else at this moment."""
-        if broadcast.looks_anew():
-            watch.look_at(self._looked_at())
-        broadcast.welcome(self._name, watch, self._telling.state_at(watch))
+    def _serve_watchers(self, watch: WatchedRun, broadcast: Broadcast) -> None:
+        """Serves new and selecting watchers; everybody else has been sent everything at this moment."""
+        if broadcast.selection_changed():
+            watch.look_at(self._selected_agents())
+        broadcast.send_snapshot_to_new(self._name, watch, self._publisher.latest_state(watch))
 
-    async def _do_jobs(self, watch: WatchedRun) -> bool:
-        """Does what was asked for meanwhile, until STOP; says whether there was anything."""
+    async def _run_jobs(self, watch: WatchedRun) -> bool:
+        """Does what was requested meanwhile, until STOP; returns whether there was anything."""
         jobs, self._jobs = self._jobs, []
         self._breaking_off = False
         for job in jobs:
             pieces, done = job(), False
             try:
                 while not (done or self._breaking_off):
-                    done = await beside_loop(do_until, pieces, self._clock() + FRAME_S, self._clock)
+                    done = await run_in_background(run_job_until, pieces, self._clock() + FRAME_S, self._clock)
             except KitRobotError as error:
-                await self._telling.fail(error.message, error.help)
+                await self._publisher.send_error(error.message, error.help)
         return bool(jobs)
 
-    async def _rest(self, pace: Pace, watch: WatchedRun, began: float) -> None:
-        """Until the next tick is due, but not before the next frame may be sent; a request ends it at once."""
+    async def _wait_for_next_frame(self, pace: RealtimePacer, watch: WatchedRun, began: float) -> None:
+        """Waits until the next tick is due, but not before the next frame may be sent; a request ends it at once."""
         until_due = pace.wait_s(watch.tick)
         if watch.real:
             await asyncio.sleep(max(began + FRAME_S - self._clock(), 0))

@@ -1,4 +1,4 @@
-"""Who may talk to the studio: an ASGI shell around the whole application.
+"""Access control of the studio: ASGI middleware around the whole application.
 
 Other pages in the same browser are the danger, and other people on the same machine. So, for every request and every
 WebSocket:
@@ -29,7 +29,7 @@ from starlette.datastructures import Headers, MutableHeaders
 from starlette.types import ASGIApp, Message, Receive, Scope, Send
 from starlette.websockets import WebSocketDisconnect
 
-from kitrobot.server import pages
+from kitrobot.server import fallback_pages
 from kitrobot.server.sentences import spoken
 from kitrobot.text import Sentence
 from kitrobot.text.json_text import to_json
@@ -40,13 +40,13 @@ LARGEST_TRACE_BYTES = 512 * 1024 * 1024
 """Of a recording, which goes to the disk as it comes: a day of ten robots."""
 TRACE_PATH = "/api/trace"
 
-AGAIN_PATHS = ("/api/again", "/api/again/token")
+RECONNECT_PATHS = ("/api/again", "/api/again/token")
 
 TOKEN_HEADER = "x-kitrobot-token"
 
 _log = logging.getLogger("kitrobot.server")
 
-# Styles may stand in the page: the editor and the canvas make theirs while they run. Scripts may not.
+# Styles may be inline: the editor and the canvas make theirs while they run. Scripts may not.
 CONTENT_POLICY = (
     "default-src 'self'; script-src 'self'; style-src 'self' 'unsafe-inline'; img-src 'self' data: blob:; "
     "font-src 'self'; connect-src 'self'; object-src 'none'; base-uri 'none'; form-action 'none'; "
@@ -67,8 +67,8 @@ class BodyTooLarge(Exception):
     """More of a request's body came than the studio takes."""
 
 
-class Guard:
-    """The shell: refuses what should not come in, dresses what goes out."""
+class SecurityMiddleware:
+    """Refuses forbidden requests, and adds security headers to answers."""
 
     def __init__(
         self,
@@ -92,19 +92,19 @@ class Guard:
 
     async def _websocket(self, scope: Scope, receive: Receive, send: Send) -> None:
         headers = Headers(scope=scope)
-        if not _host_is_ours(headers) or not _origin_is_ours(headers) or not self._token_is_right(scope, headers):
+        if not _is_own_host(headers) or not _is_own_origin(headers) or not self._has_valid_token(scope, headers):
             await receive()
             await send({"type": "websocket.close", "code": 1008, "reason": "not allowed"})
             return
         gone = False
 
-        async def heard() -> Message:
+        async def tracked_receive() -> Message:
             nonlocal gone
             message = await receive()
             gone = gone or message["type"] == "websocket.disconnect"
             return message
 
-        async def said(message: Message) -> None:
+        async def tracked_send(message: Message) -> None:
             nonlocal gone
             try:
                 if not gone:
@@ -115,9 +115,9 @@ class Guard:
                 raise OSError("the page is gone")
 
         try:
-            await self.app(scope, heard, said)
+            await self.app(scope, tracked_receive, tracked_send)
         except (WebSocketDisconnect, OSError):
-            # A page that goes while it is told something is no mistake, whatever the socket is for.
+            # A page may close while a message is sent to it, whatever the socket is for.
             if not gone:
                 raise
 
@@ -125,58 +125,66 @@ class Guard:
         headers = Headers(scope=scope)
         started = False
 
-        async def dressed(message: Message) -> None:
+        async def with_headers(message: Message) -> None:
             nonlocal started
             if message["type"] == "http.response.start":
                 started = True
-                dress(message, scope)
+                add_security_headers(message, scope)
             await send(message)
 
-        if not _host_is_ours(headers):
+        if not _is_own_host(headers):
             host = headers.get("host", "")[:80]
             await refuse(
-                scope, dressed, 403, Sentence("the studio does not answer to the name `{host}`", host), _ADDRESS
+                scope, with_headers, 403, Sentence("the studio does not answer to the name `{host}`", host), _ADDRESS
             )
             return
-        if not _origin_is_ours(headers):
-            await refuse(scope, dressed, 403, Sentence("this request comes from another page"), _ADDRESS)
+        if not _is_own_origin(headers):
+            await refuse(scope, with_headers, 403, Sentence("this request comes from another page"), _ADDRESS)
             return
-        if not _is_public(scope) and not self._token_is_right(scope, headers):
+        if not _is_public(scope) and not self._has_valid_token(scope, headers):
             if scope["path"] == "/":
                 await refuse(
-                    scope, dressed, 403, Sentence("the studio that this address belongs to has ended"), _START_AGAIN
+                    scope,
+                    with_headers,
+                    403,
+                    Sentence("the studio that this address belongs to has ended"),
+                    _START_AGAIN,
                 )
             else:
-                await refuse(scope, dressed, 403, Sentence("the token of this request is missing or wrong"), _ADDRESS)
+                await refuse(
+                    scope, with_headers, 403, Sentence("the token of this request is missing or wrong"), _ADDRESS
+                )
             return
         most = self.largest_trace_bytes if scope["path"] == TRACE_PATH else self.largest_body_bytes
         if _announced_too_much(headers, most):
-            await _refuse_body(scope, dressed, most)
+            await _refuse_body(scope, with_headers, most)
             return
-        if self._brings_the_token(scope):
+        if self._has_query_token(scope):
             scope.setdefault("state", {})["kitrobot_cookie"] = page_cookie(headers, self.token)
         try:
-            await self.app(scope, _limited(receive, most), dressed)
+            await self.app(scope, _limited(receive, most), with_headers)
         except BodyTooLarge:
             if not started:
-                await _refuse_body(scope, dressed, most)
+                await _refuse_body(scope, with_headers, most)
         except Exception as error:
             _log.error("%s: %s", type(error).__name__, error, exc_info=bool(os.environ.get("KITROBOT_DEBUG")))
             if not started:
-                await refuse(scope, dressed, 500, Sentence("something went wrong inside KitRobot"), _REPORT)
+                await refuse(scope, with_headers, 500, Sentence("something went wrong inside KitRobot"), _REPORT)
 
-    def _token_is_right(self, scope: Scope, headers: Headers) -> bool:
+    def _has_valid_token(self, scope: Scope, headers: Headers) -> bool:
         right = False
-        # All are compared, always: how long this takes tells nothing.
+        # All are compared, always, so the time that this takes reveals nothing.
         for value in (*_query_tokens(scope), headers.get(TOKEN_HEADER, "")):
-            right |= _same(self.token, value)
+            right |= _equal_in_constant_time(self.token, value)
         if scope["path"] == "/" and scope["type"] == "http":
             for value in _cookies(headers):
-                right |= _same(_for_the_page(self.token), value)
+                right |= _equal_in_constant_time(_page_token(self.token), value)
         return right
 
-    def _brings_the_token(self, scope: Scope) -> bool:
-        return scope["path"] == "/" and any(_same(self.token, value) for value in _query_tokens(scope))
+    def _has_query_token(self, scope: Scope) -> bool:
+        return scope["path"] == "/" and any(
+            _equal_in_constant_time(self.token, value) for value in _query_tokens(scope)
+        )
 
 
 _ADDRESS = Sentence("open the address that `kitrobot` printed")
@@ -187,11 +195,11 @@ _START_AGAIN = Sentence(
 _REPORT = Sentence("start it with KITROBOT_DEBUG=1 to see where, and please report it")
 
 
-def _same(one: str, other: str) -> bool:
+def _equal_in_constant_time(one: str, other: str) -> bool:
     return hmac.compare_digest(one.encode(), other.encode())
 
 
-def _host_is_ours(headers: Headers) -> bool:
+def _is_own_host(headers: Headers) -> bool:
     host = headers.get("host", "").lower()
     name, _, port = host.rpartition(":") if not host.endswith("]") and ":" in host else (host, "", "")
     if port and not port.isdecimal():
@@ -202,7 +210,7 @@ def _host_is_ours(headers: Headers) -> bool:
         return False
 
 
-def _origin_is_ours(headers: Headers) -> bool:
+def _is_own_origin(headers: Headers) -> bool:
     origin = headers.get("origin")
     return origin is None or origin.lower() == f"http://{headers.get('host', '').lower()}"
 
@@ -212,7 +220,7 @@ def _is_public(scope: Scope) -> bool:
     address is noticed at once.
     """
     path = scope["path"]
-    if scope["method"] == "POST" and path in AGAIN_PATHS:
+    if scope["method"] == "POST" and path in RECONNECT_PATHS:
         return True
     return scope["method"] in ("GET", "HEAD") and path != "/" and path != "/api" and not path.startswith("/api/")
 
@@ -233,10 +241,10 @@ def _cookie_name(headers: Headers) -> str:
 
 def page_cookie(headers: Headers, token: str) -> str:
     """What is set when a page comes with the token, so that it can be loaded again."""
-    return f"{_cookie_name(headers)}={_for_the_page(token)}; Path=/; HttpOnly; SameSite=Strict"
+    return f"{_cookie_name(headers)}={_page_token(token)}; Path=/; HttpOnly; SameSite=Strict"
 
 
-def _for_the_page(token: str) -> str:
+def _page_token(token: str) -> str:
     """What shows that a browser had the token, and is not the token."""
     return hmac.new(token.encode(), b"the page", hashlib.sha256).hexdigest()
 
@@ -248,8 +256,8 @@ def _cookies(headers: Headers) -> list[str]:
     return [value.strip().strip('"') for name, _, value in pairs if name.strip() == wanted]
 
 
-def dress(message: Message, scope: Scope) -> None:
-    """Puts the headers of every answer onto this one."""
+def add_security_headers(message: Message, scope: Scope) -> None:
+    """Adds the security headers, and the page's cookie, to an answer."""
     headers = MutableHeaders(scope=message)
     for name, value in _HEADERS.items():
         headers.setdefault(name, value)
@@ -268,7 +276,7 @@ async def refuse(scope: Scope, send: Send, status: int, message: str, help: str)
             "application/json",
         )
     else:
-        body, kind = pages.sentence(message, help).encode(), "text/html; charset=utf-8"
+        body, kind = fallback_pages.sentence(message, help).encode(), "text/html; charset=utf-8"
     head: dict[str, Any] = {
         "type": "http.response.start",
         "status": status,

@@ -20,7 +20,7 @@ def readable(words: str) -> str:
 
 
 def clause(words: str) -> str:
-    """A message in the reader's language. A name that it begins with stands between back quotes: the page begins its
+    """A message in the reader's language. A name that it begins with is between back quotes: the page begins its
     sentences large, and `square.krt` is no `Square.krt`.
     """
     text = readable(said(words))
@@ -48,7 +48,7 @@ _ENDS = (*STOPS.values(), "?", "!", "؟")
 FileName = Annotated[str, PlainSerializer(readable, return_type=str)]
 """A field for the name of a file on the disk, which the page shows."""
 Clause = Annotated[str, SkipValidation, PlainSerializer(clause, return_type=str)]
-"""A field for people, said in the language of the request that it answers when it is sent. It takes the message as it
+"""A field for people, translated into the language of the request when it is sent. It takes the message as it
 is, for checking it would make a plain `str` of a `kitrobot.text.Sentence`."""
 Spoken = Annotated[str, SkipValidation, PlainSerializer(spoken, return_type=str)]
 """The same as a sentence of its own."""
@@ -64,8 +64,8 @@ def not_understood(error: ValidationError) -> KitRobotError:
     )
 
 
-class InReadersLanguage:
-    """An ASGI shell: what is said while a request or a WebSocket is served is said in the language that it asks for.
+class LanguageMiddleware:
+    """ASGI middleware: sentences are translated into the language that a request or a WebSocket requests.
 
     `?language=` counts before `Accept-Language`: a browser lets no page write the headers of a WebSocket.
     """

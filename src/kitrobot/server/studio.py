@@ -19,7 +19,7 @@ from kitrobot.diagnostics import KitRobotError
 from kitrobot.files import RECORDING, Journals, MissionFolder
 from kitrobot.mission import Mission
 from kitrobot.primitives import SHIPPED, Catalogue, load_catalogue
-from kitrobot.server.beside_loop import Stop
+from kitrobot.server.background import StopSignal
 from kitrobot.server.broadcast import Broadcast
 from kitrobot.server.gallery import Gallery
 from kitrobot.server.recordings import Recordings
@@ -43,14 +43,14 @@ from kitrobot.workspace import (
 from kitrobot.world import EMPTY
 
 Stamp = tuple[tuple[str, int, int, int], ...]
-MOST_KEPT = 16
-"""Folders whose catalogue is kept."""
+MAX_CACHED = 16
+"""The number of folders whose catalogue is cached."""
 MOST_WORLDS = 1000
 """Missions of which it is known which world they are in."""
 
 
-class _Kept:
-    """What was read for the missions of some folders, in the state of `stamp`."""
+class CachedCatalogue:
+    """The catalogue of some folders, read in the state of `stamp`."""
 
     def __init__(self, stamp: Stamp, catalogue: Catalogue) -> None:
         self.stamp = stamp
@@ -70,17 +70,17 @@ class Studio:
         self.first = self.folder.name_of(mission) if mission is not None else None
         self.runs = 0
         self.at_work: set[str] = set()
-        """The kinds of work in the background that are on (`background_work`); as `runs`."""
+        """The kinds of work in the background that are on (`websocket_jobs`); as `runs`."""
         self.watches: dict[str, WatchedRun] = {}
         """The runs and recordings that are on, by their names."""
         self.broadcasts: dict[str, Broadcast] = {}
-        """Who watches them, by the same names."""
+        """Their watchers, by the same names."""
         self.boards = RobotRegistry(SerialGateway())
         """The real robots."""
         self.boards_for_visitors = False
         """Whether pages on other machines may use the ports of this one."""
         self.in_page = False
-        """Whether it runs in the page itself: it reaches no network, and only ports that were chosen (`in_page`)."""
+        """Whether it runs in the page itself, without a network, and with chosen ports only (`in_page_server`)."""
         self.recordings = Recordings(self._recordings_are_in)
         self.saving = asyncio.Lock()
         """Held while a run is recorded once more: one at a time is quick enough."""
@@ -89,11 +89,11 @@ class Studio:
         """What missions do in their first seconds."""
         self.tutorials = Tutorials(self.folder)
         self.exercises = Exercises(self.folder)
-        self.judging: dict[str, Stop] = {}
+        self.judging: dict[str, StopSignal] = {}
         """What stops each judging that is on, by the name that its page gave it."""
         self.programs = KeptPrograms()
         self._lock = threading.Lock()
-        self._kept: dict[tuple[Path, ...], _Kept] = {}
+        self._catalogues: dict[tuple[Path, ...], CachedCatalogue] = {}
         self._worlds: dict[str, Path] = {}
 
     @cached_property
@@ -124,18 +124,18 @@ class Studio:
         """As `catalogue`, as it travels."""
         return self._parts(path).shape
 
-    def _parts(self, path: str) -> _Kept:
+    def _parts(self, path: str) -> CachedCatalogue:
         folders = self.folder.folders_of(path)
         stamp = _stamp((SHIPPED, config_folder(), *folders))
         with self._lock:
-            kept = self._kept.get(folders)
+            kept = self._catalogues.get(folders)
         if kept is not None and kept.stamp == stamp:
             return kept
-        kept = _Kept(stamp, load_catalogue(folders))
+        kept = CachedCatalogue(stamp, load_catalogue(folders))
         with self._lock:
-            if len(self._kept) >= MOST_KEPT:
-                self._kept.clear()
-            self._kept[folders] = kept
+            if len(self._catalogues) >= MAX_CACHED:
+                self._catalogues.clear()
+            self._catalogues[folders] = kept
         return kept
 
     def stamp(self, path: str) -> str:

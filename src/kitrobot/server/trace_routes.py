@@ -10,11 +10,11 @@ from fastapi import BackgroundTasks, Query, Request
 from fastapi.responses import FileResponse
 
 from kitrobot.files import RECORDING, FileError, read_bytes, revision_of
-from kitrobot.server.beside_loop import beside_loop
+from kitrobot.server.api_router import ThisStudio, api_router
+from kitrobot.server.background import run_in_background
 from kitrobot.server.recordings import RecordingError
-from kitrobot.server.request_work import work_for
+from kitrobot.server.request_cancellation import run_until_disconnect
 from kitrobot.server.routes import LONGEST_NAME, mission_file
-from kitrobot.server.routing import ThisStudio, api_router
 from kitrobot.server.shapes import RecordingEntryShape, RecordingShape
 from kitrobot.server.studio import Studio
 from kitrobot.text import Sentence
@@ -49,12 +49,12 @@ def trace(studio: ThisStudio, path: Name) -> RecordingShape:
 async def trace_read(studio: ThisStudio, request: Request, name: Name = f"recording{ENDING}") -> RecordingShape:
     """A recording that is not in the folder, from its bytes; they go to the disk as they come."""
     shown = PurePosixPath(name.replace("\\", "/")).name[-100:]
-    path = await beside_loop(studio.recordings.new_file, shown if is_trace(shown) else f"recording{ENDING}")
+    path = await run_in_background(studio.recordings.new_file, shown if is_trace(shown) else f"recording{ENDING}")
     try:
         with path.open("wb") as file:
             async for piece in request.stream():
                 file.write(piece)
-        return await beside_loop(_opened, studio, path)
+        return await run_in_background(_opened, studio, path)
     except BaseException:
         shutil.rmtree(path.parent, ignore_errors=True)
         raise
@@ -62,16 +62,16 @@ async def trace_read(studio: ThisStudio, request: Request, name: Name = f"record
 
 @trace_routes.get("/run/trace", response_class=FileResponse)
 async def run_trace(studio: ThisStudio, request: Request, run: Name, after: BackgroundTasks) -> FileResponse:
-    """The whole past of a run that is on, or stands at its end, as a recording."""
+    """The whole past of a run that is on, or at its end, as a recording."""
     watch = studio.watches.get(run)
     if watch is None:
         raise RecordingError(
             Sentence("there is no such run any more"), Sentence("a run can be saved until another one begins")
         )
-    path = await beside_loop(studio.recordings.new_file, f"run{ENDING}")
+    path = await run_in_background(studio.recordings.new_file, f"run{ENDING}")
     try:
         async with studio.saving:
-            await work_for(request, lambda stop: watch.record_to(path, stop.is_set))
+            await run_until_disconnect(request, lambda stop: watch.record_to(path, stop.is_set))
     except BaseException:
         shutil.rmtree(path.parent, ignore_errors=True)
         raise

@@ -1,6 +1,6 @@
-"""A run as the page is told it: steered, paused at breakpoints, and told as frames and messages, whatever its source.
+"""A run as the page sees it: steered, paused at breakpoints, and sent as frames and messages, whatever its source.
 
-What the page is told comes from records as a trace holds them (run_messages). Events are collected over all the ticks
+The messages come from records of a trace (run_encoder). Events are collected over all the ticks
 between two messages.
 """
 
@@ -13,7 +13,7 @@ from typing import Any
 
 from kitrobot.diagnostics import Diagnostic, KitRobotError
 from kitrobot.mission import Breakpoint, Mission
-from kitrobot.server.run_messages import MOST_EVENTS_TOLD, MOST_REPORTED, RunEncoder
+from kitrobot.server.run_encoder import MOST_EVENTS_SENT, MOST_REPORTED, RunEncoder
 from kitrobot.server.shapes import StartedMessage
 from kitrobot.sim.breakpoints import Breakpoints, Hit, ObservedAgent
 from kitrobot.text import Sentence
@@ -24,20 +24,20 @@ _TICKS_BETWEEN_LOOKS = 8
 """Ticks run between two looks at the clock; fewer of very many robots, so that Stop is obeyed soon."""
 _ROBOT_TICKS_BETWEEN_LOOKS = 4000
 
-_WAY_TICKS = 16
-"""Ticks between two places of the way that robots went since they were told last, where more were run."""
-_MOST_WAY = 16_000
-"""Bytes of that way; a longer one has its places further apart."""
+_PATH_INTERVAL_TICKS = 16
+"""Ticks between two points of the path that robots took since the last update, where more were run."""
+_MAX_PATH_BYTES = 16_000
+"""Bytes of that path; a longer one has its points further apart."""
 LONGEST_STEP_S = 600
 """How far in the run a step to another vertex goes, forward or back, where the agent stays where it is."""
 
 
 class StepError(KitRobotError):
-    """Nobody came to another vertex."""
+    """No agent came to another vertex."""
 
 
 class WatchedRun(ABC):
-    """One run. `agents` are what breakpoints ask of its members; `recording` says that all of it has happened.
+    """One run. `agents` are queried by breakpoints; `recording`: all of it has happened.
 
     Raises:
         ConditionError: the condition of a breakpoint cannot be understood.
@@ -57,15 +57,15 @@ class WatchedRun(ABC):
         self._world = world
         self._agents = agents
         self._encoder = RunEncoder(source.header)
-        self._breakpoints = self._armed(breakpoints)
+        self._breakpoints = self._parse_breakpoints(breakpoints)
         members = len(source.header.agents)
         self._longest_step = LONGEST_STEP_S * 1000 // source.header.tick_ms
         self._portion = max(1, min(_TICKS_BETWEEN_LOOKS, _ROBOT_TICKS_BETWEEN_LOOKS // max(1, members)))
-        self._way: list[bytes] = []
-        self._way_tick = 0
-        self._way_ticks = _WAY_TICKS
+        self._path_frames: list[bytes] = []
+        self._path_tick = 0
+        self._path_interval = _PATH_INTERVAL_TICKS
         self.hits: list[Hit] = []
-        """Why `advance` came to an end before its time: who came to a breakpoint."""
+        """Why `advance` came to an end before its time: the agents at breakpoints."""
 
     @property
     def real(self) -> bool:
@@ -84,12 +84,12 @@ class WatchedRun(ABC):
 
     @property
     def tick(self) -> int:
-        """The tick that the run stands at."""
+        """The tick that the run is at."""
         return self._source.tick
 
     @property
     def tick_s(self) -> float:
-        """Seconds of the run a tick."""
+        """Seconds of simulated time per tick."""
         return self._source.header.tick_ms / 1000
 
     @property
@@ -99,7 +99,7 @@ class WatchedRun(ABC):
 
     @property
     def outcome(self) -> str | None:
-        """How the run ended, if it stands at its end."""
+        """How the run ended, if it is at its end."""
         return self._source.outcome
 
     @property
@@ -124,38 +124,38 @@ class WatchedRun(ABC):
 
     def _advance(self, ticks: int) -> int:
         made = self._source.advance(ticks)
-        if self.tick - self._way_tick >= self._way_ticks:
-            self._keep_way()
+        if self.tick - self._path_tick >= self._path_interval:
+            self._keep_path_frame()
         if self._breakpoints:
             self._observe()
             self.hits = self._breakpoints.after_step(self.tick)
         return made
 
-    def _keep_way(self) -> None:
-        """Where the robots are on the way to what is told next: of a few, as of many nobody could see it."""
-        self._way_tick = self.tick
+    def _keep_path_frame(self) -> None:
+        """Stores where the robots are between two updates, for a few robots: of many nobody could see it."""
+        self._path_tick = self.tick
         if len(self._source.header.agents) > MOST_REPORTED:
             return
-        self._way.append(self._encoder.frame(self._source.record(())))
-        if len(self._way) * len(self._way[0]) > _MOST_WAY:
-            del self._way[::2]
-            self._way_ticks *= 2
+        self._path_frames.append(self._encoder.encode_frame(self._source.record(())))
+        if len(self._path_frames) * len(self._path_frames[0]) > _MAX_PATH_BYTES:
+            del self._path_frames[::2]
+            self._path_interval *= 2
 
-    def _observe(self) -> None:  # noqa: B027 (members of a simulation always stand where it does)
-        """Brings the agents that breakpoints ask to the tick where the run stands."""
+    def _observe(self) -> None:  # noqa: B027 (members of a simulation are always at its tick)
+        """Brings the agents that breakpoints ask to the tick that the run is at."""
 
     def seek(self, tick: int) -> Iterator[None]:
         """The way to a tick, in short pieces, as those of `RunSource.seek`."""
         yield from self._source.seek(tick)
-        self._went()
+        self._after_seek()
 
     def follow(self) -> Iterator[None]:
         """The way to the latest tick."""
         return self.seek(self._source.latest)
 
-    def begins_anew(self) -> bool:
-        """Whether it began anew since this was asked last, as robots do that are started again. What it stood at
-        before is gone then; it is gone on with from its beginning, and visits are counted anew.
+    def has_restarted(self) -> bool:
+        """Whether it has restarted since the last call, as robots do that are started again. Its earlier state is gone
+        then; it goes on from its beginning, and visits are counted anew.
         """
         return False
 
@@ -164,15 +164,15 @@ class WatchedRun(ABC):
         self.follows = False
 
     def step(self, agent: str) -> Iterator[None]:
-        """The way on until the agent ("" for anybody) stands at another vertex, or somebody comes to a breakpoint.
+        """The way on until the agent ("" for anybody) is at another vertex, or an agent comes to a breakpoint.
 
         Raises:
-            StepError: it still stands where it did after `LONGEST_STEP_S` of the run; there the run stands too.
+            StepError: it is still at the same vertex after `LONGEST_STEP_S` of the run; the run stays there.
         """
-        before, last = self._standing(agent), self.tick + self._longest_step
+        before, last = self._thread_positions(agent), self.tick + self._longest_step
         self.hits = []
         while self.outcome is None and not self.hits:
-            if self._advance(1) == 0 or self._standing(agent) != before:
+            if self._advance(1) == 0 or self._thread_positions(agent) != before:
                 return
             if self.tick >= last:
                 raise StepError(
@@ -191,19 +191,19 @@ class WatchedRun(ABC):
         """The way back to the last tick at which the agent ("" for anybody) stood at another vertex, to the first, or
         by `LONGEST_STEP_S`.
         """
-        before, last = self._standing(agent), self.tick - self._longest_step
-        yield from self._source.seek_back(lambda: self.tick <= last or self._standing(agent) != before)
-        self._went()
+        before, last = self._thread_positions(agent), self.tick - self._longest_step
+        yield from self._source.seek_back(lambda: self.tick <= last or self._thread_positions(agent) != before)
+        self._after_seek()
 
-    def _standing(self, agent: str) -> list[tuple[str, tuple[str | None, ...]]]:
-        return self._encoder.standing(self._source.active(), agent)
+    def _thread_positions(self, agent: str) -> list[tuple[str, tuple[str | None, ...]]]:
+        return self._encoder.thread_positions(self._source.active(), agent)
 
-    def _went(self) -> None:
+    def _after_seek(self) -> None:
         self._observe()
         self._breakpoints.went_to(self.tick)
         self.hits = []
         # The robots did not drive from where they were.
-        self._way, self._way_tick = [], self.tick
+        self._path_frames, self._path_tick = [], self.tick
 
     # -- from outside
 
@@ -215,7 +215,7 @@ class WatchedRun(ABC):
         """As `RunSource.set_variable`."""
         self._source.set_variable(agent, variable, value)
 
-    def harm(self, agent: str, kind: str) -> None:
+    def inject_fault(self, agent: str, kind: str) -> None:
         """As `RunSource.fail`."""
         self._source.fail(agent, kind)
 
@@ -233,46 +233,48 @@ class WatchedRun(ABC):
         Raises:
             ConditionError: a condition cannot be understood.
         """
-        self._breakpoints = self._armed(breakpoints)
+        self._breakpoints = self._parse_breakpoints(breakpoints)
         self._observe()
         self._breakpoints.went_to(self.tick)
 
-    def _armed(self, breakpoints: Iterable[Breakpoint]) -> Breakpoints:
+    def _parse_breakpoints(self, breakpoints: Iterable[Breakpoint]) -> Breakpoints:
         return Breakpoints(breakpoints, self._agents, self._source.header.places)
 
-    # -- telling
+    # -- messages
 
     def started(self, run: str) -> StartedMessage:
         """The first message."""
         first = self._source.record()
         pens = self._source.drawing.pens
-        told = self._encoder.started(run, self._world, first, self._source.abilities, self.recording, pens)
-        return told.model_copy(update={"fleet": self.fleet})
+        message = self._encoder.started(run, self._world, first, self._source.abilities, self.recording, pens)
+        return message.model_copy(update={"fleet": self.fleet})
 
-    def tell(self) -> tuple[bytes, dict[str, Any]]:
-        """All poses, as `RunEncoder.frame` gives them, after those of the way there where that was long, and what
-        changed since the last time, in the shape of a `TickMessage`.
+    def encode_update(self) -> tuple[bytes, dict[str, Any]]:
+        """All poses, as `RunEncoder.encode_frame` gives them, after those of the path there if that was long, and the
+        changes since the last update, in the shape of a `TickMessage`.
         """
-        again, events = self._source.new_events(MOST_EVENTS_TOLD)
+        again, events = self._source.new_events(MOST_EVENTS_SENT)
         record = self._source.record(self._encoder.reported)
         drawn = self._source.drawing.news(record.tick)
-        frames = b"".join([*self._way, self._encoder.frame(record)])
-        self._way, self._way_tick, self._way_ticks = [], record.tick, _WAY_TICKS
-        return frames, self._encoder.news(record, self._source.latest, again, events, drawn)
+        frames = b"".join([*self._path_frames, self._encoder.encode_frame(record)])
+        self._path_frames, self._path_tick, self._path_interval = [], record.tick, _PATH_INTERVAL_TICKS
+        return frames, self._encoder.encode_changes(record, self._source.latest, again, events, drawn)
 
-    def tell_whole(self) -> tuple[bytes, dict[str, Any]]:
-        """All poses and everything that `tell` has told so far, for somebody who joins now."""
-        events = self._source.events(MOST_EVENTS_TOLD)
+    def encode_snapshot(self) -> tuple[bytes, dict[str, Any]]:
+        """All poses and everything that `encode_update` has sent so far, for a watcher that joins now."""
+        events = self._source.events(MOST_EVENTS_SENT)
         record = self._source.record(self._encoder.reported)
         marks = self._source.drawing.until(record.tick)
-        return self._encoder.frame(record), self._encoder.whole(record, self._source.latest, events, marks)
+        return self._encoder.encode_frame(record), self._encoder.encode_snapshot(
+            record, self._source.latest, events, marks
+        )
 
-    # -- keeping
+    # -- recording
 
     @abstractmethod
     def record_to(self, path: Path, stop: Callable[[], bool] = lambda: False) -> None:
-        """Writes its whole past into a file, or as much as there is until `stop` says so, where that takes long. It may
-        go on meanwhile, in another thread.
+        """Writes its whole past into a file, or the part that was written when `stop` returns True. The run may go on
+        meanwhile, in another thread.
 
         Raises:
             TraceError: the trace cannot be written.

@@ -4,7 +4,7 @@ The folder holds the built page, Pyodide (CPython for WebAssembly), and the Pyth
 archive. The same sources make the same bytes. What this machine cannot bring along by itself, Pyodide and the one wheel
 that is compiled for it, is looked for in the folders `parts`.
 
-Left to others: the Python packages (`site_packages`), running in a page (`server.in_page`), the page's side of it.
+Left to others: the Python packages (`site_packages`), running in a page (`server.in_page_server`), the page's side.
 """
 
 from __future__ import annotations

@@ -10,7 +10,7 @@ import pytest
 
 from kitrobot.classroom import ClassRoom
 from kitrobot.server.class_app import ClassApp, create_class_app
-from kitrobot.server.class_overview import Reach
+from kitrobot.server.class_overview import JoinAddress
 from tests.server.conftest import SHORT, TestClient
 
 KEY = "the-teachers-key"
@@ -21,7 +21,7 @@ SOCKET = "ws://192.168.4.20:8765"
 
 SQUARE = "example:exercises/03-square.exercise.xml"
 
-REACH = Reach(HOST, ("101",), "Only this machine can reach the class")
+REACH = JoinAddress(HOST, ("101",), "Only this machine can reach the class")
 
 
 @dataclass

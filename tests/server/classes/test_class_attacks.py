@@ -15,9 +15,9 @@ from starlette.websockets import WebSocketDisconnect
 
 from kitrobot.classroom import ClassRoom
 from kitrobot.files import measured
-from kitrobot.server import class_door, class_sockets, class_studios, create_app
+from kitrobot.server import class_gateway, class_sockets, class_studios, create_app
+from kitrobot.server.assignments import pack
 from kitrobot.server.class_app import class_api
-from kitrobot.server.handed_out import pack
 from tests.server.classes.conftest import KEY, SOCKET, SQUARE, WORLD, hand_in, told
 
 ROBOT = b'<robot name="NAME" version="1"><!--' + b"x" * 600 + b'--><sensor name="Sign"/></robot>'
@@ -235,8 +235,8 @@ def test_a_mission_that_is_too_large_is_refused_before_it_is_read(school, missio
 
 def test_a_flood_is_held_and_only_of_who_floods(school, monkeypatch):
     # Fewer than are allowed otherwise: what is held is how they are counted.
-    monkeypatch.setattr(class_door, "AT_ONCE", 30.0)
-    monkeypatch.setattr(class_door, "STRANGERS_AT_ONCE", 20.0)
+    monkeypatch.setattr(class_gateway, "AT_ONCE", 30.0)
+    monkeypatch.setattr(class_gateway, "STRANGERS_AT_ONCE", 20.0)
     # No time passes.
     school.app.app.app._clock = lambda: 0.0
     ada, _ = school.join("Ada")
@@ -344,7 +344,7 @@ def test_folders_and_files_are_counted_and_what_becomes_smaller_is_written(schoo
 
 
 def test_one_pupil_has_so_many_sockets_of_every_kind(school, monkeypatch):
-    monkeypatch.setattr(class_door, "MOST_SOCKETS", 3)
+    monkeypatch.setattr(class_gateway, "MOST_SOCKETS", 3)
     ada, key = school.join("Ada")
     with contextlib.ExitStack() as stack:
         for path in ("class/pupil", "watch", "run"):
@@ -357,9 +357,9 @@ def test_one_pupil_has_so_many_sockets_of_every_kind(school, monkeypatch):
 
 def test_joining_and_everything_else_do_not_hold_up_each_other(school, monkeypatch):
     for name in ("STRANGERS_A_SECOND", "JOINS_A_SECOND"):
-        monkeypatch.setattr(class_door, name, 0.0)
+        monkeypatch.setattr(class_gateway, name, 0.0)
     for name in ("STRANGERS_AT_ONCE", "JOINS_AT_ONCE"):
-        monkeypatch.setattr(class_door, name, 5.0)
+        monkeypatch.setattr(class_gateway, name, 5.0)
     stranger = school.client()
     answers = [stranger.get("/api/class").status_code for _ in range(6)]
     assert answers == [200] * 5 + [429]

@@ -9,10 +9,10 @@ from pathlib import Path
 import pytest
 
 from kitrobot.classroom import ClassRoom
-from kitrobot.server import ClassOpening, serve_class
+from kitrobot.server import ClassSettings, serve_class
 from kitrobot.server.app import create_app
+from kitrobot.server.assignments import MOST_BYTES, MOST_FILES, pack
 from kitrobot.server.class_app import create_class_app
-from kitrobot.server.handed_out import MOST_BYTES, MOST_FILES, pack
 from kitrobot.workspace.site import SiteError
 from tests.server.classes.conftest import KEY, REACH, Class
 from tests.server.classes.test_class_exercises import put_own_exercise
@@ -163,9 +163,9 @@ def test_packed_files_are_a_plain_archive():
 
 def test_a_site_that_cannot_be_used_is_told_before_anything_is_opened(tmp_path):
     with pytest.raises(SiteError, match="there is no site of KitRobot"):
-        serve_class(ClassOpening(tmp_path / "Class", site=tmp_path / "nowhere"))
+        serve_class(ClassSettings(tmp_path / "Class", site=tmp_path / "nowhere"))
     # In the folder of the class it is found without being named.
     (tmp_path / "Class" / "Site").mkdir(parents=True)
     with pytest.raises(SiteError, match="there is no site of KitRobot"):
-        serve_class(ClassOpening(tmp_path / "Class"))
+        serve_class(ClassSettings(tmp_path / "Class"))
     assert [path.name for path in (tmp_path / "Class").iterdir()] == ["Site"]

@@ -10,8 +10,8 @@ from pathlib import Path
 
 import pytest
 
-from kitrobot.server.class_start import qr_rows, reach_sentence
-from kitrobot.server.start import ServerError
+from kitrobot.server.class_server import qr_rows, reach_sentence
+from kitrobot.server.studio_server import ServerError
 from tests.patience import PATIENCE_S
 
 FINDER = ["1111111", "1000001", "1011101", "1011101", "1011101", "1000001", "1111111"]
@@ -65,10 +65,10 @@ def test_it_is_said_who_can_reach_a_class(address: str, secure: bool, words: str
 
 @pytest.mark.parametrize("host", ["school.example", "", "300.1.1.1", "192.168.4.20:80", "-"])
 def test_an_address_that_is_none_is_a_sentence(tmp_path: Path, host: str) -> None:
-    from kitrobot.server import ClassOpening, serve_class
+    from kitrobot.server import ClassSettings, serve_class
 
     with pytest.raises(ServerError, match="is no address of this machine") as found:
-        serve_class(ClassOpening(tmp_path / "Class", host))
+        serve_class(ClassSettings(tmp_path / "Class", host))
     assert "number in the network" in found.value.help
     assert not (tmp_path / "Class").exists()
 

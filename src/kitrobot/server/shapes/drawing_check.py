@@ -7,10 +7,10 @@ from typing import Annotated, Literal
 
 from pydantic import BaseModel, Field, TypeAdapter
 
+from kitrobot.server.shapes.job import WorkMessage
 from kitrobot.server.shapes.mission import MissionShape
 from kitrobot.server.shapes.problem import ProblemShape, problem_shapes
 from kitrobot.server.shapes.verification import ConfirmingRunShape, confirming_run_shape
-from kitrobot.server.shapes.work import WorkMessage
 from kitrobot.workspace.drawing_check import DrawingFinding
 
 

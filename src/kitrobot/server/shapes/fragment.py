@@ -9,7 +9,7 @@ from pydantic import BaseModel, Field
 from kitrobot.primitives import MOST_OWN
 from kitrobot.server.shapes.catalogue import ConstructorShape
 from kitrobot.server.shapes.mission import ProgramShape
-from kitrobot.server.shapes.own import OwnVariableShape
+from kitrobot.server.shapes.own_parts import OwnVariableShape
 from kitrobot.server.shapes.problem import ProblemShape
 
 LONGEST_FRAGMENT = 1_000_000

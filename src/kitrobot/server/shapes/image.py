@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from pydantic import BaseModel
 
-from kitrobot.server.shapes.sent import SentMissionShape
+from kitrobot.server.shapes.mission_delta import SentMissionShape
 
 
 class ImageAskShape(BaseModel):

@@ -25,7 +25,7 @@ from kitrobot.mission.radio import LARGEST_RANGE_MM, LONGEST_DELAY_MS
 from kitrobot.mission.trial import LONGEST_CONDITION, LONGEST_S, MOST_HITS
 from kitrobot.primitives import MOST_OWN, Level
 from kitrobot.server.shapes.catalogue import ConstructorShape, LevelName
-from kitrobot.server.shapes.own import OwnVariableShape, own_constructor, own_variable
+from kitrobot.server.shapes.own_parts import OwnVariableShape, own_constructor, own_variable
 from kitrobot.server.shapes.own_world import OwnWorldShape, own_world, own_world_shape
 from kitrobot.server.shapes.values import AgentValue, ArcValue, GoalValue, VertexValue, View
 

@@ -6,8 +6,8 @@ from typing import Annotated
 
 from pydantic import BaseModel, Field
 
+from kitrobot.server.shapes.mission_delta import SentMissionShape
 from kitrobot.server.shapes.problem import ProblemShape
-from kitrobot.server.shapes.sent import SentMissionShape
 
 
 class SpanEntryShape(BaseModel):

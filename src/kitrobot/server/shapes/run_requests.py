@@ -6,7 +6,7 @@ from typing import Annotated, Literal
 
 from pydantic import BaseModel, Field, TypeAdapter
 
-from kitrobot.server.realtime_clock import FASTEST
+from kitrobot.server.realtime_pacer import FASTEST
 from kitrobot.server.shapes.board import Address, Name, TeamBoards
 from kitrobot.server.shapes.mission import MOST_AGENTS, BreakpointShape, MissionShape
 from kitrobot.sim import MAX_SECONDS

@@ -7,8 +7,8 @@ from typing import Annotated, Literal
 from pydantic import BaseModel, Field, TypeAdapter
 
 from kitrobot.server.sentences import Spoken
+from kitrobot.server.shapes.job import WorkMessage, WorkRefusedMessage
 from kitrobot.server.shapes.mission import MissionShape
-from kitrobot.server.shapes.work import WorkMessage, WorkRefusedMessage
 from kitrobot.workspace.sweep import Sweep
 
 MOST_MOMENTS = 200
@@ -78,7 +78,7 @@ SWEEP_REQUEST_MODELS: tuple[type[BaseModel], ...] = (SweepStartRequest, SweepSto
 SWEEP_MESSAGE_MODELS: tuple[type[BaseModel], ...] = (SweepProgressMessage, SweepMapMessage, WorkRefusedMessage)
 
 
-def sweep_map(sweep: Sweep) -> SweepMapMessage:
+def sweep_map_message(sweep: Sweep) -> SweepMapMessage:
     """A sweep of single failures as the page gets it."""
     places = {tick: place for place, tick in enumerate(sweep.moments)}
     return SweepMapMessage(

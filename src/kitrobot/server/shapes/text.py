@@ -5,9 +5,9 @@ from __future__ import annotations
 from pydantic import BaseModel
 
 from kitrobot.server.shapes.mission import DeclaredShape
+from kitrobot.server.shapes.mission_delta import DrawnProgramShape, SentMissionShape
 from kitrobot.server.shapes.problem import ProblemShape
 from kitrobot.server.shapes.report import ReportShape, SpanEntryShape
-from kitrobot.server.shapes.sent import DrawnProgramShape, SentMissionShape
 
 
 class TextEditShape(BaseModel):

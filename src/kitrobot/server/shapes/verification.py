@@ -7,8 +7,8 @@ from typing import Annotated, Literal
 from pydantic import BaseModel, Field, TypeAdapter
 
 from kitrobot.server.sentences import Clause, Spoken
+from kitrobot.server.shapes.job import WorkMessage, WorkRefusedMessage
 from kitrobot.server.shapes.mission import MissionShape
-from kitrobot.server.shapes.work import WorkMessage, WorkRefusedMessage
 from kitrobot.verifier import KINDS, ConfirmedRun
 from kitrobot.workspace.background_check import Answered, Checked, Explored
 from kitrobot.workspace.verification import MOST_FAILURES

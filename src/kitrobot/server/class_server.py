@@ -1,0 +1,215 @@
+"""Starting a class: where it listens, who can reach that, the code and its picture in the terminal, and a clean end."""
+
+from __future__ import annotations
+
+import io
+import ipaddress
+import socket
+import sys
+import threading
+import webbrowser
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING, Final
+
+from kitrobot.classroom import SITE, ClassRoom, Desk, unread_sentence
+from kitrobot.server.class_certificate import usable_certificate
+from kitrobot.server.presence import Presence
+from kitrobot.server.studio_server import ServerError, has_screen, listen, print_address
+from kitrobot.text import Sentence
+from kitrobot.translation import said
+
+if TYPE_CHECKING:
+    from kitrobot.server.class_overview import JoinAddress
+
+USUAL_FOLDER: Final = "Class"
+
+
+@dataclass(frozen=True)
+class ClassSettings:
+    """How a class is to be opened: `tls` is a certificate and its key; `new_code` instead of the one it had; `site` the
+    folder of a static site, None for that in the folder of the class, if there is one.
+    """
+
+    folder: Path
+    host: str = "127.0.0.1"
+    port: int | None = None
+    tls: tuple[Path, Path] | None = None
+    browser: bool = True
+    new_code: bool = False
+    site: Path | None = None
+
+
+def serve_class(opening: ClassSettings) -> None:
+    """Serves a class until Ctrl-C.
+
+    Raises:
+        ServerError: it cannot listen there, or the certificate cannot be used.
+        ClassError: the class of the folder runs already.
+        FileError: the folder, the certificate or its key cannot be used.
+        SiteError: the site cannot be used.
+    """
+    address = _address(opening.host)
+    if opening.tls is not None:
+        usable_certificate(*opening.tls)
+    site = _site(opening)
+    room = ClassRoom(opening.folder)
+    try:
+        if opening.new_code or not room.record.code:
+            Desk(room).set_code(True)
+        _serve(room, address, opening, site)
+    finally:
+        room.close()
+
+
+def _site(opening: ClassSettings) -> Path | None:
+    """The site that pupils' pages have their Python from.
+
+    Raises:
+        SiteError: it cannot be used.
+    """
+    from kitrobot.workspace.site import expect_site
+
+    site = opening.site
+    if site is None and (opening.folder / SITE).is_dir():
+        site = opening.folder / SITE
+    if site is not None:
+        expect_site(site)
+    return site
+
+
+def _serve(room: ClassRoom, address: str, opening: ClassSettings, site: Path | None) -> None:
+    tls = opening.tls
+    first = listen(address, opening.port)
+    number = first.getsockname()[1]
+    listening = [first]
+    if not _is_loopback(address) and not _is_any(address):
+        # The teacher's page is for this machine; it is at the number that all machines have for themselves.
+        listening.append(listen("127.0.0.1", number))
+    # Only now: where it cannot listen, nobody waits for the web server to load.
+    from kitrobot.server.class_app import create_class_app
+    from kitrobot.server.class_gateway import new_key
+    from kitrobot.server.class_overview import JoinAddress
+    from kitrobot.server.web_server import run_server
+
+    scheme = "http" if tls is None else "https"
+    shown = _own_address() if _is_any(address) else address
+    pupils = f"{scheme}://{_name(shown)}:{number}/"
+    home = f"{scheme}://{'127.0.0.1' if tls is None else _name(shown)}:{number}/"
+    key = new_key()
+    reach = JoinAddress(pupils, tuple(qr_rows(pupils)), reach_sentence(address, tls is not None))
+    made = create_class_app(room, key, reach, site=site)
+    teacher = f"{home}teacher?token={key}"
+
+    def ready() -> None:
+        print_address(teacher)
+        for line in _welcome(room, reach, site):
+            print(line, file=sys.stderr, flush=True)
+        if opening.browser and has_screen():
+            threading.Thread(target=_open_browser, args=(room.folder, teacher), daemon=True).start()
+
+    try:
+        run_server(made.app, listening, ready, tls)
+    finally:
+        made.close()
+        for one in listening:
+            one.close()
+
+
+def _welcome(room: ClassRoom, reach: JoinAddress, site: Path | None) -> list[str]:
+    code = room.record.code
+    runs = Sentence("Programs of pupils run in their own browsers.")
+    if site is None:
+        runs = Sentence(
+            "Programs of pupils run on this machine. For more than a few pupils write a site into {folder}"
+            " (`kitrobot site`): then they run in the pupils' own browsers.",
+            room.folder / SITE,
+        )
+    return [
+        said(Sentence("The page for the teacher is at the address above; keep it to yourself.")),
+        "",
+        qr_text(reach.address) if sys.stderr.isatty() else "",
+        said(Sentence("Pupils open {address}", reach.address)),
+        said(Sentence("and type the code {code}", f"{code[:3]} {code[3:]}")),
+        "",
+        said(reach.sentence),
+        said(runs),
+        said(Sentence("The work of the class is in the folder {folder}. Ctrl-C ends the class.", room.folder)),
+        *(said(unread_sentence(one)) for one in room.record.unread),
+    ]
+
+
+def qr_rows(text: str) -> list[str]:
+    """A QR code: rows of 0 and 1, without the quiet zone."""
+    import segno
+
+    return ["".join("1" if module else "0" for module in row) for row in segno.make(text, micro=False).matrix]
+
+
+def qr_text(text: str) -> str:
+    """The same for a terminal."""
+    import segno
+
+    out = io.StringIO()
+    segno.make(text, micro=False).terminal(out, compact=True)
+    return out.getvalue()
+
+
+def reach_sentence(address: str, secure: bool) -> Sentence:
+    """Who can reach the class."""
+    if _is_loopback(address):
+        return Sentence(
+            "Only this machine can reach the class; for pupils at others start it with `--host {address}`.",
+            _own_address(),
+        )
+    if secure:
+        return Sentence("Everybody in the network of this machine can reach the class; who has the code comes in.")
+    return Sentence(
+        "Everybody in the network of this machine can reach the class; who has the code comes in. What is sent can be"
+        " read in that network: `--tls` prevents it."
+    )
+
+
+def _address(host: str) -> str:
+    """The address to bind to.
+
+    Raises:
+        ServerError: it is no number.
+    """
+    address = "127.0.0.1" if host == "localhost" else host.strip("[]")
+    try:
+        return str(ipaddress.ip_address(address))
+    except ValueError:
+        raise ServerError(
+            Sentence("`{host}` is no address of this machine", host),
+            Sentence("give its number in the network: perhaps {address}", _own_address()),
+        ) from None
+
+
+def _is_loopback(address: str) -> bool:
+    return ipaddress.ip_address(address).is_loopback
+
+
+def _is_any(address: str) -> bool:
+    return ipaddress.ip_address(address).is_unspecified
+
+
+def _own_address() -> str:
+    """This machine's address in the network, as far as it is known; nothing is sent for it."""
+    with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as asked:
+        try:
+            asked.connect(("192.0.2.1", 9))
+            return str(asked.getsockname()[0])
+        except OSError:
+            return "127.0.0.1"
+
+
+def _name(host: str) -> str:
+    return f"[{host}]" if ":" in host else host
+
+
+def _open_browser(folder: Path, address: str) -> None:
+    """Opens the browser, without the key in its command line: other users of this machine can read that."""
+    page = Presence(folder).write_redirect_page(address)
+    if page is not None:
+        webbrowser.open(page.as_uri())

@@ -1,0 +1,35 @@
+"""`WS /api/drawing-check`: endless behaviour of a mission that is being drawn; checked after an edit.
+
+Left to others: finding it (`workspace.drawing_check`). The page closes the socket at the next edit, which ends it.
+"""
+
+from __future__ import annotations
+
+from typing import ClassVar
+
+from kitrobot.server.shapes.drawing_check import (
+    DRAWING_CHECK_REQUEST,
+    DrawingCheckMessage,
+    DrawingCheckStartRequest,
+    drawing_check_message,
+)
+from kitrobot.server.websocket_jobs import WebSocketJob
+from kitrobot.text import Sentence
+from kitrobot.workspace import OpenMission, RunOptions
+from kitrobot.workspace.drawing_check import EXPLORE_S, RUN_S, look_through
+
+
+class _DrawingCheck(WebSocketJob):
+    kind = "check while drawing"
+    request: ClassVar = DRAWING_CHECK_REQUEST
+    start = DrawingCheckStartRequest
+    progress = DrawingCheckMessage
+    busy = Sentence("this studio is at a check already")
+
+    def work(self, request: DrawingCheckStartRequest, opened: OpenMission) -> DrawingCheckMessage:
+        prepared = opened.prepare(RunOptions(request.seed, RUN_S))
+        found = look_through(prepared, self.stop.is_set, EXPLORE_S)
+        return drawing_check_message(found, prepared.simulation.tick_ms)
+
+
+drawing_check_routes = _DrawingCheck.routes_at("/api/drawing-check")

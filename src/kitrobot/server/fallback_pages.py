@@ -1,0 +1,55 @@
+"""The few pages that the studio writes itself: a sentence and a way out, for when the real page cannot be shown."""
+
+from __future__ import annotations
+
+import html
+import re
+
+from kitrobot.server.sentences import spoken
+from kitrobot.translation import DIRECTIONS, said_in
+
+_PAGE = """<!doctype html>
+<html lang="{language}" dir="{direction}">
+<head>
+<meta charset="utf-8">
+<meta name="viewport" content="width=device-width, initial-scale=1">
+<title>KitRobot</title>
+<style>
+:root {{ color-scheme: light dark; }}
+body {{ font: 16px/1.5 system-ui, sans-serif; max-width: 36rem; margin: 20vh auto 0; padding: 0 1.5rem; }}
+h1 {{ font-size: 1.25rem; }}
+code {{ direction: ltr; unicode-bidi: isolate; }}
+code {{ font-family: ui-monospace, monospace; padding: 0.1em 0.35em; border-radius: 6px; background: #8882; }}
+</style>
+</head>
+<body>
+<h1>{message}</h1>
+<p>{help}</p>
+</body>
+</html>
+"""
+
+
+def sentence(message: str, help: str) -> str:
+    """A page with one sentence; `words` in back quotes are set as code."""
+    language = said_in()
+    return _PAGE.format(
+        language=language,
+        direction=DIRECTIONS[language],
+        message=_words(spoken(message)),
+        help=_words(spoken(help)),
+    )
+
+
+def redirect(address: str) -> str:
+    """A page that leads on to an address at once."""
+    shown = html.escape(address)
+    return (
+        '<!doctype html>\n<meta charset="utf-8">\n<meta name="referrer" content="no-referrer">\n'
+        f'<title>KitRobot</title>\n<meta http-equiv="refresh" content="0; url={shown}">\n'
+        f'<a href="{shown}">KitRobot</a>\n'
+    )
+
+
+def _words(text: str) -> str:
+    return re.sub(r"`([^`]*)`", r"<code>\1</code>", html.escape(text))
