@@ -1,8 +1,8 @@
 """Team members that fail, stall or lose their radio, as part of the team's state (`team_agreement`).
 
 A *silent* member is missed at some time, or heard again before that; the lease of a unit of work ends at some time. In
-the simulator both take a certain time, in the model any time. The simulator itself (`sim.substitution`, `sim.team_work`)
-applies the rules of the groups, on a copy of the whole state of the run.
+the simulator both take a certain time, in the model any time. The simulator itself (`sim.substitution`,
+`sim.team_work`) applies the rules of the groups, on a copy of the whole state of the run.
 
 The history that a substitute needs is stored only for members with others of their kind, and only while a member may
 still be missed or a role is vacant.
