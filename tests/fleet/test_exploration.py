@@ -169,7 +169,7 @@ def _for_ever(*what: object) -> int:
         ),
         pytest.param(
             meetings,
-            "are_there",
+            "are_all_present",
             _without_the_last,
             Plan(MEETING, letters=3, prompt=True),
             "a meeting is over for all who come to it when all have come or left",
@@ -204,7 +204,7 @@ def test_a_protocol_made_wrong_is_refuted_by_a_shortest_run_in_words(
 
 
 def test_the_run_that_refutes_is_told_event_by_event(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(meetings, "are_there", _without_the_last)
+    monkeypatch.setattr(meetings, "are_all_present", _without_the_last)
     explored = _go(Plan(MEETING, letters=3, prompt=True))[1]
     first, *events = str(explored.broken).splitlines()
     assert first == "a meeting is over for all who come to it when all have come or left: broken after 11 events"
