@@ -22,9 +22,9 @@ from kitrobot.primitives.constructors_xml import CONSTRUCTORS
 from kitrobot.primitives.kit_xml import KIT
 from kitrobot.primitives.robot_xml import ROBOT
 from kitrobot.tutorial.reading import TUTORIAL
-from kitrobot.workspace.beginnings import BEGINNINGS
 from kitrobot.workspace.bench_notes import BENCH
 from kitrobot.workspace.example_list import EXAMPLES
+from kitrobot.workspace.new_mission_choices import BEGINNINGS
 from kitrobot.world.reading import WORLD
 from kitrobot.xml import LANGUAGE, TEXT_VALUE, Attribute, Kind, Tag, attributes, escape_text
 

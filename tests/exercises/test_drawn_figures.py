@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from kitrobot.exercise import RunGoal, read_exercise
-from kitrobot.workspace.judging import run_seen
+from kitrobot.workspace.exercise_evaluation import run_seen
 from tests.sim.building import catalogue, empty_world, run_of
 
 SIDE = "Wheel.Advance(60); WAIT(15); Wheel.Stop(); WAIT(5); Motor.AbsoluteTurn(25, 90);"

@@ -10,7 +10,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from kitrobot.exercise import read_exercise, without_hidden
-from kitrobot.workspace.grading_process import shipped_exercises
+from kitrobot.workspace.grader_process import shipped_exercises
 
 GOALS = [
     "<done{}><label>{}</label></done>",

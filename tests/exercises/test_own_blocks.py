@@ -11,7 +11,7 @@ from kitrobot.lll import parse
 from kitrobot.mission import Mission
 from kitrobot.primitives import Constructor, read_own
 from kitrobot.workspace import SearchPath, open_mission, with_mission
-from kitrobot.workspace.judging import programs_seen
+from kitrobot.workspace.exercise_evaluation import programs_seen
 from tests.exercises.handing_in import FOLDER
 
 

@@ -9,10 +9,10 @@ import pytest
 from kitrobot.exercise.evidence import ProgramsSeen
 from kitrobot.translation.rendering import translated
 from kitrobot.workspace import SearchPath, open_mission
+from kitrobot.workspace.exercise_evaluation import Judgement, JudgingOptions, judge, open_handed_in
 from kitrobot.workspace.exercises import programs_of
+from kitrobot.workspace.grader_process import goal_grade, ready_exercise, shipped_exercises
 from kitrobot.workspace.grades import Grade
-from kitrobot.workspace.grading_process import goal_grade, ready_exercise, shipped_exercises
-from kitrobot.workspace.judging import Judgement, JudgingOptions, judge, open_handed_in
 from tests.exercises.handing_in import FOLDER, exercise_file, submission
 from tests.exercises.solutions import SOLVED, WRONG, Programs
 

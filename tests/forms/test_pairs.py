@@ -62,9 +62,9 @@ from kitrobot.server.handed_out import is_plain, pack, unpack
 from kitrobot.text import name_form
 from kitrobot.trace import TracePart
 from kitrobot.workspace import board_labels
-from kitrobot.workspace.kept_maps import read_map, write_map
-from kitrobot.workspace.kept_programs import keep_carried, keep_names, kept_carried, kept_names
+from kitrobot.workspace.json_store import read_map, write_map
 from kitrobot.workspace.previews import Preview, preview_from, preview_text, read_previews
+from kitrobot.workspace.sent_programs import keep_carried, keep_names, kept_carried, kept_names
 from tests.effort import examples
 
 DEVICES = ["con", "Aux", "NUL", "prn", "com1", "LPT³", "conin$"]

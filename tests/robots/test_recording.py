@@ -15,7 +15,7 @@ from kitrobot.robots.recording import MOST_FILLED
 from kitrobot.robots.state import Doing
 from kitrobot.trace import PERSON, PROGRAM, ROBOT, TraceError, TraceReader
 from kitrobot.workspace import load_board_program, open_trace, state_at, summary_of
-from kitrobot.workspace.kept_programs import keep_carried, keep_names, kept_carried
+from kitrobot.workspace.sent_programs import keep_carried, keep_names, kept_carried
 from tests.boards.host import write_pulse
 from tests.robots.twin import Clock, Twin
 

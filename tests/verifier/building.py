@@ -7,7 +7,7 @@ from pathlib import Path
 from kitrobot.sim import Simulation
 from kitrobot.verifier import Budget, Judged, Model, Timing, judge, ready_properties, take_apart
 from kitrobot.workspace import RunOptions, open_mission
-from kitrobot.workspace.running import PreparedRun
+from kitrobot.workspace.mission_run import PreparedRun
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
 TRANSPORT = (EXAMPLES / "transport" / "transport.krt").read_text(encoding="utf-8")

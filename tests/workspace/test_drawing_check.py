@@ -15,7 +15,7 @@ from kitrobot.verifier.exploring import explore
 from kitrobot.verifier.traps import never_ran, watch_programs
 from kitrobot.workspace import RunOptions, child_processes, open_mission
 from kitrobot.workspace.drawing_check import RUN_S, look, look_through
-from kitrobot.workspace.running import PreparedRun
+from kitrobot.workspace.mission_run import PreparedRun
 from kitrobot.workspace.verification import runs_of
 from tests.effort import cases
 from tests.sim.team_building import RunningTeam, random_team_program

@@ -127,7 +127,7 @@ def _tried_steps(run: BenchRun, bench: Bench, seconds: float) -> list[dict[str, 
     Raises:
         KitRobotError: nothing could be tried.
     """
-    from kitrobot.workspace.bench_loading import PartError
+    from kitrobot.workspace.bench_loader import PartError
     from kitrobot.workspace.bench_run import OF_THE_BOARD
 
     rows: list[dict[str, Any]] = []

@@ -1,6 +1,6 @@
 """What a recording of a real robot embeds, so that it opens anywhere: mission, world, parts, names of cells.
 
-A robot knows none of it. It is made where the mission is at hand; `workspace.kept_programs` stores it beside the names
+A robot knows none of it. It is made where the mission is at hand; `workspace.sent_programs` stores it beside the names
 of a program that was sent from here, so that a robot can be recorded later without naming its mission.
 """
 

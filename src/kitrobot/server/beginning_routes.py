@@ -14,7 +14,7 @@ from kitrobot.server.shapes.beginning import (
     starter_shape,
 )
 from kitrobot.server.shapes.gallery import run_preview_shape
-from kitrobot.workspace.beginnings import PREVIEW_S
+from kitrobot.workspace.new_mission_choices import PREVIEW_S
 
 beginning_routes = api_router()
 

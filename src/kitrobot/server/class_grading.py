@@ -17,9 +17,9 @@ from kitrobot.diagnostics import KitRobotError
 from kitrobot.files import EXERCISE_ENDING, FileError, read_bytes, write_atomic
 from kitrobot.server.studio import Studio
 from kitrobot.text import Sentence
+from kitrobot.workspace.class_grader import grade
 from kitrobot.workspace.grade_tables import as_csv, as_html
 from kitrobot.workspace.grades import Grade
-from kitrobot.workspace.grading import grade
 
 JOBS: Final = 1
 """The class goes on meanwhile."""

@@ -2,7 +2,7 @@
 
 The page asks for one piece after another (a seed's run, then what is checked), so it knows how far it is; the piece
 that is on is broken off by the name that the page gave it, and answers with what it found. Each piece is bounded by
-steps (`workspace.judging`). Hidden goals and seeds are not told here.
+steps (`workspace.exercise_evaluation`). Hidden goals and seeds are not told here.
 """
 
 from __future__ import annotations
@@ -23,7 +23,7 @@ from kitrobot.server.shapes.exercise import (
 )
 from kitrobot.server.studio import Studio
 from kitrobot.workspace import handed_in
-from kitrobot.workspace.judging import JudgingOptions, judge
+from kitrobot.workspace.exercise_evaluation import JudgingOptions, judge
 
 exercise_routes = api_router()
 

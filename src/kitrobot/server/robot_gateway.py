@@ -59,8 +59,8 @@ class SerialGateway:
     def deploy(self, address: str, program: BoardProgram, progress: Progress, replace: bool, fresh: bool) -> None:
         """As `deploy.deploy`."""
         from kitrobot.deploy import RobotContext, deploy
-        from kitrobot.workspace.kept_firmware import keep_firmware
-        from kitrobot.workspace.kept_programs import keep_program
+        from kitrobot.workspace.sent_firmware import keep_firmware
+        from kitrobot.workspace.sent_programs import keep_program
 
         robot = RobotContext(program.needs, program.names.fault_text)
         file = program.file.to_bytes()

@@ -32,7 +32,7 @@ from kitrobot.server.robot_standing import Standing, no_answer, way_out
 from kitrobot.server.shapes import BoardMessage, BoardProgressShape, BoardStep
 from kitrobot.text import Recorded, Sentence
 from kitrobot.workspace.bench import Bench, PartKey
-from kitrobot.workspace.kept_firmware import kept_firmware
+from kitrobot.workspace.sent_firmware import kept_firmware
 
 LISTEN_S = 0.05
 """How long the robot is listened to before what was asked for meanwhile is looked at."""

@@ -16,7 +16,7 @@ from kitrobot.text import Sentence
 from kitrobot.verifier import Answer, Confirmed, Cut, Timing
 from kitrobot.verifier.scenes import Guilty, Scene
 from kitrobot.workspace.child_processes import end_with_parent, has_processes
-from kitrobot.workspace.running import PreparedRun
+from kitrobot.workspace.mission_run import PreparedRun
 from kitrobot.workspace.verification import (
     Column,
     Finding,

@@ -1,7 +1,7 @@
 """The robot whose parts are tried: the program for as many parts as fit and start, steps begun and ended, values told.
 
 Everything stops when a step ends, when the run is closed, and on the robot itself when it hears nothing from here for
-0.8 s, since it is held. Left to others: the program for the parts (bench_loading).
+0.8 s, since it is held. Left to others: the program for the parts (bench_loader).
 
 `BenchHand` works on a session that somebody owns (the studio's worker, or `BenchRun`, which has one of its own).
 """
@@ -19,7 +19,7 @@ from kitrobot.primitives import Category
 from kitrobot.robots import BoardProgram, RobotSession
 from kitrobot.text import Sentence
 from kitrobot.workspace.bench import Bench, BenchStep, PartKey
-from kitrobot.workspace.bench_loading import WIRES, PartError, blamed_part, load_parts, reason_of
+from kitrobot.workspace.bench_loader import WIRES, PartError, blamed_part, load_parts, reason_of
 from kitrobot.workspace.robot_programs import send_program
 
 PERIOD_MS = 100

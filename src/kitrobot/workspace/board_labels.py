@@ -14,7 +14,7 @@ from collections.abc import Iterable
 from kitrobot.deploy import list_ports
 from kitrobot.diagnostics import KitRobotError
 from kitrobot.text import Sentence
-from kitrobot.workspace.kept_maps import read_map, write_map
+from kitrobot.workspace.json_store import read_map, write_map
 
 LONGEST_LABEL = 40
 _KEPT = 1000

@@ -21,9 +21,9 @@ from kitrobot.files import read_text
 from kitrobot.robots import BoardProgram, Progress, Sent
 from kitrobot.text import COMMA, Sentence, Series, did_you_mean, listed, name_form
 from kitrobot.workspace.board_labels import LabelError, clean_label, label_key, labels_of
-from kitrobot.workspace.kept_firmware import keep_firmware
-from kitrobot.workspace.kept_programs import keep_program
 from kitrobot.workspace.robot_programs import load_board_program
+from kitrobot.workspace.sent_firmware import keep_firmware
+from kitrobot.workspace.sent_programs import keep_program
 
 COLUMNS = ("label", "mission", "program", "kit", "port")
 MOST_BOARDS = 200

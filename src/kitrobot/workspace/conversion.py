@@ -34,7 +34,7 @@ from kitrobot.mission import Mission, save
 from kitrobot.primitives import Robot, load_catalogue
 from kitrobot.text import Sentence
 from kitrobot.workspace.images import read_image, read_listing, why_unsafe
-from kitrobot.workspace.opening import OpenMission, mission_of, open_mission, put_on
+from kitrobot.workspace.mission_loader import OpenMission, mission_of, open_mission, put_on
 from kitrobot.workspace.robots import find_robot
 from kitrobot.workspace.team_programs import for_kind
 

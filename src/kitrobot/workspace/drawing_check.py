@@ -23,7 +23,7 @@ from kitrobot.text import Sentence
 from kitrobot.verifier import Budget, Confirmed, Model, Timing, take_apart
 from kitrobot.verifier.parts import Parts
 from kitrobot.workspace.child_processes import end_with_parent, has_processes
-from kitrobot.workspace.running import PreparedRun
+from kitrobot.workspace.mission_run import PreparedRun
 from kitrobot.workspace.verification import VerificationError, runs_of
 
 if TYPE_CHECKING:

@@ -13,7 +13,7 @@ from kitrobot.primitives import Robot
 from kitrobot.text import Sentence
 from kitrobot.workspace.images import read_image
 from kitrobot.workspace.inputs import Inputs, read_inputs
-from kitrobot.workspace.opening import open_mission, put_on
+from kitrobot.workspace.mission_loader import open_mission, put_on
 from kitrobot.workspace.robots import find_robot
 from kitrobot.workspace.team_programs import for_kind
 

@@ -15,7 +15,7 @@ from kitrobot.exercise.rules import START
 from kitrobot.files import EXERCISE_ENDING, MissionFolder
 from kitrobot.mission import Mission
 from kitrobot.text import Sentence
-from kitrobot.workspace.lessons import Found, LessonKind, Lessons
+from kitrobot.workspace.lesson_library import Found, LessonKind, Lessons
 
 FoundExercise = Found[Exercise]
 _KIND = LessonKind(

@@ -14,7 +14,7 @@ from kitrobot.files import read_text
 from kitrobot.graph import Program
 from kitrobot.primitives import Kit, Robot, RobotObject, with_team
 from kitrobot.user_folders import config_folder
-from kitrobot.workspace.opening import OpenMission
+from kitrobot.workspace.mission_loader import OpenMission
 from kitrobot.workspace.robot_programs import board_program, load_board_program
 from kitrobot.workspace.robots import find_robot
 from kitrobot.workspace.team_boards import agent_program

@@ -24,8 +24,8 @@ from kitrobot.diagnostics import KitRobotError
 from kitrobot.mission import write_mission
 from kitrobot.sim import Simulation, pens_of
 from kitrobot.trace import Drawing
-from kitrobot.workspace.opening import OpenMission
-from kitrobot.workspace.running import RunOptions, prepare
+from kitrobot.workspace.mission_loader import OpenMission
+from kitrobot.workspace.mission_run import RunOptions, prepare
 from kitrobot.workspace.traces import parts_of
 from kitrobot.world import write_world
 

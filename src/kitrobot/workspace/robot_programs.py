@@ -23,11 +23,11 @@ from kitrobot.robots import (
 )
 from kitrobot.text import Sentence
 from kitrobot.workspace.executables import NoRobotError
-from kitrobot.workspace.kept_firmware import keep_firmware, kept_firmware
-from kitrobot.workspace.kept_programs import keep_program, kept_names
 from kitrobot.workspace.kit_files import find_kit
-from kitrobot.workspace.opening import OpenMission, open_mission
+from kitrobot.workspace.mission_loader import OpenMission, open_mission
 from kitrobot.workspace.robots import find_robot
+from kitrobot.workspace.sent_firmware import keep_firmware, kept_firmware
+from kitrobot.workspace.sent_programs import keep_program, kept_names
 from kitrobot.workspace.traces import parts_of
 
 

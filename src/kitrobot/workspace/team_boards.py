@@ -12,9 +12,9 @@ from kitrobot.diagnostics import KitRobotError, ProblemsError
 from kitrobot.primitives import Kit, Robot, with_team
 from kitrobot.robots import BoardProgram, Progress, Sent, carried_by
 from kitrobot.text import Sentence, did_you_mean, listed
-from kitrobot.workspace.kept_programs import keep_program
-from kitrobot.workspace.opening import OpenMission
+from kitrobot.workspace.mission_loader import OpenMission
 from kitrobot.workspace.robot_programs import ready_program
+from kitrobot.workspace.sent_programs import keep_program
 from kitrobot.workspace.traces import parts_of
 
 

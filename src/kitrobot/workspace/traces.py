@@ -17,7 +17,7 @@ from kitrobot.mission import Mission, read_mission
 from kitrobot.primitives import SHIPPED
 from kitrobot.text import Sentence
 from kitrobot.trace import ENDING, TraceError, TraceHeader, TracePart, TraceReader
-from kitrobot.workspace.opening import OpenMission
+from kitrobot.workspace.mission_loader import OpenMission
 from kitrobot.world import EMPTY, World, read_world
 
 _DECLARATION = re.compile(r"\A\s*<\?xml[^>]*\?>\s*")

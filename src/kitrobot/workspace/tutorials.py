@@ -12,7 +12,7 @@ from kitrobot.text import Sentence
 from kitrobot.tutorial import Tutorial, read_tutorial, steps_fit
 from kitrobot.tutorial.model import LAST
 from kitrobot.tutorial.rules import START
-from kitrobot.workspace.lessons import Found, LessonKind, Lessons
+from kitrobot.workspace.lesson_library import Found, LessonKind, Lessons
 
 FoundTutorial = Found[Tutorial]
 _KIND = LessonKind(

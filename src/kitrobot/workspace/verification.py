@@ -34,7 +34,7 @@ from kitrobot.verifier import (
 )
 from kitrobot.verifier.engines import would_gain
 from kitrobot.verifier.scenes import Guilty, Scene, guilty, scenes
-from kitrobot.workspace.running import PreparedRun
+from kitrobot.workspace.mission_run import PreparedRun
 
 MOST_FAILURES = 3
 """Failures in one run at most."""

@@ -12,7 +12,7 @@ from kitrobot.server.shapes.mission import MissionShape
 from kitrobot.server.shapes.problem import ProblemShape, problem_shapes
 from kitrobot.sim import MAX_SEED
 from kitrobot.workspace import FoundExercise
-from kitrobot.workspace.judging import Judgement
+from kitrobot.workspace.exercise_evaluation import Judgement
 
 GoalKind = Literal["program", "run", "check"]
 JudgingName = Annotated[str, Field(max_length=100)]

@@ -16,7 +16,7 @@ from kitrobot.files import ConflictError, MissionFolder, MissionNameError, read_
 from kitrobot.primitives import KIT_SUFFIX, read_constructors, read_kit, read_robot
 from kitrobot.text import Sentence
 from kitrobot.versions import kit_differences
-from kitrobot.workspace.checking import first_element
+from kitrobot.workspace.file_check import first_element
 from kitrobot.world import read_world
 
 LARGEST_PARTS_BYTES = 4 * 1024 * 1024

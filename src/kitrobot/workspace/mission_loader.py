@@ -3,7 +3,7 @@ with it.
 
 An `OpenMission` comes from a file or, in the studio, from the page; then there is no text to point into and
 diagnostics keep the places they have in the LLL. Opening reads; `check` looks everything through; `run` is in
-`running`. What is wrong with XML files that the mission does not need never stands in its way: it is in
+`mission_run`. What is wrong with XML files that the mission does not need never stands in its way: it is in
 `catalogue.problems`.
 """
 
@@ -30,18 +30,18 @@ from kitrobot.graph import Program, empty_program
 from kitrobot.mission import Agent, Mission, Team, image_name, read_mission
 from kitrobot.primitives import Catalogue, Robot
 from kitrobot.text import COMMA, Sentence, Series, name_form
+from kitrobot.workspace.mission_check import team_problems
 from kitrobot.workspace.program_report import ProgramReport, ProjectionReport, program_report, projection_report
 from kitrobot.workspace.property_check import property_problems
 from kitrobot.workspace.robots import find_robot
 from kitrobot.workspace.search_path import SearchPath
-from kitrobot.workspace.team import team_problems
 from kitrobot.workspace.team_programs import team_of
 from kitrobot.world import World, check_plan, read_world
 
 if TYPE_CHECKING:
     from kitrobot.sim import Simulation
     from kitrobot.workspace.compile_cache import KeptPrograms
-    from kitrobot.workspace.running import PreparedRun, Progress, Run, RunOptions
+    from kitrobot.workspace.mission_run import PreparedRun, Progress, Run, RunOptions
 
 NO_WORLD = rule(
     "mission-no-world",
@@ -214,7 +214,7 @@ class OpenMission:
 
     def _stage_problems(self) -> tuple[Diagnostic, ...]:
         """What keeps a team from taking its places in the world."""
-        from kitrobot.workspace.running import look_whether_it_runs
+        from kitrobot.workspace.mission_run import look_whether_it_runs
 
         try:
             look_whether_it_runs(self)
@@ -235,13 +235,13 @@ class OpenMission:
             SimulationError: a number of the options makes no sense.
             OutputPlaceError: the recording would be written over a file that was read.
         """
-        from kitrobot.workspace.running import RunOptions, prepare
+        from kitrobot.workspace.mission_run import RunOptions, prepare
 
         return prepare(self, options if options is not None else RunOptions())
 
     def simulation(self, seed: int = 1, fail_rate: float = 0.0) -> Simulation:
         """The mission in its world, before its first step, without a time limit; the rest as for `prepare`."""
-        from kitrobot.workspace.running import RunOptions
+        from kitrobot.workspace.mission_run import RunOptions
 
         return self.prepare(RunOptions(seed, fail_rate=fail_rate)).simulation
 
@@ -266,7 +266,7 @@ class OpenMission:
             ProblemsError: the mission has errors.
             TraceError: the trace cannot be written.
         """
-        from kitrobot.workspace.running import RunOptions
+        from kitrobot.workspace.mission_run import RunOptions
 
         return self.prepare(RunOptions(seed, seconds, fail_rate, trace)).run(progress)
 

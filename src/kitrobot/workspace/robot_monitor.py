@@ -11,8 +11,8 @@ from kitrobot.deploy import Hello, connect
 from kitrobot.diagnostics import expect_output
 from kitrobot.robots import Known, NoBoardError, NoRecordingError, RecordedBoard, RobotRecorder, WatchedRobot
 from kitrobot.text import Sentence
-from kitrobot.workspace.kept_programs import kept_program
 from kitrobot.workspace.robot_programs import load_board_program
+from kitrobot.workspace.sent_programs import kept_program
 
 
 def known_program(

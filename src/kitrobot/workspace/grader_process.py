@@ -2,7 +2,7 @@
 
 It is given the bytes of the submission and the exercise's file, never the submission's place. It may not write files,
 and where the system has such limits its memory and processor time are bounded; its work is bounded by steps anyway
-(`judging`). It answers once, in JSON, which runs nothing.
+(`exercise_evaluation`). It answers once, in JSON, which runs nothing.
 """
 
 from __future__ import annotations
@@ -21,10 +21,10 @@ from kitrobot.files import carried_mission, examples_folder, read_bytes
 from kitrobot.mission import Mission, read_mission
 from kitrobot.text import Sentence
 from kitrobot.workspace.child_processes import end_with_parent
+from kitrobot.workspace.exercise_evaluation import GoalVerdict, JudgingOptions, judge, open_handed_in
 from kitrobot.workspace.exercises import programs_of
 from kitrobot.workspace.grades import GoalGrade, texts_of, told
-from kitrobot.workspace.judging import GoalVerdict, JudgingOptions, judge, open_handed_in
-from kitrobot.workspace.opening import OpenMission, open_mission
+from kitrobot.workspace.mission_loader import OpenMission, open_mission
 from kitrobot.workspace.search_path import SearchPath
 
 MOST_MEMORY_MB: Final = 1024

@@ -14,7 +14,7 @@ from kitrobot.primitives import Catalogue, Kit, as_measured
 from kitrobot.sim import Simulation, SimulationError, check_limits, look_over, pens_of, simulate, strokes_now
 from kitrobot.text import Sentence
 from kitrobot.trace import Drawing, Stroke
-from kitrobot.workspace.opening import OpenMission
+from kitrobot.workspace.mission_loader import OpenMission
 from kitrobot.workspace.run_hints import advice
 from kitrobot.workspace.traces import parts_of
 

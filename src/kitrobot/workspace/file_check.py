@@ -21,7 +21,7 @@ from kitrobot.text import Sentence
 from kitrobot.tutorial import read_tutorial
 from kitrobot.workspace.images import read_image, read_listing, why_unsafe
 from kitrobot.workspace.kit_files import wiring_problems
-from kitrobot.workspace.opening import open_mission
+from kitrobot.workspace.mission_loader import open_mission
 from kitrobot.workspace.robot_devices import robot_problems
 from kitrobot.world import read_world
 

@@ -21,7 +21,7 @@ from kitrobot.graph import Program, empty_program
 from kitrobot.mission import Mission, read_mission
 from kitrobot.primitives import Catalogue
 from kitrobot.text import Sentence
-from kitrobot.workspace.opening import NEW_PROGRAM, mission_of
+from kitrobot.workspace.mission_loader import NEW_PROGRAM, mission_of
 from kitrobot.workspace.worlds import read_world_file
 from kitrobot.world import EMPTY, World, find_world
 from kitrobot.xml import LONGEST_NAME, NAME, TEXTS, Element, Kind, Reader, Tag, needed, optional, version

@@ -2,7 +2,7 @@
 
 The work is bounded by steps: each run ends after the exercise's simulated seconds, each check after its states. `stop`
 breaks off between two stretches of a run and within a check; what was found until then is kept. Nothing the clock
-decides is in the result. Left to others: what a goal is (`exercise`), processes and tables for a class (`grading`).
+decides is in the result. Left to others: what a goal is (`exercise`), processes and tables for a class (`class_grader`).
 """
 
 from __future__ import annotations
@@ -36,8 +36,8 @@ from kitrobot.text import Label, Sentence
 from kitrobot.trace import Drawing
 from kitrobot.verifier import AbstractionError, Answer, Timing
 from kitrobot.workspace.exercises import handed_in
-from kitrobot.workspace.opening import OpenMission, with_mission
-from kitrobot.workspace.running import PreparedRun, RunOptions
+from kitrobot.workspace.mission_loader import OpenMission, with_mission
+from kitrobot.workspace.mission_run import PreparedRun, RunOptions
 from kitrobot.workspace.search_path import SearchPath
 from kitrobot.workspace.verification import Finding, VerificationError, VerificationOptions, verify
 

@@ -1,7 +1,7 @@
 """Grading the submissions of a class: each is judged in a process of its own, with bounds, and becomes a row.
 
 The parent opens the file that was named, a regular one of at most `MOST_BYTES` and never through a link, and gives its
-bytes to a fresh process (`grading_process`) whose answer is bounded by `MOST_ANSWER_BYTES`. Whatever becomes of it is
+bytes to a fresh process (`grader_process`) whose answer is bounded by `MOST_ANSWER_BYTES`. Whatever becomes of it is
 a `Grade` that says so: what one submission does never keeps another from being graded.
 """
 
@@ -20,8 +20,8 @@ from kitrobot.diagnostics import KitRobotError, open_regular
 from kitrobot.mission import write_mission
 from kitrobot.text import Sentence, Word
 from kitrobot.workspace.child_processes import MOST_JOBS
+from kitrobot.workspace.grader_process import MOST_CPU_S, ready_exercise, serve
 from kitrobot.workspace.grades import GoalGrade, Grade, told
-from kitrobot.workspace.grading_process import MOST_CPU_S, ready_exercise, serve
 
 MOST_BYTES: Final = 1024 * 1024
 """Bytes of a submission: some hundred times what a large exercise takes."""
@@ -89,7 +89,7 @@ def _context() -> Any:
     """How processes begin: where the system can, as copies of one that has imported everything and read nothing."""
     if "forkserver" in multiprocessing.get_all_start_methods():
         made = multiprocessing.get_context("forkserver")
-        made.set_forkserver_preload(["kitrobot.workspace.grading_process", "kitrobot.sim.stepping"])
+        made.set_forkserver_preload(["kitrobot.workspace.grader_process", "kitrobot.sim.stepping"])
         return made
     return multiprocessing.get_context("spawn")
 

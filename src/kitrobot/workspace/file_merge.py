@@ -19,7 +19,7 @@ from kitrobot.mission import Mission, read_mission, save, write_mission
 from kitrobot.primitives import read_kit, write_kit
 from kitrobot.text import Sentence
 from kitrobot.versions import CompareError, Conflict, Merged, kit_whole, merge_kits, merge_missions, mission_whole
-from kitrobot.workspace.opening import OpenMission, read_mission_data
+from kitrobot.workspace.mission_loader import OpenMission, read_mission_data
 from kitrobot.workspace.search_path import SearchPath
 
 _KIT = re.compile(rb"(?:\xef\xbb\xbf)?(?:\s|(?><\?.*?\?>)|(?><!--.*?-->))*+<board(?![\w.-])", re.DOTALL)

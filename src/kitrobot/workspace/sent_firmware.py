@@ -10,7 +10,7 @@ from contextlib import suppress
 
 from kitrobot.deploy import Deployed, Hello
 from kitrobot.files import FileError
-from kitrobot.workspace.kept_maps import read_map, write_map
+from kitrobot.workspace.json_store import read_map, write_map
 
 _NAME = "firmware"
 _KEPT = 200
