@@ -18,7 +18,7 @@ from kitrobot.compiler import (
     make_part,
     print_for,
 )
-from kitrobot.compiler.accepted_forms import write_anew
+from kitrobot.compiler.accepted_forms import normalise
 from kitrobot.compiler.preserve_ids import Before
 from kitrobot.compiler.stretch import redraw_edited
 from kitrobot.graph import Program, empty_program
@@ -186,7 +186,7 @@ def test_a_piece_of_a_team_s_program_becomes_a_part_of_its_level() -> None:
 def random_one(rng: random.Random, instructions: int = 25) -> TeamProgram:
     """A team's program in the forms that are written today."""
     program = random_team_program(rng, TARGET, Shape(instructions=instructions, comments=True))
-    write_anew(program.seq, PARTS)
+    normalise(program.seq, PARTS)
     return program
 
 

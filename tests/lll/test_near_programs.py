@@ -11,7 +11,7 @@ from kitrobot.compiler import compile_text
 from kitrobot.diagnostics import Diagnostic, with_help
 from kitrobot.lll import print_program
 from kitrobot.lll.tokens import END, tokenise
-from kitrobot.translation.rendering import translated
+from kitrobot.translation.translator import translated
 from tests.strategies import Shape, random_program, shipped_robots
 
 BUDGET = int(os.environ.get("KITROBOT_BUDGET", "200"))

@@ -14,7 +14,7 @@ from kitrobot.diagnostics import KitRobotError
 from kitrobot.sim import Simulation
 from kitrobot.sim.timeline import PIECE, Intervention, Timeline
 from kitrobot.trace import walk
-from kitrobot.translation.rendering import translated
+from kitrobot.translation.translator import translated
 from tests.effort import examples
 from tests.sim.building import catalogue, empty_world, run_of
 

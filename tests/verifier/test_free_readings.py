@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from kitrobot.sim import Simulation
-from kitrobot.translation.rendering import translated
+from kitrobot.translation.translator import translated
 from kitrobot.verifier import Timing, take_apart
 from kitrobot.workspace.verification import Verification, VerificationOptions, verify_runs
 from tests.sim.building import avatar, empty_world, run_of

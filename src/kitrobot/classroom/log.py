@@ -26,9 +26,9 @@ class Log:
         self._lock = threading.Lock()
         self._last: deque[str] = deque(maxlen=MOST_SHOWN)
 
-    def say(self, what: str) -> None:
+    def write(self, text: str) -> None:
         """Adds a line."""
-        line = f"{datetime.now():%Y-%m-%d %H:%M:%S}  {' '.join(what.split())}"
+        line = f"{datetime.now():%Y-%m-%d %H:%M:%S}  {' '.join(text.split())}"
         with self._lock:
             self._last.append(line)
             with contextlib.suppress(OSError, ValueError):

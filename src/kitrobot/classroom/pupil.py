@@ -5,8 +5,8 @@ from __future__ import annotations
 from dataclasses import dataclass, field, replace
 from typing import Final, Literal
 
+from kitrobot.classroom.pupil_status import Turn
 from kitrobot.classroom.record import PupilRecord
-from kitrobot.classroom.told import Turn
 
 STUCK_S: Final = 4 * 60
 """Who ran and edited nothing for so long, and is not at the goal, is stuck."""

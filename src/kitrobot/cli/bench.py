@@ -152,7 +152,7 @@ def _tried(
     run: BenchRun, step: BenchStep, seconds: float, gone: KitRobotError | None
 ) -> tuple[dict[str, Any], KitRobotError | None]:
     """One step, done for so long, and what came of it; `gone`: why it cannot be done any more."""
-    from kitrobot.primitives import reading
+    from kitrobot.primitives import format_value
     from kitrobot.translation import said
 
     values: list[int] = []
@@ -174,7 +174,7 @@ def _tried(
         "help": in_words(step.trouble),
         "ok": error is None,
         "values": values,
-        "words": [said(reading(step.part, value, run.bench.robot.wait_unit_ms)) for value in values],
+        "words": [said(format_value(step.part, value, run.bench.robot.wait_unit_ms)) for value in values],
         "late": run.late,
         "slow": slow,
         "error": error_object(error) if error is not None else None,
@@ -214,7 +214,7 @@ def _result(row: dict[str, Any]) -> str:
 def _by_keys(run: BenchRun, bench: Bench) -> None:
     """Steps by keys until the person leaves."""
     from kitrobot.cli.keys import ESCAPE, pressed_keys
-    from kitrobot.primitives import reading
+    from kitrobot.primitives import format_value
     from kitrobot.translation import said
     from kitrobot.workspace.bench_run import OF_THE_BOARD
 
@@ -231,7 +231,9 @@ def _by_keys(run: BenchRun, bench: Bench) -> None:
                 if going and run.is_on:
                     value = run.value
                     words = (
-                        "" if value is None else said(reading(bench.steps[at].part, value, bench.robot.wait_unit_ms))
+                        ""
+                        if value is None
+                        else said(format_value(bench.steps[at].part, value, bench.robot.wait_unit_ms))
                     )
                     slow = "  (takes longer than a tick)" if run.is_slow else ""
                     _line(f"  on   {clean(words)}{slow}")

@@ -8,7 +8,7 @@ from kitrobot.compiler.lineage import Lineage
 from kitrobot.compiler.lll_to_graph import lll_to_graph
 from kitrobot.compiler.own_part import Chosen, Look, Offered, Part, PartError, make_part, offer_part
 from kitrobot.compiler.part_offers import Offer
-from kitrobot.compiler.part_reading import PartText, draw_template, read_part
+from kitrobot.compiler.part_text import PartText, draw_template, read_part
 from kitrobot.compiler.projection import Projection, project
 from kitrobot.compiler.retranslation import graph_to_lll_again
 from kitrobot.compiler.selection import SelectionError

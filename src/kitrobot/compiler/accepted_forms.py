@@ -9,7 +9,7 @@ from kitrobot.lll import Instruction, Node, Seq, nodes
 from kitrobot.primitives import Catalogue, fill_with, shape, unfill
 
 
-def write_anew(program: Seq, catalogue: Catalogue) -> None:
+def normalise(program: Seq, catalogue: Catalogue) -> None:
     """Changes a program in place; what is written anew keeps its place in the text and its comments."""
     found = nodes(program)
     kinds = {kind for kind, _ in catalogue.reads}

@@ -34,7 +34,7 @@ Pairs = list[tuple[Call, Call]]
 """Commands, and those to which they give way."""
 
 
-def given_way(program: Seq, robot: Robot, lineage: Lineage | None = None) -> Pairs:
+def find_overridden_commands(program: Seq, robot: Robot, lineage: Lineage | None = None) -> Pairs:
     """Each command that surely gives way, and the one it gives way to, in no order.
 
     `lineage`: what is known of the instructions that are the same as in another state of the program.

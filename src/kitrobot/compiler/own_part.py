@@ -17,7 +17,7 @@ from dataclasses import dataclass, field, replace
 from kitrobot.compiler import graph_rules as rules
 from kitrobot.compiler.graph_to_lll import SlotName, condition_to_lll, graph_to_lll
 from kitrobot.compiler.part_offers import TAKEN_PORTS, TYPED, Offer, offers_of
-from kitrobot.compiler.part_placing import contents, put_part
+from kitrobot.compiler.part_placement import contents, put_part
 from kitrobot.compiler.selection import Selection, select
 from kitrobot.compiler.target import target_of
 from kitrobot.compiler.wiring import Wiring

@@ -14,8 +14,8 @@ from pathlib import Path, PurePath
 
 from kitrobot.diagnostics import KitRobotError
 from kitrobot.files.disk import FileError, read_bytes
+from kitrobot.files.file_kinds import recognised
 from kitrobot.files.pdf_attachment import MAGIC, PdfError, mission_in_pdf
-from kitrobot.files.recognition import recognised
 from kitrobot.text import Sentence
 from kitrobot.xml import MAX_BYTES, DoctypeError, ExpatError, new_parser
 

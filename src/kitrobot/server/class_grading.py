@@ -104,8 +104,8 @@ class Grading:
             write_atomic(self._room.folder / GRADES_TABLE, as_csv(made).encode(errors="replace"))
             write_atomic(self._room.folder / GRADES_PAGE, as_html(made).encode(errors="replace"))
             self.state = GradingState(len(made), len(names), GRADES_PAGE)
-            self._room.log.say(f"{len(made)} were graded: {GRADES_PAGE}")
+            self._room.log.write(f"{len(made)} were graded: {GRADES_PAGE}")
         except (KitRobotError, FileError, OSError) as error:
             _log.warning("grading ended: %s", error)
-            self._room.log.say(f"grading ended: {error}")
+            self._room.log.write(f"grading ended: {error}")
             self.state = None

@@ -10,7 +10,7 @@ from typing import Final
 
 from pydantic import BaseModel
 
-from kitrobot.classroom import ClassRoom, Entrance, Pupil, state_of
+from kitrobot.classroom import Admission, ClassRoom, Pupil, state_of
 from kitrobot.diagnostics import KitRobotError
 from kitrobot.server.class_grading import Grading
 from kitrobot.server.shapes.classroom import (
@@ -40,9 +40,9 @@ class Reach:
 class Overview:
     """The overview of one class."""
 
-    def __init__(self, room: ClassRoom, entrance: Entrance, studio: Studio, grading: Grading, reach: Reach) -> None:
+    def __init__(self, room: ClassRoom, admission: Admission, studio: Studio, grading: Grading, reach: Reach) -> None:
         self._room = room
-        self._entrance = entrance
+        self._admission = admission
         self._studio = studio
         self._grading = grading
         self._reach = reach
@@ -56,7 +56,7 @@ class Overview:
         grading = self._grading.state
         asking = [
             ClassAskingShape(asked=asked, folder=folder, name=pupil.record.name)
-            for asked, folder in self._entrance.asking().items()
+            for asked, folder in self._admission.asking().items()
             if (pupil := room.pupils.get(folder)) is not None
         ]
         return ClassNewsMessage(

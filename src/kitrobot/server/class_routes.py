@@ -10,7 +10,7 @@ from typing import Annotated
 from fastapi import Depends, Query, Request, Response
 from starlette.requests import HTTPConnection
 
-from kitrobot.classroom import ClassRoom, Entrance, NotLetInError, Pupil, TakenNameError
+from kitrobot.classroom import Admission, AdmissionRefusedError, ClassRoom, NameTakenError, Pupil
 from kitrobot.server.class_exercises import files_of_exercise
 from kitrobot.server.class_pictures import Pictures
 from kitrobot.server.handed_out import pack
@@ -44,18 +44,18 @@ def pupil_of(connection: HTTPConnection) -> Pupil:
     """Who asks.
 
     Raises:
-        NotLetInError: no pupil does.
+        AdmissionRefusedError: no pupil does.
     """
     pupil = connection.scope.get("state", {}).get("class_pupil")
     if not isinstance(pupil, Pupil):
-        raise NotLetInError(Sentence("you are not in this class"), Sentence("join it with the code"))
+        raise AdmissionRefusedError(Sentence("you are not in this class"), Sentence("join it with the code"))
     return pupil
 
 
-def _entrance(request: Request) -> Entrance:
-    entrance = request.app.state.entrance
-    assert isinstance(entrance, Entrance)
-    return entrance
+def _admission(request: Request) -> Admission:
+    admission = request.app.state.admission
+    assert isinstance(admission, Admission)
+    return admission
 
 
 def _pictures(request: Request) -> Pictures:
@@ -70,7 +70,7 @@ def _from(request: Request) -> str:
 
 ThisRoom = Annotated[ClassRoom, Depends(room_of)]
 ThisPupil = Annotated[Pupil, Depends(pupil_of)]
-Door = Annotated[Entrance, Depends(_entrance)]
+Door = Annotated[Admission, Depends(_admission)]
 From = Annotated[str, Depends(_from)]
 Name = Annotated[str, Query(max_length=1000)]
 
@@ -82,25 +82,25 @@ def class_(room: ThisRoom) -> ClassShape:
 
 
 @class_routes.post("/join")
-def join(entrance: Door, who: From, wanted: JoinShape) -> JoinedShape:
+def join(admission: Door, who: From, wanted: JoinShape) -> JoinedShape:
     """Lets a pupil in."""
     try:
-        pupil, key = entrance.join(wanted.code, wanted.name, wanted.word, who)
-    except TakenNameError:
+        pupil, key = admission.join(wanted.code, wanted.name, wanted.word, who)
+    except NameTakenError:
         return JoinedShape(state="taken")
     return JoinedShape(state="in", key=key, name=pupil.record.name, word=pupil.record.word)
 
 
 @class_routes.post("/ask")
-def ask(entrance: Door, who: From, wanted: ClassAskShape) -> ClassAskedShape:
+def ask(admission: Door, who: From, wanted: ClassAskShape) -> ClassAskedShape:
     """Asks the teacher to let somebody in as a pupil that there is."""
-    return ClassAskedShape(asked=entrance.ask(wanted.code, wanted.name, who))
+    return ClassAskedShape(asked=admission.ask(wanted.code, wanted.name, who))
 
 
 @class_routes.post("/asked")
-def asked(entrance: Door, wanted: ClassAskedShape) -> ClassAnsweredShape:
+def asked(admission: Door, wanted: ClassAskedShape) -> ClassAnsweredShape:
     """What the teacher said to that."""
-    yes, _, key = entrance.answered(wanted.asked)
+    yes, _, key = admission.answered(wanted.asked)
     if yes is None:
         return ClassAnsweredShape(state="waiting")
     return ClassAnsweredShape(state="in" if yes and key else "no", key=key)

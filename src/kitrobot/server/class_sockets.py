@@ -14,7 +14,7 @@ from typing import Annotated, Any, Final
 from fastapi import WebSocket, WebSocketDisconnect
 from pydantic import BaseModel, Field, TypeAdapter, ValidationError
 
-from kitrobot.classroom import Allowance, ClassRoom, Desk, Goal, Pupil, Report, Told
+from kitrobot.classroom import ClassRoom, Goal, Pupil, PupilStatus, RateLimit, Report, TeacherActions
 from kitrobot.diagnostics import KitRobotError
 from kitrobot.server.beside_loop import beside_loop
 from kitrobot.server.class_overview import Overview
@@ -89,11 +89,11 @@ async def _tell_pupil(socket: WebSocket, room: ClassRoom, pupil: Pupil) -> None:
     hears = asyncio.ensure_future(_hear(socket, lambda text: _take(room, pupil, text)))
     try:
         with _woken(room) as news:
-            told: Told | None = None
+            sent: PupilStatus | None = None
             while not hears.done() and room.pupils.get(pupil.folder) is pupil:
-                now = room.told(pupil)
-                if now != told:
-                    told = now
+                now = room.status_of(pupil)
+                if now != sent:
+                    sent = now
                     await socket.send_text(_news(now).model_dump_json())
                 await _either(hears, news)
     except (WebSocketDisconnect, RuntimeError):
@@ -129,7 +129,7 @@ async def teacher_socket(socket: WebSocket) -> None:
     except (WebSocketDisconnect, RuntimeError):
         pass
     finally:
-        Desk(room).look_on(None)
+        TeacherActions(room).look_on(None)
         await _end(socket, hears)
 
 
@@ -152,7 +152,7 @@ async def _end(socket: WebSocket, hears: asyncio.Future[None]) -> None:
 async def _hear(socket: WebSocket, take: Callable[[str], None]) -> None:
     """Takes what the page says until it closes, says too much, or says what makes no sense."""
     now = asyncio.get_running_loop().time
-    allowance = Allowance(MOST_A_SECOND, MOST_AT_ONCE)
+    allowance = RateLimit(MOST_A_SECOND, MOST_AT_ONCE)
     with suppress(WebSocketDisconnect, RuntimeError):
         while True:
             message = await socket.receive()
@@ -190,7 +190,7 @@ def _take(room: ClassRoom, pupil: Pupil, text: str) -> None:
 
 
 def _look(room: ClassRoom, text: str) -> None:
-    Desk(room).look_on(room.pupils.get(_LOOKED.validate_json(text).folder))
+    TeacherActions(room).look_on(room.pupils.get(_LOOKED.validate_json(text).folder))
 
 
 def _arena(room: ClassRoom) -> tuple[str, str]:
@@ -205,19 +205,19 @@ def _arena_news(folder: str, arena: str) -> ArenaMessage:
     return ArenaMessage(type="arena", folder=folder, arena=shown)
 
 
-def _news(told: Told) -> PupilNewsMessage:
+def _news(status: PupilStatus) -> PupilNewsMessage:
     return PupilNewsMessage(
         type="pupil",
-        class_name=told.class_name,
-        name=told.name,
-        word=told.word,
-        frozen=told.frozen,
-        exercise=told.exercise,
-        handed=told.handed.number,
-        handed_name=told.handed.name,
-        note=told.note[0],
-        note_text=told.note[1],
-        looked=told.looked,
-        hand=told.hand,
-        turn=told.turn,
+        class_name=status.class_name,
+        name=status.name,
+        word=status.word,
+        frozen=status.frozen,
+        exercise=status.exercise,
+        handed=status.handed.number,
+        handed_name=status.handed.name,
+        note=status.note[0],
+        note_text=status.note[1],
+        looked=status.looked,
+        hand=status.hand,
+        turn=status.turn,
     )

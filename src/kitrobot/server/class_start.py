@@ -12,7 +12,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Final
 
-from kitrobot.classroom import SITE, ClassRoom, Desk, unread_sentence
+from kitrobot.classroom import SITE, ClassRoom, TeacherActions, unread_sentence
 from kitrobot.server.class_certificate import usable_certificate
 from kitrobot.server.presence import Presence
 from kitrobot.server.start import ServerError, give_address, has_screen, listen
@@ -56,7 +56,7 @@ def serve_class(opening: ClassOpening) -> None:
     room = ClassRoom(opening.folder)
     try:
         if opening.new_code or not room.record.code:
-            Desk(room).set_code(True)
+            TeacherActions(room).set_code(True)
         _serve(room, address, opening, site)
     finally:
         room.close()

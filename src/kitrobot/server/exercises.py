@@ -23,7 +23,7 @@ from kitrobot.server.shapes.exercise import (
 )
 from kitrobot.server.studio import Studio
 from kitrobot.workspace import handed_in
-from kitrobot.workspace.exercise_evaluation import JudgingOptions, judge
+from kitrobot.workspace.exercise_evaluation import EvaluationOptions, evaluate_submission
 
 exercise_routes = api_router()
 
@@ -52,8 +52,8 @@ def _judged(studio: Studio, wanted: JudgeShape, stop: Stop) -> JudgedShape:
     opened = studio.open(mission, start_name)
     checks = wanted.seed is None
     seeds = () if wanted.seed is None else (wanted.seed,)
-    options = JudgingOptions(seeds=seeds, runs=not checks, checks=checks, stop=stop.is_set)
-    made = judge(exercise, opened, options, given=start.mission.constructors)
+    options = EvaluationOptions(seeds=seeds, runs=not checks, checks=checks, stop=stop.is_set)
+    made = evaluate_submission(exercise, opened, options, given=start.mission.constructors)
     return JudgedShape(goals=goal_verdict_shapes(made), mission=mission_shape(mission))
 
 

@@ -10,7 +10,7 @@ from collections.abc import Callable, Hashable, Sequence
 from typing import Any, TypeVar
 
 from kitrobot.diagnostics import KitRobotError
-from kitrobot.text import Sentence, same_ends
+from kitrobot.text import Sentence, common_affixes
 
 Thing = TypeVar("Thing")
 
@@ -48,7 +48,7 @@ def stretched(
     before: Sequence[Thing], after: Sequence[Thing], name: Callable[[Thing], Hashable], written: Callable[[Thing], Any]
 ) -> list[Any]:
     """The rows that say `after`. What has one name and is equal stayed; `written` is how a new thing travels."""
-    start, tail = same_ends(before, after)
+    start, tail = common_affixes(before, after)
     if start + tail == len(before) == len(after):
         return [[0, len(after)]] if after else []
     rows = _between(before, after[start : len(after) - tail], name, written)

@@ -32,7 +32,7 @@ from kitrobot.server.robot_standing import Standing, no_answer, way_out
 from kitrobot.server.shapes import BoardMessage, BoardProgressShape, BoardStep
 from kitrobot.text import Recorded, Sentence
 from kitrobot.workspace.bench import Bench, PartKey
-from kitrobot.workspace.sent_firmware import kept_firmware
+from kitrobot.workspace.sent_firmware import load_firmware_version
 
 LISTEN_S = 0.05
 """How long the robot is listened to before what was asked for meanwhile is looked at."""
@@ -231,7 +231,7 @@ class RobotWorker:
             raise
         known = program.known if program is not None and program.is_called(hello.program) else None
         self.session.open(link, hello, known)
-        self._say(phase="open", micropython=kept_firmware(self.address, hello))
+        self._say(phase="open", micropython=load_firmware_version(self.address, hello))
 
     def _follow(self) -> None:
         """Has a robot whose program is known tell what changes. One that does not answer any more now is lost."""

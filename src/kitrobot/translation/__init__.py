@@ -7,6 +7,6 @@ gettext catalogues beside this file, `fr.po` and `ur.po`, read when they are fir
 """
 
 from kitrobot.translation.languages import best_language, reading_in, said, said_in
-from kitrobot.translation.rendering import DIRECTIONS, ENGLISH, LANGUAGES, STOPS
+from kitrobot.translation.translator import DIRECTIONS, ENGLISH, LANGUAGES, STOPS
 
 __all__ = ["DIRECTIONS", "ENGLISH", "LANGUAGES", "STOPS", "best_language", "reading_in", "said", "said_in"]

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from contextvars import ContextVar
 
-from kitrobot.translation.rendering import ENGLISH, LANGUAGES, translated
+from kitrobot.translation.translator import ENGLISH, LANGUAGES, translated
 
 _reader: ContextVar[str] = ContextVar("reader", default=ENGLISH)
 

@@ -1,4 +1,4 @@
-"""The properties that a mission asks for itself, in the four forms of `mission.asked`.
+"""The properties that a mission asks for itself, in the four forms of `mission.property_xml`.
 
 A condition holds in a state if it does for what agents would read and keep there. Of what an agent reads and keeps the
 same comes again and again, so each answer of the interpreter is kept. In a run of the simulator it is what they read in

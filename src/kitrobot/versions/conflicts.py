@@ -11,8 +11,8 @@ from dataclasses import dataclass
 from typing import Any, TypeVar
 
 from kitrobot.text import Sentence
-from kitrobot.versions.wording import short
-from kitrobot.versions.wording import value as in_words
+from kitrobot.versions.phrases import short
+from kitrobot.versions.phrases import value as in_words
 
 T = TypeVar("T")
 

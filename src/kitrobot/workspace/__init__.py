@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING
 from kitrobot.lazy import lazy_names
 
 if TYPE_CHECKING:
-    from kitrobot.workspace.compile_cache import KeptPrograms
+    from kitrobot.workspace.compile_cache import CompileCache
     from kitrobot.workspace.conversion import ConversionError, Converted, convert
     from kitrobot.workspace.example_list import shipped_examples
     from kitrobot.workspace.executables import Executable, load_executable
@@ -34,7 +34,13 @@ if TYPE_CHECKING:
         with_mission,
     )
     from kitrobot.workspace.mission_run import PreparedRun, Run, RunOptions, Timing
-    from kitrobot.workspace.new_mission_choices import Choices, FoundPlace, NoBeginningError, RobotSet, Starter
+    from kitrobot.workspace.new_mission_choices import (
+        FoundPlace,
+        NewMissionChoices,
+        NoBeginningError,
+        RobotSet,
+        Starter,
+    )
     from kitrobot.workspace.part_imports import AddedParts, PartsFileError, add_parts, part_differences
     from kitrobot.workspace.previews import Preview, Previews
     from kitrobot.workspace.program_report import ProgramReport
@@ -60,7 +66,7 @@ else:
             "execution": ("Executed", "execute"),
             "fleets": ("FleetPlan", "files_for_agents", "free_endpoint", "run_fleet"),
             "inputs": ("Change", "Inputs", "read_inputs"),
-            "compile_cache": ("KeptPrograms",),
+            "compile_cache": ("CompileCache",),
             "kit_files": ("find_kit", "kit_named", "kits_at_hand"),
             "kit_pictures": ("body_picture", "wiring_picture"),
             "kits": ("KitFit", "ProgramOnKit", "mission_on_kit", "program_on_kits"),
@@ -74,7 +80,7 @@ else:
                 "read_mission_data",
                 "with_mission",
             ),
-            "new_mission_choices": ("Choices", "FoundPlace", "NoBeginningError", "RobotSet", "Starter"),
+            "new_mission_choices": ("NewMissionChoices", "FoundPlace", "NoBeginningError", "RobotSet", "Starter"),
             "previews": ("Preview", "Previews"),
             "program_report": ("ProgramReport",),
             "replay": ("state_at", "summary_of"),
@@ -96,7 +102,7 @@ else:
 __all__ = [
     "AddedParts",
     "Change",
-    "Choices",
+    "CompileCache",
     "ConversionError",
     "Converted",
     "Executable",
@@ -109,8 +115,8 @@ __all__ = [
     "FoundTutorial",
     "FoundWorld",
     "Inputs",
-    "KeptPrograms",
     "KitFit",
+    "NewMissionChoices",
     "NoBeginningError",
     "NoProgramError",
     "OpenMission",

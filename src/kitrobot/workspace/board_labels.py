@@ -14,7 +14,7 @@ from collections.abc import Iterable
 from kitrobot.deploy import list_ports
 from kitrobot.diagnostics import KitRobotError
 from kitrobot.text import Sentence
-from kitrobot.workspace.json_store import read_map, write_map
+from kitrobot.workspace.json_store import read_entries, write_entries
 
 LONGEST_LABEL = 40
 _KEPT = 1000
@@ -62,7 +62,7 @@ def keep_label(address: str, given: str) -> str:
     found = {key: one for key, one in _kept().items() if key != board and label_key(one) != label_key(label)}
     if label:
         found[board] = label
-    write_map(_NAME, found, _KEPT)
+    write_entries(_NAME, found, _KEPT)
     return label
 
 
@@ -90,5 +90,5 @@ def _numbers() -> dict[str, str]:
 
 
 def _kept() -> dict[str, str]:
-    found = read_map(_NAME).items()
+    found = read_entries(_NAME).items()
     return {key: one for key, one in found if isinstance(one, str) and 0 < len(one) <= LONGEST_LABEL}

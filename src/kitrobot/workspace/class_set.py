@@ -22,8 +22,8 @@ from kitrobot.robots import BoardProgram, Progress, Sent
 from kitrobot.text import COMMA, Sentence, Series, did_you_mean, listed, name_form
 from kitrobot.workspace.board_labels import LabelError, clean_label, label_key, labels_of
 from kitrobot.workspace.robot_programs import load_board_program
-from kitrobot.workspace.sent_firmware import keep_firmware
-from kitrobot.workspace.sent_programs import keep_program
+from kitrobot.workspace.sent_firmware import store_firmware_version
+from kitrobot.workspace.sent_programs import store_sent_program
 
 COLUMNS = ("label", "mission", "program", "kit", "port")
 MOST_BOARDS = 200
@@ -93,8 +93,8 @@ class BoardSet:
         sent = {one.address: one for one in robots.send_programs(programs, progress, replace=replace, fresh=fresh)}
         for address, one in sent.items():
             if one.deployed is not None:
-                keep_program(programs[address], [one.deployed.program])
-                keep_firmware(address, one.deployed)
+                store_sent_program(programs[address], [one.deployed.program])
+                store_firmware_version(address, one.deployed)
         return [SetResult(one, sent[one.address] if one.program is not None else None) for one in self.members]
 
 

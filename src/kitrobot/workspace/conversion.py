@@ -34,7 +34,7 @@ from kitrobot.mission import Mission, save
 from kitrobot.primitives import Robot, load_catalogue
 from kitrobot.text import Sentence
 from kitrobot.workspace.images import read_image, read_listing, why_unsafe
-from kitrobot.workspace.mission_loader import OpenMission, mission_of, open_mission, put_on
+from kitrobot.workspace.mission_loader import OpenMission, mission_of, open_mission, retarget
 from kitrobot.workspace.robots import find_robot
 from kitrobot.workspace.team_programs import for_kind
 
@@ -152,7 +152,7 @@ def _from_mission(source: Path, wanted: Form, name: str | None, robot: str | Non
     if program.level.is_team and robot is not None:
         return _for_kind(opened, program, robot, wanted)
     if robot is not None:
-        put_on(opened, find_robot(robot, source.parent))
+        retarget(opened, find_robot(robot, source.parent))
     if wanted is Form.TEXT:
         target, translation = target_of(program, opened.catalogue), graph_to_lll(program, opened.catalogue)
         text = Source(f"{program.name}.lll", print_for(translation.program, target, opened.catalogue.crew))

@@ -1,8 +1,9 @@
-"""Judging what was made of an exercise: its programs are looked at, run with every seed, and checked.
+"""Evaluation of a submission for an exercise: its programs are inspected, run with every seed, and checked.
 
 The work is bounded by steps: each run ends after the exercise's simulated seconds, each check after its states. `stop`
-breaks off between two stretches of a run and within a check; what was found until then is kept. Nothing the clock
-decides is in the result. Left to others: what a goal is (`exercise`), processes and tables for a class (`class_grader`).
+ends it between two stretches of a run or within a check; results found until then are returned. The result contains
+nothing that depends on wall-clock time. Left to others: what a goal is (`exercise`), processes and tables for a class
+(`class_grader`).
 """
 
 from __future__ import annotations
@@ -15,17 +16,17 @@ from typing import Final, Literal
 from kitrobot.compiler import draw_template, target_of
 from kitrobot.diagnostics import Diagnostic, KitRobotError, ProblemsError
 from kitrobot.exercise import (
+    CheckEvidence,
     CheckGoal,
-    CheckSeen,
     Contact,
     Exercise,
     Fault,
     Goal,
     PathPoint,
+    ProgramEvidence,
     ProgramGoal,
-    ProgramsSeen,
+    RunEvidence,
     RunGoal,
-    RunSeen,
 )
 from kitrobot.graph import IN, RETURN, START, STOP, Program
 from kitrobot.lll import Call, nodes
@@ -45,8 +46,8 @@ STRETCH: Final = 250
 """Steps of the simulator between two looks at `stop`."""
 LEAST_MOVE_MM: Final = 1.0
 """Points of a path are at least so far apart."""
-STEPS_TOLD: Final = 4
-"""Of a run of the model that breaks a property, the last steps that are told."""
+STEPS_SHOWN: Final = 4
+"""How many of the last steps are shown of a model run that breaks a property."""
 
 _ANSWERS: Final[dict[Answer, Literal["holds", "broken", "not finished", "vacuous"]]] = {
     Answer.BROKEN: "broken",
@@ -57,7 +58,7 @@ _ANSWERS: Final[dict[Answer, Literal["holds", "broken", "not finished", "vacuous
 """From the worst to the best."""
 
 Progress = Callable[[int, int], None]
-"""Told how many pieces of work are over, and how many there are."""
+"""Called with how many pieces of work are over, and how many there are."""
 
 
 def _never() -> bool:
@@ -66,11 +67,11 @@ def _never() -> bool:
 
 @dataclass(frozen=True)
 class GoalVerdict:
-    """What came of a goal.
+    """The result for one goal.
 
     Attributes:
         goal: the goal.
-        reached: whether it is; None where nothing was judged of it.
+        reached: whether it is reached; None where it was not evaluated.
         why: what went wrong, "" when nothing did.
         seed: the run that shows it, if a run does.
         seconds: when in that run, in simulated seconds.
@@ -87,8 +88,8 @@ class GoalVerdict:
 
 
 @dataclass(frozen=True)
-class Judgement:
-    """What came of a submission. `problems` are the errors that kept it from being run; then no goal is reached."""
+class Evaluation:
+    """The result for a submission. `problems` are the errors that kept it from running; then no goal is reached."""
 
     verdicts: tuple[GoalVerdict, ...]
     problems: tuple[Diagnostic, ...] = ()
@@ -100,15 +101,15 @@ class Judgement:
 
 
 @dataclass(frozen=True)
-class JudgingOptions:
-    """What is judged.
+class EvaluationOptions:
+    """Which parts of an exercise are evaluated.
 
     Attributes:
         hidden: the hidden goals and seeds too.
         seeds: these seeds only, in place of the exercise's; none: the exercise's.
         runs: goals of runs too.
         checks: goals of checking too, which take longest.
-        stop: asked now and then whether to break off; goals that are not decided by then are not judged.
+        stop: polled regularly; once it returns True, goals that are not decided yet are left out.
     """
 
     hidden: bool = False
@@ -127,15 +128,15 @@ def open_handed_in(start: OpenMission, submission: Mission, search: SearchPath) 
     return with_mission(handed_in(start.mission, submission), start.name, search)
 
 
-def judge(
+def evaluate_submission(
     exercise: Exercise,
     opened: OpenMission,
-    options: JudgingOptions | None = None,
+    options: EvaluationOptions | None = None,
     progress: Progress | None = None,
     given: Sequence[Constructor] = (),
-) -> Judgement:
+) -> Evaluation:
     """Judges a submission that was put into the mission of its exercise; `given` are the own blocks of that mission."""
-    options = options or JudgingOptions()
+    options = options or EvaluationOptions()
     goals = exercise.goals_for(options.hidden)
     seeds = options.seeds or exercise.seeds_for(options.hidden)
     run_goals = [goal for goal in goals if isinstance(goal, RunGoal)] if options.runs else []
@@ -154,7 +155,7 @@ def judge(
     except ProblemsError as error:
         return _unusable(goals, [one for one in error.diagnostics if one.is_error])
     found: dict[int, GoalVerdict] = {}
-    seen = programs_seen(opened, given)
+    seen = collect_program_evidence(opened, given)
     for goal in goals:
         if isinstance(goal, ProgramGoal):
             fault = goal.fault(seen)
@@ -163,7 +164,7 @@ def judge(
     if run_goals:
         paths = any(goal.needs_path for goal in run_goals)
         for seed in seeds:
-            run = run_seen(_simulation(prepared, seed), seed, paths, options.stop)
+            run = collect_run_evidence(_simulation(prepared, seed), seed, paths, options.stop)
             if run is None:
                 break
             for goal in run_goals:
@@ -174,19 +175,19 @@ def judge(
     for alike in _alike(checks):
         if options.stop():
             break
-        seen_of = checks_seen(prepared, alike, options.stop)
+        seen_of = collect_check_evidence(prepared, alike, options.stop)
         cut = options.stop()
         for check in alike:
             # Only what is broken is known of a check that was cut.
             if not cut or seen_of[check.property].answer == "broken":
                 found[id(check)] = _verdict(check, check.fault(seen_of[check.property]))
                 tell()
-    return Judgement(tuple(found.get(id(goal), GoalVerdict(goal, None)) for goal in goals))
+    return Evaluation(tuple(found.get(id(goal), GoalVerdict(goal, None)) for goal in goals))
 
 
-def _unusable(goals: Iterable[Goal], problems: list[Diagnostic]) -> Judgement:
+def _unusable(goals: Iterable[Goal], problems: list[Diagnostic]) -> Evaluation:
     first = problems[0].message if problems else ""
-    return Judgement(tuple(GoalVerdict(goal, False, first) for goal in goals), tuple(problems))
+    return Evaluation(tuple(GoalVerdict(goal, False, first) for goal in goals), tuple(problems))
 
 
 def _verdict(goal: Goal, fault: Fault | None) -> GoalVerdict:
@@ -207,7 +208,7 @@ def _of_runs(goal: RunGoal, found: list[tuple[int, Fault | None]], wanted: int) 
 # -- what is seen of programs
 
 
-def programs_seen(opened: OpenMission, given: Sequence[Constructor] = ()) -> ProgramsSeen:
+def collect_program_evidence(opened: OpenMission, given: Sequence[Constructor] = ()) -> ProgramEvidence:
     """The elements that hang on the Start of each program, and those that its own blocks would be drawn as.
 
     A part is what it does: an own block counts by its name only as far as it is one of `given`, and as what stands in
@@ -225,7 +226,7 @@ def programs_seen(opened: OpenMission, given: Sequence[Constructor] = ()) -> Pro
                 own[program.name] += counts.pop(name)
             counts.update(_drawn(blocks[name], program, opened))
         elements[program.name] = counts
-    return ProgramsSeen(elements, own, _labels(opened))
+    return ProgramEvidence(elements, own, _labels(opened))
 
 
 def _is_same(one: Constructor, other: Constructor) -> bool:
@@ -289,7 +290,9 @@ def _simulation(prepared: PreparedRun, seed: int) -> Simulation:
     return prepared.opened.prepare(replace(prepared.options, seed=seed)).simulation
 
 
-def run_seen(simulation: Simulation, seed: int, with_paths: bool, stop: Callable[[], bool] = _never) -> RunSeen | None:
+def collect_run_evidence(
+    simulation: Simulation, seed: int, with_paths: bool, stop: Callable[[], bool] = _never
+) -> RunEvidence | None:
     """Runs a simulation that has a time limit to its end; None when `stop` said so before."""
     # Compiling takes longer than the runs of an exercise.
     simulation.stays_plain = True
@@ -310,7 +313,7 @@ def run_seen(simulation: Simulation, seed: int, with_paths: bool, stop: Callable
     if with_paths:
         for path, (x, y, *_) in zip(paths, simulation.poses(), strict=True):
             path.append(PathPoint(x, y, simulation.seconds))
-    return RunSeen(
+    return RunEvidence(
         seed,
         simulation.outcome,
         simulation.sentence,
@@ -348,9 +351,9 @@ def _alike(checks: Iterable[CheckGoal]) -> list[list[CheckGoal]]:
     return list(found.values())
 
 
-def checks_seen(
+def collect_check_evidence(
     prepared: PreparedRun, goals: Sequence[CheckGoal], stop: Callable[[], bool] = _never
-) -> dict[str, CheckSeen]:
+) -> dict[str, CheckEvidence]:
     """Checks the properties of goals that are alike, bounded by their states, in one search.
 
     Of each property the worst answer counts: of all numbers of failures, and of all agents that it is about.
@@ -364,11 +367,11 @@ def checks_seen(
         made = verify(prepared, options)
     except VerificationError as error:
         if len(wanted) == 1:
-            return {wanted[0]: CheckSeen("none", error.message)}
+            return {wanted[0]: CheckEvidence("none", error.message)}
         # One of them does not fit this mission: each by itself.
-        return {goal.property: checks_seen(prepared, [goal], stop)[goal.property] for goal in goals}
+        return {goal.property: collect_check_evidence(prepared, [goal], stop)[goal.property] for goal in goals}
     except AbstractionError as error:
-        return dict.fromkeys(wanted, CheckSeen("none", error.message))
+        return dict.fromkeys(wanted, CheckEvidence("none", error.message))
     seen = {}
     for name in wanted:
         findings = [
@@ -381,14 +384,14 @@ def checks_seen(
             worst = min(findings, key=lambda finding: list(_ANSWERS).index(finding.verdict.answer))
             seen[name] = _told(worst, made.tick_ms)
         else:
-            seen[name] = CheckSeen("none", Sentence("nothing was checked"))
+            seen[name] = CheckEvidence("none", Sentence("nothing was checked"))
     return seen
 
 
-def _told(finding: Finding, tick_ms: int) -> CheckSeen:
+def _told(finding: Finding, tick_ms: int) -> CheckEvidence:
     verdict, confirmed = finding.verdict, finding.confirmed
-    steps = tuple(dict.fromkeys(text for _, text in finding.story[-STEPS_TOLD:]))
+    steps = tuple(dict.fromkeys(text for _, text in finding.story[-STEPS_SHOWN:]))
     seed = seconds = None
     if confirmed is not None and not confirmed.harms:
         seed, seconds = confirmed.seed, confirmed.tick * tick_ms / 1000
-    return CheckSeen(_ANSWERS[verdict.answer], verdict.property.sentence, seed, seconds, steps)
+    return CheckEvidence(_ANSWERS[verdict.answer], verdict.property.sentence, seed, seconds, steps)

@@ -21,7 +21,7 @@ from kitrobot.files import carried_mission, examples_folder, read_bytes
 from kitrobot.mission import Mission, read_mission
 from kitrobot.text import Sentence
 from kitrobot.workspace.child_processes import end_with_parent
-from kitrobot.workspace.exercise_evaluation import GoalVerdict, JudgingOptions, judge, open_handed_in
+from kitrobot.workspace.exercise_evaluation import EvaluationOptions, GoalVerdict, evaluate_submission, open_handed_in
 from kitrobot.workspace.exercises import programs_of
 from kitrobot.workspace.grades import GoalGrade, texts_of, told
 from kitrobot.workspace.mission_loader import OpenMission, open_mission
@@ -124,7 +124,9 @@ def _judged(data: bytes, name: str, exercise: str | None) -> dict[str, Any]:
         raise KitRobotError(next(one.message for one in problems if one.is_error))
     ready = ready_exercise(Path(exercise)) if exercise is not None else _exercise_of(mission)
     opened = open_handed_in(ready.start, mission, SearchPath(ready.folder))
-    made = judge(ready.exercise, opened, JudgingOptions(hidden=True), given=ready.start.mission.constructors)
+    made = evaluate_submission(
+        ready.exercise, opened, EvaluationOptions(hidden=True), given=ready.start.mission.constructors
+    )
     return {
         "exercise": texts_of(ready.exercise.label),
         "file": str(ready.path),

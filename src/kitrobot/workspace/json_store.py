@@ -1,4 +1,4 @@
-"""Small JSON objects about boards in the user's state folder, each in a file of its own; the oldest entries go."""
+"""Small JSON objects about boards, one file each in the user's state folder; the oldest entries are dropped."""
 
 from __future__ import annotations
 
@@ -13,8 +13,8 @@ from kitrobot.user_folders import state_folder
 _MOST_BYTES = 200_000
 
 
-def read_map(name: str) -> dict[str, Any]:
-    """What is kept there; nothing where it is missing or damaged."""
+def read_entries(name: str) -> dict[str, Any]:
+    """The entries of the file; {} if it is missing or damaged."""
     try:
         with open(_path(name), "rb") as file:
             found = json.loads(file.read(_MOST_BYTES))
@@ -23,8 +23,8 @@ def read_map(name: str) -> dict[str, Any]:
     return found if isinstance(found, dict) else {}
 
 
-def write_map(name: str, found: Mapping[str, Any], most: int) -> None:
-    """Keeps the last `most` entries, as far as they are no larger than what is read.
+def write_entries(name: str, found: Mapping[str, Any], most: int) -> None:
+    """Stores the last `most` entries, fewer if they would take more than the `_MOST_BYTES` that are read back.
 
     Raises:
         FileError: it cannot be written.

@@ -16,11 +16,11 @@ from kitrobot.diagnostics import Diagnostic, KitRobotError, Place, Rule
 from kitrobot.files import NAME_NO_TEXT, RENAME, UNREADABLE, FileError, MissionFolder, name_as_text, read_bytes
 from kitrobot.text import Sentence
 
-MOST_KEPT = 200
-"""Lessons of a kind that are kept as they were read."""
+MOST_CACHED = 200
+"""Parsed lessons of one kind that are cached."""
 
 
-class LessonGoneError(KitRobotError):
+class LessonUnavailableError(KitRobotError):
     """A lesson that was there is there no more, or has a mistake now."""
 
 
@@ -36,7 +36,7 @@ L = TypeVar("L", bound=Lesson)
 
 
 @dataclass(frozen=True)
-class Found(Generic[L]):
+class FoundLesson(Generic[L]):
     """A lesson of that name; None in place of it when it has a mistake. `start` is the name of its mission."""
 
     name: str
@@ -62,19 +62,19 @@ class LessonKind(Generic[L]):
     gone: Sentence
 
 
-class Lessons(Generic[L]):
+class LessonLibrary(Generic[L]):
     """The lessons of one kind in a folder. Safe to use from many threads: what two read at once is the same."""
 
     def __init__(self, folder: MissionFolder, kind: LessonKind[L]) -> None:
         self._folder = folder
         self._kind = kind
-        self._kept: dict[str, tuple[_Stamp, Found[L]]] = {}
+        self._cache: dict[str, tuple[_Stamp, FoundLesson[L]]] = {}
 
-    def all(self) -> list[Found[L]]:
+    def all(self) -> list[FoundLesson[L]]:
         """Every one: those that come with KitRobot, then those of the folder."""
         return [self._listed(name) for name in self._kind.names(self._folder)]
 
-    def _listed(self, name: str) -> Found[L]:
+    def _listed(self, name: str) -> FoundLesson[L]:
         """One of the list: what cannot be used says why, and the others are there all the same."""
         try:
             name.encode()
@@ -89,7 +89,7 @@ class Lessons(Generic[L]):
         """The names of the missions that one begins with."""
         return {found.start for found in self.all() if found.start}
 
-    def found(self, name: str) -> Found[L]:
+    def found(self, name: str) -> FoundLesson[L]:
         """The one of that name, with what is wrong with it.
 
         Raises:
@@ -99,18 +99,18 @@ class Lessons(Generic[L]):
         try:
             state = os.stat(path)
             stamp = (state.st_mtime_ns, state.st_size)
-            kept = self._kept.get(name)
-            if kept is not None and kept[0] == stamp:
-                return self._with_start(kept[1])
+            cached = self._cache.get(name)
+            if cached is not None and cached[0] == stamp:
+                return self._with_start(cached[1])
             lesson, problems = self._kind.read(read_bytes(path), name)
         except (FileError, OSError) as error:
             why = error.message if isinstance(error, FileError) else Sentence("the file `{name}` cannot be read", name)
             return _broken(name, [UNREADABLE(why, Place(name))])
         start = str(PurePosixPath(name).parent / lesson.start) if lesson is not None else ""
-        found = Found(name, lesson, start, tuple(problems))
-        if len(self._kept) >= MOST_KEPT:
-            self._kept.clear()
-        self._kept[name] = (stamp, found)
+        found = FoundLesson(name, lesson, start, tuple(problems))
+        if len(self._cache) >= MOST_CACHED:
+            self._cache.clear()
+        self._cache[name] = (stamp, found)
         return self._with_start(found)
 
     def usable(self, name: str) -> tuple[L, str]:
@@ -118,14 +118,14 @@ class Lessons(Generic[L]):
 
         Raises:
             MissionNameError: as `found`.
-            LessonGoneError: it is there no more, or has a mistake.
+            LessonUnavailableError: it is there no more, or has a mistake.
         """
         found = self.found(name)
         if found.lesson is None:
-            raise LessonGoneError(self._kind.gone, Sentence("look at its file, or leave it"), found.problems)
+            raise LessonUnavailableError(self._kind.gone, Sentence("look at its file, or leave it"), found.problems)
         return found.lesson, found.start
 
-    def _with_start(self, found: Found[L]) -> Found[L]:
+    def _with_start(self, found: FoundLesson[L]) -> FoundLesson[L]:
         """The same; without its mission it cannot begin, and says so."""
         if found.lesson is None:
             return found
@@ -141,5 +141,5 @@ class Lessons(Generic[L]):
         return _broken(found.name, [*found.problems, problem])
 
 
-def _broken(name: str, problems: Sequence[Diagnostic]) -> Found[L]:
-    return Found(name, None, "", tuple(problems))
+def _broken(name: str, problems: Sequence[Diagnostic]) -> FoundLesson[L]:
+    return FoundLesson(name, None, "", tuple(problems))

@@ -40,7 +40,7 @@ from kitrobot.world import World, check_plan, read_world
 
 if TYPE_CHECKING:
     from kitrobot.sim import Simulation
-    from kitrobot.workspace.compile_cache import KeptPrograms
+    from kitrobot.workspace.compile_cache import CompileCache
     from kitrobot.workspace.mission_run import PreparedRun, Progress, Run, RunOptions
 
 NO_WORLD = rule(
@@ -93,7 +93,7 @@ class OpenMission:
     """Where its world was read from; None for one that it brings along, or that is not there."""
     common: Catalogue | None = field(default=None, repr=False, compare=False)
     """What the files hold, without the parts that the mission brings along."""
-    kept: KeptPrograms | None = field(default=None, repr=False, compare=False)
+    kept: CompileCache | None = field(default=None, repr=False, compare=False)
     """Where programs that were compiled already are found, in the studio."""
 
     @property
@@ -214,10 +214,10 @@ class OpenMission:
 
     def _stage_problems(self) -> tuple[Diagnostic, ...]:
         """What keeps a team from taking its places in the world."""
-        from kitrobot.workspace.mission_run import look_whether_it_runs
+        from kitrobot.workspace.mission_run import validate_setup
 
         try:
-            look_whether_it_runs(self)
+            validate_setup(self)
         except ProblemsError as error:
             return error.diagnostics
         return ()
@@ -288,11 +288,11 @@ def open_mission(path: Path, *, robot: str | None = None) -> OpenMission:
     opened = read_mission_data(read_carried(path), str(path), SearchPath(path.parent))
     opened = replace(opened, path=path)
     if robot is not None:
-        put_on(opened, find_robot(robot, path.parent))
+        retarget(opened, find_robot(robot, path.parent))
     return opened
 
 
-def put_on(opened: OpenMission, robot: Robot) -> None:
+def retarget(opened: OpenMission, robot: Robot) -> None:
     """Puts a robot in the place of the ones that programs are for; before anything of them was asked."""
     opened.catalogue.robots[robot.name] = robot
     for program in opened.mission.programs:
@@ -313,7 +313,7 @@ def read_mission_data(data: bytes, name: str, search: SearchPath) -> OpenMission
     return replace(opened, diagnostics=(*diagnostics, *opened.diagnostics), sources=(text, *opened.sources), text=text)
 
 
-def with_mission(mission: Mission, name: str, search: SearchPath, kept: KeptPrograms | None = None) -> OpenMission:
+def with_mission(mission: Mission, name: str, search: SearchPath, kept: CompileCache | None = None) -> OpenMission:
     """Opens a mission that is no file (yet), with what lies in the folders of `search`.
 
     `kept`: what was worked out for it before.
@@ -332,7 +332,7 @@ def mission_of(program: Program) -> Mission:
 
 
 def _open(
-    mission: Mission, name: str, search: SearchPath, places: Places | None, kept: KeptPrograms | None = None
+    mission: Mission, name: str, search: SearchPath, places: Places | None, kept: CompileCache | None = None
 ) -> OpenMission:
     common = search.catalogue()
     extended = common.extended if kept is None else partial(kept.catalogue, common)

@@ -196,7 +196,7 @@ def _plan(opened: OpenMission) -> TeamPlan | None:
     return opened.team.plan if opened.team is not None else None
 
 
-def look_whether_it_runs(opened: OpenMission) -> None:
+def validate_setup(opened: OpenMission) -> None:
     """Sets a mission that has no other errors up in its world, without making the run.
 
     Raises:

@@ -171,7 +171,7 @@ class FoundPlace:
     world: World
 
 
-class Choices:
+class NewMissionChoices:
     """The beginnings of a studio: with their worlds and missions, which are read once.
 
     What is not at hand (an installation without examples) is left out.
@@ -185,7 +185,7 @@ class Choices:
         self.robot_sets = tuple(one for one in made.robot_sets if one.robot or self._there(one.mission))
         self.places = tuple(filter(None, map(_found_place, made.places)))
 
-    def with_own(self, catalogue: Catalogue) -> Choices:
+    def with_own(self, catalogue: Catalogue) -> NewMissionChoices:
         """These, and a set of each robot of the catalogue that does not come with KitRobot and is in no set yet.
 
         It fits every place with a start of the usual name, and begins without parts.

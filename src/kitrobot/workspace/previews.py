@@ -38,7 +38,7 @@ TICKS_A_POINT = 5
 """Steps of the simulator between two looks at it: a tenth of a second."""
 MOST_FRAMES = 80
 """A longer run is shown in fewer frames: it plays faster."""
-MOST_KEPT = 200
+MOST_CACHED = 200
 """Previews in memory."""
 
 SHIPPED_PREVIEWS = Path(__file__).parent / "shipped" / "previews.jsonl"
@@ -209,7 +209,7 @@ class Previews:
                 preview = None  # opening the mission says what is wrong
         with self._lock:
             self._made[key] = preview
-            while len(self._made) > MOST_KEPT:
+            while len(self._made) > MOST_CACHED:
                 self._made.popitem(last=False)
         return preview
 

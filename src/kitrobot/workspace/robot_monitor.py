@@ -12,7 +12,7 @@ from kitrobot.diagnostics import expect_output
 from kitrobot.robots import Known, NoBoardError, NoRecordingError, RecordedBoard, RobotRecorder, WatchedRobot
 from kitrobot.text import Sentence
 from kitrobot.workspace.robot_programs import load_board_program
-from kitrobot.workspace.sent_programs import kept_program
+from kitrobot.workspace.sent_programs import load_sent_program
 
 
 def known_program(
@@ -27,7 +27,7 @@ def known_program(
         KitRobotError: the mission cannot be used.
     """
     if mission is None:
-        return kept_program(hello.program)
+        return load_sent_program(hello.program)
     ready = load_board_program(mission, robot=robot, program=program)
     if not ready.is_called(hello.program):
         raise NoBoardError(

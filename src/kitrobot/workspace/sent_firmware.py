@@ -1,7 +1,7 @@
-"""Which MicroPython the boards have that something was sent to from here, in the user's state folder.
+"""The MicroPython version of each board that received a program from here, stored in the user's state folder.
 
-A board that runs does not say it, and asking at its prompt would stop it. So what it said when it was last sent to is
-kept, by its address, and holds as long as what is on it is what was sent then.
+A running board does not report its version, and asking at its prompt would stop it. So the version reported while
+sending is stored by the board's address. It is valid as long as the board holds the program that was sent then.
 """
 
 from __future__ import annotations
@@ -10,27 +10,27 @@ from contextlib import suppress
 
 from kitrobot.deploy import Deployed, Hello
 from kitrobot.files import FileError
-from kitrobot.workspace.json_store import read_map, write_map
+from kitrobot.workspace.json_store import read_entries, write_entries
 
 _NAME = "firmware"
-_KEPT = 200
-"""Boards that are remembered; the oldest go."""
+_MOST_BOARDS = 200
+"""Boards that are stored; the oldest are dropped."""
 
 
-def keep_firmware(address: str, done: Deployed) -> None:
-    """Keeps what a board said when it was sent to, where that can be."""
+def store_firmware_version(address: str, done: Deployed) -> None:
+    """Stores the version that a board reported while a program was sent; does nothing if it reported none."""
     if not done.micropython:
         return
-    found = read_map(_NAME)
+    found = read_entries(_NAME)
     found.pop(address, None)
     found[address] = {"program": done.program, "generation": done.generation, "micropython": done.micropython}
     with suppress(FileError):
-        write_map(_NAME, found, _KEPT)
+        write_entries(_NAME, found, _MOST_BOARDS)
 
 
-def kept_firmware(address: str, hello: Hello) -> str:
-    """The version of MicroPython on the board there; "" when it is not known."""
-    known = read_map(_NAME).get(address)
+def load_firmware_version(address: str, hello: Hello) -> str:
+    """The MicroPython version of the board at that address; "" when it is not known."""
+    known = read_entries(_NAME).get(address)
     if not isinstance(known, dict) or (known.get("program"), known.get("generation")) != (
         hello.program,
         hello.generation,

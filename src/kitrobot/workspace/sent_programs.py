@@ -17,30 +17,30 @@ from kitrobot.robots import NAME_ON_ROBOT, BoardNames, BoardProgram, Carried, Kn
 from kitrobot.trace import TracePart
 from kitrobot.user_folders import state_folder
 
-_KEPT = 200
-"""Programs whose names are kept; the oldest go."""
+_MOST_PROGRAMS = 200
+"""Programs whose names are stored; the oldest are dropped."""
 
 _ENDING = ".carried"
 _MOST_BYTES = 20_000_000
-"""Of what is kept of one program: more is no mission that a board runs."""
+"""Largest embedded data of one program: more is no mission that a board runs."""
 
 
-def kept_program(called: str) -> Known | None:
-    """What was kept of a program, by what a robot calls it; None when it was not sent from here."""
-    names = kept_names(called)
-    return Known(names, kept_carried(called)) if names is not None else None
+def load_sent_program(called: str) -> Known | None:
+    """The stored data of a program, by its name on the robot; None when it was not sent from here."""
+    names = load_names(called)
+    return Known(names, load_recording_context(called)) if names is not None else None
 
 
-def keep_program(program: BoardProgram, called: Iterable[str]) -> None:
-    """Keeps the names of a program and what recordings of it embed, for later; `called`: what robots call it."""
+def store_sent_program(program: BoardProgram, called: Iterable[str]) -> None:
+    """Stores the names of a program and what recordings of it embed; `called`: its names on robots."""
     names = tuple(called)
     if names:
-        keep_names(program.names, names)
-        keep_carried(program.carried, names)
+        store_names(program.names, names)
+        store_recording_context(program.carried, names)
 
 
-def keep_names(names: BoardNames, called: Iterable[str]) -> None:
-    """Keeps the names of a program for later, where that can be; `called`: what robots call it."""
+def store_names(names: BoardNames, called: Iterable[str]) -> None:
+    """Stores the names of a program, unless the folder cannot be written; `called`: its names on robots."""
     folder = state_folder() / "boards"
     text = json.dumps(asdict(replace(names, made_of=None)), ensure_ascii=False)
     with suppress(OSError, FileError):
@@ -48,12 +48,12 @@ def keep_names(names: BoardNames, called: Iterable[str]) -> None:
         for one in called:
             write_atomic(folder / f"{one}.json", text.encode())
         old = sorted(folder.glob("*.json"), key=lambda path: path.stat().st_mtime, reverse=True)
-        for path in old[_KEPT:]:
+        for path in old[_MOST_PROGRAMS:]:
             path.unlink(missing_ok=True)
 
 
-def kept_names(called: str) -> BoardNames | None:
-    """The names of a program by what a robot calls it; None when it was not sent from here."""
+def load_names(called: str) -> BoardNames | None:
+    """The stored names of a program, by its name on the robot; None when it was not sent from here."""
     if not NAME_ON_ROBOT.fullmatch(called):
         return None
     try:
@@ -72,8 +72,8 @@ def kept_names(called: str) -> BoardNames | None:
         return None
 
 
-def keep_carried(carried: Carried | None, called: Iterable[str]) -> None:
-    """Keeps it for later, where that can be, beside the names; `called`: what robots call the program."""
+def store_recording_context(carried: Carried | None, called: Iterable[str]) -> None:
+    """Stores it beside the names, unless the folder cannot be written; `called`: the program's names on robots."""
     folder = state_folder() / "boards"
     text = json.dumps(asdict(carried), ensure_ascii=False) if carried is not None else ""
     with suppress(OSError, FileError):
@@ -82,15 +82,15 @@ def keep_carried(carried: Carried | None, called: Iterable[str]) -> None:
             if text and len(text) <= _MOST_BYTES:
                 write_atomic(path, text.encode())
             else:
-                # What was sent last counts, also when it came from no mission.
+                # The last program sent counts, even if it came from no mission.
                 path.unlink(missing_ok=True)
         for path in folder.glob(f"*{_ENDING}"):
             if not path.with_suffix(".json").exists():
                 path.unlink(missing_ok=True)
 
 
-def kept_carried(called: str) -> Carried | None:
-    """What was kept of a program, by what a robot calls it; None when nothing was."""
+def load_recording_context(called: str) -> Carried | None:
+    """The stored embedded data of a program, by its name on the robot; None when there is none."""
     if not NAME_ON_ROBOT.fullmatch(called):
         return None
     try:

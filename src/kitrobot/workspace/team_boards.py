@@ -14,7 +14,7 @@ from kitrobot.robots import BoardProgram, Progress, Sent, carried_by
 from kitrobot.text import Sentence, did_you_mean, listed
 from kitrobot.workspace.mission_loader import OpenMission
 from kitrobot.workspace.robot_programs import ready_program
-from kitrobot.workspace.sent_programs import keep_program
+from kitrobot.workspace.sent_programs import store_sent_program
 from kitrobot.workspace.traces import parts_of
 
 
@@ -86,7 +86,7 @@ def send_team(
     sent = robots.send_programs(programs, progress, replace=replace, fresh=fresh)
     for one in sent:
         if one.deployed is not None:
-            keep_program(programs[one.address], [one.deployed.program])
+            store_sent_program(programs[one.address], [one.deployed.program])
     return sent
 
 

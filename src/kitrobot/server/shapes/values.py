@@ -14,7 +14,7 @@ from pydantic_core import CoreSchema
 from kitrobot.files import Claimed
 from kitrobot.graph import Arc, Vertex
 from kitrobot.mission import Agent, Goal
-from kitrobot.mission.reading import is_goal_stock, say_goal_stock
+from kitrobot.mission.reader import is_goal_stock, say_goal_stock
 from kitrobot.sim.breakpoints import Hit
 from kitrobot.tutorial import Point
 from kitrobot.world import Section, Storehouse

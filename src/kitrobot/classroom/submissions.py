@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import Final
 
 from kitrobot.classroom.names import ENDING, free_name, key_of, work_name
-from kitrobot.classroom.told import HandIn
+from kitrobot.classroom.pupil_status import HandIn
 from kitrobot.files import FileError, QuotaError, read_bytes, revision_of, utc_moment, write_atomic
 from kitrobot.text import Sentence
 

@@ -1,4 +1,4 @@
-"""What a class and the page of a pupil tell each other, as plain values."""
+"""The messages between a class and the page of a pupil, as plain values."""
 
 from __future__ import annotations
 
@@ -19,26 +19,26 @@ class Handed:
 
 @dataclass(frozen=True)
 class HandIn:
-    """A file as it was kept: its name, which may be another one than was wished, and its revision."""
+    """A stored submission: its name, which may differ from the requested one, and its revision."""
 
     name: str
     revision: str
 
 
 @dataclass(frozen=True)
-class Told:
-    """What a pupil's page is told.
+class PupilStatus:
+    """The status of a pupil, which is sent to the pupil's page.
 
     Attributes:
         class_name: of the class.
         name: of the pupil.
-        word: brings them back from another computer.
-        frozen: whether this pupil is to look up.
+        word: lets them join again from another computer.
+        frozen: whether the pupil's screen is frozen.
         exercise: the exercise of the class, "" without.
         handed: the mission that was handed out last.
-        note: what the teacher wrote last, and its number.
-        looked: whether the teacher looks on.
-        hand: whether the hand is up.
+        note: the number of the teacher's last note, and its text.
+        looked: whether the teacher is viewing the pupil's work.
+        hand: whether the pupil's hand is raised.
         turn: whose turn it is to edit.
     """
 

@@ -20,7 +20,7 @@ from kitrobot.versions.conflicts import Conflict, Decisions
 from kitrobot.versions.lists import merged_by_name, merged_nameless, merged_order, merged_values
 from kitrobot.versions.own_parts import breakpoint_title, failure_title
 from kitrobot.versions.own_worlds import merge_places
-from kitrobot.versions.program_merging import merge_programs
+from kitrobot.versions.program_merge import merge_programs
 from kitrobot.versions.renames import with_one_name
 
 

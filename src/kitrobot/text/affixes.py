@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 
 
-def same_ends(one: Sequence[object], other: Sequence[object]) -> tuple[int, int]:
+def common_affixes(one: Sequence[object], other: Sequence[object]) -> tuple[int, int]:
     """How much two texts, or two lists, have in common at their beginnings, and behind that at their ends."""
     shorter = min(len(one), len(other))
     start = _most(shorter, lambda count: one[:count] == other[:count])

@@ -15,7 +15,7 @@ from kitrobot.text import Sentence, Word
 from kitrobot.versions.conflicts import Decisions
 from kitrobot.versions.lists import merged_order
 from kitrobot.versions.outline import Outline
-from kitrobot.versions.wording import named
+from kitrobot.versions.phrases import named
 
 Port = tuple[str, str]
 

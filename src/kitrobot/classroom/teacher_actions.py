@@ -1,22 +1,22 @@
-"""What the teacher does with a class: lets nobody in, freezes, hands out, writes, looks on."""
+"""Actions of the teacher: add and remove pupils, change the code, freeze, hand out, send notes, view a pupil's work."""
 
 from __future__ import annotations
 
 from contextlib import suppress
 from typing import Final
 
-from kitrobot.classroom.entrance import TakenNameError
+from kitrobot.classroom.admission import NameTakenError
+from kitrobot.classroom.class_room import STUDIOS, ClassError, ClassRoom
 from kitrobot.classroom.names import clean_name, new_code, work_name
 from kitrobot.classroom.pupil import Pupil
-from kitrobot.classroom.room import STUDIOS, ClassError, ClassRoom
 from kitrobot.files import HANDED_OUT, write_atomic
 from kitrobot.text import Sentence
 
 LONGEST_NOTE: Final = 500
 
 
-class Desk:
-    """The teacher's desk. Safe to use from many threads."""
+class TeacherActions:
+    """The actions of a class's teacher. Safe to use from many threads."""
 
     def __init__(self, room: ClassRoom) -> None:
         self._room = room
@@ -25,12 +25,12 @@ class Desk:
         """A pupil who comes later, with the word.
 
         Raises:
-            TakenNameError: there is one of that name.
+            NameTakenError: there is one of that name.
         """
         with self._room.lock:
             name = clean_name(name)
             if self._room.named(name) is not None:
-                raise TakenNameError(Sentence("`{name}` is in this class already", name), "")
+                raise NameTakenError(Sentence("`{name}` is in this class already", name), "")
             return self._room.enter(name, "")
 
     def remove(self, *pupils: Pupil) -> None:
@@ -47,7 +47,7 @@ class Desk:
                 if not (self._room.folder / STUDIOS / pupil.folder).exists():
                     with suppress(OSError):
                         (self._room.folder / pupil.folder).rmdir()
-                self._room.log.say(f"{pupil.record.name} was taken out of the class; what is in {pupil.folder} stays")
+                self._room.log.write(f"{pupil.record.name} was taken out of the class; what is in {pupil.folder} stays")
 
     def remove_idle(self) -> int:
         """Takes those out of the class who came in, handed nothing in and are not here; gives how many."""
@@ -64,7 +64,7 @@ class Desk:
             self._room.record.places = places
             self._room.newcomers.clear()
             self._room.changed(kept=True)
-            self._room.log.say(f"the class has room for {places} pupils")
+            self._room.log.write(f"the class has room for {places} pupils")
 
     def set_code(self, on: bool) -> None:
         """A new code; or none, and nobody can join. Who is in stays in."""
@@ -72,7 +72,7 @@ class Desk:
             self._room.record.code = new_code() if on else ""
             self._room.newcomers.clear()
             self._room.changed(kept=True)
-            self._room.log.say("the class has a new code" if on else "the code was revoked")
+            self._room.log.write("the class has a new code" if on else "the code was revoked")
 
     def set_frozen(self, on: bool, who: list[str] | None = None) -> None:
         """Those pupils, or everybody, are to look up, or go on.
@@ -85,7 +85,7 @@ class Desk:
                 record.frozen = on
                 for one in record.pupils:
                     one.frozen = False
-                self._room.log.say("everybody was frozen" if on else "everybody goes on")
+                self._room.log.write("everybody was frozen" if on else "everybody goes on")
             else:
                 if record.frozen and not on:
                     record.frozen = False
@@ -95,7 +95,7 @@ class Desk:
                 for one in chosen:
                     one.frozen = on and not record.frozen
                 names = ", ".join(one.name for one in chosen)
-                self._room.log.say(f"{'frozen' if on else 'not frozen any more'}: {names}")
+                self._room.log.write(f"{'frozen' if on else 'not frozen any more'}: {names}")
             self._room.changed(kept=True)
 
     def set_exercise(self, name: str) -> None:
@@ -103,7 +103,7 @@ class Desk:
         with self._room.lock:
             self._room.record.exercise = name
             self._room.changed(kept=True)
-            self._room.log.say(f"the exercise is {name}" if name else "there is no exercise")
+            self._room.log.write(f"the exercise is {name}" if name else "there is no exercise")
 
     def hand_out(self, shown: str, data: bytes, to: list[str] | None = None) -> tuple[str, int]:
         """Gives a mission to those pupils, or to all; gives its name and to how many.
@@ -121,7 +121,7 @@ class Desk:
             for record in chosen:
                 record.handed, record.handed_file = number, name
             self._room.changed(kept=True)
-            self._room.log.say(f"{name} was handed out to {len(chosen)}")
+            self._room.log.write(f"{name} was handed out to {len(chosen)}")
             return name, len(chosen)
 
     def write_to(self, pupil: Pupil, text: str) -> None:

@@ -9,11 +9,11 @@ from kitrobot.diagnostics import Diagnostic
 from kitrobot.graph import PROGRAM, Program
 from kitrobot.lll import GroupDeclaration, RoleDeclaration, WorkDeclaration
 from kitrobot.mission import rules
-from kitrobot.mission.asked import PROPERTIES, AskedProperty
 from kitrobot.mission.breakdown import BREAKDOWN, the_breakdown
 from kitrobot.mission.declarations import DECLARATIONS
 from kitrobot.mission.migrations import migrate
 from kitrobot.mission.model import ALL, VERSION, Agent, Goal, Mission, Team
+from kitrobot.mission.property_xml import PROPERTIES, AskedProperty
 from kitrobot.mission.radio import RADIO, Radio
 from kitrobot.mission.trial import TRIAL, Breakpoint, Failure, check_trial
 from kitrobot.primitives import OWN, Constructor, OwnVariable

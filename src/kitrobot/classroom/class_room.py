@@ -1,8 +1,8 @@
-"""A running class: its folder, its pupils, what their pages say and are told.
+"""A running class: its folder, its pupils, what their pages report and the status that is sent to them.
 
 Its folder holds `class.toml` (record), `log.txt`, a folder for each pupil with what was handed in, and `Handed out`.
-What a caller was told is on the disk by then. Safe to use from many threads. Left to others: who is let in (entrance),
-what the teacher does (desk), HTTP, pictures, judging.
+A value that is returned to a caller is on the disk by then. Safe to use from many threads. Left to others: letting
+pupils in (admission), the actions of the teacher (teacher_actions), HTTP, pictures, evaluation of exercises.
 """
 
 from __future__ import annotations
@@ -17,15 +17,15 @@ from contextlib import suppress
 from pathlib import Path
 from typing import Final
 
-from kitrobot.classroom.allowance import Allowances
 from kitrobot.classroom.log import NAME as LOG
 from kitrobot.classroom.log import Log
 from kitrobot.classroom.names import as_file_name, free_name, key_of, new_code, same_name
 from kitrobot.classroom.pupil import Pupil, Report
+from kitrobot.classroom.pupil_status import Handed, HandIn, PupilStatus
+from kitrobot.classroom.rate_limits import RateLimits
 from kitrobot.classroom.record import NAME as RECORD
 from kitrobot.classroom.record import ClassRecord, PupilRecord, read_record, unread_sentence, write_record
-from kitrobot.classroom.told import Handed, HandIn, Told
-from kitrobot.classroom.work import Work, keep_work, read_work, works
+from kitrobot.classroom.submissions import Work, keep_work, read_work, works
 from kitrobot.diagnostics import KitRobotError
 from kitrobot.files import HANDED_OUT, FileError, FileLock, read_bytes, revision_of
 from kitrobot.text import Sentence
@@ -88,8 +88,8 @@ class ClassRoom:
         self._heard: list[Callable[[], None]] = []
         self.last_kept: float | None = None
         for one in self.record.unread:
-            self.log.say(str(unread_sentence(one)))
-        self.newcomers = Allowances(1 / 60, MOST_NEWCOMERS)
+            self.log.write(str(unread_sentence(one)))
+        self.newcomers = RateLimits(1 / 60, MOST_NEWCOMERS)
         """New pupils from each address."""
         write_record(self.folder, self.record)
 
@@ -111,7 +111,7 @@ class ClassRoom:
     # -- who hears of changes
 
     def hear(self, changed: Callable[[], None]) -> Callable[[], None]:
-        """Calls back, from any thread, when what pupils are told changes; gives what ends that."""
+        """Calls back, from any thread, when the status of a pupil changes; returns a function that ends that."""
         with self.lock:
             self._heard.append(changed)
 
@@ -122,7 +122,7 @@ class ClassRoom:
         return end
 
     def changed(self, kept: bool = False) -> None:
-        """What pupils are told is another; `kept`: the record too."""
+        """Notifies the subscribers that the status of a pupil changed; `kept`: and writes the record."""
         if kept:
             write_record(self.folder, self.record)
         for changed in list(self._heard):
@@ -150,7 +150,7 @@ class ClassRoom:
         pupil = self.pupils[folder] = Pupil(record, folder)
         self._keeping[folder] = threading.Lock()
         self.changed(kept=True)
-        self.log.say(f"{name} joined" if key else f"{name} was added")
+        self.log.write(f"{name} joined" if key else f"{name} was added")
         return pupil
 
     def expect_place(self) -> None:
@@ -170,7 +170,7 @@ class ClassRoom:
         key = secrets.token_urlsafe(24)
         pupil.record.gets(digest(key))
         self.changed(kept=True)
-        self.log.say(f"{pupil.record.name} {how}")
+        self.log.write(f"{pupil.record.name} {how}")
         return key
 
     def pupil_of(self, key: str) -> Pupil | None:
@@ -193,14 +193,14 @@ class ClassRoom:
         with self.lock:
             pupil.comes(self.clock())
             if pupil.pages == 1:
-                self.log.say(f"{pupil.record.name} is here")
+                self.log.write(f"{pupil.record.name} is here")
 
     def goes(self, pupil: Pupil) -> None:
         """It is gone."""
         with self.lock:
             pupil.goes(self.clock())
             if pupil.pages == 0:
-                self.log.say(f"{pupil.record.name} is away")
+                self.log.write(f"{pupil.record.name} is away")
 
     def take(self, pupil: Pupil, report: Report) -> None:
         """What the page says of itself."""
@@ -229,14 +229,14 @@ class ClassRoom:
             if pupil.turn == "pupil" or (yes and pupil.turn == "teacher"):
                 return
             pupil.turn = "teacher" if yes else "pupil"
-            self.log.say(f"{pupil.record.name} {'lets the teacher edit' if yes else 'edits alone'}")
+            self.log.write(f"{pupil.record.name} {'lets the teacher edit' if yes else 'edits alone'}")
             self.changed()
 
-    def told(self, pupil: Pupil) -> Told:
-        """What the pupil's page is to know."""
+    def status_of(self, pupil: Pupil) -> PupilStatus:
+        """The status that is sent to the pupil's page."""
         with self.lock:
             record = pupil.record
-            return Told(
+            return PupilStatus(
                 self.record.name,
                 record.name,
                 record.word,
@@ -264,7 +264,7 @@ class ClassRoom:
             pupil.kept = self.last_kept = self.clock()
             pupil.version += 1
         if fresh != kept.name:
-            self.log.say(f"{pupil.record.name} handed in {kept.name}")
+            self.log.write(f"{pupil.record.name} handed in {kept.name}")
         return kept
 
     def works(self, pupil: Pupil) -> list[Work]:

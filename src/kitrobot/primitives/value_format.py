@@ -15,7 +15,7 @@ from kitrobot.text import Label, Recorded
 _PLACES = Decimal("0.0001")
 
 
-def reading(part: RobotObject, value: int, wait_unit_ms: int = 100) -> str:
+def format_value(part: RobotObject, value: int, wait_unit_ms: int = 100) -> str:
     """What a sensor or a variable measures; a choice is a `Label`. `wait_unit_ms`: of its robot."""
     meaning = part.meaning if part.meaning is not None else Meaning()
     for choice in meaning.choices:
@@ -50,7 +50,7 @@ def in_words(robot: Robot | None, name: str, value: int) -> tuple[str, str]:
     part = next((one for one in parts if one.name == name), None)
     if part is None or robot is None:
         return name, str(value)
-    return Label(name, part.label), reading(part, value, robot.wait_unit_ms)
+    return Label(name, part.label), format_value(part, value, robot.wait_unit_ms)
 
 
 def _with_unit(number: str, unit: str) -> str:

@@ -11,10 +11,10 @@ from pathlib import Path
 from kitrobot.diagnostics import KitRobotError
 from kitrobot.files import replace_whole
 from kitrobot.graph import write_program
-from kitrobot.mission.asked import write_property
 from kitrobot.mission.breakdown import write_breakdown
 from kitrobot.mission.declarations import write_declarations
 from kitrobot.mission.model import Mission, Team
+from kitrobot.mission.property_xml import write_property
 from kitrobot.mission.radio import write_radio
 from kitrobot.mission.trial import write_breakpoint, write_failure
 from kitrobot.primitives import Texts, write_constructor, write_variable

@@ -10,10 +10,10 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from kitrobot.text import COMMA, SEMICOLON, Label, Recorded, Sentence, Series, Word, one_of
-from kitrobot.translation import best_language, reading_in, rendering, said, said_in
+from kitrobot.translation import best_language, reading_in, said, said_in, translator
 from kitrobot.translation.catalogue import Catalogue
 from kitrobot.translation.recorded import LONGEST, recalled
-from kitrobot.translation.rendering import translated
+from kitrobot.translation.translator import translated
 
 TABLE = r"""
 msgid ""
@@ -89,7 +89,7 @@ msgstr "Tant que"
 @pytest.fixture
 def french(monkeypatch: pytest.MonkeyPatch) -> Catalogue:
     known = Catalogue(TABLE)
-    monkeypatch.setattr(rendering, "catalogue", lambda language: known)
+    monkeypatch.setattr(translator, "catalogue", lambda language: known)
     return known
 
 

@@ -22,11 +22,11 @@ from typing import NoReturn
 from kitrobot.diagnostics import Diagnostic, Place, Source
 from kitrobot.text import BytePositions, Sentence, Suggestions, collection_paused, name_form, one_of, shown
 from kitrobot.xml import rules
-from kitrobot.xml.decoding import decode
+from kitrobot.xml.decoder import decode
 from kitrobot.xml.element import Element, Tag
+from kitrobot.xml.expat_parser import DoctypeError, ExpatError, error_text, new_parser
 from kitrobot.xml.foreign import bound, declares, in_scope, is_foreign
 from kitrobot.xml.mistakes import TWICE, explain
-from kitrobot.xml.parsing import DoctypeError, ExpatError, error_text, new_parser
 
 MAX_DEPTH = 64
 """Elements inside one another, at most."""

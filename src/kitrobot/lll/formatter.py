@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from kitrobot.diagnostics import Diagnostic
+from kitrobot.lll.parse_results import parse_any
 from kitrobot.lll.printer import print_program, print_team_program
-from kitrobot.lll.reading import parse_any
 from kitrobot.lll.tree import Seq
 
 

@@ -6,7 +6,7 @@ from kitrobot.diagnostics import Diagnostic
 from kitrobot.xml import DoctypeError, ExpatError, decode, new_parser
 
 
-def without_hidden(data: bytes, name: str) -> bytes:
+def remove_hidden_parts(data: bytes, name: str) -> bytes:
     """The file in UTF-8, of which nothing is left but what a pupil may read.
 
     Args:
