@@ -331,12 +331,12 @@ def test_a_raised_hand_and_what_the_teacher_wrote_are_there_after_a_restart(room
     room.close()
     again = ClassRoom(room.folder, clock)
     found = again.pupils["Ada"]
-    assert (again.status_of(found).hand, again.told(found).note) == (True, (2, "and that"))
+    assert (again.status_of(found).hand, again.status_of(found).note) == (True, (2, "and that"))
     again.put_hand(found, up=False)
     TeacherActions(again).write_to(found, "more")
     again.close()
     last = ClassRoom(room.folder, clock)
-    assert (last.told(last.pupils["Ada"]).hand, last.told(last.pupils["Ada"]).note) == (False, (3, "more"))
+    assert (last.status_of(last.pupils["Ada"]).hand, last.status_of(last.pupils["Ada"]).note) == (False, (3, "more"))
     last.close()
 
 
