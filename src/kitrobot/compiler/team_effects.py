@@ -65,7 +65,7 @@ def report_effects_done_twice(
         moves_boxes: whether a part moves boxes.
         report: is given what is found, in reading order.
     """
-    _Look(whole, crew, robots, moves_boxes, report).outside(whole)
+    _RepeatedEffects(whole, crew, robots, moves_boxes, report).outside(whole)
 
 
 @dataclass(frozen=True)
@@ -91,7 +91,7 @@ class _Here:
     units: frozenset[str] = frozenset()
 
 
-class _Look:
+class _RepeatedEffects:
     def __init__(
         self, whole: Seq, crew: Crew, robots: Mapping[str, Robot], moves_boxes: MovesBoxes, report: Report
     ) -> None:

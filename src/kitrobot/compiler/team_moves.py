@@ -77,10 +77,10 @@ def report_emptied(whole: Seq, names: Names, report: Report) -> None:
     looking = sum(isinstance(node, Block | Joint) for node in nodes(whole))
     sets = TeamSets(names.crew, whole)
     if moves and len(sets.groups) * (len(sets.groups) + len(moves) + looking) <= MOST_PAIRS:
-        _Look(whole, names, moves, sets).tell(report)
+        _GroupLosses(whole, names, moves, sets).tell(report)
 
 
-class _Look:
+class _GroupLosses:
     def __init__(self, whole: Seq, names: Names, moves: list[Move], sets: TeamSets) -> None:
         self.names = names
         self.moves = moves

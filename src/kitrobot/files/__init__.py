@@ -50,7 +50,7 @@ if TYPE_CHECKING:
     from kitrobot.files.listing import NAME_NO_TEXT, MissionEntry, name_as_text, utc_moment
     from kitrobot.files.places import Places
     from kitrobot.files.quota import Quota, QuotaError, measured, writing_within
-    from kitrobot.files.recovery import Claimed, Journals, Left, News
+    from kitrobot.files.recovery import Claimed, Journals, OrphanedJournal, TabStatus
 else:
     # Hidden from mypy, which would take every name for one that there is.
     __getattr__ = lazy_names(
@@ -96,7 +96,7 @@ else:
             "listing": ("NAME_NO_TEXT", "MissionEntry", "name_as_text", "utc_moment"),
             "places": ("Places",),
             "quota": ("Quota", "QuotaError", "measured", "writing_within"),
-            "recovery": ("Claimed", "Journals", "Left", "News"),
+            "recovery": ("Claimed", "Journals", "OrphanedJournal", "TabStatus"),
         },
     )
 
@@ -122,15 +122,15 @@ __all__ = [
     "JournalError",
     "Journals",
     "Layout",
-    "Left",
     "MissionEntry",
     "MissionFolder",
     "MissionNameError",
-    "News",
+    "OrphanedJournal",
     "Places",
     "Quota",
     "QuotaError",
     "ReadOnlyError",
+    "TabStatus",
     "carried_mission",
     "decode",
     "examples_folder",

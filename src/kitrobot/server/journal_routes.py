@@ -68,13 +68,13 @@ def append(studio: ThisStudio, wanted: JournalAppendShape) -> JournalSizeShape:
 @journal_routes.get("/journal/left")
 def left(studio: ThisStudio) -> list[LeftShape]:
     """Unsaved work that nobody has open, the newest first."""
-    return [LeftShape.model_validate(one) for one in studio.journals.left()]
+    return [LeftShape.model_validate(one) for one in studio.journals.orphaned()]
 
 
 @journal_routes.post("/journal/forget")
 def forget(studio: ThisStudio, wanted: ForgetShape) -> list[LeftShape]:
     """Throws unsaved work away that nobody has open; gives what is left."""
-    studio.journals.forget(wanted.journal)
+    studio.journals.discard(wanted.journal)
     return left(studio)
 
 
@@ -155,7 +155,7 @@ async def watch(socket: WebSocket) -> None:
 
 
 def _news(studio: Studio, tab: str) -> NewsMessage:
-    news = studio.journals.news(tab)
+    news = studio.journals.status_of(tab)
     try:
         parts = studio.stamp(news.path)
     except MissionNameError:

@@ -66,7 +66,7 @@ def grade(
     stop = stop or threading.Event()
     context = _context()
     chosen = None if exercise is None else str(exercise.resolve())
-    beginnings = _Beginnings(context, stop)
+    beginnings = _StartGoals(context, stop)
     done = 0
     with ThreadPoolExecutor(min(jobs, max(1, len(submissions)))) as pool:
         left = {pool.submit(_grade_one, context, path, chosen, stop, beginnings) for path in submissions}
@@ -94,7 +94,7 @@ def _context() -> Any:
     return multiprocessing.get_context("spawn")
 
 
-class _Beginnings:
+class _StartGoals:
     """Which goals of exercises are reached by the missions that they begin with; each is judged once."""
 
     def __init__(self, context: Any, stop: threading.Event) -> None:
@@ -116,7 +116,7 @@ class _Beginnings:
 
 
 def _grade_one(
-    context: Any, path: Path, exercise: str | None, stop: threading.Event, beginnings: _Beginnings
+    context: Any, path: Path, exercise: str | None, stop: threading.Event, beginnings: _StartGoals
 ) -> Grade | None:
     """In a thread: one submission, from its file to its row; None when it was broken off."""
     name = str(path)

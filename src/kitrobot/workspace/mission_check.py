@@ -48,15 +48,15 @@ LOST_BREAKPOINT = rule(
 )
 
 
-def team_problems(
+def mission_problems(
     mission: Mission, catalogue: Catalogue, world: World | None, places: Places | None
 ) -> list[Diagnostic]:
     """What is wrong between the parts of a mission; without a world nothing is said about places in it."""
-    look = _Look(mission, catalogue, world, places)
-    return [*look.programs(), *look.agents(), *look.goals(), *look.declarations(), *look.breakpoints()]
+    checker = _MissionChecker(mission, catalogue, world, places)
+    return [*checker.programs(), *checker.agents(), *checker.goals(), *checker.declarations(), *checker.breakpoints()]
 
 
-class _Look:
+class _MissionChecker:
     def __init__(self, mission: Mission, catalogue: Catalogue, world: World | None, places: Places | None) -> None:
         self.mission = mission
         self.catalogue = catalogue

@@ -30,7 +30,7 @@ from kitrobot.graph import Program, empty_program
 from kitrobot.mission import Agent, Mission, Team, image_name, read_mission
 from kitrobot.primitives import Catalogue, Robot
 from kitrobot.text import COMMA, Sentence, Series, name_form
-from kitrobot.workspace.mission_check import team_problems
+from kitrobot.workspace.mission_check import mission_problems
 from kitrobot.workspace.program_report import ProgramReport, ProjectionReport, program_report, projection_report
 from kitrobot.workspace.property_check import property_problems
 from kitrobot.workspace.robots import find_robot
@@ -202,7 +202,7 @@ class OpenMission:
         found = list(self.diagnostics)
         # Whoever names a part of the mission's own world that does not fit is not to blame for it.
         place = self.mission.own_world or self.world
-        found += team_problems(self.mission, self.catalogue, place, self.places)
+        found += mission_problems(self.mission, self.catalogue, place, self.places)
         found += property_problems(self.mission, self.catalogue, self.places)
         for compiled in self.compiled.values():
             found += self.placed(compiled.diagnostics)
