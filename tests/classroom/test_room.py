@@ -428,10 +428,10 @@ def test_work_goes_on_where_it_was_and_never_over_another(room, admission):
     assert first.name == second.name == "Square.krt"
     anew = room.hand_in(pupil, "square", b"the exercise begun again", "")
     assert anew.name == "square 2.krt"
-    assert room.read_work(pupil, "Square.krt")[0] == b"2"
+    assert room.read_submission(pupil, "Square.krt")[0] == b"2"
     # The same bytes once more are the same file: an answer that was lost makes no second one.
     assert room.hand_in(pupil, "square.krt", b"2", "").name == "Square.krt"
-    assert {one.name for one in room.works(pupil)} == {"Square.krt", "square 2.krt"}
+    assert {one.name for one in room.list_submissions(pupil)} == {"Square.krt", "square 2.krt"}
 
 
 @pytest.mark.parametrize(
@@ -450,7 +450,7 @@ def test_only_a_pupils_own_files_are_read(room, admission, name):
     ben, _ = join(room, admission, "Ben")
     room.hand_in(ben, "secret", b"1", "")
     with pytest.raises(FileError):
-        room.read_work(pupil, name)
+        room.read_submission(pupil, name)
 
 
 def test_a_folder_takes_so_many_files_and_bytes(room, admission, monkeypatch):

@@ -7,7 +7,7 @@ from dataclasses import replace
 import pytest
 
 from kitrobot.exercise.evidence import ProgramEvidence
-from kitrobot.translation.translator import translated
+from kitrobot.translation.translator import translate_to
 from kitrobot.workspace import SearchPath, open_mission
 from kitrobot.workspace.exercise_evaluation import Evaluation, EvaluationOptions, evaluate_submission, open_handed_in
 from kitrobot.workspace.exercises import programs_of
@@ -99,7 +99,7 @@ def test_what_was_found_before_judging_is_stopped_is_kept_and_nothing_else_is_sa
 def test_a_part_that_is_missed_is_called_as_on_the_page(name: str, number: int, english: str, french: str) -> None:
     why = judged(name, {}).verdicts[number - 1].why
     assert why is not None
-    assert (str(why), translated(why, "fr")) == (english, french)
+    assert (str(why), translate_to(why, "fr")) == (english, french)
 
 
 def test_a_part_that_no_robot_of_the_mission_has_is_called_by_its_name() -> None:

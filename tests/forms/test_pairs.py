@@ -142,7 +142,7 @@ def test_what_is_handed_in_is_listed_and_read(
     pupil, _ = Admission(room).join(room.record.code, "Ada", "", "x")
     for name, data in files:
         handed = room.hand_in(pupil, name, data, "")
-        assert room.read_work(pupil, handed.name) == (data, handed.revision)
+        assert room.read_submission(pupil, handed.name) == (data, handed.revision)
         assert room.hand_in(pupil, handed.name, data + b".", handed.revision).name == handed.name
     room.close()
 
@@ -330,7 +330,7 @@ def test_labels_come_back(tmp_path_factory: pytest.TempPathFactory, labels: list
         for number, label in enumerate(labels):
             address = f"socket://board-{number}"
             try:
-                kept = board_labels.keep_label(address, label)
+                kept = board_labels.store_label(address, label)
             except board_labels.LabelError:
                 continue
             expected = {

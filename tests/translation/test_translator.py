@@ -10,10 +10,10 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from kitrobot.text import COMMA, SEMICOLON, Label, Recorded, Sentence, Series, Word, one_of
-from kitrobot.translation import best_language, reading_in, said, said_in, translator
+from kitrobot.translation import best_language, override_language, reader_language, translate, translator
 from kitrobot.translation.catalogue import Catalogue
 from kitrobot.translation.recorded import LONGEST, recalled
-from kitrobot.translation.translator import translated
+from kitrobot.translation.translator import translate_to
 
 TABLE = r"""
 msgid ""
@@ -43,7 +43,7 @@ msgid_plural "{count} boxes in {place}"
 msgstr[0] "{place} : {count} caisse"
 msgstr[1] "{place} : {count} caisses"
 
-msgid "not translated yet"
+msgid "not translate_to yet"
 msgstr ""
 
 msgid "{front} or {last}"
@@ -123,7 +123,7 @@ BOXES = "{count} box in {place}", "{count} boxes in {place}"
         (Sentence.counted(*BOXES, 1, "A"), "A : 1 caisse"),
         (Sentence.counted(*BOXES, 5, "A"), "A : 5 caisses"),
         (Series(SEMICOLON, [Sentence("the program has ended"), "x"]), "le programme est fini ; x"),
-        (Sentence("not translated yet"), "not translated yet"),
+        (Sentence("not translate_to yet"), "not translate_to yet"),
         (Sentence("nobody says {this}", Sentence("the program has ended")), "nobody says the program has ended"),
         ("the program has ended", "the program has ended"),
         (Sentence(""), ""),
@@ -131,7 +131,7 @@ BOXES = "{count} box in {place}", "{count} boxes in {place}"
 )
 @pytest.mark.usefixtures("french")
 def test_a_sentence_is_said_again_with_its_values(english: str, other: str) -> None:
-    assert translated(english, "fr") == other
+    assert translate_to(english, "fr") == other
 
 
 @pytest.mark.parametrize(
@@ -153,23 +153,23 @@ def test_a_sentence_is_said_again_with_its_values(english: str, other: str) -> N
 )
 @pytest.mark.usefixtures("french")
 def test_the_finished_english_of_a_recording_finds_its_template(english: str, other: str) -> None:
-    assert translated(Recorded(english), "fr") == other
-    assert translated(str(english), "fr") == english, "only what comes from a recording is looked for"
+    assert translate_to(Recorded(english), "fr") == other
+    assert translate_to(str(english), "fr") == english, "only what comes from a recording is looked for"
 
 
 @pytest.mark.usefixtures("french")
 def test_what_stays_english_is_set_apart_in_a_language_from_right_to_left() -> None:
     made = Sentence("expected {wanted}, found {found}", Series(COMMA, ["a", "b"]), 7)
-    assert translated(made, "ur") == "attendu \u2068a\u2069, \u2068b\u2069, trouvé 7"
-    assert translated(Sentence("the robot `{robot}` has no `{part}`", "a", "b"), "ur") == "`b` manque au robot `a`"
+    assert translate_to(made, "ur") == "attendu \u2068a\u2069, \u2068b\u2069, trouvé 7"
+    assert translate_to(Sentence("the robot `{robot}` has no `{part}`", "a", "b"), "ur") == "`b` manque au robot `a`"
 
 
 @given(st.text(max_size=200), st.text(max_size=200))
 def test_whatever_a_name_holds_the_sentence_comes_out_whole(one: str, other: str) -> None:
     for language in ("fr", "ur"):
-        found = translated(Sentence("the robot `{robot}` has no `{object}`", one, other), language)
+        found = translate_to(Sentence("the robot `{robot}` has no `{object}`", one, other), language)
         assert found.count("`") >= 4
-        assert translated(Recorded(f"touches {one}"), language)
+        assert translate_to(Recorded(f"touches {one}"), language)
 
 
 @pytest.mark.parametrize(
@@ -189,7 +189,7 @@ def test_whatever_a_name_holds_the_sentence_comes_out_whole(one: str, other: str
 def test_a_hostile_recording_is_bounded_work(hostile: str) -> None:
     began = time.thread_time()
     for language in ("fr", "ur"):
-        translated(Recorded(hostile), language)
+        translate_to(Recorded(hostile), language)
     assert time.thread_time() - began < 2, "ten times what it takes"
 
 
@@ -201,21 +201,21 @@ def test_sentences_in_sentences_without_end_stay_english() -> None:
     made = Sentence("a test")
     for _ in range(100):
         made = Sentence("drop {wanted} on it", made)
-    assert translated(made, "fr").startswith("déposez-y déposez-y")
-    assert "drop" in translated(made, "fr")
+    assert translate_to(made, "fr").startswith("déposez-y déposez-y")
+    assert "drop" in translate_to(made, "fr")
 
 
 def test_a_label_brings_its_own_translations() -> None:
     label = Label("Eye", {"": "Left eye", "fr": "Œil gauche"})
     failed = Sentence("`{part}` failed: {reason}", label, "-")
-    assert translated(failed, "fr") == "`Œil gauche` a échoué : -"
-    assert translated(failed, "ur").startswith("`Left eye`")
-    assert translated(label, "fr") == "Œil gauche"
-    assert translated(label, "ur") == "Left eye"
+    assert translate_to(failed, "fr") == "`Œil gauche` a échoué : -"
+    assert translate_to(failed, "ur").startswith("`Left eye`")
+    assert translate_to(label, "fr") == "Œil gauche"
+    assert translate_to(label, "ur") == "Left eye"
 
 
 def test_an_unknown_language_is_english() -> None:
-    assert translated(Sentence("the disk could not be used"), "xx") == "the disk could not be used"
+    assert translate_to(Sentence("the disk could not be used"), "xx") == "the disk could not be used"
 
 
 @pytest.mark.parametrize(
@@ -236,10 +236,10 @@ def test_the_first_language_that_is_there_is_taken(wish: str, language: str) -> 
 
 def test_a_language_lasts_as_long_as_its_block_and_is_the_threads_own() -> None:
     others = []
-    with reading_in("fr"):
-        assert said(Sentence("the disk could not be used")) == "le disque n'a pas pu servir"
-        thread = threading.Thread(target=lambda: others.append(said_in()))
+    with override_language("fr"):
+        assert translate(Sentence("the disk could not be used")) == "le disque n'a pas pu servir"
+        thread = threading.Thread(target=lambda: others.append(reader_language()))
         thread.start()
         thread.join()
-    assert said_in() == "en"
+    assert reader_language() == "en"
     assert others == ["en"]

@@ -7,7 +7,7 @@ from kitrobot.classroom.pupil import Goal, Pupil, Report, State, met, state_of
 from kitrobot.classroom.pupil_status import Handed, HandIn, PupilStatus, Turn
 from kitrobot.classroom.rate_limits import GuessLimit, RateLimit
 from kitrobot.classroom.record import ClassRecord, PupilRecord, UnreadPupil, read_record, unread_sentence, write_record
-from kitrobot.classroom.submissions import Work
+from kitrobot.classroom.submissions import Submission
 from kitrobot.classroom.teacher_actions import TeacherActions
 
 __all__ = [
@@ -32,10 +32,10 @@ __all__ = [
     "RateLimit",
     "Report",
     "State",
+    "Submission",
     "TeacherActions",
     "Turn",
     "UnreadPupil",
-    "Work",
     "met",
     "read_record",
     "state_of",

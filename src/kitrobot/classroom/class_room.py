@@ -25,7 +25,7 @@ from kitrobot.classroom.pupil_status import Handed, HandIn, PupilStatus
 from kitrobot.classroom.rate_limits import RateLimits
 from kitrobot.classroom.record import NAME as RECORD
 from kitrobot.classroom.record import ClassRecord, PupilRecord, read_record, unread_sentence, write_record
-from kitrobot.classroom.submissions import Work, keep_work, read_work, works
+from kitrobot.classroom.submissions import Submission, list_submissions, read_submission, store_submission
 from kitrobot.diagnostics import KitRobotError
 from kitrobot.files import HANDED_OUT, FileError, FileLock, read_bytes, revision_of
 from kitrobot.text import Sentence
@@ -101,7 +101,7 @@ class ClassRoom:
 
     def _pupil(self, record: PupilRecord) -> Pupil:
         pupil = Pupil(record, record.folder, asked=self.clock() if record.hand else None)
-        newest = next(iter(works(self.folder / record.folder)), None)
+        newest = next(iter(list_submissions(self.folder / record.folder)), None)
         if newest is not None:
             pupil.work = newest.name
             with suppress(FileError):
@@ -258,7 +258,7 @@ class ClassRoom:
         """
         with self._keeping[pupil.folder]:
             fresh = pupil.work
-            kept = keep_work(self.folder / pupil.folder, shown, data, base)
+            kept = store_submission(self.folder / pupil.folder, shown, data, base)
         with self.lock:
             pupil.work, pupil.revision = kept.name, kept.revision
             pupil.kept = self.last_kept = self.clock()
@@ -267,17 +267,17 @@ class ClassRoom:
             self.log.write(f"{pupil.record.name} handed in {kept.name}")
         return kept
 
-    def works(self, pupil: Pupil) -> list[Work]:
+    def list_submissions(self, pupil: Pupil) -> list[Submission]:
         """What the pupil handed in, the newest first."""
-        return works(self.folder / pupil.folder)
+        return list_submissions(self.folder / pupil.folder)
 
-    def read_work(self, pupil: Pupil, name: str) -> tuple[bytes, str]:
+    def read_submission(self, pupil: Pupil, name: str) -> tuple[bytes, str]:
         """One of them, and its revision.
 
         Raises:
             FileError: there is none of that name.
         """
-        return read_work(self.folder / pupil.folder, name)
+        return read_submission(self.folder / pupil.folder, name)
 
     def read_handed(self, pupil: Pupil) -> bytes:
         """The mission that was handed out to the pupil last.
@@ -285,7 +285,7 @@ class ClassRoom:
         Raises:
             FileError: there is none.
         """
-        return read_work(self.folder / HANDED_OUT, f"{pupil.record.handed_file}.krt")[0]
+        return read_submission(self.folder / HANDED_OUT, f"{pupil.record.handed_file}.krt")[0]
 
 
 def digest(key: str) -> str:

@@ -20,7 +20,7 @@ LARGEST_BYTES: Final = 1024 * 1024
 
 
 @dataclass(frozen=True)
-class Work:
+class Submission:
     """A file that was handed in; `modified` is a moment in UTC."""
 
     name: str
@@ -28,7 +28,7 @@ class Work:
     modified: str
 
 
-def works(folder: Path) -> list[Work]:
+def list_submissions(folder: Path) -> list[Submission]:
     """What is in the folder, the newest first."""
     found = []
     with contextlib.suppress(OSError):
@@ -36,17 +36,17 @@ def works(folder: Path) -> list[Work]:
             with contextlib.suppress(OSError):
                 if path.suffix.lower() == ENDING and not path.name.startswith(".") and path.is_file():
                     state = path.stat()
-                    found.append((state.st_mtime, Work(path.name, state.st_size, utc_moment(state.st_mtime))))
+                    found.append((state.st_mtime, Submission(path.name, state.st_size, utc_moment(state.st_mtime))))
     return [work for _, work in sorted(found, key=lambda one: (-one[0], one[1].name))]
 
 
-def read_work(folder: Path, name: str) -> tuple[bytes, str]:
+def read_submission(folder: Path, name: str) -> tuple[bytes, str]:
     """The bytes of a file of the folder, and their revision.
 
     Raises:
         FileError: there is none of that name.
     """
-    known = {one.name for one in works(folder)}
+    known = {one.name for one in list_submissions(folder)}
     if name not in known:
         raise FileError(
             Sentence("there is no file `{name}` in this folder", name[:80]),
@@ -57,7 +57,7 @@ def read_work(folder: Path, name: str) -> tuple[bytes, str]:
     return data, revision_of(data)
 
 
-def keep_work(folder: Path, shown: str, data: bytes, base: str) -> HandIn:
+def store_submission(folder: Path, shown: str, data: bytes, base: str) -> HandIn:
     """Puts a mission into the folder: in the place of the file that it goes on from, else beside it.
 
     Args:
@@ -76,7 +76,7 @@ def keep_work(folder: Path, shown: str, data: bytes, base: str) -> HandIn:
             Sentence("make it smaller; it is still in your studio"),
         )
     folder.mkdir(exist_ok=True)
-    there = {one.name: one.bytes for one in works(folder)}
+    there = {one.name: one.bytes for one in list_submissions(folder)}
     name = _place(folder, work_name(shown), there, data, base)
     before = there.get(name)
     if before is None and len(there) >= MOST_FILES:

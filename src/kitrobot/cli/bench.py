@@ -67,7 +67,7 @@ def try_parts(
     it has. Everything stops when you leave, at Ctrl-C, and within a second when the cable is pulled. With --all or
     --json the exit status is 1 when a part failed.
     """
-    from kitrobot.translation import reading_in
+    from kitrobot.translation import override_language
     from kitrobot.workspace.bench import bench_of
     from kitrobot.workspace.bench_run import BenchRun
     from kitrobot.workspace.calibration import bench_robot
@@ -84,7 +84,7 @@ def try_parts(
     bench = bench_of(find_robot(robot, folder) if robot is not None else bench_robot(), kit, folder)
     address = robot_address(port, to)
     tell("lift the wheels off the ground")
-    with reading_in(language):
+    with override_language(language):
         with BenchRun(address, bench, send_progress(), replace=replace) as run:
             if by_keys:
                 _by_keys(run, bench)
@@ -153,7 +153,7 @@ def _tried(
 ) -> tuple[dict[str, Any], KitRobotError | None]:
     """One step, done for so long, and what came of it; `gone`: why it cannot be done any more."""
     from kitrobot.primitives import format_value
-    from kitrobot.translation import said
+    from kitrobot.translation import translate
 
     values: list[int] = []
     error = gone
@@ -174,7 +174,7 @@ def _tried(
         "help": in_words(step.trouble),
         "ok": error is None,
         "values": values,
-        "words": [said(format_value(step.part, value, run.bench.robot.wait_unit_ms)) for value in values],
+        "words": [translate(format_value(step.part, value, run.bench.robot.wait_unit_ms)) for value in values],
         "late": run.late,
         "slow": slow,
         "error": error_object(error) if error is not None else None,
@@ -183,14 +183,14 @@ def _tried(
 
 
 def _table(rows: list[dict[str, Any]], bench: Bench) -> None:
-    from kitrobot.translation import said
+    from kitrobot.translation import translate
 
     words = [(_named(row["part"], row["call"]), row) for row in rows]
     width = max(len(name) for name, _ in words)
     for name, row in words:
         give(f"{name.ljust(width)}  {_result(row)}\n")
     for part, why in bench.left_out:
-        give(f"{clean(part.name).ljust(width)}  not here: {clean(said(why))}\n")
+        give(f"{clean(part.name).ljust(width)}  not here: {clean(translate(why))}\n")
 
 
 def _named(part: str, call: str) -> str:
@@ -215,12 +215,12 @@ def _by_keys(run: BenchRun, bench: Bench) -> None:
     """Steps by keys until the person leaves."""
     from kitrobot.cli.keys import ESCAPE, pressed_keys
     from kitrobot.primitives import format_value
-    from kitrobot.translation import said
+    from kitrobot.translation import translate
     from kitrobot.workspace.bench_run import OF_THE_BOARD
 
     tell(_HELP)
     for part, why in bench.left_out:
-        tell(f"not here: {part.name}: {said(why)}")
+        tell(f"not here: {part.name}: {translate(why)}")
     at, going = 0, False
     with pressed_keys() as key:
         _show(bench, at)
@@ -233,7 +233,7 @@ def _by_keys(run: BenchRun, bench: Bench) -> None:
                     words = (
                         ""
                         if value is None
-                        else said(format_value(bench.steps[at].part, value, bench.robot.wait_unit_ms))
+                        else translate(format_value(bench.steps[at].part, value, bench.robot.wait_unit_ms))
                     )
                     slow = "  (takes longer than a tick)" if run.is_slow else ""
                     _line(f"  on   {clean(words)}{slow}")

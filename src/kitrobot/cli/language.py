@@ -35,6 +35,6 @@ Language = Annotated[
 def in_words(texts: Texts) -> str:
     """The text in the language that is read (`kitrobot.translation`), else the English one, else ""."""
     from kitrobot.text import Label
-    from kitrobot.translation import said
+    from kitrobot.translation import translate
 
-    return said(Label("", texts))
+    return translate(Label("", texts))

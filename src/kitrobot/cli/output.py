@@ -60,11 +60,11 @@ def failure() -> str:
 def error_object(error: KitRobotError) -> dict[str, Any]:
     """`message`, `help`, and `diagnostics` as `kitrobot check --json` gives them."""
     from kitrobot.diagnostics import to_json
-    from kitrobot.translation import said
+    from kitrobot.translation import translate
 
     return {
-        "message": said(error.message),
-        "help": said(error.help),
+        "message": translate(error.message),
+        "help": translate(error.help),
         "diagnostics": [to_json(item) for item in error.diagnostics],
     }
 
@@ -207,13 +207,13 @@ def show(diagnostics: Iterable[Diagnostic], sources: Iterable[Source] = ()) -> N
 
 def complain(error: KitRobotError) -> None:
     """What went wrong, on standard error: the diagnostics where there are any, and the sentence with its way out."""
-    from kitrobot.translation import said
+    from kitrobot.translation import translate
 
     remember(error.message, error.help)
     place: Place | None = getattr(error, "place", None)
     if error.diagnostics:
         show(error.diagnostics, getattr(error, "sources", ()))
     where = f"{place.file}:{place.line}:{place.column}: " if place is not None else ""
-    tell(f"{where}error: {said(error.message)}")
+    tell(f"{where}error: {translate(error.message)}")
     if error.help:
-        tell(f"  help: {said(error.help)}")
+        tell(f"  help: {translate(error.help)}")

@@ -40,10 +40,12 @@ def find_overridden_commands(program: Seq, robot: Robot, lineage: Lineage | None
     `lineage`: what is known of the instructions that are the same as in another state of the program.
     """
     lineage = lineage or Lineage()
-    return _Ways(robot, lineage.table("flow", id(robot)), lineage.table("ways", id(robot))).body(program, False)
+    return _OverrideSearch(robot, lineage.table("flow", id(robot)), lineage.table("ways", id(robot))).body(
+        program, False
+    )
 
 
-class _Ways:
+class _OverrideSearch:
     def __init__(self, robot: Robot, flows: Table, known: Table) -> None:
         self.robot = robot
         self.flow = FlowAnalysis(robot, None, flows)

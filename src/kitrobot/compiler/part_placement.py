@@ -38,11 +38,11 @@ def put_part(
     wiring: Wiring, selection: Selection, constructor: Constructor, holes: Mapping[SlotName, str]
 ) -> tuple[Program, str]:
     """The program with a vertex of the constructor where the selection was, and the vertex."""
-    placing = _Placing(wiring, selection, constructor, holes)
+    placing = _PartPlacer(wiring, selection, constructor, holes)
     return placing.drawn(), placing.vertex
 
 
-class _Placing:
+class _PartPlacer:
     """A vertex of the part in the place of the selection."""
 
     def __init__(

@@ -40,7 +40,7 @@ _BEGIN_WITH = {8: b"RIFF", 6: b"BM"}
 """What stands at the beginning of those whose own mark comes later."""
 
 
-def recognised(data: bytes) -> str | None:
+def identify_file_kind(data: bytes) -> str | None:
     """What the bytes are, with an article; None for text and for what is not known."""
     head = data[:LOOKED_AT]
     for at, mark, words in _KINDS:

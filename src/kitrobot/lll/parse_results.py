@@ -16,7 +16,7 @@ ProgramRead = TypeVar("ProgramRead", Seq, TeamProgram)
 
 
 @dataclass(frozen=True)
-class _Reading(Generic[ProgramRead]):
+class _ParseResult(Generic[ProgramRead]):
     """What was read: the program (what could be understood of it), the mistakes, and the text they point into."""
 
     program: ProgramRead
@@ -29,11 +29,11 @@ class _Reading(Generic[ProgramRead]):
         return not any(item.is_error for item in self.diagnostics)
 
 
-class Parsed(_Reading[Seq]):
+class Parsed(_ParseResult[Seq]):
     """The program of one robot as it was read, its mistakes, and the text they point into."""
 
 
-class ParsedTeam(_Reading[TeamProgram]):
+class ParsedTeam(_ParseResult[TeamProgram]):
     """The program of a team as it was read, its mistakes, and the text they point into."""
 
 

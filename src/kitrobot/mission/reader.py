@@ -52,7 +52,7 @@ def is_goal_stock(stock: str) -> bool:
     return stock == ALL or (stock.isascii() and stock.isdigit() and len(stock) < 9 and int(stock) <= LARGEST_GOAL)
 
 
-def say_goal_stock(stock: str) -> Sentence:
+def describe_goal_stock(stock: str) -> Sentence:
     """What is wrong with another one."""
     return Sentence('expected a whole number from 0 to 65535 or "{all}" in stock, found {stock}', ALL, shown(stock))
 
@@ -60,7 +60,7 @@ def say_goal_stock(stock: str) -> Sentence:
 def _goal(element: Element) -> Goal | None:
     stock = element.optional("stock", ALL)
     if not is_goal_stock(stock):
-        element.report(rules.GOAL, say_goal_stock(stock), "stock")
+        element.report(rules.GOAL, describe_goal_stock(stock), "stock")
         return None
     storehouse = element.required("storehouse")
     return Goal(storehouse, stock) if storehouse else None

@@ -21,7 +21,7 @@ def _fits(text: str) -> bool:
     return 0 < len(text) <= LONGEST_SETTING and text.isprintable() and not _BREAKING & set(text)
 
 
-def driver_told(element: Element, ours: frozenset[str] = frozenset({"driver"})) -> Board:
+def read_board(element: Element, ours: frozenset[str] = frozenset({"driver"})) -> Board:
     """What an element tells a driver: its `driver`, and every attribute that is none of `ours` as a setting."""
     driver = element.attributes.get("driver")
     if driver is not None and not (_DRIVER.fullmatch(driver) and len(driver) <= LONGEST_SETTING):
@@ -55,7 +55,7 @@ def driver_told(element: Element, ours: frozenset[str] = frozenset({"driver"})) 
 
 _DRIVER_NAME = Kind(longest=LONGEST_SETTING, pattern=r"[A-Za-z][A-Za-z0-9_\-]*")
 BOARD = Tag(
-    driver_told,
+    read_board,
     {"driver": optional(_DRIVER_NAME, about="The driver; without it the device.")},
     free_attributes=True,
     about="At most one: what the real robot's driver is told, pins and the like. Attributes beside driver are its "

@@ -137,6 +137,6 @@ class Overview:
         if now - self._measured >= FOLDER_S:
             self._measured = now
             self._bytes = sum(
-                work.bytes for pupil in list(self._room.pupils.values()) for work in self._room.works(pupil)
+                work.bytes for pupil in list(self._room.pupils.values()) for work in self._room.list_submissions(pupil)
             )
         return self._bytes

@@ -118,13 +118,15 @@ def hand_in(room: ThisRoom, pupil: ThisPupil, request: Request, wanted: HandInSh
 @class_routes.get("/work")
 def work(room: ThisRoom, pupil: ThisPupil) -> list[ClassWorkShape]:
     """What was handed in, the newest first."""
-    return [ClassWorkShape(name=one.name, bytes=one.bytes, modified=one.modified) for one in room.works(pupil)]
+    return [
+        ClassWorkShape(name=one.name, bytes=one.bytes, modified=one.modified) for one in room.list_submissions(pupil)
+    ]
 
 
 @class_routes.get("/work/file", response_class=Response)
 def work_file(room: ThisRoom, pupil: ThisPupil, name: Name) -> Response:
     """One of them as it is on the disk; its revision is the ETag."""
-    data, revision = room.read_work(pupil, name)
+    data, revision = room.read_submission(pupil, name)
     return Response(data, media_type="application/octet-stream", headers={"etag": f'"{revision}"'})
 
 

@@ -17,7 +17,7 @@ from kitrobot.server.class_certificate import usable_certificate
 from kitrobot.server.presence import Presence
 from kitrobot.server.start import ServerError, give_address, has_screen, listen
 from kitrobot.text import Sentence
-from kitrobot.translation import said
+from kitrobot.translation import translate
 
 if TYPE_CHECKING:
     from kitrobot.server.class_overview import Reach
@@ -126,16 +126,16 @@ def _welcome(room: ClassRoom, reach: Reach, site: Path | None) -> list[str]:
             room.folder / SITE,
         )
     return [
-        said(Sentence("The page for the teacher is at the address above; keep it to yourself.")),
+        translate(Sentence("The page for the teacher is at the address above; keep it to yourself.")),
         "",
         qr_text(reach.address) if sys.stderr.isatty() else "",
-        said(Sentence("Pupils open {address}", reach.address)),
-        said(Sentence("and type the code {code}", f"{code[:3]} {code[3:]}")),
+        translate(Sentence("Pupils open {address}", reach.address)),
+        translate(Sentence("and type the code {code}", f"{code[:3]} {code[3:]}")),
         "",
-        said(reach.sentence),
-        said(runs),
-        said(Sentence("The work of the class is in the folder {folder}. Ctrl-C ends the class.", room.folder)),
-        *(said(unread_sentence(one)) for one in room.record.unread),
+        translate(reach.sentence),
+        translate(runs),
+        translate(Sentence("The work of the class is in the folder {folder}. Ctrl-C ends the class.", room.folder)),
+        *(translate(unread_sentence(one)) for one in room.record.unread),
     ]
 
 

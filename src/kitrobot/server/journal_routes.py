@@ -32,7 +32,7 @@ from kitrobot.server.shapes import (
 from kitrobot.server.shapes.journal import ConflictedShape, LeftShape, MergeAskShape, MergedShape
 from kitrobot.server.shapes.values import ClaimedValue
 from kitrobot.server.studio import Studio
-from kitrobot.translation import said
+from kitrobot.translation import translate
 from kitrobot.versions import Difference, differences
 from kitrobot.workspace import merge_checked
 
@@ -107,10 +107,10 @@ def merge(studio: ThisStudio, wanted: MergeAskShape) -> MergedShape:
         conflicts=[
             ConflictedShape(
                 name=one.name,
-                what=_capital(said(one.what)),
-                sentence=_capital(said(one.sentence)),
-                ours=said(one.ours),
-                theirs=said(one.theirs),
+                what=_capital(translate(one.what)),
+                sentence=_capital(translate(one.sentence)),
+                ours=translate(one.ours),
+                theirs=translate(one.theirs),
                 taken=one.taken,
                 open=one.open,
             )
@@ -125,7 +125,7 @@ def _capital(words: str) -> str:
 
 def _in_words(difference: Difference) -> str:
     """What is different, after the program that it is about: the words are a sentence, the name stays as it is."""
-    words = said(difference.words)
+    words = translate(difference.words)
     return f"{difference.program}: {words}" if difference.program else words[:1].upper() + words[1:]
 
 

@@ -6,7 +6,16 @@ gettext catalogues beside this file, `fr.po` and `ur.po`, read when they are fir
 `tools/sentences.py` finds what lacks a translation.
 """
 
-from kitrobot.translation.languages import best_language, reading_in, said, said_in
+from kitrobot.translation.languages import best_language, override_language, reader_language, translate
 from kitrobot.translation.translator import DIRECTIONS, ENGLISH, LANGUAGES, STOPS
 
-__all__ = ["DIRECTIONS", "ENGLISH", "LANGUAGES", "STOPS", "best_language", "reading_in", "said", "said_in"]
+__all__ = [
+    "DIRECTIONS",
+    "ENGLISH",
+    "LANGUAGES",
+    "STOPS",
+    "best_language",
+    "override_language",
+    "reader_language",
+    "translate",
+]

@@ -27,7 +27,7 @@ DEEPEST = 20
 _NUMBER = re.compile(r"-?[0-9]+(\.[0-9]+)?")
 
 
-def translated(text: str, language: str) -> str:
+def translate_to(text: str, language: str) -> str:
     """The sentence in that language; a text without a template, and one without a translation, as it is."""
     if language not in LANGUAGES or language == ENGLISH or not isinstance(text, Sentence):
         return text

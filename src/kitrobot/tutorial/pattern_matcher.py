@@ -82,7 +82,7 @@ def fits(pattern: Pattern, program: Seq, walked: dict[int, list[Node]] | None = 
     `walked` keeps what was walked through, for other patterns on the same programs.
     """
     code = pattern.code
-    matching = _Matching(pattern, {} if walked is None else walked)
+    matching = _PatternMatcher(pattern, {} if walked is None else walked)
     try:
         if pattern.whole:
             body = code if isinstance(code, Seq) else Seq([code])  # type: ignore[list-item]
@@ -91,15 +91,15 @@ def fits(pattern: Pattern, program: Seq, walked: dict[int, list[Node]] | None = 
             return any(True for _ in matching.anywhere(code, program))
         items = code.items if isinstance(code, Seq) else [code]
         return any(True for _ in matching.somewhere(items, program))
-    except _TooMuchError:
+    except _MatchLimitError:
         return False
 
 
-class _TooMuchError(Exception):
+class _MatchLimitError(Exception):
     """The work is not worth it."""
 
 
-class _Matching:
+class _PatternMatcher:
     """One comparison; `walked` is shared by those of one program.
 
     Each method gives one `None` for every way to bind the holes; `bound` is what they hold then.
@@ -140,7 +140,7 @@ class _Matching:
         """A node of the pattern against a node of the program."""
         self.steps += 1
         if self.steps > MOST_STEPS:
-            raise _TooMuchError
+            raise _MatchLimitError
         if not isinstance(value, Node) or not self.is_free(pattern):
             yield from self._ways(pattern, value)
             return

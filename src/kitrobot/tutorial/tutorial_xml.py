@@ -194,19 +194,19 @@ def _spare(element: Element) -> SpareWant:
     return SpareWant(element.integer("robots"))
 
 
-class _Said(NamedTuple):
+class _TeacherText(NamedTuple):
     """A text of a teacher's page, and which of its lists it is of."""
 
     kind: str
     texts: Texts
 
 
-def _said(element: Element) -> _Said:
-    return _Said(element.name, element.texts.get("label", {}))
+def _teacher_text(element: Element) -> _TeacherText:
+    return _TeacherText(element.name, element.texts.get("label", {}))
 
 
 def _teacher(element: Element) -> TeacherPage:
-    found = element.found(_Said)
+    found = element.found(_TeacherText)
     return TeacherPage(
         element.integer("minutes"),
         element.texts.get("aim", {}),
@@ -306,8 +306,8 @@ _TEACHER = Tag(
     {"minutes": needed(whole(1, 240), about="How long it takes.")},
     {
         "aim": replace(TEXT, about="What a child knows afterwards."),
-        "trouble": Tag(_said, children=TEXTS, least=1, about="What goes wrong, and what helps."),
-        "question": Tag(_said, children=TEXTS, least=1, about="What to ask afterwards."),
+        "trouble": Tag(_teacher_text, children=TEXTS, least=1, about="What goes wrong, and what helps."),
+        "question": Tag(_teacher_text, children=TEXTS, least=1, about="What to ask afterwards."),
     },
     about="For teachers; one is enough.",
 )

@@ -75,7 +75,7 @@ class Decisions:
         self.found.append(Conflict(str(name), name, sentence, ours, theirs, takes))
         return takes
 
-    def tell(self, what: str, sentence: Sentence) -> None:
+    def report(self, what: str, sentence: Sentence) -> None:
         """What there is nothing to decide about."""
         self.found.append(Conflict(str(what), what, sentence, open=False))
 

@@ -37,7 +37,7 @@ def merge_kits(base: Kit | None, ours: Kit, theirs: Kit) -> tuple[Kit, tuple[Con
     if read_kit(write_kit(merged).encode(), ours.name)[0] is None:
         decisions = Decisions()
         words = Sentence("both changed which parts are wired together: ours is kept as a whole")
-        decisions.tell(Sentence("the parts of the kit"), words)
+        decisions.report(Sentence("the parts of the kit"), words)
         merged = ours
     return merged, tuple(decisions.found)
 

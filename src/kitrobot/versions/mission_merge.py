@@ -110,7 +110,7 @@ def merge_missions(base: Mission, ours: Mission, theirs: Mission, taken: Collect
         old, mine, other = (getattr(side.team, what) for side in (base, ours, theirs))
         setattr(team, what, merged_by_name(old, mine, other, _declared, word, choose))
     mission = Mission(programs=programs, team=team, world_href=href, **own, **rest)
-    _tell_lost_breakpoints(mission, (ours, theirs), decisions)
+    _report_lost_breakpoints(mission, (ours, theirs), decisions)
     return Merged(mission, tuple(decisions.found))
 
 
@@ -120,7 +120,7 @@ def _at_fresh(breakpoint: Breakpoint, fresh: Mapping[tuple[str, str], str]) -> B
     return breakpoint if id is None else replace(breakpoint, vertex=id)
 
 
-def _tell_lost_breakpoints(mission: Mission, sides: Iterable[Mission], decisions: Decisions) -> None:
+def _report_lost_breakpoints(mission: Mission, sides: Iterable[Mission], decisions: Decisions) -> None:
     """Breakpoints of programs that are gone, which they were not where the breakpoint comes from."""
     have = {program.name for program in mission.programs}
     lost = [one for one in mission.breakpoints if one.program not in have]
@@ -129,7 +129,7 @@ def _tell_lost_breakpoints(mission: Mission, sides: Iterable[Mission], decisions
         if not any(one in breakpoints and one.program not in programs for programs, breakpoints in known):
             title = breakpoint_title(one)
             words = Sentence("{what} was set in one, and the other removed the program: nothing pauses there", title)
-            decisions.tell(title, words)
+            decisions.report(title, words)
 
 
 def _bring_back(
@@ -147,7 +147,7 @@ def _bring_back(
                 words = Sentence(
                     "the program {program} was removed in one and runs on an agent of the other: it is kept", name
                 )
-                decisions.tell(Sentence("the program {program}", name), words)
+                decisions.report(Sentence("the program {program}", name), words)
 
 
 def _agent_name(agent: Agent) -> Hashable:

@@ -315,9 +315,9 @@ class BenchRun:
         self._hand.restart()
 
     def _send(self, program: BoardProgram, fresh: bool) -> None:
-        def told(address: str, stage: str, done: int, total: int) -> None:
+        def report_progress(address: str, stage: str, done: int, total: int) -> None:
             self._progress(stage, done, total)
 
-        (sent,) = send_program(program, [self.address], told, replace=self._replace, fresh=fresh)
+        (sent,) = send_program(program, [self.address], report_progress, replace=self._replace, fresh=fresh)
         if sent.error is not None:
             raise sent.error

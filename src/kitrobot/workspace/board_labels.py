@@ -45,7 +45,7 @@ def clean_label(given: str) -> str:
     return label
 
 
-def keep_label(address: str, given: str) -> str:
+def store_label(address: str, given: str) -> str:
     """Gives the board at an address a label; "" takes its own away. The label as it is kept.
 
     Raises:
@@ -59,7 +59,7 @@ def keep_label(address: str, given: str) -> str:
             Sentence("the board on `{port}` has no number of its own by which it could be known again", address),
             Sentence("write its port into the list instead, in the column `port`"),
         )
-    found = {key: one for key, one in _kept().items() if key != board and label_key(one) != label_key(label)}
+    found = {key: one for key, one in _stored_labels().items() if key != board and label_key(one) != label_key(label)}
     if label:
         found[board] = label
     write_entries(_NAME, found, _KEPT)
@@ -68,7 +68,7 @@ def keep_label(address: str, given: str) -> str:
 
 def labels_of(addresses: Iterable[str]) -> dict[str, str]:
     """The labels of the boards at these addresses, as far as they have some."""
-    known = _kept()
+    known = _stored_labels()
     if not known:
         return {}
     numbers = _numbers()
@@ -89,6 +89,6 @@ def _numbers() -> dict[str, str]:
     return {port.address: port.number for port in list_ports()}
 
 
-def _kept() -> dict[str, str]:
+def _stored_labels() -> dict[str, str]:
     found = read_entries(_NAME).items()
     return {key: one for key, one in found if isinstance(one, str) and 0 < len(one) <= LONGEST_LABEL}

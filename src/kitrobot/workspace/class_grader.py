@@ -21,7 +21,7 @@ from kitrobot.mission import write_mission
 from kitrobot.text import Sentence, Word
 from kitrobot.workspace.child_processes import MOST_JOBS
 from kitrobot.workspace.grader_process import MOST_CPU_S, ready_exercise, serve
-from kitrobot.workspace.grades import GoalGrade, Grade, told
+from kitrobot.workspace.grades import GoalGrade, Grade, translate_all
 
 MOST_BYTES: Final = 1024 * 1024
 """Bytes of a submission: some hundred times what a large exercise takes."""
@@ -123,12 +123,12 @@ def _grade_one(
     try:
         answer = None if stop.is_set() else _judged(context, read_submission(path), path.name, exercise, stop)
         if isinstance(answer, Sentence):
-            return Grade(name, {}, problem=told(answer))
+            return Grade(name, {}, problem=translate_all(answer))
         if answer is None:
             return None
         reached = beginnings.reached(answer["file"]) if answer["file"] else ()
     except KitRobotError as error:
-        return Grade(name, {}, problem=told(error.message))
+        return Grade(name, {}, problem=translate_all(error.message))
     return None if stop.is_set() else _row(name, answer, reached)
 
 

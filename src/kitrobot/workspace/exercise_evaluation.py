@@ -144,7 +144,7 @@ def evaluate_submission(
     total = (len(seeds) if run_goals else 0) + len(checks)
     done = 0
 
-    def tell() -> None:
+    def count_done() -> None:
         nonlocal done
         done += 1
         if progress is not None:
@@ -169,7 +169,7 @@ def evaluate_submission(
                 break
             for goal in run_goals:
                 verdicts[id(goal)].append((seed, goal.fault(run)))
-            tell()
+            count_done()
     for goal in run_goals:
         found[id(goal)] = _of_runs(goal, verdicts[id(goal)], len(seeds))
     for alike in _alike(checks):
@@ -181,7 +181,7 @@ def evaluate_submission(
             # Only what is broken is known of a check that was cut.
             if not cut or seen_of[check.property].answer == "broken":
                 found[id(check)] = _verdict(check, check.fault(seen_of[check.property]))
-                tell()
+                count_done()
     return Evaluation(tuple(found.get(id(goal), GoalVerdict(goal, None)) for goal in goals))
 
 
@@ -382,13 +382,13 @@ def collect_check_evidence(
         ]
         if findings:
             worst = min(findings, key=lambda finding: list(_ANSWERS).index(finding.verdict.answer))
-            seen[name] = _told(worst, made.tick_ms)
+            seen[name] = _check_evidence(worst, made.tick_ms)
         else:
             seen[name] = CheckEvidence("none", Sentence("nothing was checked"))
     return seen
 
 
-def _told(finding: Finding, tick_ms: int) -> CheckEvidence:
+def _check_evidence(finding: Finding, tick_ms: int) -> CheckEvidence:
     verdict, confirmed = finding.verdict, finding.confirmed
     steps = tuple(dict.fromkeys(text for _, text in finding.story[-STEPS_SHOWN:]))
     seed = seconds = None

@@ -23,7 +23,7 @@ from kitrobot.text import Sentence
 from kitrobot.workspace.child_processes import end_with_parent
 from kitrobot.workspace.exercise_evaluation import EvaluationOptions, GoalVerdict, evaluate_submission, open_handed_in
 from kitrobot.workspace.exercises import programs_of
-from kitrobot.workspace.grades import GoalGrade, texts_of, told
+from kitrobot.workspace.grades import GoalGrade, texts_of, translate_all
 from kitrobot.workspace.mission_loader import OpenMission, open_mission
 from kitrobot.workspace.search_path import SearchPath
 
@@ -160,7 +160,7 @@ def goal_grade(verdict: GoalVerdict) -> GoalGrade:
         goal.points,
         goal.hidden,
         bool(verdict.reached),
-        told(verdict.why),
+        translate_all(verdict.why),
         verdict.seed,
         verdict.seconds,
         verdict.runs,
@@ -169,4 +169,4 @@ def goal_grade(verdict: GoalVerdict) -> GoalGrade:
 
 
 def _no(why: str) -> dict[str, Any]:
-    return {"exercise": {}, "file": "", "goals": [], "problem": told(why)}
+    return {"exercise": {}, "file": "", "goals": [], "problem": translate_all(why)}

@@ -66,7 +66,7 @@ def add_parts(folder: MissionFolder, mission: str, file: str, data: bytes, over:
             Sentence("`{path}` is larger than {limit} MB", shown[:80], limit),
             Sentence("no file of robots or worlds is that large"),
         )
-    kind, names = _looked_through(shown, data)
+    kind, names = _kind_and_names(shown, data)
     wanted = _wanted(shown, kind)
     hold = folder.hold_beside(mission, wanted, over)
     try:
@@ -92,7 +92,7 @@ def part_differences(folder: MissionFolder, mission: str, file: str, data: bytes
         PartsFileError: it cannot be read.
     """
     shown = PurePosixPath(unicodedata.normalize("NFC", file)).name.strip()
-    if len(data) > LARGEST_PARTS_BYTES or _looked_through(shown, data)[0] != "board":
+    if len(data) > LARGEST_PARTS_BYTES or _kind_and_names(shown, data)[0] != "board":
         return []
     wanted = _wanted(shown, "board")
     with suppress(KitRobotError):
@@ -111,7 +111,7 @@ def _wanted(shown: str, kind: str) -> str:
     return wanted
 
 
-def _looked_through(file: str, data: bytes) -> tuple[str, tuple[str, ...]]:
+def _kind_and_names(file: str, data: bytes) -> tuple[str, tuple[str, ...]]:
     """The kind of a file and the names that it brings along."""
     kind = first_element(data.decode("utf-16" if data[:2] in (b"\xff\xfe", b"\xfe\xff") else "utf-8-sig", "replace"))
     names: list[str] = []

@@ -20,7 +20,7 @@ from kitrobot.xml.expat_parser import DoctypeError, ExpatError, new_parser
 from kitrobot.xml.foreign import fragment, head, remark
 from kitrobot.xml.lessons import lesson_tag, require_label
 from kitrobot.xml.reader import MAX_DEPTH, Reader
-from kitrobot.xml.texts import LANGUAGE, TEXT, TEXTS, told_text, told_twice
+from kitrobot.xml.texts import LANGUAGE, TEXT, TEXTS, read_text_element, report_duplicate_text
 from kitrobot.xml.writer import attributes, escape_text, escape_value, text_element
 
 __all__ = [
@@ -53,11 +53,11 @@ __all__ = [
     "new_parser",
     "one",
     "optional",
+    "read_text_element",
     "remark",
+    "report_duplicate_text",
     "require_label",
     "text_element",
-    "told_text",
-    "told_twice",
     "version",
     "whole",
 ]
