@@ -1,6 +1,6 @@
-"""`log.txt` of a class: who came, what was handed in and out, who was refused; a line each, in English.
+"""`log.txt` of a class: who joined, what was handed in and out, who was refused; one line each, in English.
 
-It is appended to and never read; where it cannot be written the class goes on without.
+It is appended to and never read; if it cannot be written, the class goes on without it.
 """
 
 from __future__ import annotations

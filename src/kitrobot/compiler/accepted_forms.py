@@ -1,4 +1,4 @@
-"""Forms of a constructor that are read besides its own LLL (`<reads>`) are rewritten in its own form."""
+"""Rewrites forms of a constructor that are read besides its own LLL (`<reads>`) to its own form."""
 
 from __future__ import annotations
 

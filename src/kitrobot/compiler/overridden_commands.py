@@ -1,7 +1,7 @@
 """Commands that have no effect, because their actuator gets another one in the same tick.
 
-A command is looked at from where it stands to where its thread may block: an actuator takes one command a tick, and the
-last wins. What only some ways do is not told: a command that a choice takes back may be meant.
+The search goes from a command to where its thread may block: an actuator takes one command a tick, and the last wins. A
+command that is overridden on some paths only is not reported: a choice may override it on purpose.
 """
 
 from __future__ import annotations

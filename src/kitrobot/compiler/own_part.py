@@ -5,7 +5,7 @@ makes the template, by translating the selection with holes where they were chos
 what it makes is what a file could bring.
 
 Left to others: what is selected (selection), what there is to leave open (part_offers), the vertex in the selection's
-place (part_placing).
+place (part_placement).
 """
 
 from __future__ import annotations

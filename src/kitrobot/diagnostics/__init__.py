@@ -1,4 +1,4 @@
-"""How KitRobot says what is wrong."""
+"""Diagnostics: how KitRobot reports mistakes."""
 
 from kitrobot.diagnostics.model import (
     ArcName,

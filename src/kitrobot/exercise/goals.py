@@ -1,8 +1,8 @@
-"""The kinds of goals, and how each is decided: a closed set, one class for each.
+"""The kinds of goals and how each is decided: a closed set, one class for each.
 
-A goal says in `fault` what is wrong with what it is shown (`evidence`), or None when it is reached. Goals of runs are
-shown each run, goals of programs all programs, goals of checking one verdict. `reading` gives each its element and
-attributes, whose names are those of the fields.
+`fault` of a goal returns what is wrong with the given `evidence`, or None when the goal is reached. Run goals get each
+run, program goals all programs, check goals one verdict. `exercise_xml` gives each its element and attributes, whose
+names are those of the fields.
 """
 
 from __future__ import annotations

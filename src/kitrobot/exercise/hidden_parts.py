@@ -1,4 +1,4 @@
-"""An exercise's file as pupils get it: without what is hidden, and without comments, which may speak of that."""
+"""Removal of hidden parts from an exercise's file before pupils get it; comments are removed too."""
 
 from __future__ import annotations
 

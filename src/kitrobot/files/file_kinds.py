@@ -1,4 +1,4 @@
-"""What a file is that is no mission, by its first bytes: whoever drops a photo is told so, and nothing of encodings."""
+"""The kind of a file that is no mission, by its first bytes, so that a user who drops a photo is told so."""
 
 from __future__ import annotations
 

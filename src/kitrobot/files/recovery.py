@@ -1,11 +1,11 @@
-"""The journals of one folder of missions: which page writes which, and which are left of pages that ended.
+"""The journals of a folder of missions: which page writes which, and which are orphaned because their page ended.
 
 A page that is open is a *tab*; it writes one journal at a time, its *claim*, so two pages never write into one. A claim
 ends with its tab, or with this process: it is a lock that the system keeps on a file beside the journal, so a second
-KitRobot on the same folder sees it too, and none is left after a kill. A journal that nobody claims was left behind:
-whoever opens its mission next gets it. Journals live in `.kitrobot/journal` of the folder; those of examples, and all
-when the folder cannot be written to or knows no locks, in the user's state folder. A journal that is damaged in the
-middle is kept aside.
+KitRobot on the same folder sees it too, and none is left after a kill. A journal that nobody claims is orphaned: the
+next tab that opens its mission gets it. Journals are in `.kitrobot/journal` of the folder; those of examples, and all
+if the folder cannot be written to or does not support locks, are in the user's state folder. A journal that is damaged
+in the middle is moved aside.
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""Text → text in the one true layout, comments kept; asks nothing of a robot."""
+"""Text → text in the canonical layout, with its comments; it needs no robot."""
 
 from __future__ import annotations
 

@@ -1,7 +1,7 @@
-"""`<board>` of a robot's actuator or sensor, and the parts of a kit → `Board`: what the driver of a real robot is told.
+"""`<board>` of a robot's actuator or sensor, and the parts of a kit → `Board`: the settings of a real robot's driver.
 
-What it says travels to small boards in a line whose words are parted by spaces, so nothing that would break such a line
-is let through. Left to others: which drivers there are, and which settings one understands (drivers).
+They travel to small boards in a line whose words are separated by spaces, so characters that would break such a line
+are refused. Left to others: which drivers there are, and which settings one understands (drivers).
 """
 
 from __future__ import annotations

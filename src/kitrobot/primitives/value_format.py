@@ -1,7 +1,7 @@
-"""The value of a part in words ("12 cm", "true", the name of a choice), and what somebody does to one by hand.
+"""The value of a part in words ("12 cm", "true", the name of a choice), and sentences for values set by hand.
 
-As terminals and the events of runs and of real robots say them.
-The page has its own (`web/src/model/meaning.ts`); what both show is what the XML says.
+Terminals and the events of runs and of real robots use them. The page has its own (`web/src/model/meaning.ts`); both
+show what the XML defines.
 """
 
 from __future__ import annotations

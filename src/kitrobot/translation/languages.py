@@ -1,4 +1,4 @@
-"""Which language the reader wants: kept for as long as a request is served, and for what is begun during it."""
+"""The reader's language, set for the duration of a request and for the tasks that it starts."""
 
 from __future__ import annotations
 

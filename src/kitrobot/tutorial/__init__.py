@@ -1,4 +1,4 @@
-"""Tutorials: what a person is asked to do step by step, and whether a program shows that it is done."""
+"""Tutorials: the steps that a user is asked to do, and whether a program shows that a step is done."""
 
 from kitrobot.tutorial.model import EVENTS, GroupWant, Pattern, Point, SpareWant, Step, TeacherPage, Tutorial
 from kitrobot.tutorial.pattern_matcher import fits, steps_fit

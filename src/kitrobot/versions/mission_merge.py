@@ -1,9 +1,9 @@
-"""Two people's edits of one mission brought together: a three-way merge by programs, things with names and values.
+"""A three-way merge of two people's edits of one mission, by programs, named parts and values.
 
-What only one side changed is taken from it; the programs of both are in `program_merging`. Where both changed the same
-thing differently ours stays, unless theirs was decided on, and a sentence says so.
-What one side gave another name goes by it in what the other side did (`renames`). So the result is always a mission
-that opens. Left to others: whether its parts fit together (workspace), what the sentences are written to.
+Changes of only one side are taken; the programs of both are merged by `program_merge`. Where both changed the same part
+differently, ours stays unless theirs was chosen, and a sentence reports it. A part that one side renamed keeps the new
+name in the other side's edits (`renames`). So the result is always a mission that opens. Left to others: whether its
+parts fit together (workspace), where the sentences are written.
 """
 
 from __future__ import annotations

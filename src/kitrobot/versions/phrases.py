@@ -1,4 +1,4 @@
-"""How differences name vertices, where they stand, and values."""
+"""Phrases of differences: how they name vertices, places and values."""
 
 from __future__ import annotations
 

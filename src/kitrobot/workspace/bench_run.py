@@ -1,9 +1,10 @@
-"""The robot whose parts are tried: the program for as many parts as fit and start, steps begun and ended, values told.
+"""A robot whose parts are tried: the program for as many parts as fit and start, the start and end of steps, and
+values.
 
-Everything stops when a step ends, when the run is closed, and on the robot itself when it hears nothing from here for
-0.8 s, since it is held. Left to others: the program for the parts (bench_loader).
+Everything stops when a step ends, when the run is closed, and on the robot itself when it receives nothing from here
+for 0.8 s, since it is held. Left to others: the program for the parts (bench_loader).
 
-`BenchHand` works on a session that somebody owns (the studio's worker, or `BenchRun`, which has one of its own).
+`BenchHand` works on a session that its caller owns (the studio's worker, or `BenchRun`, which has its own).
 """
 
 from __future__ import annotations

@@ -1,7 +1,7 @@
-"""The names on the labels of boards, in the user's state folder.
+"""The names on the labels of boards, stored in the user's state folder.
 
-A label is kept with the number that the board's USB says of itself, so the board has it at any port; at an address
-that is no serial port (`socket://…`) it is kept with the address. A label is one board's: given to another, it is taken
+A label is stored with the serial number of the board's USB, so the board keeps it at any port; for an address that is
+no serial port (`socket://…`) it is stored with the address. A label belongs to one board: given to another, it is taken
 from the first.
 """
 

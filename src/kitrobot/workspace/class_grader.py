@@ -1,8 +1,8 @@
-"""Grading the submissions of a class: each is judged in a process of its own, with bounds, and becomes a row.
+"""Grading the submissions of a class: each is evaluated in its own bounded process and becomes one row.
 
-The parent opens the file that was named, a regular one of at most `MOST_BYTES` and never through a link, and gives its
-bytes to a fresh process (`grader_process`) whose answer is bounded by `MOST_ANSWER_BYTES`. Whatever becomes of it is
-a `Grade` that says so: what one submission does never keeps another from being graded.
+The parent opens the named file, which must be a regular file of at most `MOST_BYTES` and no link, and gives its bytes
+to a fresh process (`grader_process`) whose answer is bounded by `MOST_ANSWER_BYTES`. Every outcome becomes a `Grade`:
+one submission never keeps another from being graded.
 """
 
 from __future__ import annotations

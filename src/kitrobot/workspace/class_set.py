@@ -1,8 +1,8 @@
 """Many boards on one machine, each with the program that a list names for the label on it.
 
-The list is a table (CSV) with the columns `label` and `mission`, and if wanted `program`, `kit` and `port`; or a folder
-of missions, each for the board whose label is the file's name. What is wrong with the list is said before anything is
-sent; what is wrong with one board, or one mission, holds up no other.
+The list is a table (CSV) with the columns `label` and `mission`, and optionally `program`, `kit` and `port`; or a
+folder of missions, each for the board whose label is the file's name. Mistakes in the list are reported before anything
+is sent; a fault of one board, or of one mission, does not stop the others.
 """
 
 from __future__ import annotations

@@ -1,12 +1,13 @@
-"""A program from one form into another, by the endings of the files' names.
+"""Conversion of a program from one form into another, by the endings of the files' names.
 
     .krt → .lll .kri .kra      .lll → .krt .kri .kra      .kri → .kra      .kra → .kri
 
-A picture of the studio that carries a mission (.svg, .png, .pdf) goes where a `.krt` goes, and to the `.krt` itself;
-pictures are made by the studio only.
+A picture of the studio that carries a mission (.svg, .png, .pdf) converts to whatever a `.krt` converts to, and to the
+`.krt` itself; only the studio makes pictures.
 
-Going down, every pass of the compiler has its say; nothing is written when one finds an error that the form cannot
-bear. An image keeps no names, so there is no way up from it. The file that is read is never written to.
+Going down, every pass of the compiler runs and reports; nothing is written when one finds an error that the target form
+cannot express. An image has no names, so it cannot be converted back to a program. The file that is read is never
+written to.
 """
 
 from __future__ import annotations

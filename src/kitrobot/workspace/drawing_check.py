@@ -1,10 +1,10 @@
-"""A quick check of a mission that is being drawn: what can wait or go round for ever in it, and parts that never run.
+"""A quick check of a mission while it is drawn: waits and loops that may last for ever, and parts that never run.
 
-All orders of events are gone through in lockstep, in a process of its own at the lowest priority, for `EXPLORE_S`. What
-does not fit says nothing, and neither does a mission that has no discrete form, or one with errors. A trap that the
-model finds is told only where a run of the simulator shows it too: while drawing, no alarm may be false.
+It explores all orders of events in lockstep for `EXPLORE_S`, in its own process at the lowest priority. It reports
+nothing for a mission that is too large, has no discrete form, or has errors. A trap that the model finds is reported
+only if a run of the simulator shows it too: while drawing, there must be no false alarm.
 
-Left to others: finding (`verifier.traps`), a check of properties (`background_check`).
+Left to others: finding traps (`verifier.traps`), checking properties (`background_check`).
 """
 
 from __future__ import annotations

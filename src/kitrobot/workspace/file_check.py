@@ -1,8 +1,8 @@
-"""Every problem of a file, whatever its kind: missions, LLL texts, images, listings, and XML of robots, kits,
-constructors, worlds, tutorials, exercises.
+"""Every problem of a file of any kind: missions, LLL texts, images, listings, and XML of robots, kits, constructors,
+worlds, tutorials, exercises.
 
-The kind is told by the ending or, for XML, by the first element. A file that cannot be read is a problem like the
-others, so looking at many files goes on after it.
+The kind follows from the ending or, for XML, from the first element. A file that cannot be read is a problem like the
+others, so the check of many files continues after it.
 """
 
 from __future__ import annotations

@@ -1,8 +1,8 @@
-"""Edits of two people brought together, and looked through: missions, and files of missions and kits.
+"""Merges of two people's edits, with a check of the result: missions, and files of missions and kits.
 
-A merge of two missions that are right each can be wrong where one took away what the other uses. What is wrong with
-the result and was with neither of them is a conflict, so that nobody takes it for a clean merge. What a file is its
-first bytes say: git names it anyhow.
+A merge of two valid missions can be invalid where one side removed what the other uses. A problem of the result that
+neither side had is a conflict, so the merge does not count as clean. The kind of a file follows from its first bytes,
+since git may give it any name.
 """
 
 from __future__ import annotations

@@ -1,7 +1,8 @@
-"""Tutorials and exercises: what begins with a mission beside it. Those of KitRobot, and those of the mission folder.
+"""Tutorials and exercises: files that begin with a mission beside them; those shipped with KitRobot, and those of the
+mission folder.
 
-One is known by its file's name in the folder, as a mission is. One that has a mistake is found too, with what is wrong
-with it, so that whoever writes it sees that. Files are read again only when they changed.
+A lesson is identified by its file's name in the folder, like a mission. A lesson with mistakes is listed too, with its
+diagnostics, so that its author sees them. Files are read again only when they changed.
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""Whether a mission hangs together: agents, their programs and robots, the places of the world that they need."""
+"""Consistency of a mission: its agents, their programs and robots, and the places of the world that they need."""
 
 from __future__ import annotations
 

@@ -1,10 +1,8 @@
-"""A mission opened: its parts, the robots and constructors it is made of, its world, and everything that is wrong
-with it.
+"""An opened mission: its parts, the robots and constructors it is made of, its world, and its diagnostics.
 
-An `OpenMission` comes from a file or, in the studio, from the page; then there is no text to point into and
-diagnostics keep the places they have in the LLL. Opening reads; `check` looks everything through; `run` is in
-`mission_run`. What is wrong with XML files that the mission does not need never stands in its way: it is in
-`catalogue.problems`.
+An `OpenMission` comes from a file or, in the studio, from the page; then there is no text to point into and diagnostics
+keep the places they have in the LLL. Opening reads the files; `check` finds all problems; `run` is in `mission_run`.
+Mistakes in XML files that the mission does not need never prevent opening: they are in `catalogue.problems`.
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""A mission run in the simulator, and what came of it."""
+"""A run of a mission in the simulator, and its result."""
 
 from __future__ import annotations
 

@@ -1,9 +1,9 @@
-"""What a new mission can begin with: a set of robots, a place, and a first program that moves.
+"""The choices for a new mission: a set of robots, a place, and a first program that moves.
 
-`shipped/beginnings.xml` names sets of robots, places and starters; what they are called is said by the robots, worlds
-and missions themselves. What fits what follows from them: a set fits a place that has a start for each of its agents, a
-starter fits the sets for which it has a mission. Robots of one's own are sets too, after the
-others. Left to others: showing it (server, page).
+`shipped/beginnings.xml` names sets of robots, places and starters; their labels come from the robots, worlds and
+missions themselves. A set fits a place that has a start for each of its agents, and a starter fits the sets for which
+it has a mission. The user's own robots are sets too, after the others. Left to others: showing the choices (server,
+page).
 """
 
 from __future__ import annotations

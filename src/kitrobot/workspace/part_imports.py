@@ -1,7 +1,8 @@
-"""Files that a person puts beside a mission: a robot, a kit, constructors, a world.
+"""Files that a user puts beside a mission: a robot, a kit, constructors, a world.
 
-What is taken in can be read as XML of its kind; mistakes inside are told by whoever reads it there, with file and line,
-and can be mended there. What cannot be read at all, or is of another kind, is refused and nothing changes.
+An imported file must be readable as XML of its kind; mistakes inside it are reported when it is read there, with file
+and line, and can be corrected there. A file that cannot be read at all, or is of another kind, is refused and nothing
+changes.
 """
 
 from __future__ import annotations

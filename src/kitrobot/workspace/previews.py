@@ -1,10 +1,9 @@
-"""Previews: what a mission does in its first seconds, taken from a real run, and found again by what the mission says.
+"""Previews: the first seconds of a mission, recorded from a real run and cached by the mission's content.
 
-A preview is whole numbers, frame by frame: where everybody is, what displays show, what lies in the storehouses, what
-pens drew. It is known by a digest of the mission, its world, and the files of parts that it brings along, so a change
-of any of them makes another one. Those of what ships are made by `tools/previews.py` and come along in one file;
-others are made when they are first asked for, and kept in memory. Left to others: which missions are shown, and
-drawing.
+A preview is whole numbers, frame by frame: poses of agents, what displays show, the stock of storehouses, and what pens
+drew. Its key is a digest of the mission, its world, and the files of parts that it brings along, so a change of any of
+them gives another key. Previews of shipped missions are made by `tools/previews.py` and shipped in one file; others are
+made on first request and cached in memory. Left to others: which missions are shown, and drawing.
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""Watching real robots from a terminal, and recording several into one file."""
+"""Monitoring real robots from a terminal, and recording several of them into one file."""
 
 from __future__ import annotations
 

@@ -1,6 +1,6 @@
-"""How the large files of a static site are packed: xz, which the page unpacks (`web/src/site/unpacker.ts`).
+"""Compression of the large files of a static site: xz, which the page unpacks (`web/src/site/unpacker.ts`).
 
-A third smaller than gzip makes them, and a browser takes half a second longer for all of them.
+They are a third smaller than with gzip, and a browser needs half a second longer for all of them.
 """
 
 from __future__ import annotations

@@ -1,6 +1,6 @@
-"""Texts for people, once for each language: `<label>`, `<help>` and what else a file says to who reads it.
+"""Texts for people, once for each language: `<label>`, `<help>` and other texts of a file.
 
-A language that the page and the command line do not speak is a warning: nobody would be shown its text.
+A language that the page and the command line do not support is a warning, since its text would never be shown.
 """
 
 from __future__ import annotations
