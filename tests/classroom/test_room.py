@@ -312,7 +312,7 @@ def test_those_who_came_in_and_did_nothing_are_removed_together(room, admission)
     ada, _ = join(room, admission, "Ada")
     room.hand_in(ada, "a", b"1", "")
     here, _ = join(room, admission, "Here")
-    room.comes(here)
+    room.open_page(here)
     TeacherActions(room).add("Later")
     for at in range(30):
         join(room, admission, f"Invented {at}")
@@ -325,15 +325,15 @@ def test_those_who_came_in_and_did_nothing_are_removed_together(room, admission)
 
 def test_a_raised_hand_and_what_the_teacher_wrote_are_there_after_a_restart(room, admission, clock):
     ada, _ = join(room, admission, "Ada")
-    room.put_hand(ada, up=True)
-    TeacherActions(room).write_to(ada, 'Look at "this"')
-    TeacherActions(room).write_to(ada, "and that")
+    room.set_hand(ada, up=True)
+    TeacherActions(room).send_note(ada, 'Look at "this"')
+    TeacherActions(room).send_note(ada, "and that")
     room.close()
     again = ClassRoom(room.folder, clock)
     found = again.pupils["Ada"]
     assert (again.status_of(found).hand, again.status_of(found).note) == (True, (2, "and that"))
-    again.put_hand(found, up=False)
-    TeacherActions(again).write_to(found, "more")
+    again.set_hand(found, up=False)
+    TeacherActions(again).send_note(found, "more")
     again.close()
     last = ClassRoom(room.folder, clock)
     assert (last.status_of(last.pupils["Ada"]).hand, last.status_of(last.pupils["Ada"]).note) == (False, (3, "more"))
@@ -379,25 +379,25 @@ def test_a_pupil_comes_back_with_the_word_and_with_no_other(room, admission):
 
 def test_a_pupil_comes_back_with_the_teachers_yes_and_the_answer_is_given_once(room, admission, clock):
     pupil, _ = join(room, admission)
-    asked = admission.ask(room.record.code, "Ada", "x")
-    assert admission.asking() == {asked: "Ada"}
-    assert admission.answered(asked) == (None, None, "")
+    asked = admission.request(room.record.code, "Ada", "x")
+    assert admission.pending() == {asked: "Ada"}
+    assert admission.take_answer(asked) == (None, None, "")
     admission.answer(asked, True)
     admission.answer(asked, False)
-    yes, who, key = admission.answered(asked)
+    yes, who, key = admission.take_answer(asked)
     assert yes
     assert who is pupil
     assert room.pupil_of(key) is pupil
     with pytest.raises(AdmissionRefusedError):
-        admission.answered(asked)
-    no = admission.ask(room.record.code, "Ada", "x")
+        admission.take_answer(asked)
+    no = admission.request(room.record.code, "Ada", "x")
     admission.answer(no, False)
-    assert admission.answered(no) == (False, pupil, "")
-    late = admission.ask(room.record.code, "Ada", "x")
+    assert admission.take_answer(no) == (False, pupil, "")
+    late = admission.request(room.record.code, "Ada", "x")
     clock.now += 3600
-    assert late not in admission.asking()
+    assert late not in admission.pending()
     with pytest.raises(ClassError, match="no `Eve`"):
-        admission.ask(room.record.code, "Eve", "x")
+        admission.request(room.record.code, "Eve", "x")
 
 
 def test_a_removed_pupil_is_out_and_the_work_stays(room, admission):
@@ -477,27 +477,27 @@ def test_the_state_of_a_pupil(room, admission, clock):
         return state_of(pupil, exercise, 2, clock.now)
 
     assert state() == ("away", None)
-    room.comes(pupil)
+    room.open_page(pupil)
     assert state() == ("editing", None)
     clock.now += 239
     assert state() == ("editing", None)
     clock.now += 1
     assert state() == ("stuck", 240)
-    room.take(pupil, Report(edits=1))
+    room.take_report(pupil, Report(edits=1))
     assert state() == ("editing", None)
-    room.take(pupil, Report(running=True, edits=1, runs=1))
+    room.take_report(pupil, Report(running=True, edits=1, runs=1))
     assert state() == ("running", None)
     goals = (Goal(True), Goal(True))
-    room.take(pupil, Report(edits=1, runs=1, exercise="x", goals=goals))
+    room.take_report(pupil, Report(edits=1, runs=1, exercise="x", goals=goals))
     clock.now += 1000
     assert state() == ("done", None)
-    room.take(pupil, Report(edits=1, runs=1, exercise="another", goals=goals))
+    room.take_report(pupil, Report(edits=1, runs=1, exercise="another", goals=goals))
     assert state() == ("stuck", 1000)
-    room.put_hand(pupil, up=True)
+    room.set_hand(pupil, up=True)
     clock.now += 30
     assert state() == ("asks", 30)
-    room.put_hand(pupil, up=False)
-    room.goes(pupil)
+    room.set_hand(pupil, up=False)
+    room.close_page(pupil)
     clock.now += 60
     assert state() == ("away", 60)
 
@@ -506,15 +506,15 @@ def test_what_pupils_are_told_is_told_when_it_changes(room, admission):
     pupil, _ = join(room, admission)
     actions = TeacherActions(room)
     heard: list[int] = []
-    end = room.hear(lambda: heard.append(1))
+    end = room.subscribe(lambda: heard.append(1))
     name, count = actions.hand_out("My mission.krt", b"<kitrobot/>")
     assert (name, count) == ("My mission", 1)
     assert room.status_of(pupil).handed.number == 1
     assert room.read_handed(pupil) == b"<kitrobot/>"
-    actions.write_to(pupil, "look\nat the loop " + "x" * 1000)
+    actions.send_note(pupil, "look\nat the loop " + "x" * 1000)
     assert room.status_of(pupil).note[0] == 1
     assert len(room.status_of(pupil).note[1]) == 500
-    actions.look_on(pupil)
+    actions.view_pupil(pupil)
     actions.set_frozen(True)
     status = room.status_of(pupil)
     assert status.looked
@@ -536,7 +536,7 @@ def test_a_mission_is_handed_out_to_some(room, admission):
 
 def test_the_log_says_who_came_and_what_was_refused(room, admission):
     pupil, _ = join(room, admission)
-    room.comes(pupil)
+    room.open_page(pupil)
     room.hand_in(pupil, "a", b"1", "")
     room.hand_in(pupil, "a", b"1", "")
     with pytest.raises(AdmissionRefusedError):

@@ -41,23 +41,23 @@ def test_the_teacher_edits_only_when_the_pupil_lets_in(room, admission):
     ada, _ = join(room, admission)
     actions = TeacherActions(room)
     with pytest.raises(ClassError, match="`Ada` is not here"):
-        actions.ask_turn(ada)
-    room.comes(ada)
+        actions.request_turn(ada)
+    room.open_page(ada)
     # Who was not asked lets nobody in.
     room.give_turn(ada, yes=True)
     assert room.status_of(ada).turn == "pupil"
-    actions.ask_turn(ada)
+    actions.request_turn(ada)
     assert room.status_of(ada).turn == "asked"
     room.give_turn(ada, yes=False)
     assert room.status_of(ada).turn == "pupil"
-    actions.ask_turn(ada)
+    actions.request_turn(ada)
     room.give_turn(ada, yes=True)
     assert room.status_of(ada).turn == "teacher"
-    actions.ask_turn(ada)
+    actions.request_turn(ada)
     assert room.status_of(ada).turn == "teacher"
-    actions.give_back(ada)
+    actions.return_turn(ada)
     assert room.status_of(ada).turn == "pupil"
-    actions.ask_turn(ada)
+    actions.request_turn(ada)
     room.give_turn(ada, yes=True)
     room.give_turn(ada, yes=False)
     assert room.status_of(ada).turn == "pupil"
@@ -67,8 +67,8 @@ def test_what_a_page_shows_is_kept_only_while_the_teacher_looks_on(room, admissi
     ada, _ = join(room, admission)
     room.show_arena(ada, "{}")
     assert ada.arena == ""
-    TeacherActions(room).look_on(ada)
+    TeacherActions(room).view_pupil(ada)
     room.show_arena(ada, "{}")
     assert ada.arena == "{}"
-    TeacherActions(room).look_on(None)
+    TeacherActions(room).view_pupil(None)
     assert ada.arena == ""

@@ -65,7 +65,7 @@ class Admission:
         with self._room.lock:
             self._expect_code(code, who)
             name = clean_name(name)
-            known = self._room.named(name)
+            known = self._room.find_pupil(name)
             if known is None:
                 key = secrets.token_urlsafe(24)
                 return self._enter(name, key, who), key
@@ -78,7 +78,7 @@ class Admission:
             self._guesses.record_success(who)
             return known, self._room.let_in(known, "came back with the word")
 
-    def ask(self, code: str, name: str, who: str) -> str:
+    def request(self, code: str, name: str, who: str) -> str:
         """Asks the teacher to let somebody in as an existing pupil; returns the id of the request.
 
         Raises:
@@ -87,7 +87,7 @@ class Admission:
         """
         with self._room.lock:
             self._expect_code(code, who)
-            known = self._room.named(clean_name(name))
+            known = self._room.find_pupil(clean_name(name))
             if known is None:
                 raise ClassError(Sentence("there is no `{name}` in this class", name[:80]), Sentence("join the class"))
             now = self._room.clock()
@@ -99,7 +99,7 @@ class Admission:
             self._room.log.write(f"asked to be let in as {known.record.name}, from {who}")
             return asked
 
-    def asking(self) -> dict[str, str]:
+    def pending(self) -> dict[str, str]:
         """The pending requests by their ids, each with the folder of its pupil."""
         with self._room.lock:
             now = self._room.clock()
@@ -118,7 +118,7 @@ class Admission:
             if one.yes and pupil is not None:
                 one.key = self._room.let_in(pupil, "let in by the teacher")
 
-    def answered(self, asked: str) -> tuple[bool | None, Pupil | None, str]:
+    def take_answer(self, asked: str) -> tuple[bool | None, Pupil | None, str]:
         """The answer to a request, returned once: None while it is pending, else whether the pupil is let in,
         the pupil, and the key.
 
@@ -143,7 +143,7 @@ class Admission:
                 Sentence("very many new pupils came in from this computer or network"),
                 Sentence("wait a minute, or ask your teacher"),
             )
-        made = self._room.enter(name, key)
+        made = self._room.add_pupil(name, key)
         self._guesses.record_success(who)
         return made
 

@@ -82,10 +82,10 @@ class ClassRoom:
             raise
         self.pupils = {one.folder: self._pupil(one) for one in self.record.pupils}
         self.looked = ""
-        """Whom the teacher looks on, by the folder."""
+        """The folder of the pupil whom the teacher is viewing."""
         self.lock = threading.RLock()
         self._keeping = {one: threading.Lock() for one in self.pupils}
-        self._heard: list[Callable[[], None]] = []
+        self._subscribers: list[Callable[[], None]] = []
         self.last_kept: float | None = None
         for one in self.record.unread:
             self.log.write(str(unread_sentence(one)))
@@ -108,33 +108,33 @@ class ClassRoom:
                 pupil.revision = revision_of(read_bytes(self.folder / record.folder / newest.name))
         return pupil
 
-    # -- who hears of changes
+    # -- subscribers
 
-    def hear(self, changed: Callable[[], None]) -> Callable[[], None]:
+    def subscribe(self, changed: Callable[[], None]) -> Callable[[], None]:
         """Calls back, from any thread, when the status of a pupil changes; returns a function that ends that."""
         with self.lock:
-            self._heard.append(changed)
+            self._subscribers.append(changed)
 
         def end() -> None:
             with self.lock, suppress(ValueError):
-                self._heard.remove(changed)
+                self._subscribers.remove(changed)
 
         return end
 
-    def changed(self, kept: bool = False) -> None:
+    def notify(self, kept: bool = False) -> None:
         """Notifies the subscribers that the status of a pupil changed; `kept`: and writes the record."""
         if kept:
             write_record(self.folder, self.record)
-        for changed in list(self._heard):
+        for changed in list(self._subscribers):
             changed()
 
-    def named(self, name: str) -> Pupil | None:
+    def find_pupil(self, name: str) -> Pupil | None:
         """The pupil of that name, or of one that looks the same."""
         alike = [one for one in self.pupils.values() if same_name(one.record.name, name)]
         # A class of before may have two whose names look the same: each comes back as typed.
         return next((one for one in alike if key_of(one.record.name) == key_of(name)), alike[0] if alike else None)
 
-    def enter(self, name: str, key: str) -> Pupil:
+    def add_pupil(self, name: str, key: str) -> Pupil:
         """A new pupil with a folder; `key` is what a browser keeps, "" for none. For who holds the lock.
 
         Raises:
@@ -149,7 +149,7 @@ class ClassRoom:
         self.record.pupils.append(record)
         pupil = self.pupils[folder] = Pupil(record, folder)
         self._keeping[folder] = threading.Lock()
-        self.changed(kept=True)
+        self.notify(kept=True)
         self.log.write(f"{name} joined" if key else f"{name} was added")
         return pupil
 
@@ -169,12 +169,12 @@ class ClassRoom:
         """Another browser of a pupil; gives its key. For who holds the lock."""
         key = secrets.token_urlsafe(24)
         pupil.record.gets(digest(key))
-        self.changed(kept=True)
+        self.notify(kept=True)
         self.log.write(f"{pupil.record.name} {how}")
         return key
 
     def pupil_of(self, key: str) -> Pupil | None:
-        """Whose key that is."""
+        """The pupil with that key; None when there is none."""
         if not key or len(key) > 200:
             return None
         wanted = digest(key)
@@ -188,49 +188,49 @@ class ClassRoom:
 
     # -- pages of pupils
 
-    def comes(self, pupil: Pupil) -> None:
-        """A page of that pupil is there."""
+    def open_page(self, pupil: Pupil) -> None:
+        """Records that a page of that pupil connected."""
         with self.lock:
-            pupil.comes(self.clock())
+            pupil.open_page(self.clock())
             if pupil.pages == 1:
                 self.log.write(f"{pupil.record.name} is here")
 
-    def goes(self, pupil: Pupil) -> None:
-        """It is gone."""
+    def close_page(self, pupil: Pupil) -> None:
+        """Records that a page of that pupil disconnected."""
         with self.lock:
-            pupil.goes(self.clock())
+            pupil.close_page(self.clock())
             if pupil.pages == 0:
                 self.log.write(f"{pupil.record.name} is away")
 
-    def take(self, pupil: Pupil, report: Report) -> None:
-        """What the page says of itself."""
+    def take_report(self, pupil: Pupil, report: Report) -> None:
+        """Stores the report of a pupil's page."""
         with self.lock:
-            pupil.take(report, self.clock())
+            pupil.take_report(report, self.clock())
 
-    def put_hand(self, pupil: Pupil, up: bool) -> None:
-        """The pupil asks for help, or does not any more."""
+    def set_hand(self, pupil: Pupil, up: bool) -> None:
+        """Raises or lowers the pupil's hand."""
         with self.lock:
             if up != (pupil.asked is not None):
                 pupil.asked = self.clock() if up else None
                 pupil.record.hand = up
                 with suppress(FileError):
                     write_record(self.folder, self.record)
-                self.changed()
+                self.notify()
 
     def show_arena(self, pupil: Pupil, arena: str) -> None:
-        """What the page shows of its run; kept only while the teacher looks on."""
+        """Stores the picture of a pupil's run; ignored unless the teacher is viewing that pupil."""
         with self.lock:
             if self.looked == pupil.folder:
                 pupil.arena = arena
 
     def give_turn(self, pupil: Pupil, yes: bool) -> None:
-        """The pupil lets the teacher edit, who asked for it; or does not, or not any more."""
+        """The pupil grants, refuses or ends the teacher's turn to edit."""
         with self.lock:
             if pupil.turn == "pupil" or (yes and pupil.turn == "teacher"):
                 return
             pupil.turn = "teacher" if yes else "pupil"
             self.log.write(f"{pupil.record.name} {'lets the teacher edit' if yes else 'edits alone'}")
-            self.changed()
+            self.notify()
 
     def status_of(self, pupil: Pupil) -> PupilStatus:
         """The status that is sent to the pupil's page."""
@@ -289,5 +289,5 @@ class ClassRoom:
 
 
 def digest(key: str) -> str:
-    """What is kept of a key."""
+    """The digest of a key, which is stored in place of it."""
     return hashlib.sha256(key.encode(errors="replace")).hexdigest()

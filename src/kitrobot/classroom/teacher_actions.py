@@ -29,9 +29,9 @@ class TeacherActions:
         """
         with self._room.lock:
             name = clean_name(name)
-            if self._room.named(name) is not None:
+            if self._room.find_pupil(name) is not None:
                 raise NameTakenError(Sentence("`{name}` is in this class already", name), "")
-            return self._room.enter(name, "")
+            return self._room.add_pupil(name, "")
 
     def remove(self, *pupils: Pupil) -> None:
         """Nobody comes in as these pupils any more; their folders stay, but for those in which there is nothing."""
@@ -41,7 +41,7 @@ class TeacherActions:
                 self._room.pupils.pop(pupil.folder, None)
                 pupil.record.keys = []
             self._room.record.pupils = [one for one in self._room.record.pupils if one.folder not in gone]
-            self._room.changed(kept=True)
+            self._room.notify(kept=True)
             for pupil in pupils:
                 # Who has the same name next would get the studio with the folder.
                 if not (self._room.folder / STUDIOS / pupil.folder).exists():
@@ -63,7 +63,7 @@ class TeacherActions:
         with self._room.lock:
             self._room.record.places = places
             self._room.newcomers.clear()
-            self._room.changed(kept=True)
+            self._room.notify(kept=True)
             self._room.log.write(f"the class has room for {places} pupils")
 
     def set_code(self, on: bool) -> None:
@@ -71,7 +71,7 @@ class TeacherActions:
         with self._room.lock:
             self._room.record.code = new_code() if on else ""
             self._room.newcomers.clear()
-            self._room.changed(kept=True)
+            self._room.notify(kept=True)
             self._room.log.write("the class has a new code" if on else "the code was revoked")
 
     def set_frozen(self, on: bool, who: list[str] | None = None) -> None:
@@ -96,13 +96,13 @@ class TeacherActions:
                     one.frozen = on and not record.frozen
                 names = ", ".join(one.name for one in chosen)
                 self._room.log.write(f"{'frozen' if on else 'not frozen any more'}: {names}")
-            self._room.changed(kept=True)
+            self._room.notify(kept=True)
 
     def set_exercise(self, name: str) -> None:
         """The exercise of the class from now on; "" for none."""
         with self._room.lock:
             self._room.record.exercise = name
-            self._room.changed(kept=True)
+            self._room.notify(kept=True)
             self._room.log.write(f"the exercise is {name}" if name else "there is no exercise")
 
     def hand_out(self, shown: str, data: bytes, to: list[str] | None = None) -> tuple[str, int]:
@@ -120,18 +120,18 @@ class TeacherActions:
             chosen = [one for one in self._room.record.pupils if to is None or one.folder in to]
             for record in chosen:
                 record.handed, record.handed_file = number, name
-            self._room.changed(kept=True)
+            self._room.notify(kept=True)
             self._room.log.write(f"{name} was handed out to {len(chosen)}")
             return name, len(chosen)
 
-    def write_to(self, pupil: Pupil, text: str) -> None:
+    def send_note(self, pupil: Pupil, text: str) -> None:
         """A few words for one pupil."""
         with self._room.lock:
             pupil.record.note += 1
             pupil.record.note_text = " ".join(text.split())[:LONGEST_NOTE]
-            self._room.changed(kept=True)
+            self._room.notify(kept=True)
 
-    def ask_turn(self, pupil: Pupil) -> None:
+    def request_turn(self, pupil: Pupil) -> None:
         """Asks a pupil to let the teacher edit.
 
         Raises:
@@ -145,16 +145,16 @@ class TeacherActions:
                 )
             if pupil.turn == "pupil":
                 pupil.turn = "asked"
-                self._room.changed()
+                self._room.notify()
 
-    def give_back(self, pupil: Pupil) -> None:
+    def return_turn(self, pupil: Pupil) -> None:
         """The pupil edits again, and gets what the teacher saved; also: it is not asked for any more."""
         with self._room.lock:
             if pupil.turn != "pupil":
                 pupil.turn = "pupil"
-                self._room.changed()
+                self._room.notify()
 
-    def look_on(self, pupil: Pupil | None) -> None:
+    def view_pupil(self, pupil: Pupil | None) -> None:
         """The teacher looks on, or at nobody."""
         with self._room.lock:
             looked = "" if pupil is None else pupil.folder
@@ -162,4 +162,4 @@ class TeacherActions:
                 for one in self._room.pupils.values():
                     one.arena = ""
                 self._room.looked = looked
-                self._room.changed()
+                self._room.notify()

@@ -56,7 +56,7 @@ class Overview:
         grading = self._grading.state
         asking = [
             ClassAskingShape(asked=asked, folder=folder, name=pupil.record.name)
-            for asked, folder in self._admission.asking().items()
+            for asked, folder in self._admission.pending().items()
             if (pupil := room.pupils.get(folder)) is not None
         ]
         return ClassNewsMessage(

@@ -94,13 +94,13 @@ def join(admission: Door, who: From, wanted: JoinShape) -> JoinedShape:
 @class_routes.post("/ask")
 def ask(admission: Door, who: From, wanted: ClassAskShape) -> ClassAskedShape:
     """Asks the teacher to let somebody in as a pupil that there is."""
-    return ClassAskedShape(asked=admission.ask(wanted.code, wanted.name, who))
+    return ClassAskedShape(asked=admission.request(wanted.code, wanted.name, who))
 
 
 @class_routes.post("/asked")
 def asked(admission: Door, wanted: ClassAskedShape) -> ClassAnsweredShape:
     """What the teacher said to that."""
-    yes, _, key = admission.answered(wanted.asked)
+    yes, _, key = admission.take_answer(wanted.asked)
     if yes is None:
         return ClassAnsweredShape(state="waiting")
     return ClassAnsweredShape(state="in" if yes and key else "no", key=key)

@@ -57,7 +57,7 @@ def _woken(room: ClassRoom) -> Iterator[asyncio.Event]:
         with suppress(RuntimeError):  # the loop has ended
             loop.call_soon_threadsafe(news.set)
 
-    end = room.hear(wake)
+    end = room.subscribe(wake)
     try:
         yield news
     finally:
@@ -77,12 +77,12 @@ async def pupil_socket(socket: WebSocket) -> None:
         await socket.close(1013)
         return
     # Counted before anything is awaited: many that come at once are counted, too.
-    room.comes(pupil)
+    room.open_page(pupil)
     try:
         await socket.accept()
         await _tell_pupil(socket, room, pupil)
     finally:
-        room.goes(pupil)
+        room.close_page(pupil)
 
 
 async def _tell_pupil(socket: WebSocket, room: ClassRoom, pupil: Pupil) -> None:
@@ -129,7 +129,7 @@ async def teacher_socket(socket: WebSocket) -> None:
     except (WebSocketDisconnect, RuntimeError):
         pass
     finally:
-        TeacherActions(room).look_on(None)
+        TeacherActions(room).view_pupil(None)
         await _end(socket, hears)
 
 
@@ -174,7 +174,7 @@ async def _hear(socket: WebSocket, take: Callable[[str], None]) -> None:
 def _take(room: ClassRoom, pupil: Pupil, text: str) -> None:
     said = _SAID.validate_json(text)
     if isinstance(said, HandMessage):
-        room.put_hand(pupil, said.up)
+        room.set_hand(pupil, said.up)
         return
     if isinstance(said, TurnMessage):
         room.give_turn(pupil, said.yes)
@@ -186,11 +186,11 @@ def _take(room: ClassRoom, pupil: Pupil, text: str) -> None:
         room.show_arena(pupil, arena)
         return
     goals = tuple(Goal(goal.reached, goal.why) for goal in said.goals)
-    room.take(pupil, Report(said.running, said.edits, said.runs, said.file, said.exercise, goals))
+    room.take_report(pupil, Report(said.running, said.edits, said.runs, said.file, said.exercise, goals))
 
 
 def _look(room: ClassRoom, text: str) -> None:
-    TeacherActions(room).look_on(room.pupils.get(_LOOKED.validate_json(text).folder))
+    TeacherActions(room).view_pupil(room.pupils.get(_LOOKED.validate_json(text).folder))
 
 
 def _arena(room: ClassRoom) -> tuple[str, str]:

@@ -120,14 +120,14 @@ def hand_out(actions: ThisActions, studio: ThisStudio, wanted: TeacherHandOutSha
 @teacher_routes.post("/note")
 def note(actions: ThisActions, room: ThisRoom, wanted: TeacherNoteShape) -> bool:
     """Writes a few words to one pupil."""
-    actions.write_to(_one(room, wanted.folder), wanted.text)
+    actions.send_note(_one(room, wanted.folder), wanted.text)
     return True
 
 
 @teacher_routes.post("/hand-down")
 def hand_down(room: ThisRoom, wanted: TeacherPupilShape) -> bool:
     """The teacher was there."""
-    room.put_hand(_one(room, wanted.folder), up=False)
+    room.set_hand(_one(room, wanted.folder), up=False)
     return True
 
 
@@ -136,9 +136,9 @@ def turn(actions: ThisActions, room: ThisRoom, wanted: TeacherTurnShape) -> bool
     """Asks a pupil to let the teacher edit; or gives the mission back."""
     pupil = _one(room, wanted.folder)
     if wanted.ask:
-        actions.ask_turn(pupil)
+        actions.request_turn(pupil)
     else:
-        actions.give_back(pupil)
+        actions.return_turn(pupil)
     return wanted.ask
 
 
