@@ -16,7 +16,7 @@ from pathlib import Path
 from unittest.mock import patch
 
 from kitrobot.server.first_missions import first_missions
-from kitrobot.workspace import site, site_packages, site_packing, site_sources
+from kitrobot.workspace import site, site_packages, site_packer, site_sources
 from tools.site_parts import PARTS, ROOT
 
 if sys.platform != "win32":
@@ -29,7 +29,7 @@ KEPT = ROOT / "build" / "parts-of-sites.pickle"
 def kept_sources() -> Iterator[None]:
     """Takes what was made of a source or file from the run before, where data, code and Python are the same."""
     way = hashlib.sha256(sys.version.encode())
-    for module in (site_sources, site_packing):
+    for module in (site_sources, site_packer):
         way.update(Path(str(module.__file__)).read_bytes())
     before: dict[bytes, bytes] = pickle.loads(KEPT.read_bytes()) if KEPT.is_file() else {}
     now: dict[bytes, bytes] = {}
@@ -49,7 +49,7 @@ def kept_sources() -> Iterator[None]:
     with (
         patch.object(site, "without_texts", without_texts),
         patch.object(site_packages, "without_texts", without_texts),
-        patch.object(site, "packed", kept(site_packing.packed)),
+        patch.object(site, "packed", kept(site_packer.packed)),
     ):
         yield
     if now.keys() != before.keys():

@@ -26,7 +26,7 @@ from kitrobot.diagnostics import KitRobotError
 from kitrobot.primitives import Kit
 from kitrobot.robots import BoardProgram
 from kitrobot.workspace import board_program, kits_at_hand, open_mission
-from kitrobot.workspace.opening import OpenMission
+from kitrobot.workspace.mission_loader import OpenMission
 from kitrobot.workspace.team_boards import agent_program
 from tools.kit_pages import SMALL, key_of, measured_2016, missions
 

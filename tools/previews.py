@@ -17,7 +17,7 @@ from kitrobot.diagnostics import KitRobotError
 from kitrobot.files import EXAMPLE
 from kitrobot.server.studio import Studio
 from kitrobot.workspace import OpenMission, shipped_examples
-from kitrobot.workspace.beginnings import PREVIEW_S
+from kitrobot.workspace.new_mission_choices import PREVIEW_S
 from kitrobot.workspace.previews import (
     MOST_S,
     SHIPPED_PREVIEWS,

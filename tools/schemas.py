@@ -16,15 +16,15 @@ from collections import Counter
 from collections.abc import Iterator, Mapping
 from pathlib import Path
 
-from kitrobot.exercise.reading import EXERCISE
-from kitrobot.mission.reading import MISSION
+from kitrobot.exercise.exercise_xml import EXERCISE
+from kitrobot.mission.reader import MISSION
 from kitrobot.primitives.constructors_xml import CONSTRUCTORS
 from kitrobot.primitives.kit_xml import KIT
 from kitrobot.primitives.robot_xml import ROBOT
-from kitrobot.tutorial.reading import TUTORIAL
-from kitrobot.workspace.beginnings import BEGINNINGS
+from kitrobot.tutorial.tutorial_xml import TUTORIAL
 from kitrobot.workspace.bench_notes import BENCH
 from kitrobot.workspace.example_list import EXAMPLES
+from kitrobot.workspace.new_mission_choices import BEGINNINGS
 from kitrobot.world.xml_reader import WORLD
 from kitrobot.xml import LANGUAGE, TEXT_VALUE, Attribute, Kind, Tag, attributes, escape_text
 

@@ -33,11 +33,11 @@ TERMINAL = (
     "files/forms.py",
     "image/",
     "server/studio_server.py",
-    "workspace/checking.py",
+    "workspace/file_check.py",
     "workspace/conversion.py",
     "workspace/executables.py",
     "workspace/inputs.py",
-    "workspace/watching.py",
+    "workspace/robot_monitor.py",
 )
 """What speaks only in a terminal, in English."""
 

@@ -31,7 +31,7 @@ from benchmarks.measurement import Rate, Row
 from benchmarks.subjects.studio import WORKING, mission_of, studio_of, type_in_code
 from kitrobot.server.first_missions import first_missions
 from kitrobot.workspace.site import make_site
-from kitrobot.workspace.site_packing import PACKED
+from kitrobot.workspace.site_packer import PACKED
 from tools.site_parts import PARTS, ROOT, fetch
 
 TITLE = "site"

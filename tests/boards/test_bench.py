@@ -26,7 +26,7 @@ from kitrobot.robots import BoardProgram, RobotSession
 from kitrobot.text import Sentence
 from kitrobot.workspace import bench_run
 from kitrobot.workspace.bench import Bench, PartKey, bench_of
-from kitrobot.workspace.bench_loading import PartError, load_parts
+from kitrobot.workspace.bench_loader import PartError, load_parts
 from kitrobot.workspace.bench_run import BenchRun
 from kitrobot.workspace.calibration import bench_robot
 from kitrobot.workspace.kit_files import kit_named

@@ -19,7 +19,7 @@ from kitrobot.files import examples_folder
 from kitrobot.primitives import Kit
 from kitrobot.robots import BoardProgram
 from kitrobot.workspace import board_program, kits_at_hand, open_mission, shipped_examples
-from kitrobot.workspace.opening import OpenMission
+from kitrobot.workspace.mission_loader import OpenMission
 from kitrobot.workspace.team_boards import agent_program
 from tests.boards.alvik import NOTHING
 from tests.boards.modern import onboard_files, run

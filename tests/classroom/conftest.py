@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 
-from kitrobot.classroom import ClassRoom, Entrance
+from kitrobot.classroom import Admission, ClassRoom
 
 
 class Clock:
@@ -30,9 +30,9 @@ def room(tmp_path: Path, clock: Clock):
 
 
 @pytest.fixture
-def entrance(room: ClassRoom):
-    return Entrance(room)
+def admission(room: ClassRoom):
+    return Admission(room)
 
 
-def join(room: ClassRoom, entrance: Entrance, name: str = "Ada"):
-    return entrance.join(room.record.code, name, "", "10.0.0.5")
+def join(room: ClassRoom, admission: Admission, name: str = "Ada"):
+    return admission.join(room.record.code, name, "", "10.0.0.5")

@@ -4,21 +4,21 @@ from __future__ import annotations
 
 import pytest
 
-import kitrobot.classroom.work as work_module
 from kitrobot.classroom import (
+    Admission,
+    AdmissionRefusedError,
     ClassError,
     ClassRoom,
-    Desk,
-    Entrance,
     Goal,
-    NotLetInError,
+    NameTakenError,
     Report,
-    TakenNameError,
+    TeacherActions,
     read_record,
     state_of,
+    submissions,
     unread_sentence,
 )
-from kitrobot.classroom.room import MOST_NEWCOMERS
+from kitrobot.classroom.class_room import MOST_NEWCOMERS
 from kitrobot.diagnostics import KitRobotError
 from kitrobot.files import FileError, QuotaError
 from tests.classroom.conftest import join
@@ -57,8 +57,8 @@ from tests.classroom.conftest import join
         ("😀" * 39 + "a", "😀" * 39 + "a"),
     ],
 )
-def test_a_name_in_any_script_gets_a_folder_that_leads_nowhere_else(room, entrance, name, folder):
-    pupil, _ = join(room, entrance, name)
+def test_a_name_in_any_script_gets_a_folder_that_leads_nowhere_else(room, admission, name, folder):
+    pupil, _ = join(room, admission, name)
     assert pupil.folder == folder
     assert (room.folder / folder).is_dir()
     assert (room.folder / folder).resolve().parent == room.folder
@@ -67,9 +67,9 @@ def test_a_name_in_any_script_gets_a_folder_that_leads_nowhere_else(room, entran
 @pytest.mark.parametrize(
     "name", ["", "   ", "...", "\u202e", "-/-", "x" * 41, "😀😀", "a" * 2000, "\u3164\uffa0", "\u2800"]
 )
-def test_a_name_that_nobody_can_have_is_a_sentence(room, entrance, name):
+def test_a_name_that_nobody_can_have_is_a_sentence(room, admission, name):
     with pytest.raises(KitRobotError, match="this name"):
-        join(room, entrance, name)
+        join(room, admission, name)
     assert room.pupils == {}
 
 
@@ -97,13 +97,13 @@ def test_a_name_that_nobody_can_have_is_a_sentence(room, entrance, name):
         ("گروہ ۲", "گروه ٢"),
     ],
 )
-def test_names_that_look_the_same_are_one_name(room, entrance, name, other):
-    pupil, _ = join(room, entrance, name)
-    with pytest.raises(TakenNameError):
-        join(room, entrance, other)
-    with pytest.raises(TakenNameError):
-        Desk(room).add(other)
-    assert entrance.join(room.record.code, other, pupil.record.word, "x")[0] is pupil
+def test_names_that_look_the_same_are_one_name(room, admission, name, other):
+    pupil, _ = join(room, admission, name)
+    with pytest.raises(NameTakenError):
+        join(room, admission, other)
+    with pytest.raises(NameTakenError):
+        TeacherActions(room).add(other)
+    assert admission.join(room.record.code, other, pupil.record.word, "x")[0] is pupil
 
 
 def test_of_two_of_before_whose_names_look_the_same_each_comes_back(tmp_path):
@@ -114,11 +114,11 @@ def test_of_two_of_before_whose_names_look_the_same_each_comes_back(tmp_path):
     (tmp_path / "class.toml").write_text("\n".join(["name = 'c'", "code = 'BADOBA'", *rows]))
     room = ClassRoom(tmp_path)
     for name, word in (("Al", "BADOBA"), ("ai", "LIMOLI")):
-        assert Entrance(room).join("BADOBA", name, word, "x")[0].record.word == word
+        assert Admission(room).join("BADOBA", name, word, "x")[0].record.word == word
     room.close()
 
 
-def test_names_that_look_different_are_two(room, entrance):
+def test_names_that_look_different_are_two(room, admission):
     names = [
         "Ada",
         "Ida",
@@ -137,13 +137,13 @@ def test_names_that_look_different_are_two(room, entrance):
         "李小",
     ]
     for name in names:
-        join(room, entrance, name)
+        join(room, admission, name)
     assert len(room.pupils) == len(names)
 
 
-def test_a_key_leads_to_its_pupil_and_only_its_digest_is_kept(room, entrance):
-    pupil, key = join(room, entrance)
-    other, _ = join(room, entrance, "Ben")
+def test_a_key_leads_to_its_pupil_and_only_its_digest_is_kept(room, admission):
+    pupil, key = join(room, admission)
+    other, _ = join(room, admission, "Ben")
     assert room.pupil_of(key) is pupil is not other
     assert room.pupil_of(key + "x") is None
     assert room.pupil_of("") is None
@@ -155,10 +155,10 @@ def test_a_key_leads_to_its_pupil_and_only_its_digest_is_kept(room, entrance):
 def test_a_class_is_the_same_after_a_kill(tmp_path, clock):
     folder = tmp_path / "Class 5b"
     first = ClassRoom(folder, clock)
-    pupil, key = join(first, Entrance(first), 'Ada "\\ \x7f؟ K.')
+    pupil, key = join(first, Admission(first), 'Ada "\\ \x7f؟ K.')
     kept = first.hand_in(pupil, "square.krt", b"<kitrobot/>", "")
-    Desk(first).set_exercise("example:exercises/03-square.exercise.xml")
-    Desk(first).set_frozen(True)
+    TeacherActions(first).set_exercise("example:exercises/03-square.exercise.xml")
+    TeacherActions(first).set_frozen(True)
     # As a kill leaves it: nothing is closed, the lock alone is gone.
     first.close()
     again = ClassRoom(folder, clock)
@@ -245,219 +245,219 @@ def test_a_class_file_cut_off_before_its_first_line_is_a_new_class(tmp_path):
     assert read_record(tmp_path) is None
 
 
-def test_wrong_codes_are_counted_until_nobody_may_guess(room, entrance, clock):
+def test_wrong_codes_are_counted_until_nobody_may_guess(room, admission, clock):
     wrong = "AAAAAA"
     for _ in range(10):
-        with pytest.raises(NotLetInError, match="not the code"):
-            entrance.join(wrong, "Eve", "", "10.0.0.9")
-    with pytest.raises(NotLetInError, match="too many"):
-        entrance.join(room.record.code, "Eve", "", "10.0.0.9")
+        with pytest.raises(AdmissionRefusedError, match="not the code"):
+            admission.join(wrong, "Eve", "", "10.0.0.9")
+    with pytest.raises(AdmissionRefusedError, match="too many"):
+        admission.join(room.record.code, "Eve", "", "10.0.0.9")
     # Others are let in, and after a while who guessed is, too.
-    join(room, entrance)
+    join(room, admission)
     clock.now += 60
-    entrance.join(room.record.code, "Eve", "", "10.0.0.9")
+    admission.join(room.record.code, "Eve", "", "10.0.0.9")
 
 
-def test_a_class_behind_one_address_is_not_held_up_by_those_who_mistype(room, entrance):
-    join(room, entrance, "Pupil 0")
+def test_a_class_behind_one_address_is_not_held_up_by_those_who_mistype(room, admission):
+    join(room, admission, "Pupil 0")
     for _ in range(100):
-        with pytest.raises(NotLetInError, match="not the code"):
-            entrance.join("AAAAAA", "Eve", "", "10.0.0.5")
+        with pytest.raises(AdmissionRefusedError, match="not the code"):
+            admission.join("AAAAAA", "Eve", "", "10.0.0.5")
     for at in range(1, 40):
-        join(room, entrance, f"Pupil {at}")
+        join(room, admission, f"Pupil {at}")
     # Guessing has an end there too.
     for _ in range(20):
-        with pytest.raises(NotLetInError):
-            entrance.join("AAAAAA", "Eve", "", "10.0.0.5")
-    with pytest.raises(NotLetInError, match="too many"):
-        entrance.join("AAAAAA", "Eve", "", "10.0.0.5")
+        with pytest.raises(AdmissionRefusedError):
+            admission.join("AAAAAA", "Eve", "", "10.0.0.5")
+    with pytest.raises(AdmissionRefusedError, match="too many"):
+        admission.join("AAAAAA", "Eve", "", "10.0.0.5")
 
 
-def test_guesses_from_elsewhere_do_not_hold_up_a_class_that_comes_in(room, entrance):
-    join(room, entrance, "Ada")
+def test_guesses_from_elsewhere_do_not_hold_up_a_class_that_comes_in(room, admission):
+    join(room, admission, "Ada")
     for at in range(200):
-        with pytest.raises(NotLetInError):
-            entrance.join("AAAAAA", "Eve", "", f"10.0.1.{at}")
-    join(room, entrance, "Ben")
+        with pytest.raises(AdmissionRefusedError):
+            admission.join("AAAAAA", "Eve", "", f"10.0.1.{at}")
+    join(room, admission, "Ben")
 
 
-def test_wrong_words_of_one_pupil_hold_up_neither_others_nor_newcomers(room, entrance, clock):
-    ada, _ = join(room, entrance, "Ada")
-    ben, _ = join(room, entrance, "Ben")
+def test_wrong_words_of_one_pupil_hold_up_neither_others_nor_newcomers(room, admission, clock):
+    ada, _ = join(room, admission, "Ada")
+    ben, _ = join(room, admission, "Ben")
     for _ in range(10):
-        with pytest.raises(NotLetInError, match="not the word"):
-            entrance.join(room.record.code, "Ada", "AAAAAA", "10.0.0.5")
-    with pytest.raises(NotLetInError, match="too many wrong words"):
-        entrance.join(room.record.code, "Ada", ada.record.word, "10.0.0.5")
-    entrance.join(room.record.code, "Ada", ada.record.word, "10.0.0.6")
-    entrance.join(room.record.code, "Ben", ben.record.word, "10.0.0.5")
-    join(room, entrance, "Cyd")
+        with pytest.raises(AdmissionRefusedError, match="not the word"):
+            admission.join(room.record.code, "Ada", "AAAAAA", "10.0.0.5")
+    with pytest.raises(AdmissionRefusedError, match="too many wrong words"):
+        admission.join(room.record.code, "Ada", ada.record.word, "10.0.0.5")
+    admission.join(room.record.code, "Ada", ada.record.word, "10.0.0.6")
+    admission.join(room.record.code, "Ben", ben.record.word, "10.0.0.5")
+    join(room, admission, "Cyd")
     clock.now += 60
-    entrance.join(room.record.code, "Ada", ada.record.word, "10.0.0.5")
+    admission.join(room.record.code, "Ada", ada.record.word, "10.0.0.5")
 
 
-def test_new_pupils_from_one_address_are_counted_until_the_teacher_makes_room(room, entrance, clock):
+def test_new_pupils_from_one_address_are_counted_until_the_teacher_makes_room(room, admission, clock):
     for at in range(MOST_NEWCOMERS):
-        join(room, entrance, f"Pupil {at}")
-    with pytest.raises(NotLetInError, match="very many new pupils"):
-        join(room, entrance, "One more")
-    entrance.join(room.record.code, "Elsewhere", "", "10.0.0.6")
+        join(room, admission, f"Pupil {at}")
+    with pytest.raises(AdmissionRefusedError, match="very many new pupils"):
+        join(room, admission, "One more")
+    admission.join(room.record.code, "Elsewhere", "", "10.0.0.6")
     clock.now += 60
-    join(room, entrance, "After a minute")
-    Desk(room).set_places(200)
-    join(room, entrance, "At once")
+    join(room, admission, "After a minute")
+    TeacherActions(room).set_places(200)
+    join(room, admission, "At once")
 
 
-def test_those_who_came_in_and_did_nothing_are_removed_together(room, entrance):
-    ada, _ = join(room, entrance, "Ada")
+def test_those_who_came_in_and_did_nothing_are_removed_together(room, admission):
+    ada, _ = join(room, admission, "Ada")
     room.hand_in(ada, "a", b"1", "")
-    here, _ = join(room, entrance, "Here")
-    room.comes(here)
-    Desk(room).add("Later")
+    here, _ = join(room, admission, "Here")
+    room.open_page(here)
+    TeacherActions(room).add("Later")
     for at in range(30):
-        join(room, entrance, f"Invented {at}")
-    assert Desk(room).remove_idle() == 30
+        join(room, admission, f"Invented {at}")
+    assert TeacherActions(room).remove_idle() == 30
     assert {one.record.name for one in room.pupils.values()} == {"Ada", "Here", "Later"}
     assert not (room.folder / "Invented 0").exists()
-    again, _ = join(room, entrance, "Invented 0")
+    again, _ = join(room, admission, "Invented 0")
     assert again.folder == "Invented 0"
 
 
-def test_a_raised_hand_and_what_the_teacher_wrote_are_there_after_a_restart(room, entrance, clock):
-    ada, _ = join(room, entrance, "Ada")
-    room.put_hand(ada, up=True)
-    Desk(room).write_to(ada, 'Look at "this"')
-    Desk(room).write_to(ada, "and that")
+def test_a_raised_hand_and_what_the_teacher_wrote_are_there_after_a_restart(room, admission, clock):
+    ada, _ = join(room, admission, "Ada")
+    room.set_hand(ada, up=True)
+    TeacherActions(room).send_note(ada, 'Look at "this"')
+    TeacherActions(room).send_note(ada, "and that")
     room.close()
     again = ClassRoom(room.folder, clock)
     found = again.pupils["Ada"]
-    assert (again.told(found).hand, again.told(found).note) == (True, (2, "and that"))
-    again.put_hand(found, up=False)
-    Desk(again).write_to(found, "more")
+    assert (again.status_of(found).hand, again.status_of(found).note) == (True, (2, "and that"))
+    again.set_hand(found, up=False)
+    TeacherActions(again).send_note(found, "more")
     again.close()
     last = ClassRoom(room.folder, clock)
-    assert (last.told(last.pupils["Ada"]).hand, last.told(last.pupils["Ada"]).note) == (False, (3, "more"))
+    assert (last.status_of(last.pupils["Ada"]).hand, last.status_of(last.pupils["Ada"]).note) == (False, (3, "more"))
     last.close()
 
 
-def test_guesses_from_many_addresses_are_counted_together(room, entrance):
+def test_guesses_from_many_addresses_are_counted_together(room, admission):
     for at in range(120):
-        with pytest.raises(NotLetInError):
-            entrance.join("AAAAAA", "Eve", "", f"10.0.1.{at}")
-    with pytest.raises(NotLetInError, match="too many"):
-        entrance.join(room.record.code, "Eve", "", "10.0.2.1")
+        with pytest.raises(AdmissionRefusedError):
+            admission.join("AAAAAA", "Eve", "", f"10.0.1.{at}")
+    with pytest.raises(AdmissionRefusedError, match="too many"):
+        admission.join(room.record.code, "Eve", "", "10.0.2.1")
 
 
-def test_a_code_is_typed_in_any_case_with_spaces(room, entrance):
+def test_a_code_is_typed_in_any_case_with_spaces(room, admission):
     code = room.record.code
-    assert entrance.join(f" {code[:3].lower()} - {code[3:]}", "Ada", "", "x")[0].record.name == "Ada"
+    assert admission.join(f" {code[:3].lower()} - {code[3:]}", "Ada", "", "x")[0].record.name == "Ada"
 
 
-def test_a_revoked_code_lets_nobody_in_and_who_is_in_stays(room, entrance):
+def test_a_revoked_code_lets_nobody_in_and_who_is_in_stays(room, admission):
     code = room.record.code
-    pupil, key = join(room, entrance)
-    Desk(room).set_code(False)
+    pupil, key = join(room, admission)
+    TeacherActions(room).set_code(False)
     for given in (code, ""):
-        with pytest.raises(NotLetInError, match="nobody can join"):
-            entrance.join(given, "Ben", "", "x")
+        with pytest.raises(AdmissionRefusedError, match="nobody can join"):
+            admission.join(given, "Ben", "", "x")
     assert room.pupil_of(key) is pupil
-    Desk(room).set_code(True)
+    TeacherActions(room).set_code(True)
     assert room.record.code not in ("", code)
 
 
-def test_a_pupil_comes_back_with_the_word_and_with_no_other(room, entrance):
-    pupil, key = join(room, entrance)
-    with pytest.raises(TakenNameError):
-        entrance.join(room.record.code, "ADA", "", "x")
-    with pytest.raises(NotLetInError, match="not the word"):
-        entrance.join(room.record.code, "Ada", "WRONGS", "x")
-    again, other = entrance.join(room.record.code, "ada", pupil.record.word.lower(), "x")
+def test_a_pupil_comes_back_with_the_word_and_with_no_other(room, admission):
+    pupil, key = join(room, admission)
+    with pytest.raises(NameTakenError):
+        admission.join(room.record.code, "ADA", "", "x")
+    with pytest.raises(AdmissionRefusedError, match="not the word"):
+        admission.join(room.record.code, "Ada", "WRONGS", "x")
+    again, other = admission.join(room.record.code, "ada", pupil.record.word.lower(), "x")
     assert again is pupil
     assert other != key
     assert room.pupil_of(key) is room.pupil_of(other) is pupil
 
 
-def test_a_pupil_comes_back_with_the_teachers_yes_and_the_answer_is_given_once(room, entrance, clock):
-    pupil, _ = join(room, entrance)
-    asked = entrance.ask(room.record.code, "Ada", "x")
-    assert entrance.asking() == {asked: "Ada"}
-    assert entrance.answered(asked) == (None, None, "")
-    entrance.answer(asked, True)
-    entrance.answer(asked, False)
-    yes, who, key = entrance.answered(asked)
+def test_a_pupil_comes_back_with_the_teachers_yes_and_the_answer_is_given_once(room, admission, clock):
+    pupil, _ = join(room, admission)
+    asked = admission.request(room.record.code, "Ada", "x")
+    assert admission.pending() == {asked: "Ada"}
+    assert admission.take_answer(asked) == (None, None, "")
+    admission.answer(asked, True)
+    admission.answer(asked, False)
+    yes, who, key = admission.take_answer(asked)
     assert yes
     assert who is pupil
     assert room.pupil_of(key) is pupil
-    with pytest.raises(NotLetInError):
-        entrance.answered(asked)
-    no = entrance.ask(room.record.code, "Ada", "x")
-    entrance.answer(no, False)
-    assert entrance.answered(no) == (False, pupil, "")
-    late = entrance.ask(room.record.code, "Ada", "x")
+    with pytest.raises(AdmissionRefusedError):
+        admission.take_answer(asked)
+    no = admission.request(room.record.code, "Ada", "x")
+    admission.answer(no, False)
+    assert admission.take_answer(no) == (False, pupil, "")
+    late = admission.request(room.record.code, "Ada", "x")
     clock.now += 3600
-    assert late not in entrance.asking()
+    assert late not in admission.pending()
     with pytest.raises(ClassError, match="no `Eve`"):
-        entrance.ask(room.record.code, "Eve", "x")
+        admission.request(room.record.code, "Eve", "x")
 
 
-def test_a_removed_pupil_is_out_and_the_work_stays(room, entrance):
-    pupil, key = join(room, entrance)
+def test_a_removed_pupil_is_out_and_the_work_stays(room, admission):
+    pupil, key = join(room, admission)
     room.hand_in(pupil, "a", b"1", "")
-    Desk(room).remove(pupil)
+    TeacherActions(room).remove(pupil)
     assert room.pupil_of(key) is None
     assert (room.folder / "Ada" / "a.krt").read_bytes() == b"1"
-    again, _ = join(room, entrance)
+    again, _ = join(room, admission)
     assert again.folder == "Ada 2"
 
 
-def test_a_class_takes_so_many_pupils_and_not_one_more_until_its_teacher_makes_room(room, entrance):
-    Desk(room).set_places(3)
+def test_a_class_takes_so_many_pupils_and_not_one_more_until_its_teacher_makes_room(room, admission):
+    TeacherActions(room).set_places(3)
     for at in range(3):
-        join(room, entrance, f"Pupil {at}")
+        join(room, admission, f"Pupil {at}")
     with pytest.raises(ClassError, match="3 pupils already"):
-        join(room, entrance, "One more")
-    Desk(room).set_places(4)
-    join(room, entrance, "One more")
+        join(room, admission, "One more")
+    TeacherActions(room).set_places(4)
+    join(room, admission, "One more")
     assert read_record(room.folder) == room.record
 
 
-def test_work_goes_on_where_it_was_and_never_over_another(room, entrance):
-    pupil, _ = join(room, entrance)
+def test_work_goes_on_where_it_was_and_never_over_another(room, admission):
+    pupil, _ = join(room, admission)
     first = room.hand_in(pupil, "Square.krt", b"1", "")
     second = room.hand_in(pupil, first.name, b"2", first.revision)
     assert first.name == second.name == "Square.krt"
     anew = room.hand_in(pupil, "square", b"the exercise begun again", "")
     assert anew.name == "square 2.krt"
-    assert room.read_work(pupil, "Square.krt")[0] == b"2"
+    assert room.read_submission(pupil, "Square.krt")[0] == b"2"
     # The same bytes once more are the same file: an answer that was lost makes no second one.
     assert room.hand_in(pupil, "square.krt", b"2", "").name == "Square.krt"
-    assert {one.name for one in room.works(pupil)} == {"Square.krt", "square 2.krt"}
+    assert {one.name for one in room.list_submissions(pupil)} == {"Square.krt", "square 2.krt"}
 
 
 @pytest.mark.parametrize(
     "name", ["../../x", "/etc/passwd", "..", "", "a/b/../../c", "a\\..\\b", "x\0y", ".", "CON", "~x"]
 )
-def test_work_stays_in_the_folder_of_its_pupil(room, entrance, name):
-    pupil, _ = join(room, entrance)
+def test_work_stays_in_the_folder_of_its_pupil(room, admission, name):
+    pupil, _ = join(room, admission)
     kept = room.hand_in(pupil, name, b"1", "")
     assert [path.name for path in (room.folder / "Ada").iterdir()] == [kept.name]
     assert kept.name.endswith(".krt")
 
 
 @pytest.mark.parametrize("name", ["../Ben/secret.krt", "../class.toml", "/etc/passwd", "a\0", "", "nothing.krt", "."])
-def test_only_a_pupils_own_files_are_read(room, entrance, name):
-    pupil, _ = join(room, entrance)
-    ben, _ = join(room, entrance, "Ben")
+def test_only_a_pupils_own_files_are_read(room, admission, name):
+    pupil, _ = join(room, admission)
+    ben, _ = join(room, admission, "Ben")
     room.hand_in(ben, "secret", b"1", "")
     with pytest.raises(FileError):
-        room.read_work(pupil, name)
+        room.read_submission(pupil, name)
 
 
-def test_a_folder_takes_so_many_files_and_bytes(room, entrance, monkeypatch):
-    monkeypatch.setattr(work_module, "MOST_FILES", 2)
-    monkeypatch.setattr(work_module, "MOST_BYTES", 100)
-    monkeypatch.setattr(work_module, "LARGEST_BYTES", 80)
-    pupil, _ = join(room, entrance)
+def test_a_folder_takes_so_many_files_and_bytes(room, admission, monkeypatch):
+    monkeypatch.setattr(submissions, "MOST_FILES", 2)
+    monkeypatch.setattr(submissions, "MOST_BYTES", 100)
+    monkeypatch.setattr(submissions, "LARGEST_BYTES", 80)
+    pupil, _ = join(room, admission)
     a = room.hand_in(pupil, "a", b"x" * 80, "")
     with pytest.raises(QuotaError, match="larger"):
         room.hand_in(pupil, "b", b"x" * 81, "")
@@ -469,78 +469,78 @@ def test_a_folder_takes_so_many_files_and_bytes(room, entrance, monkeypatch):
         room.hand_in(pupil, "c", b"", "")
 
 
-def test_the_state_of_a_pupil(room, entrance, clock):
-    pupil, _ = join(room, entrance)
+def test_the_state_of_a_pupil(room, admission, clock):
+    pupil, _ = join(room, admission)
     exercise = "x"
 
     def state():
         return state_of(pupil, exercise, 2, clock.now)
 
     assert state() == ("away", None)
-    room.comes(pupil)
+    room.open_page(pupil)
     assert state() == ("editing", None)
     clock.now += 239
     assert state() == ("editing", None)
     clock.now += 1
     assert state() == ("stuck", 240)
-    room.take(pupil, Report(edits=1))
+    room.take_report(pupil, Report(edits=1))
     assert state() == ("editing", None)
-    room.take(pupil, Report(running=True, edits=1, runs=1))
+    room.take_report(pupil, Report(running=True, edits=1, runs=1))
     assert state() == ("running", None)
     goals = (Goal(True), Goal(True))
-    room.take(pupil, Report(edits=1, runs=1, exercise="x", goals=goals))
+    room.take_report(pupil, Report(edits=1, runs=1, exercise="x", goals=goals))
     clock.now += 1000
     assert state() == ("done", None)
-    room.take(pupil, Report(edits=1, runs=1, exercise="another", goals=goals))
+    room.take_report(pupil, Report(edits=1, runs=1, exercise="another", goals=goals))
     assert state() == ("stuck", 1000)
-    room.put_hand(pupil, up=True)
+    room.set_hand(pupil, up=True)
     clock.now += 30
     assert state() == ("asks", 30)
-    room.put_hand(pupil, up=False)
-    room.goes(pupil)
+    room.set_hand(pupil, up=False)
+    room.close_page(pupil)
     clock.now += 60
     assert state() == ("away", 60)
 
 
-def test_what_pupils_are_told_is_told_when_it_changes(room, entrance):
-    pupil, _ = join(room, entrance)
-    desk = Desk(room)
+def test_what_pupils_are_told_is_told_when_it_changes(room, admission):
+    pupil, _ = join(room, admission)
+    actions = TeacherActions(room)
     heard: list[int] = []
-    end = room.hear(lambda: heard.append(1))
-    name, count = desk.hand_out("My mission.krt", b"<kitrobot/>")
+    end = room.subscribe(lambda: heard.append(1))
+    name, count = actions.hand_out("My mission.krt", b"<kitrobot/>")
     assert (name, count) == ("My mission", 1)
-    assert room.told(pupil).handed.number == 1
+    assert room.status_of(pupil).handed.number == 1
     assert room.read_handed(pupil) == b"<kitrobot/>"
-    desk.write_to(pupil, "look\nat the loop " + "x" * 1000)
-    assert room.told(pupil).note[0] == 1
-    assert len(room.told(pupil).note[1]) == 500
-    desk.look_on(pupil)
-    desk.set_frozen(True)
-    told = room.told(pupil)
-    assert told.looked
-    assert told.frozen
+    actions.send_note(pupil, "look\nat the loop " + "x" * 1000)
+    assert room.status_of(pupil).note[0] == 1
+    assert len(room.status_of(pupil).note[1]) == 500
+    actions.view_pupil(pupil)
+    actions.set_frozen(True)
+    status = room.status_of(pupil)
+    assert status.looked
+    assert status.frozen
     assert len(heard) == 4
     end()
-    desk.set_frozen(False)
+    actions.set_frozen(False)
     assert len(heard) == 4
 
 
-def test_a_mission_is_handed_out_to_some(room, entrance):
-    ada, _ = join(room, entrance)
-    ben, _ = join(room, entrance, "Ben")
-    assert Desk(room).hand_out("x", b"1", ["Ben"]) == ("x", 1)
-    assert (room.told(ada).handed.number, room.told(ben).handed.number) == (0, 1)
+def test_a_mission_is_handed_out_to_some(room, admission):
+    ada, _ = join(room, admission)
+    ben, _ = join(room, admission, "Ben")
+    assert TeacherActions(room).hand_out("x", b"1", ["Ben"]) == ("x", 1)
+    assert (room.status_of(ada).handed.number, room.status_of(ben).handed.number) == (0, 1)
     with pytest.raises(FileError):
         room.read_handed(ada)
 
 
-def test_the_log_says_who_came_and_what_was_refused(room, entrance):
-    pupil, _ = join(room, entrance)
-    room.comes(pupil)
+def test_the_log_says_who_came_and_what_was_refused(room, admission):
+    pupil, _ = join(room, admission)
+    room.open_page(pupil)
     room.hand_in(pupil, "a", b"1", "")
     room.hand_in(pupil, "a", b"1", "")
-    with pytest.raises(NotLetInError):
-        entrance.join("AAAAAA", "Eve", "", "10.0.0.9")
+    with pytest.raises(AdmissionRefusedError):
+        admission.join("AAAAAA", "Eve", "", "10.0.0.9")
     lines = [line[21:] for line in (room.folder / "log.txt").read_text().splitlines()]
     assert lines == [
         "Ada joined",

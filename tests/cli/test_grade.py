@@ -12,10 +12,10 @@ from pathlib import Path
 import pytest
 
 from kitrobot.mission import write_mission
-from kitrobot.workspace import grading_process
+from kitrobot.workspace import grader_process
+from kitrobot.workspace.class_grader import MOST_BYTES, grade
 from kitrobot.workspace.grade_tables import as_csv, as_html
 from kitrobot.workspace.grades import Grade
-from kitrobot.workspace.grading import MOST_BYTES, grade
 from tests.exercises.handing_in import exercise_file, handed_in_file, submission
 from tests.exercises.solutions import SOLVED, WRONG
 
@@ -145,9 +145,9 @@ def test_what_comes_from_files_is_escaped_in_the_page_and_no_formula_in_the_spre
 
 
 def allocate(connection) -> None:
-    grading_process.limit()
+    grader_process.limit()
     try:
-        size = len(bytearray((grading_process.MOST_MEMORY_MB + 1) * 1024 * 1024))
+        size = len(bytearray((grader_process.MOST_MEMORY_MB + 1) * 1024 * 1024))
     except MemoryError:
         size = -1
     try:

@@ -11,8 +11,8 @@ from hypothesis import example, given
 from hypothesis import strategies as st
 
 from kitrobot.compiler import (
-    Chosen,
-    Look,
+    Appearance,
+    ChosenSlot,
     Offer,
     Part,
     PartError,
@@ -30,7 +30,7 @@ from kitrobot.primitives import Catalogue, Role
 from tests.compiler.graphs import graph, noted, shipped, text_of
 from tests.strategies import Shape, random_program, shipped_robots
 
-LOOK = Look("My part")
+LOOK = Appearance("My part")
 
 
 def drawn(text: str) -> Program:
@@ -40,7 +40,7 @@ def drawn(text: str) -> Program:
     return lll_to_graph(parsed.program, shipped().robot("mini-robot"), shipped(), "p")
 
 
-def made(program: Program, vertices: list[str], *chosen: Chosen) -> Part:
+def made(program: Program, vertices: list[str], *chosen: ChosenSlot) -> Part:
     return make_part(program, vertices, LOOK, chosen, shipped())
 
 
@@ -78,7 +78,7 @@ def test_a_program_means_the_same_with_a_part_in_the_selection_s_place(rng: rand
             raise
         return
     chosen = [
-        Chosen(one.vertex, one.slot, rng.choice([one.name, one.name, "Größe", "speed of it"]))
+        ChosenSlot(one.vertex, one.slot, rng.choice([one.name, one.name, "Größe", "speed of it"]))
         for one in offered.offers
         if rng.random() < 0.4
     ]
@@ -134,10 +134,10 @@ def test_what_is_chosen_becomes_slots_of_the_template() -> None:
     part = made(
         program,
         ["v1", "v5"],
-        Chosen("v1", "speed", "Speed", 10, 90),
-        Chosen("v5", "speed", "Speed", 10, 90),
-        Chosen("v2", "condition", "as long as"),
-        Chosen("v2", "body", "body"),
+        ChosenSlot("v1", "speed", "Speed", 10, 90),
+        ChosenSlot("v5", "speed", "Speed", 10, 90),
+        ChosenSlot("v2", "condition", "as long as"),
+        ChosenSlot("v2", "body", "body"),
     )
     assert part.constructor.code == ("Wheel.Advance({Speed}); *[{as_long_as}]({body}); Wheel.Advance({Speed});")
     speed, condition, body = part.constructor.slots
@@ -153,7 +153,7 @@ def test_a_condition_becomes_a_condition() -> None:
     joined = next(one.id for one in program.vertices if one.element == "And")
     less = next(one.id for one in program.vertices if one.element.endswith("EqualTo"))
     limit = next(one for one in offers(program, joined).values() if one.vertex == less)
-    part = made(program, [joined], Chosen(less, limit.slot, "limit"))
+    part = made(program, [joined], ChosenSlot(less, limit.slot, "limit"))
     assert part.constructor.role is Role.CONDITION
     assert part.constructor.code == "Run.IsTrue() & !(Captor.EqualTo({limit}))"
     assert text_of(part.program, with_part(part)) == text_of(program)
@@ -162,7 +162,7 @@ def test_a_condition_becomes_a_condition() -> None:
 def test_a_branch_s_bodies_become_branches_of_the_part() -> None:
     program = drawn("//( Wheel.Stop();, WAIT(3); );")
     branch = next(one for one in offers(program, "v1").values() if one.kind == "flow" and one.vertex == "v1")
-    part = made(program, ["v1"], Chosen("v1", branch.slot, "sides"))
+    part = made(program, ["v1"], ChosenSlot("v1", branch.slot, "sides"))
     assert (part.constructor.code, part.constructor.slots[0].least) == ("//( {sides}; );", 2)
     assert text_of(part.program, with_part(part)) == text_of(program)
 
@@ -197,25 +197,25 @@ def test_what_is_no_selection_is_told(text: str, vertices: list[str], words: str
     ("text", "vertices", "chosen", "words"),
     [
         ("*[Run.IsTrue()]( BREAK; );", ["v3"], [], "a Break in the selection leaves a loop"),
-        ("Wheel.Stop();", ["v1"], [Chosen("v1", "", "all")], "only a hole"),
-        ("Wheel.Stop();", ["v1"], [Chosen("v1", "speed", "s")], "nothing named `speed`"),
-        ("Wheel.Advance(50);", ["v1"], [Chosen("v1", "speed", "s", 60, 10)], "min at most max"),
-        ("Wheel.Advance(50);", ["v1"], [Chosen("v1", "speed", "s", 10, 60, "x")], "default"),
+        ("Wheel.Stop();", ["v1"], [ChosenSlot("v1", "", "all")], "only a hole"),
+        ("Wheel.Stop();", ["v1"], [ChosenSlot("v1", "speed", "s")], "nothing named `speed`"),
+        ("Wheel.Advance(50);", ["v1"], [ChosenSlot("v1", "speed", "s", 60, 10)], "min at most max"),
+        ("Wheel.Advance(50);", ["v1"], [ChosenSlot("v1", "speed", "s", 10, 60, "x")], "default"),
         (
             "Wheel.Advance(5); Wheel.Advance(6);",
             ["v1", "v2"],
-            [Chosen("v1", "speed", "s"), Chosen("v2", "speed", "s")],
+            [ChosenSlot("v1", "speed", "s"), ChosenSlot("v2", "speed", "s")],
             "`s` stands for different things: 5, 6",
         ),
         (
             "Wheel.Stop(); WAIT(1); Wheel.Stop();",
             ["v1", "v2", "v3"],
-            [Chosen("v1", "", "a"), Chosen("v3", "", "b")],
+            [ChosenSlot("v1", "", "a"), ChosenSlot("v3", "", "b")],
             "two places",
         ),
     ],
 )
-def test_what_makes_no_template_is_told(text: str, vertices: list[str], chosen: list[Chosen], words: str) -> None:
+def test_what_makes_no_template_is_told(text: str, vertices: list[str], chosen: list[ChosenSlot], words: str) -> None:
     with pytest.raises(PartError) as caught:
         made(drawn(text), vertices, *chosen)
     assert words in caught.value.message
@@ -232,7 +232,7 @@ def test_what_nobody_knows_is_told_unless_it_is_left_out() -> None:
     assert [item.vertices for item in offer_part(program, ["v1"], shipped()).diagnostics] == [("v2",)]
     with pytest.raises(PartError, match="not in the robot"):
         made(program, ["v1"])
-    assert made(program, ["v1"], Chosen("v1", "body", "body")).constructor.code == "*[{condition}]({body});"
+    assert made(program, ["v1"], ChosenSlot("v1", "body", "body")).constructor.code == "*[{condition}]({body});"
 
 
 @pytest.mark.parametrize("name", ["While", "", " x", "Start", "a.b"])

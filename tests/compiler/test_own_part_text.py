@@ -9,7 +9,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from kitrobot.compiler import Chosen, Look, PartError, graph_to_lll, lll_to_graph, make_part, offer_part
+from kitrobot.compiler import Appearance, ChosenSlot, PartError, graph_to_lll, lll_to_graph, make_part, offer_part
 from kitrobot.graph import Arc, Note, Program, Vertex
 from kitrobot.lll import parse, print_program
 from kitrobot.primitives import Catalogue, Constructor, SlotKind
@@ -30,9 +30,9 @@ def with_own_parts(rng: random.Random) -> tuple[Program, Catalogue, list[Constru
         if vertices == ["start"]:
             break
         offers = offer_part(program, vertices, catalogue).offers
-        chosen = [Chosen(one.vertex, one.slot, one.name) for one in offers if rng.random() < 0.4]
+        chosen = [ChosenSlot(one.vertex, one.slot, one.name) for one in offers if rng.random() < 0.4]
         try:
-            part = make_part(program, vertices, Look(f"Own {number}"), chosen, catalogue)
+            part = make_part(program, vertices, Appearance(f"Own {number}"), chosen, catalogue)
         except PartError:
             continue
         own.append(part.constructor)

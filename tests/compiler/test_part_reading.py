@@ -8,7 +8,16 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from kitrobot.compiler import Chosen, Look, PartError, draw_template, lll_to_graph, make_part, offer_part, read_part
+from kitrobot.compiler import (
+    Appearance,
+    ChosenSlot,
+    PartError,
+    draw_template,
+    lll_to_graph,
+    make_part,
+    offer_part,
+    read_part,
+)
 from kitrobot.primitives import Constructor, Role, Slot, SlotKind
 from tests.compiler.graphs import shipped
 from tests.strategies import Shape, random_program, shipped_robots
@@ -118,9 +127,9 @@ def test_any_part_that_can_be_made_reads_again_and_is_drawn(rng: random.Random) 
     if not top:
         return
     offers = [one for one in offer_part(program, top, shipped()).offers if rng.random() < 0.3]
-    chosen = [Chosen(one.vertex, one.slot, f"{one.name}_{index}") for index, one in enumerate(offers)]
+    chosen = [ChosenSlot(one.vertex, one.slot, f"{one.name}_{index}") for index, one in enumerate(offers)]
     try:
-        made = make_part(program, top, Look("Own"), chosen, shipped()).constructor
+        made = make_part(program, top, Appearance("Own"), chosen, shipped()).constructor
     except PartError:
         return
     assert read_part(made, robot).constructor == made

@@ -17,7 +17,7 @@ from kitrobot.compiler.vertex_places import vertex_places
 from kitrobot.graph import IN, NEXT, RETURN, Arc, Note, Program, Vertex
 from kitrobot.lll import nodes, parse, print_program
 from kitrobot.primitives import Catalogue
-from kitrobot.workspace import KeptPrograms
+from kitrobot.workspace import CompileCache
 from tests.compiler.graphs import graph, noted, shipped
 from tests.compiler.test_own_part_text import with_own_parts
 from tests.compiler.test_stretch import edited, in_order, text_of
@@ -242,7 +242,7 @@ def test_what_is_not_printed_so_or_not_understood_is_looked_at_whole(edit: Any) 
 
 
 def test_an_earlier_state_still_tells_where_its_instructions_stand() -> None:
-    kept = KeptPrograms()
+    kept = CompileCache()
     first = kept.of(LONG, shipped()).compiled
     new = Vertex("n", "Wait", {"duration": "12345"})
     arcs = [Arc("start", "n"), Arc("n", "a"), *(arc for arc in LONG.arcs if arc.source != "start")]

@@ -9,8 +9,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from kitrobot.compiler import (
-    Chosen,
-    Look,
+    Appearance,
+    ChosenSlot,
     draw_template,
     follow_text,
     graph_to_lll,
@@ -18,7 +18,7 @@ from kitrobot.compiler import (
     make_part,
     print_for,
 )
-from kitrobot.compiler.accepted_forms import write_anew
+from kitrobot.compiler.accepted_forms import normalise
 from kitrobot.compiler.preserve_ids import Before
 from kitrobot.compiler.stretch import redraw_edited
 from kitrobot.graph import Program, empty_program
@@ -160,8 +160,10 @@ def test_a_form_typed_into_the_program_of_one_robot_is_a_mistake_and_its_graph_s
 
 def test_a_piece_of_a_team_s_program_becomes_a_part_of_its_level() -> None:
     program = drawn("SeqOfPar carriers ( PROGRAM drive; ); [any carriers (Collision.IsPressed())]( Wheel.Stop(); );")
-    look = Look("Go on", colour="team")
-    part = make_part(program, ["v1"], look, [Chosen("v1", "members", "who"), Chosen("v2", "name", "what")], PARTS)
+    look = Appearance("Go on", colour="team")
+    part = make_part(
+        program, ["v1"], look, [ChosenSlot("v1", "members", "who"), ChosenSlot("v2", "name", "what")], PARTS
+    )
     made = part.constructor
     assert (made.code, made.level) == ("SeqOfPar {who} ( PROGRAM {what}; );", Level.SOCIAL)
     assert {slot.name: (slot.kind, slot.default) for slot in made.slots} == {
@@ -186,7 +188,7 @@ def test_a_piece_of_a_team_s_program_becomes_a_part_of_its_level() -> None:
 def random_one(rng: random.Random, instructions: int = 25) -> TeamProgram:
     """A team's program in the forms that are written today."""
     program = random_team_program(rng, TARGET, Shape(instructions=instructions, comments=True))
-    write_anew(program.seq, PARTS)
+    normalise(program.seq, PARTS)
     return program
 
 

@@ -10,7 +10,7 @@ import kitrobot
 from kitrobot.mission import FailureKind
 from kitrobot.sim.sweep import Fault, Field, Task, run_task
 from kitrobot.workspace import RunOptions
-from kitrobot.workspace.running import PreparedRun
+from kitrobot.workspace.mission_run import PreparedRun
 from kitrobot.workspace.sweep import Sweep, SweepOptions, run_sweep
 from tests.effort import THOROUGH
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from kitrobot.exercise import RunGoal, read_exercise
-from kitrobot.workspace.judging import run_seen
+from kitrobot.workspace.exercise_evaluation import collect_run_evidence
 from tests.sim.building import catalogue, empty_world, run_of
 
 SIDE = "Wheel.Advance(60); WAIT(15); Wheel.Stop(); WAIT(5); Motor.AbsoluteTurn(25, 90);"
@@ -39,7 +39,7 @@ def goal(by: str) -> RunGoal:
 )
 def test_what_the_pen_drew_or_what_was_driven_is_the_figure(text: str, by_pen: str | None, by_way: str | None) -> None:
     robot = catalogue().robots["mini-robot"]
-    run = run_seen(run_of({"a": (robot, text)}, empty_world(a=(1000, 1000, 0.4))), 1, True)
+    run = collect_run_evidence(run_of({"a": (robot, text)}, empty_world(a=(1000, 1000, 0.4))), 1, True)
     assert run is not None
     for by, words in (("pen", by_pen), ("way", by_way)):
         fault = goal(by).fault(run)

@@ -9,8 +9,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from kitrobot.exercise import read_exercise, without_hidden
-from kitrobot.workspace.grading_process import shipped_exercises
+from kitrobot.exercise import read_exercise, remove_hidden_parts
+from kitrobot.workspace.grader_process import shipped_exercises
 
 GOALS = [
     "<done{}><label>{}</label></done>",
@@ -42,7 +42,7 @@ def test_nothing_hidden_is_left_and_all_else_is(seed, encoding):
     text, shown = made(random.Random(seed))
     before, problems = read_exercise(text.encode(encoding), "e.exercise.xml")
     assert before is not None, problems
-    data = without_hidden(text.encode(encoding), "e.exercise.xml")
+    data = remove_hidden_parts(text.encode(encoding), "e.exercise.xml")
     after, problems = read_exercise(data, "e.exercise.xml")
     assert problems == []
     assert after is not None
@@ -57,10 +57,10 @@ def test_an_exercise_without_anything_hidden_stays_as_it_is():
     for path in shipped_exercises():
         data = path.read_bytes()
         if b"hidden" not in data and b"<!--" not in data:
-            assert without_hidden(data, path.name) == data
+            assert remove_hidden_parts(data, path.name) == data
 
 
 @pytest.mark.parametrize("data", [b"", b"<exercise", b"\xff\xfe<", b"<!DOCTYPE a><a/>", b"\xff"])
 def test_what_is_no_exercise_is_refused(data):
     with pytest.raises(ValueError):
-        without_hidden(data, "x")
+        remove_hidden_parts(data, "x")

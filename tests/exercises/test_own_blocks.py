@@ -11,7 +11,7 @@ from kitrobot.lll import parse
 from kitrobot.mission import Mission
 from kitrobot.primitives import Constructor, read_own
 from kitrobot.workspace import SearchPath, open_mission, with_mission
-from kitrobot.workspace.judging import programs_seen
+from kitrobot.workspace.exercise_evaluation import collect_program_evidence
 from tests.exercises.handing_in import FOLDER
 
 
@@ -39,7 +39,7 @@ def with_blocks(*blocks: Constructor, text: str = "Wheel.Stop();", uses: int = 1
 
 
 def seen(mission: Mission, given: tuple[Constructor, ...] = ()):
-    return programs_seen(with_mission(mission, "x.krt", SearchPath(FOLDER)), given)
+    return collect_program_evidence(with_mission(mission, "x.krt", SearchPath(FOLDER)), given)
 
 
 def uses(part: str, times: int = 1) -> Uses:

@@ -10,9 +10,9 @@ import xmlschema
 
 import kitrobot.primitives
 from kitrobot.exercise import read_exercise
+from kitrobot.exercise.exercise_xml import KINDS, MOST_GOALS, MOST_SEEDS
 from kitrobot.exercise.goals import CheckGoal, Done, Draws, Parts
 from kitrobot.exercise.model import Seed
-from kitrobot.exercise.reading import KINDS, MOST_GOALS, MOST_SEEDS
 from tests.primitives.samples import EXERCISE, messages
 
 GOAL = "<done><label>D</label></done>"

@@ -6,26 +6,26 @@ from dataclasses import replace
 
 import pytest
 
-from kitrobot.exercise.evidence import ProgramsSeen
-from kitrobot.translation.rendering import translated
+from kitrobot.exercise.evidence import ProgramEvidence
+from kitrobot.translation.translator import translate_to
 from kitrobot.workspace import SearchPath, open_mission
+from kitrobot.workspace.exercise_evaluation import Evaluation, EvaluationOptions, evaluate_submission, open_handed_in
 from kitrobot.workspace.exercises import programs_of
+from kitrobot.workspace.grader_process import goal_grade, ready_exercise, shipped_exercises
 from kitrobot.workspace.grades import Grade
-from kitrobot.workspace.grading_process import goal_grade, ready_exercise, shipped_exercises
-from kitrobot.workspace.judging import Judgement, JudgingOptions, judge, open_handed_in
 from tests.exercises.handing_in import FOLDER, exercise_file, submission
 from tests.exercises.solutions import SOLVED, WRONG, Programs
 
 NAMES = sorted(SOLVED)
 
 
-def judged(name: str, programs: Programs) -> Judgement:
+def judged(name: str, programs: Programs) -> Evaluation:
     ready = ready_exercise(exercise_file(name))
     opened = open_handed_in(ready.start, submission(name, programs), SearchPath(FOLDER))
-    return judge(ready.exercise, opened, JudgingOptions(hidden=True))
+    return evaluate_submission(ready.exercise, opened, EvaluationOptions(hidden=True))
 
 
-def missed(made: Judgement) -> list[int]:
+def missed(made: Evaluation) -> list[int]:
     return [number for number, verdict in enumerate(made.verdicts, 1) if not verdict.reached]
 
 
@@ -46,7 +46,7 @@ def test_a_model_solution_reaches_every_goal_and_a_wrong_one_is_told_which_it_mi
     assert graded(wrong, begun).points < graded(wrong, begun).of
 
 
-def graded(made: Judgement, begun: Judgement) -> Grade:
+def graded(made: Evaluation, begun: Evaluation) -> Grade:
     """The row of a submission, of an exercise whose beginning was judged so."""
     pairs = zip(map(goal_grade, made.verdicts), begun.verdicts, strict=True)
     return Grade("x", {}, tuple(replace(goal, condition=bool(start.reached)) for goal, start in pairs))
@@ -72,8 +72,8 @@ def test_what_was_found_before_judging_is_stopped_is_kept_and_nothing_else_is_sa
 
     def reached(pieces: int) -> list[bool | None]:
         over: list[int] = []
-        options = JudgingOptions(stop=lambda: len(over) >= pieces, seeds=(1, 2))
-        made = judge(ready.exercise, opened, options, lambda done, _: over.append(done))
+        options = EvaluationOptions(stop=lambda: len(over) >= pieces, seeds=(1, 2))
+        made = evaluate_submission(ready.exercise, opened, options, lambda done, _: over.append(done))
         return [verdict.reached for verdict in made.verdicts]
 
     assert [reached(pieces) for pieces in (0, 1, 2, 9)] == [
@@ -99,8 +99,8 @@ def test_what_was_found_before_judging_is_stopped_is_kept_and_nothing_else_is_sa
 def test_a_part_that_is_missed_is_called_as_on_the_page(name: str, number: int, english: str, french: str) -> None:
     why = judged(name, {}).verdicts[number - 1].why
     assert why is not None
-    assert (str(why), translated(why, "fr")) == (english, french)
+    assert (str(why), translate_to(why, "fr")) == (english, french)
 
 
 def test_a_part_that_no_robot_of_the_mission_has_is_called_by_its_name() -> None:
-    assert str(ProgramsSeen({}, {}).called("Wings.Flap")) == "Wings.Flap"
+    assert str(ProgramEvidence({}, {}).label_of("Wings.Flap")) == "Wings.Flap"

@@ -51,34 +51,34 @@ def test_a_second_page_gets_a_journal_of_its_own(journals):
 def test_a_page_is_told_how_many_others_have_its_mission(journals):
     first, _ = working(journals)
     second = journals.join()
-    assert journals.news(first).others == 0
+    assert journals.status_of(first).others == 0
     journals.claim(second, "a.krt")
-    assert (journals.news(first).others, journals.news(second).others) == (1, 1)
+    assert (journals.status_of(first).others, journals.status_of(second).others) == (1, 1)
     journals.leave(second)
-    assert journals.news(first).others == 0
+    assert journals.status_of(first).others == 0
 
 
 def test_pages_on_new_missions_are_strangers(journals):
     first, _ = working(journals, "")
     second, _ = working(journals, "")
-    assert (journals.news(first).others, journals.news(second).others) == (0, 0)
+    assert (journals.status_of(first).others, journals.status_of(second).others) == (0, 0)
 
 
 def test_news_follow_the_file(journals, folder):
     tab, _ = working(journals)
-    before = journals.news(tab).revision
+    before = journals.status_of(tab).revision
     assert before == folder.read("a.krt")[1]
     (folder.root / "a.krt").write_text('<kitrobot version="1">  </kitrobot>')
-    assert journals.news(tab).revision == folder.read("a.krt")[1] != before
+    assert journals.status_of(tab).revision == folder.read("a.krt")[1] != before
     (folder.root / "a.krt").unlink()
-    assert journals.news(tab).revision == ""
+    assert journals.status_of(tab).revision == ""
 
 
 def test_a_new_mission_begins_empty_and_its_work_is_listed_when_it_is_left(journals):
     tab, journal = working(journals, "")
-    assert journals.left() == []
+    assert journals.orphaned() == []
     journals.leave(tab)
-    assert [(left.journal, left.path) for left in journals.left()] == [(journal, "")]
+    assert [(left.journal, left.path) for left in journals.orphaned()] == [(journal, "")]
     fresh = journals.join()
     assert journals.claim(fresh, "").records == ()
     assert journals.claim(fresh, "", journal).records == ("base", "one")
@@ -87,7 +87,7 @@ def test_a_new_mission_begins_empty_and_its_work_is_listed_when_it_is_left(journ
 def test_saved_work_is_not_listed_but_its_history_comes_back(journals):
     tab, _ = working(journals, unsaved=False)
     journals.leave(tab)
-    assert journals.left() == []
+    assert journals.orphaned() == []
     assert journals.claim(journals.join(), "a.krt").records == ("base", "one")
 
 
@@ -101,11 +101,11 @@ def test_a_journal_without_records_is_gone(journals, folder):
 
 def test_what_is_forgotten_is_gone_and_what_is_written_stays(journals):
     tab, journal = working(journals)
-    journals.forget(journal)
+    journals.discard(journal)
     journals.leave(tab)
-    assert len(journals.left()) == 1
-    journals.forget(journal)
-    assert journals.left() == []
+    assert len(journals.orphaned()) == 1
+    journals.discard(journal)
+    assert journals.orphaned() == []
 
 
 def test_records_that_do_not_follow_are_refused_and_a_whole_journal_mends_it(journals):
@@ -152,7 +152,7 @@ def test_another_process_on_the_same_folder_takes_nothing_that_is_being_written(
     code = (
         "import sys; from pathlib import Path; from kitrobot.files import Journals, MissionFolder\n"
         "journals = Journals(MissionFolder(Path(sys.argv[1])), Path(sys.argv[2]))\n"
-        "print(len(journals.left()), len(journals.claim(journals.join(), 'a.krt').records))"
+        "print(len(journals.orphaned()), len(journals.claim(journals.join(), 'a.krt').records))"
     )
     command = [sys.executable, "-c", code, str(folder.root), str(tmp_path / "state")]
     ended = subprocess.run(command, capture_output=True, text=True, timeout=PATIENCE_S, check=True)
@@ -169,7 +169,7 @@ def test_what_a_killed_process_was_writing_is_free_for_the_next(folder, tmp_path
     command = [sys.executable, "-c", code, str(folder.root), str(tmp_path / "state")]
     subprocess.run(command, capture_output=True, timeout=PATIENCE_S, check=False)
     journals = Journals(folder, tmp_path / "state")
-    assert len(journals.left()) == 1
+    assert len(journals.orphaned()) == 1
     assert journals.claim(journals.join(), "a.krt").records == ("base", "one")
 
 
@@ -205,9 +205,9 @@ def test_files_that_are_no_journals_stand_in_nobodys_way_and_stay(journals, fold
     odd = folder.root / ".kitrobot" / "journal" / "00000000000000aa.journal"
     odd.write_bytes(data)
     os.utime(odd)
-    closed = [str(one.problem) for one in journals.left() if one.problem]
+    closed = [str(one.problem) for one in journals.orphaned() if one.problem]
     assert closed == (["this journal was written by a later KitRobot"] if b"journal 9" in data else [])
     assert journals.claim(journals.join(), "a.krt").records == ("base", "one")
     assert odd.read_bytes() == data
-    journals.forget(odd.stem)
+    journals.discard(odd.stem)
     assert not odd.exists()

@@ -34,7 +34,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from kitrobot.classroom import ClassRoom, Desk, Entrance, TakenNameError, WrongNameError
+from kitrobot.classroom import Admission, ClassRoom, InvalidNameError, NameTakenError, TeacherActions
 from kitrobot.classroom.names import as_file_name, free_name, is_file_name, key_of
 from kitrobot.files import Journal, MissionNameError, read_journal, write_journal
 from kitrobot.files.folder import MissionFolder
@@ -62,9 +62,9 @@ from kitrobot.server.assignments import is_plain, pack, unpack
 from kitrobot.text import name_form
 from kitrobot.trace import TracePart
 from kitrobot.workspace import board_labels
-from kitrobot.workspace.kept_maps import read_map, write_map
-from kitrobot.workspace.kept_programs import keep_carried, keep_names, kept_carried, kept_names
+from kitrobot.workspace.json_store import read_entries, write_entries
 from kitrobot.workspace.previews import Preview, preview_from, preview_text, read_previews
+from kitrobot.workspace.sent_programs import load_names, load_recording_context, store_names, store_recording_context
 from tests.effort import examples
 
 DEVICES = ["con", "Aux", "NUL", "prn", "com1", "LPT³", "conin$"]
@@ -119,10 +119,10 @@ def test_a_class_opens_again_whatever_its_pupils_are_called(
     room = ClassRoom(folder)
     for name in names:
         try:
-            Entrance(room).join(room.record.code, name, "", "x")
-        except (WrongNameError, TakenNameError):
+            Admission(room).join(room.record.code, name, "", "x")
+        except (InvalidNameError, NameTakenError):
             continue
-    name, _ = Desk(room).hand_out(handed, b"<kitrobot/>")
+    name, _ = TeacherActions(room).hand_out(handed, b"<kitrobot/>")
     room.close()
     again = ClassRoom(folder)
     again.close()
@@ -139,10 +139,10 @@ def test_what_is_handed_in_is_listed_and_read(
     tmp_path_factory: pytest.TempPathFactory, files: list[tuple[str, bytes]]
 ) -> None:
     room = ClassRoom(tmp_path_factory.mktemp("class"))
-    pupil, _ = Entrance(room).join(room.record.code, "Ada", "", "x")
+    pupil, _ = Admission(room).join(room.record.code, "Ada", "", "x")
     for name, data in files:
         handed = room.hand_in(pupil, name, data, "")
-        assert room.read_work(pupil, handed.name) == (data, handed.revision)
+        assert room.read_submission(pupil, handed.name) == (data, handed.revision)
         assert room.hand_in(pupil, handed.name, data + b".", handed.revision).name == handed.name
     room.close()
 
@@ -151,8 +151,8 @@ def test_what_is_handed_in_is_listed_and_read(
 @given(ODD)
 def test_what_is_handed_out_is_read(tmp_path_factory: pytest.TempPathFactory, name: str) -> None:
     room = ClassRoom(tmp_path_factory.mktemp("class"))
-    pupil, _ = Entrance(room).join(room.record.code, "Ada", "", "x")
-    Desk(room).hand_out(name, b"1")
+    pupil, _ = Admission(room).join(room.record.code, "Ada", "", "x")
+    TeacherActions(room).hand_out(name, b"1")
     assert room.read_handed(pupil) == b"1"
     room.close()
 
@@ -310,13 +310,13 @@ def in_state(tmp_path_factory: pytest.TempPathFactory, monkeypatch: pytest.Monke
 def test_small_maps_come_back(tmp_path_factory: pytest.TempPathFactory, found: dict[str, Any]) -> None:
     with pytest.MonkeyPatch.context() as patch:
         in_state(tmp_path_factory, patch)
-        write_map("some", found, 1000)
-        assert read_map("some") == found
+        write_entries("some", found, 1000)
+        assert read_entries("some") == found
 
 
 def test_a_map_that_is_too_large_to_be_read_loses_its_oldest_entries_and_no_more(state: Path) -> None:
-    write_map("some", {f"usb {number:04}": "آ" * 200 for number in range(1000)}, 1000)
-    found = read_map("some")
+    write_entries("some", {f"usb {number:04}": "آ" * 200 for number in range(1000)}, 1000)
+    found = read_entries("some")
     assert 350 < len(found) < 1000
     assert [*found][-1] == "usb 0999"
 
@@ -330,7 +330,7 @@ def test_labels_come_back(tmp_path_factory: pytest.TempPathFactory, labels: list
         for number, label in enumerate(labels):
             address = f"socket://board-{number}"
             try:
-                kept = board_labels.keep_label(address, label)
+                kept = board_labels.store_label(address, label)
             except board_labels.LabelError:
                 continue
             expected = {
@@ -353,10 +353,10 @@ def test_what_is_stored_of_a_program_comes_back(
         carried = RecordingContext(
             program, robot, (TracePart(program, robot),), names, (3,), {4: (program, robot, (5, 6))}
         )
-        keep_names(made, ["0123abcd"])
-        keep_carried(carried, ["0123abcd"])
-        assert kept_names("0123abcd") == made
-        assert kept_carried("0123abcd") == carried
+        store_names(made, ["0123abcd"])
+        store_recording_context(carried, ["0123abcd"])
+        assert load_names("0123abcd") == made
+        assert load_recording_context("0123abcd") == carried
 
 
 @given(st.lists(st.text(alphabet="a\n\r\x85\u2028\u2029é", max_size=6), max_size=3))

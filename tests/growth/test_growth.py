@@ -62,7 +62,7 @@ def small_limits(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     """Nothing of the user's own is read, and what is done up to a limit only comes to its limit early."""
     monkeypatch.setenv("KITROBOT_CONFIG", str(tmp_path / "no-config"))
     monkeypatch.setattr("kitrobot.text.suggestions._COMPARED", 10)
-    monkeypatch.setattr("kitrobot.xml.reading.MAX_PROBLEMS", 20)
+    monkeypatch.setattr("kitrobot.xml.reader.MAX_PROBLEMS", 20)
     # What is the same for every file would only hide how the rest grows.
     for module in ("search_path", "conversion"):
         monkeypatch.setattr(f"kitrobot.workspace.{module}.load_catalogue", lambda folders=(): _catalogue())

@@ -11,7 +11,7 @@ from kitrobot.compiler import compile_text
 from kitrobot.diagnostics import Diagnostic, with_help
 from kitrobot.lll import print_program
 from kitrobot.lll.tokens import END, tokenise
-from kitrobot.translation.rendering import translated
+from kitrobot.translation.translator import translate_to
 from tests.strategies import Shape, random_program, shipped_robots
 
 BUDGET = int(os.environ.get("KITROBOT_BUDGET", "200"))
@@ -70,4 +70,4 @@ def test_each_problem_has_a_place_a_message_and_a_help_in_three_languages() -> N
             for language in ("fr", "ur"):
                 for sentence in (one.message, one.help):
                     assert sentence
-                    assert translated(sentence, language) != sentence, (language, sentence)
+                    assert translate_to(sentence, language) != sentence, (language, sentence)

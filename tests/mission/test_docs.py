@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from pathlib import Path
 
-from kitrobot.mission.reading import MISSION
+from kitrobot.mission.reader import MISSION
 from kitrobot.mission.trial import TRIAL, FailureKind
 from kitrobot.workspace import open_mission
 

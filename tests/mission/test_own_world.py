@@ -15,7 +15,7 @@ from kitrobot.mission import Mission, read_mission, write_mission
 from kitrobot.server.shapes import MissionShape, mission_from_shape, mission_shape
 from kitrobot.versions import differences, merge_missions
 from kitrobot.workspace import SearchPath, open_mission
-from kitrobot.workspace.opening import with_mission
+from kitrobot.workspace.mission_loader import with_mission
 from kitrobot.world import SHIPPED, Wall, World, check_plan, read_world, write_world
 from tests.strategies.worlds import worlds
 

@@ -9,11 +9,11 @@ from kitrobot.primitives import (
     Choice,
     Meaning,
     Parameter,
+    format_value,
     load_catalogue,
     read_constructors,
     read_own,
     read_robot,
-    reading,
     write_constructor,
 )
 from kitrobot.sim.devices.display import IMAGES, SIDE
@@ -236,11 +236,11 @@ def test_terms_of_the_paper_have_plain_labels_and_keep_their_names(
 def test_a_terminal_shows_what_a_sensor_measures_with_its_unit(said: str, value: int, words: str) -> None:
     made, problems = read_robot(robot(f'<sensor name="Eye" device="range" {said}/>').encode(), "f.xml")
     assert made is not None, problems
-    assert reading(made.sensors[0], value, 200) == words
+    assert format_value(made.sensors[0], value, 200) == words
 
 
 def test_a_named_value_is_shown_by_its_name() -> None:
     text = '<sensor name="Eye" device="colour" min="0" max="2"><choice value="1"><label>red</label></choice></sensor>'
     made, problems = read_robot(robot(text).encode(), "f.xml")
     assert made is not None, problems
-    assert [reading(made.sensors[0], value) for value in (0, 1)] == ["0", "red"]
+    assert [format_value(made.sensors[0], value) for value in (0, 1)] == ["0", "red"]

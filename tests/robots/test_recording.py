@@ -15,7 +15,7 @@ from kitrobot.robots.recording import MOST_FILLED
 from kitrobot.robots.state import Activity
 from kitrobot.trace import PERSON, PROGRAM, ROBOT, TraceError, TraceReader
 from kitrobot.workspace import load_board_program, open_trace, state_at, summary_of
-from kitrobot.workspace.kept_programs import keep_carried, keep_names, kept_carried
+from kitrobot.workspace.sent_programs import load_recording_context, store_names, store_recording_context
 from tests.boards.host import write_pulse
 from tests.robots.twin import Clock, Twin
 
@@ -247,15 +247,15 @@ def test_what_a_recording_carries_is_kept_and_found_again(tmp_path, monkeypatch)
     monkeypatch.setenv("KITROBOT_STATE", str(tmp_path / "state"))
     program = load_board_program(write_pulse(tmp_path))
     assert program.recording_context is not None
-    keep_names(program.names, ["0123abcd"])
-    keep_carried(program.recording_context, ["0123abcd"])
-    assert kept_carried("0123abcd") == program.recording_context
+    store_names(program.names, ["0123abcd"])
+    store_recording_context(program.recording_context, ["0123abcd"])
+    assert load_recording_context("0123abcd") == program.recording_context
     assert [part.file for part in program.recording_context.parts] == ["pulser.robot.xml"]
-    assert kept_carried("0123abce") is None
-    assert kept_carried("../0123abcd") is None
+    assert load_recording_context("0123abce") is None
+    assert load_recording_context("../0123abcd") is None
     file = tmp_path / "state" / "boards" / "0123abcd.carried"
     for damage in ("", "[]", '{"mission": 1}', file.read_text()[:-40]):
         file.write_text(damage)
-        assert kept_carried("0123abcd") is None
-    keep_carried(None, ["0123abcd"])
+        assert load_recording_context("0123abcd") is None
+    store_recording_context(None, ["0123abcd"])
     assert not file.exists()

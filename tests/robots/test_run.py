@@ -11,7 +11,7 @@ from kitrobot.diagnostics import KitRobotError
 from kitrobot.robots import InstalledProgram, RecordedBoard, RobotSession, RobotsRun
 from kitrobot.server.run_encoder import RunEncoder
 from kitrobot.trace import AbilityError, RunSource, TickRecord, walk
-from kitrobot.translation import reading_in, said
+from kitrobot.translation import override_language, translate
 from kitrobot.workspace import load_board_program
 from tests.boards.host import write_pulse
 from tests.robots.twin import Clock, Twin
@@ -56,8 +56,8 @@ def test_robots_are_a_source_that_can_be_forced_and_set_but_not_made_to_fail(mad
     assert made.twins[0].asked == []
     assert made.twins[1].asked == [("force", 1, 1), ("set", COUNT, 7)]
     assert [event.agent for event in source.events(10)] == [1, 1]
-    with reading_in("fr"):
-        told = [said(event.text) for event in source.events(10)]
+    with override_language("fr"):
+        told = [translate(event.text) for event in source.events(10)]
     assert told == ["ButtonA maintenu à la main : true", "Count réglé à la main : 7"]
     for refused in (
         lambda: source.fail("a", "fail"),

@@ -21,7 +21,7 @@ from kitrobot.robots import (
 from kitrobot.robots.names import BoardNames
 from kitrobot.robots.session import LOOK_S
 from kitrobot.robots.state import Activity
-from kitrobot.translation import reading_in, said
+from kitrobot.translation import override_language, translate
 from tests.robots.twin import Clock, Twin
 
 NAMES = BoardNames("walk", "rover", 20, {"Eye": 1}, {"Count": 2}, ("Motor",), (0,), (("v1", 1, "Motor.Go();"),))
@@ -130,8 +130,8 @@ def test_what_is_done_by_hand_is_told_in_the_words_of_the_palette_with_the_unit(
         "Distance sensor no longer held",
     ]
     [first, *_] = [event.text for change in visit.changes for event in change.events]
-    with reading_in("fr"):
-        assert said(first) == "Capteur de distance maintenu à la main : 12 cm"
+    with override_language("fr"):
+        assert translate(first) == "Capteur de distance maintenu à la main : 12 cm"
 
 
 def test_one_that_is_held_is_stopped_when_it_began_anew() -> None:

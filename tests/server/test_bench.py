@@ -6,7 +6,7 @@ import shutil
 from pathlib import Path
 
 from kitrobot.server.robot_bench import RobotBench, steps_message
-from kitrobot.translation import reading_in, said
+from kitrobot.translation import override_language, translate
 from kitrobot.workspace.bench import bench_of
 from kitrobot.workspace.bench_run import BenchRun
 from kitrobot.workspace.kit_files import find_kit
@@ -111,8 +111,8 @@ def test_a_fault_that_names_another_part_than_the_tried_one_is_told_at_the_part_
             tried.check()
         assert [one.step for one in failed] == [bench.steps.index(crane)]
         assert str(failed[0].message).startswith("`Crane arm` failed")
-        with reading_in("ur"):
-            assert said(failed[0].message).startswith("`کرین کا بازو`")
+        with override_language("ur"):
+            assert translate(failed[0].message).startswith("`کرین کا بازو`")
         # Where nobody sees labels it is what LLL calls it.
         assert str(tried._broken[crane.key]).startswith("`Crane` failed")
 
@@ -139,7 +139,7 @@ def test_a_part_that_a_kit_lacks_and_the_steps_of_the_others_are_told_in_the_lan
     told = {"en": "It has no range finder.", "fr": "Il n’a pas de télémètre.", "ur": "اس میں فاصلہ پیما نہیں ہے۔"}
     none = {"en": "The kit `pololu-3pi` has none.", "fr": "Le kit `pololu-3pi` n'en a pas.", "ur": "کٹ"}
     for language, why in told.items():
-        with reading_in(language):
+        with override_language(language):
             message = steps_message("COM3", bench).model_dump(mode="json")
         left_out = {part["part"]: part["why"] for part in message["left_out"]}
         assert left_out["Captor"] == why

@@ -234,14 +234,14 @@ def test_what_a_request_asked_for_is_broken_off_when_nobody_waits_any_more(app, 
 def test_a_judgement_is_broken_off_when_its_page_hangs_up(app, page, monkeypatch: pytest.MonkeyPatch) -> None:
     begun, ended = threading.Event(), threading.Event()
 
-    def judge(exercise: Any, opened: Any, options: Any, **more: Any) -> Any:
+    def evaluate_submission(exercise: Any, opened: Any, options: Any, **more: Any) -> Any:
         begun.set()
         while not options.stop():
             pass
         ended.set()
         raise KitRobotError(Sentence("nothing was judged"))
 
-    monkeypatch.setattr(exercise_routes, "judge", judge)
+    monkeypatch.setattr(exercise_routes, "evaluate_submission", evaluate_submission)
     start = page.get("/api/mission", params={"path": "example:exercises/03-square.krt"}).json()["mission"]
     asked = {"exercise": "example:exercises/03-square.exercise.xml", "mission": start, "seed": 1}
 

@@ -13,7 +13,7 @@ from hypothesis import strategies as st
 
 from kitrobot.server import create_app
 from kitrobot.server.shapes.mission import MOST_VERTICES
-from kitrobot.workspace import KeptPrograms
+from kitrobot.workspace import CompileCache
 from kitrobot.workspace.compile_cache import MOST_NAMED, MOST_STATES
 from tests.effort import examples
 from tests.server.conftest import HOST, TOKEN, TestClient, whole, whole_report
@@ -162,7 +162,7 @@ def test_a_window_that_was_left_alone_goes_on_while_another_edits(page: TestClie
 
 
 def test_names_are_forgotten_at_last_the_oldest_first(page: TestClient, mission: Mission) -> None:
-    page.app.state.studio.programs = KeptPrograms(most_vertices=4)  # type: ignore[attr-defined]
+    page.app.state.studio.programs = CompileCache(most_vertices=4)  # type: ignore[attr-defined]
     names = [name_in(check(page, waiting(mission, str(number)))) for number in range(MOST_NAMED + 1)]
     wanted = [{"mission": rows(mission, name, [[0, 4]]), "path": PATH} for name in reversed(names)]
     assert [page.post("/api/check", json=one).status_code for one in wanted[-2:]] == [200, 410]
@@ -208,7 +208,7 @@ def test_a_request_that_is_cut_off_is_refused(page: TestClient, mission: Mission
 
 
 def test_a_program_that_is_too_large_for_what_is_kept_has_no_name(page: TestClient, mission: Mission) -> None:
-    page.app.state.studio.programs = KeptPrograms(most_vertices=0)  # type: ignore[attr-defined]
+    page.app.state.studio.programs = CompileCache(most_vertices=0)  # type: ignore[attr-defined]
     assert check(page, mission)["programs"][0]["known"] == ""
 
 

@@ -10,7 +10,7 @@ import orjson
 
 from kitrobot.server.broadcast import RunUpdate, Watcher
 from kitrobot.server.shapes import ErrorMessage, StateMessage
-from kitrobot.translation import reading_in
+from kitrobot.translation import override_language
 from tests import coroutines
 
 
@@ -109,11 +109,11 @@ def test_news_are_encoded_once_for_all_who_read_them(monkeypatch):
     monkeypatch.setattr(orjson, "dumps", counted)
     silent, spoken = RunUpdate(b"", news(1, {}, [])), RunUpdate(b"", news(1, {}, ["its program has ended"]))
     for language in ("en", "fr", "ur", "fr"):
-        with reading_in(language):
+        with override_language(language):
             silent.text()
     assert len(made) == 1, "without words one text is for every language"
     for language in ("en", "fr", "ur", "fr"):
-        with reading_in(language):
+        with override_language(language):
             spoken.text()
     assert len(made) == 4
 

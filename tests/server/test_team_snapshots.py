@@ -17,7 +17,7 @@ from kitrobot.trace import TEAM, TraceError, TraceHeader, TraceReader
 from kitrobot.trace.header import header_from_json, header_to_json
 from kitrobot.workspace import open_mission
 from kitrobot.workspace.first_team import first_team
-from kitrobot.workspace.opening import with_mission
+from kitrobot.workspace.mission_loader import with_mission
 from kitrobot.workspace.search_path import SearchPath
 
 EXAMPLES = Path(__file__).parents[2] / "examples"

@@ -14,7 +14,7 @@ from kitrobot.diagnostics import KitRobotError
 from kitrobot.sim import Simulation
 from kitrobot.sim.timeline import PIECE, Intervention, Timeline
 from kitrobot.trace import walk
-from kitrobot.translation.rendering import translated
+from kitrobot.translation.translator import translate_to
 from tests.effort import examples
 from tests.sim.building import catalogue, empty_world, run_of
 
@@ -212,4 +212,4 @@ def test_what_cannot_be_done_changes_nothing(agent: str, name: str) -> None:
 def test_what_somebody_did_names_a_sensor_as_the_page_does_in_the_readers_language() -> None:
     timeline = Timeline(fresh())
     timeline.force("loader", "Presence", 1)
-    assert translated(timeline.events[-1].text, "fr") == "Porteur maintenu à la main : là"
+    assert translate_to(timeline.events[-1].text, "fr") == "Porteur maintenu à la main : là"

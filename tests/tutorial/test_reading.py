@@ -12,7 +12,7 @@ import xmlschema
 import kitrobot.primitives
 from kitrobot.lll import Call, Repeat, While, parse
 from kitrobot.tutorial import EVENTS, GroupWant, Point, SpareWant, read_tutorial, steps_fit
-from kitrobot.tutorial.reading import BUTTONS, DEEPEST_PATTERN, MOST_STEPS, PANELS
+from kitrobot.tutorial.tutorial_xml import BUTTONS, DEEPEST_PATTERN, MOST_STEPS, PANELS
 from tests.primitives.samples import TUTORIAL, messages
 
 

@@ -7,7 +7,7 @@ from pathlib import Path
 from kitrobot.sim import Simulation
 from kitrobot.verifier import Budget, CheckResult, Model, Timing, abstract_run, check_properties, ready_properties
 from kitrobot.workspace import RunOptions, open_mission
-from kitrobot.workspace.running import PreparedRun
+from kitrobot.workspace.mission_run import PreparedRun
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
 TRANSPORT = (EXAMPLES / "transport" / "transport.krt").read_text(encoding="utf-8")

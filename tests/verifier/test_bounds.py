@@ -7,8 +7,8 @@ import tracemalloc
 
 import pytest
 
-from kitrobot.exercise.reading import PROPERTIES
-from kitrobot.mission.asked import READY, READY_OF_AGENTS, is_ready
+from kitrobot.exercise.exercise_xml import PROPERTIES
+from kitrobot.mission.property_xml import READY, READY_OF_AGENTS, is_ready
 from kitrobot.sim import Simulation
 from kitrobot.verifier import (
     AbstractionError,

@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from kitrobot.sim import Simulation
-from kitrobot.translation.rendering import translated
+from kitrobot.translation.translator import translate_to
 from kitrobot.verifier import Timing, abstract_run
 from kitrobot.workspace.verification import Verification, VerificationOptions, verify_runs
 from tests.sim.building import avatar, empty_world, run_of
@@ -77,6 +77,6 @@ def test_a_reading_is_told_as_the_palette_names_it_with_its_unit_or_choice(
     [finding] = made.columns[0].findings
     *_, reads, _, needs = (text for _, text in finding.story)
     assert str(reads) == english
-    assert translated(reads, "fr").endswith(french)
+    assert translate_to(reads, "fr").endswith(french)
     assert str(needs).endswith(": a: Light below")
     assert str(made.limits[0]).startswith("Light below of a")

@@ -12,7 +12,7 @@ from kitrobot.diagnostics import ProblemsError
 from kitrobot.graph import Arc, Vertex
 from kitrobot.lll import RoleDeclaration, WorkDeclaration
 from kitrobot.primitives import Level
-from kitrobot.translation import reading_in, said
+from kitrobot.translation import override_language, translate
 from kitrobot.versions import CompareError, compare_files, differences, merge_missions
 from tests.versions.test_merging import base, edited, insert
 
@@ -138,8 +138,8 @@ def test_texts_of_two_kits_are_told_apart_language_by_language(tmp_path):
         ("board", "the kit: its label in French changed"),
         ("part", "the kit: sensor range: its help in Urdu changed"),
     ]
-    with reading_in("fr"):
-        assert [said(one.words) for one in found] == [
+    with override_language("fr"):
+        assert [translate(one.words) for one in found] == [
             "le kit : titre en français a changé",
             "le kit : sensor range : aide en ourdou a changé",
         ]

@@ -10,7 +10,7 @@ from kitrobot.primitives import SHIPPED
 from kitrobot.server.shapes.starter import robot_set_shape
 from kitrobot.server.studio import Studio
 from kitrobot.workspace import NoBeginningError
-from kitrobot.workspace.beginnings import NOTHING, read_beginnings
+from kitrobot.workspace.new_mission_choices import NOTHING, read_beginnings
 
 
 @pytest.fixture(scope="module")

@@ -12,7 +12,7 @@ from kitrobot.image import Machine
 from kitrobot.primitives import SHIPPED, Category, Kit, load_catalogue, number_variable, read_kit
 from kitrobot.text import Sentence
 from kitrobot.workspace.bench import NoPartsError, bench_of, program_text
-from kitrobot.workspace.bench_loading import reason_of
+from kitrobot.workspace.bench_loader import reason_of
 from kitrobot.workspace.bench_notes import notes_for, read_bench, shipped_notes
 from kitrobot.workspace.calibration import bench_robot
 

@@ -11,7 +11,7 @@ from serial.tools import list_ports
 
 from kitrobot.diagnostics import KitRobotError
 from kitrobot.files import examples_folder
-from kitrobot.workspace.board_labels import LabelError, keep_label, labels_of
+from kitrobot.workspace.board_labels import LabelError, labels_of, store_label
 from kitrobot.workspace.class_set import MOST_BOARDS, SetError, Wanted, prepare_set, read_set
 
 EXAMPLES = examples_folder()
@@ -51,27 +51,27 @@ def written(folder: Path, text: str | bytes) -> Path:
 
 def test_a_board_keeps_its_label_at_another_port(plugged):
     plugged(Usb("/dev/ttyACM0", "9900A"), Usb("/dev/ttyACM1", "9900B"))
-    assert keep_label("/dev/ttyACM0", "  Red   1 ") == "Red 1"
+    assert store_label("/dev/ttyACM0", "  Red   1 ") == "Red 1"
     plugged(Usb("/dev/ttyACM0", "9900B"), Usb("/dev/ttyACM7", "9900A"))
     assert labels_of(["/dev/ttyACM0", "/dev/ttyACM7"]) == {"/dev/ttyACM7": "Red 1"}
-    keep_label("/dev/ttyACM0", "RED 1")
+    store_label("/dev/ttyACM0", "RED 1")
     assert labels_of(["/dev/ttyACM0", "/dev/ttyACM7"]) == {"/dev/ttyACM0": "RED 1"}, "a label is one board's"
-    keep_label("/dev/ttyACM0", "")
+    store_label("/dev/ttyACM0", "")
     assert labels_of(["/dev/ttyACM0", "/dev/ttyACM7"]) == {}
 
 
 def test_a_board_that_cannot_be_known_again_gets_no_label(plugged):
     plugged(Usb("/dev/ttyUSB0", None))
     with pytest.raises(LabelError, match="no number of its own"):
-        keep_label("/dev/ttyUSB0", "A")
+        store_label("/dev/ttyUSB0", "A")
     with pytest.raises(LabelError, match="no number of its own"):
-        keep_label("/dev/ttyACM9", "A")
+        store_label("/dev/ttyACM9", "A")
 
 
 @pytest.mark.parametrize("label", ["x" * 41, "\x1b[31mred", "\ud800"])
 def test_what_is_no_label_is_refused(plugged, label):
     with pytest.raises(LabelError, match="is no name for a label"):
-        keep_label("socket://h:1", label)
+        store_label("socket://h:1", label)
     assert labels_of(["socket://h:1"]) == {}
 
 
@@ -81,7 +81,7 @@ def test_damaged_labels_are_none(plugged, tmp_path, kept):
     path.parent.mkdir(parents=True)
     path.write_bytes(kept)
     assert labels_of(["socket://h:1"]) == {}
-    assert keep_label("socket://h:1", "x" * 40) == "x" * 40
+    assert store_label("socket://h:1", "x" * 40) == "x" * 40
 
 
 @pytest.mark.parametrize(
@@ -140,7 +140,7 @@ def test_each_board_gets_its_own_and_what_is_wrong_with_one_holds_up_no_other(pl
         Usb("/dev/ttyACM9", "twin"),
     )
     for port, label in (("0", "A"), ("1", "B"), ("2", "C"), ("8", "T")):
-        keep_label(f"/dev/ttyACM{port}", label)
+        store_label(f"/dev/ttyACM{port}", label)
     (tmp_path / "bad.krt").write_text("<kitrobot")
     wanted = [
         Wanted("a", HEART),

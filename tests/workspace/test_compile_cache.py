@@ -7,7 +7,7 @@ from dataclasses import replace
 from kitrobot.compiler import compile_program, graph_to_lll
 from kitrobot.graph import Program
 from kitrobot.primitives import Catalogue, OwnVariable, load_catalogue, read_own
-from kitrobot.workspace import KeptPrograms
+from kitrobot.workspace import CompileCache
 from kitrobot.workspace.compile_cache import MOST_STATES
 from kitrobot.workspace.program_report import program_report
 from tests.compiler.graphs import graph, shipped
@@ -18,7 +18,7 @@ def blink(*, wait: int = 2) -> Program:
 
 
 def test_the_same_program_is_found_again_with_all_that_was_made_of_it() -> None:
-    kept = KeptPrograms()
+    kept = CompileCache()
     first = kept.of(blink(), shipped())
     again = kept.of(blink(), shipped())
     assert again is first
@@ -27,7 +27,7 @@ def test_the_same_program_is_found_again_with_all_that_was_made_of_it() -> None:
 
 
 def test_another_word_anywhere_in_a_program_is_another_program() -> None:
-    kept = KeptPrograms()
+    kept = CompileCache()
     program = blink()
     vertex = program.vertices[-1]
     others = [
@@ -48,7 +48,7 @@ def test_another_word_anywhere_in_a_program_is_another_program() -> None:
 
 
 def test_the_order_of_settings_counts_as_it_does_in_the_text_of_a_call_that_nobody_knows() -> None:
-    kept = KeptPrograms()
+    kept = CompileCache()
     texts = []
     for settings in ({"a": "1", "b": "2"}, {"b": "2", "a": "1"}):
         program = graph("start > a:Lamp.Glow > stop")
@@ -58,12 +58,12 @@ def test_the_order_of_settings_counts_as_it_does_in_the_text_of_a_call_that_nobo
 
 
 def test_parts_that_were_read_anew_are_other_parts() -> None:
-    kept = KeptPrograms()
+    kept = CompileCache()
     assert kept.of(blink(), load_catalogue()) is not kept.of(blink(), load_catalogue())
 
 
 def test_the_same_parts_of_a_mission_extend_a_catalogue_once_and_others_anew() -> None:
-    kept, common = KeptPrograms(), shipped()
+    kept, common = CompileCache(), shipped()
     one, other = variable("Laps"), variable("Turns")
     extended = kept.catalogue(common, [], [one])
     assert kept.catalogue(common, [], [one]) is extended
@@ -77,7 +77,7 @@ def test_the_same_parts_of_a_mission_extend_a_catalogue_once_and_others_anew() -
 def test_what_is_kept_has_a_limit_and_the_oldest_goes_first() -> None:
     program = blink()
     size = len(program.vertices)
-    kept = KeptPrograms(most_vertices=2 * size)
+    kept = CompileCache(most_vertices=2 * size)
     first, second = kept.of(program, shipped()), kept.of(blink(wait=3), shipped())
     assert kept.of(program, shipped()) is first
     kept.of(blink(wait=4), shipped())
@@ -86,7 +86,7 @@ def test_what_is_kept_has_a_limit_and_the_oldest_goes_first() -> None:
 
 
 def test_of_one_program_the_newest_states_are_kept() -> None:
-    kept = KeptPrograms()
+    kept = CompileCache()
     states = [kept.of(blink(wait=wait), shipped()) for wait in range(1, MOST_STATES + 2)]
     assert kept.of(replace(blink(), name="other"), shipped()) not in states
     found = [kept.of(blink(wait=wait), shipped()) for wait in range(2, MOST_STATES + 2)]
@@ -95,13 +95,13 @@ def test_of_one_program_the_newest_states_are_kept() -> None:
 
 
 def test_a_program_beyond_the_limit_is_compiled_all_the_same() -> None:
-    kept = KeptPrograms(most_vertices=1)
+    kept = CompileCache(most_vertices=1)
     assert kept.of(blink(), shipped()).report.instructions > 0
 
 
 def test_a_translation_that_is_there_is_used() -> None:
     translation = graph_to_lll(blink(), shipped())
-    assert KeptPrograms().of(blink(), shipped(), translation).translation is translation
+    assert CompileCache().of(blink(), shipped(), translation).translation is translation
 
 
 def variable(name: str) -> OwnVariable:

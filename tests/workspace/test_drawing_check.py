@@ -14,8 +14,8 @@ from kitrobot.verifier.engines import PLAIN
 from kitrobot.verifier.exploration import explore
 from kitrobot.verifier.trap_detection import record_coverage, unexecuted_instructions
 from kitrobot.workspace import RunOptions, child_processes, open_mission
-from kitrobot.workspace.drawing_check import RUN_S, look, look_through
-from kitrobot.workspace.running import PreparedRun
+from kitrobot.workspace.drawing_check import RUN_S, check_drawing, explore_drawing
+from kitrobot.workspace.mission_run import PreparedRun
 from kitrobot.workspace.verification import runs_of
 from tests.effort import cases
 from tests.sim.team_building import RunningTeam, random_team_program
@@ -97,7 +97,7 @@ def of(text: str, folder: Path) -> PreparedRun:
 def test_a_wait_that_nothing_can_end_is_told_with_a_run_that_shows_it_and_what_never_runs_behind_it(
     tmp_path: Path,
 ) -> None:
-    wait, idle = look_through(of(WAIT, tmp_path), lambda: False, None)
+    wait, idle = check_drawing(of(WAIT, tmp_path), lambda: False, None)
     assert (wait.problem.code, wait.problem.program, wait.problem.vertices) == ("waits-for-ever", "drive", ("first",))
     assert str(wait.problem.message) == "`carrier-1` can come to wait here for ever"
     assert wait.shown is not None
@@ -107,14 +107,14 @@ def test_a_wait_that_nothing_can_end_is_told_with_a_run_that_shows_it_and_what_n
 
 
 def test_where_there_are_no_processes_the_same_is_found_here(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    apart = look_through(of(WAIT, tmp_path), lambda: False, None)
+    apart = check_drawing(of(WAIT, tmp_path), lambda: False, None)
     monkeypatch.setattr(child_processes, "_possible", False)
-    assert look_through(of(WAIT, tmp_path), lambda: False, None) == apart
-    assert look_through(of(WAIT, tmp_path), lambda: True, None) == []
+    assert check_drawing(of(WAIT, tmp_path), lambda: False, None) == apart
+    assert check_drawing(of(WAIT, tmp_path), lambda: True, None) == []
 
 
 def test_a_loop_that_never_lets_go_is_another_thing(tmp_path: Path) -> None:
-    found = look(runs_of(of(LOOP, tmp_path).parts()), 1, None)
+    found = explore_drawing(runs_of(of(LOOP, tmp_path).parts()), 1, None)
     assert [(one.vertex, one.waits) for one in found.traps] == [("first", False)]
 
 
@@ -123,9 +123,9 @@ def test_carriers_that_block_each_other_before_the_goal_are_told_and_nothing_whe
 ) -> None:
     old = '<vertex id="v25" element="Cargo.IsPressed"/>'
     prepared = mutant(tmp_path, (old, old.replace("Pressed", "Released")), carriers=1, stock=1)
-    found = look(runs_of(prepared.parts()), 1, None)
+    found = explore_drawing(runs_of(prepared.parts()), 1, None)
     assert {one.agent for one in found.traps} >= {"carrier-1", "loader", "unloader"}
-    assert look_through(prepared, lambda: True) == []
+    assert check_drawing(prepared, lambda: True) == []
 
 
 @pytest.mark.parametrize(
@@ -137,12 +137,12 @@ def test_carriers_that_block_each_other_before_the_goal_are_told_and_nothing_whe
 )
 def test_nothing_is_said_of_missions_that_are_right_and_of_loops_that_are_meant_to_go_on(name: str) -> None:
     prepared = opened(EXAMPLES / name / f"{name}.krt")
-    assert look(runs_of(prepared.parts()), 1, None) == ((), ())
+    assert explore_drawing(runs_of(prepared.parts()), 1, None) == ((), ())
 
 
 def test_parts_for_another_stock_are_none_that_never_run(tmp_path: Path) -> None:
     """A's manager ends the work where there is no box."""
-    assert look(runs_of(mutant(tmp_path, carriers=2, stock=1).parts()), 1, None) == ((), ())
+    assert explore_drawing(runs_of(mutant(tmp_path, carriers=2, stock=1).parts()), 1, None) == ((), ())
 
 
 def meeting(folder: Path, test: str) -> PreparedRun:
@@ -152,7 +152,7 @@ def meeting(folder: Path, test: str) -> PreparedRun:
 
 
 def test_who_waits_in_vain_in_a_team_is_told_and_so_is_who_waits_for_it_at_a_meeting(tmp_path: Path) -> None:
-    found = look_through(meeting(tmp_path, "Flag.IsTrue"), lambda: False, None)
+    found = check_drawing(meeting(tmp_path, "Flag.IsTrue"), lambda: False, None)
     traps = {(one.problem.code, one.problem.vertices) for one in found if one.shown is not None}
     assert traps == {("waits-for-ever", ("v2",)), ("waits-for-ever", ("v1",))}
     [idle] = [one.problem for one in found if one.shown is None]
@@ -161,7 +161,7 @@ def test_who_waits_in_vain_in_a_team_is_told_and_so_is_who_waits_for_it_at_a_mee
 
 
 def test_what_one_kind_of_robot_does_in_a_team_is_no_part_that_never_runs(tmp_path: Path) -> None:
-    assert look(runs_of(meeting(tmp_path, "Flag.IsFalse").parts()), 1, None) == ((), ())
+    assert explore_drawing(runs_of(meeting(tmp_path, "Flag.IsFalse").parts()), 1, None) == ((), ())
 
 
 @pytest.mark.parametrize("seed", cases([2, 4], [0, 1, 3, 5, 6, 7, *range(8, 200)]))

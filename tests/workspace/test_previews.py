@@ -9,8 +9,8 @@ import pytest
 
 from kitrobot.server.studio import Studio
 from kitrobot.workspace import OpenMission, Previews, shipped_examples
-from kitrobot.workspace.beginnings import PREVIEW_S
 from kitrobot.workspace.example_list import EXAMPLES_XML, LEVELS, read_examples
+from kitrobot.workspace.new_mission_choices import PREVIEW_S
 from kitrobot.workspace.previews import (
     MOST_FRAMES,
     SHIPPED_PREVIEWS,

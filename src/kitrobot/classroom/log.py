@@ -1,6 +1,6 @@
-"""`log.txt` of a class: who came, what was handed in and out, who was refused; a line each, in English.
+"""`log.txt` of a class: who joined, what was handed in and out, who was refused; one line each, in English.
 
-It is appended to and never read; where it cannot be written the class goes on without.
+It is appended to and never read; if it cannot be written, the class goes on without it.
 """
 
 from __future__ import annotations
@@ -26,9 +26,9 @@ class Log:
         self._lock = threading.Lock()
         self._last: deque[str] = deque(maxlen=MOST_SHOWN)
 
-    def say(self, what: str) -> None:
+    def write(self, text: str) -> None:
         """Adds a line."""
-        line = f"{datetime.now():%Y-%m-%d %H:%M:%S}  {' '.join(what.split())}"
+        line = f"{datetime.now():%Y-%m-%d %H:%M:%S}  {' '.join(text.split())}"
         with self._lock:
             self._last.append(line)
             with contextlib.suppress(OSError, ValueError):

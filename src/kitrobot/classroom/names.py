@@ -33,7 +33,7 @@ _BYTES: Final = 160
 _MOST_BYTES: Final = 255
 
 
-class WrongNameError(KitRobotError):
+class InvalidNameError(KitRobotError):
     """A name that nobody can have."""
 
 
@@ -41,18 +41,18 @@ def clean_name(given: str) -> str:
     """A pupil's name as it is kept.
 
     Raises:
-        WrongNameError: nothing of it can be read, or it is too long.
+        InvalidNameError: nothing of it can be read, or it is too long.
     """
     # Marks that turn the direction of what follows would turn the teacher's list, too; joiners belong to some scripts.
     shown = "".join(" " if unicodedata.category(one) in ("Zs", "Zl", "Zp", "Cc") else one for one in given[:1000])
     clean = "".join(one for one in shown if not unicodedata.category(one).startswith("C") or one in "\u200c\u200d")
     name = unicodedata.normalize("NFC", " ".join(word for word in clean.split() if INVISIBLE.sub("", word)))
     if not any(unicodedata.category(one)[0] in "LN" for one in INVISIBLE.sub("", name)):
-        raise WrongNameError(
+        raise InvalidNameError(
             Sentence("this name has no letters"), Sentence("type the name that your teacher knows you by")
         )
     if len(name) > LONGEST_NAME or len(given) > 1000:
-        raise WrongNameError(
+        raise InvalidNameError(
             Sentence("this name is longer than {most} characters", LONGEST_NAME), Sentence("a shorter one will do")
         )
     return name

@@ -1,12 +1,12 @@
-"""What is known of a pupil while the class runs, and in which state that is. Moments are seconds of one clock."""
+"""A pupil of a running class, and the pupil's state. Moments are seconds of one clock."""
 
 from __future__ import annotations
 
 from dataclasses import dataclass, field, replace
 from typing import Final, Literal
 
+from kitrobot.classroom.pupil_status import Turn
 from kitrobot.classroom.record import PupilRecord
-from kitrobot.classroom.told import Turn
 
 STUCK_S: Final = 4 * 60
 """Who ran and edited nothing for so long, and is not at the goal, is stuck."""
@@ -24,7 +24,7 @@ class Goal:
 
 @dataclass(frozen=True)
 class Report:
-    """What a pupil's page says of itself.
+    """The report of a pupil's page.
 
     `edits` and `runs` count; another number than before is something that moved. `exercise` is the one whose `goals`
     they are, "" without.
@@ -59,22 +59,22 @@ class Pupil:
     """Another one with each picture."""
     turn: Turn = "pupil"
     arena: str = ""
-    """What the page shows of its run while the teacher looks on, as it told that."""
+    """The picture of the pupil's run, as its page sent it while the teacher is viewing it."""
 
-    def take(self, report: Report, now: float) -> None:
-        """The page said that."""
+    def take_report(self, report: Report, now: float) -> None:
+        """Stores the report of the pupil's page."""
         before = self.report
         if self.moved is None or report.running or (report.edits, report.runs) != (before.edits, before.runs):
             self.moved = now
         self.report = report
 
-    def comes(self, now: float) -> None:
-        """A page of the pupil is there."""
+    def open_page(self, now: float) -> None:
+        """Records that a page of the pupil connected."""
         self.pages += 1
         self.moved = now if self.moved is None or self.pages == 1 else self.moved
 
-    def goes(self, now: float) -> None:
-        """One of them is gone."""
+    def close_page(self, now: float) -> None:
+        """Records that a page of the pupil disconnected."""
         self.pages = max(0, self.pages - 1)
         if self.pages == 0:
             self.left = now

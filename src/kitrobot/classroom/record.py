@@ -1,10 +1,10 @@
-"""What outlives a class's process: `class.toml` in its folder, which a person can read.
+"""The persistent state of a class: `class.toml` in its folder, which a person can read.
 
-Of secrets it holds digests only; the words by which pupils come back stand there in plain letters, so that a teacher
-can tell a forgetful pupil. Writing puts a whole file in the old one's place, so a kill leaves the old or the new one.
+Of secrets it contains digests only; the words by which pupils come back are in plain text, so that a teacher can remind
+a pupil. Writing replaces the whole file, so a kill leaves the old or the new one.
 
-A pupil whose lines cannot be read is left out of the class, and the others are there: the lines stay in the file word
-for word (`UnreadPupil`), until a person mends them.
+A pupil whose lines cannot be read is left out of the class, and the others remain: the lines stay in the file word for
+word (`UnreadPupil`) until a person corrects them.
 """
 
 from __future__ import annotations

@@ -67,7 +67,7 @@ def try_parts(
     it has. Everything stops when you leave, at Ctrl-C, and within a second when the cable is pulled. With --all or
     --json the exit status is 1 when a part failed.
     """
-    from kitrobot.translation import reading_in
+    from kitrobot.translation import override_language
     from kitrobot.workspace.bench import bench_of
     from kitrobot.workspace.bench_run import BenchRun
     from kitrobot.workspace.calibration import bench_robot
@@ -84,7 +84,7 @@ def try_parts(
     bench = bench_of(find_robot(robot, folder) if robot is not None else bench_robot(), kit, folder)
     address = robot_address(port, to)
     print_message("lift the wheels off the ground")
-    with reading_in(language):
+    with override_language(language):
         with BenchRun(address, bench, send_progress(), replace=replace) as run:
             if by_keys:
                 _control_by_keys(run, bench)
@@ -127,7 +127,7 @@ def _try_steps(run: BenchRun, bench: Bench, seconds: float) -> list[dict[str, An
     Raises:
         KitRobotError: nothing could be tried.
     """
-    from kitrobot.workspace.bench_loading import PartError
+    from kitrobot.workspace.bench_loader import PartError
     from kitrobot.workspace.bench_run import OF_THE_BOARD
 
     rows: list[dict[str, Any]] = []
@@ -152,8 +152,8 @@ def _try_step(
     run: BenchRun, step: BenchStep, seconds: float, gone: KitRobotError | None
 ) -> tuple[dict[str, Any], KitRobotError | None]:
     """Tries one step for `seconds` and returns its result; `gone`: why it cannot be tried any more."""
-    from kitrobot.primitives import reading
-    from kitrobot.translation import said
+    from kitrobot.primitives import format_value
+    from kitrobot.translation import translate
 
     values: list[int] = []
     error = gone
@@ -174,7 +174,7 @@ def _try_step(
         "help": translated(step.trouble),
         "ok": error is None,
         "values": values,
-        "words": [said(reading(step.part, value, run.bench.robot.wait_unit_ms)) for value in values],
+        "words": [translate(format_value(step.part, value, run.bench.robot.wait_unit_ms)) for value in values],
         "late": run.late,
         "slow": slow,
         "error": error_object(error) if error is not None else None,
@@ -183,14 +183,14 @@ def _try_step(
 
 
 def _table(rows: list[dict[str, Any]], bench: Bench) -> None:
-    from kitrobot.translation import said
+    from kitrobot.translation import translate
 
     words = [(_step_name(row["part"], row["call"]), row) for row in rows]
     width = max(len(name) for name, _ in words)
     for name, row in words:
         print_data(f"{name.ljust(width)}  {_result_text(row)}\n")
     for part, why in bench.left_out:
-        print_data(f"{sanitize(part.name).ljust(width)}  not here: {sanitize(said(why))}\n")
+        print_data(f"{sanitize(part.name).ljust(width)}  not here: {sanitize(translate(why))}\n")
 
 
 def _step_name(part: str, call: str) -> str:
@@ -214,13 +214,13 @@ def _result_text(row: dict[str, Any]) -> str:
 def _control_by_keys(run: BenchRun, bench: Bench) -> None:
     """Steps by keys until the person leaves."""
     from kitrobot.cli.key_input import ESCAPE, read_keys
-    from kitrobot.primitives import reading
-    from kitrobot.translation import said
+    from kitrobot.primitives import format_value
+    from kitrobot.translation import translate
     from kitrobot.workspace.bench_run import OF_THE_BOARD
 
     print_message(_HELP)
     for part, why in bench.left_out:
-        print_message(f"not here: {part.name}: {said(why)}")
+        print_message(f"not here: {part.name}: {translate(why)}")
     at, going = 0, False
     with read_keys() as key:
         _show(bench, at)
@@ -231,7 +231,9 @@ def _control_by_keys(run: BenchRun, bench: Bench) -> None:
                 if going and run.is_on:
                     value = run.value
                     words = (
-                        "" if value is None else said(reading(bench.steps[at].part, value, bench.robot.wait_unit_ms))
+                        ""
+                        if value is None
+                        else translate(format_value(bench.steps[at].part, value, bench.robot.wait_unit_ms))
                     )
                     slow = "  (takes longer than a tick)" if run.is_slow else ""
                     _line(f"  on   {sanitize(words)}{slow}")

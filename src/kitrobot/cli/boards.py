@@ -92,9 +92,9 @@ def list_boards(
 def _label(addresses: list[str], label: str, as_json: bool) -> None:
     if len(addresses) != 1:
         raise typer.BadParameter("say with --to which robot it is, once", param_hint="'--label'")
-    from kitrobot.workspace.board_labels import keep_label
+    from kitrobot.workspace.board_labels import store_label
 
-    kept = keep_label(addresses[0], label)
+    kept = store_label(addresses[0], label)
     if as_json:
         print_data(json_text([board_result(addresses[0], None, label=kept)], 2) + "\n")
     print_message(f"{addresses[0]}: the label is {kept}" if kept else f"{addresses[0]}: no label")

@@ -40,11 +40,11 @@ def check_files(
     there is an error, and 0 if there are only warnings and hints. With --board it is 1 when a program cannot be sent.
     """
     from kitrobot.diagnostics import to_json, with_help, written_out
-    from kitrobot.translation import reading_in
+    from kitrobot.translation import override_language
     from kitrobot.workspace import check_file, find_robot
 
     if board is not None:
-        with reading_in(language):
+        with override_language(language):
             check_on_kit(files, board, robot, as_json=as_json)
         return
     if language != "en":

@@ -53,7 +53,7 @@ def _programs(path: Path, kit: Kit, robot: str | None) -> list[ProgramOnKit]:
 
 
 def _write(program: ProgramOnKit, kit: Kit) -> None:
-    from kitrobot.translation import said
+    from kitrobot.translation import translate
 
     heading = f"{sanitize(program.program)} (robot {sanitize(program.robot)}) on {sanitize(kit.name)}:"
     table = [_row(one) for one in program.parts]
@@ -66,9 +66,9 @@ def _write(program: ProgramOnKit, kit: Kit) -> None:
     else:
         if program.problem.diagnostics:
             print_diagnostics(program.problem.diagnostics, getattr(program.problem, "sources", ()))
-        print_message(f"{program.program}: {said(program.problem.message)}")
+        print_message(f"{program.program}: {translate(program.problem.message)}")
         if program.problem.help:
-            print_message(f"  help: {said(program.problem.help)}")
+            print_message(f"  help: {translate(program.problem.help)}")
 
 
 def _row(one: PartOnKit) -> tuple[str, str, str]:
@@ -76,14 +76,14 @@ def _row(one: PartOnKit) -> tuple[str, str, str]:
 
 
 def _words(one: PartOnKit) -> str:
-    from kitrobot.translation import said
+    from kitrobot.translation import translate
 
     if one.found is None or one.found.is_missing:
         why = translated(one.found.help) if one.found is not None else ""
         if one.is_missing:
             return "missing" + (f": {sanitize(why)}" if why else "")
     if one.problem is not None:
-        return f"does not work: {sanitize(said(one.problem.message))}"
+        return f"does not work: {sanitize(translate(one.problem.message))}"
     if one.found is None:
         return "every board has it"
     told = " ".join(f"{name}={value}" for name, value in one.part.board.settings.items())
@@ -91,7 +91,7 @@ def _words(one: PartOnKit) -> str:
 
 
 def _object(program: ProgramOnKit) -> dict[str, Any]:
-    from kitrobot.translation import said
+    from kitrobot.translation import translate
 
     return {
         "program": program.program,
@@ -105,7 +105,7 @@ def _object(program: ProgramOnKit) -> dict[str, Any]:
                 "used": one.is_used,
                 "missing": one.is_missing,
                 "why": translated(one.found.help) if one.found is not None and one.is_missing else "",
-                "problem": said(one.problem.message) if one.problem is not None else "",
+                "problem": translate(one.problem.message) if one.problem is not None else "",
                 "driver": "" if one.is_missing else one.part.board.driver,
                 "settings": {} if one.is_missing else dict(one.part.board.settings),
             }

@@ -40,8 +40,8 @@ def grade_submissions(
     read. The exit status is 0 when every submission reached every goal, and 1 when one did not or cannot be judged.
     """
     from kitrobot.workspace.child_processes import cores
-    from kitrobot.workspace.grading import grade
-    from kitrobot.workspace.grading_process import ready_exercise, shipped_exercises
+    from kitrobot.workspace.class_grader import grade
+    from kitrobot.workspace.grader_process import ready_exercise, shipped_exercises
 
     # Each is read by a process of its own, those of KitRobot too.
     for one in submissions:

@@ -35,6 +35,6 @@ Language = Annotated[
 def translated(texts: Texts) -> str:
     """The text in the reader's language (`kitrobot.translation`), else in English, else ""."""
     from kitrobot.text import Label
-    from kitrobot.translation import said
+    from kitrobot.translation import translate
 
-    return said(Label("", texts))
+    return translate(Label("", texts))

@@ -25,7 +25,7 @@ def show_log(
     """Show the last fault of a robot, with the place in the program, and the text that the robot prints."""
     from kitrobot.deploy import Fault, SilentError, Text, connect
     from kitrobot.robots import choose_boards, fault_object, fault_sentence
-    from kitrobot.workspace.watching import known_program
+    from kitrobot.workspace.robot_monitor import known_program
 
     def say(sentence: str, found: dict[str, Any]) -> None:
         print_data(json_text(found) + "\n" if as_json else f"{sanitize(sentence)}\n")

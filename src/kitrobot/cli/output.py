@@ -60,11 +60,11 @@ def failure_json() -> str:
 def error_object(error: KitRobotError) -> dict[str, Any]:
     """`message`, `help`, and `diagnostics` as `kitrobot check --json` prints them."""
     from kitrobot.diagnostics import to_json
-    from kitrobot.translation import said
+    from kitrobot.translation import translate
 
     return {
-        "message": said(error.message),
-        "help": said(error.help),
+        "message": translate(error.message),
+        "help": translate(error.help),
         "diagnostics": [to_json(item) for item in error.diagnostics],
     }
 
@@ -207,13 +207,13 @@ def print_diagnostics(diagnostics: Iterable[Diagnostic], sources: Iterable[Sourc
 
 def print_error(error: KitRobotError) -> None:
     """Prints an error on standard error: its diagnostics, its sentence and its help."""
-    from kitrobot.translation import said
+    from kitrobot.translation import translate
 
     record_error(error.message, error.help)
     place: Place | None = getattr(error, "place", None)
     if error.diagnostics:
         print_diagnostics(error.diagnostics, getattr(error, "sources", ()))
     where = f"{place.file}:{place.line}:{place.column}: " if place is not None else ""
-    print_message(f"{where}error: {said(error.message)}")
+    print_message(f"{where}error: {translate(error.message)}")
     if error.help:
-        print_message(f"  help: {said(error.help)}")
+        print_message(f"  help: {translate(error.help)}")

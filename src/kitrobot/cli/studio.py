@@ -92,9 +92,9 @@ def _existing(target: str, commands: list[str]) -> Path:
             Sentence("turn it into one with `kitrobot convert`") if ending in (".lll",) else "",
         )
     if path.suffix or len(path.parts) > 1:
-        from kitrobot.files import look_alike
+        from kitrobot.files import suggest_similar_name
 
-        raise StudioError(Sentence("there is no file or folder `{target}`", target), look_alike(path))
+        raise StudioError(Sentence("there is no file or folder `{target}`", target), suggest_similar_name(path))
     from difflib import get_close_matches
 
     near = get_close_matches(target, commands, n=1)

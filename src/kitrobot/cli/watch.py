@@ -98,7 +98,7 @@ def watch_board(
     if seconds is not None and not (math.isfinite(seconds) and seconds > 0):
         raise typer.BadParameter("watching takes more than 0 seconds", param_hint="'--seconds'")
     from kitrobot.robots import choose_boards
-    from kitrobot.workspace.watching import record_robots, watched_robot
+    from kitrobot.workspace.robot_monitor import record_robots, watched_robot
 
     with ExitStack() as stack:
         watched = [

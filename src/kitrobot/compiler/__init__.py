@@ -6,9 +6,9 @@ from kitrobot.compiler.expansion_limit import left_out, oversize_in_mission
 from kitrobot.compiler.graph_to_lll import Translation, graph_to_lll
 from kitrobot.compiler.lineage import Lineage
 from kitrobot.compiler.lll_to_graph import lll_to_graph
-from kitrobot.compiler.own_part import Chosen, Look, Offered, Part, PartError, make_part, offer_part
+from kitrobot.compiler.own_part import Appearance, ChosenSlot, Part, PartError, PartOffer, make_part, offer_part
 from kitrobot.compiler.part_offers import Offer
-from kitrobot.compiler.part_reading import PartText, draw_template, read_part
+from kitrobot.compiler.part_text import PartText, draw_template, read_part
 from kitrobot.compiler.projection import Projection, project
 from kitrobot.compiler.retranslation import graph_to_lll_again
 from kitrobot.compiler.selection import SelectionError
@@ -23,16 +23,16 @@ from kitrobot.compiler.vertex_places import VertexPlace, vertex_places
 __all__ = [
     "ALL",
     "ONE",
-    "Chosen",
+    "Appearance",
+    "ChosenSlot",
     "Compiled",
     "CompiledTeam",
     "Followed",
     "Lineage",
-    "Look",
     "Offer",
-    "Offered",
     "Part",
     "PartError",
+    "PartOffer",
     "PartText",
     "Point",
     "PointKind",

@@ -1,4 +1,4 @@
-"""Forms of a constructor that are read besides its own LLL (`<reads>`) are rewritten in its own form."""
+"""Rewrites forms of a constructor that are read besides its own LLL (`<reads>`) to its own form."""
 
 from __future__ import annotations
 
@@ -9,22 +9,22 @@ from kitrobot.lll import Instruction, Node, Seq, nodes
 from kitrobot.primitives import Catalogue, fill_with, shape, unfill
 
 
-def write_anew(program: Seq, catalogue: Catalogue) -> None:
+def normalise(program: Seq, catalogue: Catalogue) -> None:
     """Changes a program in place; what is written anew keeps its place in the text and its comments."""
     found = nodes(program)
     kinds = {kind for kind, _ in catalogue.reads}
-    if not any(type(node) in kinds and _anew(node, catalogue) is not node for node in found):
+    if not any(type(node) in kinds and _normalised(node, catalogue) is not node for node in found):
         return
     for node in reversed(found):  # what is inside comes first
         for part in fields(node):
             value = getattr(node, part.name)
             if isinstance(value, list):
-                value[:] = [_anew(item, catalogue) for item in value]
+                value[:] = [_normalised(item, catalogue) for item in value]
             elif isinstance(value, Node):
-                setattr(node, part.name, _anew(value, catalogue))
+                setattr(node, part.name, _normalised(value, catalogue))
 
 
-def _anew(node: Any, catalogue: Catalogue) -> Any:
+def _normalised(node: Any, catalogue: Catalogue) -> Any:
     if not isinstance(node, Node) or isinstance(node, Seq):
         return node
     for constructor, template in catalogue.reads.get(shape(node), ()):

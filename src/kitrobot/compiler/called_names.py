@@ -1,4 +1,4 @@
-"""The names that can be called of a robot, and which of them somebody meant."""
+"""The callable names of a robot, and suggestions for misspelt ones."""
 
 from __future__ import annotations
 

@@ -13,7 +13,7 @@ from kitrobot.compiler.called_names import CalledNames
 from kitrobot.compiler.constant_conditions import always_holds
 from kitrobot.compiler.flow import FlowAnalysis
 from kitrobot.compiler.lineage import Lineage
-from kitrobot.compiler.overridden_commands import given_way
+from kitrobot.compiler.overridden_commands import find_overridden_commands
 from kitrobot.compiler.target import Target, words_for
 from kitrobot.diagnostics import Diagnostic, Fix, FixKind, Rule, Source, in_reading_order
 from kitrobot.lll import (
@@ -233,7 +233,7 @@ class _Checker:
         return meaning is not None and not meaning[1].completes_later
 
     def overwritten(self, program: Seq) -> None:
-        for call, later in given_way(program, self.robot, self.lineage):
+        for call, later in find_overridden_commands(program, self.robot, self.lineage):
             message = Sentence("this has no effect: in the same tick `{call}` takes its place", _name(later))
             help = Sentence("put a WAIT between the two, or take one of them away")
             self.report(rules.OVERWRITTEN, message, call, help)

@@ -78,10 +78,10 @@ class Walk(Protocol):
 
 def fill(walk: Walk, vertex: Vertex, constructor: Constructor) -> Any:
     """The template of a constructor with its holes filled from a vertex of it."""
-    return _Filling(walk, vertex, constructor).node(constructor.template)
+    return _TemplateExpander(walk, vertex, constructor).node(constructor.template)
 
 
-class _Filling:
+class _TemplateExpander:
     """One vertex's template on its way to become LLL."""
 
     def __init__(self, walk: Walk, vertex: Vertex, constructor: Constructor) -> None:
@@ -278,7 +278,7 @@ class _Filling:
         return branches
 
 
-_BUILDERS: dict[type[Node], Callable[[_Filling, Any], Any]] = {
+_BUILDERS: dict[type[Node], Callable[[_TemplateExpander, Any], Any]] = {
     Seq: lambda f, t: f.items(t),
     Call: lambda f, t: f.call(t),
     Interrupt: lambda f, t: Interrupt(f.action(t.call)),

@@ -26,10 +26,10 @@ def inlined(seq: Seq, name: str, programs: Mapping[str, Seq], report: Report) ->
     Programs that are not there, and circles, are left out: they are told where names are checked. What nests too deep
     or becomes too large is left out and reported at the outermost `PROGRAM`.
     """
-    return _Inlining(programs, report).copied(seq, name)
+    return _Inliner(programs, report).copied(seq, name)
 
 
-class _Inlining:
+class _Inliner:
     def __init__(self, programs: Mapping[str, Seq], report: Report) -> None:
         self._programs = programs
         self._report = report
@@ -37,7 +37,7 @@ class _Inlining:
         self._outermost: Node | None = None
         self._depth = 0
         self._left = MOST_INSTRUCTIONS
-        self._told = False
+        self._reported = False
 
     def copied(self, seq: Seq, name: str) -> Seq:
         self._open.append(name)
@@ -49,7 +49,7 @@ class _Inlining:
         made = Seq(start=seq.start, end=seq.end)
         self._depth += 1
         if self._depth > MAX_NESTING:
-            self._tell(
+            self._report_once(
                 TOO_DEEP,
                 Sentence("with all programs in their places this nests deeper than {most} levels", MAX_NESTING),
             )
@@ -65,7 +65,7 @@ class _Inlining:
     def _called(self, node: ProgramCall) -> list[Any]:
         assert isinstance(node.name, str), "no template"
         called = self._programs.get(node.name)
-        if called is None or node.name in self._open or self._told:
+        if called is None or node.name in self._open or self._reported:
             return []
         outermost = self._outermost
         self._outermost = outermost or node
@@ -87,10 +87,10 @@ class _Inlining:
             self._left -= 1
             if self._left < 0:
                 what = "with all programs in their places this has more than {most} instructions"
-                self._tell(TOO_LARGE, Sentence(what, MOST_INSTRUCTIONS))
+                self._report_once(TOO_LARGE, Sentence(what, MOST_INSTRUCTIONS))
         return made
 
-    def _tell(self, rule: Rule, message: Sentence) -> None:
-        if not self._told and self._outermost is not None:
-            self._told = True
+    def _report_once(self, rule: Rule, message: Sentence) -> None:
+        if not self._reported and self._outermost is not None:
+            self._reported = True
             self._report(rule, message, self._outermost, Sentence("take a PROGRAM away, or split the program"))

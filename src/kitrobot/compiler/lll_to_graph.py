@@ -16,7 +16,7 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 from typing import Any
 
-from kitrobot.compiler.accepted_forms import write_anew
+from kitrobot.compiler.accepted_forms import normalise
 from kitrobot.compiler.graph_to_lll import Translation, graph_to_lll
 from kitrobot.compiler.preserve_ids import Before, Branch, Old, Origin, Row, lines_of, note, nothing_before
 from kitrobot.compiler.target import program_for
@@ -51,14 +51,14 @@ def lll_to_graph(
     """
     if keep is not None:
         return redraw(seq, robot, catalogue, name, Before(graph_to_lll(keep, catalogue)))[0]
-    write_anew(seq, catalogue)
+    normalise(seq, catalogue)
     old = Old(nothing_before(robot, catalogue), {})
     return Drawing(program_for(robot, name), robot, catalogue, old, apart_from=apart_from).whole(seq)
 
 
 def redraw(seq: Seq, robot: Robot, catalogue: Catalogue, name: str, before: Before) -> tuple[Program, Translation]:
     """`lll_to_graph` with a graph to keep: the graph, and its translation back."""
-    write_anew(seq, catalogue)
+    normalise(seq, catalogue)
     tree = before.translation.program
     if tree == seq:
         for node, was in zip(nodes(seq), nodes(tree), strict=True):

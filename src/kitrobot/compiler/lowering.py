@@ -60,7 +60,7 @@ def lower(
 
     `name` is the program's name in its mission, kept in the origins; `lineage`: as for `check`.
     """
-    lowering = _Lowering(program, target, name, lineage or Lineage())
+    lowering = _CodeGenerator(program, target, name, lineage or Lineage())
     too_large = lowering.too_large()
     debug = DebugMap(lowering.code.origins)
     if too_large:
@@ -68,7 +68,7 @@ def lower(
     return lowering.image(), debug, []
 
 
-class _Lowering:
+class _CodeGenerator:
     def __init__(self, program: Seq, robot: Robot, name: str, lineage: Lineage) -> None:
         self.name = name
         self.robot = robot

@@ -12,7 +12,7 @@ from bisect import bisect_left
 from dataclasses import dataclass, fields, replace
 from typing import Any
 
-from kitrobot.compiler.accepted_forms import write_anew
+from kitrobot.compiler.accepted_forms import normalise
 from kitrobot.compiler.compilation import text_of
 from kitrobot.compiler.graph_to_lll import Translation
 from kitrobot.compiler.preserve_ids import Before
@@ -21,7 +21,7 @@ from kitrobot.compiler.stretch import Stretch, draw_stretch
 from kitrobot.graph import Program
 from kitrobot.lll import Parallel, Seq, bodies, parse, print_lines
 from kitrobot.primitives import Catalogue
-from kitrobot.text import same_ends
+from kitrobot.text import common_affixes
 
 _MOST = 0.5
 """Of a text: where more of it changed, the whole is as quickly looked at."""
@@ -57,7 +57,7 @@ def follow_near(before: Translation, text: str, catalogue: Catalogue) -> tuple[P
         if read.diagnostics or read.program != tree:
             return None
         lineage.read = tree
-    start, tail = same_ends(printed, text)
+    start, tail = common_affixes(printed, text)
     end, new_end = len(printed) - tail, len(text) - tail
     begin = _line_start(printed, start)
     if not (_line_start(printed, end) == end and _line_start(text, new_end) == new_end):
@@ -72,7 +72,7 @@ def follow_near(before: Translation, text: str, catalogue: Catalogue) -> tuple[P
     new = parsed.program
     if parsed.diagnostics or not new.items or new.below or new.hole is not None:
         return None
-    write_anew(new, catalogue)
+    normalise(new, catalogue)
     if print_lines(new, len(lines.path)) != typed:
         return None
 

@@ -1,7 +1,7 @@
 """Commands that have no effect, because their actuator gets another one in the same tick.
 
-A command is looked at from where it stands to where its thread may block: an actuator takes one command a tick, and the
-last wins. What only some ways do is not told: a command that a choice takes back may be meant.
+The search goes from a command to where its thread may block: an actuator takes one command a tick, and the last wins. A
+command that is overridden on some paths only is not reported: a choice may override it on purpose.
 """
 
 from __future__ import annotations
@@ -34,16 +34,18 @@ Pairs = list[tuple[Call, Call]]
 """Commands, and those to which they give way."""
 
 
-def given_way(program: Seq, robot: Robot, lineage: Lineage | None = None) -> Pairs:
+def find_overridden_commands(program: Seq, robot: Robot, lineage: Lineage | None = None) -> Pairs:
     """Each command that surely gives way, and the one it gives way to, in no order.
 
     `lineage`: what is known of the instructions that are the same as in another state of the program.
     """
     lineage = lineage or Lineage()
-    return _Ways(robot, lineage.table("flow", id(robot)), lineage.table("ways", id(robot))).body(program, False)
+    return _OverrideSearch(robot, lineage.table("flow", id(robot)), lineage.table("ways", id(robot))).body(
+        program, False
+    )
 
 
-class _Ways:
+class _OverrideSearch:
     def __init__(self, robot: Robot, flows: Table, known: Table) -> None:
         self.robot = robot
         self.flow = FlowAnalysis(robot, None, flows)

@@ -5,7 +5,7 @@ makes the template, by translating the selection with holes where they were chos
 what it makes is what a file could bring.
 
 Left to others: what is selected (selection), what there is to leave open (part_offers), the vertex in the selection's
-place (part_placing).
+place (part_placement).
 """
 
 from __future__ import annotations
@@ -17,7 +17,7 @@ from dataclasses import dataclass, field, replace
 from kitrobot.compiler import graph_rules as rules
 from kitrobot.compiler.graph_to_lll import SlotName, condition_to_lll, graph_to_lll
 from kitrobot.compiler.part_offers import TAKEN_PORTS, TYPED, Offer, offers_of
-from kitrobot.compiler.part_placing import contents, put_part
+from kitrobot.compiler.part_placement import contents, put_part
 from kitrobot.compiler.selection import Selection, select
 from kitrobot.compiler.target import target_of
 from kitrobot.compiler.wiring import Wiring
@@ -60,7 +60,7 @@ class PartError(KitRobotError):
 
 
 @dataclass(frozen=True)
-class Chosen:
+class ChosenSlot:
     """An offer that is to be a slot, under a name for people. Numbers with one name become one slot."""
 
     vertex: str
@@ -73,7 +73,7 @@ class Chosen:
 
 
 @dataclass(frozen=True)
-class Offered:
+class PartOffer:
     """What a selection offers, what it would be, and what keeps it from becoming a part while nothing is left open."""
 
     selection: Selection
@@ -83,7 +83,7 @@ class Offered:
 
 
 @dataclass(frozen=True)
-class Look:
+class Appearance:
     """How a part is called and drawn."""
 
     name: str
@@ -102,7 +102,7 @@ class Part:
     vertex: str
 
 
-def offer_part(program: Program, vertices: Sequence[str], catalogue: Catalogue) -> Offered:
+def offer_part(program: Program, vertices: Sequence[str], catalogue: Catalogue) -> PartOffer:
     """What the selection offers to be left open.
 
     Raises:
@@ -114,11 +114,11 @@ def offer_part(program: Program, vertices: Sequence[str], catalogue: Catalogue) 
     holes = {place: offer.name for place, offer, _ in _places(offers, ())}
     _, diagnostics = _translate(program, selection, catalogue, wiring, holes)
     role = Role.CONDITION if selection.is_condition else Role.INSTRUCTION
-    return Offered(selection, role, offers, diagnostics)
+    return PartOffer(selection, role, offers, diagnostics)
 
 
 def make_part(
-    program: Program, vertices: Sequence[str], look: Look, chosen: Sequence[Chosen], catalogue: Catalogue
+    program: Program, vertices: Sequence[str], look: Appearance, chosen: Sequence[ChosenSlot], catalogue: Catalogue
 ) -> Part:
     """The constructor of a selection, and the program with it in place.
 
@@ -185,13 +185,13 @@ def judged(wanted: Constructor) -> Constructor:
 # -- what is chosen
 
 
-_Placed = tuple[SlotName, Offer, Chosen]
+_Placed = tuple[SlotName, Offer, ChosenSlot]
 
 
-def _places(offered: Sequence[Offer], chosen: Sequence[Chosen]) -> list[_Placed]:
+def _places(offered: Sequence[Offer], chosen: Sequence[ChosenSlot]) -> list[_Placed]:
     """What is chosen, without what lies inside something else that is chosen; open slots are always in."""
     offers = {(one.vertex, one.slot): one for one in offered}
-    wanted: dict[SlotName, Chosen] = {}
+    wanted: dict[SlotName, ChosenSlot] = {}
     for one in chosen:
         place = (one.vertex, one.slot)
         if place not in offers:
@@ -202,7 +202,7 @@ def _places(offered: Sequence[Offer], chosen: Sequence[Chosen]) -> list[_Placed]
         wanted[place] = one
     for place, offer in offers.items():
         if offer.is_open and place not in wanted:
-            wanted[place] = Chosen(offer.vertex, offer.slot, offer.name)
+            wanted[place] = ChosenSlot(offer.vertex, offer.slot, offer.name)
 
     def outside(place: SlotName) -> SlotName | None:
         """What a place is inside of; a slot that is not offered itself is inside what its vertex is."""

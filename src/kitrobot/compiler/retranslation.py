@@ -19,7 +19,7 @@ from kitrobot.compiler.graph_to_lll import Translation, Walk, graph_to_lll
 from kitrobot.compiler.wiring import Wiring
 from kitrobot.graph import IN, NEXT, RETURN, START, STOP, Program, Vertex
 from kitrobot.primitives import Catalogue
-from kitrobot.text import same_ends
+from kitrobot.text import common_affixes
 
 Thing = TypeVar("Thing")
 
@@ -130,7 +130,7 @@ def _ends(vertices: Iterable[Vertex]) -> set[tuple[str, str]]:
 
 def _differing(before: Sequence[Thing], after: Sequence[Thing]) -> tuple[list[Thing], list[Thing]]:
     """The things of one list that are not in the other, each way, by identity."""
-    start, tail = same_ends([*map(id, before)], [*map(id, after)])
+    start, tail = common_affixes([*map(id, before)], [*map(id, after)])
     old, new = before[start : len(before) - tail], after[start : len(after) - tail]
     one, other = Counter(map(id, old)), Counter(map(id, new))
     return [it for it in old if one[id(it)] != other[id(it)]], [it for it in new if one[id(it)] != other[id(it)]]

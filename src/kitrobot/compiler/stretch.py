@@ -12,7 +12,7 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 from typing import Any
 
-from kitrobot.compiler.accepted_forms import write_anew
+from kitrobot.compiler.accepted_forms import normalise
 from kitrobot.compiler.graph_to_lll import Translation
 from kitrobot.compiler.lll_to_graph import Drawing, redraw
 from kitrobot.compiler.preserve_ids import Before, Old, lines_of
@@ -43,7 +43,7 @@ def redraw_edited(seq: Seq, robot: Robot, catalogue: Catalogue, before: Before) 
     Raises KitRobotError when no constructor at hand draws a construct of the text.
     """
     name = before.program.name
-    write_anew(seq, catalogue)
+    normalise(seq, catalogue)
     drawn = None if before.translation.program == seq else _with_stretch(seq, robot, catalogue, before)
     if drawn is not None:
         translation = graph_to_lll_again(before.translation, drawn, catalogue)

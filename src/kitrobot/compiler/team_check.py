@@ -56,7 +56,7 @@ def check_program(
     """
     found = check(program, target, source, name, lineage)
     if target.level.is_team:
-        found += _Look(Names(crew), target, source, name).whole(program)
+        found += _CheckWalk(Names(crew), target, source, name).whole(program)
     return in_reading_order(found)
 
 
@@ -90,7 +90,7 @@ def _way(start: str, goal: str, calls: Mapping[str, Sequence[ProgramCall]]) -> t
     return None
 
 
-class _Look:
+class _CheckWalk:
     def __init__(self, names: Names, target: Target, source: Source, program: str) -> None:
         self.names = names
         self.target = target

@@ -65,11 +65,11 @@ def report_effects_done_twice(
         moves_boxes: whether a part moves boxes.
         report: is given what is found, in reading order.
     """
-    _Look(whole, crew, robots, moves_boxes, report).outside(whole)
+    _RepeatedEffects(whole, crew, robots, moves_boxes, report).outside(whole)
 
 
 @dataclass(frozen=True)
-class _Here:
+class _LineContext:
     """What is known at a line: who does it, and what a substitute would find out before it does it again.
 
     Attributes:
@@ -91,7 +91,7 @@ class _Here:
     units: frozenset[str] = frozenset()
 
 
-class _Look:
+class _RepeatedEffects:
     def __init__(
         self, whole: Seq, crew: Crew, robots: Mapping[str, Robot], moves_boxes: MovesBoxes, report: Report
     ) -> None:
@@ -101,7 +101,7 @@ class _Look:
         self.robots = robots
         self.moves_boxes = moves_boxes
         self.report = report
-        self.told: set[tuple[str | None, int, int]] = set()
+        self.reported: set[tuple[str | None, int, int]] = set()
 
     # -- who may be replaced
 
@@ -121,27 +121,27 @@ class _Look:
                 for body in bodies(node):
                     self.outside(body)
 
-    def block(self, node: Block, around: _Here | None) -> None:
+    def block(self, node: Block, around: _LineContext | None) -> None:
         """The lines of a block; `around`: where it stands in another one, from whose start it is all done again."""
         assert isinstance(node.members, Members), "no template"
-        here = around or _Here(frozenset(), lockstep=False)
+        here = around or _LineContext(frozenset(), lockstep=False)
         members = frozenset(filter(self.is_replaced, self.names.atoms(node.members.names)))
         here = replace(here, members=members, lockstep=isinstance(node, SeqOfPar))
         if here.members:
             for body in bodies(node):
                 self.body(body, self.behind(here, node.condition, body) if isinstance(node, Where) else here)
 
-    def body(self, seq: Seq, here: _Here) -> None:
+    def body(self, seq: Seq, here: _LineContext) -> None:
         for at, node in enumerate(seq.items):
             last = all(self.is_at_once(other) for other in seq.items[at + 1 :]) and not here.lockstep
             self.line(node, replace(here, ends_pass=here.ends_pass and last))
             done = {one.object for one in nodes(node) if isinstance(one, Call) and one.method == DONE}
             taken = {node.object} if isinstance(node, Call) and node.method == TAKE else set()
             here = replace(here, units=here.units - done | (taken & self.names.works.keys()))
-            if isinstance(node, Event) and not self.is_told_again(node, here):
+            if isinstance(node, Event) and not self.is_replayed(node, here):
                 here = self.behind(here, node.condition, Seq([*node.body.items, *seq.items[at + 1 :]]))
 
-    def line(self, node: Instr, here: _Here) -> None:
+    def line(self, node: Instr, here: _LineContext) -> None:
         match node:
             case Call():
                 self.call(node, here)
@@ -160,8 +160,8 @@ class _Look:
                 for branch in node.branches:
                     self.body(branch, replace(here, lockstep=False, ends_pass=False))
 
-    def choice(self, node: While | Conditional | Event, here: _Here) -> None:
-        if self.is_told_again(node, here):
+    def choice(self, node: While | Conditional | Event, here: _LineContext) -> None:
+        if self.is_replayed(node, here):
             for body in bodies(node):
                 self.body(body, here)
             return
@@ -172,7 +172,7 @@ class _Look:
                 inside = replace(inside, ends_pass=goes_on and not here.counted)
             self.body(body, inside)
 
-    def is_told_again(self, node: While | Conditional | Event, here: _Here) -> bool:
+    def is_replayed(self, node: While | Conditional | Event, here: _LineContext) -> bool:
         """Whether all members go the same way here: a substitute is told the answer that was given."""
         if not here.lockstep:
             return False
@@ -181,7 +181,7 @@ class _Look:
         joint = has_blocks(node) or any(isinstance(one, Joint) for one in inside)
         return joint or all(self.is_shared(one, here) for one in calls)
 
-    def behind(self, here: _Here, condition: Node | None, body: Seq) -> _Here:
+    def behind(self, here: _LineContext, condition: Node | None, body: Seq) -> _LineContext:
         """What a substitute knows in a body before which a condition is asked anew."""
         if condition is None:
             return here
@@ -197,7 +197,7 @@ class _Look:
 
     # -- calls
 
-    def meanings(self, call: Call, here: _Here) -> list[tuple[Atom, RobotObject, Method]]:
+    def meanings(self, call: Call, here: _LineContext) -> list[tuple[Atom, RobotObject, Method]]:
         """What a call is for each of the members that know it."""
         found = []
         for atom in sorted(here.members):
@@ -207,13 +207,13 @@ class _Look:
                 found.append((atom, *meaning))
         return found
 
-    def is_shared(self, call: Call, here: _Here) -> bool:
+    def is_shared(self, call: Call, here: _LineContext) -> bool:
         return call.object in self.names.works or any(part.shared for _, part, _ in self.meanings(call, here))
 
-    def changes(self, call: Call, here: _Here) -> bool:
+    def changes(self, call: Call, here: _LineContext) -> bool:
         return any(part.shared and method.action for _, part, method in self.meanings(call, here))
 
-    def asks_what_stays(self, condition: Node, here: _Here) -> bool:
+    def asks_what_stays(self, condition: Node, here: _LineContext) -> bool:
         """Whether a condition looks at sensors or at what all share; own variables begin anew."""
         calls = [one for one in nodes(condition) if isinstance(one, Call)]
         return any(
@@ -229,20 +229,20 @@ class _Look:
         known = (robot.calls.get((node.object, node.method)) for robot in self.robots.values())
         return not any(meaning is not None and meaning[1].completes_later for meaning in known)
 
-    def call(self, call: Call, here: _Here) -> None:
+    def call(self, call: Call, here: _LineContext) -> None:
         key = (call.program, call.start, call.end)
-        if key in self.told or here.found_out or here.units or here.ends_pass:
+        if key in self.reported or here.found_out or here.units or here.ends_pass:
             return
         meanings = self.meanings(call, here)
         variable = [atom for atom, part, method in meanings if _adds(call, part, method)]
         boxes = [atom for atom, part, _ in meanings if part.category is Category.ACTUATOR and self.moves_boxes(part)]
         if variable:
-            self.tell(call, variable, here)
+            self.report_effect(call, variable, here)
         elif boxes and (here.counted or not here.looked):
-            self.tell(call, boxes, here)
+            self.report_effect(call, boxes, here)
 
-    def tell(self, call: Call, atoms: list[Atom], here: _Here) -> None:
-        self.told.add((call.program, call.start, call.end))
+    def report_effect(self, call: Call, atoms: list[Atom], here: _LineContext) -> None:
+        self.reported.add((call.program, call.start, call.end))
         message = Sentence(
             "`{call}` may be done twice: a substitute for {members} begins the block around it from its start",
             f"{call.object}.{call.method}",

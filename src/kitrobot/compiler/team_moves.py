@@ -77,10 +77,10 @@ def report_emptied(whole: Seq, names: Names, report: Report) -> None:
     looking = sum(isinstance(node, Block | Joint) for node in nodes(whole))
     sets = TeamSets(names.crew, whole)
     if moves and len(sets.groups) * (len(sets.groups) + len(moves) + looking) <= MOST_PAIRS:
-        _Look(whole, names, moves, sets).tell(report)
+        _GroupLosses(whole, names, moves, sets).report_losses(report)
 
 
-class _Look:
+class _GroupLosses:
     def __init__(self, whole: Seq, names: Names, moves: list[Move], sets: TeamSets) -> None:
         self.names = names
         self.moves = moves
@@ -152,11 +152,11 @@ class _Look:
             inside = {part: _again(loss, node.count) for part, loss in inside.items()}
         elif isinstance(node, While):
             inside = {part: _again(loss, _MANY if loss.net > 0 else 0) for part, loss in inside.items()}
-        found: _Losses = dict.fromkeys(self.looked_for(node), _Loss(0, 0))
+        found: _Losses = dict.fromkeys(self.queried_groups(node), _Loss(0, 0))
         _then(found, inside)
         return found
 
-    def looked_for(self, node: Instr) -> Iterable[_Part]:
+    def queried_groups(self, node: Instr) -> Iterable[_Part]:
         """The parts whose robots an instruction looks for before what stands in it."""
         asked: list[Block | Joint] = [node] if isinstance(node, Block) else []
         condition = getattr(node, "condition", None)
@@ -202,7 +202,7 @@ class _Look:
 
     # -- what is told
 
-    def tell(self, report: Report) -> None:
+    def report_losses(self, report: Report) -> None:
         crew = self.names.crew
         least = {name: role.least for name, role in self.names.roles.items()}
         players = dict(zip((role.name for role in crew.roles), crew.players, strict=True))

@@ -53,10 +53,10 @@ _BODIES: dict[type[Node], tuple[str, ...]] = {
 
 def same_nodes(old: Seq, new: Seq) -> Same:
     """The pairs of two programs."""
-    return _Matching(old, new).same
+    return _TreeMatcher(old, new).same
 
 
-class _Matching:
+class _TreeMatcher:
     def __init__(self, old: Seq, new: Seq) -> None:
         self.keys: dict[int, int] = {}
         self.table: dict[tuple[object, ...], int] = {}

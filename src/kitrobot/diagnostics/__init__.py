@@ -1,4 +1,4 @@
-"""How KitRobot says what is wrong."""
+"""Diagnostics: how KitRobot reports mistakes."""
 
 from kitrobot.diagnostics.model import (
     ArcName,
@@ -23,7 +23,7 @@ from kitrobot.diagnostics.read_files import (
     recording_reads,
 )
 from kitrobot.diagnostics.regular import expect_regular, lock_handle, named_file, open_regular
-from kitrobot.diagnostics.rendering import render, render_one, to_json, to_page_json
+from kitrobot.diagnostics.renderer import render, render_one, to_json, to_page_json
 
 __all__ = [
     "ArcName",

@@ -6,7 +6,7 @@ from collections.abc import Iterable
 from dataclasses import dataclass, replace
 
 from kitrobot.diagnostics.model import Diagnostic, KitRobotError, Source, rules
-from kitrobot.diagnostics.rendering import render
+from kitrobot.diagnostics.renderer import render
 
 
 @dataclass(eq=False)

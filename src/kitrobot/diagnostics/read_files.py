@@ -1,8 +1,8 @@
-"""Which files a command has read, so that none of its outputs takes the place of one.
+"""The files that a command has read, so that none of its outputs overwrites one.
 
-Whatever opens a file that a person may name says so here (`open_regular`, or `note_read`); whatever writes one asks
-(`expect_output`). A file is known by what it is on its disk, so links and other ways to write its name lead to the same
-one. Only while `recording_reads` is open: the studio reads and writes the same files all day.
+Code that opens a file named by a user records it here (`open_regular`, or `note_read`); code that writes one checks it
+(`expect_output`). A file is identified by its place on the disk, so links and other spellings of its name lead to the
+same one. Records exist only while `recording_reads` is open: the studio reads and writes the same files all day.
 """
 
 from __future__ import annotations

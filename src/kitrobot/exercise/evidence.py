@@ -1,7 +1,7 @@
-"""What goals are decided from: plain values, whoever found them.
+"""The evidence that goals are decided from, as plain values.
 
-A run of the simulator is a `RunSeen`, the programs that were handed in are a `ProgramsSeen`, and what came of checking
-one property is a `CheckSeen`. Lengths are in mm, times in simulated seconds.
+A `RunEvidence` describes a run of the simulator, a `ProgramEvidence` the submitted programs, and a `CheckEvidence` the
+result of checking one property. Lengths are in mm, times in simulated seconds.
 """
 
 from __future__ import annotations
@@ -31,8 +31,8 @@ class Contact:
 
 
 @dataclass(frozen=True)
-class RunSeen:
-    """A run that is over. `paths` has each agent's way, points at least 1 mm apart and the last one; it is empty where
+class RunEvidence:
+    """A run that is over. `paths` has each agent's path, points at least 1 mm apart and the last one; it is empty where
     no goal asks for it.
     """
 
@@ -47,7 +47,7 @@ class RunSeen:
 
 
 @dataclass(frozen=True)
-class ProgramsSeen:
+class ProgramEvidence:
     """For each program, how many vertices of each element hang on its Start (Start and Stop are not counted), and how
     many the own blocks stand for that it uses, each block once. `own` is how many of its vertices are own blocks, which
     count under no name. `labels` is what elements are called on the
@@ -58,14 +58,14 @@ class ProgramsSeen:
     own: Mapping[str, int]
     labels: Mapping[str, Sentence] = field(default_factory=dict)
 
-    def called(self, part: str) -> Sentence:
-        """What a part is called on the page; its name where nobody knows it."""
+    def label_of(self, part: str) -> Sentence:
+        """The label of an element on the page; its name where it has none."""
         return self.labels.get(part) or Label(part, {})
 
 
 @dataclass(frozen=True)
-class CheckSeen:
-    """What came of checking one property under one assumption; `sentence` is the property in words.
+class CheckEvidence:
+    """The result of checking one property under one assumption; `sentence` is the property in words.
 
     `answer` is `holds`, `broken`, `not finished`, `vacuous`, or `none` where it could not be checked, and `sentence`
     says why. Of a broken one `seed` and `seconds` are the run of the simulator that shows it, where there is one that

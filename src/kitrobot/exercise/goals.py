@@ -1,8 +1,8 @@
-"""The kinds of goals, and how each is decided: a closed set, one class for each.
+"""The kinds of goals and how each is decided: a closed set, one class for each.
 
-A goal says in `fault` what is wrong with what it is shown (`evidence`), or None when it is reached. Goals of runs are
-shown each run, goals of programs all programs, goals of checking one verdict. `reading` gives each its element and
-attributes, whose names are those of the fields.
+`fault` of a goal returns what is wrong with the given `evidence`, or None when the goal is reached. Run goals get each
+run, program goals all programs, check goals one verdict. `exercise_xml` gives each its element and attributes, whose
+names are those of the fields.
 """
 
 from __future__ import annotations
@@ -10,7 +10,7 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 
-from kitrobot.exercise.evidence import CheckSeen, PathPoint, ProgramsSeen, RunSeen
+from kitrobot.exercise.evidence import CheckEvidence, PathPoint, ProgramEvidence, RunEvidence
 from kitrobot.exercise.figures import figure_fault
 from kitrobot.primitives import Texts
 from kitrobot.text import SEMICOLON, Sentence, Series
@@ -41,7 +41,7 @@ class Goal:
 class RunGoal(Goal):
     """A goal that every run has to reach."""
 
-    def fault(self, run: RunSeen) -> Fault | None:
+    def fault(self, run: RunEvidence) -> Fault | None:
         """What is wrong with a run."""
         raise NotImplementedError
 
@@ -57,11 +57,11 @@ class ProgramGoal(Goal):
 
     program: str
 
-    def fault(self, seen: ProgramsSeen) -> Fault | None:
+    def fault(self, seen: ProgramEvidence) -> Fault | None:
         """What is wrong with the programs."""
         raise NotImplementedError
 
-    def count(self, seen: ProgramsSeen, part: str) -> int:
+    def count(self, seen: ProgramEvidence, part: str) -> int:
         """How often a part is used."""
         return sum(
             found.get(part, 0) for name, found in seen.elements.items() if not self.program or name == self.program
@@ -77,7 +77,7 @@ class CheckGoal(Goal):
     failures: int
     states: int
 
-    def fault(self, seen: CheckSeen) -> Fault | None:
+    def fault(self, seen: CheckEvidence) -> Fault | None:
         """What is wrong with what came of the check."""
         match seen.answer:
             case "holds":
@@ -101,7 +101,7 @@ class CheckGoal(Goal):
 class Done(RunGoal):
     """`<done>`: the run ends as done. The mission's own goals are reached, or without any every program has ended."""
 
-    def fault(self, run: RunSeen) -> Fault | None:
+    def fault(self, run: RunEvidence) -> Fault | None:
         return None if run.outcome == "done" else Fault(run.sentence, run.seconds)
 
 
@@ -111,7 +111,7 @@ class NoContact(RunGoal):
 
     agent: str
 
-    def fault(self, run: RunSeen) -> Fault | None:
+    def fault(self, run: RunEvidence) -> Fault | None:
         for contact in run.contacts:
             if self.agent in ("", contact.agent):
                 return Fault(Sentence("`{agent}`: {what}", contact.agent, contact.text), contact.seconds)
@@ -124,7 +124,7 @@ class Within(RunGoal):
 
     seconds: float
 
-    def fault(self, run: RunSeen) -> Fault | None:
+    def fault(self, run: RunEvidence) -> Fault | None:
         if run.outcome != "done":
             return Fault(run.sentence, run.seconds)
         if run.seconds <= self.seconds:
@@ -151,7 +151,7 @@ class Visits(RunGoal):
     def needs_path(self) -> bool:
         return True
 
-    def fault(self, run: RunSeen) -> Fault | None:
+    def fault(self, run: RunEvidence) -> Fault | None:
         nearest, point = math.inf, PathPoint(0, 0, 0)
         for name, path in (run.paths or {}).items():
             if self.agent not in ("", name):
@@ -187,7 +187,7 @@ class Draws(RunGoal):
     def needs_path(self) -> bool:
         return True
 
-    def fault(self, run: RunSeen) -> Fault | None:
+    def fault(self, run: RunEvidence) -> Fault | None:
         paths = run.paths or {}
         if self.by == "pen":
             lines = (run.lines or {}).get(self.agent or next(iter(paths), ""), ())
@@ -209,13 +209,13 @@ class Uses(ProgramGoal):
     part: str
     times: int
 
-    def fault(self, seen: ProgramsSeen) -> Fault | None:
+    def fault(self, seen: ProgramEvidence) -> Fault | None:
         found = self.count(seen, self.part)
         if found >= self.times:
             return None
         if self.times == 1:
-            return Fault(Sentence("“{part}” is not in the program", seen.called(self.part)))
-        part = seen.called(self.part)
+            return Fault(Sentence("“{part}” is not in the program", seen.label_of(self.part)))
+        part = seen.label_of(self.part)
         words = Sentence("“{part}” is there {found} times; it is asked for {times} times", part, found, self.times)
         return Fault(words)
 
@@ -226,10 +226,10 @@ class Avoids(ProgramGoal):
 
     part: str
 
-    def fault(self, seen: ProgramsSeen) -> Fault | None:
+    def fault(self, seen: ProgramEvidence) -> Fault | None:
         if not self.count(seen, self.part):
             return None
-        return Fault(Sentence("“{part}” is in the program, and is not allowed", seen.called(self.part)))
+        return Fault(Sentence("“{part}” is in the program, and is not allowed", seen.label_of(self.part)))
 
 
 @dataclass(frozen=True)
@@ -238,7 +238,7 @@ class Parts(ProgramGoal):
 
     most: int
 
-    def fault(self, seen: ProgramsSeen) -> Fault | None:
+    def fault(self, seen: ProgramEvidence) -> Fault | None:
         found = sum(
             sum(elements.values()) + seen.own.get(name, 0)
             for name, elements in seen.elements.items()

@@ -17,7 +17,6 @@ if TYPE_CHECKING:
         FileError,
         decode,
         expect_unchanged,
-        look_alike,
         make_folder,
         read_bytes,
         read_text,
@@ -25,6 +24,7 @@ if TYPE_CHECKING:
         replace_whole,
         same_file,
         saving_in,
+        suggest_similar_name,
         sweep,
         write_atomic,
     )
@@ -50,7 +50,7 @@ if TYPE_CHECKING:
     from kitrobot.files.listing import NAME_NO_TEXT, MissionEntry, name_as_text, utc_moment
     from kitrobot.files.places import Places
     from kitrobot.files.quota import Quota, QuotaError, measured, writing_within
-    from kitrobot.files.recovery import Claimed, Journals, Left, News
+    from kitrobot.files.recovery import Claimed, Journals, OrphanedJournal, TabStatus
 else:
     # Hidden from mypy, which would take every name for one that there is.
     __getattr__ = lazy_names(
@@ -63,7 +63,7 @@ else:
                 "FileError",
                 "decode",
                 "expect_unchanged",
-                "look_alike",
+                "suggest_similar_name",
                 "make_folder",
                 "read_bytes",
                 "read_text",
@@ -96,7 +96,7 @@ else:
             "listing": ("NAME_NO_TEXT", "MissionEntry", "name_as_text", "utc_moment"),
             "places": ("Places",),
             "quota": ("Quota", "QuotaError", "measured", "writing_within"),
-            "recovery": ("Claimed", "Journals", "Left", "News"),
+            "recovery": ("Claimed", "Journals", "OrphanedJournal", "TabStatus"),
         },
     )
 
@@ -122,15 +122,15 @@ __all__ = [
     "JournalError",
     "Journals",
     "Layout",
-    "Left",
     "MissionEntry",
     "MissionFolder",
     "MissionNameError",
-    "News",
+    "OrphanedJournal",
     "Places",
     "Quota",
     "QuotaError",
     "ReadOnlyError",
+    "TabStatus",
     "carried_mission",
     "decode",
     "examples_folder",
@@ -141,7 +141,6 @@ __all__ = [
     "is_picture",
     "lay_out",
     "lay_out_file",
-    "look_alike",
     "make_folder",
     "measured",
     "name_as_text",
@@ -154,6 +153,7 @@ __all__ = [
     "revision_of",
     "same_file",
     "saving_in",
+    "suggest_similar_name",
     "sweep",
     "utc_moment",
     "write_atomic",

@@ -78,7 +78,7 @@ def read_bytes(path: Path) -> bytes:
         with open_regular(path) as stream:
             data = stream.read(LARGEST_FILE_BYTES + 1)
     except FileNotFoundError:
-        raise _unreadable(path, Sentence("there is no file `{path}`", path), look_alike(path)) from None
+        raise _unreadable(path, Sentence("there is no file `{path}`", path), suggest_similar_name(path)) from None
     except (OSError, ValueError) as error:
         raise _unreadable(path, Sentence("`{path}` could not be read: {reason}", path, _reason(error)), "") from None
     if len(data) > LARGEST_FILE_BYTES:
@@ -320,7 +320,7 @@ def _reason(error: Exception) -> str:
     return Word(reason[:1].lower() + reason[1:])
 
 
-def look_alike(path: Path) -> Help:
+def suggest_similar_name(path: Path) -> Help:
     """The nearest name in the folder, as a help sentence; empty when nothing is near."""
     from difflib import get_close_matches
 

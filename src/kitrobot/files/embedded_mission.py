@@ -14,8 +14,8 @@ from pathlib import Path, PurePath
 
 from kitrobot.diagnostics import KitRobotError
 from kitrobot.files.disk import FileError, read_bytes
+from kitrobot.files.file_kinds import identify_file_kind
 from kitrobot.files.pdf_attachment import MAGIC, PdfError, mission_in_pdf
-from kitrobot.files.recognition import recognised
 from kitrobot.text import Sentence
 from kitrobot.xml import MAX_BYTES, DoctypeError, ExpatError, new_parser
 
@@ -53,7 +53,7 @@ def carried_mission(data: bytes, name: str) -> tuple[bytes, str]:
         found = _in_pdf(data, name)
     elif _SVG.match(data[:_LOOKED_AT]):
         found = _in_svg(data, name)
-    elif (kind := recognised(data)) is not None:
+    elif (kind := identify_file_kind(data)) is not None:
         raise CarriedError(Sentence("`{name}` is {kind}: there is no mission inside", name, kind), _OURS)
     elif is_picture(name):
         raise CarriedError(

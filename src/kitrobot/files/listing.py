@@ -67,16 +67,16 @@ def _by_path(found: Iterable[Path], root: Path) -> list[Path]:
 
 
 def _walk(root: Path, without: Path | None, ending: str, left_out: list[Path] | None = None) -> Iterator[Path]:
-    for folder, files in _looked_through(root, without, left_out):
+    for folder, files in _bounded_walk(root, without, left_out):
         yield from (folder / name for name in files if name.lower().endswith(ending) and not name.startswith("."))
 
 
 def folders_below(root: Path, without: Path | None) -> list[Path]:
     """The folders that are looked through, and that of the journals."""
-    return [folder for folder, _ in _looked_through(root, without)] + [root / ".kitrobot" / "journal"]
+    return [folder for folder, _ in _bounded_walk(root, without)] + [root / ".kitrobot" / "journal"]
 
 
-def _looked_through(
+def _bounded_walk(
     root: Path, without: Path | None, left_out: list[Path] | None = None
 ) -> Iterator[tuple[Path, list[str]]]:
     """Each folder that missions are looked for in, and its files; `left_out` gets those of too many."""

@@ -45,7 +45,7 @@ class PdfError(Exception):
         self.kind = kind
 
 
-class _Broken(Exception):
+class _DamagedPdfError(Exception):
     """What stands at `at` is no object."""
 
     def __init__(self, at: int) -> None:
@@ -66,7 +66,7 @@ class _Stream:
 
 
 @dataclass
-class _Found:
+class _PdfObjects:
     """What the file holds of interest, by object number; what comes later in the file replaces what came before."""
 
     streams: dict[int, _Stream] = field(default_factory=dict)
@@ -95,7 +95,7 @@ def mission_in_pdf(data: bytes) -> bytes:
     return b""
 
 
-def _missions(found: _Found) -> list[dict[str, Any]]:
+def _missions(found: _PdfObjects) -> list[dict[str, Any]]:
     """The specifications of missions: ours, which says that it is the source, before what people attached."""
     missions = [one for one in found.specifications.values() if _file_name(one).lower().endswith(".krt")]
     return sorted(missions, key=lambda one: one.get("AFRelationship") != "/Source")
@@ -111,9 +111,9 @@ def _file_name(specification: dict[str, Any]) -> str:
     return ""
 
 
-def _read(data: bytes) -> _Found:
+def _read(data: bytes) -> _PdfObjects:
     """All objects of the file, once, in their order."""
-    found = _Found()
+    found = _PdfObjects()
     packed: list[_Stream] = []
     at = count = 0
     while (match := _OBJECT.search(data, at)) is not None:
@@ -127,7 +127,7 @@ def _read(data: bytes) -> _Found:
                 continue
             number = int(match[1])
             stream, at = _stream(data, at, value)
-        except _Broken as broken:
+        except _DamagedPdfError as broken:
             # From where it broke: nothing is looked at twice.
             at = max(broken.at, match.end())
             continue
@@ -143,7 +143,7 @@ def _read(data: bytes) -> _Found:
     return found
 
 
-def _keep(found: _Found, number: int, value: object) -> None:
+def _keep(found: _PdfObjects, number: int, value: object) -> None:
     if isinstance(value, dict) and isinstance(value.get("EF"), dict):
         found.specifications[number] = value
     elif isinstance(value, int):
@@ -174,7 +174,7 @@ def _stream(data: bytes, at: int, value: object) -> tuple[_Stream | None, int]:
     return _Stream(value, start, end), end
 
 
-def _unpack(data: bytes, packed: list[_Stream], found: _Found) -> None:
+def _unpack(data: bytes, packed: list[_Stream], found: _PdfObjects) -> None:
     """Objects that were packed together into streams."""
     left = MOST_UNPACKED_BYTES
     for stream in packed:
@@ -193,7 +193,7 @@ def _unpack(data: bytes, packed: list[_Stream], found: _Found) -> None:
                 continue
             try:
                 value, broken_to = _value(body, at)
-            except _Broken as broken:
+            except _DamagedPdfError as broken:
                 broken_to = broken.at
                 continue
             # An object that stands in the open was written after the packing.
@@ -240,11 +240,11 @@ def _value(data: bytes, at: int, depth: int = 0) -> tuple[Any, int]:
     """The object at `at`, and where it ends. A name comes with its `/`, a string as bytes.
 
     Raises:
-        _Broken: there is none, or it is nested too deep.
+        _DamagedPdfError: there is none, or it is nested too deep.
     """
     at = _skip(data, at)
     if depth > _DEEPEST:
-        raise _Broken(at)
+        raise _DamagedPdfError(at)
     first = data[at : at + 1]
     if data.startswith(b"<<", at):
         return _dictionary(data, at + 2, depth)
@@ -265,7 +265,7 @@ def _value(data: bytes, at: int, depth: int = 0) -> tuple[Any, int]:
         return (float(text) if b"." in text else int(text)), match.end()
     if (match := _WORD.match(data, at)) is not None and match[0] in (b"true", b"false", b"null"):
         return {b"true": True, b"false": False}.get(match[0]), match.end()
-    raise _Broken(at)
+    raise _DamagedPdfError(at)
 
 
 def _dictionary(data: bytes, at: int, depth: int) -> tuple[dict[str, Any], int]:
@@ -276,7 +276,7 @@ def _dictionary(data: bytes, at: int, depth: int) -> tuple[dict[str, Any], int]:
             return entries, at + 2
         key, at = _value(data, at, depth + 1)
         if not isinstance(key, str):
-            raise _Broken(at)
+            raise _DamagedPdfError(at)
         entries[key[1:]], at = _value(data, at, depth + 1)
 
 
@@ -304,7 +304,7 @@ def _string(data: bytes, at: int) -> tuple[bytes, int]:
         if kept < _LONGEST_STRING:
             pieces.append(piece)
             kept += len(piece)
-    raise _Broken(len(data))
+    raise _DamagedPdfError(len(data))
 
 
 _ESCAPES = {b"n": b"\n", b"r": b"\r", b"t": b"\t", b"b": b"\b", b"f": b"\f", b"\n": b"", b"\r": b""}

@@ -1,11 +1,11 @@
-"""The journals of one folder of missions: which page writes which, and which are left of pages that ended.
+"""The journals of a folder of missions: which page writes which, and which are orphaned because their page ended.
 
 A page that is open is a *tab*; it writes one journal at a time, its *claim*, so two pages never write into one. A claim
 ends with its tab, or with this process: it is a lock that the system keeps on a file beside the journal, so a second
-KitRobot on the same folder sees it too, and none is left after a kill. A journal that nobody claims was left behind:
-whoever opens its mission next gets it. Journals live in `.kitrobot/journal` of the folder; those of examples, and all
-when the folder cannot be written to or knows no locks, in the user's state folder. A journal that is damaged in the
-middle is kept aside.
+KitRobot on the same folder sees it too, and none is left after a kill. A journal that nobody claims is orphaned: the
+next tab that opens its mission gets it. Journals are in `.kitrobot/journal` of the folder; those of examples, and all
+if the folder cannot be written to or does not support locks, are in the user's state folder. A journal that is damaged
+in the middle is moved aside.
 """
 
 from __future__ import annotations
@@ -33,7 +33,7 @@ _NAME = re.compile(r"[0-9a-f]{16}")
 
 
 @dataclass(frozen=True)
-class Left:
+class OrphanedJournal:
     """Unsaved work that was left behind; `modified` is a moment in UTC (ISO 8601).
 
     `problem` is why this KitRobot cannot open it, "" where it can; nothing else is known of such work.
@@ -58,7 +58,7 @@ class Claimed:
 
 
 @dataclass(frozen=True)
-class News:
+class TabStatus:
     """What a tab wants to know: its mission, the revision on disk ("" when there is none), how many others have it."""
 
     path: str
@@ -102,10 +102,10 @@ class Journals:
             if gone is not None:
                 _release(gone)
 
-    def left(self) -> list[Left]:
+    def orphaned(self) -> list[OrphanedJournal]:
         """Unsaved work that nobody has open, the newest first."""
         with self._lock:
-            return [one for file in self._files() if (one := _left(file)) is not None]
+            return [one for file in self._files() if (one := _orphan(file)) is not None]
 
     def claim(self, tab: str, path: str, journal: str = "") -> Claimed:
         """The journal for the mission that a tab has opened: the given one if it is free, else one that was left behind
@@ -185,7 +185,7 @@ class Journals:
             mine.count += len(records)
             return length
 
-    def forget(self, journal: str) -> None:
+    def discard(self, journal: str) -> None:
         """Throws away a journal that was left behind; one that somebody writes stays."""
         with self._lock:
             for file in list(self._files()):
@@ -194,7 +194,7 @@ class Journals:
                     _remove(file)
                     lock.release()
 
-    def news(self, tab: str) -> News:
+    def status_of(self, tab: str) -> TabStatus:
         """What is new for a tab. Reads the file only when the disk says that it changed."""
         with self._lock:
             mine = self._tabs.get(tab, _Tab())
@@ -210,7 +210,7 @@ class Journals:
             with self._lock:
                 if mine.path == path:
                     mine.stamp, mine.revision = stamp, revision
-        return News(path, revision if stamp is not None else "", others)
+        return TabStatus(path, revision if stamp is not None else "", others)
 
     def _stamp(self, path: str) -> tuple[int, int] | None:
         if not path:
@@ -268,17 +268,17 @@ class Journals:
         write_journal(file, found)
 
 
-def _left(file: Path) -> Left | None:
+def _orphan(file: Path) -> OrphanedJournal | None:
     """What is unsaved in a journal; None when nothing is, or nobody can tell."""
     try:
         journal = read_journal(file)
     except JournalError as error:
-        return Left(file.stem, "", "", _moment(file), error.message)
+        return OrphanedJournal(file.stem, "", "", _moment(file), error.message)
     except FileError:
         return None
     if journal is None or not journal.records or not journal.unsaved:
         return None
-    return Left(file.stem, journal.path, journal.name, _moment(file))
+    return OrphanedJournal(file.stem, journal.path, journal.name, _moment(file))
 
 
 def _release(tab: _Tab, forget: bool = True) -> None:

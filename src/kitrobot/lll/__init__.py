@@ -1,16 +1,8 @@
 """The Low Level Language as text and tree: tokens, parser, printer."""
 
-from kitrobot.lll.formatting import format_text
-from kitrobot.lll.printer import (
-    print_again,
-    print_declaration,
-    print_lines,
-    print_members,
-    print_program,
-    print_team_program,
-    print_template,
-)
-from kitrobot.lll.reading import (
+from kitrobot.lll.formatter import format_text
+from kitrobot.lll.name_replacement import renamed_text
+from kitrobot.lll.parse_results import (
     Parsed,
     ParsedTeam,
     parse,
@@ -20,7 +12,15 @@ from kitrobot.lll.reading import (
     parse_team,
     parse_template,
 )
-from kitrobot.lll.renaming import renamed_text
+from kitrobot.lll.printer import (
+    print_again,
+    print_declaration,
+    print_lines,
+    print_members,
+    print_program,
+    print_team_program,
+    print_template,
+)
 from kitrobot.lll.tokens import is_name, team_name
 from kitrobot.lll.tree import (
     FAILURES,

@@ -1,4 +1,4 @@
-"""Characters that look like signs and digits of the language, or stand for them on other keyboards."""
+"""Characters that look like signs and digits of the language, or replace them on other keyboards."""
 
 from __future__ import annotations
 

@@ -1,13 +1,13 @@
 """A `.krt` file as a whole: programs, team and world together."""
 
-from kitrobot.mission.asked import AskedProperty, Form
 from kitrobot.mission.breakdown import Breakdown, BreakdownRule
 from kitrobot.mission.model import ALL, VERSION, Agent, Goal, Mission, Team, image_name
+from kitrobot.mission.property_xml import AskedProperty, Form
 from kitrobot.mission.radio import Radio
-from kitrobot.mission.reading import read_mission
+from kitrobot.mission.reader import read_mission
 from kitrobot.mission.rules import AGENT_ROBOT, NO_PROGRAM, PROPERTY
 from kitrobot.mission.trial import Breakpoint, Failure, FailureKind
-from kitrobot.mission.writing import SaveError, save, write_mission
+from kitrobot.mission.writer import SaveError, save, write_mission
 
 __all__ = [
     "AGENT_ROBOT",

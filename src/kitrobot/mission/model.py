@@ -13,8 +13,8 @@ from dataclasses import dataclass, field
 
 from kitrobot.graph import Program
 from kitrobot.lll import GroupDeclaration, RoleDeclaration, WorkDeclaration
-from kitrobot.mission.asked import AskedProperty
 from kitrobot.mission.breakdown import Breakdown
+from kitrobot.mission.property_xml import AskedProperty
 from kitrobot.mission.radio import Radio
 from kitrobot.mission.trial import Breakpoint, Failure
 from kitrobot.primitives import Constructor, Crew, CrewProgram, Level, OwnVariable, Texts

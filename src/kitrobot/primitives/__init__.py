@@ -33,7 +33,6 @@ from kitrobot.primitives.own_xml import (
     write_constructors,
     write_variable,
 )
-from kitrobot.primitives.reading import held_by_hand, in_words, reading, set_by_hand
 from kitrobot.primitives.robot import (
     LARGEST_VALUE,
     LONGEST_SETTING,
@@ -52,6 +51,7 @@ from kitrobot.primitives.robot_xml import read_robot
 from kitrobot.primitives.team_objects import TEAM, has_team, with_team
 from kitrobot.primitives.template_xml import Template, read_template
 from kitrobot.primitives.templates import Shape, holes, shape
+from kitrobot.primitives.value_format import format_value, held_by_hand, in_words, set_by_hand
 
 __all__ = [
     "DONE",
@@ -103,6 +103,7 @@ __all__ = [
     "as_measured",
     "declaring",
     "fill_with",
+    "format_value",
     "has_team",
     "held_by_hand",
     "holes",
@@ -116,7 +117,6 @@ __all__ = [
     "read_own",
     "read_robot",
     "read_template",
-    "reading",
     "set_by_hand",
     "shape",
     "team_robot",

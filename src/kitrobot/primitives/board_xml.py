@@ -1,7 +1,7 @@
-"""`<board>` of a robot's actuator or sensor, and the parts of a kit → `Board`: what the driver of a real robot is told.
+"""`<board>` of a robot's actuator or sensor, and the parts of a kit → `Board`: the settings of a real robot's driver.
 
-What it says travels to small boards in a line whose words are parted by spaces, so nothing that would break such a line
-is let through. Left to others: which drivers there are, and which settings one understands (drivers).
+They travel to small boards in a line whose words are separated by spaces, so characters that would break such a line
+are refused. Left to others: which drivers there are, and which settings one understands (drivers).
 """
 
 from __future__ import annotations
@@ -21,7 +21,7 @@ def _fits(text: str) -> bool:
     return 0 < len(text) <= LONGEST_SETTING and text.isprintable() and not _BREAKING & set(text)
 
 
-def driver_told(element: Element, ours: frozenset[str] = frozenset({"driver"})) -> Board:
+def read_board(element: Element, ours: frozenset[str] = frozenset({"driver"})) -> Board:
     """What an element tells a driver: its `driver`, and every attribute that is none of `ours` as a setting."""
     driver = element.attributes.get("driver")
     if driver is not None and not (_DRIVER.fullmatch(driver) and len(driver) <= LONGEST_SETTING):
@@ -55,7 +55,7 @@ def driver_told(element: Element, ours: frozenset[str] = frozenset({"driver"})) 
 
 _DRIVER_NAME = Kind(longest=LONGEST_SETTING, pattern=r"[A-Za-z][A-Za-z0-9_\-]*")
 BOARD = Tag(
-    driver_told,
+    read_board,
     {"driver": optional(_DRIVER_NAME, about="The driver; without it the device.")},
     free_attributes=True,
     about="At most one: what the real robot's driver is told, pins and the like. Attributes beside driver are its "

@@ -184,7 +184,7 @@ def _without(constructors: tuple[Constructor, ...], names: set[str]) -> tuple[Co
 
 def load_catalogue(folders: Sequence[Path | str] = ()) -> Catalogue:
     """Reads what is shipped, the user's folder and the given ones; a folder that is not there holds nothing."""
-    loading = _Loading()
+    loading = _CatalogueLoader()
     for folder in (SHIPPED, config_folder(), *map(Path, folders)):
         loading.folder(folder)
     return loading.catalogue()
@@ -212,7 +212,7 @@ def _constructors_once(data: bytes, name: str) -> tuple[tuple[Group, ...], tuple
     return tuple(groups), tuple(problems)
 
 
-class _Loading:
+class _CatalogueLoader:
     """What the folders read so far amount to."""
 
     def __init__(self) -> None:

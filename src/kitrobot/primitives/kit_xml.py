@@ -11,7 +11,7 @@ from dataclasses import dataclass, replace
 from kitrobot.diagnostics import Diagnostic
 from kitrobot.primitives import rules
 from kitrobot.primitives.attribute_kinds import ROBOT_NAME
-from kitrobot.primitives.board_xml import BOARD, driver_told
+from kitrobot.primitives.board_xml import BOARD, read_board
 from kitrobot.primitives.kit import (
     CHIPS,
     FAMILIES_OF_BOARDS,
@@ -40,10 +40,10 @@ from kitrobot.xml import (
     needed,
     one,
     optional,
+    read_text_element,
     remark,
+    report_duplicate_text,
     text_element,
-    told_text,
-    told_twice,
     version,
 )
 from kitrobot.xml import rules as xml_rules
@@ -128,7 +128,7 @@ def _part(element: Element) -> KitPart:
         _devices(element),
         tuple(dict.fromkeys(element.optional("part").split())),
         element.matching("when", ""),
-        driver_told(element, _OURS),
+        read_board(element, _OURS),
         help=element.texts.get("help", {}),
         place=element.place("device"),
     )
@@ -163,7 +163,7 @@ def _module(element: Element) -> Module:
 
 
 def _line(element: Element) -> _Line:
-    return _Line(element.name, *told_text(element))
+    return _Line(element.name, *read_text_element(element))
 
 
 def _lines(element: Element, kind: str) -> tuple[Texts, ...]:
@@ -175,7 +175,7 @@ def _lines(element: Element, kind: str) -> tuple[Texts, ...]:
         if line.language == "" or not found:
             found.append({line.language: line.text})
         elif line.language in found[-1]:
-            told_twice(around)
+            report_duplicate_text(around)
         else:
             found[-1][line.language] = line.text
     return tuple(found)

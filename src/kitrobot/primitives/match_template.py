@@ -28,13 +28,13 @@ def unfill(constructor: Constructor, template: Node, node: Node, *, any_number: 
     `any_number`: numbers outside the range of their slot fit too.
     """
     bound: Bound = {}
-    return bound if _Unfilling(constructor, bound, any_number).node(template, node) else None
+    return bound if _TemplateMatcher(constructor, bound, any_number).node(template, node) else None
 
 
 def unfill_all(constructor: Constructor, templates: list[Any], nodes: list[Any]) -> Bound | None:
     """The same for a row of instructions; comments may stand above the first and behind the last only."""
     bound: Bound = {}
-    matching = _Unfilling(constructor, bound, any_number=False)
+    matching = _TemplateMatcher(constructor, bound, any_number=False)
     if len(templates) != len(nodes) or any(node.above for node in nodes[1:]) or any(node.after for node in nodes[:-1]):
         return None
     return bound if all(map(matching.node, templates, nodes)) else None
@@ -44,7 +44,7 @@ def unfill_row(constructor: Constructor, template: Seq, nodes: list[Any]) -> Bou
     """The same for a row of instructions with a hole among them, which takes what the others leave."""
     assert template.hole is not None, "a row without a hole is unfilled as a whole"
     bound: Bound = {}
-    matching = _Unfilling(constructor, bound, any_number=False)
+    matching = _TemplateMatcher(constructor, bound, any_number=False)
     end = len(nodes) - (len(template.items) - template.hole_at)
     if end < template.hole_at:
         return None
@@ -66,7 +66,7 @@ def is_more_specific(one: Constructor, other: Constructor) -> bool:
 def _is_made_from(one: Constructor, other: Constructor) -> bool:
     assert one.template is not None, "what adds a branch has no template"
     assert other.template is not None, "what adds a branch has no template"
-    return _Unfilling(other, {}, any_number=True, of=one).node(other.template, one.template)
+    return _TemplateMatcher(other, {}, any_number=True, of=one).node(other.template, one.template)
 
 
 def fill_with(template: Any, bound: Bound) -> Any:
@@ -91,7 +91,7 @@ def fill_with(template: Any, bound: Bound) -> Any:
     return filled
 
 
-class _Unfilling:
+class _TemplateMatcher:
     """One comparison. `of`: the constructor whose template is the node, which then has holes of its own."""
 
     def __init__(self, constructor: Constructor, bound: Bound, any_number: bool, of: Constructor | None = None) -> None:

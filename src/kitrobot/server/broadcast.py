@@ -23,7 +23,7 @@ from kitrobot.mission import Mission
 from kitrobot.server.run_encoder import MOST_EVENTS_SENT
 from kitrobot.server.shapes import ErrorMessage, StartedMessage, StateMessage
 from kitrobot.text.json_text import to_json
-from kitrobot.translation import said, said_in
+from kitrobot.translation import reader_language, translate
 
 MOST_WATCHERS = 200
 """Pages that watch one run at a time."""
@@ -63,10 +63,10 @@ class RunUpdate:
 
     def text(self) -> str:
         """The changes as JSON in the reader's language; encoded once for all readers of it."""
-        language = said_in() if self._news["events"] else ""
+        language = reader_language() if self._news["events"] else ""
         made = self._texts.get(language)
         if made is None:
-            events = [{**event, "text": said(event["text"])} for event in self._news["events"]]
+            events = [{**event, "text": translate(event["text"])} for event in self._news["events"]]
             made = self._texts[language] = to_json({**self._news, "events": events}).decode()
         return made
 

@@ -9,7 +9,7 @@ from typing import Final
 from fastapi import FastAPI
 from starlette.types import ASGIApp
 
-from kitrobot.classroom import ClassRoom, Entrance, NotLetInError, TakenNameError
+from kitrobot.classroom import Admission, AdmissionRefusedError, ClassRoom, NameTakenError
 from kitrobot.diagnostics import KitRobotError
 from kitrobot.server.app import STATIC, create_app, install_failures
 from kitrobot.server.class_gateway import ClassGateway, new_key
@@ -58,15 +58,15 @@ def create_class_app(
     """
     token = new_key()
     studio = create_app(room.folder, None, key, static=static)
-    entrance = Entrance(room)
+    admission = Admission(room)
     grading = ClassGrader(room, studio.state.studio)
     app = class_api()
     app.state.room = room
-    app.state.entrance = entrance
+    app.state.admission = admission
     app.state.pictures = ClassPictures(room)
     app.state.studio = studio.state.studio
     app.state.grading = grading
-    app.state.overview = Overview(room, entrance, studio.state.studio, grading, reach)
+    app.state.overview = Overview(room, admission, studio.state.studio, grading, reach)
     serve_pages(app, static, site)
     app.add_middleware(DeadlineMiddleware, refuse=refuse)
     app.add_middleware(SecurityMiddleware, token=token, largest_body_bytes=LARGEST_BODY_BYTES)
@@ -89,8 +89,8 @@ def class_api() -> FastAPI:
 
 def _status(error: KitRobotError) -> int | None:
     """The status of what can fail in a class."""
-    if isinstance(error, NotLetInError):
+    if isinstance(error, AdmissionRefusedError):
         return 403
-    if isinstance(error, TakenNameError):
+    if isinstance(error, NameTakenError):
         return 409
     return None

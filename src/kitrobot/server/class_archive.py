@@ -9,7 +9,7 @@ from contextlib import suppress
 from dataclasses import dataclass
 from typing import Final
 
-from kitrobot.classroom import ClassError, ClassRoom, Pupil, Work, met
+from kitrobot.classroom import ClassError, ClassRoom, Pupil, Submission, met
 from kitrobot.diagnostics import KitRobotError
 from kitrobot.files import FileError
 from kitrobot.server.studio import Studio
@@ -39,7 +39,7 @@ def build_archive(room: ClassRoom, studio: Studio, folders: list[str] | None) ->
     taken = files = 0
     with zipfile.ZipFile(out, "w", zipfile.ZIP_DEFLATED) as archive:
         for pupil in _chosen(room, folders):
-            for work in room.works(pupil):
+            for work in room.list_submissions(pupil):
                 taken += work.bytes
                 if taken > MOST_BYTES:
                     raise ClassError(
@@ -47,14 +47,14 @@ def build_archive(room: ClassRoom, studio: Studio, folders: list[str] | None) ->
                         Sentence("copy the folder `{folder}` instead: everything is in it", room.folder.name),
                     )
                 with suppress(FileError):
-                    data, _ = room.read_work(pupil, work.name)
+                    data, _ = room.read_submission(pupil, work.name)
                     archive.writestr(_info(f"{pupil.folder}/{work.name}", work), data)
                     files += 1
         archive.writestr(TABLE, table(room, studio, folders))
     return ClassArchive(out.getvalue(), files)
 
 
-def _info(name: str, work: Work) -> zipfile.ZipInfo:
+def _info(name: str, work: Submission) -> zipfile.ZipInfo:
     year, month, day, hour, minute, second = (int(work.modified[a:b]) for a, b in _PLACES)
     # A ZIP file knows the years from 1980 to 2107 only.
     return zipfile.ZipInfo(name, (min(max(1980, year), 2107), month, day, hour, minute, second))
@@ -84,7 +84,7 @@ def goal_labels(studio: Studio, exercise: str) -> list[str]:
 
 
 def _line(room: ClassRoom, pupil: Pupil, labels: list[str]) -> list[object]:
-    newest = next(iter(room.works(pupil)), None)
+    newest = next(iter(room.list_submissions(pupil)), None)
     exercise = room.record.exercise
     ours = pupil.report.goals if exercise and pupil.report.exercise == exercise else ()
     words = {True: "yes", False: "no", None: ""}

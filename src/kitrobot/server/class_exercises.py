@@ -11,7 +11,7 @@ from pathlib import Path, PurePosixPath
 
 from kitrobot.classroom import ClassError, ClassRoom
 from kitrobot.classroom.names import as_file_name
-from kitrobot.exercise import without_hidden
+from kitrobot.exercise import remove_hidden_parts
 from kitrobot.files import EXAMPLE, EXERCISE_ENDING, HANDED_OUT, TUTORIAL_ENDING
 from kitrobot.server.assignments import is_plain, read_files, write_files
 from kitrobot.server.studio import Studio
@@ -24,7 +24,7 @@ def hand_out_exercise(room: ClassRoom, studio: Studio, name: str) -> str:
 
     Raises:
         MissionNameError: it is no name of an exercise.
-        LessonGoneError: it cannot be used.
+        LessonUnavailableError: it cannot be used.
         ClassError: it is a pupil's.
         HandedOutError: there is too much beside it.
         FileError: it cannot be read or written.
@@ -62,7 +62,7 @@ def files_of_exercise(room: ClassRoom) -> tuple[PurePosixPath, dict[str, bytes]]
     files = read_files({path.name: path for path in beside if is_plain(path.name) and path.is_file()})
     for name in [name for name in files if name.endswith(EXERCISE_ENDING)]:
         try:
-            files[name] = without_hidden(files[name], name)
+            files[name] = remove_hidden_parts(files[name], name)
         except ValueError:
             del files[name]
     return folder, files

@@ -4,7 +4,7 @@
   browser sends one, must be that host.
 - The teacher's key counts on the teacher's machine only: from elsewhere it is no key.
 - A pupil's key leads to that pupil and nowhere else: it is looked up, and the application behind gets the pupil.
-- Without a key one can load the page, see the name of the class and come in (`entrance` limits guessing).
+- Without a key one can load the page, see the name of the class and come in (`admission` limits guessing).
 - Each pupil, and each address without a key, has a rate limit.
 
 Each application behind has a token of its own, which this gateway puts in the place of the key; so nothing that a page
@@ -26,7 +26,7 @@ from urllib.parse import parse_qs
 from starlette.datastructures import Headers
 from starlette.types import ASGIApp, Message, Receive, Scope, Send
 
-from kitrobot.classroom import Allowance, ClassRoom, Pupil
+from kitrobot.classroom import ClassRoom, Pupil, RateLimit
 from kitrobot.files import writing_within
 from kitrobot.server.class_studios import PupilStudios
 from kitrobot.server.security import TOKEN_HEADER, add_security_headers, refuse
@@ -71,7 +71,7 @@ class ClassGateway:
         self._studios = studios
         self._clock = clock
         self._names = _names_of_this_machine()
-        self._allowances: OrderedDict[str, Allowance] = OrderedDict()
+        self._allowances: OrderedDict[str, RateLimit] = OrderedDict()
         self._sockets: Counter[str] = Counter()
 
     async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
@@ -139,7 +139,7 @@ class ClassGateway:
         if known is None:
             rate = (A_SECOND, AT_ONCE) if pupil is not None else (STRANGERS_A_SECOND, STRANGERS_AT_ONCE)
             rate = (JOINS_A_SECOND, JOINS_AT_ONCE) if joins else rate
-            known = self._allowances[who] = Allowance(*rate)
+            known = self._allowances[who] = RateLimit(*rate)
         self._allowances.move_to_end(who)
         while len(self._allowances) > MOST_KNOWN:
             self._allowances.popitem(last=False)

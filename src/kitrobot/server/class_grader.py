@@ -17,9 +17,9 @@ from kitrobot.diagnostics import KitRobotError
 from kitrobot.files import EXERCISE_ENDING, FileError, read_bytes, write_atomic
 from kitrobot.server.studio import Studio
 from kitrobot.text import Sentence
+from kitrobot.workspace.class_grader import grade
 from kitrobot.workspace.grade_tables import as_csv, as_html
 from kitrobot.workspace.grades import Grade
-from kitrobot.workspace.grading import grade
 
 JOBS: Final = 1
 """The class goes on meanwhile."""
@@ -104,8 +104,8 @@ class ClassGrader:
             write_atomic(self._room.folder / GRADES_TABLE, as_csv(made).encode(errors="replace"))
             write_atomic(self._room.folder / GRADES_PAGE, as_html(made).encode(errors="replace"))
             self.state = GradingState(len(made), len(names), GRADES_PAGE)
-            self._room.log.say(f"{len(made)} were graded: {GRADES_PAGE}")
+            self._room.log.write(f"{len(made)} were graded: {GRADES_PAGE}")
         except (KitRobotError, FileError, OSError) as error:
             _log.warning("grading ended: %s", error)
-            self._room.log.say(f"grading ended: {error}")
+            self._room.log.write(f"grading ended: {error}")
             self.state = None

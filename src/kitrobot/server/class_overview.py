@@ -10,7 +10,7 @@ from typing import Final
 
 from pydantic import BaseModel
 
-from kitrobot.classroom import ClassRoom, Entrance, Pupil, state_of
+from kitrobot.classroom import Admission, ClassRoom, Pupil, state_of
 from kitrobot.diagnostics import KitRobotError
 from kitrobot.server.class_grader import ClassGrader
 from kitrobot.server.shapes.classroom import (
@@ -41,10 +41,10 @@ class Overview:
     """The overview of one class."""
 
     def __init__(
-        self, room: ClassRoom, entrance: Entrance, studio: Studio, grading: ClassGrader, reach: JoinAddress
+        self, room: ClassRoom, admission: Admission, studio: Studio, grading: ClassGrader, reach: JoinAddress
     ) -> None:
         self._room = room
-        self._entrance = entrance
+        self._admission = admission
         self._studio = studio
         self._grading = grading
         self._reach = reach
@@ -58,7 +58,7 @@ class Overview:
         grading = self._grading.state
         asking = [
             ClassAskingShape(asked=asked, folder=folder, name=pupil.record.name)
-            for asked, folder in self._entrance.asking().items()
+            for asked, folder in self._admission.pending().items()
             if (pupil := room.pupils.get(folder)) is not None
         ]
         return ClassNewsMessage(
@@ -139,6 +139,6 @@ class Overview:
         if now - self._measured >= FOLDER_S:
             self._measured = now
             self._bytes = sum(
-                work.bytes for pupil in list(self._room.pupils.values()) for work in self._room.works(pupil)
+                work.bytes for pupil in list(self._room.pupils.values()) for work in self._room.list_submissions(pupil)
             )
         return self._bytes

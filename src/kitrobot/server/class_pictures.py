@@ -39,7 +39,7 @@ class ClassPictures:
             kept = self._cache.get(pupil.folder)
         if kept is None and pupil.work:
             try:
-                data, _ = self._room.read_work(pupil, pupil.work)
+                data, _ = self._room.read_submission(pupil, pupil.work)
                 mission = read_mission(data, pupil.work)[0]
             except KitRobotError:
                 return None

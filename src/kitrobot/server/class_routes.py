@@ -10,7 +10,7 @@ from typing import Annotated
 from fastapi import Depends, Query, Request, Response
 from starlette.requests import HTTPConnection
 
-from kitrobot.classroom import ClassRoom, Entrance, NotLetInError, Pupil, TakenNameError
+from kitrobot.classroom import Admission, AdmissionRefusedError, ClassRoom, NameTakenError, Pupil
 from kitrobot.server.api_router import api_router
 from kitrobot.server.assignments import pack
 from kitrobot.server.class_exercises import files_of_exercise
@@ -44,18 +44,18 @@ def pupil_of(connection: HTTPConnection) -> Pupil:
     """The pupil who sent a request.
 
     Raises:
-        NotLetInError: no pupil sent it.
+        AdmissionRefusedError: no pupil sent it.
     """
     pupil = connection.scope.get("state", {}).get("class_pupil")
     if not isinstance(pupil, Pupil):
-        raise NotLetInError(Sentence("you are not in this class"), Sentence("join it with the code"))
+        raise AdmissionRefusedError(Sentence("you are not in this class"), Sentence("join it with the code"))
     return pupil
 
 
-def _entrance(request: Request) -> Entrance:
-    entrance = request.app.state.entrance
-    assert isinstance(entrance, Entrance)
-    return entrance
+def _admission(request: Request) -> Admission:
+    admission = request.app.state.admission
+    assert isinstance(admission, Admission)
+    return admission
 
 
 def _pictures(request: Request) -> ClassPictures:
@@ -70,7 +70,7 @@ def _from(request: Request) -> str:
 
 ThisRoom = Annotated[ClassRoom, Depends(room_of)]
 ThisPupil = Annotated[Pupil, Depends(pupil_of)]
-Door = Annotated[Entrance, Depends(_entrance)]
+Door = Annotated[Admission, Depends(_admission)]
 From = Annotated[str, Depends(_from)]
 Name = Annotated[str, Query(max_length=1000)]
 
@@ -82,25 +82,25 @@ def class_(room: ThisRoom) -> ClassShape:
 
 
 @class_routes.post("/join")
-def join(entrance: Door, who: From, wanted: JoinShape) -> JoinedShape:
+def join(admission: Door, who: From, wanted: JoinShape) -> JoinedShape:
     """Lets a pupil in."""
     try:
-        pupil, key = entrance.join(wanted.code, wanted.name, wanted.word, who)
-    except TakenNameError:
+        pupil, key = admission.join(wanted.code, wanted.name, wanted.word, who)
+    except NameTakenError:
         return JoinedShape(state="taken")
     return JoinedShape(state="in", key=key, name=pupil.record.name, word=pupil.record.word)
 
 
 @class_routes.post("/ask")
-def ask(entrance: Door, who: From, wanted: ClassAskShape) -> ClassAskedShape:
+def ask(admission: Door, who: From, wanted: ClassAskShape) -> ClassAskedShape:
     """Asks the teacher to let somebody in as a pupil that there is."""
-    return ClassAskedShape(asked=entrance.ask(wanted.code, wanted.name, who))
+    return ClassAskedShape(asked=admission.request(wanted.code, wanted.name, who))
 
 
 @class_routes.post("/asked")
-def asked(entrance: Door, wanted: ClassAskedShape) -> ClassAnsweredShape:
+def asked(admission: Door, wanted: ClassAskedShape) -> ClassAnsweredShape:
     """The teacher's answer to that."""
-    yes, _, key = entrance.answered(wanted.asked)
+    yes, _, key = admission.take_answer(wanted.asked)
     if yes is None:
         return ClassAnsweredShape(state="waiting")
     return ClassAnsweredShape(state="in" if yes and key else "no", key=key)
@@ -118,13 +118,15 @@ def hand_in(room: ThisRoom, pupil: ThisPupil, request: Request, wanted: HandInSh
 @class_routes.get("/work")
 def work(room: ThisRoom, pupil: ThisPupil) -> list[ClassWorkShape]:
     """What was handed in, the newest first."""
-    return [ClassWorkShape(name=one.name, bytes=one.bytes, modified=one.modified) for one in room.works(pupil)]
+    return [
+        ClassWorkShape(name=one.name, bytes=one.bytes, modified=one.modified) for one in room.list_submissions(pupil)
+    ]
 
 
 @class_routes.get("/work/file", response_class=Response)
 def work_file(room: ThisRoom, pupil: ThisPupil, name: Name) -> Response:
     """One of them as it is on the disk; its revision is the ETag."""
-    data, revision = room.read_work(pupil, name)
+    data, revision = room.read_submission(pupil, name)
     return Response(data, media_type="application/octet-stream", headers={"etag": f'"{revision}"'})
 
 

@@ -12,12 +12,12 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Final
 
-from kitrobot.classroom import SITE, ClassRoom, Desk, unread_sentence
+from kitrobot.classroom import SITE, ClassRoom, TeacherActions, unread_sentence
 from kitrobot.server.class_certificate import usable_certificate
 from kitrobot.server.presence import Presence
 from kitrobot.server.studio_server import ServerError, has_screen, listen, print_address
 from kitrobot.text import Sentence
-from kitrobot.translation import said
+from kitrobot.translation import translate
 
 if TYPE_CHECKING:
     from kitrobot.server.class_overview import JoinAddress
@@ -56,7 +56,7 @@ def serve_class(opening: ClassSettings) -> None:
     room = ClassRoom(opening.folder)
     try:
         if opening.new_code or not room.record.code:
-            Desk(room).set_code(True)
+            TeacherActions(room).set_code(True)
         _serve(room, address, opening, site)
     finally:
         room.close()
@@ -126,16 +126,16 @@ def _welcome(room: ClassRoom, reach: JoinAddress, site: Path | None) -> list[str
             room.folder / SITE,
         )
     return [
-        said(Sentence("The page for the teacher is at the address above; keep it to yourself.")),
+        translate(Sentence("The page for the teacher is at the address above; keep it to yourself.")),
         "",
         qr_text(reach.address) if sys.stderr.isatty() else "",
-        said(Sentence("Pupils open {address}", reach.address)),
-        said(Sentence("and type the code {code}", f"{code[:3]} {code[3:]}")),
+        translate(Sentence("Pupils open {address}", reach.address)),
+        translate(Sentence("and type the code {code}", f"{code[:3]} {code[3:]}")),
         "",
-        said(reach.sentence),
-        said(runs),
-        said(Sentence("The work of the class is in the folder {folder}. Ctrl-C ends the class.", room.folder)),
-        *(said(unread_sentence(one)) for one in room.record.unread),
+        translate(reach.sentence),
+        translate(runs),
+        translate(Sentence("The work of the class is in the folder {folder}. Ctrl-C ends the class.", room.folder)),
+        *(translate(unread_sentence(one)) for one in room.record.unread),
     ]
 
 

@@ -14,7 +14,7 @@ from typing import Annotated, Any, Final
 from fastapi import WebSocket, WebSocketDisconnect
 from pydantic import BaseModel, Field, TypeAdapter, ValidationError
 
-from kitrobot.classroom import Allowance, ClassRoom, Desk, Goal, Pupil, Report, Told
+from kitrobot.classroom import ClassRoom, Goal, Pupil, PupilStatus, RateLimit, Report, TeacherActions
 from kitrobot.diagnostics import KitRobotError
 from kitrobot.server.api_router import api_router
 from kitrobot.server.background import run_in_background
@@ -57,7 +57,7 @@ def _change_event(room: ClassRoom) -> Iterator[asyncio.Event]:
         with suppress(RuntimeError):  # the loop has ended
             loop.call_soon_threadsafe(news.set)
 
-    end = room.hear(wake)
+    end = room.subscribe(wake)
     try:
         yield news
     finally:
@@ -77,21 +77,21 @@ async def pupil_socket(socket: WebSocket) -> None:
         await socket.close(1013)
         return
     # Counted before anything is awaited: many that come at once are counted, too.
-    room.comes(pupil)
+    room.open_page(pupil)
     try:
         await socket.accept()
         await _send_pupil_news(socket, room, pupil)
     finally:
-        room.goes(pupil)
+        room.close_page(pupil)
 
 
 async def _send_pupil_news(socket: WebSocket, room: ClassRoom, pupil: Pupil) -> None:
     receiver = asyncio.ensure_future(_receive_messages(socket, lambda text: _handle_pupil_message(room, pupil, text)))
     try:
         with _change_event(room) as news:
-            sent: Told | None = None
+            sent: PupilStatus | None = None
             while not receiver.done() and room.pupils.get(pupil.folder) is pupil:
-                now = room.told(pupil)
+                now = room.status_of(pupil)
                 if now != sent:
                     sent = now
                     await socket.send_text(_pupil_message(now).model_dump_json())
@@ -129,7 +129,7 @@ async def teacher_socket(socket: WebSocket) -> None:
     except (WebSocketDisconnect, RuntimeError):
         pass
     finally:
-        Desk(room).look_on(None)
+        TeacherActions(room).view_pupil(None)
         await _close_socket(socket, receiver)
 
 
@@ -152,7 +152,7 @@ async def _close_socket(socket: WebSocket, receiver: asyncio.Future[None]) -> No
 async def _receive_messages(socket: WebSocket, take: Callable[[str], None]) -> None:
     """Handles the page's messages until it closes, sends too much, or sends an invalid one."""
     now = asyncio.get_running_loop().time
-    allowance = Allowance(MOST_A_SECOND, MOST_AT_ONCE)
+    allowance = RateLimit(MOST_A_SECOND, MOST_AT_ONCE)
     with suppress(WebSocketDisconnect, RuntimeError):
         while True:
             message = await socket.receive()
@@ -174,7 +174,7 @@ async def _receive_messages(socket: WebSocket, take: Callable[[str], None]) -> N
 def _handle_pupil_message(room: ClassRoom, pupil: Pupil, text: str) -> None:
     said = PUPIL_REQUEST.validate_json(text)
     if isinstance(said, HandMessage):
-        room.put_hand(pupil, said.up)
+        room.set_hand(pupil, said.up)
         return
     if isinstance(said, TurnMessage):
         room.give_turn(pupil, said.yes)
@@ -186,11 +186,11 @@ def _handle_pupil_message(room: ClassRoom, pupil: Pupil, text: str) -> None:
         room.show_arena(pupil, arena)
         return
     goals = tuple(Goal(goal.reached, goal.why) for goal in said.goals)
-    room.take(pupil, Report(said.running, said.edits, said.runs, said.file, said.exercise, goals))
+    room.take_report(pupil, Report(said.running, said.edits, said.runs, said.file, said.exercise, goals))
 
 
 def _handle_teacher_message(room: ClassRoom, text: str) -> None:
-    Desk(room).look_on(room.pupils.get(TEACHER_REQUEST.validate_json(text).folder))
+    TeacherActions(room).view_pupil(room.pupils.get(TEACHER_REQUEST.validate_json(text).folder))
 
 
 def _current_arena(room: ClassRoom) -> tuple[str, str]:
@@ -205,19 +205,19 @@ def _arena_message(folder: str, arena: str) -> ArenaMessage:
     return ArenaMessage(type="arena", folder=folder, arena=shown)
 
 
-def _pupil_message(told: Told) -> PupilNewsMessage:
+def _pupil_message(status: PupilStatus) -> PupilNewsMessage:
     return PupilNewsMessage(
         type="pupil",
-        class_name=told.class_name,
-        name=told.name,
-        word=told.word,
-        frozen=told.frozen,
-        exercise=told.exercise,
-        handed=told.handed.number,
-        handed_name=told.handed.name,
-        note=told.note[0],
-        note_text=told.note[1],
-        looked=told.looked,
-        hand=told.hand,
-        turn=told.turn,
+        class_name=status.class_name,
+        name=status.name,
+        word=status.word,
+        frozen=status.frozen,
+        exercise=status.exercise,
+        handed=status.handed.number,
+        handed_name=status.handed.name,
+        note=status.note[0],
+        note_text=status.note[1],
+        looked=status.looked,
+        hand=status.hand,
+        turn=status.turn,
     )

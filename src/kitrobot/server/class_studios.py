@@ -47,7 +47,7 @@ class PupilStudio:
         try:
             copy_exercise(self._room, self.folder)
         except (KitRobotError, OSError) as error:
-            self._room.log.say(f"{self.folder.name} did not get the exercise: {error}")
+            self._room.log.write(f"{self.folder.name} did not get the exercise: {error}")
 
 
 class PupilStudios:

@@ -9,7 +9,7 @@ from typing import Annotated
 
 from fastapi import Depends, Query, Request, Response
 
-from kitrobot.classroom import ClassError, Desk, Entrance, Pupil
+from kitrobot.classroom import Admission, ClassError, Pupil, TeacherActions
 from kitrobot.files import carried_mission
 from kitrobot.server.api_router import ThisStudio, api_router
 from kitrobot.server.class_archive import ClassArchive, build_archive, table
@@ -39,8 +39,8 @@ from kitrobot.text import Sentence
 teacher_routes = api_router("/api/class/teacher")
 
 
-def _desk(request: Request) -> Desk:
-    return Desk(room_of(request))
+def _actions(request: Request) -> TeacherActions:
+    return TeacherActions(room_of(request))
 
 
 def _grading(request: Request) -> ClassGrader:
@@ -49,7 +49,7 @@ def _grading(request: Request) -> ClassGrader:
     return grading
 
 
-ThisDesk = Annotated[Desk, Depends(_desk)]
+ThisActions = Annotated[TeacherActions, Depends(_actions)]
 TheGrading = Annotated[ClassGrader, Depends(_grading)]
 Folder = Annotated[str, Query(max_length=300)]
 Folders = Annotated[list[str] | None, Query(max_length=1000)]
@@ -77,28 +77,28 @@ def picture(room: ThisRoom, request: Request, folder: Folder) -> Response:
 
 
 @teacher_routes.post("/code")
-def code(desk: ThisDesk, wanted: TeacherCodeShape) -> bool:
+def code(actions: ThisActions, wanted: TeacherCodeShape) -> bool:
     """A new code, or none: then nobody can join."""
-    desk.set_code(wanted.on)
+    actions.set_code(wanted.on)
     return wanted.on
 
 
 @teacher_routes.post("/freeze")
-def freeze(desk: ThisDesk, wanted: TeacherFreezeShape) -> bool:
+def freeze(actions: ThisActions, wanted: TeacherFreezeShape) -> bool:
     """Those pupils, or everybody, are to look up, or go on."""
-    desk.set_frozen(wanted.on, wanted.folders)
+    actions.set_frozen(wanted.on, wanted.folders)
     return wanted.on
 
 
 @teacher_routes.post("/exercise")
 def exercise(
-    desk: ThisDesk, room: ThisRoom, studio: ThisStudio, request: Request, wanted: TeacherExerciseShape
+    actions: ThisActions, room: ThisRoom, studio: ThisStudio, request: Request, wanted: TeacherExerciseShape
 ) -> bool:
     """Chooses the exercise of the class: one that comes with KitRobot, or one of the folder, which is handed out."""
     name = wanted.exercise
     if name:
         name = hand_out_exercise(room, studio, name)
-    desk.set_exercise(name)
+    actions.set_exercise(name)
     studios = request.app.state.studios
     if isinstance(studios, PupilStudios):
         studios.take_exercise()
@@ -106,74 +106,74 @@ def exercise(
 
 
 @teacher_routes.post("/hand-out")
-def hand_out(desk: ThisDesk, studio: ThisStudio, wanted: TeacherHandOutShape) -> TeacherHandedOutShape:
+def hand_out(actions: ThisActions, studio: ThisStudio, wanted: TeacherHandOutShape) -> TeacherHandedOutShape:
     """Gives a mission of the folder or of the examples to pupils; what cannot be opened is not handed out."""
     data, _ = studio.folder.read(wanted.path)
     data, name = carried_mission(data, wanted.path)
     opened = studio.read(data, name, wanted.path)
     if not opened.mission.programs:
         raise ClassError(Sentence("there is no program in `{name}`", name), "")
-    name, pupils = desk.hand_out(name, data, wanted.to)
+    name, pupils = actions.hand_out(name, data, wanted.to)
     return TeacherHandedOutShape(name=name, pupils=pupils)
 
 
 @teacher_routes.post("/note")
-def note(desk: ThisDesk, room: ThisRoom, wanted: TeacherNoteShape) -> bool:
+def note(actions: ThisActions, room: ThisRoom, wanted: TeacherNoteShape) -> bool:
     """Writes a few words to one pupil."""
-    desk.write_to(_one(room, wanted.folder), wanted.text)
+    actions.send_note(_one(room, wanted.folder), wanted.text)
     return True
 
 
 @teacher_routes.post("/hand-down")
 def hand_down(room: ThisRoom, wanted: TeacherPupilShape) -> bool:
     """The teacher was there."""
-    room.put_hand(_one(room, wanted.folder), up=False)
+    room.set_hand(_one(room, wanted.folder), up=False)
     return True
 
 
 @teacher_routes.post("/turn")
-def turn(desk: ThisDesk, room: ThisRoom, wanted: TeacherTurnShape) -> bool:
+def turn(actions: ThisActions, room: ThisRoom, wanted: TeacherTurnShape) -> bool:
     """Asks a pupil to let the teacher edit; or gives the mission back."""
     pupil = _one(room, wanted.folder)
     if wanted.ask:
-        desk.ask_turn(pupil)
+        actions.request_turn(pupil)
     else:
-        desk.give_back(pupil)
+        actions.return_turn(pupil)
     return wanted.ask
 
 
 @teacher_routes.post("/add")
-def add(desk: ThisDesk, wanted: TeacherAddShape) -> TeacherPupilShape:
+def add(actions: ThisActions, wanted: TeacherAddShape) -> TeacherPupilShape:
     """A pupil who comes later, with the word."""
-    return TeacherPupilShape(folder=desk.add(wanted.name).folder)
+    return TeacherPupilShape(folder=actions.add(wanted.name).folder)
 
 
 @teacher_routes.post("/remove")
-def remove(desk: ThisDesk, room: ThisRoom, wanted: TeacherPupilShape) -> bool:
+def remove(actions: ThisActions, room: ThisRoom, wanted: TeacherPupilShape) -> bool:
     """Nobody comes in as this pupil any more; the folder stays."""
-    desk.remove(_one(room, wanted.folder))
+    actions.remove(_one(room, wanted.folder))
     return True
 
 
 @teacher_routes.post("/remove-idle")
-def remove_idle(desk: ThisDesk) -> int:
+def remove_idle(actions: ThisActions) -> int:
     """Takes those out of the class who came in, handed nothing in and are not here; gives how many."""
-    return desk.remove_idle()
+    return actions.remove_idle()
 
 
 @teacher_routes.post("/places")
-def places(desk: ThisDesk, wanted: TeacherPlacesShape) -> int:
+def places(actions: ThisActions, wanted: TeacherPlacesShape) -> int:
     """The class takes so many pupils from now on."""
-    desk.set_places(wanted.places)
+    actions.set_places(wanted.places)
     return wanted.places
 
 
 @teacher_routes.post("/answer")
 def answer(request: Request, wanted: TeacherAnswerShape) -> bool:
     """Lets somebody in who asks for it, or does not."""
-    entrance = request.app.state.entrance
-    assert isinstance(entrance, Entrance)
-    entrance.answer(wanted.asked, wanted.yes)
+    admission = request.app.state.admission
+    assert isinstance(admission, Admission)
+    admission.answer(wanted.asked, wanted.yes)
     return wanted.yes
 
 

@@ -16,7 +16,7 @@ from kitrobot.server.shapes.drawing_check import (
 from kitrobot.server.websocket_jobs import WebSocketJob
 from kitrobot.text import Sentence
 from kitrobot.workspace import OpenMission, RunOptions
-from kitrobot.workspace.drawing_check import EXPLORE_S, RUN_S, look_through
+from kitrobot.workspace.drawing_check import EXPLORE_S, RUN_S, check_drawing
 
 
 class _DrawingCheck(WebSocketJob):
@@ -28,7 +28,7 @@ class _DrawingCheck(WebSocketJob):
 
     def work(self, request: DrawingCheckStartRequest, opened: OpenMission) -> DrawingCheckMessage:
         prepared = opened.prepare(RunOptions(request.seed, RUN_S))
-        found = look_through(prepared, self.stop.is_set, EXPLORE_S)
+        found = check_drawing(prepared, self.stop.is_set, EXPLORE_S)
         return drawing_check_message(found, prepared.simulation.tick_ms)
 
 

@@ -2,7 +2,7 @@
 
 The page asks for one piece after another (a seed's run, then what is checked), so it knows how far it is; the piece
 that is on is broken off by the name that the page gave it, and answers with what it found. Each piece is bounded by
-steps (`workspace.judging`). Hidden goals and seeds are not sent.
+steps (`workspace.exercise_evaluation`). Hidden goals and seeds are not sent.
 """
 
 from __future__ import annotations
@@ -23,7 +23,7 @@ from kitrobot.server.shapes.exercise import (
 )
 from kitrobot.server.studio import Studio
 from kitrobot.workspace import handed_in
-from kitrobot.workspace.judging import JudgingOptions, judge
+from kitrobot.workspace.exercise_evaluation import EvaluationOptions, evaluate_submission
 
 exercise_routes = api_router()
 
@@ -52,8 +52,8 @@ def _judged(studio: Studio, wanted: JudgeShape, stop: StopSignal) -> JudgedShape
     opened = studio.open(mission, start_name)
     checks = wanted.seed is None
     seeds = () if wanted.seed is None else (wanted.seed,)
-    options = JudgingOptions(seeds=seeds, runs=not checks, checks=checks, stop=stop.is_set)
-    made = judge(exercise, opened, options, given=start.mission.constructors)
+    options = EvaluationOptions(seeds=seeds, runs=not checks, checks=checks, stop=stop.is_set)
+    made = evaluate_submission(exercise, opened, options, given=start.mission.constructors)
     return JudgedShape(goals=goal_verdict_shapes(made), mission=mission_shape(mission))
 
 

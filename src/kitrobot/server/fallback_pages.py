@@ -6,7 +6,7 @@ import html
 import re
 
 from kitrobot.server.sentences import spoken
-from kitrobot.translation import DIRECTIONS, said_in
+from kitrobot.translation import DIRECTIONS, reader_language
 
 _PAGE = """<!doctype html>
 <html lang="{language}" dir="{direction}">
@@ -32,7 +32,7 @@ code {{ font-family: ui-monospace, monospace; padding: 0.1em 0.35em; border-radi
 
 def sentence(message: str, help: str) -> str:
     """A page with one sentence; `words` in back quotes are set as code."""
-    language = said_in()
+    language = reader_language()
     return _PAGE.format(
         language=language,
         direction=DIRECTIONS[language],

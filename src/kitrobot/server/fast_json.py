@@ -19,7 +19,7 @@ from kitrobot.lll import TeamProgram
 from kitrobot.server.list_delta import encode_delta
 from kitrobot.server.shapes import problem_shapes
 from kitrobot.server.shapes.mission import DeclaredShape
-from kitrobot.text import same_ends
+from kitrobot.text import common_affixes
 from kitrobot.text.json_text import to_json
 from kitrobot.workspace import ProgramReport, Report
 
@@ -72,7 +72,7 @@ def _program(one: ProgramReport, base: ProgramReport | None) -> dict[str, Any]:
     told = {"name": one.name, "instructions": one.instructions, "known": one.known}
     if base is None:
         return {**told, "lll": one.lll, "spans": _spans(one.spans)}
-    at, tail = same_ends(base.lll, one.lll)
+    at, tail = common_affixes(base.lll, one.lll)
     return {
         **told,
         "of": base.known,
@@ -85,7 +85,7 @@ def _program(one: ProgramReport, base: ProgramReport | None) -> dict[str, Any]:
 
 def _moved(before: Sequence[VertexPlace], after: Sequence[VertexPlace]) -> list[dict[str, Any]]:
     """The places as what became of those before: the first ones that stayed, those between, the last ones, moved."""
-    shorter, start = min(len(before), len(after)), same_ends(before, after)[0]
+    shorter, start = min(len(before), len(after)), common_affixes(before, after)[0]
     tail = characters = lines = 0
     if start < shorter:
         characters, lines = after[-1].start - before[-1].start, after[-1].line - before[-1].line

@@ -8,7 +8,7 @@ from pathlib import Path
 from kitrobot.files import first_example
 from kitrobot.server.routes import mission
 from kitrobot.server.studio import Studio
-from kitrobot.translation import LANGUAGES, reading_in
+from kitrobot.translation import LANGUAGES, override_language
 
 
 def first_missions() -> dict[str, bytes]:
@@ -25,7 +25,7 @@ def first_missions() -> dict[str, bytes]:
 
 
 def _first(studio: Studio, language: str) -> bytes:
-    with reading_in(language):
+    with override_language(language):
         made = mission(studio, studio.first or "")
         # The state of files on this machine.
         return made.model_copy(update={"parts": ""}).model_dump_json(by_alias=True).encode()

@@ -32,7 +32,7 @@ from kitrobot.server.shapes import (
 from kitrobot.server.shapes.journal import ConflictedShape, LeftShape, MergeAskShape, MergedShape
 from kitrobot.server.shapes.values import ClaimedValue
 from kitrobot.server.studio import Studio
-from kitrobot.translation import said
+from kitrobot.translation import translate
 from kitrobot.versions import Difference, differences
 from kitrobot.workspace import merge_checked
 
@@ -68,13 +68,13 @@ def append(studio: ThisStudio, wanted: JournalAppendShape) -> JournalSizeShape:
 @journal_routes.get("/journal/left")
 def left(studio: ThisStudio) -> list[LeftShape]:
     """Unsaved work that nobody has open, the newest first."""
-    return [LeftShape.model_validate(one) for one in studio.journals.left()]
+    return [LeftShape.model_validate(one) for one in studio.journals.orphaned()]
 
 
 @journal_routes.post("/journal/forget")
 def forget(studio: ThisStudio, wanted: ForgetShape) -> list[LeftShape]:
     """Throws unsaved work away that nobody has open; gives what is left."""
-    studio.journals.forget(wanted.journal)
+    studio.journals.discard(wanted.journal)
     return left(studio)
 
 
@@ -107,10 +107,10 @@ def merge(studio: ThisStudio, wanted: MergeAskShape) -> MergedShape:
         conflicts=[
             ConflictedShape(
                 name=one.name,
-                what=_capital(said(one.what)),
-                sentence=_capital(said(one.sentence)),
-                ours=said(one.ours),
-                theirs=said(one.theirs),
+                what=_capital(translate(one.what)),
+                sentence=_capital(translate(one.sentence)),
+                ours=translate(one.ours),
+                theirs=translate(one.theirs),
                 taken=one.taken,
                 open=one.open,
             )
@@ -125,7 +125,7 @@ def _capital(words: str) -> str:
 
 def _in_words(difference: Difference) -> str:
     """What is different, after the program that it is about: the words are a sentence, the name stays as it is."""
-    words = said(difference.words)
+    words = translate(difference.words)
     return f"{difference.program}: {words}" if difference.program else words[:1].upper() + words[1:]
 
 
@@ -155,7 +155,7 @@ async def watch(socket: WebSocket) -> None:
 
 
 def _news(studio: Studio, tab: str) -> NewsMessage:
-    news = studio.journals.news(tab)
+    news = studio.journals.status_of(tab)
     try:
         parts = studio.stamp(news.path)
     except MissionNameError:

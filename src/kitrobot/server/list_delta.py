@@ -10,7 +10,7 @@ from collections.abc import Callable, Hashable, Sequence
 from typing import Any, TypeVar
 
 from kitrobot.diagnostics import KitRobotError
-from kitrobot.text import Sentence, same_ends
+from kitrobot.text import Sentence, common_affixes
 
 Item = TypeVar("Item")
 
@@ -48,7 +48,7 @@ def encode_delta(
     before: Sequence[Item], after: Sequence[Item], name: Callable[[Item], Hashable], written: Callable[[Item], Any]
 ) -> list[Any]:
     """The rows that turn `before` into `after`. Equal items of one name stayed; `written` encodes a new one."""
-    start, tail = same_ends(before, after)
+    start, tail = common_affixes(before, after)
     if start + tail == len(before) == len(after):
         return [[0, len(after)]] if after else []
     rows = _encode_rows(before, after[start : len(after) - tail], name, written)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from kitrobot.compiler import Look, PartError, SelectionError, draw_template, make_part, offer_part, read_part
+from kitrobot.compiler import Appearance, PartError, SelectionError, draw_template, make_part, offer_part, read_part
 from kitrobot.diagnostics import KitRobotError
 from kitrobot.graph import Program
 from kitrobot.lll import print_template
@@ -57,7 +57,7 @@ def part_offer(studio: ThisStudio, wanted: SelectedShape) -> OfferAnswerShape:
 def part(studio: ThisStudio, wanted: PartWishShape) -> PartAnswerShape:
     """Makes the part of a selection, and puts a vertex of it in the selection's place."""
     program, catalogue = _of(studio, wanted)
-    look = Look(wanted.name, wanted.icon, wanted.colour, wanted.label, wanted.help)
+    look = Appearance(wanted.name, wanted.icon, wanted.colour, wanted.label, wanted.help)
     try:
         made = make_part(program, wanted.vertices, look, [chosen_from_shape(one) for one in wanted.chosen], catalogue)
     except (SelectionError, PartError) as error:

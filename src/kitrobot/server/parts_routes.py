@@ -27,7 +27,7 @@ from kitrobot.server.shapes.part_files import (
     WorldFileShape,
 )
 from kitrobot.text import Sentence, Series
-from kitrobot.translation import said
+from kitrobot.translation import translate
 from kitrobot.workspace import (
     FoundWorld,
     WantedVariable,
@@ -152,7 +152,7 @@ def parts_difference(
     studio: ThisStudio, data: Annotated[bytes, Depends(_body)], path: Name, file: Name
 ) -> PartsDifferenceShape:
     """What is different in a kit's file from the one of its name beside a mission, a sentence each."""
-    found = (said(words) for words in part_differences(studio.folder, path, file, data))
+    found = (translate(words) for words in part_differences(studio.folder, path, file, data))
     return PartsDifferenceShape(changes=[words[:1].upper() + words[1:] for words in found])
 
 

@@ -15,7 +15,7 @@ from kitrobot.server.shapes import (
 )
 from kitrobot.text import Label, Sentence
 from kitrobot.workspace.bench import Bench, PartKey
-from kitrobot.workspace.bench_loading import PartError, Send, load_parts
+from kitrobot.workspace.bench_loader import PartError, Send, load_parts
 from kitrobot.workspace.bench_run import BenchHand
 
 

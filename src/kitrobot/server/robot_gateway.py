@@ -59,16 +59,16 @@ class SerialGateway:
     def deploy(self, address: str, program: BoardProgram, progress: Progress, replace: bool, fresh: bool) -> None:
         """As `deploy.deploy`."""
         from kitrobot.deploy import RobotContext, deploy
-        from kitrobot.workspace.kept_firmware import keep_firmware
-        from kitrobot.workspace.kept_programs import keep_program
+        from kitrobot.workspace.sent_firmware import store_firmware_version
+        from kitrobot.workspace.sent_programs import store_sent_program
 
         robot = RobotContext(program.needs, program.names.fault_text)
         file = program.file.to_bytes()
         done = deploy(address, file, program.package, progress, replace=replace, fresh=fresh, robot=robot)
         if not address.startswith(AT_PAGE):  # these are others each time
-            keep_firmware(address, done)
+            store_firmware_version(address, done)
         # Then `kitrobot watch` and `kitrobot log` know it too.
-        keep_program(program, [done.program])
+        store_sent_program(program, [done.program])
 
     def way(self, error: KitRobotError) -> BoardWay:
         """Whether it was refused for somebody else's program, or for want of room."""

@@ -31,7 +31,7 @@ from kitrobot.server.shapes import (
 )
 from kitrobot.server.team_controller import TeamController
 from kitrobot.text import Sentence
-from kitrobot.translation import said_in
+from kitrobot.translation import reader_language
 
 if TYPE_CHECKING:
     from kitrobot.deploy import Port
@@ -294,7 +294,7 @@ class RobotRegistry:
 
     def encode_board(self, address: str) -> str:
         """The status of a robot, or that nobody holds it, encoded in the reader's language."""
-        session, language = self._sessions.get(address), said_in()
+        session, language = self._sessions.get(address), reader_language()
         if session is None:
             return BoardGoneMessage(address=address).model_dump_json()
         version, kept = self._texts.get((address, language), (-1, ""))

@@ -32,7 +32,7 @@ from kitrobot.server.robot_status import RobotStatus, no_answer_error, recovery_
 from kitrobot.server.shapes import BoardMessage, BoardProgressShape, BoardStep
 from kitrobot.text import Recorded, Sentence
 from kitrobot.workspace.bench import Bench, PartKey
-from kitrobot.workspace.kept_firmware import kept_firmware
+from kitrobot.workspace.sent_firmware import load_firmware_version
 
 LISTEN_S = 0.05
 """How long the worker listens to the robot before it handles requests again."""
@@ -231,7 +231,7 @@ class RobotWorker:
             raise
         known = program.known if program is not None and program.is_called(hello.program) else None
         self.session.open(link, hello, known)
-        self._update_status(phase="open", micropython=kept_firmware(self.address, hello))
+        self._update_status(phase="open", micropython=load_firmware_version(self.address, hello))
 
     def _follow(self) -> None:
         """Subscribes to the changes of a robot whose program is known. One that does not answer any more is lost."""

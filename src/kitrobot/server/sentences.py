@@ -11,7 +11,7 @@ from starlette.types import ASGIApp, Receive, Scope, Send
 
 from kitrobot.diagnostics import KitRobotError
 from kitrobot.text import Sentence, Series
-from kitrobot.translation import STOPS, best_language, reading_in, said, said_in
+from kitrobot.translation import STOPS, best_language, override_language, reader_language, translate
 
 
 def readable(words: str) -> str:
@@ -23,7 +23,7 @@ def clause(words: str) -> str:
     """A message in the reader's language. A name that it begins with is between back quotes: the page begins its
     sentences large, and `square.krt` is no `Square.krt`.
     """
-    text = readable(said(words))
+    text = readable(translate(words))
     name = _first_name(text, words) if isinstance(words, Sentence) else ""
     return f"`{name}`{text[len(name) :]}" if name[:1].islower() else text
 
@@ -40,7 +40,7 @@ def _first_name(text: str, words: str) -> str:
 def spoken(words: str) -> str:
     """A message in the reader's language as a sentence of its own: a capital letter and a full stop."""
     text = clause(words)
-    return text and text[0].upper() + text[1:] + ("" if text[-1] in _ENDS else STOPS[said_in()])
+    return text and text[0].upper() + text[1:] + ("" if text[-1] in _ENDS else STOPS[reader_language()])
 
 
 _ENDS = (*STOPS.values(), "?", "!", "؟")
@@ -78,5 +78,5 @@ class LanguageMiddleware:
             await self.app(scope, receive, send)
             return
         asked = QueryParams(scope["query_string"][:4096]).get("language", "")
-        with reading_in(best_language(asked or Headers(scope=scope).get("accept-language", ""))):
+        with override_language(best_language(asked or Headers(scope=scope).get("accept-language", ""))):
             await self.app(scope, receive, send)

@@ -14,7 +14,7 @@ from kitrobot.server.shapes.starter import (
     robot_set_shape,
     starter_shape,
 )
-from kitrobot.workspace.beginnings import PREVIEW_S
+from kitrobot.workspace.new_mission_choices import PREVIEW_S
 
 starter_routes = api_router()
 

@@ -29,9 +29,9 @@ from kitrobot.server.shapes import CatalogueShape, catalogue_shape
 from kitrobot.server.watched_run import WatchedRun
 from kitrobot.user_folders import config_folder
 from kitrobot.workspace import (
-    Choices,
+    CompileCache,
     Exercises,
-    KeptPrograms,
+    NewMissionChoices,
     OpenMission,
     OpenTrace,
     Previews,
@@ -91,17 +91,17 @@ class Studio:
         self.exercises = Exercises(self.folder)
         self.judging: dict[str, StopSignal] = {}
         """What stops each judging that is on, by the name that its page gave it."""
-        self.programs = KeptPrograms()
+        self.programs = CompileCache()
         self._lock = threading.Lock()
         self._catalogues: dict[tuple[Path, ...], CachedCatalogue] = {}
         self._worlds: dict[str, Path] = {}
 
     @cached_property
-    def _choices(self) -> Choices:
-        return Choices(self.folder)
+    def _choices(self) -> NewMissionChoices:
+        return NewMissionChoices(self.folder)
 
     @property
-    def choices(self) -> Choices:
+    def choices(self) -> NewMissionChoices:
         """What a new mission can begin with, the robots that are in the folder now included."""
         return self._choices.with_own(self.catalogue(""))
 

@@ -17,7 +17,7 @@ from dataclasses import dataclass
 from typing import Literal
 
 from kitrobot.mission import FailureKind
-from kitrobot.primitives.reading import held_by_hand, set_by_hand
+from kitrobot.primitives.value_format import held_by_hand, set_by_hand
 from kitrobot.sim.event_text import Event
 from kitrobot.sim.pens import pens_of
 from kitrobot.sim.simulation import Simulation

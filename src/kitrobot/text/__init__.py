@@ -1,7 +1,7 @@
 """What every reader of a text needs: lines and columns, words that were meant, values as sentences repeat them."""
 
+from kitrobot.text.affixes import common_affixes
 from kitrobot.text.collection import collection_paused
-from kitrobot.text.comparing import same_ends
 from kitrobot.text.forms import (
     FINISH_MERGE,
     UNFINISHED_MERGE,
@@ -12,10 +12,10 @@ from kitrobot.text.forms import (
     number_form,
     older_copy,
 )
+from kitrobot.text.phrases import all_of, listed, one_of, shown
 from kitrobot.text.positions import BytePositions, TextPositions
 from kitrobot.text.sentences import COMMA, HOLE, SEMICOLON, Help, Label, Recorded, Sentence, Series, Word, clipped
 from kitrobot.text.suggestions import Suggestions, did_you_mean, nearest
-from kitrobot.text.wording import all_of, listed, one_of, shown
 
 __all__ = [
     "COMMA",
@@ -35,6 +35,7 @@ __all__ = [
     "all_of",
     "clipped",
     "collection_paused",
+    "common_affixes",
     "conflict_mark",
     "did_you_mean",
     "line_feeds",
@@ -45,6 +46,5 @@ __all__ = [
     "number_form",
     "older_copy",
     "one_of",
-    "same_ends",
     "shown",
 ]

@@ -1,7 +1,7 @@
-"""What a misspelt word may have meant: the known word that is most like it, for help lines.
+"""Suggestions for a misspelt word: the known word that is most like it, for help lines.
 
-Comparing words is dear. `nearest` compares with the first `_COMPARED` known words only; whoever looks through a file,
-which may hold any number of misspelt words, asks `Suggestions`, which stops when that has cost `MOST_COMPARISONS`.
+Comparing words is expensive. `nearest` compares with the first `_COMPARED` known words only; code that goes through a
+file, which may hold any number of misspelt words, uses `Suggestions`, which stops after `MOST_COMPARISONS`.
 """
 
 from __future__ import annotations

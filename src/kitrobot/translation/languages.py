@@ -1,4 +1,4 @@
-"""Which language the reader wants: kept for as long as a request is served, and for what is begun during it."""
+"""The reader's language, set for the duration of a request and for the tasks that it starts."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from contextvars import ContextVar
 
-from kitrobot.translation.rendering import ENGLISH, LANGUAGES, translated
+from kitrobot.translation.translator import ENGLISH, LANGUAGES, translate_to
 
 _reader: ContextVar[str] = ContextVar("reader", default=ENGLISH)
 
@@ -27,7 +27,7 @@ def best_language(wish: str) -> str:
 
 
 @contextmanager
-def reading_in(language: str) -> Iterator[None]:
+def override_language(language: str) -> Iterator[None]:
     """Says everything in that language as long as the block lasts, in tasks and threads begun in it too."""
     before = _reader.set(language)
     try:
@@ -36,12 +36,12 @@ def reading_in(language: str) -> Iterator[None]:
         _reader.reset(before)
 
 
-def said_in() -> str:
+def reader_language() -> str:
     """The reader's language."""
     return _reader.get()
 
 
-def said(sentence: str) -> str:
+def translate(sentence: str) -> str:
     """A sentence of a room in the reader's language; English where there is no translation."""
     language = _reader.get()
-    return sentence if language == ENGLISH else translated(sentence, language)
+    return sentence if language == ENGLISH else translate_to(sentence, language)

@@ -1,8 +1,8 @@
-"""Tutorials: what a person is asked to do step by step, and whether a program shows that it is done."""
+"""Tutorials: the steps that a user is asked to do, and whether a program shows that a step is done."""
 
-from kitrobot.tutorial.matching import fits, steps_fit
 from kitrobot.tutorial.model import EVENTS, GroupWant, Pattern, Point, SpareWant, Step, TeacherPage, Tutorial
-from kitrobot.tutorial.reading import read_tutorial
+from kitrobot.tutorial.pattern_matcher import fits, steps_fit
+from kitrobot.tutorial.tutorial_xml import read_tutorial
 
 __all__ = [
     "EVENTS",

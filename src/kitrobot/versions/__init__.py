@@ -10,9 +10,9 @@ from kitrobot.versions.comparison import (
     text_differences,
 )
 from kitrobot.versions.conflicts import Conflict
-from kitrobot.versions.kit_merging import merge_kits
+from kitrobot.versions.kit_merge import merge_kits
 from kitrobot.versions.kits import kit_differences
-from kitrobot.versions.merging import Merged, merge_missions
+from kitrobot.versions.mission_merge import Merged, merge_missions
 
 __all__ = [
     "CompareError",

@@ -25,8 +25,8 @@ from kitrobot.versions.kits import kit_differences
 from kitrobot.versions.outline import PARKED, Outline
 from kitrobot.versions.own_parts import TOLD_HERE, own_part_differences
 from kitrobot.versions.own_worlds import world_differences
+from kitrobot.versions.phrases import named, quoted, short, value, where
 from kitrobot.versions.team import team_differences
-from kitrobot.versions.wording import named, quoted, short, value, where
 
 _ALIKE = 0.6
 """So much of two programs' vertices must be the same for one to be the other renamed."""

@@ -11,8 +11,8 @@ from dataclasses import dataclass
 from typing import Any, TypeVar
 
 from kitrobot.text import Sentence
-from kitrobot.versions.wording import short
-from kitrobot.versions.wording import value as in_words
+from kitrobot.versions.phrases import short
+from kitrobot.versions.phrases import value as in_words
 
 T = TypeVar("T")
 
@@ -75,7 +75,7 @@ class Decisions:
         self.found.append(Conflict(str(name), name, sentence, ours, theirs, takes))
         return takes
 
-    def tell(self, what: str, sentence: Sentence) -> None:
+    def report(self, what: str, sentence: Sentence) -> None:
         """What there is nothing to decide about."""
         self.found.append(Conflict(str(what), what, sentence, open=False))
 

@@ -22,7 +22,7 @@ Sides = tuple[Mission, Mission, Mission]
 """What both began with, ours, theirs."""
 
 
-class _Thing(NamedTuple):
+class _NamedPart(NamedTuple):
     """Something with a name. `owner`: the robot of a variable, else ""; `rest`: what it is but for its name."""
 
     owner: str
@@ -91,27 +91,27 @@ def _renamed(kind: Named, before: Mission, after: Mission) -> Mapping[tuple[str,
     return found
 
 
-def _by_rest(things: Iterable[_Thing], known: set[tuple[str, str]]) -> Mapping[tuple[str, str], list[_Thing]]:
+def _by_rest(things: Iterable[_NamedPart], known: set[tuple[str, str]]) -> Mapping[tuple[str, str], list[_NamedPart]]:
     """Those that the other version has not, by owner and what they are."""
-    found: defaultdict[tuple[str, str], list[_Thing]] = defaultdict(list)
+    found: defaultdict[tuple[str, str], list[_NamedPart]] = defaultdict(list)
     for one in things:
         if (one.owner, one.name) not in known:
             found[one.owner, one.rest].append(one)
     return found
 
 
-def _things(kind: Named, mission: Mission) -> list[_Thing]:
+def _things(kind: Named, mission: Mission) -> list[_NamedPart]:
     world, team = mission.own_world, mission.team
     match kind:
         case Named.VARIABLE:
             # Its label and its methods say what it is called.
             bare = [(one.robot, one.variable) for one in mission.variables]
             rests = [replace(one, name="", label={}, methods=()) for _, one in bare]
-            return [_Thing(robot, one.name, repr(rest)) for (robot, one), rest in zip(bare, rests, strict=True)]
+            return [_NamedPart(robot, one.name, repr(rest)) for (robot, one), rest in zip(bare, rests, strict=True)]
         case Named.PART:
             return _alike(mission.constructors, lambda one: replace(one, name="", label={}, template=None, reads=()))
         case Named.PROGRAM:
-            return [_Thing("", one.name, "") for one in mission.programs]
+            return [_NamedPart("", one.name, "") for one in mission.programs]
         case Named.AGENT:
             return _alike(team.agents, lambda one: (one.program, one.robot, one.start_name))
         case Named.ROLE:
@@ -125,5 +125,5 @@ def _things(kind: Named, mission: Mission) -> list[_Thing]:
             return _alike(rows, lambda one: replace(one, name=""))
 
 
-def _alike(things: Iterable[Any], rest: Callable[[Any], object]) -> list[_Thing]:
-    return [_Thing("", one.name, repr(rest(one))) for one in things]
+def _alike(things: Iterable[Any], rest: Callable[[Any], object]) -> list[_NamedPart]:
+    return [_NamedPart("", one.name, repr(rest(one))) for one in things]

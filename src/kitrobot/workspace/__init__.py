@@ -11,22 +11,20 @@ from typing import TYPE_CHECKING
 from kitrobot.lazy import lazy_names
 
 if TYPE_CHECKING:
-    from kitrobot.workspace.adding import AddedParts, PartsFileError, add_parts, part_differences
-    from kitrobot.workspace.beginnings import Choices, FoundPlace, NoBeginningError, RobotSet, Starter
-    from kitrobot.workspace.checking import FileReport, check_file
-    from kitrobot.workspace.compile_cache import KeptPrograms
+    from kitrobot.workspace.compile_cache import CompileCache
     from kitrobot.workspace.conversion import ConversionError, Converted, convert
     from kitrobot.workspace.example_list import shipped_examples
     from kitrobot.workspace.executables import Executable, load_executable
     from kitrobot.workspace.execution import Executed, execute
     from kitrobot.workspace.exercises import Exercises, FoundExercise, handed_in
+    from kitrobot.workspace.file_check import FileReport, check_file
+    from kitrobot.workspace.file_merge import merge_checked, merge_files
     from kitrobot.workspace.fleets import FleetPlan, files_for_agents, free_endpoint, run_fleet
     from kitrobot.workspace.inputs import Change, Inputs, read_inputs
     from kitrobot.workspace.kit_files import find_kit, kit_named, kits_at_hand
     from kitrobot.workspace.kit_pictures import body_picture, wiring_picture
     from kitrobot.workspace.kits import KitFit, ProgramOnKit, mission_on_kit, program_on_kits
-    from kitrobot.workspace.merging import merge_checked, merge_files
-    from kitrobot.workspace.opening import (
+    from kitrobot.workspace.mission_loader import (
         NoProgramError,
         OpenMission,
         Report,
@@ -35,13 +33,21 @@ if TYPE_CHECKING:
         read_mission_data,
         with_mission,
     )
+    from kitrobot.workspace.mission_run import PreparedRun, Run, RunOptions, Timing
+    from kitrobot.workspace.new_mission_choices import (
+        FoundPlace,
+        NewMissionChoices,
+        NoBeginningError,
+        RobotSet,
+        Starter,
+    )
+    from kitrobot.workspace.part_imports import AddedParts, PartsFileError, add_parts, part_differences
     from kitrobot.workspace.previews import Preview, Previews
     from kitrobot.workspace.program_report import ProgramReport
     from kitrobot.workspace.replay import state_at, summary_of
     from kitrobot.workspace.robot_programs import board_program, load_board_program, scan_boards, send_program
     from kitrobot.workspace.robots import find_robot
     from kitrobot.workspace.run_hints import advice
-    from kitrobot.workspace.running import PreparedRun, Run, RunOptions, Timing
     from kitrobot.workspace.search_path import SearchPath
     from kitrobot.workspace.team_boards import agent_program, boards_of, check_boards, send_team
     from kitrobot.workspace.traces import OpenTrace, is_trace, open_trace, parts_of, unpack
@@ -53,19 +59,19 @@ else:
     __getattr__ = lazy_names(
         __name__,
         {
-            "adding": ("AddedParts", "PartsFileError", "add_parts", "part_differences"),
-            "checking": ("FileReport", "check_file"),
+            "part_imports": ("AddedParts", "PartsFileError", "add_parts", "part_differences"),
+            "file_check": ("FileReport", "check_file"),
             "conversion": ("ConversionError", "Converted", "convert"),
             "executables": ("Executable", "load_executable"),
             "execution": ("Executed", "execute"),
             "fleets": ("FleetPlan", "files_for_agents", "free_endpoint", "run_fleet"),
             "inputs": ("Change", "Inputs", "read_inputs"),
-            "compile_cache": ("KeptPrograms",),
+            "compile_cache": ("CompileCache",),
             "kit_files": ("find_kit", "kit_named", "kits_at_hand"),
             "kit_pictures": ("body_picture", "wiring_picture"),
             "kits": ("KitFit", "ProgramOnKit", "mission_on_kit", "program_on_kits"),
-            "merging": ("merge_checked", "merge_files"),
-            "opening": (
+            "file_merge": ("merge_checked", "merge_files"),
+            "mission_loader": (
                 "NoProgramError",
                 "OpenMission",
                 "Report",
@@ -74,7 +80,7 @@ else:
                 "read_mission_data",
                 "with_mission",
             ),
-            "beginnings": ("Choices", "FoundPlace", "NoBeginningError", "RobotSet", "Starter"),
+            "new_mission_choices": ("NewMissionChoices", "FoundPlace", "NoBeginningError", "RobotSet", "Starter"),
             "previews": ("Preview", "Previews"),
             "program_report": ("ProgramReport",),
             "replay": ("state_at", "summary_of"),
@@ -83,7 +89,7 @@ else:
             "run_hints": ("advice",),
             "search_path": ("SearchPath",),
             "example_list": ("shipped_examples",),
-            "running": ("PreparedRun", "Run", "RunOptions", "Timing"),
+            "mission_run": ("PreparedRun", "Run", "RunOptions", "Timing"),
             "variables": ("VariableError", "WantedVariable", "make_variable"),
             "worlds": ("FoundWorld", "read_world_file", "worlds_at_hand"),
             "team_boards": ("agent_program", "boards_of", "check_boards", "send_team"),
@@ -96,7 +102,7 @@ else:
 __all__ = [
     "AddedParts",
     "Change",
-    "Choices",
+    "CompileCache",
     "ConversionError",
     "Converted",
     "Executable",
@@ -109,8 +115,8 @@ __all__ = [
     "FoundTutorial",
     "FoundWorld",
     "Inputs",
-    "KeptPrograms",
     "KitFit",
+    "NewMissionChoices",
     "NoBeginningError",
     "NoProgramError",
     "OpenMission",

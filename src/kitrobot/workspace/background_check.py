@@ -16,7 +16,7 @@ from kitrobot.text import Sentence
 from kitrobot.verifier import Answer, ConfirmedRun, CutReason, Timing
 from kitrobot.verifier.storyboard import Culprit, Scene
 from kitrobot.workspace.child_processes import end_with_parent, has_processes
-from kitrobot.workspace.running import PreparedRun
+from kitrobot.workspace.mission_run import PreparedRun
 from kitrobot.workspace.verification import (
     Column,
     Finding,
@@ -50,7 +50,7 @@ class Explored:
         timing, failures: the assumption.
         states, depth: how many states there are, and how deep.
         seconds: how long it is at this assumption.
-        memory: bytes that its process has taken at most; 0 where the system does not tell.
+        memory: bytes that its process has taken at most; 0 where the system does not report it.
     """
 
     timing: Timing
@@ -91,7 +91,7 @@ class Answered:
 
 
 @dataclass(frozen=True)
-class Checked:
+class CheckedColumn:
     """The results of all properties under one assumption; see `verifier.CheckResult`.
 
     It may be reported twice: at first the simulator has not been searched for runs that break the properties.
@@ -107,7 +107,7 @@ class Checked:
 
 
 @dataclass(frozen=True)
-class Ended:
+class CheckEnd:
     """The check is over: the length of a step of the simulator, and what is taken for granted, in sentences."""
 
     tick_ms: int
@@ -115,23 +115,23 @@ class Ended:
 
 
 @dataclass(frozen=True)
-class _Refused:
+class _Refusal:
     message: Sentence
     help: Any
 
 
-Told = Callable[[Explored | Checked], None]
+ReportProgress = Callable[[Explored | CheckedColumn], None]
 
 
-def verify_apart(prepared: PreparedRun, options: VerificationOptions, told: Told) -> Ended | None:
-    """Checks a mission in another process; None where it was broken off so hard that it could not tell its end.
+def verify_apart(prepared: PreparedRun, options: VerificationOptions, report: ReportProgress) -> CheckEnd | None:
+    """Checks a mission in another process; None where it was broken off before it could send its end.
 
     Raises:
         VerificationError: the options make no sense, or the process died.
         AbstractionError: as a `KitRobotError` with the same words: the mission cannot be checked.
     """
     if not has_processes():
-        return _verify_here(prepared, options, told)
+        return _verify_here(prepared, options, report)
     import multiprocessing
 
     context = multiprocessing.get_context("spawn")
@@ -144,7 +144,7 @@ def verify_apart(prepared: PreparedRun, options: VerificationOptions, told: Told
     process.start()
     its.close()
     try:
-        return _follow(mine, options.stop, leave_off, told)
+        return _follow(mine, options.stop, leave_off, report)
     except (EOFError, OSError) as error:
         raise VerificationError(
             Sentence("the process of the check died"),
@@ -156,7 +156,7 @@ def verify_apart(prepared: PreparedRun, options: VerificationOptions, told: Told
         process.join()
 
 
-def _follow(mine: Connection, stop: Callable[[], bool], leave_off: Any, told: Told) -> Ended | None:
+def _follow(mine: Connection, stop: Callable[[], bool], leave_off: Any, report: ReportProgress) -> CheckEnd | None:
     stopped_at: float | None = None
     while True:
         if stopped_at is None and stop():
@@ -167,11 +167,11 @@ def _follow(mine: Connection, stop: Callable[[], bool], leave_off: Any, told: To
         if not mine.poll(_LOOK_S):
             continue
         message = mine.recv()
-        if isinstance(message, _Refused):
+        if isinstance(message, _Refusal):
             raise KitRobotError(message.message, message.help)
-        if isinstance(message, Ended):
+        if isinstance(message, CheckEnd):
             return message
-        told(message)
+        report(message)
 
 
 def _check(parts: tuple[Any, ...], seed: int, chosen: VerificationOptions, leave_off: Any, out: Connection) -> None:
@@ -181,26 +181,26 @@ def _check(parts: tuple[Any, ...], seed: int, chosen: VerificationOptions, leave
     out.close()
 
 
-def _verify_here(prepared: PreparedRun, options: VerificationOptions, told: Told) -> Ended:
+def _verify_here(prepared: PreparedRun, options: VerificationOptions, report: ReportProgress) -> CheckEnd:
     """Where there are no processes; whoever wants to break it off says so in `options.stop`."""
-    last: list[Ended | _Refused] = []
+    last: list[CheckEnd | _Refusal] = []
 
-    def tell(message: Any) -> None:
-        if isinstance(message, Ended | _Refused):
+    def send(message: Any) -> None:
+        if isinstance(message, CheckEnd | _Refusal):
             last.append(message)
         else:
-            told(message)
+            report(message)
 
     chosen = replace(options, draws=True, memory=_MEMORY_HERE)
-    _whole_check(prepared.parts(), prepared.options.seed, chosen, tell)
+    _whole_check(prepared.parts(), prepared.options.seed, chosen, send)
     end = last[-1]
-    if isinstance(end, _Refused):
+    if isinstance(end, _Refusal):
         raise KitRobotError(end.message, end.help)
     return end
 
 
-def _whole_check(parts: tuple[Any, ...], seed: int, options: VerificationOptions, tell: Callable[[Any], None]) -> None:
-    """Tells how far it is, what came of it, and at last an `Ended` or a `_Refused`."""
+def _whole_check(parts: tuple[Any, ...], seed: int, options: VerificationOptions, send: Callable[[Any], None]) -> None:
+    """Sends the progress, each explored column, and finally a `CheckEnd` or a `_Refusal`."""
     began = time.monotonic()
     assumption: list[tuple[Timing, int]] = []
     last = 0.0
@@ -213,22 +213,22 @@ def _whole_check(parts: tuple[Any, ...], seed: int, options: VerificationOptions
             began = now
         if now >= last + _EACH_S:
             last = now
-            tell(Explored(timing, failures, states, depth, now - began, memory_taken()))
+            send(Explored(timing, failures, states, depth, now - began, memory_taken()))
 
     try:
-        made = verify_runs(runs_of(parts), seed, options, progress, lambda column: tell(_plain(column)))
-        tell(_end(made))
+        made = verify_runs(runs_of(parts), seed, options, progress, lambda column: send(_plain(column)))
+        send(_end(made))
     except KitRobotError as error:
-        tell(_Refused(error.message, error.help))
+        send(_Refusal(error.message, error.help))
 
 
-def _end(made: Verification) -> Ended:
-    return Ended(made.tick_ms, made.limits)
+def _end(made: Verification) -> CheckEnd:
+    return CheckEnd(made.tick_ms, made.limits)
 
 
-def _plain(column: Column) -> Checked:
+def _plain(column: Column) -> CheckedColumn:
     judged = column.judged
-    return Checked(
+    return CheckedColumn(
         judged.timing,
         judged.failures,
         judged.states,
@@ -263,7 +263,7 @@ def _answered(finding: Finding) -> Answered:
 
 
 def memory_taken() -> int:
-    """The most bytes that this process has taken; 0 where the system does not tell."""
+    """The most bytes that this process has taken; 0 where the system does not report it."""
     try:
         import resource
     except ImportError:  # Windows

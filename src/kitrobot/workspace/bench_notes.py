@@ -1,8 +1,8 @@
-"""How a part of a robot is tried by hand: what is called, what is seen then, what to look for when nothing happens; and
-what a kit is measured with.
+"""Notes for trying a part of a robot by hand: what is called, what to expect, and what to look for when nothing
+happens; and how a kit is measured.
 
-`shipped/bench.xml` says so by devices, as kits do. A part whose device it does not name is tried with all its
-procedures and their usual values, and its own texts say what it does. Left to others: running it (bench, calibration).
+They are read from `shipped/bench.xml`, by device, and from kits. A part whose device has no note is tried with all its
+procedures and their usual values, and is described by its own texts. Left to others: running it (bench, calibration).
 """
 
 from __future__ import annotations

@@ -1,9 +1,10 @@
-"""The robot whose parts are tried: the program for as many parts as fit and start, steps begun and ended, values told.
+"""A robot whose parts are tried: the program for as many parts as fit and start, the start and end of steps, and
+values.
 
-Everything stops when a step ends, when the run is closed, and on the robot itself when it hears nothing from here for
-0.8 s, since it is held. Left to others: the program for the parts (bench_loading).
+Everything stops when a step ends, when the run is closed, and on the robot itself when it receives nothing from here
+for 0.8 s, since it is held. Left to others: the program for the parts (bench_loader).
 
-`BenchHand` works on a session that somebody owns (the studio's worker, or `BenchRun`, which has one of its own).
+`BenchHand` works on a session that its caller owns (the studio's worker, or `BenchRun`, which has its own).
 """
 
 from __future__ import annotations
@@ -19,7 +20,7 @@ from kitrobot.primitives import Category
 from kitrobot.robots import BoardProgram, RobotSession
 from kitrobot.text import Sentence
 from kitrobot.workspace.bench import Bench, BenchStep, PartKey
-from kitrobot.workspace.bench_loading import WIRES, PartError, blamed_part, load_parts, reason_of
+from kitrobot.workspace.bench_loader import WIRES, PartError, blamed_part, load_parts, reason_of
 from kitrobot.workspace.robot_programs import send_program
 
 PERIOD_MS = 100
@@ -315,9 +316,9 @@ class BenchRun:
         self._hand.restart()
 
     def _send(self, program: BoardProgram, fresh: bool) -> None:
-        def told(address: str, stage: str, done: int, total: int) -> None:
+        def report_progress(address: str, stage: str, done: int, total: int) -> None:
             self._progress(stage, done, total)
 
-        (sent,) = send_program(program, [self.address], told, replace=self._replace, fresh=fresh)
+        (sent,) = send_program(program, [self.address], report_progress, replace=self._replace, fresh=fresh)
         if sent.error is not None:
             raise sent.error

@@ -1,7 +1,7 @@
-"""The names on the labels of boards, in the user's state folder.
+"""The names on the labels of boards, stored in the user's state folder.
 
-A label is kept with the number that the board's USB says of itself, so the board has it at any port; at an address
-that is no serial port (`socket://…`) it is kept with the address. A label is one board's: given to another, it is taken
+A label is stored with the serial number of the board's USB, so the board keeps it at any port; for an address that is
+no serial port (`socket://…`) it is stored with the address. A label belongs to one board: given to another, it is taken
 from the first.
 """
 
@@ -14,7 +14,7 @@ from collections.abc import Iterable
 from kitrobot.deploy import list_ports
 from kitrobot.diagnostics import KitRobotError
 from kitrobot.text import Sentence
-from kitrobot.workspace.kept_maps import read_map, write_map
+from kitrobot.workspace.json_store import read_entries, write_entries
 
 LONGEST_LABEL = 40
 _KEPT = 1000
@@ -45,7 +45,7 @@ def clean_label(given: str) -> str:
     return label
 
 
-def keep_label(address: str, given: str) -> str:
+def store_label(address: str, given: str) -> str:
     """Gives the board at an address a label; "" takes its own away. The label as it is kept.
 
     Raises:
@@ -59,16 +59,16 @@ def keep_label(address: str, given: str) -> str:
             Sentence("the board on `{port}` has no number of its own by which it could be known again", address),
             Sentence("write its port into the list instead, in the column `port`"),
         )
-    found = {key: one for key, one in _kept().items() if key != board and label_key(one) != label_key(label)}
+    found = {key: one for key, one in _stored_labels().items() if key != board and label_key(one) != label_key(label)}
     if label:
         found[board] = label
-    write_map(_NAME, found, _KEPT)
+    write_entries(_NAME, found, _KEPT)
     return label
 
 
 def labels_of(addresses: Iterable[str]) -> dict[str, str]:
     """The labels of the boards at these addresses, as far as they have some."""
-    known = _kept()
+    known = _stored_labels()
     if not known:
         return {}
     numbers = _numbers()
@@ -89,6 +89,6 @@ def _numbers() -> dict[str, str]:
     return {port.address: port.number for port in list_ports()}
 
 
-def _kept() -> dict[str, str]:
-    found = read_map(_NAME).items()
+def _stored_labels() -> dict[str, str]:
+    found = read_entries(_NAME).items()
     return {key: one for key, one in found if isinstance(one, str) and 0 < len(one) <= LONGEST_LABEL}

@@ -1,8 +1,8 @@
 """Many boards on one machine, each with the program that a list names for the label on it.
 
-The list is a table (CSV) with the columns `label` and `mission`, and if wanted `program`, `kit` and `port`; or a folder
-of missions, each for the board whose label is the file's name. What is wrong with the list is said before anything is
-sent; what is wrong with one board, or one mission, holds up no other.
+The list is a table (CSV) with the columns `label` and `mission`, and optionally `program`, `kit` and `port`; or a
+folder of missions, each for the board whose label is the file's name. Mistakes in the list are reported before anything
+is sent; a fault of one board, or of one mission, does not stop the others.
 """
 
 from __future__ import annotations
@@ -21,9 +21,9 @@ from kitrobot.files import read_text
 from kitrobot.robots import BoardProgram, Progress, SendResult
 from kitrobot.text import COMMA, Sentence, Series, did_you_mean, listed, name_form
 from kitrobot.workspace.board_labels import LabelError, clean_label, label_key, labels_of
-from kitrobot.workspace.kept_firmware import keep_firmware
-from kitrobot.workspace.kept_programs import keep_program
 from kitrobot.workspace.robot_programs import load_board_program
+from kitrobot.workspace.sent_firmware import store_firmware_version
+from kitrobot.workspace.sent_programs import store_sent_program
 
 COLUMNS = ("label", "mission", "program", "kit", "port")
 MOST_BOARDS = 200
@@ -93,8 +93,8 @@ class BoardSet:
         sent = {one.address: one for one in robots.send_programs(programs, progress, replace=replace, fresh=fresh)}
         for address, one in sent.items():
             if one.deployed is not None:
-                keep_program(programs[address], [one.deployed.program])
-                keep_firmware(address, one.deployed)
+                store_sent_program(programs[address], [one.deployed.program])
+                store_firmware_version(address, one.deployed)
         return [SetResult(one, sent[one.address] if one.program is not None else None) for one in self.members]
 
 

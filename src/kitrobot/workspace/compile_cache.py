@@ -1,10 +1,10 @@
 """A cache of compiled programs, for the next question about the same mission.
 
 Between two edits most of a mission stays as it was, and a typed text is compared with the very graph whose report was
-asked for a moment ago. A program is found again only when it is the same to the letter and everything it is compiled
-with is the same object: robots and constructors that were read anew are other ones. So nothing kept is ever out of
-date; it may only be gone, and is then made again. Each has a name, which no other store gives, so that who asks about
-an edit need not say the whole program again. Safe to use from many threads; nothing that was kept may be changed.
+requested a moment ago. A cached program is found only when it is equal and everything it is compiled with is the same
+object: robots and constructors that were read again are other objects. So no entry is ever out of date; it may only be
+evicted, and is then compiled again. Each entry has a name that no other cache gives, so that a request about an edit
+need not send the whole program. Safe to use from many threads; cached values must not be changed.
 """
 
 from __future__ import annotations
@@ -23,7 +23,7 @@ from kitrobot.primitives import Catalogue, Constructor, Crew, OwnVariable
 from kitrobot.workspace.program_report import ProgramReport, program_report
 
 MOST_VERTICES = 20_000
-"""Of all programs that are kept together: some 50 MB."""
+"""Of all cached programs together: some 50 MB."""
 MOST_STATES = 2
 """Of one program: as it is, and as it was before the last edit. More would only be further away in memory."""
 MOST_NAMED = 10
@@ -31,11 +31,11 @@ MOST_NAMED = 10
 MOST_CATALOGUES = 16
 
 _Key = tuple[int, int]
-"""The ids of a program and its catalogue: these cannot come again before the objects are gone, which are kept."""
+"""The ids of a program and its catalogue; they are not reused while the cache holds the objects."""
 
 
-class KeptProgram:
-    """A program, the catalogue it is for, and what became of it, each made when it is first asked for."""
+class CachedProgram:
+    """A program, its catalogue, and its compilation results, each computed on first use."""
 
     def __init__(
         self,
@@ -71,7 +71,7 @@ class KeptProgram:
 
     @cached_property
     def report(self) -> ProgramReport:
-        """What is shown of it. Raises KitRobotError when its robot is not at hand."""
+        """Its report. Raises KitRobotError when its robot is not at hand."""
         return self._made[1]
 
     @cached_property
@@ -98,19 +98,19 @@ class _Extended:
         variables: Sequence[OwnVariable],
         crew: Crew | None,
     ) -> bool:
-        same = _same(self.constructors, constructors) and _same(self.variables, variables)
+        same = _are_identical(self.constructors, constructors) and _are_identical(self.variables, variables)
         return self.common is common and same and self.crew == crew
 
 
-class KeptPrograms:
+class CompileCache:
     """The newest states of the newest programs, up to `most_vertices` in all."""
 
     def __init__(self, most_vertices: int = MOST_VERTICES) -> None:
         self._most_vertices = most_vertices
         self._lock = threading.Lock()
-        self._programs: OrderedDict[_Key, KeptProgram] = OrderedDict()
+        self._programs: OrderedDict[_Key, CachedProgram] = OrderedDict()
         self._named: OrderedDict[str, Program] = OrderedDict()
-        """They outlive what became of them, so that several windows may edit programs of one name."""
+        """Programs outlive their results here, so that several windows may edit programs of one name."""
         self._named_vertices = 0
         self._names = (f"{secrets.token_hex(4)}-{number}" for number in itertools.count())
         self._vertices = 0
@@ -125,9 +125,9 @@ class KeptPrograms:
     ) -> Catalogue:
         """`common.extended(…)`: the same object for the same parts."""
         with self._lock:
-            for kept in self._catalogues:
-                if kept.is_of(common, constructors, variables, crew):
-                    return kept.catalogue
+            for cached in self._catalogues:
+                if cached.is_of(common, constructors, variables, crew):
+                    return cached.catalogue
         made = common.extended(constructors, variables, crew)
         with self._lock:
             del self._catalogues[: -MOST_CATALOGUES + 1]
@@ -136,8 +136,8 @@ class KeptPrograms:
 
     def of(
         self, program: Program, catalogue: Catalogue, translation: Translation | None = None, *, sound: bool = False
-    ) -> KeptProgram:
-        """A program as it is kept, or from now on is; `translation` and `sound` as for `compile_program`."""
+    ) -> CachedProgram:
+        """The cached program; it is added if it is missing. `translation` and `sound` as for `compile_program`."""
         key = (id(program), id(catalogue))
         with self._lock:
             others = [
@@ -145,23 +145,23 @@ class KeptPrograms:
                 for (_, of), other in self._programs.items()
                 if of == id(catalogue) and other.program.name == program.name
             ]
-            kept = self._programs.get(key) or next((one for one in others if _says_same(one.program, program)), None)
-            if kept is not None:
-                self._programs.move_to_end((id(kept.program), id(catalogue)))
-                return kept
+            cached = self._programs.get(key) or next((one for one in others if _is_equal(one.program, program)), None)
+            if cached is not None:
+                self._programs.move_to_end((id(cached.program), id(catalogue)))
+                return cached
             before = others[-1].__dict__.get("translation") if others else None
-            kept = self._programs[key] = KeptProgram(program, catalogue, translation, sound=sound, before=before)
-            self._give_name(kept)
+            cached = self._programs[key] = CachedProgram(program, catalogue, translation, sound=sound, before=before)
+            self._assign_name(cached)
             self._vertices += len(program.vertices)
             states = [one for one, other in self._programs.items() if other.program.name == program.name]
             for old in states[:-MOST_STATES]:
-                self._forget(old)
+                self._evict(old)
             while self._vertices > self._most_vertices:
-                self._forget(next(iter(self._programs)))
-        return kept
+                self._evict(next(iter(self._programs)))
+        return cached
 
     def named(self, name: str) -> Program | None:
-        """The program of that name; None when it is not kept any more."""
+        """The program of that name; None when it was evicted."""
         with self._lock:
             found = self._named.get(name)
             if found is not None:
@@ -169,40 +169,40 @@ class KeptPrograms:
         return found
 
     def report_of(self, name: str) -> ProgramReport | None:
-        """What was shown of the program of that name; None where it is not kept any more."""
+        """The report of the program of that name; None when it was evicted."""
         with self._lock:
-            kept = next((one for one in self._programs.values() if one.name == name), None)
-        made = None if kept is None else kept.__dict__.get("_made")
+            cached = next((one for one in self._programs.values() if one.name == name), None)
+        made = None if cached is None else cached.__dict__.get("_made")
         return None if made is None else replace(made[1], known=name)
 
     def reports(self, programs: Sequence[Program], catalogue: Catalogue) -> list[ProgramReport]:
-        """What is shown of each program, with the names of those that can be found again."""
+        """The report of each program, with the cache names of those that can be found again."""
         known = [one.level.is_team or one.target in catalogue.robots for one in programs]
-        kept = [self.of(one, catalogue) if is_known else None for one, is_known in zip(programs, known, strict=True)]
+        cached = [self.of(one, catalogue) if is_known else None for one, is_known in zip(programs, known, strict=True)]
         made = [
             program_report(one.name, None) if found is None else found.report
-            for one, found in zip(programs, kept, strict=True)
+            for one, found in zip(programs, cached, strict=True)
         ]
         with self._lock:
             return [
                 one if found is None or found.name not in self._named else replace(one, known=found.name)
-                for one, found in zip(made, kept, strict=True)
+                for one, found in zip(made, cached, strict=True)
             ]
 
-    def _give_name(self, kept: KeptProgram) -> None:
-        kept.name = next(self._names)
-        self._named[kept.name] = kept.program
-        self._named_vertices += len(kept.program.vertices)
+    def _assign_name(self, cached: CachedProgram) -> None:
+        cached.name = next(self._names)
+        self._named[cached.name] = cached.program
+        self._named_vertices += len(cached.program.vertices)
         while self._named_vertices > MOST_NAMED * self._most_vertices:
             self._named_vertices -= len(self._named.popitem(last=False)[1].vertices)
 
-    def _forget(self, key: _Key) -> None:
+    def _evict(self, key: _Key) -> None:
         gone = self._programs.pop(key)
         self._vertices -= len(gone.program.vertices)
 
 
-def _says_same(one: Program, other: Program) -> bool:
-    """Whether two programs say the same in the same order; that of settings counts where nobody knows the element."""
+def _is_equal(one: Program, other: Program) -> bool:
+    """Whether two programs are equal, order included; the order of settings matters for unknown elements."""
     return (
         (one.target, one.level, len(one.vertices), len(one.arcs))
         == (other.target, other.level, len(other.vertices), len(other.arcs))
@@ -215,5 +215,5 @@ def _same_vertex(one: Vertex, other: Vertex) -> bool:
     return one is other or (one == other and [*one.settings] == [*other.settings])
 
 
-def _same(kept: Sequence[object], given: Sequence[object]) -> bool:
-    return len(kept) == len(given) and all(one is other for one, other in zip(kept, given, strict=True))
+def _are_identical(cached: Sequence[object], given: Sequence[object]) -> bool:
+    return len(cached) == len(given) and all(one is other for one, other in zip(cached, given, strict=True))

@@ -1,12 +1,13 @@
-"""A program from one form into another, by the endings of the files' names.
+"""Conversion of a program from one form into another, by the endings of the files' names.
 
     .krt → .lll .kri .kra      .lll → .krt .kri .kra      .kri → .kra      .kra → .kri
 
-A picture of the studio that carries a mission (.svg, .png, .pdf) goes where a `.krt` goes, and to the `.krt` itself;
-pictures are made by the studio only.
+A picture of the studio that carries a mission (.svg, .png, .pdf) converts to whatever a `.krt` converts to, and to the
+`.krt` itself; only the studio makes pictures.
 
-Going down, every pass of the compiler has its say; nothing is written when one finds an error that the form cannot
-bear. An image keeps no names, so there is no way up from it. The file that is read is never written to.
+Going down, every pass of the compiler runs and reports; nothing is written when one finds an error that the target form
+cannot express. An image has no names, so it cannot be converted back to a program. The file that is read is never
+written to.
 """
 
 from __future__ import annotations
@@ -34,7 +35,7 @@ from kitrobot.mission import Mission, save
 from kitrobot.primitives import Robot, load_catalogue
 from kitrobot.text import Sentence
 from kitrobot.workspace.images import read_image, read_listing, why_unsafe
-from kitrobot.workspace.opening import OpenMission, mission_of, open_mission, put_on
+from kitrobot.workspace.mission_loader import OpenMission, mission_of, open_mission, retarget
 from kitrobot.workspace.robots import find_robot
 from kitrobot.workspace.team_programs import for_kind
 
@@ -152,7 +153,7 @@ def _from_mission(source: Path, wanted: Form, name: str | None, robot: str | Non
     if program.level.is_team and robot is not None:
         return _for_kind(opened, program, robot, wanted)
     if robot is not None:
-        put_on(opened, find_robot(robot, source.parent))
+        retarget(opened, find_robot(robot, source.parent))
     if wanted is Form.TEXT:
         target, translation = target_of(program, opened.catalogue), graph_to_lll(program, opened.catalogue)
         text = Source(f"{program.name}.lll", print_for(translation.program, target, opened.catalogue.crew))

@@ -17,7 +17,7 @@ from pathlib import Path
 from kitrobot.diagnostics import KitRobotError
 from kitrobot.files import make_folder, write_atomic
 from kitrobot.text import Sentence
-from kitrobot.translation import ENGLISH, LANGUAGES, reading_in, said
+from kitrobot.translation import ENGLISH, LANGUAGES, override_language, translate
 
 COMMENT = Sentence("Draw programs for small robots, and run them")
 MISSION = Sentence("KitRobot mission")
@@ -87,7 +87,7 @@ def install_entry(missions: Path) -> DesktopFiles:
     write_atomic(files.icon, _SIGN.read_bytes())
     write_atomic(files.kind, _kind().encode())
     write_atomic(files.entry, _entry(missions).encode())
-    _tell_desktop(files)
+    _notify_desktop(files)
     return files
 
 
@@ -107,7 +107,7 @@ def remove_entry() -> tuple[Path, ...]:
                 Sentence("`{file}` could not be removed: {reason}", file, error.strerror or str(error))
             ) from None
     if there:
-        _tell_desktop(files)
+        _notify_desktop(files)
     return there
 
 
@@ -124,7 +124,7 @@ def _entry(missions: Path) -> str:
         "Type=Application",
         "Version=1.5",
         "Name=KitRobot",
-        *_said("Comment", COMMENT),
+        *_localised("Comment", COMMENT),
         f"Exec={_escaped(command)} %f",
         f"Path={_escaped(str(missions))}",
         "Icon=kitrobot",
@@ -150,7 +150,7 @@ def _kind() -> str:
 """
 
 
-def _said(key: str, sentence: Sentence) -> list[str]:
+def _localised(key: str, sentence: Sentence) -> list[str]:
     return [
         f"{key}={words}" if language == ENGLISH else f"{key}[{language}]={words}"
         for language, words in _in_each_language(sentence)
@@ -160,8 +160,8 @@ def _said(key: str, sentence: Sentence) -> list[str]:
 def _in_each_language(sentence: Sentence) -> list[tuple[str, str]]:
     found = []
     for language in (ENGLISH, *sorted(set(LANGUAGES) - {ENGLISH})):
-        with reading_in(language):
-            found.append((language, said(sentence)))
+        with override_language(language):
+            found.append((language, translate(sentence)))
     return found
 
 
@@ -177,7 +177,7 @@ def _escaped(value: str) -> str:
     return value.replace("\\", "\\\\").replace("\n", "\\n").replace("\r", "\\r").replace("\t", "\\t")
 
 
-def _tell_desktop(files: DesktopFiles) -> None:
+def _notify_desktop(files: DesktopFiles) -> None:
     """Desktops that keep lists of all this have them made anew; where the programs for that are missing nothing is."""
     for program, folder in (
         ("update-mime-database", files.kind.parents[1]),

@@ -1,8 +1,8 @@
-"""A quick check of a mission that is being drawn: what can wait or go round for ever in it, and parts that never run.
+"""A quick check of a mission while it is drawn: waits and loops that may last for ever, and parts that never run.
 
-All orders of events are gone through in lockstep, in a process of its own at the lowest priority, for `EXPLORE_S`. What
-does not fit says nothing, and neither does a mission that has no discrete form, or one with errors. A trap that the
-model finds is told only where a run of the simulator shows it too: while drawing, no alarm may be false.
+It explores all orders of events in lockstep for `EXPLORE_S`, in its own process at the lowest priority. It reports
+nothing for a mission that is too large, has no discrete form, or has errors. A trap that the model finds is reported
+only if a run of the simulator shows it too: while drawing, there must be no false alarm.
 
 Left to others: finding (`verifier.trap_detection`), a check of properties (`background_check`).
 """
@@ -23,7 +23,7 @@ from kitrobot.text import Sentence
 from kitrobot.verifier import Budget, ConfirmedRun, Model, Timing, abstract_run
 from kitrobot.verifier.abstraction import Abstraction
 from kitrobot.workspace.child_processes import end_with_parent, has_processes
-from kitrobot.workspace.running import PreparedRun
+from kitrobot.workspace.mission_run import PreparedRun
 from kitrobot.workspace.verification import VerificationError, runs_of
 
 if TYPE_CHECKING:
@@ -76,7 +76,7 @@ class DrawingFinding:
     shown: ConfirmedRun | None = None
 
 
-class _Trapped(NamedTuple):
+class _TrapRow(NamedTuple):
     program: str
     vertex: str
     agent: str
@@ -85,14 +85,14 @@ class _Trapped(NamedTuple):
     tick: int
 
 
-class _Found(NamedTuple):
+class _DrawingResult(NamedTuple):
     """What the process found: traps, and by the program the vertices that never run."""
 
-    traps: tuple[_Trapped, ...] = ()
+    traps: tuple[_TrapRow, ...] = ()
     idle: tuple[tuple[str, tuple[str, ...]], ...] = ()
 
 
-def look_through(
+def check_drawing(
     prepared: PreparedRun, stop: Callable[[], bool], explore_s: float | None = EXPLORE_S
 ) -> list[DrawingFinding]:
     """What a mission that is being drawn may do for ever, and what no run comes to; nothing where `stop` says so, or
@@ -101,7 +101,9 @@ def look_through(
     Raises:
         VerificationError: the process died.
     """
-    found = _look_apart(prepared, stop, explore_s) if has_processes() else _look_here(prepared, stop, explore_s)
+    found = (
+        _explore_in_process(prepared, stop, explore_s) if has_processes() else _explore_here(prepared, stop, explore_s)
+    )
     known = {(one.program, vertex) for one in prepared.opened.before_setup for vertex in one.vertices}
     return [
         *map(_trap, found.traps),
@@ -109,29 +111,31 @@ def look_through(
     ]
 
 
-def _look_here(prepared: PreparedRun, stop: Callable[[], bool], explore_s: float | None) -> _Found:
+def _explore_here(prepared: PreparedRun, stop: Callable[[], bool], explore_s: float | None) -> _DrawingResult:
     """Where there are no processes: shorter."""
     short = None if explore_s is None else explore_s * _SHARE_HERE
     try:
-        return look(runs_of(prepared.parts()), prepared.options.seed, short, stop)
+        return explore_drawing(runs_of(prepared.parts()), prepared.options.seed, short, stop)
     except KitRobotError:
-        return _Found()
+        return _DrawingResult()
 
 
-def _look_apart(prepared: PreparedRun, stop: Callable[[], bool], explore_s: float | None) -> _Found:
+def _explore_in_process(prepared: PreparedRun, stop: Callable[[], bool], explore_s: float | None) -> _DrawingResult:
     import multiprocessing
 
     context = multiprocessing.get_context("spawn")
     mine, its = context.Pipe(duplex=False)
-    process = context.Process(target=_look, args=(prepared.parts(), prepared.options.seed, explore_s, its), daemon=True)
+    process = context.Process(
+        target=_serve_exploration, args=(prepared.parts(), prepared.options.seed, explore_s, its), daemon=True
+    )
     process.start()
     its.close()
     until = time.monotonic() + PATIENCE_S
     try:
         while not mine.poll(_LOOK_S):
             if stop() or (explore_s is not None and time.monotonic() > until):
-                return _Found()
-        found: _Found = mine.recv()
+                return _DrawingResult()
+        found: _DrawingResult = mine.recv()
         return found
     except (EOFError, OSError) as error:
         raise VerificationError(Sentence("the process of the check died"), "") from error
@@ -141,7 +145,7 @@ def _look_apart(prepared: PreparedRun, stop: Callable[[], bool], explore_s: floa
         process.join()
 
 
-def _trap(one: _Trapped) -> DrawingFinding:
+def _trap(one: _TrapRow) -> DrawingFinding:
     if one.waits:
         message = Sentence("`{agent}` can come to wait here for ever", one.agent)
         help = Sentence("nothing that can happen from then on ends it: wait for something that comes for sure")
@@ -166,27 +170,27 @@ def _idle(mission: Mission, name: str, vertices: tuple[str, ...], known: set[tup
     return [DrawingFinding(NEVER_REACHED(message, help=help, program=name, vertices=told))]
 
 
-def _look(parts: tuple[Any, ...], seed: int, explore_s: float | None, out: Connection) -> None:
+def _serve_exploration(parts: tuple[Any, ...], seed: int, explore_s: float | None, out: Connection) -> None:
     """In the process."""
     end_with_parent()
     with suppress(OSError, AttributeError):  # Windows has no nice
         os.nice(19)
     try:
-        found = look(runs_of(parts), seed, explore_s)
+        found = explore_drawing(runs_of(parts), seed, explore_s)
     except KitRobotError:
-        found = _Found()
+        found = _DrawingResult()
     with suppress(OSError):
         out.send(found)
     out.close()
 
 
-def look(
+def explore_drawing(
     runs: Callable[[int], Simulation],
     seed: int,
     explore_s: float | None = EXPLORE_S,
     stop: Callable[[], bool] = lambda: False,
-) -> _Found:
-    """What `look_through` tells, as plain values, in this process.
+) -> _DrawingResult:
+    """Explores the model in this process; gives the result of `check_drawing` as plain values.
 
     Raises:
         AbstractionError: the mission cannot be checked.
@@ -203,13 +207,13 @@ def look(
     plain = None if engine.is_kept() else PLAIN
     made = explore(Model(run, parts, 0, Timing.LOCKSTEP), Budget(MOST_STATES, explore_s, stop=stop), True, plain)
     if not made.complete:
-        return _Found()
+        return _DrawingResult()
     until = time.monotonic() + (SHOW_S if has_processes() else SHOW_S * _SHARE_HERE)
 
     def late() -> bool:
         return stop() or (explore_s is not None and time.monotonic() > until)
 
-    found: dict[tuple[str, str], _Trapped] = {}
+    found: dict[tuple[str, str], _TrapRow] = {}
     for trap in find_traps(made, late):
         agent = run.members[trap.agent]
         debug = run.debug[agent.image_name]
@@ -217,9 +221,9 @@ def look(
         shown = find_trap_run(trap, runs, late)
         if origin.vertex and shown is not None:
             waits = len({debug.vertex(pc) for pc in trap.standing}) == 1
-            one = _Trapped(origin.program or agent.program, origin.vertex, agent.name, waits, shown.seed, shown.tick)
+            one = _TrapRow(origin.program or agent.program, origin.vertex, agent.name, waits, shown.seed, shown.tick)
             found.setdefault((one.program, one.vertex), one)
-    idle = _never_run(run, [parts]) if _says_all(run.mission, parts) else ()
+    idle = _never_run(run, [parts]) if _is_model_complete(run.mission, parts) else ()
     if idle and run.world.storehouses:
         # A program may be made for any stock: what runs where there are no boxes is no mistake.
         empty = runs(seed)
@@ -231,7 +235,7 @@ def look(
             Model(empty, others, 0, Timing.LOCKSTEP), Budget(MOST_STATES, explore_s, stop=stop), False, plain
         )
         idle = _never_run(run, [parts, others]) if made.complete else ()
-    return _Found(tuple(found.values()), idle)
+    return _DrawingResult(tuple(found.values()), idle)
 
 
 def _never_run(run: Simulation, looked_at: Sequence[Abstraction]) -> tuple[tuple[str, tuple[str, ...]], ...]:
@@ -252,7 +256,7 @@ def _never_run(run: Simulation, looked_at: Sequence[Abstraction]) -> tuple[tuple
     return tuple((program, tuple(sorted(vertices))) for program, vertices in left.items() if vertices)
 
 
-def _says_all(mission: Mission, parts: Abstraction) -> bool:
+def _is_model_complete(mission: Mission, parts: Abstraction) -> bool:
     """Whether all that a run can do is in the model: failures on schedule, towing, a radio, leases of work and contacts
     between roads are not.
     """

@@ -1,7 +1,7 @@
-"""Which examples the gallery shows under which topics, how hard each is, and what somebody does in its preview.
+"""The examples of the gallery: their topics, how hard each is, and the inputs by hand in its preview.
 
-Read from `shipped/examples.xml`. An example that is not in it is shown all the same, under no topic. Left to others:
-what an example is called and what happens in it, which its mission says.
+The list is read from `shipped/examples.xml`. An example that is not in it is shown without a topic. Left to others: the
+title and help of an example, which are in its mission.
 """
 
 from __future__ import annotations

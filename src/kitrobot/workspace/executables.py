@@ -13,7 +13,7 @@ from kitrobot.primitives import Robot
 from kitrobot.text import Sentence
 from kitrobot.workspace.images import read_image
 from kitrobot.workspace.inputs import Inputs, read_inputs
-from kitrobot.workspace.opening import open_mission, put_on
+from kitrobot.workspace.mission_loader import open_mission, retarget
 from kitrobot.workspace.robots import find_robot
 from kitrobot.workspace.team_programs import for_kind
 
@@ -84,7 +84,7 @@ def _mission(path: Path, robot: str | None, name: str | None) -> _Loaded:
         image = made.compiled.image if sound and made.compiled is not None else None
         return _Loaded(made.robot, image, found, opened.sources)
     if robot is not None:
-        put_on(opened, find_robot(robot, path.parent))
+        retarget(opened, find_robot(robot, path.parent))
     runs = robot_of(program, opened.catalogue)
     compiled = compile_program(program, opened.catalogue)
     found = opened.placed([*opened.diagnostics, *compiled.diagnostics])

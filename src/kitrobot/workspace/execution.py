@@ -1,8 +1,8 @@
-"""One program against scripted inputs, without a world: what it commands and what its variables become, tick by tick.
+"""Execution of one program with scripted inputs and without a world: its commands and variables, tick by tick.
 
-The machine is the same as everywhere. Inputs are what the script says, from the tick of each row on; before any row a
-sensor is 0 (or the end of its range nearest to 0) and every device is done. Nothing but the script moves them: no
-device answers, so a program can be looked at alone.
+The machine is the same as everywhere. Inputs come from the script, each row from its tick on; before the first row a
+sensor is 0 (or the end of its range nearest to 0) and every device is done. Only the script changes inputs: no device
+answers, so a program can be examined alone.
 """
 
 from __future__ import annotations

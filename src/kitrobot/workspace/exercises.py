@@ -15,9 +15,9 @@ from kitrobot.exercise.rules import START
 from kitrobot.files import EXERCISE_ENDING, MissionFolder
 from kitrobot.mission import Mission
 from kitrobot.text import Sentence
-from kitrobot.workspace.lessons import Found, LessonKind, Lessons
+from kitrobot.workspace.lesson_library import FoundLesson, LessonKind, LessonLibrary
 
-FoundExercise = Found[Exercise]
+FoundExercise = FoundLesson[Exercise]
 _KIND = LessonKind(
     EXERCISE_ENDING,
     read_exercise,
@@ -32,7 +32,7 @@ class AnotherMissionError(KitRobotError):
     """What was handed in does not belong to this exercise."""
 
 
-class Exercises(Lessons[Exercise]):
+class Exercises(LessonLibrary[Exercise]):
     """The exercises of a folder."""
 
     def __init__(self, folder: MissionFolder) -> None:

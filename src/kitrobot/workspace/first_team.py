@@ -16,7 +16,7 @@ from kitrobot.lll import Instr, Members, Parallel, ParOfSeq, ProgramCall, RoleDe
 from kitrobot.mission import Mission
 from kitrobot.primitives import Level
 from kitrobot.text import Sentence
-from kitrobot.workspace.opening import OpenMission
+from kitrobot.workspace.mission_loader import OpenMission
 
 
 class TeamThereError(KitRobotError):

@@ -25,7 +25,7 @@ from kitrobot.fleet import (
 from kitrobot.sim import Simulation
 from kitrobot.text import Sentence
 from kitrobot.trace import TraceHeader
-from kitrobot.workspace.opening import OpenMission
+from kitrobot.workspace.mission_loader import OpenMission
 from kitrobot.workspace.traces import lay_out
 
 DRIVERS = "*.driver.py"

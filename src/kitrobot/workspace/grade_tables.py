@@ -15,7 +15,7 @@ from typing import Final
 
 from kitrobot.text import Sentence
 from kitrobot.translation import DIRECTIONS, LANGUAGES
-from kitrobot.workspace.grades import GoalGrade, Grade, Told, told
+from kitrobot.workspace.grades import GoalGrade, Grade, TextsByLanguage, translate_all
 
 _FORMULA: Final = re.compile(r"""(^|[;,|\t\r\n])([\s"']*)(?=[=+\-@＝＋－＠])""")
 """Where a formula would begin: in a cell, or behind any sign at which a spreadsheet may part it into more."""
@@ -86,7 +86,7 @@ def as_html(grades: Sequence[Grade]) -> str:
 <body>
 {choice}
 <main>
-<h1>{_said(told(title))}</h1>
+<h1>{_spans(translate_all(title))}</h1>
 {tables}
 {_lost(lost)}
 </main>
@@ -97,7 +97,7 @@ def as_html(grades: Sequence[Grade]) -> str:
 
 def _table(rows: Sequence[Grade]) -> str:
     heads = "".join(f"<th>{number}</th>" for number in range(1, len(rows[0].goals) + 1))
-    goals = "".join(f"<li>{_said(goal.label)}{_remarks(goal)}</li>" for goal in rows[0].goals)
+    goals = "".join(f"<li>{_spans(goal.label)}{_remarks(goal)}</li>" for goal in rows[0].goals)
     body = "\n".join(
         f'<tr><th scope="row" dir="auto">{escape(one.submission)}</th>{"".join(map(_mark, one.goals))}'
         f"<td>{one.points} / {one.of}</td></tr>"
@@ -105,28 +105,28 @@ def _table(rows: Sequence[Grade]) -> str:
     )
     wrong = "".join(item for one in rows for item in _wrong(one))
     return f"""<section>
-<h2>{_said(rows[0].exercise)}</h2>
+<h2>{_spans(rows[0].exercise)}</h2>
 <ol>{goals}</ol>
 <div class="scroll"><table>
-<thead><tr><th>{_said(told(Sentence("Submission")))}</th>{heads}<th>{_said(told(Sentence("Points")))}</th></tr></thead>
+<thead><tr><th>{_spans(translate_all(Sentence("Submission")))}</th>{heads}<th>{_spans(translate_all(Sentence("Points")))}</th></tr></thead>
 <tbody>
 {body}
 </tbody>
 </table></div>
-{f"<h3>{_said(told(Sentence('What went wrong')))}</h3><ul>{wrong}</ul>" if wrong else ""}
+{f"<h3>{_spans(translate_all(Sentence('What went wrong')))}</h3><ul>{wrong}</ul>" if wrong else ""}
 </section>"""
 
 
 def _remarks(goal: GoalGrade) -> str:
     """What is to be known of a goal besides: that it is hidden, and that it counts only beside others."""
     words = [Sentence("hidden")] * goal.hidden + [Sentence("counts once another goal is reached")] * goal.condition
-    return "".join(f" <small>({_said(told(one))})</small>" for one in words)
+    return "".join(f" <small>({_spans(translate_all(one))})</small>" for one in words)
 
 
 def _mark(goal: GoalGrade) -> str:
     words = Sentence("reached") if goal.reached else Sentence("not reached")
     sign, kind = ("✓", "yes") if goal.reached else ("✗", "no")
-    spoken = f'<span class="spoken">{_said(told(words))}</span>'
+    spoken = f'<span class="spoken">{_spans(translate_all(words))}</span>'
     return f'<td class="{kind}"><span aria-hidden="true">{sign}</span>{spoken}</td>'
 
 
@@ -136,19 +136,19 @@ def _wrong(one: Grade) -> Iterator[str]:
             continue
         where = ""
         if goal.seed is not None and goal.seconds is not None:
-            where = _said(told(Sentence("seed {seed}, at {seconds} s", goal.seed, f"{goal.seconds:.1f}")))
+            where = _spans(translate_all(Sentence("seed {seed}, at {seconds} s", goal.seed, f"{goal.seconds:.1f}")))
             where = f" <small>({where})</small>"
-        yield f"<li><b dir='auto'>{escape(one.submission)}</b>, {number}: {_said(goal.why)}{where}</li>"
+        yield f"<li><b dir='auto'>{escape(one.submission)}</b>, {number}: {_spans(goal.why)}{where}</li>"
 
 
 def _lost(lost: Sequence[Grade]) -> str:
     if not lost:
         return ""
-    items = "".join(f"<li><b dir='auto'>{escape(one.submission)}</b>: {_said(one.problem or {})}</li>" for one in lost)
-    return f"<section><h2>{_said(told(Sentence('Not judged')))}</h2><ul>{items}</ul></section>"
+    items = "".join(f"<li><b dir='auto'>{escape(one.submission)}</b>: {_spans(one.problem or {})}</li>" for one in lost)
+    return f"<section><h2>{_spans(translate_all(Sentence('Not judged')))}</h2><ul>{items}</ul></section>"
 
 
-def _said(texts: Told | Mapping[str, str]) -> str:
+def _spans(texts: TextsByLanguage | Mapping[str, str]) -> str:
     """A text in each language, of which one is shown; what stands between back quotes is a name."""
     return "".join(
         f'<span class="said" lang="{code}" dir="{DIRECTIONS[code]}">{_with_names(texts.get(code, ""))}</span>'

@@ -6,12 +6,12 @@ from collections.abc import Mapping
 from dataclasses import asdict, dataclass
 from typing import Any, Final
 
-from kitrobot.translation import LANGUAGES, reading_in, said
+from kitrobot.translation import LANGUAGES, override_language, translate
 
 LONGEST_TEXT: Final = 500
 """Characters of one sentence in a row."""
 
-Told = dict[str, str]
+TextsByLanguage = dict[str, str]
 """A text in each language, by `en`, `fr` and `ur`."""
 
 
@@ -22,11 +22,11 @@ class GoalGrade:
     `condition`: the mission that the exercise begins with reaches it.
     """
 
-    label: Told
+    label: TextsByLanguage
     points: int
     hidden: bool
     reached: bool
-    why: Told
+    why: TextsByLanguage
     seed: int | None
     seconds: float | None
     runs: int
@@ -39,9 +39,9 @@ class Grade:
     """A row: what came of a submission. `problem` says why it could not be judged; then there are no goals."""
 
     submission: str
-    exercise: Told
+    exercise: TextsByLanguage
     goals: tuple[GoalGrade, ...] = ()
-    problem: Told | None = None
+    problem: TextsByLanguage | None = None
 
     @property
     def earned(self) -> tuple[int, ...]:
@@ -85,15 +85,15 @@ class Grade:
         return made
 
 
-def told(sentence: str) -> Told:
+def translate_all(sentence: str) -> TextsByLanguage:
     """A sentence in every language."""
     made = {}
     for language in LANGUAGES:
-        with reading_in(language):
-            made[language] = str(said(sentence))[:LONGEST_TEXT]
+        with override_language(language):
+            made[language] = str(translate(sentence))[:LONGEST_TEXT]
     return made
 
 
-def texts_of(texts: Mapping[str, str]) -> Told:
+def texts_of(texts: Mapping[str, str]) -> TextsByLanguage:
     """The texts of an XML file in every language; English where there is none."""
     return {language: texts.get("" if language == "en" else language) or texts.get("", "") for language in LANGUAGES}

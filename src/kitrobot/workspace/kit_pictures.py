@@ -1,7 +1,7 @@
-"""Pictures of a kit, drawn from its file: what it is made of, seen from above, and how its parts are wired.
+"""Pictures of a kit, drawn from its file: its parts seen from above, and their wiring.
 
-Both are SVG with colours of their own, and say nothing that the file does not: where a part stands on the real robot no
-file says, so each kind of part has its place.
+Both are SVG with their own colours. A kit's file does not say where a part is on the real robot, so each kind of part
+has a fixed place.
 """
 
 from __future__ import annotations

@@ -14,7 +14,7 @@ from kitrobot.files import read_text
 from kitrobot.graph import Program
 from kitrobot.primitives import Kit, Robot, RobotObject, with_team
 from kitrobot.user_folders import config_folder
-from kitrobot.workspace.opening import OpenMission
+from kitrobot.workspace.mission_loader import OpenMission
 from kitrobot.workspace.robot_programs import board_program, load_board_program
 from kitrobot.workspace.robots import find_robot
 from kitrobot.workspace.team_boards import agent_program
@@ -42,7 +42,7 @@ def mission_on_kit(opened: OpenMission, kit: Kit, folder: Path | None = None) ->
                 robot = with_team(opened.catalogue.robots[kind], opened.mission.team.works)
                 compiled = opened.team.kinds.get(kind) if opened.team is not None else None
                 problem = _why_not(partial(agent_program, opened, agent, beside, kit))
-                found.append(_looked_at(program.name, robot, compiled, kit, package, problem))
+                found.append(_program_on_kit(program.name, robot, compiled, kit, package, problem))
         else:
             found.append(_on_kit(opened, program, kit, beside, package))
     return found
@@ -58,7 +58,7 @@ def text_on_kit(path: Path, robot: str, kit: Kit) -> ProgramOnKit:
     compiled = compile_text(read_text(path), meant, str(path))
     problem = _why_not(lambda: load_board_program(path, robot=robot, built_of=kit))
     package = Package((config_folder(), path.parent))
-    return _looked_at(path.stem, meant, compiled, kit, package, problem)
+    return _program_on_kit(path.stem, meant, compiled, kit, package, problem)
 
 
 @dataclass(frozen=True)
@@ -91,7 +91,7 @@ def program_on_kits(opened: OpenMission, program: str, kits: Iterable[Kit], fold
 def _on_kit(opened: OpenMission, program: Program, kit: Kit, folder: Path | None, package: Package) -> ProgramOnKit:
     compiled = opened.compiled.get(program.name) or compile_program(program, opened.catalogue)
     problem = _why_not(partial(board_program, opened, program.name, folder, kit))
-    return _looked_at(program.name, robot_of(program, opened.catalogue), compiled, kit, package, problem)
+    return _program_on_kit(program.name, robot_of(program, opened.catalogue), compiled, kit, package, problem)
 
 
 def _why_not(make: Callable[[], object]) -> KitRobotError | None:
@@ -102,7 +102,7 @@ def _why_not(make: Callable[[], object]) -> KitRobotError | None:
     return None
 
 
-def _looked_at(
+def _program_on_kit(
     name: str, robot: Robot, compiled: Compiled | None, kit: Kit, package: Package, problem: KitRobotError | None
 ) -> ProgramOnKit:
     image = compiled.image if compiled is not None else None

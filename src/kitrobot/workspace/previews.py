@@ -1,10 +1,9 @@
-"""Previews: what a mission does in its first seconds, taken from a real run, and found again by what the mission says.
+"""Previews: the first seconds of a mission, recorded from a real run and cached by the mission's content.
 
-A preview is whole numbers, frame by frame: where everybody is, what displays show, what lies in the storehouses, what
-pens drew. It is known by a digest of the mission, its world, and the files of parts that it brings along, so a change
-of any of them makes another one. Those of what ships are made by `tools/previews.py` and come along in one file;
-others are made when they are first asked for, and kept in memory. Left to others: which missions are shown, and
-drawing.
+A preview is whole numbers, frame by frame: poses of agents, what displays show, the stock of storehouses, and what pens
+drew. Its key is a digest of the mission, its world, and the files of parts that it brings along, so a change of any of
+them gives another key. Previews of shipped missions are made by `tools/previews.py` and shipped in one file; others are
+made on first request and cached in memory. Left to others: which missions are shown, and drawing.
 """
 
 from __future__ import annotations
@@ -24,8 +23,8 @@ from kitrobot.diagnostics import KitRobotError
 from kitrobot.mission import write_mission
 from kitrobot.sim import Simulation, pens_of
 from kitrobot.trace import Drawing
-from kitrobot.workspace.opening import OpenMission
-from kitrobot.workspace.running import RunOptions, prepare
+from kitrobot.workspace.mission_loader import OpenMission
+from kitrobot.workspace.mission_run import RunOptions, prepare
 from kitrobot.workspace.traces import parts_of
 from kitrobot.world import write_world
 
@@ -35,10 +34,10 @@ VERSION = 1
 MOST_S = 30.0
 """Simulated seconds that a preview shows, at most."""
 TICKS_A_POINT = 5
-"""Steps of the simulator between two looks at it: a tenth of a second."""
+"""Steps of the simulator between two snapshots: a tenth of a second."""
 MOST_FRAMES = 80
 """A longer run is shown in fewer frames: it plays faster."""
-MOST_KEPT = 200
+MOST_CACHED = 200
 """Previews in memory."""
 
 SHIPPED_PREVIEWS = Path(__file__).parent / "shipped" / "previews.jsonl"
@@ -85,7 +84,7 @@ class Preview:
 
 
 @dataclass(frozen=True)
-class _Look:
+class _Snapshot:
     """A moment of a run, in whole numbers."""
 
     poses: list[list[int]]
@@ -104,7 +103,7 @@ def key_of(opened: OpenMission, seconds: float, hands: Sequence[Hand] = ()) -> s
 
 
 def make_preview(opened: OpenMission, seconds: float = MOST_S, hands: Sequence[Hand] = ()) -> Preview:
-    """Runs a mission and looks on.
+    """Runs a mission and records it.
 
     Raises:
         KitRobotError: it cannot run.
@@ -112,27 +111,27 @@ def make_preview(opened: OpenMission, seconds: float = MOST_S, hands: Sequence[H
     run = prepare(opened, RunOptions(seconds=seconds)).simulation
     run.stays_plain = True
     drawing = Drawing(pens_of(run.members))
-    looks = [_look(run)]
+    snapshots = [_snapshot(run)]
     while run.outcome is None:
         _hold(run, hands)
         run.advance(TICKS_A_POINT)
         drawing.add(run.drawn)
-        looks.append(_look(run))
-    apart = max(1, math.ceil((len(looks) - 1) / (MOST_FRAMES - 1)))
+        snapshots.append(_snapshot(run))
+    apart = max(1, math.ceil((len(snapshots) - 1) / (MOST_FRAMES - 1)))
     # The end belongs to what is shown.
-    chosen = [*looks[:-1:apart], looks[-1]]
+    chosen = [*snapshots[:-1:apart], snapshots[-1]]
     return Preview(
         agents=[[one.name, one.program, one.robot.name, one.number] for one in run.members],
         seconds=round(run.seconds, 2),
         frames=len(chosen),
-        ways=[_way([look.poses[at] for look in chosen]) for at in range(len(run.members))],
+        ways=[_way([snapshot.poses[at] for snapshot in chosen]) for at in range(len(run.members))],
         shown=[
             [frame, at, name, numbers]
             for at in range(len(run.members))
-            for frame, name, numbers in _changes([look.shown[at] for look in chosen])
+            for frame, name, numbers in _changes([snapshot.shown[at] for snapshot in chosen])
         ],
-        stock=[list(change) for change in _changes([look.stock for look in chosen])],
-        things=[_way([look.things[at] for look in chosen]) for at in range(len(looks[0].things))],
+        stock=[list(change) for change in _changes([snapshot.stock for snapshot in chosen])],
+        things=[_way([snapshot.things[at] for snapshot in chosen]) for at in range(len(snapshots[0].things))],
         pens=[pen.agent for pen in drawing.pens],
         marks=[
             [min(len(chosen) - 1, math.ceil(mark.tick / (TICKS_A_POINT * apart))), *mark[1:]] for mark in drawing.marks
@@ -150,9 +149,9 @@ def _hold(run: Simulation, hands: Sequence[Hand]) -> None:
             run.force(hand.agent, hand.sensor, None)
 
 
-def _look(run: Simulation) -> _Look:
+def _snapshot(run: Simulation) -> _Snapshot:
     things = run.state.pushables.floats
-    return _Look(
+    return _Snapshot(
         [[round(x), round(y), round(heading * 1000), load, flags] for x, y, heading, load, flags in run.poses()],
         [one.shown for one in run.agents],
         dict(run.stock),
@@ -165,12 +164,12 @@ def _way(points: list[list[int]]) -> list[int]:
     return [number for point in (points if moves else points[:1]) for number in point]
 
 
-def _changes(looks: Sequence[Mapping[str, Any]]) -> list[tuple[int, str, Any]]:
+def _changes(snapshots: Sequence[Mapping[str, Any]]) -> list[tuple[int, str, Any]]:
     """(frame, name, value) wherever a value is another one than before."""
     found: list[tuple[int, str, Any]] = []
     known: dict[str, Any] = {}
-    for frame, look in enumerate(looks):
-        for name, value in look.items():
+    for frame, snapshot in enumerate(snapshots):
+        for name, value in snapshot.items():
             plain = [int(number) for number in value] if isinstance(value, list | tuple) else value
             if name not in known or known[name] != plain:
                 known[name] = plain
@@ -209,7 +208,7 @@ class Previews:
                 preview = None  # opening the mission says what is wrong
         with self._lock:
             self._made[key] = preview
-            while len(self._made) > MOST_KEPT:
+            while len(self._made) > MOST_CACHED:
                 self._made.popitem(last=False)
         return preview
 

@@ -13,7 +13,7 @@ from kitrobot.lll import Instruction, nodes
 class ProgramReport:
     """What a program becomes; `instructions` is 0 when it has errors.
 
-    `known` is the name by which `KeptPrograms` finds the program again, "" when it is not kept.
+    `known` is the name by which `CompileCache` finds the program again, "" when it is not kept.
     """
 
     name: str

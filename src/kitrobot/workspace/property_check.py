@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from kitrobot.diagnostics import Diagnostic, Place
 from kitrobot.files import Places
 from kitrobot.mission import PROPERTY, Mission
-from kitrobot.mission.asked import is_ready
+from kitrobot.mission.property_xml import is_ready
 from kitrobot.primitives import Catalogue, Robot, has_team, with_team
 from kitrobot.text import Sentence
 

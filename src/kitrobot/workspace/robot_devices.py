@@ -1,7 +1,7 @@
-"""Which devices of a robot the simulator lacks, and for which no board has a driver, at their lines of its file.
+"""Devices of a robot that the simulator lacks, or for which no board has a driver, reported at their lines of its file.
 
 A device that only one of the two knows is a hint, since the robot runs there; one that neither knows is an error, and
-so is what the simulator's device cannot do as the file says it.
+so are settings that the simulator's device cannot follow.
 """
 
 from __future__ import annotations

@@ -23,11 +23,11 @@ from kitrobot.robots import (
 )
 from kitrobot.text import Sentence
 from kitrobot.workspace.executables import NoRobotError
-from kitrobot.workspace.kept_firmware import keep_firmware, kept_firmware
-from kitrobot.workspace.kept_programs import keep_program, kept_names
 from kitrobot.workspace.kit_files import find_kit
-from kitrobot.workspace.opening import OpenMission, open_mission
+from kitrobot.workspace.mission_loader import OpenMission, open_mission
 from kitrobot.workspace.robots import find_robot
+from kitrobot.workspace.sent_firmware import load_firmware_version, store_firmware_version
+from kitrobot.workspace.sent_programs import load_names, store_sent_program
 from kitrobot.workspace.traces import parts_of
 
 
@@ -148,10 +148,10 @@ def send_program(
 ) -> list[SendResult]:
     """As `robots.send_program`; what was sent is kept, so that its names are known later."""
     sent = robots.send_program(program, addresses, progress, replace=replace, fresh=fresh)
-    keep_program(program, {one.deployed.program for one in sent if one.deployed is not None})
+    store_sent_program(program, {one.deployed.program for one in sent if one.deployed is not None})
     for one in sent:
         if one.deployed is not None:
-            keep_firmware(one.address, one.deployed)
+            store_firmware_version(one.address, one.deployed)
     return sent
 
 
@@ -159,11 +159,11 @@ def scan_boards(addresses: Sequence[str] = (), waits: WaitListener = lambda addr
     """As `robots.scan_boards`, with the names of programs that were sent from here."""
 
     def name_of(installed: str) -> str:
-        names = kept_names(installed)
+        names = load_names(installed)
         return names.program if names is not None else ""
 
     seen = robots.scan_boards(addresses, waits, name_of)
     return [
-        replace(one, micropython=kept_firmware(one.port.address, one.hello)) if one.hello is not None else one
+        replace(one, micropython=load_firmware_version(one.port.address, one.hello)) if one.hello is not None else one
         for one in seen
     ]

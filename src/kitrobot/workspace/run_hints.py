@@ -9,7 +9,7 @@ from kitrobot.lll import parse
 from kitrobot.sim import Simulation
 from kitrobot.sim import rules as sim_rules
 from kitrobot.text import Help, Sentence
-from kitrobot.workspace.opening import OpenMission
+from kitrobot.workspace.mission_loader import OpenMission
 
 PAUSE = "WAIT(10);"
 """LLL of the part that is put before the end: which constructor draws it is up to the catalogue."""

@@ -1,4 +1,4 @@
-"""Where the parts of a mission are looked for: robots, constructors, and the file of its world."""
+"""The folders that are searched for the parts of a mission: robots, constructors, and the file of its world."""
 
 from __future__ import annotations
 

@@ -25,7 +25,7 @@ from kitrobot import __version__
 from kitrobot.diagnostics import KitRobotError
 from kitrobot.text import Sentence
 from kitrobot.workspace.site_packages import packages
-from kitrobot.workspace.site_packing import PACKED, packed
+from kitrobot.workspace.site_packer import PACKED, packed
 from kitrobot.workspace.site_sources import in_library, without_texts
 
 PYODIDE: Final = "314.0.7"

@@ -15,7 +15,7 @@ from importlib.metadata import PackageNotFoundError, distribution
 from pathlib import Path
 from typing import Final
 
-from kitrobot.exercise import without_hidden
+from kitrobot.exercise import remove_hidden_parts
 from kitrobot.files import EXERCISE_ENDING, examples_folder
 from kitrobot.workspace.site_sources import without_texts
 
@@ -59,7 +59,7 @@ def packages(wheel: Path) -> tuple[bytes, dict[str, bytes]]:
                 data = without_texts(data)
             elif name.endswith(EXERCISE_ENDING):
                 # Whoever grades has the exercises; a page is for pupils.
-                data = without_hidden(data, name)
+                data = remove_hidden_parts(data, name)
             about = tarfile.TarInfo(name)
             about.size = len(data)
             archive.addfile(about, io.BytesIO(data))

@@ -31,7 +31,7 @@ from kitrobot.sim.sweep import (
 )
 from kitrobot.text import Sentence
 from kitrobot.workspace.child_processes import MOST_JOBS, cores, end_with_parent
-from kitrobot.workspace.running import PreparedRun, Run
+from kitrobot.workspace.mission_run import PreparedRun, Run
 
 OUTCOMES: Final[tuple[Outcome, ...]] = ("done", "failed", "stuck", "time")
 MOST_FIELDS: Final = 1_000_000

@@ -12,9 +12,9 @@ from kitrobot.diagnostics import KitRobotError, ProblemsError
 from kitrobot.primitives import Kit, Robot, with_team
 from kitrobot.robots import BoardProgram, Progress, SendResult, recording_context_of
 from kitrobot.text import Sentence, did_you_mean, listed
-from kitrobot.workspace.kept_programs import keep_program
-from kitrobot.workspace.opening import OpenMission
+from kitrobot.workspace.mission_loader import OpenMission
 from kitrobot.workspace.robot_programs import ready_program
+from kitrobot.workspace.sent_programs import store_sent_program
 from kitrobot.workspace.traces import parts_of
 
 
@@ -88,7 +88,7 @@ def send_team(
     sent = robots.send_programs(programs, progress, replace=replace, fresh=fresh)
     for one in sent:
         if one.deployed is not None:
-            keep_program(programs[one.address], [one.deployed.program])
+            store_sent_program(programs[one.address], [one.deployed.program])
     return sent
 
 

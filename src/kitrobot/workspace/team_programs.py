@@ -13,7 +13,7 @@ from kitrobot.primitives import Robot, has_team, with_team
 from kitrobot.workspace.robots import find_robot
 
 if TYPE_CHECKING:
-    from kitrobot.workspace.opening import OpenMission
+    from kitrobot.workspace.mission_loader import OpenMission
 
 
 def team_of(opened: OpenMission, name: str, kinds: Collection[str]) -> CompiledTeam | None:

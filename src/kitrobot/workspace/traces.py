@@ -1,8 +1,8 @@
-"""Recordings: what a mission needs so that its run can be looked at anywhere, and a recording opened again.
+"""Recordings: the parts that a mission needs to be viewed anywhere, and a recording opened again.
 
-A `.krtrace` brings along its mission, its world and the XML files that do not come with KitRobot. `unpack` lays them
-side by side in a folder, where the mission opens like any other. A recording may come from anywhere: its mission and
-world are read as carefully as files of their own, and names of files are taken only as far as they stay in that folder.
+A `.krtrace` contains its mission, its world and the XML files that are not shipped with KitRobot. `unpack` writes them
+side by side into a folder, where the mission opens like any other. A recording may come from anywhere: its mission and
+world are read as carefully as files, and file names are accepted only if they stay in that folder.
 """
 
 from __future__ import annotations
@@ -17,7 +17,7 @@ from kitrobot.mission import Mission, read_mission
 from kitrobot.primitives import SHIPPED
 from kitrobot.text import Sentence
 from kitrobot.trace import ENDING, TraceError, TraceHeader, TracePart, TraceReader
-from kitrobot.workspace.opening import OpenMission
+from kitrobot.workspace.mission_loader import OpenMission
 from kitrobot.world import EMPTY, World, read_world
 
 _DECLARATION = re.compile(r"\A\s*<\?xml[^>]*\?>\s*")

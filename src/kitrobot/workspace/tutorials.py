@@ -12,9 +12,9 @@ from kitrobot.text import Sentence
 from kitrobot.tutorial import Tutorial, read_tutorial, steps_fit
 from kitrobot.tutorial.model import LAST
 from kitrobot.tutorial.rules import START
-from kitrobot.workspace.lessons import Found, LessonKind, Lessons
+from kitrobot.workspace.lesson_library import FoundLesson, LessonKind, LessonLibrary
 
-FoundTutorial = Found[Tutorial]
+FoundTutorial = FoundLesson[Tutorial]
 _KIND = LessonKind(
     TUTORIAL_ENDING,
     read_tutorial,
@@ -25,7 +25,7 @@ _KIND = LessonKind(
 )
 
 
-class Tutorials(Lessons[Tutorial]):
+class Tutorials(LessonLibrary[Tutorial]):
     """The tutorials of a folder."""
 
     def __init__(self, folder: MissionFolder) -> None:

@@ -1,4 +1,6 @@
-"""Variables that a person gives a robot: whether they make sense, in words for somebody who just typed them."""
+"""Variables that a user gives a robot: checks of their names and numbers, with messages for the user who just typed
+them.
+"""
 
 from __future__ import annotations
 

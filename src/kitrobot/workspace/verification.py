@@ -34,7 +34,7 @@ from kitrobot.verifier import (
 )
 from kitrobot.verifier.engines import would_gain
 from kitrobot.verifier.storyboard import Culprit, Scene, draw_scenes, find_culprits
-from kitrobot.workspace.running import PreparedRun
+from kitrobot.workspace.mission_run import PreparedRun
 
 MOST_FAILURES = 3
 """Failures in one run at most."""
@@ -240,19 +240,21 @@ def verify_runs(
         properties = _chosen([*ready_properties(model), *own], options.properties)
         if columns and (options.stop() or (ends is not None and options.clock() > ends)):
             break
-        limits += [words for words in _said_of_failures(parts, options, failures, properties) if words not in limits]
+        limits += [words for words in _failure_limits(parts, options, failures, properties) if words not in limits]
         left = None if ends is None else max(0.0, ends - options.clock())
         if left is not None and (failures, timing) != assumptions[-1]:
             left *= _SHARE
 
-        def tell(states: int, depth: int, timing: Timing = timing, failures: int = failures) -> None:
+        def report_progress(states: int, depth: int, timing: Timing = timing, failures: int = failures) -> None:
             if progress is not None:
                 progress(timing, failures, states, depth)
 
         judged = check_properties(
-            model, properties, Budget(options.states, left, options.memory, options.stop, tell, options.clock)
+            model,
+            properties,
+            Budget(options.states, left, options.memory, options.stop, report_progress, options.clock),
         )
-        column = Column(judged, tuple(_told(verdict, model, options) for verdict in judged.verdicts))
+        column = Column(judged, tuple(_finding(verdict, model, options) for verdict in judged.verdicts))
         if column_done is not None:
             column_done(column)
         if not all(finding.searched for finding in column.findings):
@@ -263,17 +265,17 @@ def verify_runs(
     return Verification(run.tick_ms, tuple(limits), tuple(columns), options.kinds)
 
 
-def _said_of_failures(
+def _failure_limits(
     parts: Abstraction, options: VerificationOptions, failures: int, properties: Sequence[Property]
 ) -> Iterator[Sentence]:
     """What is taken for granted of robots that fail."""
     if failures and FailureKind.FAIL in options.kinds and any(one.name == "stock" for one in properties):
         yield Sentence("a box or a unit of work that a robot holds when it fails is taken to be held by it, not lost")
     if failures and FailureKind.MUTE in options.kinds:
-        yield _said_of_radios(parts)
+        yield _radio_limit(parts)
 
 
-def _said_of_radios(parts: Abstraction) -> Sentence:
+def _radio_limit(parts: Abstraction) -> Sentence:
     """What is taken for granted of robots that lose their radio."""
     if any(part.shared or part.is_member for part in parts.parts):
         return Sentence("a robot that loses its radio is taken never to have it again")
@@ -300,7 +302,7 @@ def _chosen(properties: list[Property], names: Sequence[str]) -> list[Property]:
     return [one for one in properties if any(one.name == name or one.name.startswith(f"{name}-") for name in names)]
 
 
-def _told(verdict: Verdict, model: Model, options: VerificationOptions) -> Finding:
+def _finding(verdict: Verdict, model: Model, options: VerificationOptions) -> Finding:
     """A verdict with its run in words."""
     if verdict.counterexample is None:
         return Finding(verdict)
@@ -328,9 +330,9 @@ class _Search:
         now = self._options.clock()
         until = None if self._ends is None else now + max(0.0, self._ends - now) / 4
         for finding in findings:
-            yield self._looked_for(finding, model, until)
+            yield self._confirm(finding, model, until)
 
-    def _looked_for(self, finding: Finding, model: Model, until: float | None) -> Finding:
+    def _confirm(self, finding: Finding, model: Model, until: float | None) -> Finding:
         verdict = finding.verdict
         if finding.searched or verdict.counterexample is None:
             return finding

@@ -8,7 +8,7 @@ from pathlib import Path
 
 from kitrobot.diagnostics import Diagnostic, open_regular
 from kitrobot.files import FileError, read_bytes
-from kitrobot.workspace.checking import first_element
+from kitrobot.workspace.file_check import first_element
 from kitrobot.world import EMPTY, SHIPPED, World, read_world
 
 MOST_WORLDS = 100

@@ -14,14 +14,14 @@ from kitrobot.xml.attributes import (
     version,
     whole,
 )
-from kitrobot.xml.decoding import MAX_BYTES, decode
+from kitrobot.xml.decoder import MAX_BYTES, decode
 from kitrobot.xml.element import LONGEST_NAME, Element, Tag
+from kitrobot.xml.expat_parser import DoctypeError, ExpatError, new_parser
 from kitrobot.xml.foreign import fragment, head, remark
 from kitrobot.xml.lessons import lesson_tag, require_label
-from kitrobot.xml.parsing import DoctypeError, ExpatError, new_parser
-from kitrobot.xml.reading import MAX_DEPTH, Reader
-from kitrobot.xml.texts import LANGUAGE, TEXT, TEXTS, told_text, told_twice
-from kitrobot.xml.writing import attributes, escape_text, escape_value, text_element
+from kitrobot.xml.reader import MAX_DEPTH, Reader
+from kitrobot.xml.texts import LANGUAGE, TEXT, TEXTS, read_text_element, report_duplicate_text
+from kitrobot.xml.writer import attributes, escape_text, escape_value, text_element
 
 __all__ = [
     "ICON",
@@ -53,11 +53,11 @@ __all__ = [
     "new_parser",
     "one",
     "optional",
+    "read_text_element",
     "remark",
+    "report_duplicate_text",
     "require_label",
     "text_element",
-    "told_text",
-    "told_twice",
     "version",
     "whole",
 ]

@@ -20,7 +20,7 @@ from kitrobot.xml import rules
 from kitrobot.xml.attributes import Attribute
 
 if TYPE_CHECKING:
-    from kitrobot.xml.reading import Reader
+    from kitrobot.xml.reader import Reader
 
 T = TypeVar("T")
 

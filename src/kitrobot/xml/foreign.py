@@ -11,8 +11,8 @@ import re
 from collections.abc import Iterable, Mapping
 from functools import lru_cache
 
-from kitrobot.xml.parsing import DoctypeError, ExpatError, new_parser
-from kitrobot.xml.writing import attributes, plain_characters
+from kitrobot.xml.expat_parser import DoctypeError, ExpatError, new_parser
+from kitrobot.xml.writer import attributes, plain_characters
 
 XMLNS = "xmlns"
 _DECLARES = "xmlns:"

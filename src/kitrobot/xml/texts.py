@@ -1,6 +1,6 @@
-"""Texts for people, once for each language: `<label>`, `<help>` and what else a file says to who reads it.
+"""Texts for people, once for each language: `<label>`, `<help>` and other texts of a file.
 
-A language that the page and the command line do not speak is a warning: nobody would be shown its text.
+A language that the page and the command line do not support is a warning, since its text would never be shown.
 """
 
 from __future__ import annotations
@@ -17,7 +17,7 @@ from kitrobot.xml.element import Element, Tag
 LANGUAGE = "xml:lang"
 
 
-def told_text(element: Element) -> tuple[str, str]:
+def read_text_element(element: Element) -> tuple[str, str]:
     """The language ("" for English) and the words of a text. Reports a language that is not spoken here, and a text
     that is longer than the `longest` of its tag.
     """
@@ -39,17 +39,17 @@ def told_text(element: Element) -> tuple[str, str]:
     return "" if language == ENGLISH else language, words
 
 
-def told_twice(element: Element) -> None:
+def report_duplicate_text(element: Element) -> None:
     """Reports that there is such a text in this language already."""
     element.report(rules.DUPLICATE, Sentence("there is a <{element}> in this language already", element.name))
 
 
 def _keep_text(element: Element) -> None:
     assert element.parent is not None
-    language, words = told_text(element)
+    language, words = read_text_element(element)
     texts = element.parent.texts.setdefault(element.name, {})
     if language in texts:
-        told_twice(element)
+        report_duplicate_text(element)
     texts.setdefault(language, words)
 
 

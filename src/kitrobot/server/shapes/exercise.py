@@ -12,7 +12,7 @@ from kitrobot.server.shapes.mission import MissionShape
 from kitrobot.server.shapes.problem import ProblemShape, problem_shapes
 from kitrobot.sim import MAX_SEED
 from kitrobot.workspace import FoundExercise
-from kitrobot.workspace.judging import Judgement
+from kitrobot.workspace.exercise_evaluation import Evaluation
 
 GoalKind = Literal["program", "run", "check"]
 JudgingName = Annotated[str, Field(max_length=100)]
@@ -97,7 +97,7 @@ def _kind(goal: Goal) -> GoalKind:
     return "program" if isinstance(goal, ProgramGoal) else "check" if isinstance(goal, CheckGoal) else "run"
 
 
-def goal_verdict_shapes(made: Judgement) -> list[GoalVerdictShape]:
+def goal_verdict_shapes(made: Evaluation) -> list[GoalVerdictShape]:
     """The verdicts as they travel."""
     return [
         GoalVerdictShape(reached=one.reached, why=one.why, seed=one.seed, seconds=one.seconds) for one in made.verdicts

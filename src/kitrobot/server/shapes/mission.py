@@ -20,7 +20,7 @@ from kitrobot.mission import (
     Radio,
     Team,
 )
-from kitrobot.mission.asked import LONGEST_NAME
+from kitrobot.mission.property_xml import LONGEST_NAME
 from kitrobot.mission.radio import LARGEST_RANGE_MM, LONGEST_DELAY_MS
 from kitrobot.mission.trial import LONGEST_CONDITION, LONGEST_S, MOST_HITS
 from kitrobot.primitives import MOST_OWN, Level

@@ -6,7 +6,7 @@ from typing import Annotated, Any, Literal
 
 from pydantic import BaseModel, Field, model_validator
 
-from kitrobot.compiler import Chosen
+from kitrobot.compiler import ChosenSlot
 from kitrobot.server.shapes.catalogue import Colour, ConstructorShape, MeaningShape, Texts
 from kitrobot.server.shapes.mission import MOST_VERTICES, MissionShape, ProgramShape
 from kitrobot.server.shapes.problem import FailureShape, ProblemShape
@@ -137,6 +137,6 @@ class PartFileShape(BaseModel):
     constructors: list[ConstructorShape]
 
 
-def chosen_from_shape(shape: ChosenShape) -> Chosen:
+def chosen_from_shape(shape: ChosenShape) -> ChosenSlot:
     """The choice that travelled."""
-    return Chosen(shape.vertex, shape.slot, shape.name, shape.min, shape.max, shape.default, shape.unit)
+    return ChosenSlot(shape.vertex, shape.slot, shape.name, shape.min, shape.max, shape.default, shape.unit)

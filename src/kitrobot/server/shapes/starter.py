@@ -9,7 +9,7 @@ from pydantic import BaseModel
 from kitrobot.primitives import Catalogue, RobotObject
 from kitrobot.server.shapes.gallery import RunPreviewShape
 from kitrobot.server.shapes.world import WorldShape, world_shape
-from kitrobot.workspace import Choices, FoundPlace, RobotSet, Starter
+from kitrobot.workspace import FoundPlace, NewMissionChoices, RobotSet, Starter
 
 
 class AbilityShape(BaseModel):
@@ -66,7 +66,7 @@ class PreviewShape(BaseModel):
     run: RunPreviewShape
 
 
-def robot_set_shape(robot_set: RobotSet, choices: Choices, catalogue: Catalogue) -> RobotSetShape:
+def robot_set_shape(robot_set: RobotSet, choices: NewMissionChoices, catalogue: Catalogue) -> RobotSetShape:
     """A set of robots with what its robots can do; one robot is called as its file says."""
     names = choices.robots_of(robot_set)
     robots = [catalogue.robots[name] for name in names if name in catalogue.robots]
@@ -95,7 +95,7 @@ def beginning_place_shape(place: FoundPlace) -> BeginningPlaceShape:
     return BeginningPlaceShape(name=place.name, label=label, help=help, world=world_shape(place.world))
 
 
-def starter_shape(starter: Starter, choices: Choices) -> StarterShape:
+def starter_shape(starter: Starter, choices: NewMissionChoices) -> StarterShape:
     """A starter, called as its first mission is."""
     made = choices.mission(starter.name)
     places = {robot_set.name: choices.places_for(starter, robot_set) for robot_set in choices.robot_sets}

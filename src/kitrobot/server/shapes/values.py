@@ -14,7 +14,7 @@ from pydantic_core import CoreSchema
 from kitrobot.files import Claimed
 from kitrobot.graph import Arc, Vertex
 from kitrobot.mission import Agent, Goal
-from kitrobot.mission.reading import is_goal_stock, say_goal_stock
+from kitrobot.mission.reader import describe_goal_stock, is_goal_stock
 from kitrobot.sim.breakpoints import Hit
 from kitrobot.tutorial import Point
 from kitrobot.world import Section, Storehouse
@@ -56,7 +56,7 @@ class Sent:
 
 def _goal(goal: Goal) -> Goal:
     if not is_goal_stock(goal.stock):
-        raise ValueError(say_goal_stock(goal.stock))
+        raise ValueError(describe_goal_stock(goal.stock))
     return goal
 
 

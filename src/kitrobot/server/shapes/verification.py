@@ -10,7 +10,7 @@ from kitrobot.server.sentences import Clause, Spoken
 from kitrobot.server.shapes.job import WorkMessage, WorkRefusedMessage
 from kitrobot.server.shapes.mission import MissionShape
 from kitrobot.verifier import KINDS, ConfirmedRun
-from kitrobot.workspace.background_check import Answered, Checked, Explored
+from kitrobot.workspace.background_check import Answered, CheckedColumn, Explored
 from kitrobot.workspace.verification import MOST_FAILURES
 
 LONGEST_S = 3_600.0
@@ -148,7 +148,7 @@ VERIFY_REQUEST_MODELS: tuple[type[BaseModel], ...] = (VerifyStartRequest, Verify
 VERIFY_MESSAGE_MODELS: tuple[type[BaseModel], ...] = (VerifyProgressMessage, VerifyColumnMessage, VerifyEndMessage)
 
 
-def verify_message(told: Explored | Checked, tick_ms: int) -> VerifyProgressMessage | VerifyColumnMessage:
+def verify_message(told: Explored | CheckedColumn, tick_ms: int) -> VerifyProgressMessage | VerifyColumnMessage:
     """What a check tells, as the page gets it."""
     if isinstance(told, Explored):
         return VerifyProgressMessage(

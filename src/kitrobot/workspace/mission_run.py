@@ -1,0 +1,226 @@
+"""A run of a mission in the simulator, and its result."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Callable, Mapping
+from dataclasses import asdict, dataclass, replace
+from pathlib import Path
+from typing import Any, Literal
+
+from kitrobot.compiler import TeamPlan
+from kitrobot.diagnostics import Diagnostic, Place, ProblemsError, Source, expect_output
+from kitrobot.primitives import Catalogue, Kit, as_measured
+from kitrobot.sim import Simulation, SimulationError, check_limits, check_mission, pens_of, simulate, strokes_now
+from kitrobot.text import Sentence
+from kitrobot.trace import Drawing, Stroke
+from kitrobot.workspace.mission_loader import OpenMission
+from kitrobot.workspace.run_hints import advice
+from kitrobot.workspace.traces import parts_of
+
+Progress = Callable[[float], None]
+"""Told the simulated seconds so far, now and then."""
+
+
+@dataclass(frozen=True)
+class Timing:
+    """What the clock on the wall decided: how long the run took, and simulated seconds a real second."""
+
+    real_seconds: float
+    speed: float
+
+
+@dataclass(frozen=True)
+class Run:
+    """What came of a run; everything but `timing` follows from the mission and the seed.
+
+    Attributes:
+        outcome: done, failed, stuck (nothing can change any more) or time (the time given ran out).
+        sentence: why it ended.
+        ticks: steps of the simulator.
+        seconds: simulated time.
+        delivered: boxes that each carrier brought, by its name.
+        total: boxes there are.
+        collisions: how many times a robot began to touch something.
+        timing: what the clock on the wall decided.
+        advice: hints on a run that ended before anything could be seen.
+        strokes: what pens drew.
+    """
+
+    outcome: Literal["done", "failed", "stuck", "time"]
+    sentence: str
+    ticks: int
+    seconds: float
+    delivered: Mapping[str, int]
+    total: int
+    collisions: int
+    timing: Timing
+    advice: tuple[Diagnostic, ...] = ()
+    strokes: tuple[Stroke, ...] = ()
+
+    def to_json(self) -> dict[str, Any]:
+        """As plain values, in the published shape."""
+        return {
+            "outcome": self.outcome,
+            "sentence": self.sentence,
+            "ticks": self.ticks,
+            "seconds": self.seconds,
+            "delivered": dict(self.delivered),
+            "total": self.total,
+            "collisions": self.collisions,
+            "timing": {name: round(value, 3) for name, value in asdict(self.timing).items()},
+        }
+
+
+@dataclass(frozen=True)
+class RunOptions:
+    """What is chosen for a run of a mission.
+
+    Attributes:
+        seed: where chance begins; the same seed gives the same run.
+        seconds: simulated seconds after which it is out of time; None: never.
+        fail_rate: the probability (0…1) that an agent fails for good within a minute, by chance.
+        trace: a file to record the run in.
+        kit: what the robots are built of; they then move as it was measured.
+    """
+
+    seed: int = 1
+    seconds: float | None = None
+    fail_rate: float = 0.0
+    trace: Path | None = None
+    kit: Kit | None = None
+
+
+@dataclass(frozen=True)
+class PreparedRun:
+    """A mission set up in its world, before its first step; it has no errors."""
+
+    opened: OpenMission
+    options: RunOptions
+    simulation: Simulation
+
+    @property
+    def problems(self) -> tuple[Diagnostic, ...]:
+        """What there is to say about the mission all the same: warnings and hints."""
+        return self.opened.before_setup
+
+    @property
+    def sources(self) -> tuple[Source, ...]:
+        """The texts that the problems point into."""
+        return self.opened.all_sources
+
+    def run(self, progress: Progress | None = None) -> Run:
+        """Runs the mission to its end, once; it needs a time limit. `progress` is told the simulated seconds so far.
+
+        What pens drew is in the result.
+
+        Raises:
+            TraceError: the trace cannot be written.
+        """
+        made, trace = self.simulation, self.options.trace
+        began = time.perf_counter()
+        parts = parts_of(self.opened) if trace is not None else ()
+        drawn = Drawing(pens_of(made.members))
+        simulate(made, trace, None if progress is None else lambda now: progress(now.seconds), parts, drawn)
+        real = time.perf_counter() - began
+        assert made.outcome is not None, "a run with a time limit ends"
+        return Run(
+            made.outcome,
+            made.sentence,
+            made.tick,
+            made.seconds,
+            made.delivered,
+            made.total,
+            made.collisions,
+            Timing(real, made.seconds / real if real > 0 else 0.0),
+            tuple(advice(self.opened, made)),
+            tuple(strokes_now(made, drawn)),
+        )
+
+    def parts(self) -> tuple[Any, ...]:
+        """What `Simulation` makes this run of, compiled already; other processes can be given it."""
+        return _parts(self.opened, self.options)
+
+    def again(self) -> Simulation:
+        """The same run before its first step, by itself.
+
+        Raises:
+            ProblemsError: the mission has errors.
+        """
+        made = prepare(self.opened, self.options).simulation
+        assert made.identity == self.simulation.identity, "the same mission, seed and limits are the same run"
+        return made
+
+
+def prepare(opened: OpenMission, options: RunOptions) -> PreparedRun:
+    """Sets a mission up in its world; see `OpenMission.prepare`."""
+    trace = options.trace
+    if trace is not None:
+        expect_output(trace, *opened.files)
+    # The report would set the mission up once more.
+    if not any(item.is_error for item in opened.before_setup):
+        try:
+            return PreparedRun(opened, options, _set_up(opened, options))
+        except ProblemsError:
+            if opened.report.ok:
+                raise
+    report = opened.report
+    raise ProblemsError(
+        Sentence("`{mission}` has errors, so it was not run", opened.name), "", report.problems, report.sources
+    )
+
+
+def _set_up(opened: OpenMission, options: RunOptions) -> Simulation:
+    assert opened.world is not None, "a mission without its world has an error"
+    check_limits(options.seconds, options.seed, options.fail_rate)
+    try:
+        return Simulation(*_parts(opened, options))
+    except SimulationError as error:
+        raise _refused(opened, error) from None
+
+
+def _parts(opened: OpenMission, options: RunOptions) -> tuple[Any, ...]:
+    chosen = (options.seed, options.seconds, options.fail_rate)
+    return (opened.mission, opened.world, opened.images, _catalogue(opened, options.kit), *chosen, _plan(opened))
+
+
+def _catalogue(opened: OpenMission, kit: Kit | None) -> Catalogue:
+    """The robots of a mission as they move on that kit."""
+    if kit is None or not kit.measured:
+        return opened.catalogue
+    robots = {name: as_measured(robot, kit) for name, robot in opened.catalogue.robots.items()}
+    return replace(opened.catalogue, robots=robots)
+
+
+def _plan(opened: OpenMission) -> TeamPlan | None:
+    return opened.team.plan if opened.team is not None else None
+
+
+def validate_setup(opened: OpenMission) -> None:
+    """Sets a mission that has no other errors up in its world, without making the run.
+
+    Raises:
+        ProblemsError: it does not fit its world.
+    """
+    assert opened.world is not None, "a mission without its world has an error"
+    try:
+        check_mission(opened.mission, opened.world, opened.images, opened.catalogue, _plan(opened))
+    except SimulationError as error:
+        raise _refused(opened, error) from None
+
+
+def _refused(opened: OpenMission, error: SimulationError) -> ProblemsError:
+    found = tuple(_placed(opened, item) for item in error.diagnostics)
+    return ProblemsError(Sentence("`{mission}` cannot be run", opened.name), "", found, opened.sources)
+
+
+def _placed(opened: OpenMission, item: Diagnostic) -> Diagnostic:
+    """What the stage found, with the mission's file as its place where it has none."""
+    if item.place is not None or opened.text is None:
+        return item
+    if item.program:
+        return opened.placed([item])[0]
+    kind, _, number = item.thing.partition(":")
+    own = opened.mission.own_world is not None and opened.places is not None and kind == "start"
+    start = opened.places.start(int(number)) if own and opened.places is not None else None
+    return replace(item, place=start or Place(opened.name))

@@ -1,0 +1,74 @@
+"""What the teacher does with some of a class: freezes them, edits with them, sees their arena."""
+
+from __future__ import annotations
+
+import pytest
+
+from kitrobot.classroom import ClassError, TeacherActions, read_record
+from tests.classroom.conftest import join
+
+
+def test_some_are_frozen_and_all(room, admission):
+    join(room, admission)
+    join(room, admission, "Ben")
+    actions = TeacherActions(room)
+
+    def frozen():
+        return [room.status_of(one).frozen for one in room.pupils.values()]
+
+    actions.set_frozen(True, ["Ben", "nobody"])
+    assert frozen() == [False, True]
+    # It outlives the process.
+    kept = read_record(room.folder)
+    assert kept is not None
+    assert [one.frozen for one in kept.pupils] == [False, True]
+    actions.set_frozen(False, ["Ben"])
+    assert frozen() == [False, False]
+    # Of all some go on; who comes later is not frozen then.
+    actions.set_frozen(True)
+    actions.set_frozen(True, ["Ada"])
+    assert frozen() == [True, True]
+    actions.set_frozen(False, ["Ada"])
+    join(room, admission, "Cem")
+    assert frozen() == [False, True, False]
+    actions.set_frozen(True)
+    actions.set_frozen(False)
+    assert frozen() == [False, False, False]
+    assert "not frozen any more: Ada" in (room.folder / "log.txt").read_text()
+
+
+def test_the_teacher_edits_only_when_the_pupil_lets_in(room, admission):
+    ada, _ = join(room, admission)
+    actions = TeacherActions(room)
+    with pytest.raises(ClassError, match="`Ada` is not here"):
+        actions.request_turn(ada)
+    room.open_page(ada)
+    # Who was not asked lets nobody in.
+    room.give_turn(ada, yes=True)
+    assert room.status_of(ada).turn == "pupil"
+    actions.request_turn(ada)
+    assert room.status_of(ada).turn == "asked"
+    room.give_turn(ada, yes=False)
+    assert room.status_of(ada).turn == "pupil"
+    actions.request_turn(ada)
+    room.give_turn(ada, yes=True)
+    assert room.status_of(ada).turn == "teacher"
+    actions.request_turn(ada)
+    assert room.status_of(ada).turn == "teacher"
+    actions.return_turn(ada)
+    assert room.status_of(ada).turn == "pupil"
+    actions.request_turn(ada)
+    room.give_turn(ada, yes=True)
+    room.give_turn(ada, yes=False)
+    assert room.status_of(ada).turn == "pupil"
+
+
+def test_what_a_page_shows_is_kept_only_while_the_teacher_looks_on(room, admission):
+    ada, _ = join(room, admission)
+    room.show_arena(ada, "{}")
+    assert ada.arena == ""
+    TeacherActions(room).view_pupil(ada)
+    room.show_arena(ada, "{}")
+    assert ada.arena == "{}"
+    TeacherActions(room).view_pupil(None)
+    assert ada.arena == ""
