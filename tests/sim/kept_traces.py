@@ -30,11 +30,11 @@ def anew(mission: Path) -> Simulation:
 def trace_of(mission: Path) -> list[int | str]:
     """The steps that were made, at most `TICKS`, and a hash of all machines, poses (to 0.001) and events after each."""
     run, digest = anew(mission), hashlib.sha256()
+    run.stays_plain = True  # the numbers of compiled steps are NumPy's, which `repr` writes differently
     while run.outcome is None and run.tick < TICKS:
         run.step()
-        # Plain numbers: a process that has run much goes on with arrays.
-        poses = [[float(round(number, 3)) + 0.0 for number in pose] for pose in run.poses()]
-        machines = [tuple(list(map(int, row)) for row in agent.machine.snapshot()) for agent in run.members]
+        poses = [[round(number, 3) + 0.0 for number in pose] for pose in run.poses()]
+        machines = [agent.machine.snapshot() for agent in run.members]
         events = [(event.agent, event.kind, str(event.text)) for event in run.events]
         digest.update(repr((poses, machines, events)).encode())
     return [run.tick, digest.hexdigest()[:32]]
