@@ -82,8 +82,9 @@ def _kitrobot(members: int, rounds: int) -> list[list[float]]:
             there: set[int] = set()
             while len(there) < members:
                 for envelope in channel.receive(0.2):
-                    if envelope.kind == HELLO:
-                        there.add(envelope.sender)
+                    if envelope.kind == HELLO and envelope.run == channel.run:
+                        there.add(envelope.sender)  # It has read its welcome, and so will read that it begins.
+                    elif envelope.kind == HELLO:
                         channel.send(envelope.sender, WELCOME, process=envelope.process)
             for _ in range(3):
                 channel.send(EVERYBODY, BEGIN)
