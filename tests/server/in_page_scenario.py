@@ -35,6 +35,12 @@ def no_thread(self):
     raise RuntimeError("can't start new thread")
 
 
+def remove_what_pages_lack() -> None:
+    """From now on this process starts no thread and imports no package that a page does not have."""
+    sys.meta_path.insert(0, Ban())
+    threading.Thread.start = no_thread  # type: ignore[method-assign]
+
+
 async def scenario(folder: Path) -> dict:
     from kitrobot.server.background import set_sleep_function
     from kitrobot.server.in_page_server import begin
@@ -205,9 +211,7 @@ async def with_a_board(studio, mission, path, ask):
 
 
 def main() -> None:
-    # What a site does without is not looked for; the interpreter's own threads are of no matter.
-    sys.meta_path.insert(0, Ban())
-    threading.Thread.start = no_thread  # type: ignore[method-assign]
+    remove_what_pages_lack()
     with asyncio.Runner(loop_factory=SleepingLoop) as runner:
         print(json.dumps(runner.run(scenario(Path(sys.argv[1])))))
 

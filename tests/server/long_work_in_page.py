@@ -6,10 +6,9 @@ Run as a script, with a folder for the missions; the mission comes on standard i
 import asyncio
 import json
 import sys
-import threading
 from pathlib import Path
 
-from tests.server.in_page_scenario import Heard, no_thread
+from tests.server.in_page_scenario import Heard, remove_what_pages_lack
 from tests.server.sleeping_loop import SleepingLoop, sleep
 
 HOURS = 10**7
@@ -105,7 +104,7 @@ async def scenario(folder: Path, text: str) -> dict:
 
 def main() -> None:
     text = sys.stdin.read()
-    threading.Thread.start = no_thread  # type: ignore[method-assign]
+    remove_what_pages_lack()
     with asyncio.Runner(loop_factory=SleepingLoop) as runner:
         print(json.dumps(runner.run(scenario(Path(sys.argv[1]), text))))
 

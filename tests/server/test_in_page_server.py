@@ -24,13 +24,7 @@ def test_a_page_opens_checks_runs_and_saves_where_only_is_what_a_browser_has(tmp
         capture_output=True,
         text=True,
         check=False,
-        env={
-            "HOME": str(tmp_path),
-            "KITROBOT_COMPILE": "no",  # A page has no Numba, and this process, like a page, no thread to compile in.
-            "KITROBOT_STATE": str(tmp_path / "state"),
-            "PATH": "",
-            "PYTHONPATH": str(ROOT),
-        },
+        env={"HOME": str(tmp_path), "KITROBOT_STATE": str(tmp_path / "state"), "PATH": "", "PYTHONPATH": str(ROOT)},
     )
     assert ran.returncode == 0, ran.stderr
     told = json.loads(ran.stdout.splitlines()[-1])

@@ -263,13 +263,7 @@ def test_each_long_work_is_broken_off_where_there_are_no_threads(tmp_path: Path)
         capture_output=True,
         text=True,
         check=False,
-        env={
-            "HOME": str(tmp_path),
-            "KITROBOT_COMPILE": "no",  # A page has no Numba, and this process, like a page, no thread to compile in.
-            "KITROBOT_STATE": str(tmp_path / "state"),
-            "PATH": "",
-            "PYTHONPATH": str(ROOT),
-        },
+        env={"HOME": str(tmp_path), "KITROBOT_STATE": str(tmp_path / "state"), "PATH": "", "PYTHONPATH": str(ROOT)},
     )
     assert ran.returncode == 0, ran.stderr
     told = json.loads(ran.stdout.splitlines()[-1])
