@@ -17,7 +17,7 @@ import sys
 import pytest
 
 from kitrobot.cli import output
-from kitrobot.deploy import Line
+from kitrobot.deploy import Line, repl
 from kitrobot.workspace import load_board_program
 from tests.boards.host import ROOT, host_board, write_pulse
 from tests.boards.watching import LONG_S
@@ -152,7 +152,8 @@ def test_an_address_that_cannot_be_opened_is_told(kitrobot, pulse):
     assert said.err.count("cannot be opened") == 2
 
 
-def test_somebody_who_never_answers_is_told(kitrobot, pulse, nobody):
+def test_somebody_who_never_answers_is_told(kitrobot, pulse, nobody, monkeypatch):
+    monkeypatch.setattr(repl, "RESET_S", 1.0)  # nobody presses a button
     said = kitrobot("deploy", pulse, "--to", nobody, "--json")
     assert said.status == 1
     assert said.json[0]["ok"] is False

@@ -31,8 +31,10 @@ _RESET_S = 5.0
 _RELEASE_S = 0.2
 _MUTE_S = 3.0
 """Without a byte for so long a board needs a reset."""
+RESET_S = 30.0
+"""A person needs so long, at most, to read that and to press the button; once more when the first time was in vain."""
 _CALL_S = 0.1
-"""So often it is called then: less than the moment in which it hears that."""
+"""So often it is called meanwhile: less than the moment in which it hears that."""
 _INTO_RAW = b"\r\x03\x03\r\x01"
 
 
@@ -70,7 +72,8 @@ class RawRepl:
             quiet_s = min(2 * quiet_s, 0.5)
             if not heard and self.line.now() - patience.began > _MUTE_S:
                 self.resets()
-                found = self._called(patience)
+                patience = RetryTimer(self.line.now, _ENTERING_S, RESET_S, most_s=_SILENT_S)
+                found = self._call(patience)
             else:
                 found = self.line.read_until(_BANNER, wait)
             heard = heard or found
@@ -139,14 +142,18 @@ class RawRepl:
         self.line.write(b"\r\x01")
         self._ends(_BANNER, max(2.0, 4 * self.pace_s))
 
-    def _called(self, patience: RetryTimer) -> bytes:
-        """What a mute board says when it is called without a pause, until it says something or patience ends."""
+    def _call(self, patience: RetryTimer) -> bytes:
+        """Calls a mute board without a pause until its prompt answers; empty when patience ends.
+
+        What it says before (it was just switched on) is no reason to call less: the moment in which it hears is short.
+        """
+        heard = b""
         while patience.left() > 0:
             self.line.write(_INTO_RAW)
-            if found := self.line.read(_CALL_S):
-                self.line.drain(0.3)
-                self.line.write(_INTO_RAW)
-                return found + self.line.read_until(_BANNER, _ENTERING_S)
+            heard = heard[1 - len(_BANNER) :] + self.line.drain(_CALL_S, _CALL_S)
+            if _BANNER in heard:
+                self.line.drain(0.3)  # answers to the calls before
+                return _BANNER
         return b""
 
     def _was_reset(self, timeout_s: float) -> bool:
