@@ -18,10 +18,14 @@ from itertools import pairwise
 from pathlib import Path
 from typing import Any
 
-from kitrobot.deploy import DeployResult, Line, RawRepl, Receiver, connect, deploy
-from kitrobot.robots import BoardProgram
+from kitrobot.deploy.handshake import connect
+from kitrobot.deploy.installation import DeployResult, deploy
+from kitrobot.deploy.line import Line
+from kitrobot.deploy.receiver import Receiver
+from kitrobot.deploy.repl import RawRepl
+from kitrobot.robots.program import BoardProgram
 from kitrobot.robots.session import LOOK_S
-from kitrobot.workspace import load_board_program
+from kitrobot.workspace.robot_programs import load_board_program
 
 FORGETS = """
 class Forgets:

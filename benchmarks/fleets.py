@@ -23,18 +23,16 @@ from collections.abc import Iterator
 from contextlib import ExitStack, contextmanager
 from pathlib import Path
 
-from kitrobot.fleet import Agents, FleetCallbacks, Network, identity_of
-from kitrobot.sim import Simulation
+from kitrobot.fleet.identity import identity_of
+from kitrobot.fleet.processes import Agents
+from kitrobot.fleet.team_process import FleetCallbacks
+from kitrobot.fleet.transport import Network
 from kitrobot.sim.agent_views import commanded
-from kitrobot.workspace import (
-    FleetPlan,
-    OpenMission,
-    RunOptions,
-    agent_program,
-    free_endpoint,
-    open_mission,
-    run_fleet,
-)
+from kitrobot.sim.simulation import Simulation
+from kitrobot.workspace.fleets import FleetPlan, free_endpoint, run_fleet
+from kitrobot.workspace.mission_loader import OpenMission, open_mission
+from kitrobot.workspace.mission_run import RunOptions
+from kitrobot.workspace.team_boards import agent_program
 
 CONVOY = Path(__file__).parents[1] / "examples/convoy"
 LEASE_MS, LARGE_LEASE_MS = 500, 5000

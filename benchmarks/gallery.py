@@ -17,14 +17,22 @@ from pathlib import Path
 from typing import Any
 
 from benchmarks.boards import ROBOT, allocated, read_log
-from kitrobot.compiler import compile_text, robot_of
-from kitrobot.deploy import BoardError, Package, connect, deploy, fit_to_kit
-from kitrobot.diagnostics import KitRobotError
-from kitrobot.primitives import Kit, Robot, read_robot
-from kitrobot.robots import BoardProgram
+from kitrobot.compiler.compilation import compile_text
+from kitrobot.compiler.target import robot_of
+from kitrobot.deploy.errors import BoardError
+from kitrobot.deploy.handshake import connect
+from kitrobot.deploy.installation import deploy
+from kitrobot.deploy.kits import fit_to_kit
+from kitrobot.deploy.package import Package
+from kitrobot.diagnostics.model import KitRobotError
+from kitrobot.primitives.kit import Kit
+from kitrobot.primitives.robot import Robot
+from kitrobot.primitives.robot_xml import read_robot
+from kitrobot.robots.program import BoardProgram
 from kitrobot.user_folders import config_folder
-from kitrobot.workspace import board_program, open_mission, shipped_examples
-from kitrobot.workspace.robot_programs import ready_program
+from kitrobot.workspace.example_list import shipped_examples
+from kitrobot.workspace.mission_loader import open_mission
+from kitrobot.workspace.robot_programs import board_program, ready_program
 
 EXAMPLES = Path(__file__).resolve().parents[1] / "examples"
 KITS = ("pico", "cardboard", "esp32", "xrp", "xrp-beta", "pololu-3pi", "alvik")

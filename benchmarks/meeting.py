@@ -20,21 +20,17 @@ FLEET = "benchmark"
 
 
 def kitrobot(me: int, count: int, rounds: int, where: str) -> list[float]:
-    from kitrobot.fleet import TEAM_PROCESS, Channel, Network, key_of
     from kitrobot.fleet.bundles import bundle, unbundle
-    from kitrobot.fleet.envelopes import BEGIN, HELLO, MEMBER, WELCOME, Envelope
-    from kitrobot.team import (
-        AppliedNote,
-        Charter,
-        IncomingMessage,
-        Note,
-        Seat,
-        Time,
-        decode,
-        initial_state,
-        step,
-    )
-    from kitrobot.team.events import Event
+    from kitrobot.fleet.envelopes import BEGIN, HELLO, MEMBER, TEAM_PROCESS, WELCOME, Envelope
+    from kitrobot.fleet.keys import key_of
+    from kitrobot.fleet.transport import Channel, Network
+    from kitrobot.team.changes import AppliedNote
+    from kitrobot.team.charter import Charter
+    from kitrobot.team.codec import decode
+    from kitrobot.team.commands import Note, Seat
+    from kitrobot.team.events import Event, IncomingMessage, Time
+    from kitrobot.team.member import step
+    from kitrobot.team.state import initial_state
 
     channel = Channel(Network(FLEET, ("tcp/127.0.0.1:0",), (where,)), me, key_of(KEY, "here"))
     charter = Charter(count, lease=1000)

@@ -12,8 +12,10 @@ import ast
 from importlib.resources import files
 
 from benchmarks.subjects import interpreting
-from kitrobot.deploy import Line, RawRepl, Receiver
+from kitrobot.deploy.line import Line
 from kitrobot.deploy.minifier import parsed, shortened
+from kitrobot.deploy.receiver import Receiver
+from kitrobot.deploy.repl import RawRepl
 
 TICKS = 500
 BY_TICK = """

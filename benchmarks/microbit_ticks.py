@@ -20,11 +20,15 @@ from dataclasses import asdict, dataclass
 from itertools import pairwise
 
 from benchmarks.firmware_probe import FirmwareProbe, ProbedCall, open_probe
-from kitrobot.deploy import Line, RawRepl, Receiver, connect, deploy
 from kitrobot.deploy.flash import Flash
-from kitrobot.primitives import Kit
-from kitrobot.robots import BoardProgram
-from kitrobot.workspace import open_mission
+from kitrobot.deploy.handshake import connect
+from kitrobot.deploy.installation import deploy
+from kitrobot.deploy.line import Line
+from kitrobot.deploy.receiver import Receiver
+from kitrobot.deploy.repl import RawRepl
+from kitrobot.primitives.kit import Kit
+from kitrobot.robots.program import BoardProgram
+from kitrobot.workspace.mission_loader import open_mission
 from tests.patience import PATIENCE_S
 from tools.kit_pages import REPOSITORY, TICKS_2016, TickRow, measured_2016
 from tools.microbit_kits import programs, small_kits

@@ -9,9 +9,10 @@ from __future__ import annotations
 import random
 from functools import cache
 
-from kitrobot.compiler import lll_to_graph
-from kitrobot.graph import Program
-from kitrobot.lll import (
+from kitrobot.compiler.lll_to_graph import lll_to_graph
+from kitrobot.graph.model import Program
+from kitrobot.lll.printer import print_program
+from kitrobot.lll.tree import (
     And,
     Break,
     Call,
@@ -28,10 +29,9 @@ from kitrobot.lll import (
     Seq,
     Wait,
     While,
-    nodes,
-    print_program,
 )
-from kitrobot.primitives import Catalogue, load_catalogue
+from kitrobot.lll.walk import nodes
+from kitrobot.primitives.catalogue import Catalogue, load_catalogue
 
 ROBOT = "mini-robot"
 _COMMENTS = ("go round the table", "slowly here", "wait for the others", "look first, then turn", "home again")

@@ -11,13 +11,17 @@ import math
 import random
 from functools import cache
 
-from kitrobot.compiler import Compiled, compile_text
-from kitrobot.graph import empty_program
-from kitrobot.image import Machine
-from kitrobot.mission import Agent, Mission, Radio, Team
-from kitrobot.primitives import Catalogue, Robot, read_robot
-from kitrobot.sim import Simulation
-from kitrobot.world import Pose, Start, Wall, World
+from kitrobot.compiler.compilation import Compiled, compile_text
+from kitrobot.graph.model import empty_program
+from kitrobot.image.machine import Machine
+from kitrobot.mission.model import Agent, Mission, Team
+from kitrobot.mission.radio import Radio
+from kitrobot.primitives.catalogue import Catalogue
+from kitrobot.primitives.robot import Robot
+from kitrobot.primitives.robot_xml import read_robot
+from kitrobot.sim.simulation import Simulation
+from kitrobot.world.geometry import Pose
+from kitrobot.world.model import Start, Wall, World
 
 SPACING_MM = 400.0
 _EYE = """<sensor name="{name}" device="range" min="0" max="100" reach="1000" angle="{angle}">

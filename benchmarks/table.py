@@ -5,12 +5,14 @@ from __future__ import annotations
 import math
 import random
 
-from kitrobot.compiler import compile_text
-from kitrobot.graph import empty_program
-from kitrobot.mission import Agent, Mission, Team
-from kitrobot.primitives import Catalogue, read_robot
-from kitrobot.sim import Simulation
-from kitrobot.world import Box, Pose, Start, Wall, World
+from kitrobot.compiler.compilation import compile_text
+from kitrobot.graph.model import empty_program
+from kitrobot.mission.model import Agent, Mission, Team
+from kitrobot.primitives.catalogue import Catalogue
+from kitrobot.primitives.robot_xml import read_robot
+from kitrobot.sim.simulation import Simulation
+from kitrobot.world.geometry import Pose
+from kitrobot.world.model import Box, Start, Wall, World
 
 SIZE_MM = 5000.0
 BOX_MM = 80.0

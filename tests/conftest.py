@@ -11,7 +11,7 @@ from collections.abc import Generator
 import hypothesis
 import pytest
 
-from kitrobot.text import collection_paused
+from kitrobot.text.collection import collection_paused
 from tests.effort import THOROUGH
 from tests.shares import in_shares
 from tools import chromium, firefox, pico

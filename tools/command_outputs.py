@@ -19,7 +19,7 @@ import textwrap
 from collections.abc import Iterator
 from pathlib import Path
 
-from kitrobot.cli import main as kitrobot
+from kitrobot.cli.app import main as kitrobot
 
 ROOT = Path(__file__).resolve().parents[1]
 PAGES = ("docs/cli.md",)

@@ -12,7 +12,7 @@ import sys
 from pathlib import Path
 
 import kitrobot
-from kitrobot.diagnostics import Rule, Severity, rules
+from kitrobot.diagnostics.model import Rule, Severity, rules
 
 FOLDER = Path(__file__).resolve().parents[1] / "docs" / "diagnostics"
 

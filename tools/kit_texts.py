@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
-from kitrobot.primitives import Kit
-from kitrobot.translation import DIRECTIONS
+from kitrobot.primitives.kit import Kit
+from kitrobot.translation.translator import DIRECTIONS
 
 
 @dataclass(frozen=True)

@@ -21,12 +21,16 @@ from concurrent.futures import ThreadPoolExecutor
 from contextlib import suppress
 from typing import Any
 
-from kitrobot.deploy import Board, BoardError, FullError, NoMemoryError, connect, deploy
-from kitrobot.diagnostics import KitRobotError
-from kitrobot.primitives import Kit
-from kitrobot.robots import BoardProgram
-from kitrobot.workspace import board_program, kits_at_hand, open_mission
-from kitrobot.workspace.mission_loader import OpenMission
+from kitrobot.deploy.board import Board
+from kitrobot.deploy.errors import BoardError, FullError, NoMemoryError
+from kitrobot.deploy.handshake import connect
+from kitrobot.deploy.installation import deploy
+from kitrobot.diagnostics.model import KitRobotError
+from kitrobot.primitives.kit import Kit
+from kitrobot.robots.program import BoardProgram
+from kitrobot.workspace.kit_files import kits_at_hand
+from kitrobot.workspace.mission_loader import OpenMission, open_mission
+from kitrobot.workspace.robot_programs import board_program
 from kitrobot.workspace.team_boards import agent_program
 from tools.kit_pages import SMALL, key_of, measured_2016, missions
 

@@ -13,10 +13,11 @@ import tempfile
 from collections.abc import Iterator, Sequence
 from pathlib import Path
 
-from kitrobot.diagnostics import KitRobotError
-from kitrobot.files import EXAMPLE
+from kitrobot.diagnostics.model import KitRobotError
+from kitrobot.files.folder import EXAMPLE
 from kitrobot.server.studio import Studio
-from kitrobot.workspace import OpenMission, shipped_examples
+from kitrobot.workspace.example_list import shipped_examples
+from kitrobot.workspace.mission_loader import OpenMission
 from kitrobot.workspace.new_mission_choices import PREVIEW_S
 from kitrobot.workspace.previews import (
     MOST_S,

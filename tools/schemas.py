@@ -26,7 +26,10 @@ from kitrobot.workspace.bench_notes import BENCH
 from kitrobot.workspace.example_list import EXAMPLES
 from kitrobot.workspace.new_mission_choices import BEGINNINGS
 from kitrobot.world.xml_reader import WORLD
-from kitrobot.xml import LANGUAGE, TEXT_VALUE, Attribute, Kind, Tag, attributes, escape_text
+from kitrobot.xml.attributes import TEXT_VALUE, Attribute, Kind
+from kitrobot.xml.element import Tag
+from kitrobot.xml.texts import LANGUAGE
+from kitrobot.xml.writer import attributes, escape_text
 
 FOLDER = Path(__file__).resolve().parents[1] / "src" / "kitrobot" / "primitives" / "schemas"
 TABLES = {

@@ -8,7 +8,7 @@ from __future__ import annotations
 from pathlib import Path
 
 import kitrobot
-from kitrobot.workspace import RunOptions
+from kitrobot.workspace.mission_run import RunOptions
 from kitrobot.workspace.sweep import SweepOptions, run_sweep
 from kitrobot.workspace.sweep_map import heat_map
 

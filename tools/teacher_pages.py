@@ -11,7 +11,7 @@ import sys
 from pathlib import Path, PurePosixPath
 
 from kitrobot.server.studio import Studio
-from kitrobot.tutorial import Tutorial
+from kitrobot.tutorial.model import Tutorial
 
 ROOT = Path(__file__).resolve().parents[1]
 FOLDER = ROOT / "docs" / "teachers"

@@ -10,7 +10,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 from typing import Any
 
-from kitrobot.lll import (
+from kitrobot.lll.tree import (
     And,
     Break,
     Call,
@@ -26,7 +26,7 @@ from kitrobot.lll import (
     Wait,
     While,
 )
-from kitrobot.primitives import Robot
+from kitrobot.primitives.robot import Robot
 
 _STACK = 20
 _STATEMENT = {"previousStatement": None, "nextStatement": None}

@@ -20,11 +20,12 @@ from playwright.sync_api import Browser, Page
 from benchmarks import browser as web
 from benchmarks.measurement import Rate, Row
 from benchmarks.swarm import PROGRAM, ROBOT, arena, rover
-from kitrobot.compiler import lll_to_graph
-from kitrobot.lll import parse
-from kitrobot.mission import Agent, Mission, Team, write_mission
-from kitrobot.primitives import load_catalogue
-from kitrobot.world import write_world
+from kitrobot.compiler.lll_to_graph import lll_to_graph
+from kitrobot.lll.parse_results import parse
+from kitrobot.mission.model import Agent, Mission, Team
+from kitrobot.mission.writer import write_mission
+from kitrobot.primitives.catalogue import load_catalogue
+from kitrobot.world.xml_writer import write_world
 
 TITLE = "arena"
 

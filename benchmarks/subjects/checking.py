@@ -20,15 +20,19 @@ from functools import partial
 from pathlib import Path
 
 from benchmarks.measurement import Rate, Row, in_turns
-from kitrobot.mission import Agent
-from kitrobot.sim import Simulation
+from kitrobot.mission.model import Agent
 from kitrobot.sim.jit_cache import available
-from kitrobot.verifier import Budget, Model, Timing, abstract_run
+from kitrobot.sim.simulation import Simulation
+from kitrobot.verifier.abstraction import abstract_run
+from kitrobot.verifier.budget import Budget
 from kitrobot.verifier.engines import PLAIN
 from kitrobot.verifier.exploration import explore
+from kitrobot.verifier.model import Model
 from kitrobot.verifier.numba_engine import engine
-from kitrobot.workspace import RunOptions, open_mission
-from kitrobot.world import Start
+from kitrobot.verifier.timing import Timing
+from kitrobot.workspace.mission_loader import open_mission
+from kitrobot.workspace.mission_run import RunOptions
+from kitrobot.world.model import Start
 
 TITLE = "checking"
 PEER = "SPIN"

@@ -33,7 +33,7 @@ from websockets.asyncio.client import ClientConnection, connect
 from websockets.exceptions import WebSocketException
 
 from benchmarks.measurement import Rate, Row
-from kitrobot.files import revision_of
+from kitrobot.files.folder import revision_of
 from kitrobot.server.first_missions import first_missions
 from kitrobot.workspace.site import make_site
 from tools import chromium

@@ -14,10 +14,12 @@ from dataclasses import dataclass
 from benchmarks.measurement import Rate, Row, in_turns
 from benchmarks.peers import blockly, node
 from benchmarks.random_programs import ROBOT, catalogue, graph_of, tree_of_vertices
-from kitrobot.compiler import compile_program
-from kitrobot.graph import Program
-from kitrobot.image import verify
-from kitrobot.mission import Mission, read_mission, write_mission
+from kitrobot.compiler.compilation import compile_program
+from kitrobot.graph.model import Program
+from kitrobot.image.verification import verify
+from kitrobot.mission.model import Mission
+from kitrobot.mission.reader import read_mission
+from kitrobot.mission.writer import write_mission
 
 TITLE = "compiling"
 

@@ -11,8 +11,10 @@ from dataclasses import dataclass
 
 from benchmarks.measurement import Row, in_turns, milliseconds
 from benchmarks.random_programs import ROBOT, catalogue, graph_of, tree_of_vertices
-from kitrobot.compiler import compile_program
-from kitrobot.image import Image, Machine, verify
+from kitrobot.compiler.compilation import compile_program
+from kitrobot.image.machine import Machine
+from kitrobot.image.model import Image
+from kitrobot.image.verification import verify
 from kitrobot_onboard.image import load
 
 TITLE = "images"

@@ -18,9 +18,10 @@ import numpy as np
 
 from benchmarks.measurement import Rate, Row, in_turns
 from benchmarks.peers import behaviour_tree, node
-from kitrobot.compiler import compile_text
-from kitrobot.image import Machine
-from kitrobot.primitives import Robot, read_robot
+from kitrobot.compiler.compilation import compile_text
+from kitrobot.image.machine import Machine
+from kitrobot.primitives.robot import Robot
+from kitrobot.primitives.robot_xml import read_robot
 from kitrobot_onboard.interpreter import tick
 
 TITLE = "interpreting"

@@ -71,8 +71,9 @@ def _part(times: list[float], part: float) -> Rate:
 
 
 def _kitrobot(members: int, rounds: int) -> list[list[float]]:
-    from kitrobot.fleet import TEAM_PROCESS, Channel, Network, key_of
-    from kitrobot.fleet.envelopes import BEGIN, EVERYBODY, HELLO, WELCOME
+    from kitrobot.fleet.envelopes import BEGIN, EVERYBODY, HELLO, TEAM_PROCESS, WELCOME
+    from kitrobot.fleet.keys import key_of
+    from kitrobot.fleet.transport import Channel, Network
 
     where = f"tcp/127.0.0.1:{_free_port()}"
     channel = Channel(Network(FLEET, (where,)), TEAM_PROCESS, key_of(KEY, "here"))

@@ -12,7 +12,9 @@ from dataclasses import dataclass
 from benchmarks.measurement import Rate, Row, in_turns
 from benchmarks.peers.lark_parser import LarkParser, calls
 from benchmarks.random_programs import text_of_lines
-from kitrobot.lll import Call, nodes, parse
+from kitrobot.lll.parse_results import parse
+from kitrobot.lll.tree import Call
+from kitrobot.lll.walk import nodes
 
 TITLE = "parsing"
 

@@ -18,8 +18,9 @@ import kitrobot
 from benchmarks.measurement import Rate, Row, in_turns
 from benchmarks.swarm import SPACING_MM, instructions_a_tick, swarm
 from benchmarks.table import table
-from kitrobot.mission import Radio
-from kitrobot.sim import Simulation, jit_cache
+from kitrobot.mission.radio import Radio
+from kitrobot.sim import jit_cache
+from kitrobot.sim.simulation import Simulation
 
 TITLE = "simulating"
 TRANSPORT = Path(__file__).resolve().parents[2] / "examples" / "transport" / "transport.krt"

@@ -25,7 +25,8 @@ from benchmarks import browser as web
 from benchmarks.measurement import Rate, Row
 from benchmarks.peers import blockly, node
 from benchmarks.random_programs import ROBOT, catalogue, graph_of, tree_of_vertices
-from kitrobot.mission import Agent, Mission, Team, write_mission
+from kitrobot.mission.model import Agent, Mission, Team
+from kitrobot.mission.writer import write_mission
 
 TITLE = "studio"
 FRAMES = "frames/s"

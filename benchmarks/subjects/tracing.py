@@ -16,8 +16,8 @@ from pathlib import Path
 
 from benchmarks.measurement import Rate, Row, milliseconds
 from benchmarks.swarm import swarm
-from kitrobot.sim import simulate
-from kitrobot.workspace import open_trace
+from kitrobot.sim.recorder import simulate
+from kitrobot.workspace.traces import open_trace
 
 TITLE = "tracing"
 ROBOTS = 10

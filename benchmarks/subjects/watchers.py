@@ -24,8 +24,8 @@ from pathlib import Path
 import uvicorn
 
 from benchmarks.measurement import Rate, Row
-from kitrobot.files import examples_folder
-from kitrobot.server import create_app
+from kitrobot.files.examples import examples_folder
+from kitrobot.server.app import create_app
 from kitrobot.server.web_server import server_config
 
 TITLE = "watchers"

@@ -22,12 +22,15 @@ if TYPE_CHECKING:
     from os import PathLike
     from typing import Any
 
-    from kitrobot.compiler import Compiled
-    from kitrobot.diagnostics import Diagnostic, KitRobotError
-    from kitrobot.graph import Program
-    from kitrobot.lll import Parsed, Seq
-    from kitrobot.primitives import Robot
-    from kitrobot.workspace import Executed, OpenMission, Report, Run, Timing, execute
+    from kitrobot.compiler.compilation import Compiled
+    from kitrobot.diagnostics.model import Diagnostic, KitRobotError
+    from kitrobot.graph.model import Program
+    from kitrobot.lll.parse_results import Parsed
+    from kitrobot.lll.tree import Seq
+    from kitrobot.primitives.robot import Robot
+    from kitrobot.workspace.execution import Executed, execute
+    from kitrobot.workspace.mission_loader import OpenMission, Report
+    from kitrobot.workspace.mission_run import Run, Timing
 
 
 __version__ = "0.1.0"
@@ -51,16 +54,16 @@ __all__ = [
 ]
 
 _HOME = {
-    "Compiled": "compiler",
-    "Diagnostic": "diagnostics",
-    "Executed": "workspace",
-    "KitRobotError": "diagnostics",
-    "OpenMission": "workspace",
-    "Parsed": "lll",
-    "Report": "workspace",
-    "Run": "workspace",
-    "Timing": "workspace",
-    "execute": "workspace",
+    "Compiled": "compiler.compilation",
+    "Diagnostic": "diagnostics.model",
+    "Executed": "workspace.execution",
+    "KitRobotError": "diagnostics.model",
+    "OpenMission": "workspace.mission_loader",
+    "Parsed": "lll.parse_results",
+    "Report": "workspace.mission_loader",
+    "Run": "workspace.mission_run",
+    "Timing": "workspace.mission_run",
+    "execute": "workspace.execution",
 }
 
 
@@ -74,14 +77,14 @@ def open(path: str | PathLike[str]) -> OpenMission:
     """
     from pathlib import Path
 
-    from kitrobot.workspace import open_mission
+    from kitrobot.workspace.mission_loader import open_mission
 
     return open_mission(Path(path))
 
 
 def parse(text: str, name: str = "program.lll") -> Parsed:
     """Reads an LLL text: the tree of what could be understood, and the mistakes. `name` is the file that they show."""
-    from kitrobot.lll import parse as parse_lll
+    from kitrobot.lll.parse_results import parse as parse_lll
 
     return parse_lll(text, name)
 
@@ -99,9 +102,9 @@ def compile(program: str | Seq | Program, robot: str | PathLike[str] | Robot, na
     """
     from dataclasses import replace
 
-    from kitrobot.compiler import compile_lll, compile_program, compile_text
-    from kitrobot.graph import Program as Graph
-    from kitrobot.primitives import load_catalogue
+    from kitrobot.compiler.compilation import compile_lll, compile_program, compile_text
+    from kitrobot.graph.model import Program as Graph
+    from kitrobot.primitives.catalogue import load_catalogue
 
     meant = _robot(robot)
     if isinstance(program, str):
@@ -121,13 +124,13 @@ def robot(word: str | PathLike[str]) -> Robot:
     """
     from os import fspath
 
-    from kitrobot.workspace import find_robot
+    from kitrobot.workspace.robots import find_robot
 
     return find_robot(fspath(word))
 
 
 def _robot(given: str | PathLike[str] | Robot) -> Robot:
-    from kitrobot.primitives import Robot as RobotType
+    from kitrobot.primitives.robot import Robot as RobotType
 
     return given if isinstance(given, RobotType) else robot(given)
 

@@ -14,20 +14,21 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from typing import Any
 
-    from kitrobot.cli import ClassOptions, StudioOptions
+    from kitrobot.cli.classroom import ClassOptions
+    from kitrobot.cli.studio import StudioOptions
 
 INTERRUPTED = 130
 
 
 def _open_studio(options: StudioOptions) -> None:
     # Only now: nothing else needs a web server.
-    from kitrobot.server import serve
+    from kitrobot.server.studio_server import serve
 
     serve(options.target, options.host, options.port, options.browser, options.new)
 
 
 def _open_class(options: ClassOptions) -> None:
-    from kitrobot.server import ClassSettings, serve_class
+    from kitrobot.server.class_server import ClassSettings, serve_class
 
     serve_class(
         ClassSettings(
@@ -50,7 +51,7 @@ def run() -> None:
     """
     _hold_standard_streams()
     usual = _end_at_once_with_ctrl_c(b"broken off\n")
-    from kitrobot.cli import main
+    from kitrobot.cli.app import main
 
     try:
         if usual is not None:

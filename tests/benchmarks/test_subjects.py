@@ -16,8 +16,11 @@ from benchmarks.measurement import Rate, Row, in_turns
 from benchmarks.peers import behaviour_tree, blockly, lark_parser
 from benchmarks.random_programs import ROBOT, catalogue, graph_of, text_of_lines, tree_of_vertices
 from benchmarks.subjects import names, subject
-from kitrobot.compiler import compile_program
-from kitrobot.lll import Call, nodes, parse, print_program
+from kitrobot.compiler.compilation import compile_program
+from kitrobot.lll.parse_results import parse
+from kitrobot.lll.printer import print_program
+from kitrobot.lll.tree import Call
+from kitrobot.lll.walk import nodes
 from tests.effort import THOROUGH, cases
 from tests.strategies import Shape, random_program
 

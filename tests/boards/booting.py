@@ -12,10 +12,11 @@ from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
-from kitrobot.deploy import Package, board_file, program_name, read_program_file
 from kitrobot.deploy.boot_records import StartLine
 from kitrobot.deploy.onboard_bundle import module_names, requests_file
-from kitrobot.deploy.package import MODULE, TEAM_DRIVER, BoardPackage, name_of
+from kitrobot.deploy.package import MODULE, TEAM_DRIVER, BoardPackage, Package, name_of
+from kitrobot.deploy.program_file import program_name, read_program_file
+from kitrobot.deploy.script import board_file
 from kitrobot.deploy.start_script import start_file
 from kitrobot_onboard.link import checksum
 from tests.boards.started import START, started

@@ -4,8 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-from kitrobot.image import Image, Layout
-from kitrobot.primitives import Robot, RobotObject
+from kitrobot.image.machine import Layout
+from kitrobot.image.model import Image
+from kitrobot.primitives.robot import Robot, RobotObject
 from kitrobot_onboard.link import checksum
 
 Choose = Callable[[RobotObject], str]

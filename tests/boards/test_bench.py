@@ -18,12 +18,16 @@ from typing import Any
 
 import pytest
 
-from kitrobot.cli import main
-from kitrobot.deploy import Board, Fault, FullError, LineError, NoMemoryError, connect
-from kitrobot.primitives import load_catalogue, read_kit
-from kitrobot.primitives.catalogue import SHIPPED
-from kitrobot.robots import BoardProgram, RobotSession
-from kitrobot.text import Sentence
+from kitrobot.cli.app import main
+from kitrobot.deploy.board import Board
+from kitrobot.deploy.errors import FullError, LineError, NoMemoryError
+from kitrobot.deploy.handshake import connect
+from kitrobot.deploy.news import Fault
+from kitrobot.primitives.catalogue import SHIPPED, load_catalogue
+from kitrobot.primitives.kit_xml import read_kit
+from kitrobot.robots.program import BoardProgram
+from kitrobot.robots.session import RobotSession
+from kitrobot.text.sentences import Sentence
 from kitrobot.workspace import bench_run
 from kitrobot.workspace.bench import Bench, PartKey, bench_of
 from kitrobot.workspace.bench_loader import PartError, load_parts

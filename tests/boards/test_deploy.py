@@ -9,8 +9,13 @@ from typing import Any
 
 import pytest
 
-from kitrobot.deploy import BoardError, DeployResult, Line, LineError, RawRepl, Receiver, connect, deploy
-from kitrobot.robots import BoardProgram
+from kitrobot.deploy.errors import BoardError, LineError
+from kitrobot.deploy.handshake import connect
+from kitrobot.deploy.installation import DeployResult, deploy
+from kitrobot.deploy.line import Line
+from kitrobot.deploy.receiver import Receiver
+from kitrobot.deploy.repl import RawRepl
+from kitrobot.robots.program import BoardProgram
 from tests.boards.bench import ONE, OTHER, bench_program
 from tests.boards.proxy import Proxy, noise
 from tests.effort import THOROUGH

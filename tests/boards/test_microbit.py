@@ -18,24 +18,21 @@ from pathlib import Path
 
 import pytest
 
-from kitrobot.deploy import (
-    BoardError,
-    FullError,
-    Line,
-    LineError,
-    RawRepl,
-    Receiver,
-    SilentError,
-    connect,
-    deploy,
-    package,
-)
+from kitrobot.deploy import package
+from kitrobot.deploy.errors import BoardError, FullError, LineError, SilentError
+from kitrobot.deploy.handshake import connect
+from kitrobot.deploy.installation import deploy
+from kitrobot.deploy.line import Line
 from kitrobot.deploy.minifier import parsed, shortened
 from kitrobot.deploy.onboard_bundle import loop_block
-from kitrobot.diagnostics import KitRobotError
-from kitrobot.image import Image, Machine
-from kitrobot.robots import BoardProgram
-from kitrobot.workspace import find_robot, load_board_program
+from kitrobot.deploy.receiver import Receiver
+from kitrobot.deploy.repl import RawRepl
+from kitrobot.diagnostics.model import KitRobotError
+from kitrobot.image.machine import Machine
+from kitrobot.image.model import Image
+from kitrobot.robots.program import BoardProgram
+from kitrobot.workspace.robot_programs import load_board_program
+from kitrobot.workspace.robots import find_robot
 from tests.boards.bench import PROGRAMS, STORES, bench_program, bench_robot
 from tests.boards.proxy import Proxy, noise
 from tests.boards.qemu import Emulated, running

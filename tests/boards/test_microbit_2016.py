@@ -4,8 +4,12 @@ from __future__ import annotations
 
 import pytest
 
-from kitrobot.deploy import Line, NoMemoryError, RawRepl, Receiver, deploy
-from kitrobot.workspace import open_mission
+from kitrobot.deploy.errors import NoMemoryError
+from kitrobot.deploy.installation import deploy
+from kitrobot.deploy.line import Line
+from kitrobot.deploy.receiver import Receiver
+from kitrobot.deploy.repl import RawRepl
+from kitrobot.workspace.mission_loader import open_mission
 from tests.boards.qemu import Emulated
 from tests.effort import cases
 from tests.verifier.check_fixtures import EXAMPLES

@@ -11,8 +11,14 @@ from time import monotonic
 
 import pytest
 
-from kitrobot.deploy import Board, Line, RawRepl, Receiver, SilentError, connect, deploy
-from kitrobot.workspace import open_mission
+from kitrobot.deploy.board import Board
+from kitrobot.deploy.errors import SilentError
+from kitrobot.deploy.handshake import connect
+from kitrobot.deploy.installation import deploy
+from kitrobot.deploy.line import Line
+from kitrobot.deploy.receiver import Receiver
+from kitrobot.deploy.repl import RawRepl
+from kitrobot.workspace.mission_loader import open_mission
 from tests.boards.modern import ModernBoard, onboard_files
 from tests.patience import PATIENCE_S
 from tests.verifier.check_fixtures import EXAMPLES

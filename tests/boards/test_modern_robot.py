@@ -13,12 +13,15 @@ from typing import Any
 import pytest
 
 import kitrobot
-from kitrobot.cli import main
-from kitrobot.compiler import compile_text
-from kitrobot.deploy import Board, Line, RawRepl, connect
-from kitrobot.image import Layout, Machine
-from kitrobot.lll import print_program
-from kitrobot.primitives import load_catalogue
+from kitrobot.cli.app import main
+from kitrobot.compiler.compilation import compile_text
+from kitrobot.deploy.board import Board
+from kitrobot.deploy.handshake import connect
+from kitrobot.deploy.line import Line
+from kitrobot.deploy.repl import RawRepl
+from kitrobot.image.machine import Layout, Machine
+from kitrobot.lll.printer import print_program
+from kitrobot.primitives.catalogue import load_catalogue
 from kitrobot_onboard.link import wrap
 from tests.boards.modern import ModernBoard
 from tests.effort import THOROUGH

@@ -12,9 +12,11 @@ from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
 import kitrobot
-from kitrobot.compiler import compile_text
-from kitrobot.image import LARGEST_VALUE, Machine
-from kitrobot.primitives import load_catalogue, read_robot
+from kitrobot.compiler.compilation import compile_text
+from kitrobot.image.machine import Machine
+from kitrobot.image.model import LARGEST_VALUE
+from kitrobot.primitives.catalogue import load_catalogue
+from kitrobot.primitives.robot_xml import read_robot
 from tests.boards.traces import Case, disagreements, on_cpython, on_micropython, rested, seeded
 from tests.effort import THOROUGH, examples
 from tests.oracle.agreement import machine_for, random_case, small_case

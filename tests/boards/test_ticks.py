@@ -8,10 +8,12 @@ from typing import Any
 
 import pytest
 
-from kitrobot.deploy import connect, deploy
-from kitrobot.image import Image, Machine
-from kitrobot.primitives import Robot
-from kitrobot.robots import BoardProgram
+from kitrobot.deploy.handshake import connect
+from kitrobot.deploy.installation import deploy
+from kitrobot.image.machine import Machine
+from kitrobot.image.model import Image
+from kitrobot.primitives.robot import Robot
+from kitrobot.robots.program import BoardProgram
 from tests.boards.bench import PROGRAMS, TURNS, bench_program, bench_robot
 from tests.effort import THOROUGH, cases
 from tests.patience import PATIENCE_S

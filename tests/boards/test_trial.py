@@ -8,9 +8,12 @@ from typing import Any
 
 import pytest
 
-from kitrobot.deploy import DeployResult, SilentError, connect, deploy, installation, repl
+from kitrobot.deploy import installation, repl
 from kitrobot.deploy.boot_records import TRIAL
-from kitrobot.robots import BoardProgram
+from kitrobot.deploy.errors import SilentError
+from kitrobot.deploy.handshake import connect
+from kitrobot.deploy.installation import DeployResult, deploy
+from kitrobot.robots.program import BoardProgram
 from tests.boards.bench import ONE, OTHER, bench_program
 from tests.boards.qemu import Emulated
 from tests.boards.test_deploy import files_of, put, runs, write

@@ -10,8 +10,8 @@ import pytest
 
 from kitrobot.server.robot_gateway import SerialGateway
 from kitrobot.server.robot_worker import RobotWorker
-from kitrobot.workspace import load_board_program
 from kitrobot.workspace.robot_monitor import watched_robot
+from kitrobot.workspace.robot_programs import load_board_program
 from kitrobot_onboard.link import unwrap
 from tests.boards.host import HostBoard, host_board, write_pulse
 from tests.boards.proxy import Proxy

@@ -7,7 +7,7 @@ import random
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from kitrobot.image import Machine
+from kitrobot.image.machine import Machine
 from tests.boards.modern import onboard_files, run
 from tests.strategies import TickInputs
 

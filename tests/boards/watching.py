@@ -14,7 +14,7 @@ from typing import IO, Any
 
 import pytest
 
-from kitrobot.cli import main
+from kitrobot.cli.app import main
 
 KITROBOT = [sys.executable, "-m", "kitrobot"]
 LONG_S = 240

@@ -6,7 +6,8 @@ from pathlib import Path
 
 import pytest
 
-from kitrobot.classroom import Admission, ClassRoom
+from kitrobot.classroom.admission import Admission
+from kitrobot.classroom.class_room import ClassRoom
 
 
 class Clock:

@@ -4,23 +4,15 @@ from __future__ import annotations
 
 import pytest
 
-from kitrobot.classroom import (
-    Admission,
-    AdmissionRefusedError,
-    ClassError,
-    ClassRoom,
-    Goal,
-    NameTakenError,
-    Report,
-    TeacherActions,
-    read_record,
-    state_of,
-    submissions,
-    unread_sentence,
-)
-from kitrobot.classroom.class_room import MOST_NEWCOMERS
-from kitrobot.diagnostics import KitRobotError
-from kitrobot.files import FileError, QuotaError
+from kitrobot.classroom import submissions
+from kitrobot.classroom.admission import Admission, AdmissionRefusedError, NameTakenError
+from kitrobot.classroom.class_room import MOST_NEWCOMERS, ClassError, ClassRoom
+from kitrobot.classroom.pupil import Goal, Report, state_of
+from kitrobot.classroom.record import read_record, unread_sentence
+from kitrobot.classroom.teacher_actions import TeacherActions
+from kitrobot.diagnostics.model import KitRobotError
+from kitrobot.files.disk import FileError
+from kitrobot.files.quota import QuotaError
 from tests.classroom.conftest import join
 
 

@@ -4,7 +4,9 @@ from __future__ import annotations
 
 import pytest
 
-from kitrobot.classroom import ClassError, TeacherActions, read_record
+from kitrobot.classroom.class_room import ClassError
+from kitrobot.classroom.record import read_record
+from kitrobot.classroom.teacher_actions import TeacherActions
 from tests.classroom.conftest import join
 
 

@@ -11,8 +11,8 @@ from typing import Any
 
 import pytest
 
-from kitrobot.cli import main
-from kitrobot.files import examples_folder
+from kitrobot.cli.app import main
+from kitrobot.files.examples import examples_folder
 
 _EXAMPLES = examples_folder()
 assert _EXAMPLES is not None

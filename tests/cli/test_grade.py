@@ -11,7 +11,7 @@ from pathlib import Path
 
 import pytest
 
-from kitrobot.mission import write_mission
+from kitrobot.mission.writer import write_mission
 from kitrobot.workspace import grader_process
 from kitrobot.workspace.class_grader import MOST_BYTES, grade
 from kitrobot.workspace.grade_tables import as_csv, as_html

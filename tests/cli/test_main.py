@@ -5,7 +5,8 @@ from __future__ import annotations
 import pytest
 
 import kitrobot as package
-from kitrobot.cli import StudioOptions, format
+from kitrobot.cli import format
+from kitrobot.cli.studio import StudioOptions
 
 
 @pytest.fixture

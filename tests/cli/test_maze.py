@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
-from kitrobot.world import make_maze, read_world, write_world
+from kitrobot.world.maze import make_maze
+from kitrobot.world.xml_reader import read_world
+from kitrobot.world.xml_writer import write_world
 
 
 def test_a_maze_goes_to_standard_output_and_is_the_same_for_the_same_numbers(kitrobot, here):

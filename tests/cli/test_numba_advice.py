@@ -6,7 +6,7 @@ import platform
 
 import pytest
 
-from kitrobot.files import examples_folder
+from kitrobot.files.examples import examples_folder
 from kitrobot.sim import jit_cache, jit_policy
 from kitrobot.verifier import engines
 from tests.cli.conftest import EXAMPLE

@@ -10,8 +10,8 @@ import pytest
 
 import kitrobot as library
 from kitrobot.cli.app import app
-from kitrobot.diagnostics import OutputPlaceError, expect_outputs, note_read, recording_reads
-from kitrobot.files import read_bytes, write_atomic
+from kitrobot.diagnostics.read_files import OutputPlaceError, expect_outputs, note_read, recording_reads
+from kitrobot.files.disk import read_bytes, write_atomic
 from kitrobot.workspace.robot_monitor import record_robots
 
 MISSION = """<kitrobot version="1">

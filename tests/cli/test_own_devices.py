@@ -7,7 +7,7 @@ from pathlib import Path
 from typer.testing import CliRunner
 
 from kitrobot.cli.app import app
-from kitrobot.trace import TraceReader
+from kitrobot.trace.reader import TraceReader
 from tests.gardener import gardener
 
 

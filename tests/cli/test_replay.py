@@ -9,7 +9,7 @@ import sys
 import pytest
 
 import kitrobot
-from kitrobot.trace import TraceReader
+from kitrobot.trace.reader import TraceReader
 from tests.cli.conftest import EXAMPLE
 from tests.patience import PATIENCE_S
 

@@ -179,7 +179,7 @@ TEAM = """<kitrobot version="1">
 
 
 def test_help_for_a_start_that_is_not_there_names_one_that_is_free(kitrobot, here):
-    from kitrobot.workspace import open_mission
+    from kitrobot.workspace.mission_loader import open_mission
 
     (here / "m.krt").write_text(TEAM.format(agents='<agent name="x" program="p"/>'))
     world = open_mission(here / "m.krt").world

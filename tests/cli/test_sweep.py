@@ -11,8 +11,9 @@ import pytest
 
 from kitrobot.cli.sweep import with_moments
 from kitrobot.sim.sweep import SweepStoppedError
-from kitrobot.workspace import RunOptions, open_mission
 from kitrobot.workspace import sweep as sweeping
+from kitrobot.workspace.mission_loader import open_mission
+from kitrobot.workspace.mission_run import RunOptions
 from kitrobot.workspace.sweep import SweepError, SweepOptions, run_sweep
 from tests.cli.conftest import EXAMPLE
 from tests.patience import PATIENCE_S

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from kitrobot.lll import parse_team
-from kitrobot.primitives import Crew, declaring
+from kitrobot.lll.parse_results import parse_team
+from kitrobot.primitives.crew import Crew, declaring
 
 
 def crew_declaring(crew: Crew, declared: str) -> Crew:

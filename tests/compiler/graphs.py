@@ -10,10 +10,11 @@ from __future__ import annotations
 
 from functools import cache
 
-from kitrobot.compiler import Translation, graph_to_lll
-from kitrobot.graph import IN, NEXT, START, STOP, Arc, Note, Program, Vertex
-from kitrobot.lll import print_program
-from kitrobot.primitives import Catalogue, load_catalogue, read_constructors
+from kitrobot.compiler.graph_to_lll import Translation, graph_to_lll
+from kitrobot.graph.model import IN, NEXT, START, STOP, Arc, Note, Program, Vertex
+from kitrobot.lll.printer import print_program
+from kitrobot.primitives.catalogue import Catalogue, load_catalogue
+from kitrobot.primitives.constructors_xml import read_constructors
 
 
 @cache

@@ -6,9 +6,12 @@ from functools import cache
 
 import pytest
 
-from kitrobot.compiler import check, compile_text
-from kitrobot.lll import parse
-from kitrobot.primitives import Robot, load_catalogue, read_robot
+from kitrobot.compiler.checker import check
+from kitrobot.compiler.compilation import compile_text
+from kitrobot.lll.parse_results import parse
+from kitrobot.primitives.catalogue import load_catalogue
+from kitrobot.primitives.robot import Robot
+from kitrobot.primitives.robot_xml import read_robot
 from tests.lll.expectations import meets_expectations
 
 HOUSE = """\

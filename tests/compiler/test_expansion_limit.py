@@ -9,10 +9,13 @@ from xml.sax.saxutils import escape
 
 import pytest
 
-from kitrobot.compiler import expansion_limit, graph_to_lll, graph_to_lll_again
-from kitrobot.graph import IN, NEXT, RETURN, START, STOP, Arc, Program, Vertex
-from kitrobot.image import MOST_INSTRUCTIONS
-from kitrobot.workspace import OpenMission, SearchPath, read_mission_data
+from kitrobot.compiler import expansion_limit
+from kitrobot.compiler.graph_to_lll import graph_to_lll
+from kitrobot.compiler.retranslation import graph_to_lll_again
+from kitrobot.graph.model import IN, NEXT, RETURN, START, STOP, Arc, Program, Vertex
+from kitrobot.image.model import MOST_INSTRUCTIONS
+from kitrobot.workspace.mission_loader import OpenMission, read_mission_data
+from kitrobot.workspace.search_path import SearchPath
 
 LIMIT = 100
 PART = """<constructor name="{name}" icon="repeat" colour="action"><label>{name}</label><help>h</help>

@@ -6,10 +6,11 @@ from dataclasses import replace
 
 import pytest
 
-from kitrobot.compiler import compile_program, compile_text
-from kitrobot.diagnostics import Diagnostic, Fix, FixKind, Source
-from kitrobot.graph import NEXT, Arc, Program, Vertex
-from kitrobot.primitives import Robot, load_catalogue
+from kitrobot.compiler.compilation import compile_program, compile_text
+from kitrobot.diagnostics.model import Diagnostic, Fix, FixKind, Source
+from kitrobot.graph.model import NEXT, Arc, Program, Vertex
+from kitrobot.primitives.catalogue import load_catalogue
+from kitrobot.primitives.robot import Robot
 
 
 def mini() -> Robot:

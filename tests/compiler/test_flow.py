@@ -4,10 +4,12 @@ from __future__ import annotations
 
 import pytest
 
-from kitrobot.compiler import compile_text
+from kitrobot.compiler.compilation import compile_text
 from kitrobot.compiler.flow import FlowAnalysis
-from kitrobot.image import disassemble, verify
-from kitrobot.lll import Repeat, parse
+from kitrobot.image.listing import disassemble
+from kitrobot.image.verification import verify
+from kitrobot.lll.parse_results import parse
+from kitrobot.lll.tree import Repeat
 from tests.compiler.graphs import shipped
 
 FREE = [

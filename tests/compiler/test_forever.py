@@ -4,8 +4,14 @@ from __future__ import annotations
 
 import pytest
 
-from kitrobot.compiler import compile_text, follow_text, graph_to_lll, lll_to_graph
-from kitrobot.lll import Seq, While, format_text, parse, print_program
+from kitrobot.compiler.compilation import compile_text
+from kitrobot.compiler.graph_to_lll import graph_to_lll
+from kitrobot.compiler.lll_to_graph import lll_to_graph
+from kitrobot.compiler.text_edit import follow_text
+from kitrobot.lll.formatter import format_text
+from kitrobot.lll.parse_results import parse
+from kitrobot.lll.printer import print_program
+from kitrobot.lll.tree import Seq, While
 from tests.compiler.graphs import graph, shipped
 
 OLD = "*[Fault.IsRaised() | !(Fault.IsRaised())]"

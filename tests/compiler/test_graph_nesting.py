@@ -4,8 +4,10 @@ from __future__ import annotations
 
 import pytest
 
-from kitrobot.compiler import compile_lll
-from kitrobot.lll import MAX_NESTING, parse, print_program
+from kitrobot.compiler.compilation import compile_lll
+from kitrobot.lll.parse_results import parse
+from kitrobot.lll.printer import print_program
+from kitrobot.lll.tree import MAX_NESTING
 from tests.compiler.graphs import graph, shipped, text_of, told, translated, with_constructors
 from tests.lll.frames import at_most_frames
 

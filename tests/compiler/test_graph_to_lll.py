@@ -4,8 +4,10 @@ from __future__ import annotations
 
 import pytest
 
-from kitrobot.graph import Note
-from kitrobot.lll import Call, nodes, print_program
+from kitrobot.graph.model import Note
+from kitrobot.lll.printer import print_program
+from kitrobot.lll.tree import Call
+from kitrobot.lll.walk import nodes
 from tests.compiler.graphs import graph, noted, shipped, text_of, translated
 
 GRAPHS = [

@@ -4,19 +4,14 @@ from __future__ import annotations
 
 import pytest
 
-from kitrobot.compiler import Compiled, compile_lll, compile_program, compile_text
-from kitrobot.image import (
-    MOST_CELLS,
-    MOST_COMMANDS,
-    MOST_INSTRUCTIONS,
-    MOST_SLOTS,
-    MOST_STOPS,
-    Image,
-    Machine,
-    disassemble,
-)
-from kitrobot.lll import Call, Seq, parse
-from kitrobot.primitives import Robot, read_robot
+from kitrobot.compiler.compilation import Compiled, compile_lll, compile_program, compile_text
+from kitrobot.image.listing import disassemble
+from kitrobot.image.machine import Machine
+from kitrobot.image.model import MOST_CELLS, MOST_COMMANDS, MOST_INSTRUCTIONS, MOST_SLOTS, MOST_STOPS, Image
+from kitrobot.lll.parse_results import parse
+from kitrobot.lll.tree import Call, Seq
+from kitrobot.primitives.robot import Robot
+from kitrobot.primitives.robot_xml import read_robot
 from tests.compiler.graphs import graph, shipped
 
 MINI = shipped().robots["mini-robot"]

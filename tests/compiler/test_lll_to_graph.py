@@ -8,11 +8,14 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from kitrobot.compiler import graph_to_lll, lll_to_graph
-from kitrobot.diagnostics import KitRobotError
-from kitrobot.graph import Arc, Note, Program, Vertex
-from kitrobot.lll import MAX_NESTING, Seq, parse, print_program
-from kitrobot.primitives import Catalogue
+from kitrobot.compiler.graph_to_lll import graph_to_lll
+from kitrobot.compiler.lll_to_graph import lll_to_graph
+from kitrobot.diagnostics.model import KitRobotError
+from kitrobot.graph.model import Arc, Note, Program, Vertex
+from kitrobot.lll.parse_results import parse
+from kitrobot.lll.printer import print_program
+from kitrobot.lll.tree import MAX_NESTING, Seq
+from kitrobot.primitives.catalogue import Catalogue
 from tests.compiler.graphs import shipped, with_constructors
 from tests.strategies import Shape, random_program, random_robot, shipped_robots
 

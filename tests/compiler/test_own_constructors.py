@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from kitrobot.lll import parse
+from kitrobot.lll.parse_results import parse
 from tests.compiler.graphs import graph, text_of, told, with_constructors
 
 BLINK = """

@@ -10,23 +10,19 @@ import pytest
 from hypothesis import example, given
 from hypothesis import strategies as st
 
-from kitrobot.compiler import (
-    Appearance,
-    ChosenSlot,
-    Offer,
-    Part,
-    PartError,
-    SelectionError,
-    compile_program,
-    graph_to_lll,
-    lll_to_graph,
-    make_part,
-    offer_part,
-)
-from kitrobot.compiler.selection import chain_behind
-from kitrobot.graph import NEXT, Note, Program
-from kitrobot.lll import Seq, nodes, parse, print_program
-from kitrobot.primitives import Catalogue, Role
+from kitrobot.compiler.compilation import compile_program
+from kitrobot.compiler.graph_to_lll import graph_to_lll
+from kitrobot.compiler.lll_to_graph import lll_to_graph
+from kitrobot.compiler.own_part import Appearance, ChosenSlot, Part, PartError, make_part, offer_part
+from kitrobot.compiler.part_offers import Offer
+from kitrobot.compiler.selection import SelectionError, chain_behind
+from kitrobot.graph.model import NEXT, Note, Program
+from kitrobot.lll.parse_results import parse
+from kitrobot.lll.printer import print_program
+from kitrobot.lll.tree import Seq
+from kitrobot.lll.walk import nodes
+from kitrobot.primitives.catalogue import Catalogue
+from kitrobot.primitives.constructors import Role
 from tests.compiler.graphs import graph, noted, shipped, text_of
 from tests.strategies import Shape, random_program, shipped_robots
 

@@ -9,10 +9,14 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from kitrobot.compiler import Appearance, ChosenSlot, PartError, graph_to_lll, lll_to_graph, make_part, offer_part
-from kitrobot.graph import Arc, Note, Program, Vertex
-from kitrobot.lll import parse, print_program
-from kitrobot.primitives import Catalogue, Constructor, SlotKind
+from kitrobot.compiler.graph_to_lll import graph_to_lll
+from kitrobot.compiler.lll_to_graph import lll_to_graph
+from kitrobot.compiler.own_part import Appearance, ChosenSlot, PartError, make_part, offer_part
+from kitrobot.graph.model import Arc, Note, Program, Vertex
+from kitrobot.lll.parse_results import parse
+from kitrobot.lll.printer import print_program
+from kitrobot.primitives.catalogue import Catalogue
+from kitrobot.primitives.constructors import Constructor, SlotKind
 from tests.compiler.graphs import graph, noted, shipped, with_constructors
 from tests.compiler.test_own_part import some_selection
 from tests.strategies import Shape, random_program, shipped_robots

@@ -10,14 +10,19 @@ import pytest
 from hypothesis import example, given, settings
 from hypothesis import strategies as st
 
-from kitrobot.compiler import Compiled, Translation, compile_program, graph_to_lll, graph_to_lll_again, lll_to_graph
 from kitrobot.compiler import retranslation as retranslating
+from kitrobot.compiler.compilation import Compiled, compile_program
+from kitrobot.compiler.graph_to_lll import Translation, graph_to_lll
+from kitrobot.compiler.lll_to_graph import lll_to_graph
+from kitrobot.compiler.retranslation import graph_to_lll_again
 from kitrobot.compiler.text_edit import _follow_near, _follow_whole
 from kitrobot.compiler.vertex_places import vertex_places
-from kitrobot.graph import IN, NEXT, RETURN, Arc, Note, Program, Vertex
-from kitrobot.lll import nodes, parse, print_program
-from kitrobot.primitives import Catalogue
-from kitrobot.workspace import CompileCache
+from kitrobot.graph.model import IN, NEXT, RETURN, Arc, Note, Program, Vertex
+from kitrobot.lll.parse_results import parse
+from kitrobot.lll.printer import print_program
+from kitrobot.lll.walk import nodes
+from kitrobot.primitives.catalogue import Catalogue
+from kitrobot.workspace.compile_cache import CompileCache
 from tests.compiler.graphs import graph, noted, shipped
 from tests.compiler.test_own_part_text import with_own_parts
 from tests.compiler.test_stretch import edited, in_order, text_of

@@ -10,10 +10,15 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from kitrobot.compiler import follow_text, graph_to_lll, lll_to_graph, stretch
-from kitrobot.graph import Note, Program
-from kitrobot.lll import Seq, parse, print_program
-from kitrobot.primitives import Catalogue
+from kitrobot.compiler import stretch
+from kitrobot.compiler.graph_to_lll import graph_to_lll
+from kitrobot.compiler.lll_to_graph import lll_to_graph
+from kitrobot.compiler.text_edit import follow_text
+from kitrobot.graph.model import Note, Program
+from kitrobot.lll.parse_results import parse
+from kitrobot.lll.printer import print_program
+from kitrobot.lll.tree import Seq
+from kitrobot.primitives.catalogue import Catalogue
 from tests.compiler.graphs import graph, noted, shipped
 from tests.compiler.test_own_part_text import with_own_parts
 from tests.effort import examples

@@ -7,9 +7,13 @@ from collections.abc import Iterator
 
 import pytest
 
-from kitrobot.compiler import check_declarations, check_program, program_circles
-from kitrobot.lll import parse_team, print_team_program
-from kitrobot.primitives import Crew, CrewProgram, Level, load_catalogue
+from kitrobot.compiler.team_check import check_program, program_circles
+from kitrobot.compiler.team_names import check_declarations
+from kitrobot.lll.parse_results import parse_team
+from kitrobot.lll.printer import print_team_program
+from kitrobot.primitives.catalogue import load_catalogue
+from kitrobot.primitives.crew import Crew, CrewProgram
+from kitrobot.primitives.levels import Level
 from tests.compiler.crews import crew_declaring
 from tests.lll.expectations import meets_expectations
 

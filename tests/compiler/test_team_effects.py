@@ -8,12 +8,16 @@ from pathlib import Path
 import pytest
 
 import kitrobot
-from kitrobot.compiler import Compiled, compile_team
-from kitrobot.diagnostics import Diagnostic
-from kitrobot.image import DebugMap
-from kitrobot.lll import parse_team
-from kitrobot.primitives import Crew, CrewProgram, OwnVariable, declaring, load_catalogue, number_variable
-from kitrobot.sim import moves_boxes
+from kitrobot.compiler.compilation import Compiled
+from kitrobot.compiler.team_compilation import compile_team
+from kitrobot.diagnostics.model import Diagnostic
+from kitrobot.image.debug import DebugMap
+from kitrobot.lll.parse_results import parse_team
+from kitrobot.primitives.automatic import number_variable
+from kitrobot.primitives.catalogue import load_catalogue
+from kitrobot.primitives.crew import Crew, CrewProgram, declaring
+from kitrobot.primitives.own_xml import OwnVariable
+from kitrobot.sim.settings import moves_boxes
 from tests.lll.expectations import meets_expectations
 
 EXAMPLES = Path(__file__).resolve().parents[2] / "examples"

@@ -8,22 +8,24 @@ import random
 from hypothesis import given
 from hypothesis import strategies as st
 
-from kitrobot.compiler import (
-    Appearance,
-    ChosenSlot,
-    draw_template,
-    follow_text,
-    graph_to_lll,
-    lll_to_graph,
-    make_part,
-    print_for,
-)
 from kitrobot.compiler.accepted_forms import normalise
+from kitrobot.compiler.graph_to_lll import graph_to_lll
+from kitrobot.compiler.lll_to_graph import lll_to_graph
+from kitrobot.compiler.own_part import Appearance, ChosenSlot, make_part
+from kitrobot.compiler.part_text import draw_template
 from kitrobot.compiler.preserve_ids import Before
 from kitrobot.compiler.stretch import redraw_edited
-from kitrobot.graph import Program, empty_program
-from kitrobot.lll import Seq, TeamProgram, nodes, parse_team, print_team_program
-from kitrobot.primitives import Catalogue, Crew, CrewProgram, Level, SlotKind, load_catalogue
+from kitrobot.compiler.target import print_for
+from kitrobot.compiler.text_edit import follow_text
+from kitrobot.graph.model import Program, empty_program
+from kitrobot.lll.parse_results import parse_team
+from kitrobot.lll.printer import print_team_program
+from kitrobot.lll.tree import Seq, TeamProgram
+from kitrobot.lll.walk import nodes
+from kitrobot.primitives.catalogue import Catalogue, load_catalogue
+from kitrobot.primitives.constructors import SlotKind
+from kitrobot.primitives.crew import Crew, CrewProgram
+from kitrobot.primitives.levels import Level
 from tests.strategies import Shape, random_team_program
 
 DECLARED = parse_team(

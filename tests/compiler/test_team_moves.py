@@ -6,16 +6,21 @@ import random
 
 import pytest
 
-from kitrobot.compiler import Compiled, check_declarations, check_program, compile_team
+from kitrobot.compiler.compilation import Compiled
 from kitrobot.compiler.inlining import inlined
+from kitrobot.compiler.team_check import check_program
+from kitrobot.compiler.team_compilation import compile_team
 from kitrobot.compiler.team_moves import report_emptied
-from kitrobot.compiler.team_names import Names
+from kitrobot.compiler.team_names import Names, check_declarations
 from kitrobot.compiler.team_sets import TeamSets
-from kitrobot.diagnostics import Diagnostic, Rule
-from kitrobot.image import DebugMap
-from kitrobot.lll import Move, Node, Seq, parse_team
-from kitrobot.primitives import Crew, CrewProgram, Level, load_catalogue
-from kitrobot.text import Help, Sentence
+from kitrobot.diagnostics.model import Diagnostic, Rule
+from kitrobot.image.debug import DebugMap
+from kitrobot.lll.parse_results import parse_team
+from kitrobot.lll.tree import Move, Node, Seq
+from kitrobot.primitives.catalogue import load_catalogue
+from kitrobot.primitives.crew import Crew, CrewProgram
+from kitrobot.primitives.levels import Level
+from kitrobot.text.sentences import Help, Sentence
 from tests.compiler.crews import crew_declaring
 from tests.effort import THOROUGH
 from tests.lll.expectations import meets_expectations

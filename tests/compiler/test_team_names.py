@@ -6,8 +6,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from kitrobot.compiler.team_names import Names
-from kitrobot.lll import parse_team
-from kitrobot.primitives import Crew, declaring
+from kitrobot.lll.parse_results import parse_team
+from kitrobot.primitives.crew import Crew, declaring
 
 NAMES = ("a", "b", "c", "d", "e", "f")
 

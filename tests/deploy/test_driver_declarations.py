@@ -9,11 +9,12 @@ from pathlib import Path
 import pytest
 
 import kitrobot_onboard
-from kitrobot.deploy import FAMILIES, Package, PackageError
 from kitrobot.deploy.declarations import Setting, read_declaration, without_declarations
 from kitrobot.deploy.driver_fit import refuse_misfits
+from kitrobot.deploy.errors import PackageError
+from kitrobot.deploy.package import FAMILIES, Package
 from kitrobot.deploy.program_file import Device, ProgramFile
-from kitrobot.primitives import load_catalogue
+from kitrobot.primitives.catalogue import load_catalogue
 
 DRIVERS = Path(kitrobot_onboard.__file__).parent / "drivers"
 

@@ -9,7 +9,7 @@ from pathlib import Path
 import pytest
 
 from kitrobot.deploy.onboard_bundle import ONBOARD
-from kitrobot.primitives import Kit, KitPart
+from kitrobot.primitives.kit import Kit, KitPart
 from tools.microbit_kits import small_kits
 
 FOLDER = ONBOARD / "drivers" / "microbit"

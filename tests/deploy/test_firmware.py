@@ -8,8 +8,8 @@ from pathlib import Path
 
 import pytest
 
-from kitrobot.deploy import FirmwareError, FirmwareRequirements
-from kitrobot.deploy.errors import BoardError
+from kitrobot.deploy.errors import BoardError, FirmwareError
+from kitrobot.deploy.firmware import FirmwareRequirements
 from kitrobot.deploy.uf2 import (
     BLOCK,
     LARGEST_BYTES,

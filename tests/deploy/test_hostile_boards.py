@@ -11,14 +11,16 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from kitrobot.deploy import Board, Line, Receiver, ResetError
+from kitrobot.deploy.board import Board
 from kitrobot.deploy.boot_records import read_line
+from kitrobot.deploy.errors import ResetError
 from kitrobot.deploy.flash import Flash
 from kitrobot.deploy.handshake import greet
-from kitrobot.deploy.line import MOST
+from kitrobot.deploy.line import MOST, Line
 from kitrobot.deploy.raw_paste import run_by_raw_paste
+from kitrobot.deploy.receiver import Receiver
 from kitrobot.deploy.repl import GarbledError, RawRepl
-from kitrobot.diagnostics import KitRobotError
+from kitrobot.diagnostics.model import KitRobotError
 from kitrobot_onboard.link import unwrap, wrap
 from tests.deploy.fake_boards import Answers, FakeLine, FakeRobot
 

@@ -6,10 +6,14 @@ from pathlib import Path
 
 import pytest
 
-from kitrobot.compiler import compile_text
-from kitrobot.deploy import Package, PackageError, fit_to_kit, kit_problems, parts_on_kit, refuse_what_is_missing
-from kitrobot.primitives import SHIPPED, Kit, load_catalogue, read_kit
-from kitrobot.robots import program_of
+from kitrobot.compiler.compilation import compile_text
+from kitrobot.deploy.errors import PackageError
+from kitrobot.deploy.kits import fit_to_kit, kit_problems, parts_on_kit, refuse_what_is_missing
+from kitrobot.deploy.package import Package
+from kitrobot.primitives.catalogue import SHIPPED, load_catalogue
+from kitrobot.primitives.kit import Kit
+from kitrobot.primitives.kit_xml import read_kit
+from kitrobot.robots.program import program_of
 
 MOTORS = 'left-forward="2" left-backward="3" right-forward="4" right-backward="5"'
 

@@ -8,7 +8,8 @@ from collections.abc import Iterator
 import pytest
 from serial.urlhandler import protocol_socket
 
-from kitrobot.deploy import Line, LineError
+from kitrobot.deploy.errors import LineError
+from kitrobot.deploy.line import Line
 from tests.patience import PATIENCE_S
 
 

@@ -7,12 +7,13 @@ from pathlib import Path
 
 import pytest
 
-from kitrobot.compiler import compile_text
-from kitrobot.deploy import FAMILIES, Package, PackageError, ProgramFile, board_file
+from kitrobot.compiler.compilation import compile_text
 from kitrobot.deploy.boot_records import StartLine, is_ours, needed, newest, read_line
-from kitrobot.deploy.package import name_of
-from kitrobot.deploy.program_file import Device
-from kitrobot.primitives import load_catalogue
+from kitrobot.deploy.errors import PackageError
+from kitrobot.deploy.package import FAMILIES, Package, name_of
+from kitrobot.deploy.program_file import Device, ProgramFile
+from kitrobot.deploy.script import board_file
+from kitrobot.primitives.catalogue import load_catalogue
 
 _COMPILED = compile_text("Display.Image(0);", load_catalogue().robots["microbit"]).image
 assert _COMPILED is not None

@@ -8,10 +8,11 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from kitrobot.deploy import DeployError, ProgramFile, board_file, read_program_file
-from kitrobot.deploy.errors import BoardError
+from kitrobot.deploy.errors import BoardError, DeployError
 from kitrobot.deploy.memory import image_bytes, refuse_what_does_not_fit
 from kitrobot.deploy.package import Package
+from kitrobot.deploy.program_file import ProgramFile, read_program_file
+from kitrobot.deploy.script import board_file
 from kitrobot.deploy.tree_shaking import UsedParts
 from kitrobot_onboard.link import checksum
 from kitrobot_onboard.state import ACTUATORS

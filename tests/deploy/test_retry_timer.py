@@ -6,8 +6,10 @@ import itertools
 
 import pytest
 
-from kitrobot.deploy import Board, BoardError, News, SilentError
+from kitrobot.deploy.board import Board
+from kitrobot.deploy.errors import BoardError, SilentError
 from kitrobot.deploy.handshake import STARTS, greet
+from kitrobot.deploy.news import News
 from kitrobot.deploy.repl import RawRepl
 from kitrobot.deploy.retry_timer import LONGEST_S, SILENT_S, RetryTimer
 from kitrobot_onboard.link import unwrap, wrap

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from kitrobot.diagnostics import Diagnostic, Fix, Place, Severity, to_json, to_page_json
-from kitrobot.text import Sentence
+from kitrobot.diagnostics.model import Diagnostic, Fix, Place, Severity
+from kitrobot.diagnostics.renderer import to_json, to_page_json
+from kitrobot.text.sentences import Sentence
 
 FULL = Diagnostic(
     "two-arcs",

@@ -6,7 +6,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from kitrobot.diagnostics import Place, Source
+from kitrobot.diagnostics.model import Place, Source
 
 TEXT = "ab\ncd\r\n\nگاڑی x\n"
 

@@ -6,9 +6,10 @@ from typing import NamedTuple
 
 import pytest
 
-from kitrobot.diagnostics import Diagnostic, Place, Severity, Source, render, render_one
-from kitrobot.lll import parse
-from kitrobot.text import Sentence
+from kitrobot.diagnostics.model import Diagnostic, Place, Severity, Source
+from kitrobot.diagnostics.renderer import render, render_one
+from kitrobot.lll.parse_results import parse
+from kitrobot.text.sentences import Sentence
 
 
 class Case(NamedTuple):

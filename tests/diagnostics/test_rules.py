@@ -7,9 +7,9 @@ from pathlib import Path
 
 import pytest
 
-from kitrobot.diagnostics import Fix, KitRobotError, Place, Severity, rule, rules
+from kitrobot.diagnostics.model import Fix, KitRobotError, Place, Severity, rule, rules
 from kitrobot.lll.rules import SYNTAX
-from kitrobot.text import Sentence
+from kitrobot.text.sentences import Sentence
 from tools import diagnostic_pages
 
 

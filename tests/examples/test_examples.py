@@ -11,8 +11,10 @@ from pathlib import Path
 import pytest
 
 import kitrobot
-from kitrobot.mission import read_mission, write_mission
-from kitrobot.sim import LAMP, Simulation
+from kitrobot.mission.reader import read_mission
+from kitrobot.mission.writer import write_mission
+from kitrobot.sim.agent_views import LAMP
+from kitrobot.sim.simulation import Simulation
 
 EXAMPLES = [
     path

@@ -7,10 +7,9 @@ from pathlib import Path
 import pytest
 
 import kitrobot
-from kitrobot.mission import FailureKind
+from kitrobot.mission.trial import FailureKind
 from kitrobot.sim.sweep import Fault, Field, Task, run_task
-from kitrobot.workspace import RunOptions
-from kitrobot.workspace.mission_run import PreparedRun
+from kitrobot.workspace.mission_run import PreparedRun, RunOptions
 from kitrobot.workspace.sweep import Sweep, SweepOptions, run_sweep
 from tests.effort import THOROUGH
 

@@ -6,10 +6,11 @@ from collections.abc import Mapping
 from dataclasses import replace
 from pathlib import Path
 
-from kitrobot.compiler import lll_to_graph
+from kitrobot.compiler.lll_to_graph import lll_to_graph
 from kitrobot.compiler.target import read_for, target_of
-from kitrobot.mission import Mission, write_mission
-from kitrobot.workspace import OpenMission, open_mission
+from kitrobot.mission.model import Mission
+from kitrobot.mission.writer import write_mission
+from kitrobot.workspace.mission_loader import OpenMission, open_mission
 
 ROOT = Path(__file__).resolve().parents[2]
 FOLDER = ROOT / "examples" / "exercises"

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import pytest
 
-from kitrobot.exercise import RunGoal, read_exercise
+from kitrobot.exercise.exercise_xml import read_exercise
+from kitrobot.exercise.goals import RunGoal
 from kitrobot.workspace.exercise_evaluation import collect_run_evidence
 from tests.sim.building import catalogue, empty_world, run_of
 

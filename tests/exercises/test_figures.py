@@ -7,7 +7,8 @@ from itertools import pairwise
 
 import pytest
 
-from kitrobot.exercise import PathPoint, figure_fault
+from kitrobot.exercise.evidence import PathPoint
+from kitrobot.exercise.figures import figure_fault
 
 Places = list[tuple[float, float]]
 

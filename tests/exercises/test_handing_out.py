@@ -9,7 +9,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from kitrobot.exercise import read_exercise, remove_hidden_parts
+from kitrobot.exercise.exercise_xml import read_exercise
+from kitrobot.exercise.hidden_parts import remove_hidden_parts
 from kitrobot.workspace.grader_process import shipped_exercises
 
 GOALS = [

@@ -4,14 +4,16 @@ from __future__ import annotations
 
 import pytest
 
-from kitrobot.compiler import lll_to_graph
+from kitrobot.compiler.lll_to_graph import lll_to_graph
 from kitrobot.exercise.goals import Avoids, Parts, Uses
-from kitrobot.graph import Arc, Vertex
-from kitrobot.lll import parse
-from kitrobot.mission import Mission
-from kitrobot.primitives import Constructor, read_own
-from kitrobot.workspace import SearchPath, open_mission, with_mission
+from kitrobot.graph.model import Arc, Vertex
+from kitrobot.lll.parse_results import parse
+from kitrobot.mission.model import Mission
+from kitrobot.primitives.constructors import Constructor
+from kitrobot.primitives.own_xml import read_own
 from kitrobot.workspace.exercise_evaluation import collect_program_evidence
+from kitrobot.workspace.mission_loader import open_mission, with_mission
+from kitrobot.workspace.search_path import SearchPath
 from tests.exercises.handing_in import FOLDER
 
 

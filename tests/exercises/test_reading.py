@@ -9,8 +9,7 @@ import pytest
 import xmlschema
 
 import kitrobot.primitives
-from kitrobot.exercise import read_exercise
-from kitrobot.exercise.exercise_xml import KINDS, MOST_GOALS, MOST_SEEDS
+from kitrobot.exercise.exercise_xml import KINDS, MOST_GOALS, MOST_SEEDS, read_exercise
 from kitrobot.exercise.goals import CheckGoal, Done, Draws, Parts
 from kitrobot.exercise.model import Seed
 from tests.primitives.samples import EXERCISE, messages

@@ -8,7 +8,7 @@ from pathlib import Path
 
 import pytest
 
-from kitrobot.files import FileError, decode, read_bytes, read_text, same_file, write_atomic
+from kitrobot.files.disk import FileError, decode, read_bytes, read_text, same_file, write_atomic
 
 
 def names(folder):

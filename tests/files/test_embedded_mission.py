@@ -7,7 +7,7 @@ from xml.sax.saxutils import escape
 
 import pytest
 
-from kitrobot.files import CarriedError, carried_mission
+from kitrobot.files.embedded_mission import CarriedError, carried_mission
 
 KRT = '<kitrobot version="1">\n  <label>Größe &amp; ✓ &#10;</label>\n</kitrobot>\n'.encode()
 

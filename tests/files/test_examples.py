@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 
-from kitrobot.files import examples_folder, find_mission
+from kitrobot.files.examples import examples_folder, find_mission
 
 EXAMPLES = examples_folder()
 

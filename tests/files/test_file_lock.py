@@ -9,20 +9,12 @@ import threading
 
 import pytest
 
-from kitrobot.diagnostics import lock_handle
-from kitrobot.files import (
-    LOCK_NAME,
-    FileError,
-    FileLock,
-    MissionFolder,
-    disk,
-    file_lock,
-    lay_out_file,
-    replace_file,
-    saving_in,
-    sweep,
-    write_atomic,
-)
+from kitrobot.diagnostics.regular import lock_handle
+from kitrobot.files import disk, file_lock
+from kitrobot.files.disk import LOCK_NAME, FileError, replace_file, saving_in, sweep, write_atomic
+from kitrobot.files.file_lock import FileLock
+from kitrobot.files.folder import MissionFolder
+from kitrobot.files.layout import lay_out_file
 from tests.patience import PATIENCE_S
 
 

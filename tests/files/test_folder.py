@@ -8,7 +8,7 @@ from concurrent.futures import ThreadPoolExecutor
 
 import pytest
 
-from kitrobot.files import ConflictError, MissionFolder, MissionNameError, ReadOnlyError, revision_of
+from kitrobot.files.folder import ConflictError, MissionFolder, MissionNameError, ReadOnlyError, revision_of
 
 
 @pytest.fixture

@@ -10,16 +10,9 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from kitrobot.files import (
-    LARGEST_FILE_BYTES,
-    FileError,
-    Journal,
-    JournalError,
-    journal_file,
-    read_journal,
-    write_journal,
-)
-from kitrobot.files.journal_file import FORMAT, append_records
+from kitrobot.files import journal_file
+from kitrobot.files.disk import LARGEST_FILE_BYTES, FileError
+from kitrobot.files.journal_file import FORMAT, Journal, JournalError, append_records, read_journal, write_journal
 from tests.effort import examples
 
 RECORDS = ("first", "зwei ☂", '{"kind":"do"}', "", "x" * 300)

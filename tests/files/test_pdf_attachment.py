@@ -6,8 +6,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from kitrobot.files import CarriedError, carried_mission
 from kitrobot.files import pdf_attachment as room
+from kitrobot.files.embedded_mission import CarriedError, carried_mission
 from tests.effort import THOROUGH
 from tests.files.pdf_files import Numbered, attached, packed, pdf, stream
 

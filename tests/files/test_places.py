@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from kitrobot.diagnostics import Place, Rule, Severity, Source
-from kitrobot.files import Places
-from kitrobot.text import Sentence
+from kitrobot.diagnostics.model import Place, Rule, Severity, Source
+from kitrobot.files.places import Places
+from kitrobot.text.sentences import Sentence
 
 RULE = Rule("test-places", Severity.ERROR, "A test", Sentence("Only for tests."))
 TEXT = """<kitrobot version="1">

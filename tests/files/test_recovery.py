@@ -8,7 +8,9 @@ import sys
 
 import pytest
 
-from kitrobot.files import Journal, JournalError, Journals, MissionFolder
+from kitrobot.files.folder import MissionFolder
+from kitrobot.files.journal_file import Journal, JournalError
+from kitrobot.files.recovery import Journals
 from tests.patience import PATIENCE_S
 
 

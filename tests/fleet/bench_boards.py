@@ -8,10 +8,11 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
-from kitrobot.deploy import Board, make_program_file
+from kitrobot.deploy.board import Board
+from kitrobot.deploy.program_file import make_program_file
 from kitrobot.fleet.board_body import Order
 from kitrobot.fleet.board_line import OrderExecutor
-from kitrobot.sim import Simulation
+from kitrobot.sim.simulation import Simulation
 from tests.onboard.bench import Bench
 
 

@@ -13,10 +13,14 @@ from typing import Any
 
 import pytest
 
-from kitrobot.fleet import TEAM_PROCESS, FleetCallbacks, FleetError, Network, TeamProcess, agent_process, key_of
+from kitrobot.fleet import agent_process
 from kitrobot.fleet import team_process as team_processes
 from kitrobot.fleet.agent_process import AgentProcess, RunEnd
-from kitrobot.fleet.transport import Channel
+from kitrobot.fleet.charter import FleetError
+from kitrobot.fleet.envelopes import TEAM_PROCESS
+from kitrobot.fleet.keys import key_of
+from kitrobot.fleet.team_process import FleetCallbacks, TeamProcess
+from kitrobot.fleet.transport import Channel, Network
 from tests.fleet.network import LEASE
 from tests.fleet.test_convoy import anew
 

@@ -11,9 +11,10 @@ from kitrobot.fleet.body_messages import decode_frame, decode_reply, encode_fram
 from kitrobot.fleet.charter import charter_of
 from kitrobot.fleet.host import AgentHost
 from kitrobot.fleet.world import WorldHost
-from kitrobot.sim import Event, Simulation
+from kitrobot.sim.event_text import Event
+from kitrobot.sim.simulation import Simulation
 from kitrobot.sim.team_columns import T_ACTUATOR, T_ROLE, T_SEAT
-from kitrobot.team import EVERYONE, Message
+from kitrobot.team.messages import EVERYONE, Message
 from tests.fleet.bench_boards import BenchBoard
 
 STEP = 5

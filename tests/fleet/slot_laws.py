@@ -32,7 +32,7 @@ from kitrobot.sim.team_columns import (
     W_LEFT,
     W_TAKEN,
 )
-from kitrobot.team import AppliedNote
+from kitrobot.team.changes import AppliedNote
 
 
 @dataclass(frozen=True)

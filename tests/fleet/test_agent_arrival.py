@@ -7,8 +7,8 @@ from collections.abc import Iterator
 
 import pytest
 
-from kitrobot.fleet import FleetError
 from kitrobot.fleet import envelopes as kinds
+from kitrobot.fleet.charter import FleetError
 from kitrobot.fleet.envelopes import EVERYBODY
 from kitrobot.fleet.roster import Answer, Roster
 from tests.fleet.bus import Bus, bus

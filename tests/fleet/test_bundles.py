@@ -8,8 +8,9 @@ from hypothesis import strategies as st
 
 from kitrobot.fleet.bundles import FULL, SMALL, bundle, unbundle
 from kitrobot.fleet.envelopes import EVERYBODY, EnvelopeError
-from kitrobot.team import EVERYONE, Message, Seat, Sending, decode
-from kitrobot.team.messages import Behind, Echo, Heartbeat
+from kitrobot.team.codec import decode
+from kitrobot.team.commands import Seat
+from kitrobot.team.messages import EVERYONE, Behind, Echo, Heartbeat, Message, Sending
 
 RUN, MEMBERS = 7, 5
 SAID = [Behind(Seat(0, 0), slot) for slot in range(4)]

@@ -10,9 +10,10 @@ from pathlib import Path
 import pytest
 
 from kitrobot.cli.agent import prepare_team_run
-from kitrobot.sim import Simulation
+from kitrobot.sim.simulation import Simulation
 from kitrobot.sim.team_columns import T_HOLDER
-from kitrobot.workspace import OpenMission, RunOptions, open_mission
+from kitrobot.workspace.mission_loader import OpenMission, open_mission
+from kitrobot.workspace.mission_run import RunOptions
 from tests.fleet.network import Faults, Fleet
 
 CONVOY = Path("examples/convoy/convoy.krt")

@@ -14,8 +14,9 @@ from typing import Any
 import pytest
 
 from kitrobot.fleet import replica
-from kitrobot.lll import parse_team
-from kitrobot.sim import Simulation, meetings
+from kitrobot.lll.parse_results import parse_team
+from kitrobot.sim import meetings
+from kitrobot.sim.simulation import Simulation
 from kitrobot.sim.state import State
 from kitrobot.sim.state import Team as TeamTables
 from kitrobot.sim.team_columns import HAS_UNIT, LOST_UNIT, P_MEMBERS, T_AT, W_LEFT, W_TAKEN

@@ -12,7 +12,7 @@ from typing import Any
 
 import pytest
 
-from kitrobot.trace import TraceReader
+from kitrobot.trace.reader import TraceReader
 from tests.boards.bench import STORES, ZERO
 from tests.boards.modern import ModernBoard
 from tests.fleet.test_processes import started

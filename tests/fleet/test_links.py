@@ -12,10 +12,12 @@ from typing import Any
 
 import pytest
 
-from kitrobot.fleet import TEAM_PROCESS, Network, key_of, transport
+from kitrobot.fleet import transport
+from kitrobot.fleet.envelopes import TEAM_PROCESS
+from kitrobot.fleet.keys import key_of
 from kitrobot.fleet.link_sockets import GIVEN_UP_MS, set_up_links
-from kitrobot.fleet.transport import Channel
-from kitrobot.workspace import free_endpoint
+from kitrobot.fleet.transport import Channel, Network
+from kitrobot.workspace.fleets import free_endpoint
 from tests.patience import PATIENCE_S
 
 KEY = key_of("a key of sixteen letters", "here")

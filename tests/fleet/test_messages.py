@@ -28,9 +28,11 @@ from kitrobot.fleet.charter import FleetError
 from kitrobot.fleet.envelopes import Envelope, EnvelopeError, seal, unseal
 from kitrobot.fleet.keys import VARIABLE, find_key, key_of, new_key
 from kitrobot.fleet.replica import Replica
-from kitrobot.sim import TickResult, fits
-from kitrobot.team import AppliedNote, NewView, Seat, View
+from kitrobot.sim.hosted import TickResult, fits
+from kitrobot.team.changes import AppliedNote, NewView
+from kitrobot.team.commands import Seat
 from kitrobot.team.messages import Heartbeat
+from kitrobot.team.tables import View
 from tests.fleet.network import LEASE
 from tests.fleet.test_convoy import anew, fleet, until
 

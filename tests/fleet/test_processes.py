@@ -15,8 +15,8 @@ from typing import Any
 
 import pytest
 
-from kitrobot.fleet import new_key
-from kitrobot.workspace import free_endpoint
+from kitrobot.fleet.keys import new_key
+from kitrobot.workspace.fleets import free_endpoint
 
 ROOT = Path(__file__).resolve().parents[2]
 CONVOY = "examples/convoy/convoy.krt"

@@ -10,7 +10,7 @@ import pytest
 from kitrobot.fleet.envelopes import Envelope, VersionError, seal, unseal
 from kitrobot.fleet.refusals import MOST_KINDS, NOBODY, Refusals
 from kitrobot.fleet.transport import MOST_REASONS
-from kitrobot.text import Sentence
+from kitrobot.text.sentences import Sentence
 from tests.fleet.bus import KEY, Bus, bus
 from tests.fleet.test_agent_arrival import turns
 

@@ -6,8 +6,8 @@ from collections.abc import Iterator
 
 import pytest
 
-from kitrobot.fleet import FleetError
 from kitrobot.fleet import envelopes as kinds
+from kitrobot.fleet.charter import FleetError
 from kitrobot.fleet.envelopes import unseal
 from tests.fleet.bus import KEY, Bus, bus
 from tests.fleet.test_agent_arrival import turns

@@ -6,13 +6,16 @@ from pathlib import Path
 
 import pytest
 
-from kitrobot.fleet import FleetSource, StatusReport, encode_report
 from kitrobot.fleet import run_source as module
-from kitrobot.fleet.status_reports import decode_report
-from kitrobot.sim import Simulation
-from kitrobot.text import Sentence
-from kitrobot.trace import AbilityError, TraceError, TraceReader, walk
-from kitrobot.workspace import RunOptions, open_mission
+from kitrobot.fleet.run_source import FleetSource
+from kitrobot.fleet.status_reports import StatusReport, decode_report, encode_report
+from kitrobot.sim.simulation import Simulation
+from kitrobot.text.sentences import Sentence
+from kitrobot.trace.model import TraceError
+from kitrobot.trace.reader import TraceReader
+from kitrobot.trace.source import AbilityError, walk
+from kitrobot.workspace.mission_loader import open_mission
+from kitrobot.workspace.mission_run import RunOptions
 
 
 @pytest.fixture

@@ -14,20 +14,21 @@ from typing import Any
 
 import pytest
 
-from kitrobot.deploy import Board
-from kitrobot.fleet import TEAM_PROCESS, FleetCallbacks, Network, TeamProcess, key_of
+from kitrobot.deploy.board import Board
 from kitrobot.fleet import envelopes as kinds
 from kitrobot.fleet.agent_process import AgentBoard, AgentProcess
 from kitrobot.fleet.board_body import Order
 from kitrobot.fleet.board_line import BoardLine
 from kitrobot.fleet.body_messages import Frame, encode_frame
 from kitrobot.fleet.bundles import bundle
-from kitrobot.fleet.envelopes import EVERYBODY, Envelope, seal
+from kitrobot.fleet.envelopes import EVERYBODY, TEAM_PROCESS, Envelope, seal
 from kitrobot.fleet.identity import identity_of
-from kitrobot.fleet.transport import MOST_OF_ONE, Channel
+from kitrobot.fleet.keys import key_of
+from kitrobot.fleet.team_process import FleetCallbacks, TeamProcess
+from kitrobot.fleet.transport import MOST_OF_ONE, Channel, Network
 from kitrobot.sim.team_columns import T_AT
-from kitrobot.team import EVERYONE, Seat, Sending
-from kitrobot.team.messages import Heartbeat
+from kitrobot.team.commands import Seat
+from kitrobot.team.messages import EVERYONE, Heartbeat, Sending
 from kitrobot_onboard.state import STATE
 from tests.fleet.bench_boards import bench_boards
 from tests.fleet.network import LEASE

@@ -14,10 +14,9 @@ from pathlib import Path
 import pytest
 import zenoh
 
-from kitrobot.fleet import Channel, Network
 from kitrobot.fleet.envelopes import EVERYBODY, HELLO, MEMBER, TEAM_PROCESS, Envelope, seal
-from kitrobot.fleet.transport import MOST_OF_ONE
-from kitrobot.workspace import free_endpoint
+from kitrobot.fleet.transport import MOST_OF_ONE, Channel, Network
+from kitrobot.workspace.fleets import free_endpoint
 from tests.certificates import by_authority
 from tests.fleet.test_processes import SEARCH, agents_of, is_there, linux, started
 

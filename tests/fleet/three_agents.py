@@ -23,12 +23,13 @@ from kitrobot.fleet.body_messages import Frame
 from kitrobot.fleet.charter import charter_of
 from kitrobot.fleet.host import AgentHost
 from kitrobot.fleet.replica import Effect
-from kitrobot.sim import Event, Simulation
+from kitrobot.sim.event_text import Event
 from kitrobot.sim.meetings import find_members
+from kitrobot.sim.simulation import Simulation
 from kitrobot.sim.team_columns import T_ROLE, T_SEAT
-from kitrobot.team import EVERYONE, Member, Message, Note, Sending
-from kitrobot.team.commands import Batch, Command
-from kitrobot.team.messages import Ballot, Heartbeat
+from kitrobot.team.commands import Batch, Command, Note
+from kitrobot.team.messages import EVERYONE, Ballot, Heartbeat, Message, Sending
+from kitrobot.team.state import Member
 from kitrobot.team.table_transitions import apply_batch
 from kitrobot.team.tables import View, initial_tables
 from tests.fleet.slot_laws import before_effect, slot_breaks

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from kitrobot.graph import START, STOP, Arc, Program, Vertex
+from kitrobot.graph.model import START, STOP, Arc, Program, Vertex
 
 
 def draw(robot: str, vertices: dict[str, str], arcs: str) -> Program:

@@ -6,11 +6,15 @@ from functools import cache
 
 import pytest
 
-from kitrobot.compiler import compile_program, graph_to_lll
-from kitrobot.graph import Program
-from kitrobot.image import Image, Machine
-from kitrobot.lll import print_program
-from kitrobot.primitives import Catalogue, Category, Kind, Role, load_catalogue
+from kitrobot.compiler.compilation import compile_program
+from kitrobot.compiler.graph_to_lll import graph_to_lll
+from kitrobot.graph.model import Program
+from kitrobot.image.machine import Machine
+from kitrobot.image.model import Image
+from kitrobot.lll.printer import print_program
+from kitrobot.primitives.catalogue import Catalogue, load_catalogue
+from kitrobot.primitives.constructors import Role
+from kitrobot.primitives.robot import Category, Kind
 from tests.forms.drawing import draw
 
 PAPER = {

@@ -12,12 +12,14 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from kitrobot.diagnostics import Diagnostic
-from kitrobot.mission import Mission, read_mission, write_mission
-from kitrobot.primitives import read_kit, write_kit
-from kitrobot.server.shapes import mission_from_shape, mission_shape
-from kitrobot.server.shapes.mission import MissionShape
-from kitrobot.world import read_world, write_world
+from kitrobot.diagnostics.model import Diagnostic
+from kitrobot.mission.model import Mission
+from kitrobot.mission.reader import read_mission
+from kitrobot.mission.writer import write_mission
+from kitrobot.primitives.kit_xml import read_kit, write_kit
+from kitrobot.server.shapes.mission import MissionShape, mission_from_shape, mission_shape
+from kitrobot.world.xml_reader import read_world
+from kitrobot.world.xml_writer import write_world
 from tests.versions.test_renames import TEXT as MISSION
 
 WORLD = """<world version="1" name="yard" width="3000" height="3000">

@@ -34,33 +34,29 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from kitrobot.classroom import Admission, ClassRoom, InvalidNameError, NameTakenError, TeacherActions
-from kitrobot.classroom.names import as_file_name, free_name, is_file_name, key_of
-from kitrobot.files import Journal, MissionNameError, read_journal, write_journal
-from kitrobot.files.folder import MissionFolder
-from kitrobot.graph import empty_program
-from kitrobot.mission import (
-    Agent,
-    Breakdown,
-    BreakdownRule,
-    Breakpoint,
-    Failure,
-    FailureKind,
-    Goal,
-    Mission,
-    Radio,
-    SaveError,
-    Team,
-    read_mission,
-    save,
-    write_mission,
-)
-from kitrobot.primitives import Constructor, Kit, Tried, read_constructors, read_kit, write_constructors, write_kit
-from kitrobot.primitives.kit import Source
-from kitrobot.robots import BoardNames, RecordingContext
+from kitrobot.classroom.admission import Admission, NameTakenError
+from kitrobot.classroom.class_room import ClassRoom
+from kitrobot.classroom.names import InvalidNameError, as_file_name, free_name, is_file_name, key_of
+from kitrobot.classroom.teacher_actions import TeacherActions
+from kitrobot.files.folder import MissionFolder, MissionNameError
+from kitrobot.files.journal_file import Journal, read_journal, write_journal
+from kitrobot.graph.model import empty_program
+from kitrobot.mission.breakdown import Breakdown, BreakdownRule
+from kitrobot.mission.model import Agent, Goal, Mission, Team
+from kitrobot.mission.radio import Radio
+from kitrobot.mission.reader import read_mission
+from kitrobot.mission.trial import Breakpoint, Failure, FailureKind
+from kitrobot.mission.writer import SaveError, save, write_mission
+from kitrobot.primitives.constructors import Constructor
+from kitrobot.primitives.constructors_xml import read_constructors
+from kitrobot.primitives.kit import Kit, Source, Tried
+from kitrobot.primitives.kit_xml import read_kit, write_kit
+from kitrobot.primitives.own_xml import write_constructors
+from kitrobot.robots.names import BoardNames
+from kitrobot.robots.recording_context import RecordingContext
 from kitrobot.server.assignments import is_plain, pack, unpack
-from kitrobot.text import name_form
-from kitrobot.trace import TracePart
+from kitrobot.text.forms import name_form
+from kitrobot.trace.model import TracePart
 from kitrobot.workspace import board_labels
 from kitrobot.workspace.json_store import read_entries, write_entries
 from kitrobot.workspace.previews import Preview, preview_from, preview_text, read_previews

@@ -12,11 +12,14 @@ from typing import Any, NamedTuple
 
 import pytest
 
-from kitrobot.compiler import graph_to_lll, lll_to_graph
+from kitrobot.compiler.graph_to_lll import graph_to_lll
+from kitrobot.compiler.lll_to_graph import lll_to_graph
 from kitrobot.compiler.wiring import Wiring
-from kitrobot.graph import IN, NEXT, RETURN, START, STOP, Arc, Program, Vertex
-from kitrobot.lll import parse, print_program
-from kitrobot.primitives import Constructor, Kind, Robot, Role, SlotKind
+from kitrobot.graph.model import IN, NEXT, RETURN, START, STOP, Arc, Program, Vertex
+from kitrobot.lll.parse_results import parse
+from kitrobot.lll.printer import print_program
+from kitrobot.primitives.constructors import Constructor, Role, SlotKind
+from kitrobot.primitives.robot import Kind, Robot
 from tests.compiler.graphs import with_constructors
 
 BUDGET = int(os.environ.get("KITROBOT_BUDGET", "200"))

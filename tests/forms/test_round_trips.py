@@ -11,11 +11,19 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from kitrobot.compiler import compile_lll, graph_to_lll, lll_to_graph
-from kitrobot.graph import Program
-from kitrobot.image import Image, assemble, disassemble
-from kitrobot.lll import Instruction, Seq, format_text, nodes, parse, print_program
-from kitrobot.primitives import Catalogue, Robot, load_catalogue
+from kitrobot.compiler.compilation import compile_lll
+from kitrobot.compiler.graph_to_lll import graph_to_lll
+from kitrobot.compiler.lll_to_graph import lll_to_graph
+from kitrobot.graph.model import Program
+from kitrobot.image.listing import assemble, disassemble
+from kitrobot.image.model import Image
+from kitrobot.lll.formatter import format_text
+from kitrobot.lll.parse_results import parse
+from kitrobot.lll.printer import print_program
+from kitrobot.lll.tree import Instruction, Seq
+from kitrobot.lll.walk import nodes
+from kitrobot.primitives.catalogue import Catalogue, load_catalogue
+from kitrobot.primitives.robot import Robot
 from tests.effort import examples
 from tests.patience import PATIENCE_S
 from tests.strategies import Shape, random_program, random_robot, shipped_robots

@@ -12,11 +12,15 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from kitrobot.diagnostics import Diagnostic
-from kitrobot.lll import parse, print_program
-from kitrobot.mission import read_mission, write_mission
-from kitrobot.primitives import read_constructors, write_constructors
-from kitrobot.world import read_world, write_world
+from kitrobot.diagnostics.model import Diagnostic
+from kitrobot.lll.parse_results import parse
+from kitrobot.lll.printer import print_program
+from kitrobot.mission.reader import read_mission
+from kitrobot.mission.writer import write_mission
+from kitrobot.primitives.constructors_xml import read_constructors
+from kitrobot.primitives.own_xml import write_constructors
+from kitrobot.world.xml_reader import read_world
+from kitrobot.world.xml_writer import write_world
 from tests.effort import examples
 
 ROOT = Path(__file__).resolve().parents[2]

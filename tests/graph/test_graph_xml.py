@@ -5,8 +5,9 @@ from functools import partial
 from hypothesis import given
 from hypothesis import strategies as st
 
-from kitrobot.diagnostics import Diagnostic
-from kitrobot.graph import Arc, Note, Program, Vertex, empty_program, write_program
+from kitrobot.diagnostics.model import Diagnostic
+from kitrobot.graph.graph_xml import write_program
+from kitrobot.graph.model import Arc, Note, Program, Vertex, empty_program
 from tests.counting import MOST, growth
 from tests.primitives.samples import MISSION, read_programs
 

@@ -13,13 +13,15 @@ from pathlib import Path
 
 import pytest
 
-from kitrobot.diagnostics import KitRobotError
-from kitrobot.files import lay_out_file
-from kitrobot.primitives import Catalogue, Robot, load_catalogue
-from kitrobot.text import Suggestions
-from kitrobot.text.suggestions import MOST_COMPARISONS
-from kitrobot.versions import compare_files
-from kitrobot.workspace import check_file, convert, merge_files
+from kitrobot.diagnostics.model import KitRobotError
+from kitrobot.files.layout import lay_out_file
+from kitrobot.primitives.catalogue import Catalogue, load_catalogue
+from kitrobot.primitives.robot import Robot
+from kitrobot.text.suggestions import MOST_COMPARISONS, Suggestions
+from kitrobot.versions.comparison import compare_files
+from kitrobot.workspace.conversion import convert
+from kitrobot.workspace.file_check import check_file
+from kitrobot.workspace.file_merge import merge_files
 from kitrobot.workspace.inputs import read_inputs
 from tests.counting import MOST, growth
 from tests.effort import THOROUGH

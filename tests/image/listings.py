@@ -4,9 +4,11 @@ from __future__ import annotations
 
 from functools import cache
 
-from kitrobot.compiler import compile_text
-from kitrobot.image import Image, assemble
-from kitrobot.primitives import Robot, load_catalogue
+from kitrobot.compiler.compilation import compile_text
+from kitrobot.image.listing import assemble
+from kitrobot.image.model import Image
+from kitrobot.primitives.catalogue import load_catalogue
+from kitrobot.primitives.robot import Robot
 
 TWO_BRANCHES = """\
 //( °Wheel.Advance(5)°; WAIT(3);, 2*(Count.Add(1); WAIT(1);); );

@@ -12,10 +12,10 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from kitrobot.compiler import compile_lll
-from kitrobot.diagnostics import KitRobotError
-from kitrobot.image import Image, ImageError
-from kitrobot.text import Sentence
+from kitrobot.compiler.compilation import compile_lll
+from kitrobot.diagnostics.model import KitRobotError
+from kitrobot.image.model import Image, ImageError
+from kitrobot.text.sentences import Sentence
 from kitrobot_onboard.image import HEADER_SIZE, load
 from tests.image.listings import TWO_BRANCHES, compiled, image
 from tests.strategies import random_program, random_robot

@@ -10,8 +10,9 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from kitrobot.compiler import compile_lll
-from kitrobot.image import Image, ImageError, assemble, disassemble
+from kitrobot.compiler.compilation import compile_lll
+from kitrobot.image.listing import assemble, disassemble
+from kitrobot.image.model import Image, ImageError
 from tests.image.listings import TWO_BRANCHES, compiled
 from tests.strategies import random_program, random_robot
 

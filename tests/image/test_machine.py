@@ -11,9 +11,13 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from kitrobot.compiler import compile_lll, compile_text
-from kitrobot.image import Command, Image, ImageError, Machine, Readings, disassemble
-from kitrobot.primitives import Robot, read_robot
+from kitrobot.compiler.compilation import compile_lll, compile_text
+from kitrobot.image.devices import Command, Readings
+from kitrobot.image.listing import disassemble
+from kitrobot.image.machine import Machine
+from kitrobot.image.model import Image, ImageError
+from kitrobot.primitives.robot import Robot
+from kitrobot.primitives.robot_xml import read_robot
 from tests.image.listings import TWO_BRANCHES, compiled, mini_robot
 from tests.strategies import random_program, random_robot, random_script
 

@@ -9,18 +9,10 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from kitrobot.compiler import compile_lll
-from kitrobot.image import (
-    LARGEST_VALUE,
-    Image,
-    ImageError,
-    Machine,
-    ParallelRecord,
-    SlotRecord,
-    StopRecord,
-    most_instructions_a_tick,
-    verify,
-)
+from kitrobot.compiler.compilation import compile_lll
+from kitrobot.image.machine import Machine
+from kitrobot.image.model import LARGEST_VALUE, Image, ImageError, ParallelRecord, SlotRecord, StopRecord
+from kitrobot.image.verification import most_instructions_a_tick, verify
 from tests.image.listings import TWO_BRANCHES, compiled, image, mini_robot
 from tests.strategies import random_program, random_robot
 

@@ -9,7 +9,7 @@ from __future__ import annotations
 import re
 from typing import NamedTuple
 
-from kitrobot.diagnostics import Diagnostic
+from kitrobot.diagnostics.model import Diagnostic
 
 _EXPECTATION = re.compile(r"(?P<code>[a-z-]+)(?:@(?P<column>\d+))?(?: (?P<part>.*))?")
 

@@ -6,7 +6,10 @@ import pytest
 from hypothesis import example, given
 from hypothesis import strategies as st
 
-from kitrobot.lll import format_text, is_name, parse, parse_template, print_program
+from kitrobot.lll.formatter import format_text
+from kitrobot.lll.parse_results import parse, parse_template
+from kitrobot.lll.printer import print_program
+from kitrobot.lll.tokens import is_name
 from tests.effort import THOROUGH
 
 WORDS = [

@@ -4,7 +4,9 @@ from __future__ import annotations
 
 import pytest
 
-from kitrobot.lll import Conditional, Instr, Parallel, Repeat, Seq, parse, print_program
+from kitrobot.lll.parse_results import parse
+from kitrobot.lll.printer import print_program
+from kitrobot.lll.tree import Conditional, Instr, Parallel, Repeat, Seq
 
 
 def items(text: str) -> list[Instr]:

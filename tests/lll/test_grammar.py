@@ -4,8 +4,9 @@ from __future__ import annotations
 
 import pytest
 
-from kitrobot.diagnostics import Fix
-from kitrobot.lll import (
+from kitrobot.diagnostics.model import Fix
+from kitrobot.lll.parse_results import parse
+from kitrobot.lll.tree import (
     And,
     Break,
     Call,
@@ -21,7 +22,6 @@ from kitrobot.lll import (
     Seq,
     Wait,
     While,
-    parse,
 )
 
 

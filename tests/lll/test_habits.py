@@ -4,9 +4,10 @@ from __future__ import annotations
 
 import pytest
 
-from kitrobot.compiler import compile_text
-from kitrobot.lll import Call, parse
-from kitrobot.primitives import load_catalogue
+from kitrobot.compiler.compilation import compile_text
+from kitrobot.lll.parse_results import parse
+from kitrobot.lll.tree import Call
+from kitrobot.primitives.catalogue import load_catalogue
 
 HABITS = [
     ("[Captor < 20](Wheel.Stop(););", 9, "Captor.LessThan(20)"),

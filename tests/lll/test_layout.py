@@ -8,7 +8,10 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from kitrobot.lll import And, Call, Conditional, Not, Or, Seq, format_text, parse, print_program
+from kitrobot.lll.formatter import format_text
+from kitrobot.lll.parse_results import parse
+from kitrobot.lll.printer import print_program
+from kitrobot.lll.tree import And, Call, Conditional, Not, Or, Seq
 from tests.strategies import Shape, random_program, random_robot, shipped_robots
 
 CARRIER = """\

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import pytest
 
-from kitrobot.lll import Call, Conditional, Event, Repeat, Seq, parse
+from kitrobot.lll.parse_results import parse
+from kitrobot.lll.tree import Call, Conditional, Event, Repeat, Seq
 from tests.lll.expectations import meets_expectations
 
 TEN_MISTAKES = """\

@@ -7,9 +7,10 @@ import random
 
 import pytest
 
-from kitrobot.compiler import compile_text
-from kitrobot.diagnostics import Diagnostic, with_help
-from kitrobot.lll import print_program
+from kitrobot.compiler.compilation import compile_text
+from kitrobot.diagnostics.model import Diagnostic
+from kitrobot.diagnostics.problems import with_help
+from kitrobot.lll.printer import print_program
 from kitrobot.lll.tokens import END, tokenise
 from kitrobot.translation.translator import translate_to
 from tests.strategies import Shape, random_program, shipped_robots

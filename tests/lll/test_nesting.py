@@ -7,7 +7,10 @@ from functools import partial
 
 import pytest
 
-from kitrobot.lll import MAX_NESTING, format_text, parse, print_program
+from kitrobot.lll.formatter import format_text
+from kitrobot.lll.parse_results import parse
+from kitrobot.lll.printer import print_program
+from kitrobot.lll.tree import MAX_NESTING
 from tests.counting import MOST, growth
 from tests.lll.frames import at_most_frames
 

@@ -7,11 +7,13 @@ from pathlib import Path
 
 import pytest
 
-from kitrobot import image as images
-from kitrobot.compiler import check
+from kitrobot.compiler.checker import check
+from kitrobot.image import model as images
 from kitrobot.image.instructions import OPS
-from kitrobot.lll import MAX_NESTING, MAX_NUMBER, parse, parse_team, print_team_program
-from kitrobot.primitives import load_catalogue
+from kitrobot.lll.parse_results import parse, parse_team
+from kitrobot.lll.printer import print_team_program
+from kitrobot.lll.tree import MAX_NESTING, MAX_NUMBER
+from kitrobot.primitives.catalogue import load_catalogue
 from kitrobot_onboard.image import FORMAT, HEADER_SIZE
 from tests.lll.expectations import meets_expectations
 

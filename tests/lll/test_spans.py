@@ -7,23 +7,10 @@ import random
 from hypothesis import given
 from hypothesis import strategies as st
 
-from kitrobot.lll import (
-    And,
-    Call,
-    Conditional,
-    Instruction,
-    Interrupt,
-    Node,
-    Not,
-    Number,
-    Or,
-    Seq,
-    While,
-    nodes,
-    parse,
-    parse_template,
-    print_program,
-)
+from kitrobot.lll.parse_results import parse, parse_template
+from kitrobot.lll.printer import print_program
+from kitrobot.lll.tree import And, Call, Conditional, Instruction, Interrupt, Node, Not, Number, Or, Seq, While
+from kitrobot.lll.walk import nodes
 from tests.strategies import Shape, random_program, shipped_robots
 
 

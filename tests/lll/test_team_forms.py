@@ -8,7 +8,10 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from kitrobot.lll import (
+from kitrobot.lll.parse_results import parse, parse_members, parse_team
+from kitrobot.lll.printer import print_members, print_program, print_team_program
+from kitrobot.lll.tokens import team_name
+from kitrobot.lll.tree import (
     Call,
     GroupDeclaration,
     Joint,
@@ -21,15 +24,8 @@ from kitrobot.lll import (
     SeqOfPar,
     Where,
     WorkDeclaration,
-    nodes,
-    parse,
-    parse_members,
-    parse_team,
-    print_members,
-    print_program,
-    print_team_program,
-    team_name,
 )
+from kitrobot.lll.walk import nodes
 from tests.strategies import Shape, random_team_program, shipped_robots
 
 LAID_OUT = """\

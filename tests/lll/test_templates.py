@@ -4,23 +4,9 @@ from __future__ import annotations
 
 import pytest
 
-from kitrobot.lll import (
-    And,
-    Break,
-    Call,
-    Hole,
-    Interrupt,
-    Not,
-    Number,
-    Parallel,
-    Repeat,
-    Seq,
-    Wait,
-    While,
-    parse,
-    parse_template,
-    print_program,
-)
+from kitrobot.lll.parse_results import parse, parse_template
+from kitrobot.lll.printer import print_program
+from kitrobot.lll.tree import And, Break, Call, Hole, Interrupt, Not, Number, Parallel, Repeat, Seq, Wait, While
 
 TEMPLATES = [
     ("{n}*({body})", Repeat(Hole("n"), Seq(hole=Hole("body")))),

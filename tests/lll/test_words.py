@@ -4,8 +4,10 @@ from __future__ import annotations
 
 import pytest
 
-from kitrobot.lll import Call, Number, Repeat, Seq, Wait, is_name, parse
-from kitrobot.text import name_form
+from kitrobot.lll.parse_results import parse
+from kitrobot.lll.tokens import is_name
+from kitrobot.lll.tree import Call, Number, Repeat, Seq, Wait
+from kitrobot.text.forms import name_form
 
 NAMES = [
     "a",

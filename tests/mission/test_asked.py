@@ -8,10 +8,14 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from kitrobot.mission import AskedProperty, Form, Mission, read_mission, write_mission
-from kitrobot.server.shapes import MissionShape, mission_from_shape, mission_shape
-from kitrobot.versions import differences, merge_missions
-from kitrobot.workspace import open_mission
+from kitrobot.mission.model import Mission
+from kitrobot.mission.property_xml import AskedProperty, Form
+from kitrobot.mission.reader import read_mission
+from kitrobot.mission.writer import write_mission
+from kitrobot.server.shapes.mission import MissionShape, mission_from_shape, mission_shape
+from kitrobot.versions.comparison import differences
+from kitrobot.versions.mission_merge import merge_missions
+from kitrobot.workspace.mission_loader import open_mission
 from tests.verifier.check_fixtures import EXAMPLES
 
 HEAD = """<kitrobot version="1"><program name="p" robot="mini-robot"><vertex id="start" element="Start"/>

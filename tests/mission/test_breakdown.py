@@ -6,9 +6,13 @@ from dataclasses import replace
 
 import pytest
 
-from kitrobot.mission import Breakdown, BreakdownRule, Mission, read_mission, write_mission
+from kitrobot.mission.breakdown import Breakdown, BreakdownRule
+from kitrobot.mission.model import Mission
+from kitrobot.mission.reader import read_mission
+from kitrobot.mission.writer import write_mission
 from kitrobot.server.shapes.mission import MissionShape, mission_from_shape, mission_shape
-from kitrobot.versions import differences, merge_missions
+from kitrobot.versions.comparison import differences
+from kitrobot.versions.mission_merge import merge_missions
 
 TOW = Breakdown(BreakdownRule.TOW, 2.5)
 PASS = Breakdown(BreakdownRule.PASS)

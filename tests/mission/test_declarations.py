@@ -7,11 +7,15 @@ import random
 from hypothesis import given
 from hypothesis import strategies as st
 
-from kitrobot.graph import empty_program
-from kitrobot.lll import GroupDeclaration, Members, RoleDeclaration, WorkDeclaration, parse_team, print_team_program
-from kitrobot.mission import Agent, Mission, Team, read_mission, write_mission
-from kitrobot.primitives import Level
-from kitrobot.workspace import open_mission
+from kitrobot.graph.model import empty_program
+from kitrobot.lll.parse_results import parse_team
+from kitrobot.lll.printer import print_team_program
+from kitrobot.lll.tree import GroupDeclaration, Members, RoleDeclaration, WorkDeclaration
+from kitrobot.mission.model import Agent, Mission, Team
+from kitrobot.mission.reader import read_mission
+from kitrobot.mission.writer import write_mission
+from kitrobot.primitives.levels import Level
+from kitrobot.workspace.mission_loader import open_mission
 from tests.strategies import Shape, random_team_program, shipped_robots
 
 TEAM = """\

@@ -7,7 +7,7 @@ from pathlib import Path
 
 from kitrobot.mission.reader import MISSION
 from kitrobot.mission.trial import TRIAL, FailureKind
-from kitrobot.workspace import open_mission
+from kitrobot.workspace.mission_loader import open_mission
 
 PAGE = (Path(__file__).parents[2] / "docs" / "krt.md").read_text(encoding="utf-8")
 README = (Path(__file__).parents[2] / "README.md").read_text(encoding="utf-8")
@@ -15,7 +15,7 @@ ROWS = {name: line for line in PAGE.splitlines() if line.startswith("| `<") for 
 
 
 def test_the_example_opens_without_a_problem_runs_and_is_written_again_to_the_byte(tmp_path: Path) -> None:
-    from kitrobot.mission import write_mission
+    from kitrobot.mission.writer import write_mission
 
     [example, _] = re.findall(r"```xml\n(.*?)```", PAGE, re.DOTALL)
     path = tmp_path / "example.krt"
@@ -28,7 +28,8 @@ def test_the_example_opens_without_a_problem_runs_and_is_written_again_to_the_by
 
 
 def test_the_example_of_declarations_is_written_as_it_stands() -> None:
-    from kitrobot.mission import read_mission, write_mission
+    from kitrobot.mission.reader import read_mission
+    from kitrobot.mission.writer import write_mission
 
     [_, example] = re.findall(r"```xml\n(.*?)```", PAGE, re.DOTALL)
     mission, found = read_mission(f'<kitrobot version="1">{example}</kitrobot>'.encode(), "team.krt")

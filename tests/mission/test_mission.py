@@ -9,8 +9,10 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from kitrobot.graph import empty_program
-from kitrobot.mission import Agent, Goal, Mission, SaveError, Team, read_mission, save, write_mission
+from kitrobot.graph.model import empty_program
+from kitrobot.mission.model import Agent, Goal, Mission, Team
+from kitrobot.mission.reader import read_mission
+from kitrobot.mission.writer import SaveError, save, write_mission
 
 GOOD = """\
 <kitrobot version="1">

@@ -7,10 +7,15 @@ from pathlib import Path
 
 import pytest
 
-from kitrobot.mission import Mission, read_mission, write_mission
-from kitrobot.primitives import MOST_OWN, OWN_GROUP, Constructor, Slot, SlotKind
-from kitrobot.versions import differences, merge_missions
-from kitrobot.workspace import SearchPath, read_mission_data
+from kitrobot.mission.model import Mission
+from kitrobot.mission.reader import read_mission
+from kitrobot.mission.writer import write_mission
+from kitrobot.primitives.constructors import Constructor, Slot, SlotKind
+from kitrobot.primitives.own_xml import MOST_OWN, OWN_GROUP
+from kitrobot.versions.comparison import differences
+from kitrobot.versions.mission_merge import merge_missions
+from kitrobot.workspace.mission_loader import read_mission_data
+from kitrobot.workspace.search_path import SearchPath
 
 HEAD = '<kitrobot version="1">'
 DANCE = """<constructor name="Dance" colour="action"><label xml:lang="fr">Danse</label>

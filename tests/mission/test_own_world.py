@@ -10,13 +10,19 @@ import xmlschema
 from hypothesis import given
 
 import kitrobot.primitives
-from kitrobot.diagnostics import Diagnostic
-from kitrobot.mission import Mission, read_mission, write_mission
-from kitrobot.server.shapes import MissionShape, mission_from_shape, mission_shape
-from kitrobot.versions import differences, merge_missions
-from kitrobot.workspace import SearchPath, open_mission
-from kitrobot.workspace.mission_loader import with_mission
-from kitrobot.world import SHIPPED, Wall, World, check_plan, read_world, write_world
+from kitrobot.diagnostics.model import Diagnostic
+from kitrobot.mission.model import Mission
+from kitrobot.mission.reader import read_mission
+from kitrobot.mission.writer import write_mission
+from kitrobot.server.shapes.mission import MissionShape, mission_from_shape, mission_shape
+from kitrobot.versions.comparison import differences
+from kitrobot.versions.mission_merge import merge_missions
+from kitrobot.workspace.mission_loader import open_mission, with_mission
+from kitrobot.workspace.search_path import SearchPath
+from kitrobot.world.lookup import SHIPPED
+from kitrobot.world.model import Wall, World
+from kitrobot.world.xml_reader import check_plan, read_world
+from kitrobot.world.xml_writer import write_world
 from tests.strategies.worlds import worlds
 
 EXAMPLES = Path(__file__).resolve().parents[2] / "examples"

@@ -13,7 +13,9 @@ from typing import SupportsIndex
 
 import pytest
 
-from kitrobot.image import LARGEST_VALUE, Image, ImageError, Machine, most_instructions_a_tick, verify
+from kitrobot.image.machine import Machine
+from kitrobot.image.model import LARGEST_VALUE, Image, ImageError
+from kitrobot.image.verification import most_instructions_a_tick, verify
 from kitrobot_onboard.image import header, load, whole_arrays
 from kitrobot_onboard.interpreter import tick
 from tests.oracle.agreement import machine_for, random_case

@@ -10,7 +10,7 @@ from typing import Any
 
 import pytest
 
-from kitrobot.image import Machine
+from kitrobot.image.machine import Machine
 from kitrobot_onboard.interpreter import tick
 from tests.effort import cases
 from tests.oracle.agreement import machine_for, random_case

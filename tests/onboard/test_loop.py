@@ -8,7 +8,7 @@ import struct
 from collections.abc import Callable, Sequence
 from pathlib import Path
 
-from kitrobot.image import Machine
+from kitrobot.image.machine import Machine
 from kitrobot_onboard.state import CELLS
 from tests.boards.program_files import hardwareless
 from tests.onboard.bench import Bench

@@ -7,10 +7,12 @@ from pathlib import Path
 
 import pytest
 
-from kitrobot.compiler import compile_lll
-from kitrobot.image import Image, Layout
-from kitrobot.lll import parse
-from kitrobot.primitives import Robot, read_robot
+from kitrobot.compiler.compilation import compile_lll
+from kitrobot.image.machine import Layout
+from kitrobot.image.model import Image
+from kitrobot.lll.parse_results import parse
+from kitrobot.primitives.robot import Robot
+from kitrobot.primitives.robot_xml import read_robot
 from kitrobot_onboard.state import WRITE
 from tests.boards import drivers
 from tests.boards.program_files import device_lines, program_file

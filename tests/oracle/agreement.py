@@ -7,10 +7,11 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import NamedTuple
 
-from kitrobot.compiler import compile_lll
-from kitrobot.image import Machine
-from kitrobot.lll import Seq, print_program
-from kitrobot.primitives import Robot
+from kitrobot.compiler.compilation import compile_lll
+from kitrobot.image.machine import Machine
+from kitrobot.lll.printer import print_program
+from kitrobot.lll.tree import Seq
+from kitrobot.primitives.robot import Robot
 from tests.oracle.interpreter import Oracle, Outcome
 from tests.strategies import Shape, TickInputs, random_program, random_robot, random_script, shipped_robots, shrink
 

@@ -41,7 +41,7 @@ from collections.abc import Generator, Iterator, Mapping
 from dataclasses import dataclass, field
 from typing import NamedTuple
 
-from kitrobot.lll import (
+from kitrobot.lll.tree import (
     And,
     Break,
     Call,
@@ -60,7 +60,7 @@ from kitrobot.lll import (
     Wait,
     While,
 )
-from kitrobot.primitives import Category, Method, Robot, RobotObject
+from kitrobot.primitives.robot import Category, Method, Robot, RobotObject
 from tests.oracle.passes import back_edge_costs_a_tick
 from tests.oracle.reading import Stop, bodies, clamp, is_marked, stops_in_text, ticks_of_wait
 

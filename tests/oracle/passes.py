@@ -9,8 +9,8 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
-from kitrobot.lll import Break, Call, Conditional, Event, Instr, Interrupt, Parallel, Repeat, Seq, Wait, While
-from kitrobot.primitives import Robot
+from kitrobot.lll.tree import Break, Call, Conditional, Event, Instr, Interrupt, Parallel, Repeat, Seq, Wait, While
+from kitrobot.primitives.robot import Robot
 
 
 class Way(NamedTuple):

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from kitrobot.lll import Call, Conditional, Event, Instr, Interrupt, Parallel, Repeat, Seq, While
-from kitrobot.primitives import Robot
+from kitrobot.lll.tree import Call, Conditional, Event, Instr, Interrupt, Parallel, Repeat, Seq, While
+from kitrobot.primitives.robot import Robot
 
 Stop = tuple[str, str]
 """An actuator and its procedure that ends the effect of a marked action."""

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from kitrobot.lll import parse
+from kitrobot.lll.parse_results import parse
 from tests.oracle.passes import back_edge_costs_a_tick
 from tests.semantics.facts import mini_robot
 

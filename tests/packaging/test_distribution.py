@@ -11,7 +11,7 @@ from pathlib import Path
 
 import pytest
 
-from kitrobot.translation import ENGLISH, LANGUAGES
+from kitrobot.translation.translator import ENGLISH, LANGUAGES
 from tests.patience import PATIENCE_S
 from tools import page
 

@@ -17,7 +17,7 @@ TRANSPORT = "examples/transport/transport.krt"
 def main(root: Path, folder: Path) -> None:
     for name in ABSENT:
         sys.modules[name] = None  # type: ignore[assignment]
-    from kitrobot.cli import main as kitrobot
+    from kitrobot.cli.app import main as kitrobot
 
     told = []
 

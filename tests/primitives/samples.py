@@ -2,12 +2,16 @@
 
 from collections.abc import Callable
 
-from kitrobot.diagnostics import Diagnostic
-from kitrobot.exercise import read_exercise
-from kitrobot.graph import PROGRAM, Program
-from kitrobot.primitives import read_constructors, read_robot
-from kitrobot.tutorial import read_tutorial
-from kitrobot.xml import Reader, Tag, version
+from kitrobot.diagnostics.model import Diagnostic
+from kitrobot.exercise.exercise_xml import read_exercise
+from kitrobot.graph.graph_xml import PROGRAM
+from kitrobot.graph.model import Program
+from kitrobot.primitives.constructors_xml import read_constructors
+from kitrobot.primitives.robot_xml import read_robot
+from kitrobot.tutorial.tutorial_xml import read_tutorial
+from kitrobot.xml.attributes import version
+from kitrobot.xml.element import Tag
+from kitrobot.xml.reader import Reader
 
 CONSTRUCTORS = """<constructors version="1">
   <group name="Loops" colour="loop">

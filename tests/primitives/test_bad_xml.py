@@ -4,8 +4,9 @@ import codecs
 
 import pytest
 
-from kitrobot.diagnostics import Diagnostic
-from kitrobot.xml import MAX_BYTES, MAX_DEPTH
+from kitrobot.diagnostics.model import Diagnostic
+from kitrobot.xml.decoder import MAX_BYTES
+from kitrobot.xml.reader import MAX_DEPTH
 from tests.primitives.samples import KINDS, Read
 
 each_kind = pytest.mark.parametrize(("root", "text", "read"), KINDS, ids=[kind[0] for kind in KINDS])

@@ -6,10 +6,16 @@ from typing import BinaryIO
 
 import pytest
 
-from kitrobot.diagnostics import KitRobotError, open_regular
-from kitrobot.lll import Break, Conditional, Seq, While
-from kitrobot.primitives import Catalogue, Constructor, catalogue, load_catalogue, read_constructors, read_robot, shape
+from kitrobot.diagnostics.model import KitRobotError
+from kitrobot.diagnostics.regular import open_regular
+from kitrobot.lll.tree import Break, Conditional, Seq, While
+from kitrobot.primitives import catalogue
+from kitrobot.primitives.catalogue import Catalogue, load_catalogue
+from kitrobot.primitives.constructors import Constructor
+from kitrobot.primitives.constructors_xml import read_constructors
 from kitrobot.primitives.match_template import is_more_specific
+from kitrobot.primitives.robot_xml import read_robot
+from kitrobot.primitives.templates import shape
 from tests.primitives.samples import CONSTRUCTORS, ROBOT, constructors
 
 

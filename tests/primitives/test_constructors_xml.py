@@ -2,8 +2,9 @@
 
 import pytest
 
-from kitrobot.lll import Hole, Seq, While
-from kitrobot.primitives import Constructor, Role, Slot, SlotKind, read_constructors
+from kitrobot.lll.tree import Hole, Seq, While
+from kitrobot.primitives.constructors import Constructor, Role, Slot, SlotKind
+from kitrobot.primitives.constructors_xml import read_constructors
 from tests.primitives.samples import CONSTRUCTORS, constructors, messages
 
 

@@ -6,8 +6,9 @@ from pathlib import Path
 import pytest
 import xmlschema
 
-from kitrobot.primitives import read_constructors, read_robot
+from kitrobot.primitives.constructors_xml import read_constructors
 from kitrobot.primitives.kit_xml import read_kit
+from kitrobot.primitives.robot_xml import read_robot
 from tests.primitives.test_shipped import SCHEMAS
 
 PAGE = Path(__file__).parents[2] / "docs" / "xml.md"

@@ -2,9 +2,9 @@
 
 import pytest
 
-from kitrobot.primitives import Category
-from kitrobot.sim import simulated_devices
-from kitrobot.text import nearest
+from kitrobot.primitives.robot import Category
+from kitrobot.sim.settings import simulated_devices
+from kitrobot.text.suggestions import nearest
 
 NEAR = [
     ("driv", "drive"),

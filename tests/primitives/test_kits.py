@@ -9,8 +9,10 @@ from pathlib import Path
 import pytest
 import xmlschema
 
-from kitrobot.primitives import SHIPPED, Category, Kit, Tried, lacks, load_catalogue, on_kit, read_kit, write_kit
-from kitrobot.primitives.kit_xml import LONGEST_LABEL, LONGEST_TEXT
+from kitrobot.primitives.catalogue import SHIPPED, load_catalogue
+from kitrobot.primitives.kit import Kit, Tried, lacks, on_kit
+from kitrobot.primitives.kit_xml import LONGEST_LABEL, LONGEST_TEXT, read_kit, write_kit
+from kitrobot.primitives.robot import Category
 from tools import schemas
 
 GOOD = """<board name="mine" version="1" family="machine" micropython="1.20" pins="0..4 7 LED 9">

@@ -8,8 +8,9 @@ from pathlib import Path
 import pytest
 
 import kitrobot.world
-from kitrobot.primitives import Catalogue, Texts, load_catalogue
-from kitrobot.world import read_world
+from kitrobot.primitives.catalogue import Catalogue, load_catalogue
+from kitrobot.primitives.robot import Texts
+from kitrobot.world.xml_reader import read_world
 
 WORLDS = sorted((Path(kitrobot.world.__file__).parent / "shipped").glob("*.xml"))
 ALL = {"", "fr", "ur"}

@@ -4,8 +4,12 @@ from __future__ import annotations
 
 import pytest
 
-from kitrobot.lll import Members, Move, ProgramCall, SeqOfPar
-from kitrobot.primitives import Constructor, Level, Role, read_constructors, read_own, unfill, write_constructor
+from kitrobot.lll.tree import Members, Move, ProgramCall, SeqOfPar
+from kitrobot.primitives.constructors import Constructor, Role
+from kitrobot.primitives.constructors_xml import read_constructors
+from kitrobot.primitives.levels import Level
+from kitrobot.primitives.match_template import unfill
+from kitrobot.primitives.own_xml import read_own, write_constructor
 
 
 def read(attributes: str, slots: str, code: str) -> tuple[Constructor | None, list[str]]:

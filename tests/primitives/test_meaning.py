@@ -4,18 +4,13 @@ from __future__ import annotations
 
 import pytest
 
-from kitrobot.primitives import (
-    Catalogue,
-    Choice,
-    Meaning,
-    Parameter,
-    format_value,
-    load_catalogue,
-    read_constructors,
-    read_own,
-    read_robot,
-    write_constructor,
-)
+from kitrobot.primitives.catalogue import Catalogue, load_catalogue
+from kitrobot.primitives.constructors_xml import read_constructors
+from kitrobot.primitives.meaning import Choice, Meaning
+from kitrobot.primitives.own_xml import read_own, write_constructor
+from kitrobot.primitives.robot import Parameter
+from kitrobot.primitives.robot_xml import read_robot
+from kitrobot.primitives.value_format import format_value
 from kitrobot.sim.devices.display import IMAGES, SIDE
 from tests.primitives.samples import messages, robot
 

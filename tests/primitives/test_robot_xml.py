@@ -2,7 +2,8 @@
 
 import pytest
 
-from kitrobot.primitives import Board, Category, Kind, Parameter, Robot, ValueType, read_robot
+from kitrobot.primitives.robot import Board, Category, Kind, Parameter, Robot, ValueType
+from kitrobot.primitives.robot_xml import read_robot
 from tests.primitives.samples import ROBOT, messages, robot
 
 

@@ -9,8 +9,11 @@ import pytest
 import xmlschema
 
 import kitrobot.primitives
-from kitrobot.lll import parse_template
-from kitrobot.primitives import Catalogue, Group, Level, Robot, load_catalogue
+from kitrobot.lll.parse_results import parse_template
+from kitrobot.primitives.catalogue import Catalogue, load_catalogue
+from kitrobot.primitives.constructors import Group
+from kitrobot.primitives.levels import Level
+from kitrobot.primitives.robot import Robot
 
 PRIMITIVES = Path(kitrobot.primitives.__file__).parent
 PACKAGE = PRIMITIVES.parent

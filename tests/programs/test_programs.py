@@ -12,9 +12,10 @@ from pathlib import Path
 
 import pytest
 
-from kitrobot.compiler import compile_text
-from kitrobot.lll import parse
-from kitrobot.primitives import Robot, load_catalogue
+from kitrobot.compiler.compilation import compile_text
+from kitrobot.lll.parse_results import parse
+from kitrobot.primitives.catalogue import load_catalogue
+from kitrobot.primitives.robot import Robot
 from tests.semantics.engines import start
 from tests.semantics.facts import written
 

@@ -9,13 +9,17 @@ from pathlib import Path
 
 import pytest
 
-from kitrobot.deploy import Fault, News, Text
-from kitrobot.robots import InstalledProgram, NoRecordingError, RecordedBoard, RobotRecorder, RobotSession
-from kitrobot.robots.recording import MOST_FILLED
+from kitrobot.deploy.news import Fault, News, Text
+from kitrobot.robots.recording import MOST_FILLED, RobotRecorder
+from kitrobot.robots.records import NoRecordingError, RecordedBoard
+from kitrobot.robots.session import InstalledProgram, RobotSession
 from kitrobot.robots.state import Activity
-from kitrobot.trace import PERSON, PROGRAM, ROBOT, TraceError, TraceReader
-from kitrobot.workspace import load_board_program, open_trace, state_at, summary_of
+from kitrobot.trace.model import PERSON, PROGRAM, ROBOT, TraceError
+from kitrobot.trace.reader import TraceReader
+from kitrobot.workspace.replay import state_at, summary_of
+from kitrobot.workspace.robot_programs import load_board_program
 from kitrobot.workspace.sent_programs import load_recording_context, store_names, store_recording_context
+from kitrobot.workspace.traces import open_trace
 from tests.boards.host import write_pulse
 from tests.robots.twin import Clock, Twin
 

@@ -7,21 +7,15 @@ from typing import Any
 
 import pytest
 
-from kitrobot.deploy import Fault, LineError, News, Text, is_slow
-from kitrobot.primitives import load_catalogue
-from kitrobot.robots import (
-    Change,
-    ChangeKind,
-    InstalledProgram,
-    NoNameError,
-    NotConnectedError,
-    RobotSession,
-    WatchedRobot,
-)
-from kitrobot.robots.names import BoardNames
-from kitrobot.robots.session import LOOK_S
-from kitrobot.robots.state import Activity
-from kitrobot.translation import override_language, translate
+from kitrobot.deploy.board import is_slow
+from kitrobot.deploy.errors import LineError
+from kitrobot.deploy.news import Fault, News, Text
+from kitrobot.primitives.catalogue import load_catalogue
+from kitrobot.robots.names import BoardNames, NoNameError
+from kitrobot.robots.session import LOOK_S, InstalledProgram, NotConnectedError, RobotSession
+from kitrobot.robots.state import Activity, Change, ChangeKind
+from kitrobot.robots.view import WatchedRobot
+from kitrobot.translation.languages import override_language, translate
 from tests.robots.twin import Clock, Twin
 
 NAMES = BoardNames("walk", "rover", 20, {"Eye": 1}, {"Count": 2}, ("Motor",), (0,), (("v1", 1, "Motor.Go();"),))

@@ -5,9 +5,11 @@ from __future__ import annotations
 from collections import deque
 from dataclasses import replace
 
-from kitrobot.deploy import Fault, Hello, LineError, News, Text
+from kitrobot.deploy.board import Hello
+from kitrobot.deploy.errors import LineError
+from kitrobot.deploy.news import Fault, News, Text
 from kitrobot.robots.state import ACTIVITIES, Activity
-from kitrobot.text import Sentence
+from kitrobot.text.sentences import Sentence
 
 
 class Clock:

@@ -5,10 +5,10 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Protocol
 
-from kitrobot.compiler import compile_lll
-from kitrobot.image import Machine
-from kitrobot.lll import Seq
-from kitrobot.primitives import Robot
+from kitrobot.compiler.compilation import compile_lll
+from kitrobot.image.machine import Machine
+from kitrobot.lll.tree import Seq
+from kitrobot.primitives.robot import Robot
 from tests.oracle import Oracle, Outcome
 
 

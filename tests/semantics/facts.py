@@ -8,8 +8,9 @@ from functools import cache
 
 import pytest
 
-from kitrobot.lll import parse
-from kitrobot.primitives import Robot, load_catalogue
+from kitrobot.lll.parse_results import parse
+from kitrobot.primitives.catalogue import load_catalogue
+from kitrobot.primitives.robot import Robot
 from tests.oracle import Outcome
 from tests.semantics.engines import start
 

@@ -6,7 +6,7 @@ from dataclasses import replace
 
 import pytest
 
-from kitrobot.primitives import Robot
+from kitrobot.primitives.robot import Robot
 from tests.semantics.facts import Fact, every_fact, holds, mini_robot
 
 

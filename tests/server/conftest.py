@@ -14,8 +14,8 @@ with warnings.catch_warnings():
     warnings.simplefilter("ignore")
     from starlette.testclient import TestClient
 
-from kitrobot.files import examples_folder
-from kitrobot.server import create_app
+from kitrobot.files.examples import examples_folder
+from kitrobot.server.app import create_app
 
 __all__ = ["HOST", "SHORT", "SOCKET", "TOKEN", "TestClient", "whole", "whole_report"]
 

@@ -6,7 +6,7 @@ import shutil
 from pathlib import Path
 
 from kitrobot.server.robot_bench import RobotBench, steps_message
-from kitrobot.translation import override_language, translate
+from kitrobot.translation.languages import override_language, translate
 from kitrobot.workspace.bench import bench_of
 from kitrobot.workspace.bench_run import BenchRun
 from kitrobot.workspace.kit_files import find_kit

@@ -9,7 +9,7 @@ from typing import Any
 
 import pytest
 
-from kitrobot.server import create_app
+from kitrobot.server.app import create_app
 from tests.server.conftest import HOST, TOKEN, TestClient, whole
 
 ROBOT = """<robot name="rover" version="1">

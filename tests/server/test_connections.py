@@ -14,7 +14,8 @@ import uvicorn
 from websockets.sync.client import connect
 from websockets.typing import Origin
 
-from kitrobot.server import connections, create_app, web_server
+from kitrobot.server import connections, web_server
+from kitrobot.server.app import create_app
 from kitrobot.server.connections import LARGEST_HEAD_BYTES, BoundedConnection
 from tests.patience import PATIENCE_S
 from tests.server.conftest import SHORT, TOKEN

@@ -15,11 +15,12 @@ from typing import Any
 
 import pytest
 
-from kitrobot.deploy import ForeignError
+from kitrobot.deploy.errors import ForeignError
 from kitrobot.server.robot_gateway import SerialGateway
-from kitrobot.text import Sentence
-from kitrobot.trace import TraceReader
-from kitrobot.workspace import agent_program, open_mission
+from kitrobot.text.sentences import Sentence
+from kitrobot.trace.reader import TraceReader
+from kitrobot.workspace.mission_loader import open_mission
+from kitrobot.workspace.team_boards import agent_program
 from tests.boards.host import board_with
 from tests.boards.proxy import Proxy
 from tests.fleet.test_processes import CONVOY, NAMES, is_there

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from kitrobot.server import create_app
+from kitrobot.server.app import create_app
 from kitrobot.server.handshake import MOST_ASKED
 from kitrobot.server.handshake_proof import compute_proof
 from tests.server.conftest import HOST, TOKEN, TestClient

@@ -9,8 +9,10 @@ from typing import Any
 
 import pytest
 
-from kitrobot.server import create_app, shapes
+from kitrobot.server.app import create_app
 from kitrobot.server.json_bodies import read_json
+from kitrobot.server.shapes.board import BOARD_REQUEST_MODELS
+from kitrobot.server.shapes.run_requests import REQUEST_MODELS
 from kitrobot.server.shapes.sweep import SWEEP_REQUEST_MODELS
 from tests.effort import THOROUGH
 from tests.server.conftest import HOST, SOCKET, TOKEN, TestClient
@@ -147,8 +149,8 @@ ODD_FRAMES = (
     *('{"type":"\\ud800"}', '{"type":"start","mission":null}', '{"type":"nothing"}', "\0", "é" * 5000),
 )
 SOCKETS = {
-    "/api/run": shapes.REQUEST_MODELS,
-    "/api/boards": shapes.BOARD_REQUEST_MODELS,
+    "/api/run": REQUEST_MODELS,
+    "/api/boards": BOARD_REQUEST_MODELS,
     "/api/sweep": SWEEP_REQUEST_MODELS,
 }
 

@@ -8,7 +8,8 @@ from typing import Any
 
 import pytest
 
-from kitrobot.image import Image, assemble
+from kitrobot.image.listing import assemble
+from kitrobot.image.model import Image
 from tests.files.pdf_files import attached, pdf
 from tests.server.conftest import SHORT, TestClient
 

@@ -17,9 +17,9 @@ from typing import Any
 
 import pytest
 
-from kitrobot.diagnostics import KitRobotError
+from kitrobot.diagnostics.model import KitRobotError
 from kitrobot.server import exercise_routes, watched_run
-from kitrobot.text import Sentence
+from kitrobot.text.sentences import Sentence
 from tests.server.conftest import HOST, SOCKET, TOKEN
 from tests.server.test_run import connect  # noqa: F401
 

@@ -15,8 +15,8 @@ from typing import Any
 
 import pytest
 
-from kitrobot.files import examples_folder
-from kitrobot.server import create_app
+from kitrobot.files.examples import examples_folder
+from kitrobot.server.app import create_app
 from kitrobot.text import json_text
 from tests.server.conftest import HOST, SOCKET, TOKEN, TestClient
 

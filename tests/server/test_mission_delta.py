@@ -11,10 +11,9 @@ import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
-from kitrobot.server import create_app
+from kitrobot.server.app import create_app
 from kitrobot.server.shapes.mission import MOST_VERTICES
-from kitrobot.workspace import CompileCache
-from kitrobot.workspace.compile_cache import MOST_NAMED, MOST_STATES
+from kitrobot.workspace.compile_cache import MOST_NAMED, MOST_STATES, CompileCache
 from tests.effort import examples
 from tests.server.conftest import HOST, TOKEN, TestClient, whole, whole_report
 

@@ -8,7 +8,7 @@ from typing import Any
 
 import pytest
 
-from kitrobot.primitives import read_constructors
+from kitrobot.primitives.constructors_xml import read_constructors
 
 
 @pytest.fixture

@@ -10,9 +10,11 @@ import pytest
 from fastapi.testclient import TestClient
 
 from kitrobot.server.json_bodies import read_json
-from kitrobot.server.shapes import world_shape
 from kitrobot.server.shapes.own_world import OwnWorldShape, own_world, own_world_shape
-from kitrobot.world import SHIPPED, make_maze, read_world
+from kitrobot.server.shapes.world import world_shape
+from kitrobot.world.lookup import SHIPPED
+from kitrobot.world.maze import make_maze
+from kitrobot.world.xml_reader import read_world
 
 HELD = Path(__file__).resolve().parents[2] / "web" / "src" / "model" / "testing" / "worlds.json"
 """Worlds as they travel, to be changed and to be drawn; `python -m tests.server.test_own_world` writes it anew."""

@@ -12,7 +12,8 @@ from typing import Any
 import pytest
 from starlette.websockets import WebSocketDisconnect
 
-from kitrobot.deploy import Line, LineError
+from kitrobot.deploy.errors import LineError
+from kitrobot.deploy.line import Line
 from kitrobot.server.page_port_routes import MOST_PIECE
 from kitrobot.server.page_ports import MOST_WAITING
 from tests.patience import PATIENCE_S

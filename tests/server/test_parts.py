@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from kitrobot.files import examples_folder
+from kitrobot.files.examples import examples_folder
 from tests.server.conftest import SHORT, SOCKET, TOKEN
 from tests.server.test_missions import opened
 

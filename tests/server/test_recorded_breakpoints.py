@@ -10,14 +10,14 @@ from pathlib import Path
 import pytest
 
 import kitrobot
-from kitrobot.mission import Breakpoint
+from kitrobot.mission.trial import Breakpoint
 from kitrobot.server import recorded_agents
 from kitrobot.server.watched_recording import ReplayError, WatchedRecording
 from kitrobot.server.watched_simulation import WatchedSimulation
-from kitrobot.sim import simulate
 from kitrobot.sim.breakpoints import ConditionError, Hit
-from kitrobot.trace import walk
-from kitrobot.workspace import open_trace
+from kitrobot.sim.recorder import simulate
+from kitrobot.trace.source import walk
+from kitrobot.workspace.traces import open_trace
 from tests.effort import THOROUGH
 from tests.server.test_run import connect, mission  # noqa: F401
 

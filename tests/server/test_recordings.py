@@ -14,15 +14,19 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 import kitrobot
-from kitrobot.diagnostics import KitRobotError
+from kitrobot.diagnostics.model import KitRobotError
 from kitrobot.server.recordings import Recordings
 from kitrobot.server.run_encoder import MOST_REPORTED
 from kitrobot.server.security import SecurityMiddleware
 from kitrobot.server.watched_recording import WatchedRecording
 from kitrobot.server.watched_simulation import WatchedSimulation
-from kitrobot.trace import Threads, TraceReader, layout, walk
+from kitrobot.trace import layout
 from kitrobot.trace.header import header_to_json
-from kitrobot.workspace import RunOptions, open_trace
+from kitrobot.trace.model import Threads
+from kitrobot.trace.reader import TraceReader
+from kitrobot.trace.source import walk
+from kitrobot.workspace.mission_run import RunOptions
+from kitrobot.workspace.traces import open_trace
 from tests.patience import PATIENCE_S
 from tests.server.test_run import FOREVER, connect, forever, mission  # noqa: F401
 
@@ -287,7 +291,8 @@ def test_files_that_a_recording_brings_along_stay_in_its_folder(page, recorded, 
 
 
 def test_numbers_beyond_all_sense_are_cut_to_what_a_page_can_hold(page, connect, recorded, tmp_path):  # noqa: F811
-    from kitrobot.trace import TickRecord, TraceEvent, TraceWriter
+    from kitrobot.trace.model import TickRecord, TraceEvent
+    from kitrobot.trace.writer import TraceWriter
 
     path = tmp_path / "wild.krtrace"
     path.write_bytes(recorded)
@@ -373,7 +378,7 @@ def test_two_saves_at_once_both_come(page, connect, forever):  # noqa: F811
 
 
 def test_of_a_crowd_all_are_drawn_and_those_looked_at_are_told(tmp_path, monkeypatch):
-    from kitrobot.sim import simulate
+    from kitrobot.sim.recorder import simulate
     from tests.sim.teams import random_team
 
     monkeypatch.setattr("kitrobot.sim.recorder.PROGRESS_STEPS", 20)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from kitrobot.trace import TraceReader
+from kitrobot.trace.reader import TraceReader
 from tests.boards.host import HELD_PACE, host_board, write_pulse
 from tests.server.conftest import SOCKET, TOKEN
 from tests.server.test_boards import RunPage, robot, visit  # noqa: F401  (fixtures)

@@ -15,7 +15,7 @@ import pytest
 from pydantic import TypeAdapter
 
 from kitrobot.server import runs
-from kitrobot.server.shapes import RunMessage
+from kitrobot.server.shapes.run import RunMessage
 from kitrobot.server.watched_simulation import WatchedSimulation
 from tests.server.conftest import SOCKET, TOKEN
 

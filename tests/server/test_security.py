@@ -185,7 +185,7 @@ def test_a_run_is_not_opened_for_strangers(stranger, token, headers):
 
 
 def test_a_page_that_was_not_built_says_so(folder, tmp_path):
-    from kitrobot.server import create_app
+    from kitrobot.server.app import create_app
 
     client = TestClient(create_app(folder, None, TOKEN, static=tmp_path / "none"), base_url=HOST)
     answer = client.get(f"/?token={TOKEN}")

@@ -9,8 +9,8 @@ from typing import Any
 import orjson
 
 from kitrobot.server.broadcast import RunUpdate, Watcher
-from kitrobot.server.shapes import ErrorMessage, StateMessage
-from kitrobot.translation import override_language
+from kitrobot.server.shapes.run import ErrorMessage, StateMessage
+from kitrobot.translation.languages import override_language
 from tests import coroutines
 
 

@@ -13,11 +13,11 @@ import pytest
 from kitrobot.server.run_encoder import RunEncoder
 from kitrobot.server.team_snapshots import TeamSnapshotEncoder
 from kitrobot.sim.recorder import Recorder
-from kitrobot.trace import TEAM, TraceError, TraceHeader, TraceReader
 from kitrobot.trace.header import header_from_json, header_to_json
-from kitrobot.workspace import open_mission
+from kitrobot.trace.model import TEAM, TraceError, TraceHeader
+from kitrobot.trace.reader import TraceReader
 from kitrobot.workspace.first_team import first_team
-from kitrobot.workspace.mission_loader import with_mission
+from kitrobot.workspace.mission_loader import open_mission, with_mission
 from kitrobot.workspace.search_path import SearchPath
 
 EXAMPLES = Path(__file__).parents[2] / "examples"

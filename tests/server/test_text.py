@@ -7,7 +7,7 @@ from typing import Any
 
 import pytest
 
-from kitrobot.server.shapes import ReportShape
+from kitrobot.server.shapes.report import ReportShape
 from kitrobot.server.shapes.text import FollowedShape
 from kitrobot.server.text_routes import LONGEST_TEXT
 from tests.server.conftest import TestClient, whole

@@ -7,14 +7,22 @@ from dataclasses import replace
 from functools import cache
 from pathlib import Path
 
-from kitrobot.compiler import Compiled, compile_program, compile_text
-from kitrobot.graph import empty_program
-from kitrobot.mission import Agent, Failure, Goal, Mission, Radio, Team, read_mission
-from kitrobot.primitives import Catalogue, Robot, load_catalogue, read_robot
-from kitrobot.sim import Simulation
+from kitrobot.compiler.compilation import Compiled, compile_program, compile_text
+from kitrobot.graph.model import empty_program
+from kitrobot.mission.model import Agent, Goal, Mission, Team
+from kitrobot.mission.radio import Radio
+from kitrobot.mission.reader import read_mission
+from kitrobot.mission.trial import Failure
+from kitrobot.primitives.catalogue import Catalogue, load_catalogue
+from kitrobot.primitives.robot import Robot
+from kitrobot.primitives.robot_xml import read_robot
 from kitrobot.sim.columns import FREE, PIECES, ROAD, ROBOT_FLOATS, ROBOT_INTS
+from kitrobot.sim.simulation import Simulation
 from kitrobot.sim.state import Robots
-from kitrobot.world import Pose, Start, World, find_world, read_world
+from kitrobot.world.geometry import Pose
+from kitrobot.world.lookup import find_world
+from kitrobot.world.model import Start, World
+from kitrobot.world.xml_reader import read_world
 
 EXAMPLE = Path(__file__).parents[2] / "examples" / "transport" / "transport.krt"
 

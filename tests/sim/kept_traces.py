@@ -9,8 +9,9 @@ import hashlib
 import json
 from pathlib import Path
 
-from kitrobot.sim import Simulation
-from kitrobot.workspace import RunOptions, open_mission
+from kitrobot.sim.simulation import Simulation
+from kitrobot.workspace.mission_loader import open_mission
+from kitrobot.workspace.mission_run import RunOptions
 
 EXAMPLES = Path("examples")
 KEPT = Path("tests/sim/kept_traces.json")

@@ -5,13 +5,23 @@ from __future__ import annotations
 import random
 from dataclasses import replace
 
-from kitrobot.compiler import compile_lll, project
-from kitrobot.diagnostics import Source
-from kitrobot.graph import Program, empty_program
-from kitrobot.lll import TeamProgram, print_team_program
-from kitrobot.mission import Agent, Failure, Mission, Radio, Team, image_name
-from kitrobot.primitives import Catalogue, Crew, Level, Robot, declaring, read_robot, with_team
-from kitrobot.sim import Event, Simulation
+from kitrobot.compiler.compilation import compile_lll
+from kitrobot.compiler.projection import project
+from kitrobot.diagnostics.model import Source
+from kitrobot.graph.model import Program, empty_program
+from kitrobot.lll.printer import print_team_program
+from kitrobot.lll.tree import TeamProgram
+from kitrobot.mission.model import Agent, Mission, Team, image_name
+from kitrobot.mission.radio import Radio
+from kitrobot.mission.trial import Failure
+from kitrobot.primitives.catalogue import Catalogue
+from kitrobot.primitives.crew import Crew, declaring
+from kitrobot.primitives.levels import Level
+from kitrobot.primitives.robot import Robot
+from kitrobot.primitives.robot_xml import read_robot
+from kitrobot.primitives.team_objects import with_team
+from kitrobot.sim.event_text import Event
+from kitrobot.sim.simulation import Simulation
 from kitrobot.sim.team_columns import T_ANCHOR, T_ANCHORED, T_ROLE, T_SEAT, W_LEFT
 from tests.sim.building import empty_world
 from tests.team_programs.hosting import TooLarge

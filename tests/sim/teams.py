@@ -7,19 +7,21 @@ import random
 from collections.abc import Sequence
 from functools import cache
 
-from kitrobot.compiler import Compiled, compile_text
-from kitrobot.graph import empty_program
-from kitrobot.mission import Agent, Failure, Mission, Radio, Team
-from kitrobot.primitives import Catalogue, Robot
-from kitrobot.sim import Simulation
-from kitrobot.world import (
+from kitrobot.compiler.compilation import Compiled, compile_text
+from kitrobot.graph.model import empty_program
+from kitrobot.mission.model import Agent, Mission, Team
+from kitrobot.mission.radio import Radio
+from kitrobot.mission.trial import Failure
+from kitrobot.primitives.catalogue import Catalogue
+from kitrobot.primitives.robot import Robot
+from kitrobot.sim.simulation import Simulation
+from kitrobot.world.geometry import Corner, Pose
+from kitrobot.world.model import (
     WARM,
     ZONE_KINDS,
     ColouredLine,
-    Corner,
     Dock,
     Floor,
-    Pose,
     Road,
     Section,
     Start,

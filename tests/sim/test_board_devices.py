@@ -9,10 +9,10 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from kitrobot.primitives import Robot
-from kitrobot.sim import Simulation
+from kitrobot.primitives.robot import Robot
 from kitrobot.sim.devices.display import run_through
 from kitrobot.sim.recorder import Recorder
+from kitrobot.sim.simulation import Simulation
 from tests.sim.building import avatar, empty_world, run_of, steps
 
 DISPLAY = """<actuator name="Display" device="display" {settings}>

@@ -6,9 +6,10 @@ from dataclasses import replace
 
 import pytest
 
-from kitrobot.mission import Breakdown, BreakdownRule, Failure, FailureKind
-from kitrobot.sim import Simulation
+from kitrobot.mission.breakdown import Breakdown, BreakdownRule
+from kitrobot.mission.trial import Failure, FailureKind
 from kitrobot.sim.hosted import begin_hosted_step, finish_hosted_step
+from kitrobot.sim.simulation import Simulation
 from kitrobot.sim.sweep import Fault, Task, run_task, snapshots_at
 from tests.effort import cases
 from tests.sim.building import catalogue, example_images, transport

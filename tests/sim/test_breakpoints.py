@@ -8,14 +8,15 @@ from pathlib import Path
 import pytest
 
 import kitrobot
-from kitrobot.compiler import compile_text
-from kitrobot.image import Machine
-from kitrobot.mission import Breakpoint
-from kitrobot.primitives import load_catalogue
-from kitrobot.sim import Recorder, Simulation
+from kitrobot.compiler.compilation import compile_text
+from kitrobot.image.machine import Machine
+from kitrobot.mission.trial import Breakpoint
+from kitrobot.primitives.catalogue import load_catalogue
 from kitrobot.sim.breakpoints import Breakpoints, Condition, ConditionError, Hit
+from kitrobot.sim.recorder import Recorder
+from kitrobot.sim.simulation import Simulation
 from kitrobot.sim.timeline import Timeline
-from kitrobot.trace import Place
+from kitrobot.trace.model import Place
 
 EXAMPLES = Path(__file__).resolve().parents[2] / "examples"
 TRANSPORT = kitrobot.open(EXAMPLES / "transport" / "transport.krt")

@@ -12,8 +12,8 @@ from hypothesis import strategies as st
 
 from kitrobot.sim.sight import floor_at
 from kitrobot.sim.state import Floors
-from kitrobot.world import ColouredLine, Corner, Floor
-from kitrobot.world.model import rectangle_corners
+from kitrobot.world.geometry import Corner
+from kitrobot.world.model import ColouredLine, Floor, rectangle_corners
 from tests.sim.building import catalogue, empty_world, run_of
 from tests.sim.test_devices import sensed
 

@@ -15,7 +15,7 @@ from statistics import mean, stdev
 
 import pytest
 
-from kitrobot.sim import LAMP
+from kitrobot.sim.agent_views import LAMP
 from kitrobot.sim.devices import Device, Sensor, actuators, sensors
 from kitrobot.sim.jit_compiler import loops
 from tests.patience import PATIENCE_S

@@ -11,15 +11,17 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from kitrobot.diagnostics import KitRobotError
-from kitrobot.sim import LAMP, Simulation, SimulationError
+from kitrobot.diagnostics.model import KitRobotError
+from kitrobot.sim.agent_views import LAMP
 from kitrobot.sim.angles import direction
 from kitrobot.sim.columns import RADIUS, X, Y
 from kitrobot.sim.devices import Actuator, Sensor, actuators, sensors
 from kitrobot.sim.grids import fill, fixed
 from kitrobot.sim.random_numbers import drawn, gauss, keys
 from kitrobot.sim.settings import find_device, read_settings
+from kitrobot.sim.setup import SimulationError
 from kitrobot.sim.sight import ray_to_discs, ray_to_walls
+from kitrobot.sim.simulation import Simulation
 from kitrobot.sim.state import Grid, Rays, Walls
 from tests.sim.building import MOTOR, SIDE, WHEEL, avatar, catalogue, empty_world, robots_with, run_of, steps
 

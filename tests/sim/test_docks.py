@@ -6,8 +6,10 @@ from dataclasses import replace
 
 import pytest
 
-from kitrobot.sim import ALARM, ARM, Simulation
-from kitrobot.world import Corner, Dock, Road, Start, Storehouse, World
+from kitrobot.sim.agent_views import ALARM, ARM
+from kitrobot.sim.simulation import Simulation
+from kitrobot.world.geometry import Corner
+from kitrobot.world.model import Dock, Road, Start, Storehouse, World
 from tests.sim.building import avatar, catalogue, run_of, steps
 from tests.sim.test_devices import sensed
 

@@ -7,11 +7,12 @@ import random
 import pytest
 
 from kitrobot.compiler.team_effects import report_effects_done_twice
-from kitrobot.diagnostics import Rule
-from kitrobot.lll import Node, parse_team
-from kitrobot.mission import Failure
-from kitrobot.sim import moves_boxes
-from kitrobot.text import Help, Sentence
+from kitrobot.diagnostics.model import Rule
+from kitrobot.lll.parse_results import parse_team
+from kitrobot.lll.tree import Node
+from kitrobot.mission.trial import Failure
+from kitrobot.sim.settings import moves_boxes
+from kitrobot.text.sentences import Help, Sentence
 from tests.sim.team_building import RunningTeam
 from tests.team_programs.making import TeamMaker
 

@@ -9,9 +9,10 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from kitrobot.mission import Failure, FailureKind
-from kitrobot.sim import Event, Simulation
+from kitrobot.mission.trial import Failure, FailureKind
+from kitrobot.sim.event_text import Event
 from kitrobot.sim.fault_schedule import KINDS
+from kitrobot.sim.simulation import Simulation
 from kitrobot.sim.timeline import Timeline
 from tests.effort import examples
 from tests.sim.building import transport

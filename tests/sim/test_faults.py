@@ -7,10 +7,12 @@ from math import exp, log
 
 import pytest
 
-from kitrobot.diagnostics import KitRobotError
-from kitrobot.mission import Failure, FailureKind, Goal
-from kitrobot.sim import Event, Simulation
+from kitrobot.diagnostics.model import KitRobotError
+from kitrobot.mission.model import Goal
+from kitrobot.mission.trial import Failure, FailureKind
 from kitrobot.sim.agent_views import FAILED, MOVING, MUTED, STALLED
+from kitrobot.sim.event_text import Event
+from kitrobot.sim.simulation import Simulation
 from tests.sim.building import MOTOR, WHEEL, avatar, empty_world, run_of, shipped_world, steps, transport
 
 TICK_S = 0.02

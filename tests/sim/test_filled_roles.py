@@ -6,7 +6,7 @@ import json
 import random
 from pathlib import Path
 
-from kitrobot.lll import RoleDeclaration
+from kitrobot.lll.tree import RoleDeclaration
 from kitrobot.sim.team_tables import TeamMember, assign_roles
 
 HELD = Path(__file__).resolve().parents[2] / "web" / "src" / "model" / "testing" / "filled-roles.json"

@@ -8,12 +8,12 @@ from statistics import mean, stdev
 
 import pytest
 
-from kitrobot.primitives import Robot
-from kitrobot.sim import LAMP, Simulation
+from kitrobot.primitives.robot import Robot
+from kitrobot.sim.agent_views import LAMP
 from kitrobot.sim.columns import A_ACTION, HEADING, SPEED
 from kitrobot.sim.devices.door import OPENING
-from kitrobot.world import Floor, World
-from kitrobot.world.model import rectangle_corners
+from kitrobot.sim.simulation import Simulation
+from kitrobot.world.model import Floor, World, rectangle_corners
 from tests.sim.building import MOTOR, SIDE, WHEEL, avatar, empty_world, run_of, steps
 
 DOOR = """<actuator name="Door" device="door" {settings}>

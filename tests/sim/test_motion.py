@@ -9,12 +9,14 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from kitrobot.sim import MOVING, Simulation
+from kitrobot.sim.agent_views import MOVING
 from kitrobot.sim.angles import direction
 from kitrobot.sim.columns import ACCELERATION, BRAKING, HEADING, SPEED, TARGET, TURN, UX, UY, WAY, X, Y
 from kitrobot.sim.devices.turn import ANGLE_LEFT
 from kitrobot.sim.motion import move_freely, roll
-from kitrobot.world import Corner, Road, Start, World, normalised
+from kitrobot.sim.simulation import Simulation
+from kitrobot.world.geometry import Corner, normalised
+from kitrobot.world.model import Road, Start, World
 from tests.sim.building import MOTOR, SIDE, WHEEL, avatar, empty_world, robots_with, run_of, shipped_world, steps
 
 

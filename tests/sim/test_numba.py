@@ -16,8 +16,12 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from kitrobot.mission import Failure, FailureKind, Radio
-from kitrobot.sim import Simulation, expect_run, jit_cache, jit_compiler, jit_policy, simulate
+from kitrobot.mission.radio import Radio
+from kitrobot.mission.trial import Failure, FailureKind
+from kitrobot.sim import jit_cache, jit_compiler, jit_policy
+from kitrobot.sim.jit_policy import expect_run
+from kitrobot.sim.recorder import simulate
+from kitrobot.sim.simulation import Simulation
 from tests.effort import examples
 from tests.patience import PATIENCE_S
 from tests.sim.building import transport

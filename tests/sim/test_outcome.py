@@ -9,10 +9,11 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from kitrobot.mission import Failure, FailureKind, Goal
-from kitrobot.sim import Simulation
+from kitrobot.mission.model import Goal
+from kitrobot.mission.trial import Failure, FailureKind
 from kitrobot.sim.columns import CHANCE, STUCK
-from kitrobot.world import Wall
+from kitrobot.sim.simulation import Simulation
+from kitrobot.world.model import Wall
 from tests.effort import examples
 from tests.sim.building import (
     WHEEL,

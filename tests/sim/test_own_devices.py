@@ -6,8 +6,12 @@ from dataclasses import replace
 
 import pytest
 
-from kitrobot.primitives import Robot, read_robot
-from kitrobot.sim import Recorder, Simulation, SimulationError, device_problems
+from kitrobot.primitives.robot import Robot
+from kitrobot.primitives.robot_xml import read_robot
+from kitrobot.sim.recorder import Recorder
+from kitrobot.sim.settings import device_problems
+from kitrobot.sim.setup import SimulationError
+from kitrobot.sim.simulation import Simulation
 from tests.sim.building import WHEEL, avatar, empty_world, run_of, shipped_world, steps
 
 SENSOR = """<sensor name="Own" device="thermometer" {range}>

@@ -7,8 +7,13 @@ import random
 
 import pytest
 
-from kitrobot.sim import Recorder, Simulation, SimulationSource, pens_of, strokes_now
-from kitrobot.trace import Drawing, DrawingReader, Mark, Stroke, drawing_svg, walk
+from kitrobot.sim.pens import pens_of
+from kitrobot.sim.recorder import Recorder, strokes_now
+from kitrobot.sim.simulation import Simulation
+from kitrobot.sim.source import SimulationSource
+from kitrobot.trace.drawing import Drawing, DrawingReader, Mark, Stroke
+from kitrobot.trace.drawing_svg import drawing_svg
+from kitrobot.trace.source import walk
 from kitrobot.trace.strokes import tenths
 from tests.sim.building import catalogue, empty_world, run_of
 

@@ -10,8 +10,9 @@ from typing import Any
 
 import pytest
 
-from kitrobot.sim import Recorder, Simulation, simulate
-from kitrobot.trace import TraceReader
+from kitrobot.sim.recorder import Recorder, simulate
+from kitrobot.sim.simulation import Simulation
+from kitrobot.trace.reader import TraceReader
 from tests.effort import cases
 from tests.patience import PATIENCE_S
 from tests.sim.building import catalogue, empty_world, run_of, transport

@@ -7,12 +7,14 @@ from typing import Any
 
 import pytest
 
-from kitrobot.compiler import compile_program, compile_text
-from kitrobot.graph import empty_program
-from kitrobot.mission import Agent, Goal, Mission, Team
-from kitrobot.primitives import Catalogue
-from kitrobot.sim import MAX_AGENTS, Simulation, SimulationError, check_mission
-from kitrobot.world import Pose, Start, World
+from kitrobot.compiler.compilation import compile_program, compile_text
+from kitrobot.graph.model import empty_program
+from kitrobot.mission.model import Agent, Goal, Mission, Team
+from kitrobot.primitives.catalogue import Catalogue
+from kitrobot.sim.setup import MAX_AGENTS, SimulationError, check_mission
+from kitrobot.sim.simulation import Simulation
+from kitrobot.world.geometry import Pose
+from kitrobot.world.model import Start, World
 from tests.sim.building import (
     avatar,
     catalogue,

@@ -10,9 +10,10 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 import kitrobot
-from kitrobot.sim import Recorder, Simulation, record_again, simulate
+from kitrobot.sim.recorder import Recorder, record_again, simulate
+from kitrobot.sim.simulation import Simulation
 from kitrobot.sim.timeline import Timeline
-from kitrobot.trace import TraceReader
+from kitrobot.trace.reader import TraceReader
 from tests.effort import cases
 from tests.sim.teams import random_team
 

@@ -4,8 +4,9 @@ from __future__ import annotations
 
 import pytest
 
-from kitrobot.primitives import Robot
-from kitrobot.sim import Simulation, SimulationError
+from kitrobot.primitives.robot import Robot
+from kitrobot.sim.setup import SimulationError
+from kitrobot.sim.simulation import Simulation
 from tests.sim.building import avatar, empty_world, run_of, steps
 
 ROOM = empty_world(a=(500, 500, 0), b=(1500, 500, 0), c=(2500, 500, 0))

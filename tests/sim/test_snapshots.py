@@ -11,7 +11,8 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from kitrobot.sim import Recorder, SimulationError
+from kitrobot.sim.recorder import Recorder
+from kitrobot.sim.setup import SimulationError
 from tests.effort import cases, examples
 from tests.patience import PATIENCE_S
 from tests.sim.building import catalogue, empty_world, run_of, transport

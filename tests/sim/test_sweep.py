@@ -9,9 +9,9 @@ import pytest
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
-from kitrobot.mission import Failure, FailureKind
-from kitrobot.sim import Simulation
+from kitrobot.mission.trial import Failure, FailureKind
 from kitrobot.sim.columns import EVENTS
+from kitrobot.sim.simulation import Simulation
 from kitrobot.sim.sweep import Fault, Field, SweepStoppedError, Task, moments_of, run_task, snapshots_at
 from tests.effort import examples
 from tests.sim.building import transport

@@ -10,10 +10,10 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 import kitrobot
-from kitrobot.diagnostics import KitRobotError
-from kitrobot.sim import Simulation
+from kitrobot.diagnostics.model import KitRobotError
+from kitrobot.sim.simulation import Simulation
 from kitrobot.sim.timeline import PIECE, Intervention, Timeline
-from kitrobot.trace import walk
+from kitrobot.trace.source import walk
 from kitrobot.translation.translator import translate_to
 from tests.effort import examples
 from tests.sim.building import catalogue, empty_world, run_of

@@ -6,8 +6,9 @@ import random
 
 import pytest
 
-from kitrobot.mission import Failure, FailureKind, Radio
-from kitrobot.sim import Simulation
+from kitrobot.mission.radio import Radio
+from kitrobot.mission.trial import Failure, FailureKind
+from kitrobot.sim.simulation import Simulation
 from tests.effort import cases
 from tests.sim.building import transport
 

@@ -8,11 +8,12 @@ from itertools import pairwise
 
 import pytest
 
-from kitrobot.primitives import Robot, read_robot
-from kitrobot.sim import Simulation
+from kitrobot.primitives.robot import Robot
+from kitrobot.primitives.robot_xml import read_robot
 from kitrobot.sim.columns import AT, HEADING, SPEED, X, Y
 from kitrobot.sim.pushable import PUSH_X, PUSH_Y
-from kitrobot.world import Ball, Box, Wall, World
+from kitrobot.sim.simulation import Simulation
+from kitrobot.world.model import Ball, Box, Wall, World
 from tests.effort import cases
 from tests.sim.building import AVATAR, WHEEL, catalogue, empty_world, run_of, transport
 

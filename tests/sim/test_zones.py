@@ -7,8 +7,9 @@ from dataclasses import replace
 
 import pytest
 
-from kitrobot.sim import Recorder, Simulation
-from kitrobot.world import BRIGHT, LOUD, WARM, Zone
+from kitrobot.sim.recorder import Recorder
+from kitrobot.sim.simulation import Simulation
+from kitrobot.world.model import BRIGHT, LOUD, WARM, Zone
 from tests.sim.building import WHEEL, avatar, catalogue, empty_world, run_of
 
 VALUE = '<operation name="Value" value="yes"/></sensor>'

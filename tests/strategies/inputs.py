@@ -5,7 +5,7 @@ from __future__ import annotations
 import random
 from typing import NamedTuple
 
-from kitrobot.primitives import Robot
+from kitrobot.primitives.robot import Robot
 from tests.strategies.programs import near
 
 

@@ -15,7 +15,7 @@ import random
 from collections.abc import Callable
 from dataclasses import dataclass
 
-from kitrobot.lll import (
+from kitrobot.lll.tree import (
     MAX_NUMBER,
     And,
     Break,
@@ -35,7 +35,7 @@ from kitrobot.lll import (
     Wait,
     While,
 )
-from kitrobot.primitives import Category, Kind, Method, Parameter, Robot, RobotObject, ValueType
+from kitrobot.primitives.robot import Category, Kind, Method, Parameter, Robot, RobotObject, ValueType
 
 Meaning = tuple[RobotObject, Method]
 Making = Callable[[int, bool, bool], Instr]

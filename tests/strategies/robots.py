@@ -5,7 +5,9 @@ from __future__ import annotations
 import random
 from functools import cache
 
-from kitrobot.primitives import LARGEST_VALUE, Robot, load_catalogue, read_robot
+from kitrobot.primitives.catalogue import load_catalogue
+from kitrobot.primitives.robot import LARGEST_VALUE, Robot
+from kitrobot.primitives.robot_xml import read_robot
 
 RANGES = [
     (0, 1),

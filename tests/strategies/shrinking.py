@@ -5,7 +5,8 @@ from __future__ import annotations
 import copy
 from collections.abc import Callable, Iterator
 
-from kitrobot.lll import And, Conditional, Event, Interrupt, Not, Or, Parallel, Repeat, Seq, Wait, While, nodes
+from kitrobot.lll.tree import And, Conditional, Event, Interrupt, Not, Or, Parallel, Repeat, Seq, Wait, While
+from kitrobot.lll.walk import nodes
 
 
 def shrink(program: Seq, shows_it: Callable[[Seq], bool]) -> Seq:

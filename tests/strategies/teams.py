@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import random
 
-from kitrobot.lll import (
+from kitrobot.lll.tree import (
     FAILURES,
     QUANTIFIERS,
     Condition,
@@ -25,7 +25,7 @@ from kitrobot.lll import (
     Where,
     WorkDeclaration,
 )
-from kitrobot.primitives import Robot
+from kitrobot.primitives.robot import Robot
 from tests.strategies.programs import Maker, Making, Shape
 
 NAMES = (

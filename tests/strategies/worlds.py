@@ -6,7 +6,8 @@ from typing import Any
 
 from hypothesis import strategies as st
 
-from kitrobot.world import (
+from kitrobot.world.geometry import Corner, Pose
+from kitrobot.world.model import (
     COLOURS,
     LEFT,
     LOAD,
@@ -16,10 +17,8 @@ from kitrobot.world import (
     Ball,
     Box,
     ColouredLine,
-    Corner,
     Dock,
     Floor,
-    Pose,
     Road,
     Section,
     Start,

@@ -20,7 +20,7 @@ from playwright.sync_api import Browser, Locator, Page, expect, sync_playwright
 from playwright.sync_api import Error as PlaywrightError
 from starlette.types import Receive, Scope, Send
 
-from kitrobot.server import create_app
+from kitrobot.server.app import create_app
 from kitrobot.server.web_server import server_config
 from tests.effort import THOROUGH
 from tests.patience import PATIENCE_S, STATE_MS

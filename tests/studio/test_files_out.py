@@ -11,8 +11,9 @@ from pathlib import Path
 import pytest
 from playwright.sync_api import expect
 
-from kitrobot.files import carried_mission
-from kitrobot.image import Image, assemble
+from kitrobot.files.embedded_mission import carried_mission
+from kitrobot.image.listing import assemble
+from kitrobot.image.model import Image
 from tests.effort import cases
 from tests.studio.conftest import EXAMPLES, Studio
 

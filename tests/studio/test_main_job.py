@@ -8,7 +8,7 @@ from collections.abc import Callable
 import pytest
 from playwright.sync_api import expect
 
-from kitrobot.lll import parse
+from kitrobot.lll.parse_results import parse
 from tests.studio.conftest import Studio
 
 pytestmark = pytest.mark.browser

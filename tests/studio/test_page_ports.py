@@ -11,7 +11,8 @@ from contextlib import contextmanager
 import pytest
 from playwright.sync_api import Locator, expect
 
-from kitrobot.deploy import Line, connect
+from kitrobot.deploy.handshake import connect
+from kitrobot.deploy.line import Line
 from tests.boards import qemu
 from tests.boards.modern import ModernBoard, onboard_files
 from tests.studio.conftest import Studio

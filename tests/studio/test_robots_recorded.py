@@ -10,7 +10,7 @@ from collections.abc import Callable
 import pytest
 from playwright.sync_api import Locator, expect
 
-from kitrobot.workspace import open_trace
+from kitrobot.workspace.traces import open_trace
 from tests.boards.host import HostBoard
 from tests.studio.conftest import Studio
 from tests.studio.test_reach import find_nothing

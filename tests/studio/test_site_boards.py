@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 from playwright.sync_api import expect
 
-from kitrobot.workspace import open_trace
+from kitrobot.workspace.traces import open_trace
 from tests.boards.modern import ModernBoard
 from tests.boards.qemu import running
 from tests.boards.test_bench import UNPLUGGED

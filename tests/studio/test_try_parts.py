@@ -8,7 +8,7 @@ from collections.abc import Callable
 import pytest
 from playwright.sync_api import expect
 
-from kitrobot.workspace import kits_at_hand
+from kitrobot.workspace.kit_files import kits_at_hand
 from tests.boards.modern import ModernBoard
 from tests.boards.test_bench import SLOW, UNPLUGGED
 from tests.studio.conftest import Studio

@@ -9,8 +9,8 @@ from pathlib import Path
 import pytest
 from playwright.sync_api import expect
 
-from kitrobot.primitives import load_catalogue
-from kitrobot.server.shapes import catalogue_shape
+from kitrobot.primitives.catalogue import load_catalogue
+from kitrobot.server.shapes.catalogue import catalogue_shape
 from tests.effort import cases
 from tests.studio.conftest import Studio
 

@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 from playwright.sync_api import expect
 
-from kitrobot.cli import main
+from kitrobot.cli.app import main
 from tests.effort import cases
 from tests.studio.conftest import EXAMPLES, Studio
 from tests.studio.test_world import ROOM, drag, edit, number, spot, type_number

@@ -9,24 +9,14 @@ import random
 from collections.abc import Callable
 from dataclasses import dataclass, field
 
-from kitrobot.team import (
-    EVERYONE,
-    AppliedNote,
-    Change,
-    Charter,
-    Event,
-    IncomingMessage,
-    Member,
-    Message,
-    Note,
-    Seat,
-    Time,
-    Write,
-    initial_state,
-    may_act,
-    step,
-)
+from kitrobot.team.changes import AppliedNote, Change
+from kitrobot.team.charter import Charter
+from kitrobot.team.commands import Note, Seat
 from kitrobot.team.decision import is_quorum
+from kitrobot.team.events import Event, IncomingMessage, Time, Write
+from kitrobot.team.member import step
+from kitrobot.team.messages import EVERYONE, Message
+from kitrobot.team.state import Member, initial_state, may_act
 from kitrobot.team.tables import Tables
 
 STEP = 25

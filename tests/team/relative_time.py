@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from kitrobot.team import Member
 from kitrobot.team.membership import NEVER
+from kitrobot.team.state import Member
 
 LEASE = 16
 """Ms: a beat is 2 of them, and all that a machine waits for is a number of beats."""

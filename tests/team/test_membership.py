@@ -10,8 +10,13 @@ from typing import Any
 
 import pytest
 
-from kitrobot.team import EVERYONE, Charter, IncomingMessage, Member, Seat, Time, initial_state, may_act, step
+from kitrobot.team.charter import Charter
+from kitrobot.team.commands import Seat
+from kitrobot.team.events import IncomingMessage, Time
+from kitrobot.team.member import step
 from kitrobot.team.membership import NEVER
+from kitrobot.team.messages import EVERYONE
+from kitrobot.team.state import Member, initial_state, may_act
 
 _CHARTER = Charter(members=3, lease=400)
 _ROUND = 300

@@ -9,27 +9,15 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from kitrobot.team import (
-    Change,
-    Charter,
-    IncomingMessage,
-    Member,
-    MessageError,
-    Note,
-    Refusal,
-    Seat,
-    Time,
-    VariableChange,
-    Write,
-    decode,
-    encode,
-    initial_state,
-    step,
-)
-from kitrobot.team.commands import Batch, Body, Command, ViewChange
-from kitrobot.team.member import BUDGET
+from kitrobot.team.changes import Change, Refusal, VariableChange
+from kitrobot.team.charter import Charter
+from kitrobot.team.codec import MessageError, decode, encode
+from kitrobot.team.commands import Batch, Body, Command, Note, Seat, ViewChange
+from kitrobot.team.events import IncomingMessage, Time, Write
+from kitrobot.team.member import BUDGET, step
 from kitrobot.team.messages import Behind, Chosen, Echo, Entry, Heartbeat, Message, Request, Snapshot, Stamp, Writes
 from kitrobot.team.shared_store import LAST_CLOCK
+from kitrobot.team.state import Member, initial_state
 from kitrobot.team.tables import initial_tables
 
 _CHARTER = Charter(3, variables=2)

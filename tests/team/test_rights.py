@@ -2,9 +2,23 @@
 
 from __future__ import annotations
 
-from kitrobot.team import Charter, IncomingMessage, Leave, Message, Seat, may_act, step
-from kitrobot.team.commands import Command, ViewChange
-from kitrobot.team.messages import Accepted, Chosen, Heartbeat, History, Prepare, Promise, Propose, Request, Snapshot
+from kitrobot.team.charter import Charter
+from kitrobot.team.commands import Command, Seat, ViewChange
+from kitrobot.team.events import IncomingMessage, Leave
+from kitrobot.team.member import step
+from kitrobot.team.messages import (
+    Accepted,
+    Chosen,
+    Heartbeat,
+    History,
+    Message,
+    Prepare,
+    Promise,
+    Propose,
+    Request,
+    Snapshot,
+)
+from kitrobot.team.state import may_act
 from tests.team.network import Network, Phase, team
 
 _SYNOD = (Prepare, Promise, Propose, Accepted)

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import pytest
 
-from kitrobot.team import AppliedNote, Charter, NewView, Note, Seat
-from kitrobot.team.changes import Change
-from kitrobot.team.commands import Body, Command, ViewChange
+from kitrobot.team.changes import AppliedNote, Change, NewView
+from kitrobot.team.charter import Charter
+from kitrobot.team.commands import Body, Command, Note, Seat, ViewChange
 from kitrobot.team.table_transitions import apply_batch
 from kitrobot.team.tables import Tables, initial_tables
 

@@ -4,9 +4,12 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 
-from kitrobot.team import EVERYONE, Charter, IncomingMessage, Member, Message, Note, Seat, Time, initial_state, step
-from kitrobot.team.events import Event
-from kitrobot.team.messages import Accepted, Propose
+from kitrobot.team.charter import Charter
+from kitrobot.team.commands import Note, Seat
+from kitrobot.team.events import Event, IncomingMessage, Time
+from kitrobot.team.member import step
+from kitrobot.team.messages import EVERYONE, Accepted, Message, Propose
+from kitrobot.team.state import Member, initial_state
 
 MEMBERS = 5
 CHARTER = Charter(MEMBERS)

@@ -8,8 +8,9 @@ from __future__ import annotations
 
 import random
 
-from kitrobot.lll import (
+from kitrobot.lll.tree import (
     Call,
+    Failure,
     GroupDeclaration,
     Instr,
     Members,
@@ -24,7 +25,6 @@ from kitrobot.lll import (
     Wait,
     WorkDeclaration,
 )
-from kitrobot.lll.tree import Failure
 from tests.team_programs.making import ROLES, TeamMaker
 
 

@@ -9,11 +9,18 @@ import random
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 
-from kitrobot.compiler import ALL, ONE, Point, PointKind, Projection, compile_lll, project
-from kitrobot.diagnostics import Source
-from kitrobot.image import Image, Machine
-from kitrobot.lll import Seq, TeamProgram, print_team_program
-from kitrobot.primitives import Crew, Robot, declaring, read_robot, with_team
+from kitrobot.compiler.compilation import compile_lll
+from kitrobot.compiler.projection import Projection, project
+from kitrobot.compiler.team_points import ALL, ONE, Point, PointKind
+from kitrobot.diagnostics.model import Source
+from kitrobot.image.machine import Machine
+from kitrobot.image.model import Image
+from kitrobot.lll.printer import print_team_program
+from kitrobot.lll.tree import Seq, TeamProgram
+from kitrobot.primitives.crew import Crew, declaring
+from kitrobot.primitives.robot import Robot
+from kitrobot.primitives.robot_xml import read_robot
+from kitrobot.primitives.team_objects import with_team
 
 XML = """<robot name="{name}" version="1" tick="20" wait-unit="20">
   <actuator name="Arm" device="drive"><procedure name="Do" completes="later"><parameter name="n" min="0" max="60000"/>

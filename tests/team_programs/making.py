@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import random
 
-from kitrobot.lll import (
+from kitrobot.lll.tree import (
     QUANTIFIERS,
     And,
     Break,
@@ -31,8 +31,8 @@ from kitrobot.lll import (
     Where,
     While,
     WorkDeclaration,
-    nodes,
 )
+from kitrobot.lll.walk import nodes
 
 KINDS = ("ant", "bee")
 WORKS = ("Boxes", "Balls")

@@ -10,7 +10,7 @@ from collections.abc import Callable, Mapping
 from contextlib import suppress
 from dataclasses import dataclass, field
 
-from kitrobot.lll import (
+from kitrobot.lll.tree import (
     And,
     Break,
     Call,
@@ -33,8 +33,8 @@ from kitrobot.lll import (
     Wait,
     Where,
     While,
-    nodes,
 )
+from kitrobot.lll.walk import nodes
 
 MOST_LINES = 3000
 

@@ -4,9 +4,13 @@ from __future__ import annotations
 
 import pytest
 
-from kitrobot.compiler import PointKind, Projection, project
-from kitrobot.lll import Call, nodes, parse_team, print_program
-from kitrobot.primitives import Crew, declaring
+from kitrobot.compiler.projection import Projection, project
+from kitrobot.compiler.team_points import PointKind
+from kitrobot.lll.parse_results import parse_team
+from kitrobot.lll.printer import print_program
+from kitrobot.lll.tree import Call
+from kitrobot.lll.walk import nodes
+from kitrobot.primitives.crew import Crew, declaring
 
 AGENTS = (("c-1", "carrier"), ("c-2", "carrier"), ("l", "loader"))
 DECLARED = """role carrier: carrier 2;

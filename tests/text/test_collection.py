@@ -6,8 +6,8 @@ import gc
 
 import pytest
 
-from kitrobot.lll import parse
-from kitrobot.text import collection_paused
+from kitrobot.lll.parse_results import parse
+from kitrobot.text.collection import collection_paused
 
 
 @pytest.fixture(autouse=True)

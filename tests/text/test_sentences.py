@@ -9,7 +9,8 @@ import pickle
 import orjson
 import pytest
 
-from kitrobot.text import COMMA, Label, Recorded, Sentence, Series, Word, listed, one_of
+from kitrobot.text.phrases import listed, one_of
+from kitrobot.text.sentences import COMMA, Label, Recorded, Sentence, Series, Word
 
 
 def test_a_sentence_is_its_english_text() -> None:

@@ -13,14 +13,12 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from kitrobot.trace import (
-    TraceError,
-    TraceReader,
-    TraceWriter,
-    layout,
-)
+from kitrobot.trace import layout
 from kitrobot.trace.codec import decode, decode_events
 from kitrobot.trace.header import header_to_json
+from kitrobot.trace.model import TraceError
+from kitrobot.trace.reader import TraceReader
+from kitrobot.trace.writer import TraceWriter
 from tests.trace.test_trace import HEADER
 
 

@@ -13,7 +13,11 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from kitrobot.trace import layout
 from kitrobot.trace import (
+    reader as trace_reader,
+)
+from kitrobot.trace.model import (
     PERSON,
     Column,
     TickRecord,
@@ -23,13 +27,9 @@ from kitrobot.trace import (
     TraceEvent,
     TraceHeader,
     TracePart,
-    TraceReader,
-    TraceWriter,
-    layout,
 )
-from kitrobot.trace import (
-    reader as trace_reader,
-)
+from kitrobot.trace.reader import TraceReader
+from kitrobot.trace.writer import TraceWriter
 
 HEADER = TraceHeader(
     "<kitrobot/>",

@@ -7,8 +7,12 @@ from pathlib import Path
 import pytest
 
 from kitrobot.server.watched_recording import WatchedRecording
-from kitrobot.trace import POSE_WORDS, ROBOT, TickRecord, TraceError, TraceHeader, TraceReader, TraceWriter, walk
-from kitrobot.workspace import open_trace, state_at, summary_of
+from kitrobot.trace.model import POSE_WORDS, ROBOT, TickRecord, TraceError, TraceHeader
+from kitrobot.trace.reader import TraceReader
+from kitrobot.trace.source import walk
+from kitrobot.trace.writer import TraceWriter
+from kitrobot.workspace.replay import state_at, summary_of
+from kitrobot.workspace.traces import open_trace
 
 VECTORS = Path(__file__).parent / "vectors"
 

@@ -8,8 +8,8 @@ from collections.abc import Iterator
 import pytest
 from babel.messages.catalog import Message
 
-from kitrobot.primitives import load_catalogue
-from kitrobot.text import HOLE
+from kitrobot.primitives.catalogue import load_catalogue
+from kitrobot.text.sentences import HOLE
 from kitrobot.translation.catalogue import catalogue as read_catalogue
 from tools.sentences import CATALOGUE_SETS, LANGUAGES, PROGRAM, english, entries, forms
 

@@ -9,9 +9,11 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from kitrobot.text import COMMA, SEMICOLON, Label, Recorded, Sentence, Series, Word, one_of
-from kitrobot.translation import best_language, override_language, reader_language, translate, translator
+from kitrobot.text.phrases import one_of
+from kitrobot.text.sentences import COMMA, SEMICOLON, Label, Recorded, Sentence, Series, Word
+from kitrobot.translation import translator
 from kitrobot.translation.catalogue import Catalogue
+from kitrobot.translation.languages import best_language, override_language, reader_language, translate
 from kitrobot.translation.recorded import LONGEST, recalled
 from kitrobot.translation.translator import translate_to
 

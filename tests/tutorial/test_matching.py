@@ -12,8 +12,11 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from kitrobot.lll import Call, Hole, Number, Repeat, Seq, Wait, nodes, parse, parse_team, parse_template
-from kitrobot.tutorial import Pattern, Step, Tutorial, fits, steps_fit
+from kitrobot.lll.parse_results import parse, parse_team, parse_template
+from kitrobot.lll.tree import Call, Hole, Number, Repeat, Seq, Wait
+from kitrobot.lll.walk import nodes
+from kitrobot.tutorial.model import Pattern, Step, Tutorial
+from kitrobot.tutorial.pattern_matcher import fits, steps_fit
 from tests.counting import MOST, growth
 from tests.strategies import random_program, shipped_robots
 

@@ -10,9 +10,11 @@ import pytest
 import xmlschema
 
 import kitrobot.primitives
-from kitrobot.lll import Call, Repeat, While, parse
-from kitrobot.tutorial import EVENTS, GroupWant, Point, SpareWant, read_tutorial, steps_fit
-from kitrobot.tutorial.tutorial_xml import BUTTONS, DEEPEST_PATTERN, MOST_STEPS, PANELS
+from kitrobot.lll.parse_results import parse
+from kitrobot.lll.tree import Call, Repeat, While
+from kitrobot.tutorial.model import EVENTS, GroupWant, Point, SpareWant
+from kitrobot.tutorial.pattern_matcher import steps_fit
+from kitrobot.tutorial.tutorial_xml import BUTTONS, DEEPEST_PATTERN, MOST_STEPS, PANELS, read_tutorial
 from tests.primitives.samples import TUTORIAL, messages
 
 

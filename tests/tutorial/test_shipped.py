@@ -8,10 +8,11 @@ from pathlib import Path
 import pytest
 
 import kitrobot
-from kitrobot.mission import Mission
+from kitrobot.mission.model import Mission
 from kitrobot.server.studio import Studio
-from kitrobot.tutorial import Tutorial
-from kitrobot.workspace import OpenMission, watched
+from kitrobot.tutorial.model import Tutorial
+from kitrobot.workspace.mission_loader import OpenMission
+from kitrobot.workspace.tutorials import watched
 from tests.exercises.handing_in import with_programs
 from tools.teacher_pages import main as teacher_pages
 

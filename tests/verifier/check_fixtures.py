@@ -4,10 +4,15 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from kitrobot.sim import Simulation
-from kitrobot.verifier import Budget, CheckResult, Model, Timing, abstract_run, check_properties, ready_properties
-from kitrobot.workspace import RunOptions, open_mission
-from kitrobot.workspace.mission_run import PreparedRun
+from kitrobot.sim.simulation import Simulation
+from kitrobot.verifier.abstraction import abstract_run
+from kitrobot.verifier.budget import Budget
+from kitrobot.verifier.model import Model
+from kitrobot.verifier.properties import ready_properties
+from kitrobot.verifier.timing import Timing
+from kitrobot.verifier.verdicts import CheckResult, check_properties
+from kitrobot.workspace.mission_loader import open_mission
+from kitrobot.workspace.mission_run import PreparedRun, RunOptions
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
 TRANSPORT = (EXAMPLES / "transport" / "transport.krt").read_text(encoding="utf-8")

@@ -8,13 +8,16 @@ import pytest
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
-from kitrobot.compiler import compile_text
-from kitrobot.image import Machine
-from kitrobot.text import Sentence
-from kitrobot.verifier import Budget, Model, Property, abstract_run, check_properties
+from kitrobot.compiler.compilation import compile_text
+from kitrobot.image.machine import Machine
+from kitrobot.text.sentences import Sentence
+from kitrobot.verifier.abstraction import abstract_run
+from kitrobot.verifier.budget import Budget
+from kitrobot.verifier.model import Model
 from kitrobot.verifier.programs import AbstractionError, ProgramTable, value_classes
-from kitrobot.verifier.properties import AgentFact
+from kitrobot.verifier.properties import AgentFact, Property
 from kitrobot.verifier.roads import Gaps, possible, possible_everywhere, zones_of
+from kitrobot.verifier.verdicts import check_properties
 from tests.effort import examples
 from tests.sim.building import WHEEL, avatar, catalogue, empty_world, run_of
 

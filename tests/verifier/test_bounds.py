@@ -9,20 +9,17 @@ import pytest
 
 from kitrobot.exercise.exercise_xml import PROPERTIES
 from kitrobot.mission.property_xml import READY, READY_OF_AGENTS, is_ready
-from kitrobot.sim import Simulation
-from kitrobot.verifier import (
-    AbstractionError,
-    Budget,
-    CutReason,
-    Model,
-    Timing,
-    abstract_run,
-    check_properties,
-    exploration,
-    ready_properties,
-)
+from kitrobot.sim.simulation import Simulation
+from kitrobot.verifier import exploration
+from kitrobot.verifier.abstraction import abstract_run
+from kitrobot.verifier.budget import Budget, CutReason
 from kitrobot.verifier.engines import PLAIN
 from kitrobot.verifier.events import ModelTooLargeError
+from kitrobot.verifier.model import Model
+from kitrobot.verifier.programs import AbstractionError
+from kitrobot.verifier.properties import ready_properties
+from kitrobot.verifier.timing import Timing
+from kitrobot.verifier.verdicts import check_properties
 from tests.sim.building import avatar, empty_world, run_of, transport
 from tests.verifier.check_fixtures import EXAMPLES, prepared
 

@@ -16,21 +16,20 @@ from typing import Any
 
 import pytest
 
-from kitrobot.lll import print_program
-from kitrobot.mission import AskedProperty, Form, Goal
-from kitrobot.sim import Simulation
-from kitrobot.verifier import (
-    Budget,
-    Model,
-    Timing,
-    abstract_run,
-    build_custom_properties,
-    check_properties,
-    property_variables,
-    ready_properties,
-)
+from kitrobot.lll.printer import print_program
+from kitrobot.mission.model import Goal
+from kitrobot.mission.property_xml import AskedProperty, Form
+from kitrobot.sim.simulation import Simulation
+from kitrobot.verifier.abstraction import abstract_run
+from kitrobot.verifier.budget import Budget
+from kitrobot.verifier.custom_properties import build_custom_properties, property_variables
 from kitrobot.verifier.exploration import explore
-from kitrobot.world import Corner, Road, Section, Start, Storehouse, World
+from kitrobot.verifier.model import Model
+from kitrobot.verifier.properties import ready_properties
+from kitrobot.verifier.timing import Timing
+from kitrobot.verifier.verdicts import check_properties
+from kitrobot.world.geometry import Corner
+from kitrobot.world.model import Road, Section, Start, Storehouse, World
 from tests.effort import examples
 from tests.sim.building import WHEEL, avatar, empty_world, run_of
 from tests.strategies.programs import Shape, random_program

@@ -13,11 +13,12 @@ from typing import Any
 
 import pytest
 
-from kitrobot.mission import Failure, FailureKind
-from kitrobot.sim import Simulation
+from kitrobot.mission.trial import Failure, FailureKind
 from kitrobot.sim import columns as c
-from kitrobot.verifier import abstract_run
-from kitrobot.world import Corner, Dock, Road, Start, Storehouse, World
+from kitrobot.sim.simulation import Simulation
+from kitrobot.verifier.abstraction import abstract_run
+from kitrobot.world.geometry import Corner
+from kitrobot.world.model import Dock, Road, Start, Storehouse, World
 from tests.effort import cases
 from tests.sim.building import WHEEL, avatar, run_of, transport
 from tests.verifier.check_fixtures import EXAMPLES, prepared

@@ -4,24 +4,17 @@ from __future__ import annotations
 
 import pytest
 
-from kitrobot.mission import AskedProperty, Form
-from kitrobot.sim import Simulation
-from kitrobot.verifier import (
-    Budget,
-    Model,
-    PropertyError,
-    Verdict,
-    abstract_run,
-    build_custom_properties,
-    check_properties,
-    confirm,
-    parse_condition,
-    property_variables,
-)
-from kitrobot.verifier.custom_properties import team_of
-from kitrobot.verifier.model import State
+from kitrobot.mission.property_xml import AskedProperty, Form
+from kitrobot.sim.simulation import Simulation
+from kitrobot.verifier.abstraction import abstract_run
+from kitrobot.verifier.budget import Budget
+from kitrobot.verifier.conditions import PropertyError, parse_condition
+from kitrobot.verifier.custom_properties import build_custom_properties, property_variables, team_of
+from kitrobot.verifier.model import Model, State
 from kitrobot.verifier.properties import Condition, SensedCondition
+from kitrobot.verifier.replay import confirm
 from kitrobot.verifier.state_decoding import decode, sense_key
+from kitrobot.verifier.verdicts import Verdict, check_properties
 from tests.sim.building import transport
 
 LOADED, EMPTY = "any carrier-1 (Cargo.IsPressed())", "any carrier-1 (Cargo.IsReleased())"

@@ -7,12 +7,18 @@ from pathlib import Path
 
 import pytest
 
-from kitrobot.mission import FailureKind
-from kitrobot.sim import Simulation
-from kitrobot.verifier import AbstractionError, Budget, Model, Timing, abstract_run, check_properties, ready_properties
+from kitrobot.mission.trial import FailureKind
+from kitrobot.sim.simulation import Simulation
 from kitrobot.verifier import columns as v
+from kitrobot.verifier.abstraction import abstract_run
+from kitrobot.verifier.budget import Budget
 from kitrobot.verifier.exploration import explore
+from kitrobot.verifier.model import Model
+from kitrobot.verifier.programs import AbstractionError
+from kitrobot.verifier.properties import ready_properties
 from kitrobot.verifier.table_builder import USUAL_KINDS
+from kitrobot.verifier.timing import Timing
+from kitrobot.verifier.verdicts import check_properties
 from tests.effort import cases
 from tests.sim.building import transport
 from tests.verifier.check_fixtures import EXAMPLES, mutant, prepared

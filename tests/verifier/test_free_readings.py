@@ -4,9 +4,10 @@ from __future__ import annotations
 
 import pytest
 
-from kitrobot.sim import Simulation
+from kitrobot.sim.simulation import Simulation
 from kitrobot.translation.translator import translate_to
-from kitrobot.verifier import Timing, abstract_run
+from kitrobot.verifier.abstraction import abstract_run
+from kitrobot.verifier.timing import Timing
 from kitrobot.workspace.verification import Verification, VerificationOptions, verify_runs
 from tests.sim.building import avatar, empty_world, run_of
 

@@ -6,18 +6,15 @@ from pathlib import Path
 
 import pytest
 
-from kitrobot.mission import AskedProperty, Form
-from kitrobot.verifier import (
-    Budget,
-    Model,
-    Timing,
-    abstract_run,
-    build_custom_properties,
-    check_properties,
-    confirm,
-    property_variables,
-    ready_properties,
-)
+from kitrobot.mission.property_xml import AskedProperty, Form
+from kitrobot.verifier.abstraction import abstract_run
+from kitrobot.verifier.budget import Budget
+from kitrobot.verifier.custom_properties import build_custom_properties, property_variables
+from kitrobot.verifier.model import Model
+from kitrobot.verifier.properties import ready_properties
+from kitrobot.verifier.replay import confirm
+from kitrobot.verifier.timing import Timing
+from kitrobot.verifier.verdicts import check_properties
 from kitrobot.workspace.verification import VerificationOptions, runs_of, verify
 from tests.sim.building import transport
 from tests.verifier.check_fixtures import EXAMPLES, answers, judged, mutant, prepared

@@ -8,10 +8,11 @@ import weakref
 import pytest
 
 from kitrobot.sim.table_pointer import TablePointer
-from kitrobot.verifier import Model, abstract_run
+from kitrobot.verifier.abstraction import abstract_run
 from kitrobot.verifier.dynamic_arrays import grow_table
 from kitrobot.verifier.engines import FUNCTIONS, ArrayGraph, ArrayTables, array_engine
 from kitrobot.verifier.exploration import fresh_graph
+from kitrobot.verifier.model import Model
 from kitrobot.verifier.numba_engine import samples
 from tests.sim.building import transport
 

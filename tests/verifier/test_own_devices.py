@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import pytest
 
-from kitrobot.primitives import read_robot
-from kitrobot.sim import Simulation
-from kitrobot.verifier import Timing
+from kitrobot.primitives.robot_xml import read_robot
+from kitrobot.sim.simulation import Simulation
+from kitrobot.verifier.timing import Timing
 from kitrobot.workspace.verification import Verification, VerificationOptions, verify_runs
 from tests.sim.building import empty_world, run_of
 

@@ -6,10 +6,13 @@ from pathlib import Path
 
 import pytest
 
-from kitrobot.mission import FailureKind
-from kitrobot.verifier import Answer, Model, Timing, abstract_run
+from kitrobot.mission.trial import FailureKind
+from kitrobot.verifier.abstraction import abstract_run
 from kitrobot.verifier.budget import Budget
 from kitrobot.verifier.exploration import explore
+from kitrobot.verifier.model import Model
+from kitrobot.verifier.timing import Timing
+from kitrobot.verifier.verdicts import Answer
 from kitrobot.workspace.verification import Verification, VerificationOptions, verify, verify_runs
 from tests.sim.building import transport
 from tests.verifier.check_fixtures import mutant

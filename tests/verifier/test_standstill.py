@@ -6,9 +6,14 @@ import random
 
 import pytest
 
-from kitrobot.lll import print_program
-from kitrobot.sim import Simulation
-from kitrobot.verifier import Budget, Model, Timing, abstract_run, check_properties, ready_properties
+from kitrobot.lll.printer import print_program
+from kitrobot.sim.simulation import Simulation
+from kitrobot.verifier.abstraction import abstract_run
+from kitrobot.verifier.budget import Budget
+from kitrobot.verifier.model import Model
+from kitrobot.verifier.properties import ready_properties
+from kitrobot.verifier.timing import Timing
+from kitrobot.verifier.verdicts import check_properties
 from tests.effort import examples
 from tests.sim.building import avatar, empty_world, run_of
 from tests.strategies.programs import Shape, random_program

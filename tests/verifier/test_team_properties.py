@@ -8,21 +8,16 @@ from typing import Any
 
 import pytest
 
-from kitrobot.lll import parse_team
-from kitrobot.mission import AskedProperty, Form
-from kitrobot.sim import Simulation
-from kitrobot.verifier import (
-    Budget,
-    Model,
-    PropertyError,
-    abstract_run,
-    build_custom_properties,
-    check_properties,
-    confirm,
-    parse_condition,
-    property_variables,
-)
-from kitrobot.verifier.custom_properties import declared_of, team_of
+from kitrobot.lll.parse_results import parse_team
+from kitrobot.mission.property_xml import AskedProperty, Form
+from kitrobot.sim.simulation import Simulation
+from kitrobot.verifier.abstraction import abstract_run
+from kitrobot.verifier.budget import Budget
+from kitrobot.verifier.conditions import PropertyError, parse_condition
+from kitrobot.verifier.custom_properties import build_custom_properties, declared_of, property_variables, team_of
+from kitrobot.verifier.model import Model
+from kitrobot.verifier.replay import confirm
+from kitrobot.verifier.verdicts import check_properties
 from tests.sim.team_building import RunningTeam
 
 PROGRAM = """role scout: ant 2; role helper: ant; group ahead = scout; group behind = {helper};

@@ -9,30 +9,26 @@ from typing import Any
 
 import pytest
 
-from kitrobot.lll import parse_team
-from kitrobot.mission import FailureKind
-from kitrobot.sim import Simulation
+from kitrobot.lll.parse_results import parse_team
+from kitrobot.mission.trial import FailureKind
 from kitrobot.sim import columns as c
+from kitrobot.sim.simulation import Simulation
 from kitrobot.sim.team_columns import T_MISSED
-from kitrobot.verifier import (
-    Budget,
-    Model,
-    Timing,
-    abstract_run,
-    check_properties,
-    confirm,
-    describe_run,
-    ready_properties,
-)
 from kitrobot.verifier import columns as v
 from kitrobot.verifier.absence import AbsenceAgreement
+from kitrobot.verifier.abstraction import abstract_run
 from kitrobot.verifier.bodies import RUNS
+from kitrobot.verifier.budget import Budget
+from kitrobot.verifier.counterexample_text import describe_run
 from kitrobot.verifier.engines import PLAIN
 from kitrobot.verifier.exploration import StateSpace, explore
-from kitrobot.verifier.model import State
-from kitrobot.verifier.replay import InjectedFault
+from kitrobot.verifier.model import Model, State
+from kitrobot.verifier.properties import ready_properties
+from kitrobot.verifier.replay import InjectedFault, confirm
 from kitrobot.verifier.table_builder import KINDS
 from kitrobot.verifier.team_agreement import Agreement
+from kitrobot.verifier.timing import Timing
+from kitrobot.verifier.verdicts import check_properties
 from tests.effort import cases
 from tests.sim.team_building import RunningTeam, random_team_program
 from tests.team_programs.blocks import BlocksMaker

@@ -10,25 +10,18 @@ from typing import Any
 
 import pytest
 
-from kitrobot.sim import Simulation
-from kitrobot.text import Sentence
-from kitrobot.verifier import (
-    Budget,
-    ConfirmedRun,
-    Counterexample,
-    CutReason,
-    Model,
-    Property,
-    Timing,
-    abstract_run,
-    check_properties,
-    confirm,
-    fair_cycles,
-    ready_properties,
-)
+from kitrobot.sim.simulation import Simulation
+from kitrobot.text.sentences import Sentence
+from kitrobot.verifier import fair_cycles
+from kitrobot.verifier.abstraction import abstract_run
+from kitrobot.verifier.budget import Budget, CutReason
 from kitrobot.verifier.engines import PLAIN
 from kitrobot.verifier.exploration import explore
-from kitrobot.verifier.properties import AgentFact
+from kitrobot.verifier.model import Model
+from kitrobot.verifier.properties import AgentFact, Property, ready_properties
+from kitrobot.verifier.replay import ConfirmedRun, confirm
+from kitrobot.verifier.timing import Timing
+from kitrobot.verifier.verdicts import Counterexample, check_properties
 from kitrobot.workspace.verification import VerificationOptions, verify
 from tests.sim.building import transport
 from tests.verifier.check_fixtures import EXAMPLES, answers, mutant, prepared

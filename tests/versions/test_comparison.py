@@ -8,12 +8,13 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from kitrobot.diagnostics import ProblemsError
-from kitrobot.graph import Arc, Vertex
-from kitrobot.lll import RoleDeclaration, WorkDeclaration
-from kitrobot.primitives import Level
-from kitrobot.translation import override_language, translate
-from kitrobot.versions import CompareError, compare_files, differences, merge_missions
+from kitrobot.diagnostics.problems import ProblemsError
+from kitrobot.graph.model import Arc, Vertex
+from kitrobot.lll.tree import RoleDeclaration, WorkDeclaration
+from kitrobot.primitives.levels import Level
+from kitrobot.translation.languages import override_language, translate
+from kitrobot.versions.comparison import CompareError, compare_files, differences
+from kitrobot.versions.mission_merge import merge_missions
 from tests.versions.test_merging import base, edited, insert
 
 

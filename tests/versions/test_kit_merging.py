@@ -6,10 +6,12 @@ from itertools import product
 
 import pytest
 
-from kitrobot.diagnostics import ProblemsError
-from kitrobot.primitives import Kit, read_kit, write_kit
-from kitrobot.versions import CompareError, merge_kits
-from kitrobot.workspace import merge_files
+from kitrobot.diagnostics.problems import ProblemsError
+from kitrobot.primitives.kit import Kit
+from kitrobot.primitives.kit_xml import read_kit, write_kit
+from kitrobot.versions.comparison import CompareError
+from kitrobot.versions.kit_merge import merge_kits
+from kitrobot.workspace.file_merge import merge_files
 
 BASE = """<board name="k" version="1" micropython="1.20" pins="0..5">
   <label>Tank</label>

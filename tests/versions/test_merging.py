@@ -10,13 +10,15 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from kitrobot.compiler import compile_program
-from kitrobot.graph import Arc, Note, Program, Vertex
-from kitrobot.lll import FAILURES, GroupDeclaration, Members, RoleDeclaration, WorkDeclaration
-from kitrobot.mission import Agent, Mission, read_mission, write_mission
-from kitrobot.primitives import load_catalogue
-from kitrobot.versions import merge_missions
-from kitrobot.workspace import new_mission
+from kitrobot.compiler.compilation import compile_program
+from kitrobot.graph.model import Arc, Note, Program, Vertex
+from kitrobot.lll.tree import FAILURES, GroupDeclaration, Members, RoleDeclaration, WorkDeclaration
+from kitrobot.mission.model import Agent, Mission
+from kitrobot.mission.reader import read_mission
+from kitrobot.mission.writer import write_mission
+from kitrobot.primitives.catalogue import load_catalogue
+from kitrobot.versions.mission_merge import merge_missions
+from kitrobot.workspace.mission_loader import new_mission
 
 CATALOGUE = load_catalogue()
 TEXT = """<kitrobot version="1">

@@ -11,10 +11,15 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from kitrobot.mission import Breakpoint, Failure, FailureKind, Mission, read_mission, write_mission
-from kitrobot.versions import merge_missions
+from kitrobot.mission.model import Mission
+from kitrobot.mission.reader import read_mission
+from kitrobot.mission.trial import Breakpoint, Failure, FailureKind
+from kitrobot.mission.writer import write_mission
+from kitrobot.versions.mission_merge import merge_missions
 from kitrobot.versions.references import Named
-from kitrobot.workspace import SearchPath, merge_checked, read_mission_data
+from kitrobot.workspace.file_merge import merge_checked
+from kitrobot.workspace.mission_loader import read_mission_data
+from kitrobot.workspace.search_path import SearchPath
 
 TEXT = """<kitrobot version="1">
   <constructor name="Hop"><number name="times" min="1" max="9" default="2"/>

@@ -4,11 +4,14 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from kitrobot.compiler import lll_to_graph
-from kitrobot.lll import parse_team
-from kitrobot.mission import Agent, Mission, Team, write_mission
-from kitrobot.primitives import Crew, CrewProgram, Level, load_catalogue
-from kitrobot.workspace import OpenMission, open_mission
+from kitrobot.compiler.lll_to_graph import lll_to_graph
+from kitrobot.lll.parse_results import parse_team
+from kitrobot.mission.model import Agent, Mission, Team
+from kitrobot.mission.writer import write_mission
+from kitrobot.primitives.catalogue import load_catalogue
+from kitrobot.primitives.crew import Crew, CrewProgram
+from kitrobot.primitives.levels import Level
+from kitrobot.workspace.mission_loader import OpenMission, open_mission
 
 WORLD = """<world version="1" name="room" width="3000" height="3000">
   <help>A room.</help>

@@ -6,11 +6,10 @@ from pathlib import Path
 
 import pytest
 
-from kitrobot.primitives import SHIPPED
+from kitrobot.primitives.catalogue import SHIPPED
 from kitrobot.server.shapes.starter import robot_set_shape
 from kitrobot.server.studio import Studio
-from kitrobot.workspace import NoBeginningError
-from kitrobot.workspace.new_mission_choices import NOTHING, read_beginnings
+from kitrobot.workspace.new_mission_choices import NOTHING, NoBeginningError, read_beginnings
 
 
 @pytest.fixture(scope="module")

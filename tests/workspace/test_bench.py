@@ -7,10 +7,14 @@ from pathlib import Path
 
 import pytest
 
-from kitrobot.compiler import compile_text
-from kitrobot.image import Machine
-from kitrobot.primitives import SHIPPED, Category, Kit, load_catalogue, number_variable, read_kit
-from kitrobot.text import Sentence
+from kitrobot.compiler.compilation import compile_text
+from kitrobot.image.machine import Machine
+from kitrobot.primitives.automatic import number_variable
+from kitrobot.primitives.catalogue import SHIPPED, load_catalogue
+from kitrobot.primitives.kit import Kit
+from kitrobot.primitives.kit_xml import read_kit
+from kitrobot.primitives.robot import Category
+from kitrobot.text.sentences import Sentence
 from kitrobot.workspace.bench import NoPartsError, bench_of, program_text
 from kitrobot.workspace.bench_loader import reason_of
 from kitrobot.workspace.bench_notes import notes_for, read_bench, shipped_notes

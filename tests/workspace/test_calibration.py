@@ -8,9 +8,10 @@ from pathlib import Path
 
 import pytest
 
-from kitrobot.files import read_text
-from kitrobot.primitives import SHIPPED, Kit, Measured, read_kit, write_kit
-from kitrobot.workspace import RunOptions, convert, open_mission
+from kitrobot.files.disk import read_text
+from kitrobot.primitives.catalogue import SHIPPED
+from kitrobot.primitives.kit import Kit, Measured
+from kitrobot.primitives.kit_xml import read_kit, write_kit
 from kitrobot.workspace.calibration import (
     Answers,
     MeasureError,
@@ -21,6 +22,9 @@ from kitrobot.workspace.calibration import (
     own_place,
     write_kit_file,
 )
+from kitrobot.workspace.conversion import convert
+from kitrobot.workspace.mission_loader import open_mission
+from kitrobot.workspace.mission_run import RunOptions
 
 TICK_MS = 20
 SPEED, RATE = 287.0, 143.0

@@ -9,8 +9,8 @@ from pathlib import Path
 import pytest
 from serial.tools import list_ports
 
-from kitrobot.diagnostics import KitRobotError
-from kitrobot.files import examples_folder
+from kitrobot.diagnostics.model import KitRobotError
+from kitrobot.files.examples import examples_folder
 from kitrobot.workspace.board_labels import LabelError, labels_of, store_label
 from kitrobot.workspace.class_set import MOST_BOARDS, SetError, Wanted, prepare_set, read_set
 

@@ -4,11 +4,12 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from kitrobot.compiler import compile_program, graph_to_lll
-from kitrobot.graph import Program
-from kitrobot.primitives import Catalogue, OwnVariable, load_catalogue, read_own
-from kitrobot.workspace import CompileCache
-from kitrobot.workspace.compile_cache import MOST_STATES
+from kitrobot.compiler.compilation import compile_program
+from kitrobot.compiler.graph_to_lll import graph_to_lll
+from kitrobot.graph.model import Program
+from kitrobot.primitives.catalogue import Catalogue, load_catalogue
+from kitrobot.primitives.own_xml import OwnVariable, read_own
+from kitrobot.workspace.compile_cache import MOST_STATES, CompileCache
 from kitrobot.workspace.program_report import program_report
 from tests.compiler.graphs import graph, shipped
 

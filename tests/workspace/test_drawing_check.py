@@ -8,14 +8,17 @@ from pathlib import Path
 
 import pytest
 
-from kitrobot.sim import Simulation
-from kitrobot.verifier import Budget, Model, abstract_run
+from kitrobot.sim.simulation import Simulation
+from kitrobot.verifier.abstraction import abstract_run
+from kitrobot.verifier.budget import Budget
 from kitrobot.verifier.engines import PLAIN
 from kitrobot.verifier.exploration import explore
+from kitrobot.verifier.model import Model
 from kitrobot.verifier.trap_detection import record_coverage, unexecuted_instructions
-from kitrobot.workspace import RunOptions, child_processes, open_mission
+from kitrobot.workspace import child_processes
 from kitrobot.workspace.drawing_check import RUN_S, check_drawing, explore_drawing
-from kitrobot.workspace.mission_run import PreparedRun
+from kitrobot.workspace.mission_loader import open_mission
+from kitrobot.workspace.mission_run import PreparedRun, RunOptions
 from kitrobot.workspace.verification import runs_of
 from tests.effort import cases
 from tests.sim.team_building import RunningTeam, random_team_program

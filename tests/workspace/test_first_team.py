@@ -8,10 +8,11 @@ from pathlib import Path
 
 import pytest
 
-from kitrobot.lll import RoleDeclaration
-from kitrobot.mission import Agent, Mission, write_mission
-from kitrobot.workspace import OpenMission, open_mission
+from kitrobot.lll.tree import RoleDeclaration
+from kitrobot.mission.model import Agent, Mission
+from kitrobot.mission.writer import write_mission
 from kitrobot.workspace.first_team import TeamThereError, first_team
+from kitrobot.workspace.mission_loader import OpenMission, open_mission
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
 

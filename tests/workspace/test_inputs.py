@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from kitrobot.primitives import load_catalogue
+from kitrobot.primitives.catalogue import load_catalogue
 from kitrobot.workspace.inputs import Change, read_inputs
 
 ROBOT = load_catalogue().robot("mini-robot")

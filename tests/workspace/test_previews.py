@@ -8,12 +8,13 @@ from pathlib import Path
 import pytest
 
 from kitrobot.server.studio import Studio
-from kitrobot.workspace import OpenMission, Previews, shipped_examples
-from kitrobot.workspace.example_list import EXAMPLES_XML, LEVELS, read_examples
+from kitrobot.workspace.example_list import EXAMPLES_XML, LEVELS, read_examples, shipped_examples
+from kitrobot.workspace.mission_loader import OpenMission
 from kitrobot.workspace.new_mission_choices import PREVIEW_S
 from kitrobot.workspace.previews import (
     MOST_FRAMES,
     SHIPPED_PREVIEWS,
+    Previews,
     make_preview,
     preview_from,
     preview_text,

@@ -7,8 +7,8 @@ from typing import Any
 import pytest
 
 import kitrobot
-from kitrobot.files import examples_folder, first_example
-from kitrobot.graph import empty_program
+from kitrobot.files.examples import examples_folder, first_example
+from kitrobot.graph.model import empty_program
 from tests.effort import THOROUGH
 
 _FOLDER = examples_folder()

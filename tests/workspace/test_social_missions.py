@@ -7,10 +7,14 @@ from pathlib import Path
 
 import pytest
 
-from kitrobot.mission import Agent, read_mission, write_mission
-from kitrobot.versions import differences
-from kitrobot.workspace import convert, load_executable, open_trace
+from kitrobot.mission.model import Agent
+from kitrobot.mission.reader import read_mission
+from kitrobot.mission.writer import write_mission
+from kitrobot.versions.comparison import differences
+from kitrobot.workspace.conversion import convert
+from kitrobot.workspace.executables import load_executable
 from kitrobot.workspace.replay import state_at
+from kitrobot.workspace.traces import open_trace
 from tests.workspace.social import opened, social_mission
 
 TEXT = """role driver: mini-robot 1..2;

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from kitrobot.world import SHIPPED, read_world
+from kitrobot.world.lookup import SHIPPED
+from kitrobot.world.xml_reader import read_world
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
 

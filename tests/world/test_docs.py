@@ -7,8 +7,10 @@ from pathlib import Path
 
 import xmlschema
 
-from kitrobot.world import SHIPPED, read_world, write_world
+from kitrobot.world.lookup import SHIPPED
 from kitrobot.world.parts import PARTS
+from kitrobot.world.xml_reader import read_world
+from kitrobot.world.xml_writer import write_world
 
 PAGE = (Path(__file__).parents[2] / "docs" / "worlds.md").read_text(encoding="utf-8")
 SCHEMA = SHIPPED.parents[1] / "primitives" / "schemas" / "world.xsd"

@@ -8,8 +8,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from kitrobot.world import Corner, Polyline, distance_to_stretch, normalised, polyline
-from kitrobot.world.geometry import SAGITTA_MM
+from kitrobot.world.geometry import SAGITTA_MM, Corner, Polyline, distance_to_stretch, normalised, polyline
 
 SQUARE = [Corner(0, 0, 100), Corner(1000, 0, 100), Corner(1000, 600, 100), Corner(0, 600, 100)]
 

@@ -11,9 +11,12 @@ import xmlschema
 from hypothesis import given
 from hypothesis import strategies as st
 
-from kitrobot.diagnostics import Severity
-from kitrobot.world import SHIPPED, World, find_world, read_world, write_world
-from kitrobot.xml import Element
+from kitrobot.diagnostics.model import Severity
+from kitrobot.world.lookup import SHIPPED, find_world
+from kitrobot.world.model import World
+from kitrobot.world.xml_reader import read_world
+from kitrobot.world.xml_writer import write_world
+from kitrobot.xml.element import Element
 
 GOOD = """\
 <world version="1" name="test" width="2000" height="1000">

@@ -8,8 +8,12 @@ from collections import deque
 import pytest
 import xmlschema
 
-from kitrobot.world import MAX_ZONES, TEMPLATES, World, Zone, floor_svg, make_maze, read_world, write_world
-from kitrobot.world.maze import CELL_MM, MOST_CELLS
+from kitrobot.world.floor_svg import floor_svg
+from kitrobot.world.maze import CELL_MM, MOST_CELLS, make_maze
+from kitrobot.world.model import World, Zone
+from kitrobot.world.template import TEMPLATES
+from kitrobot.world.xml_reader import MAX_ZONES, read_world
+from kitrobot.world.xml_writer import write_world
 from tests.world.test_docs import SCHEMA
 
 HEAD = '<world version="1" name="w" width="900" height="900">\n'

@@ -11,8 +11,8 @@ from kitrobot.classroom.class_room import ClassError, ClassRoom
 from kitrobot.classroom.names import clean_code, clean_name
 from kitrobot.classroom.pupil import Pupil
 from kitrobot.classroom.rate_limits import GuessLimit, RateLimits
-from kitrobot.diagnostics import KitRobotError
-from kitrobot.text import Sentence
+from kitrobot.diagnostics.model import KitRobotError
+from kitrobot.text.sentences import Sentence
 
 WORDS_A_MINUTE: Final = 10
 """Wrong words of one pupil, from one address."""

@@ -26,9 +26,11 @@ from kitrobot.classroom.rate_limits import RateLimits
 from kitrobot.classroom.record import NAME as RECORD
 from kitrobot.classroom.record import ClassRecord, PupilRecord, read_record, unread_sentence, write_record
 from kitrobot.classroom.submissions import Submission, list_submissions, read_submission, store_submission
-from kitrobot.diagnostics import KitRobotError
-from kitrobot.files import HANDED_OUT, FileError, FileLock, read_bytes, revision_of
-from kitrobot.text import Sentence
+from kitrobot.diagnostics.model import KitRobotError
+from kitrobot.files.disk import FileError, read_bytes
+from kitrobot.files.file_lock import FileLock
+from kitrobot.files.folder import HANDED_OUT, revision_of
+from kitrobot.text.sentences import Sentence
 
 MOST_NEWCOMERS: Final = 50
 """New pupils from one address at once; after them one a minute. A class may sit behind one address."""

@@ -14,8 +14,8 @@ from collections.abc import Iterable
 from typing import Final
 
 from kitrobot.classroom.confusables import INVISIBLE, visible_form
-from kitrobot.diagnostics import KitRobotError
-from kitrobot.text import Sentence
+from kitrobot.diagnostics.model import KitRobotError
+from kitrobot.text.sentences import Sentence
 
 LONGEST_NAME: Final = 40
 """Characters of a pupil's name, and of a file's without its ending."""

@@ -19,8 +19,9 @@ from pathlib import Path
 from typing import Any, Final
 
 from kitrobot.classroom.names import clean_code, is_file_name, key_of
-from kitrobot.files import FileError, read_bytes, write_atomic
-from kitrobot.text import Sentence, line_feeds
+from kitrobot.files.disk import FileError, read_bytes, write_atomic
+from kitrobot.text.forms import line_feeds
+from kitrobot.text.sentences import Sentence
 
 NAME: Final = "class.toml"
 USUAL_PLACES: Final = 100

@@ -9,8 +9,11 @@ from typing import Final
 
 from kitrobot.classroom.names import ENDING, free_name, key_of, work_name
 from kitrobot.classroom.pupil_status import HandIn
-from kitrobot.files import FileError, QuotaError, read_bytes, revision_of, utc_moment, write_atomic
-from kitrobot.text import Sentence
+from kitrobot.files.disk import FileError, read_bytes, write_atomic
+from kitrobot.files.folder import revision_of
+from kitrobot.files.listing import utc_moment
+from kitrobot.files.quota import QuotaError
+from kitrobot.text.sentences import Sentence
 
 MOST_FILES: Final = 100
 MOST_BYTES: Final = 16 * 1024 * 1024

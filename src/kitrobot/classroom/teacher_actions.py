@@ -9,8 +9,9 @@ from kitrobot.classroom.admission import NameTakenError
 from kitrobot.classroom.class_room import STUDIOS, ClassError, ClassRoom
 from kitrobot.classroom.names import clean_name, new_code, work_name
 from kitrobot.classroom.pupil import Pupil
-from kitrobot.files import HANDED_OUT, write_atomic
-from kitrobot.text import Sentence
+from kitrobot.files.disk import write_atomic
+from kitrobot.files.folder import HANDED_OUT
+from kitrobot.text.sentences import Sentence
 
 LONGEST_NOTE: Final = 500
 

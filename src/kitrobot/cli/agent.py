@@ -13,11 +13,13 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from kitrobot.cli.output import json_text, print_data, print_message
-from kitrobot.diagnostics import KitRobotError
-from kitrobot.text import Sentence, did_you_mean, listed
+from kitrobot.diagnostics.model import KitRobotError
+from kitrobot.text.phrases import listed
+from kitrobot.text.sentences import Sentence
+from kitrobot.text.suggestions import did_you_mean
 
 if TYPE_CHECKING:
-    from kitrobot.workspace import PreparedRun, RunOptions
+    from kitrobot.workspace.mission_run import PreparedRun, RunOptions
 
 KeyFile = Annotated[
     Path | None, typer.Option("--key", metavar="FILE", help="A file with the key of the team: a long random text.")
@@ -39,7 +41,7 @@ FleetName = Annotated[str, typer.Option("--fleet", metavar="NAME", help="Keeps t
 
 def prepare_team_run(file: Path, options: RunOptions) -> PreparedRun:
     """Prepares a mission whose agents are processes: the network is their radio, instead of the mission's."""
-    from kitrobot.workspace import open_mission
+    from kitrobot.workspace.mission_loader import open_mission
 
     opened = open_mission(file)
     opened.mission.radio = None
@@ -77,18 +79,15 @@ def run_agent(
 
     The exit status is 0 when the mission was done, and 1 when it was not.
     """
-    from kitrobot.fleet import (
-        AgentBoard,
-        AgentProcess,
-        Channel,
-        FleetError,
-        Network,
-        end_of_input,
-        find_key,
-        identity_of,
-        open_board,
-    )
-    from kitrobot.workspace import RunOptions, agent_program
+    from kitrobot.fleet.agent_process import AgentBoard, AgentProcess
+    from kitrobot.fleet.board_line import open_board
+    from kitrobot.fleet.charter import FleetError
+    from kitrobot.fleet.identity import identity_of
+    from kitrobot.fleet.keys import find_key
+    from kitrobot.fleet.processes import end_of_input
+    from kitrobot.fleet.transport import Channel, Network
+    from kitrobot.workspace.mission_run import RunOptions
+    from kitrobot.workspace.team_boards import agent_program
 
     check_wait(wait)
     over = end_of_input() if with_input else None
@@ -165,7 +164,7 @@ def _agent_log(name: str, told: bool) -> Iterator[Callable[[str], None]]:
     if not told:
         yield lambda sentence: log_event(name, sentence)
         return
-    from kitrobot.fleet import StatusReport, encode_report
+    from kitrobot.fleet.status_reports import StatusReport, encode_report
 
     def write(one: StatusReport) -> None:
         with suppress(OSError):

@@ -60,8 +60,10 @@ from kitrobot.cli.sweep import with_moments
 from kitrobot.cli.team import run_team
 from kitrobot.cli.verify import verify_mission
 from kitrobot.cli.watch import watch_board
-from kitrobot.diagnostics import KitRobotError, recording_reads
-from kitrobot.text import Sentence, name_form, number_form
+from kitrobot.diagnostics.model import KitRobotError
+from kitrobot.diagnostics.read_files import recording_reads
+from kitrobot.text.forms import name_form, number_form
+from kitrobot.text.sentences import Sentence
 
 DEBUG_VARIABLE = "KITROBOT_DEBUG"
 COMPLETION_VARIABLE = "_KITROBOT_COMPLETE"

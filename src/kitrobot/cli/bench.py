@@ -12,8 +12,8 @@ from kitrobot.cli.deploy import STAGES
 from kitrobot.cli.language import Language, translated
 from kitrobot.cli.output import error_object, json_text, print_data, print_error, print_message, sanitize
 from kitrobot.cli.watch import Board
-from kitrobot.diagnostics import KitRobotError
-from kitrobot.text import Sentence
+from kitrobot.diagnostics.model import KitRobotError
+from kitrobot.text.sentences import Sentence
 
 if TYPE_CHECKING:
     from kitrobot.workspace.bench import Bench, BenchStep
@@ -67,7 +67,7 @@ def try_parts(
     it has. Everything stops when you leave, at Ctrl-C, and within a second when the cable is pulled. With --all or
     --json the exit status is 1 when a part failed.
     """
-    from kitrobot.translation import override_language
+    from kitrobot.translation.languages import override_language
     from kitrobot.workspace.bench import bench_of
     from kitrobot.workspace.bench_run import BenchRun
     from kitrobot.workspace.calibration import bench_robot
@@ -100,7 +100,7 @@ def try_parts(
 
 def robot_address(port: str, to: str | None) -> str:
     """The robot that is named before the options or with --to; without either the only one that is there."""
-    from kitrobot.robots import choose_boards
+    from kitrobot.robots.board_operations import choose_boards
 
     if port and to:
         raise typer.BadParameter("the robot is named twice: say the port once", param_hint="'--to'")
@@ -152,8 +152,8 @@ def _try_step(
     run: BenchRun, step: BenchStep, seconds: float, gone: KitRobotError | None
 ) -> tuple[dict[str, Any], KitRobotError | None]:
     """Tries one step for `seconds` and returns its result; `gone`: why it cannot be tried any more."""
-    from kitrobot.primitives import format_value
-    from kitrobot.translation import translate
+    from kitrobot.primitives.value_format import format_value
+    from kitrobot.translation.languages import translate
 
     values: list[int] = []
     error = gone
@@ -183,7 +183,7 @@ def _try_step(
 
 
 def _table(rows: list[dict[str, Any]], bench: Bench) -> None:
-    from kitrobot.translation import translate
+    from kitrobot.translation.languages import translate
 
     words = [(_step_name(row["part"], row["call"]), row) for row in rows]
     width = max(len(name) for name, _ in words)
@@ -214,8 +214,8 @@ def _result_text(row: dict[str, Any]) -> str:
 def _control_by_keys(run: BenchRun, bench: Bench) -> None:
     """Steps by keys until the person leaves."""
     from kitrobot.cli.key_input import ESCAPE, read_keys
-    from kitrobot.primitives import format_value
-    from kitrobot.translation import translate
+    from kitrobot.primitives.value_format import format_value
+    from kitrobot.translation.languages import translate
     from kitrobot.workspace.bench_run import OF_THE_BOARD
 
     print_message(_HELP)

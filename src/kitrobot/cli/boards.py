@@ -20,7 +20,7 @@ from kitrobot.cli.output import (
 from kitrobot.cli.result_json import AsJson, board_result
 
 if TYPE_CHECKING:
-    from kitrobot.robots import BoardContents
+    from kitrobot.robots.board_operations import BoardContents
 
 
 def list_boards(
@@ -47,7 +47,7 @@ def list_boards(
     They are looked for on USB, and at the addresses that KITROBOT_BOARDS names, with spaces between them.
     """
     if identify is not None:
-        from kitrobot.deploy import connect
+        from kitrobot.deploy.handshake import connect
 
         with connect(identify, waits=lambda: print_no_answer(identify)) as board:
             board.identify()
@@ -58,9 +58,9 @@ def list_boards(
     if label is not None:
         _label(to or [], label, as_json)
         return
-    from kitrobot.deploy import is_slow
-    from kitrobot.workspace import scan_boards
+    from kitrobot.deploy.board import is_slow
     from kitrobot.workspace.board_labels import labels_of
+    from kitrobot.workspace.robot_programs import scan_boards
 
     seen = scan_boards(to or [], print_no_answer)
     labels = labels_of(one.port.address for one in seen)

@@ -11,10 +11,10 @@ from kitrobot.cli.bench import Port, Replace, robot_address, send_progress
 from kitrobot.cli.dialogue import Dialogue
 from kitrobot.cli.output import json_text, print_data, print_diagnostics, print_message, sanitize
 from kitrobot.cli.watch import Board
-from kitrobot.text import number_form
+from kitrobot.text.forms import number_form
 
 if TYPE_CHECKING:
-    from kitrobot.primitives import Kit
+    from kitrobot.primitives.kit import Kit
     from kitrobot.workspace.bench import BenchStep
     from kitrobot.workspace.bench_run import BenchRun
     from kitrobot.workspace.calibration import Answers, Turned

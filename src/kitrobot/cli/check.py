@@ -10,7 +10,7 @@ import typer
 from kitrobot.cli.check_kit import check_on_kit
 from kitrobot.cli.language import Language
 from kitrobot.cli.output import json_text, print_data, print_message
-from kitrobot.diagnostics import Severity
+from kitrobot.diagnostics.model import Severity
 
 
 def check_files(
@@ -39,9 +39,11 @@ def check_files(
     kits, constructors and worlds. Of an `.lll` without `--robot` only the syntax is checked. The exit status is 1 if
     there is an error, and 0 if there are only warnings and hints. With --board it is 1 when a program cannot be sent.
     """
-    from kitrobot.diagnostics import to_json, with_help, written_out
-    from kitrobot.translation import override_language
-    from kitrobot.workspace import check_file, find_robot
+    from kitrobot.diagnostics.problems import with_help, written_out
+    from kitrobot.diagnostics.renderer import to_json
+    from kitrobot.translation.languages import override_language
+    from kitrobot.workspace.file_check import check_file
+    from kitrobot.workspace.robots import find_robot
 
     if board is not None:
         with override_language(language):

@@ -12,16 +12,16 @@ from kitrobot.cli.language import translated
 from kitrobot.cli.output import error_object, json_text, print_data, print_diagnostics, print_message, sanitize
 
 if TYPE_CHECKING:
-    from kitrobot.deploy import PartOnKit
-    from kitrobot.primitives import Kit
-    from kitrobot.workspace import ProgramOnKit
+    from kitrobot.deploy.kits import PartOnKit
+    from kitrobot.primitives.kit import Kit
+    from kitrobot.workspace.kits import ProgramOnKit
 
 
 def check_on_kit(files: Sequence[Path], board: str, robot: str | None, *, as_json: bool) -> None:
     """Says of each program of missions and texts what becomes of its robot's parts; ends with 1 when one cannot be
     sent.
     """
-    from kitrobot.workspace import find_kit
+    from kitrobot.workspace.kit_files import find_kit
 
     rows: list[dict[str, Any]] = []
     failed = False
@@ -40,9 +40,10 @@ def check_on_kit(files: Sequence[Path], board: str, robot: str | None, *, as_jso
 
 
 def _programs(path: Path, kit: Kit, robot: str | None) -> list[ProgramOnKit]:
-    from kitrobot.files import Form, form_of, is_picture
-    from kitrobot.workspace import mission_on_kit, open_mission
-    from kitrobot.workspace.kits import text_on_kit
+    from kitrobot.files.embedded_mission import is_picture
+    from kitrobot.files.forms import Form, form_of
+    from kitrobot.workspace.kits import mission_on_kit, text_on_kit
+    from kitrobot.workspace.mission_loader import open_mission
     from kitrobot.workspace.robot_programs import no_robot
 
     if is_picture(path.name) or form_of(path, (Form.TEXT, Form.MISSION)) is Form.MISSION:
@@ -53,7 +54,7 @@ def _programs(path: Path, kit: Kit, robot: str | None) -> list[ProgramOnKit]:
 
 
 def _write(program: ProgramOnKit, kit: Kit) -> None:
-    from kitrobot.translation import translate
+    from kitrobot.translation.languages import translate
 
     heading = f"{sanitize(program.program)} (robot {sanitize(program.robot)}) on {sanitize(kit.name)}:"
     table = [_row(one) for one in program.parts]
@@ -76,7 +77,7 @@ def _row(one: PartOnKit) -> tuple[str, str, str]:
 
 
 def _words(one: PartOnKit) -> str:
-    from kitrobot.translation import translate
+    from kitrobot.translation.languages import translate
 
     if one.found is None or one.found.is_missing:
         why = translated(one.found.help) if one.found is not None else ""
@@ -91,7 +92,7 @@ def _words(one: PartOnKit) -> str:
 
 
 def _object(program: ProgramOnKit) -> dict[str, Any]:
-    from kitrobot.translation import translate
+    from kitrobot.translation.languages import translate
 
     return {
         "program": program.program,

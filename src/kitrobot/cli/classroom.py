@@ -9,7 +9,7 @@ from typing import Annotated, Protocol
 import typer
 
 from kitrobot.cli.studio import StudioError
-from kitrobot.text import Sentence
+from kitrobot.text.sentences import Sentence
 
 
 @dataclass(frozen=True)

@@ -33,7 +33,7 @@ def convert_file(
     A text becomes a mission that runs at once: its program, and one agent `robot-1` that runs it in the empty world.
     Nothing is written when the program has errors.
     """
-    from kitrobot.workspace import convert
+    from kitrobot.workspace.conversion import convert
 
     done = convert(source, target, program=program, robot=robot)
     print_diagnostics(done.diagnostics, done.sources)

@@ -11,8 +11,9 @@ import typer
 
 from kitrobot.cli.output import json_text, print_data, print_diagnostics, print_error, print_message, sanitize
 from kitrobot.cli.result_json import board_result, deployed_result
-from kitrobot.diagnostics import KitRobotError
-from kitrobot.text import Sentence, listed
+from kitrobot.diagnostics.model import KitRobotError
+from kitrobot.text.phrases import listed
+from kitrobot.text.sentences import Sentence
 
 if TYPE_CHECKING:
     from kitrobot.workspace.class_set import SetResult

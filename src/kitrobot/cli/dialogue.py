@@ -12,8 +12,8 @@ from queue import Empty, Queue
 from threading import Thread
 
 from kitrobot.cli.output import sanitize
-from kitrobot.diagnostics import KitRobotError
-from kitrobot.text import Sentence
+from kitrobot.diagnostics.model import KitRobotError
+from kitrobot.text.sentences import Sentence
 
 _SERVED_EVERY_S = 0.05
 _AT_ONCE = 4096

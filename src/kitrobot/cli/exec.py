@@ -10,10 +10,10 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from kitrobot.cli.output import print_data, print_diagnostics
-from kitrobot.text import Sentence
+from kitrobot.text.sentences import Sentence
 
 if TYPE_CHECKING:
-    from kitrobot.workspace import Executed
+    from kitrobot.workspace.execution import Executed
 
 _AT_ONCE = 500
 """Lines written together."""
@@ -45,8 +45,9 @@ def execute_program(
     program has ended. Before any row of the inputs, sensors are 0 and every device is done; a row holds from its tick
     on, an empty cell changes nothing. The exit status is 1 when the program or the inputs have errors.
     """
-    from kitrobot.diagnostics import ProblemsError
-    from kitrobot.workspace import execute, load_executable
+    from kitrobot.diagnostics.problems import ProblemsError
+    from kitrobot.workspace.executables import load_executable
+    from kitrobot.workspace.execution import execute
 
     loaded = load_executable(program, robot=robot, program=name, inputs=inputs)
     if loaded.image is None or loaded.inputs is None:

@@ -9,8 +9,8 @@ from typing import Annotated
 import typer
 
 from kitrobot.cli.output import print_data, print_diagnostics, print_error, print_message
-from kitrobot.diagnostics import KitRobotError
-from kitrobot.text import Sentence
+from kitrobot.diagnostics.model import KitRobotError
+from kitrobot.text.sentences import Sentence
 
 STDIN = "-"
 
@@ -41,7 +41,7 @@ def format_files(
 
 
 def _format(name: str, write: bool, check: bool) -> bool:
-    from kitrobot.files import lay_out, lay_out_file
+    from kitrobot.files.layout import lay_out, lay_out_file
 
     if name == STDIN:
         if sys.stdin is None:

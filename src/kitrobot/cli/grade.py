@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from kitrobot.cli.output import json_text, print_data, print_message, sanitize
-from kitrobot.diagnostics import expect_outputs, note_read
+from kitrobot.diagnostics.read_files import expect_outputs, note_read
 
 if TYPE_CHECKING:
     from kitrobot.workspace.grades import Grade
@@ -70,7 +70,7 @@ def grade_submissions(
 
 
 def _write(found: Sequence[Grade], csv: Path | None, html: Path | None) -> None:
-    from kitrobot.files import write_atomic
+    from kitrobot.files.disk import write_atomic
     from kitrobot.workspace.grade_tables import as_csv, as_html
 
     if csv is not None:

@@ -10,11 +10,11 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 if TYPE_CHECKING:
-    from kitrobot.primitives import Texts
+    from kitrobot.primitives.robot import Texts
 
 
 def _known(language: str) -> str:
-    from kitrobot.translation import LANGUAGES
+    from kitrobot.translation.translator import LANGUAGES
 
     if language not in LANGUAGES:
         raise typer.BadParameter(f"expected {', '.join(LANGUAGES[:-1])} or {LANGUAGES[-1]}, found {language[:40]!r}")
@@ -34,7 +34,7 @@ Language = Annotated[
 
 def translated(texts: Texts) -> str:
     """The text in the reader's language (`kitrobot.translation`), else in English, else ""."""
-    from kitrobot.text import Label
-    from kitrobot.translation import translate
+    from kitrobot.text.sentences import Label
+    from kitrobot.translation.languages import translate
 
     return translate(Label("", texts))

@@ -19,6 +19,7 @@ def give_maze(
     There is one way between any two of its cells. The robot starts at the lower left; the green field is farthest
     from there.
     """
-    from kitrobot.world import make_maze, write_world
+    from kitrobot.world.maze import make_maze
+    from kitrobot.world.xml_writer import write_world
 
     print_data(write_world(make_maze(seed, columns, rows)).decode())

@@ -26,7 +26,7 @@ def merge_missions_of_files(
     is a sentence on standard error, and the exit status is 1. The result always opens. When a file cannot be used
     nothing is written and the status is 2.
     """
-    from kitrobot.workspace import merge_files
+    from kitrobot.workspace.file_merge import merge_files
 
     merged = merge_files(base, ours, theirs, output or ours)
     print_diagnostics(merged.left_out, merged.sources)

@@ -15,8 +15,8 @@ from collections.abc import Callable, Iterable, Iterator
 from contextlib import contextmanager
 from typing import Any, ClassVar, TextIO
 
-from kitrobot.diagnostics import Diagnostic, KitRobotError, Place, Source
-from kitrobot.text import Sentence
+from kitrobot.diagnostics.model import Diagnostic, KitRobotError, Place, Source
+from kitrobot.text.sentences import Sentence
 
 _CONTROL_CHARACTERS = re.compile("[\x00-\x09\x0b-\x1f\x7f-\x9f\u202a-\u202e\u2066-\u2069]")
 
@@ -47,7 +47,7 @@ def reset_output_state() -> None:
 
 def failure_json() -> str:
     """The error as one line of JSON; "" when the command has printed data already."""
-    from kitrobot.diagnostics import with_help
+    from kitrobot.diagnostics.problems import with_help
 
     if _OutputState.given:
         return ""
@@ -59,8 +59,8 @@ def failure_json() -> str:
 
 def error_object(error: KitRobotError) -> dict[str, Any]:
     """`message`, `help`, and `diagnostics` as `kitrobot check --json` prints them."""
-    from kitrobot.diagnostics import to_json
-    from kitrobot.translation import translate
+    from kitrobot.diagnostics.renderer import to_json
+    from kitrobot.translation.languages import translate
 
     return {
         "message": translate(error.message),
@@ -196,7 +196,7 @@ def print_data(text: str) -> None:
 
 def print_diagnostics(diagnostics: Iterable[Diagnostic], sources: Iterable[Source] = ()) -> None:
     """Prints diagnostics on standard error."""
-    from kitrobot.diagnostics import written_out
+    from kitrobot.diagnostics.problems import written_out
 
     diagnostics = list(diagnostics)
     _OutputState.problems += diagnostics
@@ -207,7 +207,7 @@ def print_diagnostics(diagnostics: Iterable[Diagnostic], sources: Iterable[Sourc
 
 def print_error(error: KitRobotError) -> None:
     """Prints an error on standard error: its diagnostics, its sentence and its help."""
-    from kitrobot.translation import translate
+    from kitrobot.translation.languages import translate
 
     record_error(error.message, error.help)
     place: Place | None = getattr(error, "place", None)

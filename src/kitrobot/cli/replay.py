@@ -26,7 +26,8 @@ def replay_trace(
     """
     if at is not None and not (math.isfinite(at) and at >= 0):
         raise typer.BadParameter("a moment of a run is 0 seconds or later", param_hint="'--at'")
-    from kitrobot.workspace import open_trace, state_at, summary_of
+    from kitrobot.workspace.replay import state_at, summary_of
+    from kitrobot.workspace.traces import open_trace
 
     trace = open_trace(file)
     with trace.reader:

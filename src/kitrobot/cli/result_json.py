@@ -7,10 +7,10 @@ from typing import TYPE_CHECKING, Annotated, Any
 import typer
 
 from kitrobot.cli.output import error_object
-from kitrobot.diagnostics import KitRobotError
+from kitrobot.diagnostics.model import KitRobotError
 
 if TYPE_CHECKING:
-    from kitrobot.deploy import DeployResult
+    from kitrobot.deploy.installation import DeployResult
 
 AsJson = Annotated[bool, typer.Option("--json", help="Give a list of JSON objects.")]
 

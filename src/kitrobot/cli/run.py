@@ -12,11 +12,11 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from kitrobot.cli.output import json_text, print_data, print_diagnostics, print_message
-from kitrobot.diagnostics import expect_outputs
+from kitrobot.diagnostics.read_files import expect_outputs
 
 if TYPE_CHECKING:
-    from kitrobot.primitives import Kit
-    from kitrobot.workspace import Run
+    from kitrobot.primitives.kit import Kit
+    from kitrobot.workspace.mission_run import Run
 
 
 def run_mission(
@@ -73,11 +73,12 @@ def run_mission(
     """
     if not math.isfinite(fail_rate):
         raise typer.BadParameter("a probability is a number from 0 to 1", param_hint="'--fail-rate'")
-    from kitrobot.files import replace_whole
-    from kitrobot.sim import MAX_SECONDS, MAX_SEED
-    from kitrobot.trace import drawing_svg
-    from kitrobot.workspace import RunOptions, open_mission
-    from kitrobot.world import floor_svg
+    from kitrobot.files.disk import replace_whole
+    from kitrobot.sim.limits import MAX_SECONDS, MAX_SEED
+    from kitrobot.trace.drawing_svg import drawing_svg
+    from kitrobot.workspace.mission_loader import open_mission
+    from kitrobot.workspace.mission_run import RunOptions
+    from kitrobot.world.floor_svg import floor_svg
 
     if not 0 < seconds <= MAX_SECONDS:
         words = f"a run takes more than 0 and at most {MAX_SECONDS:.0f} seconds"
@@ -122,7 +123,7 @@ def run_mission(
 
 def _measured_kit(board: str, mission: Path) -> Kit:
     """The kit of that name or file; it says so where nothing was measured."""
-    from kitrobot.workspace import find_kit
+    from kitrobot.workspace.kit_files import find_kit
 
     kit = find_kit(board, mission.parent)
     if not kit.measured:

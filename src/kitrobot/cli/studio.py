@@ -8,8 +8,8 @@ from typing import Annotated, Protocol
 
 import typer
 
-from kitrobot.diagnostics import KitRobotError
-from kitrobot.text import Sentence
+from kitrobot.diagnostics.model import KitRobotError
+from kitrobot.text.sentences import Sentence
 
 
 class StudioError(KitRobotError):
@@ -69,13 +69,13 @@ def _commands(context: typer.Context) -> list[str]:
 
 
 def _existing(target: str, commands: list[str]) -> Path:
-    from kitrobot.files import find_mission
+    from kitrobot.files.examples import find_mission
 
     path = find_mission(Path(target))
     if path.is_dir() or (path.is_file() and path.suffix.lower() == ".krt"):
         return path
-    from kitrobot.files import is_picture, read_carried
-    from kitrobot.workspace import is_trace, open_trace
+    from kitrobot.files.embedded_mission import is_picture, read_carried
+    from kitrobot.workspace.traces import is_trace, open_trace
 
     if path.is_file() and is_trace(path.name):
         # As with pictures: one that cannot be played is reported before a browser opens.
@@ -92,7 +92,7 @@ def _existing(target: str, commands: list[str]) -> Path:
             Sentence("turn it into one with `kitrobot convert`") if ending in (".lll",) else "",
         )
     if path.suffix or len(path.parts) > 1:
-        from kitrobot.files import suggest_similar_name
+        from kitrobot.files.disk import suggest_similar_name
 
         raise StudioError(Sentence("there is no file or folder `{target}`", target), suggest_similar_name(path))
     from difflib import get_close_matches

@@ -15,7 +15,7 @@ from kitrobot.cli.output import json_text, print_data, print_message
 
 if TYPE_CHECKING:
     from kitrobot.sim.sweep import Field
-    from kitrobot.workspace import PreparedRun
+    from kitrobot.workspace.mission_run import PreparedRun
     from kitrobot.workspace.sweep import Sweep, SweepOptions
 
 MOMENTS, MOMENTS_OF_PAIRS = 100, 20
@@ -39,7 +39,7 @@ def with_moments(arguments: Sequence[str]) -> list[str]:
 
 def sweep_mission(prepared: PreparedRun, options: SweepOptions, picture: Path | None, as_json: bool) -> None:
     """Runs a sweep, gives what came of it, and ends with its status."""
-    from kitrobot.files import replace_whole
+    from kitrobot.files.disk import replace_whole
     from kitrobot.workspace.run_hints import FASTER
     from kitrobot.workspace.sweep import run_sweep
     from kitrobot.workspace.sweep_map import heat_map

@@ -14,13 +14,16 @@ import typer
 
 from kitrobot.cli.agent import Boards, FleetName, KeyFile, Listen, Router, Tls, check_wait, log_event, prepare_team_run
 from kitrobot.cli.output import json_text, print_data, print_diagnostics
-from kitrobot.diagnostics import KitRobotError, note_read
-from kitrobot.text import Sentence, did_you_mean, listed
+from kitrobot.diagnostics.model import KitRobotError
+from kitrobot.diagnostics.read_files import note_read
+from kitrobot.text.phrases import listed
+from kitrobot.text.sentences import Sentence
+from kitrobot.text.suggestions import did_you_mean
 
 if TYPE_CHECKING:
-    from kitrobot.fleet import FleetRun
-    from kitrobot.sim import Simulation
-    from kitrobot.workspace import PreparedRun
+    from kitrobot.fleet.team_process import FleetRun
+    from kitrobot.sim.simulation import Simulation
+    from kitrobot.workspace.mission_run import PreparedRun
 
 
 def run_team(
@@ -55,9 +58,15 @@ def run_team(
     Ctrl-C is the emergency stop: all robots stand still, then everything ends. The exit status is 0 when the mission
     was done.
     """
-    from kitrobot.fleet import LEAST_LEASE_MS, MOST_LEASE_MS, Agents, FleetCallbacks, FleetError, Network, identity_of
-    from kitrobot.sim import MAX_SECONDS, MAX_SEED
-    from kitrobot.workspace import FleetPlan, RunOptions, boards_of, free_endpoint, run_fleet
+    from kitrobot.fleet.charter import LEAST_LEASE_MS, MOST_LEASE_MS, FleetError
+    from kitrobot.fleet.identity import identity_of
+    from kitrobot.fleet.processes import Agents
+    from kitrobot.fleet.team_process import FleetCallbacks
+    from kitrobot.fleet.transport import Network
+    from kitrobot.sim.limits import MAX_SECONDS, MAX_SEED
+    from kitrobot.workspace.fleets import FleetPlan, free_endpoint, run_fleet
+    from kitrobot.workspace.mission_run import RunOptions
+    from kitrobot.workspace.team_boards import boards_of
 
     if not 0 < seconds <= MAX_SECONDS or seed > MAX_SEED:
         words = f"a run takes at most {MAX_SECONDS:.0f} seconds, and a seed is at most {MAX_SEED}"
@@ -138,10 +147,9 @@ def emergency_stop() -> Iterator[threading.Event]:
 @contextmanager
 def recording(prepared: PreparedRun) -> Iterator[Callable[[Simulation], None]]:
     """Records each step, where that is wanted."""
-    from kitrobot.sim import Recorder
-    from kitrobot.sim.recorder import outcome_of
-    from kitrobot.trace import TraceWriter
-    from kitrobot.workspace import parts_of
+    from kitrobot.sim.recorder import Recorder, outcome_of
+    from kitrobot.trace.writer import TraceWriter
+    from kitrobot.workspace.traces import parts_of
 
     if prepared.options.trace is None:
         yield lambda simulation: None

@@ -28,8 +28,8 @@ from kitrobot.cli.output import (
 if TYPE_CHECKING:
     from rich.console import Group
 
-    from kitrobot.deploy import Fault, News, Text
-    from kitrobot.robots import WatchedRobot
+    from kitrobot.deploy.news import Fault, News, Text
+    from kitrobot.robots.view import WatchedRobot
 
 Boards = Annotated[
     list[str] | None,
@@ -97,7 +97,7 @@ def watch_board(
     """
     if seconds is not None and not (math.isfinite(seconds) and seconds > 0):
         raise typer.BadParameter("watching takes more than 0 seconds", param_hint="'--seconds'")
-    from kitrobot.robots import choose_boards
+    from kitrobot.robots.board_operations import choose_boards
     from kitrobot.workspace.robot_monitor import record_robots, watched_robot
 
     with ExitStack() as stack:

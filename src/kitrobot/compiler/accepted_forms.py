@@ -5,8 +5,11 @@ from __future__ import annotations
 from dataclasses import fields
 from typing import Any
 
-from kitrobot.lll import Instruction, Node, Seq, nodes
-from kitrobot.primitives import Catalogue, fill_with, shape, unfill
+from kitrobot.lll.tree import Instruction, Node, Seq
+from kitrobot.lll.walk import nodes
+from kitrobot.primitives.catalogue import Catalogue
+from kitrobot.primitives.match_template import fill_with, unfill
+from kitrobot.primitives.templates import shape
 
 
 def normalise(program: Seq, catalogue: Catalogue) -> None:

@@ -5,8 +5,10 @@ from __future__ import annotations
 from collections.abc import Sequence
 from functools import cached_property
 
-from kitrobot.primitives import Method, Robot
-from kitrobot.text import Help, Sentence, Suggestions, listed
+from kitrobot.primitives.robot import Method, Robot
+from kitrobot.text.phrases import listed
+from kitrobot.text.sentences import Help, Sentence
+from kitrobot.text.suggestions import Suggestions
 
 
 class CalledNames:

@@ -15,8 +15,8 @@ from kitrobot.compiler.flow import FlowAnalysis
 from kitrobot.compiler.lineage import Lineage
 from kitrobot.compiler.overridden_commands import find_overridden_commands
 from kitrobot.compiler.target import Target, words_for
-from kitrobot.diagnostics import Diagnostic, Fix, FixKind, Rule, Source, in_reading_order
-from kitrobot.lll import (
+from kitrobot.diagnostics.model import Diagnostic, Fix, FixKind, Rule, Source, in_reading_order
+from kitrobot.lll.tree import (
     And,
     Break,
     Call,
@@ -39,11 +39,10 @@ from kitrobot.lll import (
     Wait,
     Where,
     While,
-    bodies,
-    nodes,
 )
-from kitrobot.primitives import Category, Kind, Method, Parameter, Robot, RobotObject, ValueType
-from kitrobot.text import COMMA, Help, Sentence, Series, Word
+from kitrobot.lll.walk import bodies, nodes
+from kitrobot.primitives.robot import Category, Kind, Method, Parameter, Robot, RobotObject, ValueType
+from kitrobot.text.sentences import COMMA, Help, Sentence, Series, Word
 
 
 def check(

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
-from kitrobot.image import Origin
+from kitrobot.image.debug import Origin
 from kitrobot.image.instructions import BY_NUMBER
 
 

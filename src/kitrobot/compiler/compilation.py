@@ -13,12 +13,16 @@ from kitrobot.compiler.lowering import lower
 from kitrobot.compiler.rules import UNKNOWN_METHOD, UNKNOWN_OBJECT
 from kitrobot.compiler.target import Target, print_for, target_of
 from kitrobot.compiler.team_check import check_program
-from kitrobot.diagnostics import Diagnostic, Source, in_reading_order
-from kitrobot.graph import Program
-from kitrobot.image import DebugMap, Image
-from kitrobot.lll import Seq, nodes, parse, print_again, print_program
-from kitrobot.primitives import Catalogue
-from kitrobot.text import collection_paused
+from kitrobot.diagnostics.model import Diagnostic, Source, in_reading_order
+from kitrobot.graph.model import Program
+from kitrobot.image.debug import DebugMap
+from kitrobot.image.model import Image
+from kitrobot.lll.parse_results import parse
+from kitrobot.lll.printer import print_again, print_program
+from kitrobot.lll.tree import Seq
+from kitrobot.lll.walk import nodes
+from kitrobot.primitives.catalogue import Catalogue
+from kitrobot.text.collection import collection_paused
 
 
 @dataclass(frozen=True)

@@ -8,8 +8,8 @@ from __future__ import annotations
 
 from itertools import product
 
-from kitrobot.lll import And, Call, Condition, Hole, Joint, Not, Number, Or
-from kitrobot.primitives import Robot
+from kitrobot.lll.tree import And, Call, Condition, Hole, Joint, Not, Number, Or
+from kitrobot.primitives.robot import Robot
 
 MOST_TESTS = 6
 """Different tests in a condition, of which every combination is tried; a condition with more is not known."""

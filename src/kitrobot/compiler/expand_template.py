@@ -9,9 +9,10 @@ from typing import Any, Protocol
 
 from kitrobot.compiler import graph_rules as rules
 from kitrobot.compiler.wiring import Wiring
-from kitrobot.diagnostics import Rule
-from kitrobot.graph import Vertex
-from kitrobot.lll import (
+from kitrobot.diagnostics.model import Rule
+from kitrobot.graph.model import Vertex
+from kitrobot.lll.parse_results import parse_members
+from kitrobot.lll.tree import (
     MAX_NUMBER,
     And,
     Break,
@@ -38,10 +39,9 @@ from kitrobot.lll import (
     Wait,
     Where,
     While,
-    parse_members,
 )
-from kitrobot.primitives import Constructor, Slot, SlotKind
-from kitrobot.text import Help, Sentence, Word
+from kitrobot.primitives.constructors import Constructor, Slot, SlotKind
+from kitrobot.text.sentences import Help, Sentence, Word
 
 
 class Walk(Protocol):

@@ -9,12 +9,13 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from kitrobot.compiler.rules import TOO_LARGE
-from kitrobot.diagnostics import Diagnostic
-from kitrobot.graph import Program
-from kitrobot.image import MOST_INSTRUCTIONS
-from kitrobot.lll import Seq, nodes
-from kitrobot.primitives import Catalogue
-from kitrobot.text import Sentence
+from kitrobot.diagnostics.model import Diagnostic
+from kitrobot.graph.model import Program
+from kitrobot.image.model import MOST_INSTRUCTIONS
+from kitrobot.lll.tree import Seq
+from kitrobot.lll.walk import nodes
+from kitrobot.primitives.catalogue import Catalogue
+from kitrobot.text.sentences import Sentence
 
 MOST_OF_MISSION = 2 * MOST_INSTRUCTIONS
 """By how many instructions all programs of a mission may grow together."""

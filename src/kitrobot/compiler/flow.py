@@ -11,7 +11,7 @@ from typing import NamedTuple
 
 from kitrobot.compiler.lineage import Table, remembered
 from kitrobot.compiler.slots import is_marked
-from kitrobot.lll import (
+from kitrobot.lll.tree import (
     Break,
     Call,
     Conditional,
@@ -29,7 +29,7 @@ from kitrobot.lll import (
     Where,
     While,
 )
-from kitrobot.primitives import Robot
+from kitrobot.primitives.robot import Robot
 
 
 class Flow(NamedTuple):

@@ -1,6 +1,6 @@
 """The rules of graphs: what can be wrong with vertices and arcs before there is any LLL."""
 
-from kitrobot.diagnostics import Severity, rule
+from kitrobot.diagnostics.model import Severity, rule
 
 UNKNOWN_ELEMENT = rule(
     "unknown-element",

@@ -20,21 +20,13 @@ from kitrobot.compiler.lineage import Lineage
 from kitrobot.compiler.target import target_of
 from kitrobot.compiler.typed_numbers import nearest_number, typed_number
 from kitrobot.compiler.wiring import Wiring
-from kitrobot.diagnostics import Diagnostic, Fix, FixKind, Rule
-from kitrobot.graph import IN, NEXT, RETURN, START, STOP, Arc, Program, Vertex
-from kitrobot.lll import (
-    MAX_NESTING,
-    MAX_NUMBER,
-    Call,
-    Condition,
-    Hole,
-    Instr,
-    Number,
-    Param,
-    Seq,
-)
-from kitrobot.primitives import Catalogue, Constructor, Parameter, Role
-from kitrobot.text import Help, Sentence, Word
+from kitrobot.diagnostics.model import Diagnostic, Fix, FixKind, Rule
+from kitrobot.graph.model import IN, NEXT, RETURN, START, STOP, Arc, Program, Vertex
+from kitrobot.lll.tree import MAX_NESTING, MAX_NUMBER, Call, Condition, Hole, Instr, Number, Param, Seq
+from kitrobot.primitives.catalogue import Catalogue
+from kitrobot.primitives.constructors import Constructor, Role
+from kitrobot.primitives.robot import Parameter
+from kitrobot.text.sentences import Help, Sentence, Word
 
 
 class Piece(NamedTuple):

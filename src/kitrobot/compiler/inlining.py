@@ -8,10 +8,10 @@ from typing import Any, Protocol
 
 from kitrobot.compiler.graph_rules import TOO_DEEP
 from kitrobot.compiler.rules import TOO_LARGE
-from kitrobot.diagnostics import Rule
-from kitrobot.image import MOST_INSTRUCTIONS
-from kitrobot.lll import MAX_NESTING, Instruction, Members, Node, ProgramCall, Seq
-from kitrobot.text import Help, Sentence
+from kitrobot.diagnostics.model import Rule
+from kitrobot.image.model import MOST_INSTRUCTIONS
+from kitrobot.lll.tree import MAX_NESTING, Instruction, Members, Node, ProgramCall, Seq
+from kitrobot.text.sentences import Help, Sentence
 
 
 class Report(Protocol):

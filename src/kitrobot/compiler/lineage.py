@@ -14,7 +14,8 @@ from collections.abc import Callable, Hashable
 from dataclasses import dataclass, field
 from typing import Any, TypeVar
 
-from kitrobot.lll import Node, Seq, nodes
+from kitrobot.lll.tree import Node, Seq
+from kitrobot.lll.walk import nodes
 
 Thing = TypeVar("Thing", bound=Node)
 Found = TypeVar("Found")

@@ -20,11 +20,17 @@ from kitrobot.compiler.accepted_forms import normalise
 from kitrobot.compiler.graph_to_lll import Translation, graph_to_lll
 from kitrobot.compiler.preserve_ids import Before, Branch, Old, Origin, Row, lines_of, note, nothing_before
 from kitrobot.compiler.target import program_for
-from kitrobot.diagnostics import KitRobotError
-from kitrobot.graph import IN, NEXT, RETURN, START, STOP, Arc, Note, Program, Vertex
-from kitrobot.lll import Call, Instruction, Members, Node, Number, Seq, nodes, print_members
-from kitrobot.primitives import Bound, Catalogue, Constructor, Robot, SlotKind, shape, unfill, unfill_all, unfill_row
-from kitrobot.text import Sentence
+from kitrobot.diagnostics.model import KitRobotError
+from kitrobot.graph.model import IN, NEXT, RETURN, START, STOP, Arc, Note, Program, Vertex
+from kitrobot.lll.printer import print_members
+from kitrobot.lll.tree import Call, Instruction, Members, Node, Number, Seq
+from kitrobot.lll.walk import nodes
+from kitrobot.primitives.catalogue import Catalogue
+from kitrobot.primitives.constructors import Constructor, SlotKind
+from kitrobot.primitives.match_template import Bound, unfill, unfill_all, unfill_row
+from kitrobot.primitives.robot import Robot
+from kitrobot.primitives.templates import shape
+from kitrobot.text.sentences import Sentence
 
 
 def lll_to_graph(

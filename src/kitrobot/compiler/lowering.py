@@ -12,8 +12,11 @@ from kitrobot.compiler.flow import FlowAnalysis
 from kitrobot.compiler.lineage import Lineage
 from kitrobot.compiler.slots import SlotTree
 from kitrobot.compiler.target import Target
-from kitrobot.diagnostics import Diagnostic
-from kitrobot.image import (
+from kitrobot.diagnostics.model import Diagnostic
+from kitrobot.image import instructions as ops
+from kitrobot.image.debug import DebugMap, Origin
+from kitrobot.image.machine import Layout
+from kitrobot.image.model import (
     LARGEST_VALUE,
     MOST_ARGUMENTS,
     MOST_CELLS,
@@ -22,15 +25,11 @@ from kitrobot.image import (
     MOST_PARALLELS,
     MOST_SLOTS,
     MOST_STOPS,
-    DebugMap,
     Image,
-    Layout,
-    Origin,
     SlotRecord,
     StopRecord,
 )
-from kitrobot.image import instructions as ops
-from kitrobot.lll import (
+from kitrobot.lll.tree import (
     And,
     Break,
     Call,
@@ -49,8 +48,8 @@ from kitrobot.lll import (
     Wait,
     While,
 )
-from kitrobot.primitives import Category, Kind, Method, Robot, RobotObject
-from kitrobot.text import Sentence, Word
+from kitrobot.primitives.robot import Category, Kind, Method, Robot, RobotObject
+from kitrobot.text.sentences import Sentence, Word
 
 
 def lower(

@@ -18,10 +18,13 @@ from kitrobot.compiler.graph_to_lll import Translation
 from kitrobot.compiler.preserve_ids import Before
 from kitrobot.compiler.retranslation import graph_to_lll_again
 from kitrobot.compiler.stretch import Stretch, draw_stretch
-from kitrobot.graph import Program
-from kitrobot.lll import Parallel, Seq, bodies, parse, print_lines
-from kitrobot.primitives import Catalogue
-from kitrobot.text import common_affixes
+from kitrobot.graph.model import Program
+from kitrobot.lll.parse_results import parse
+from kitrobot.lll.printer import print_lines
+from kitrobot.lll.tree import Parallel, Seq
+from kitrobot.lll.walk import bodies
+from kitrobot.primitives.catalogue import Catalogue
+from kitrobot.text.affixes import common_affixes
 
 _MOST = 0.5
 """Of a text: where more of it changed, the whole is as quickly looked at."""

@@ -9,7 +9,7 @@ from __future__ import annotations
 from kitrobot.compiler.flow import FlowAnalysis
 from kitrobot.compiler.lineage import Lineage, Table, remembered
 from kitrobot.compiler.team_lines import has_blocks
-from kitrobot.lll import (
+from kitrobot.lll.tree import (
     Call,
     Condition,
     Conditional,
@@ -22,10 +22,9 @@ from kitrobot.lll import (
     SeqOfPar,
     Wait,
     While,
-    bodies,
-    nodes,
 )
-from kitrobot.primitives import Category, Kind, Robot
+from kitrobot.lll.walk import bodies, nodes
+from kitrobot.primitives.robot import Category, Kind, Robot
 
 _SHORT = (Call, Interrupt, Wait)
 """Holds no body."""

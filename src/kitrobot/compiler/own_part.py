@@ -21,36 +21,18 @@ from kitrobot.compiler.part_placement import contents, put_part
 from kitrobot.compiler.selection import Selection, select
 from kitrobot.compiler.target import target_of
 from kitrobot.compiler.wiring import Wiring
-from kitrobot.diagnostics import Diagnostic, KitRobotError
-from kitrobot.graph import NEXT, START, STOP, Arc, Program, Vertex
-from kitrobot.lll import (
-    Break,
-    Condition,
-    Joint,
-    Node,
-    Parallel,
-    Repeat,
-    Seq,
-    TeamInstr,
-    While,
-    children,
-    is_name,
-    nodes,
-    print_template,
-)
-from kitrobot.primitives import (
-    OWN_GROUP,
-    Catalogue,
-    Constructor,
-    Level,
-    Role,
-    Slot,
-    SlotKind,
-    Texts,
-    read_own,
-    write_constructor,
-)
-from kitrobot.text import COMMA, Sentence, Series
+from kitrobot.diagnostics.model import Diagnostic, KitRobotError
+from kitrobot.graph.model import NEXT, START, STOP, Arc, Program, Vertex
+from kitrobot.lll.printer import print_template
+from kitrobot.lll.tokens import is_name
+from kitrobot.lll.tree import Break, Condition, Joint, Node, Parallel, Repeat, Seq, TeamInstr, While
+from kitrobot.lll.walk import children, nodes
+from kitrobot.primitives.catalogue import Catalogue
+from kitrobot.primitives.constructors import Constructor, Role, Slot, SlotKind
+from kitrobot.primitives.levels import Level
+from kitrobot.primitives.own_xml import OWN_GROUP, read_own, write_constructor
+from kitrobot.primitives.robot import Texts
+from kitrobot.text.sentences import COMMA, Sentence, Series
 
 _NOT_IN_NAMES = re.compile(r"[^A-Za-z0-9_]+")
 

@@ -13,9 +13,12 @@ from kitrobot.compiler.graph_to_lll import SlotName
 from kitrobot.compiler.selection import Selection, chain_behind
 from kitrobot.compiler.typed_numbers import typed_number
 from kitrobot.compiler.wiring import Wiring
-from kitrobot.graph import NEXT, Vertex
-from kitrobot.lll import MAX_NUMBER, is_name
-from kitrobot.primitives import Kind, Meaning, Slot, SlotKind, Texts, ValueType
+from kitrobot.graph.model import NEXT, Vertex
+from kitrobot.lll.tokens import is_name
+from kitrobot.lll.tree import MAX_NUMBER
+from kitrobot.primitives.constructors import Slot, SlotKind
+from kitrobot.primitives.meaning import Meaning
+from kitrobot.primitives.robot import Kind, Texts, ValueType
 
 TAKEN_PORTS = ("in", "next", "return")
 TYPED = (SlotKind.NUMBER, SlotKind.VALUE, SlotKind.TEXT)

@@ -14,8 +14,8 @@ from kitrobot.compiler.graph_to_lll import SlotName
 from kitrobot.compiler.part_offers import TYPED, ports_of
 from kitrobot.compiler.selection import Selection, chain_behind, fillers_of, held_by
 from kitrobot.compiler.wiring import Wiring
-from kitrobot.graph import IN, NEXT, RETURN, Arc, Note, Program, Vertex
-from kitrobot.primitives import Constructor, SlotKind
+from kitrobot.graph.model import IN, NEXT, RETURN, Arc, Note, Program, Vertex
+from kitrobot.primitives.constructors import Constructor, SlotKind
 
 _NUMBERED = re.compile(r"v([1-9][0-9]{0,8})")
 

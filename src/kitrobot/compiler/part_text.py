@@ -14,9 +14,11 @@ from itertools import accumulate
 from typing import Any
 
 from kitrobot.compiler.lll_to_graph import lll_to_graph
-from kitrobot.diagnostics import Diagnostic, Place, Source
-from kitrobot.graph import IN, START, STOP, Program
-from kitrobot.lll import (
+from kitrobot.diagnostics.model import Diagnostic, Place, Source
+from kitrobot.graph.model import IN, START, STOP, Program
+from kitrobot.lll.parse_results import parse_template
+from kitrobot.lll.printer import print_template
+from kitrobot.lll.tree import (
     MAX_NUMBER,
     And,
     Call,
@@ -30,24 +32,15 @@ from kitrobot.lll import (
     Or,
     ProgramCall,
     Seq,
-    nodes,
-    parse_template,
-    print_template,
-    without_comments,
 )
-from kitrobot.primitives import (
-    Catalogue,
-    Constructor,
-    Robot,
-    Slot,
-    SlotKind,
-    Template,
-    ValueType,
-    holes,
-    read_own,
-    write_constructor,
-)
-from kitrobot.xml import escape_text
+from kitrobot.lll.walk import nodes, without_comments
+from kitrobot.primitives.catalogue import Catalogue
+from kitrobot.primitives.constructors import Constructor, Slot, SlotKind
+from kitrobot.primitives.own_xml import read_own, write_constructor
+from kitrobot.primitives.robot import Robot, ValueType
+from kitrobot.primitives.template_xml import Template
+from kitrobot.primitives.templates import holes
+from kitrobot.xml.writer import escape_text
 
 FILE = "part.lll"
 """The name by which problems speak of the text."""

@@ -18,9 +18,11 @@ from kitrobot.compiler.graph_to_lll import Translation
 from kitrobot.compiler.target import program_for
 from kitrobot.compiler.tree_diff import Same, same_nodes
 from kitrobot.compiler.wiring import Wiring
-from kitrobot.graph import RETURN, START, Note, Program, Vertex
-from kitrobot.lll import Node, Number, Seq, children
-from kitrobot.primitives import Catalogue, Robot
+from kitrobot.graph.model import RETURN, START, Note, Program, Vertex
+from kitrobot.lll.tree import Node, Number, Seq
+from kitrobot.lll.walk import children
+from kitrobot.primitives.catalogue import Catalogue
+from kitrobot.primitives.robot import Robot
 
 _NUMBERED = re.compile(r"^v([1-9][0-9]{0,8})$", re.MULTILINE)
 

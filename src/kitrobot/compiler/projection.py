@@ -35,8 +35,8 @@ from kitrobot.compiler.team_lines import Lines, answer, append, come_from, has_b
 from kitrobot.compiler.team_names import Atom
 from kitrobot.compiler.team_points import ALL, ONE, NameSet, Point, PointKind, TeamPlan
 from kitrobot.compiler.team_sets import TeamSets
-from kitrobot.diagnostics import Diagnostic, Rule, Source
-from kitrobot.lll import (
+from kitrobot.diagnostics.model import Diagnostic, Rule, Source
+from kitrobot.lll.tree import (
     MAX_NUMBER,
     And,
     Block,
@@ -63,11 +63,10 @@ from kitrobot.lll import (
     Wait,
     Where,
     While,
-    bodies,
-    nodes,
 )
-from kitrobot.primitives import Crew
-from kitrobot.text import Help, Sentence
+from kitrobot.lll.walk import bodies, nodes
+from kitrobot.primitives.crew import Crew
+from kitrobot.text.sentences import Help, Sentence
 
 Shared = Callable[[Call], bool]
 

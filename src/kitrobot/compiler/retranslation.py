@@ -17,9 +17,9 @@ from typing import TypeVar
 from kitrobot.compiler.expansion_limit import oversize
 from kitrobot.compiler.graph_to_lll import Translation, Walk, graph_to_lll
 from kitrobot.compiler.wiring import Wiring
-from kitrobot.graph import IN, NEXT, RETURN, START, STOP, Program, Vertex
-from kitrobot.primitives import Catalogue
-from kitrobot.text import common_affixes
+from kitrobot.graph.model import IN, NEXT, RETURN, START, STOP, Program, Vertex
+from kitrobot.primitives.catalogue import Catalogue
+from kitrobot.text.affixes import common_affixes
 
 Thing = TypeVar("Thing")
 

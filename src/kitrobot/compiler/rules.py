@@ -1,6 +1,6 @@
 """The rules of meaning: what can be wrong with a program whose text or graph can be read."""
 
-from kitrobot.diagnostics import Severity, rule
+from kitrobot.diagnostics.model import Severity, rule
 
 UNKNOWN_OBJECT = rule(
     "unknown-object",

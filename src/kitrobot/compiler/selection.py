@@ -10,10 +10,11 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
 from kitrobot.compiler.wiring import Wiring
-from kitrobot.diagnostics import KitRobotError
-from kitrobot.graph import IN, NEXT, START, STOP
-from kitrobot.primitives import Kind, Role, SlotKind
-from kitrobot.text import Sentence
+from kitrobot.diagnostics.model import KitRobotError
+from kitrobot.graph.model import IN, NEXT, START, STOP
+from kitrobot.primitives.constructors import Role, SlotKind
+from kitrobot.primitives.robot import Kind
+from kitrobot.text.sentences import Sentence
 
 
 class SelectionError(KitRobotError):

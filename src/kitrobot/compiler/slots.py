@@ -9,8 +9,9 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import dataclass, field
 
-from kitrobot.image import ParallelRecord
-from kitrobot.lll import Call, Interrupt, Parallel, Repeat, Seq, Wait, bodies
+from kitrobot.image.model import ParallelRecord
+from kitrobot.lll.tree import Call, Interrupt, Parallel, Repeat, Seq, Wait
+from kitrobot.lll.walk import bodies
 
 
 @dataclass

@@ -19,9 +19,11 @@ from kitrobot.compiler.preserve_ids import Before, Old, lines_of
 from kitrobot.compiler.retranslation import graph_to_lll_again
 from kitrobot.compiler.target import program_for
 from kitrobot.compiler.tree_diff import same_nodes
-from kitrobot.graph import IN, NEXT, Arc, Program
-from kitrobot.lll import Call, Interrupt, Repeat, Seq, children, nodes
-from kitrobot.primitives import Catalogue, Robot
+from kitrobot.graph.model import IN, NEXT, Arc, Program
+from kitrobot.lll.tree import Call, Interrupt, Repeat, Seq
+from kitrobot.lll.walk import children, nodes
+from kitrobot.primitives.catalogue import Catalogue
+from kitrobot.primitives.robot import Robot
 
 
 @dataclass(frozen=True)

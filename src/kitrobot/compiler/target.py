@@ -8,11 +8,15 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TypeAlias
 
-from kitrobot.diagnostics import Diagnostic, KitRobotError, Source
-from kitrobot.graph import Program
-from kitrobot.lll import Seq, TeamProgram, parse, parse_team, print_program, print_team_program
-from kitrobot.primitives import Catalogue, Crew, Robot
-from kitrobot.text import Sentence
+from kitrobot.diagnostics.model import Diagnostic, KitRobotError, Source
+from kitrobot.graph.model import Program
+from kitrobot.lll.parse_results import parse, parse_team
+from kitrobot.lll.printer import print_program, print_team_program
+from kitrobot.lll.tree import Seq, TeamProgram
+from kitrobot.primitives.catalogue import Catalogue
+from kitrobot.primitives.crew import Crew
+from kitrobot.primitives.robot import Robot
+from kitrobot.text.sentences import Sentence
 
 Target: TypeAlias = Robot
 

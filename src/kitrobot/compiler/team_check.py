@@ -17,8 +17,8 @@ from kitrobot.compiler.checker import check
 from kitrobot.compiler.lineage import Lineage
 from kitrobot.compiler.target import Target
 from kitrobot.compiler.team_names import Atom, Atoms, Names
-from kitrobot.diagnostics import Diagnostic, Rule, Source, in_reading_order
-from kitrobot.lll import (
+from kitrobot.diagnostics.model import Diagnostic, Rule, Source, in_reading_order
+from kitrobot.lll.tree import (
     And,
     Block,
     Call,
@@ -39,12 +39,11 @@ from kitrobot.lll import (
     SeqOfPar,
     Where,
     While,
-    bodies,
-    children,
-    nodes,
 )
-from kitrobot.primitives import Crew
-from kitrobot.text import Help, Sentence, Word, listed
+from kitrobot.lll.walk import bodies, children, nodes
+from kitrobot.primitives.crew import Crew
+from kitrobot.text.phrases import listed
+from kitrobot.text.sentences import Help, Sentence, Word
 
 
 def check_program(

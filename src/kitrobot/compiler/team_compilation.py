@@ -11,10 +11,13 @@ from kitrobot.compiler.team_effects import MovesBoxes, report_effects_done_twice
 from kitrobot.compiler.team_moves import report_emptied
 from kitrobot.compiler.team_names import Names
 from kitrobot.compiler.team_points import TeamPlan
-from kitrobot.diagnostics import Diagnostic, Rule, Source
-from kitrobot.lll import Call, Instruction, Node, Seq, print_program
-from kitrobot.primitives import Catalogue, Level, with_team
-from kitrobot.text import Help, Sentence
+from kitrobot.diagnostics.model import Diagnostic, Rule, Source
+from kitrobot.lll.printer import print_program
+from kitrobot.lll.tree import Call, Instruction, Node, Seq
+from kitrobot.primitives.catalogue import Catalogue
+from kitrobot.primitives.levels import Level
+from kitrobot.primitives.team_objects import with_team
+from kitrobot.text.sentences import Help, Sentence
 
 
 @dataclass(frozen=True)

@@ -25,7 +25,7 @@ from kitrobot.compiler.inlining import Report
 from kitrobot.compiler.team_lines import has_blocks
 from kitrobot.compiler.team_names import Atom, Names
 from kitrobot.compiler.team_sets import TeamSets
-from kitrobot.lll import (
+from kitrobot.lll.tree import (
     Block,
     Call,
     Conditional,
@@ -43,11 +43,13 @@ from kitrobot.lll import (
     SeqOfPar,
     Where,
     While,
-    bodies,
-    nodes,
 )
-from kitrobot.primitives import DONE, TAKE, Category, Crew, Method, Robot, RobotObject
-from kitrobot.text import Help, Sentence, listed
+from kitrobot.lll.walk import bodies, nodes
+from kitrobot.primitives.automatic import DONE, TAKE
+from kitrobot.primitives.crew import Crew
+from kitrobot.primitives.robot import Category, Method, Robot, RobotObject
+from kitrobot.text.phrases import listed
+from kitrobot.text.sentences import Help, Sentence
 
 MovesBoxes = Callable[[RobotObject], bool]
 """Whether the procedures of a part move boxes between a storehouse and a robot."""

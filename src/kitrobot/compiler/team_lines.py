@@ -4,23 +4,9 @@ from __future__ import annotations
 
 from typing import TypeVar
 
-from kitrobot.lll import (
-    Block,
-    Break,
-    Call,
-    Instr,
-    Instruction,
-    Move,
-    Node,
-    Number,
-    Parallel,
-    Repeat,
-    Seq,
-    While,
-    children,
-    nodes,
-)
-from kitrobot.primitives import TEAM
+from kitrobot.lll.tree import Block, Break, Call, Instr, Instruction, Move, Node, Number, Parallel, Repeat, Seq, While
+from kitrobot.lll.walk import children, nodes
+from kitrobot.primitives.team_objects import TEAM
 
 Lines = dict[str, list[Instr]]
 """What each kind of robot does, by its name."""

@@ -23,22 +23,9 @@ from kitrobot.compiler import team_rules as rules
 from kitrobot.compiler.inlining import Report
 from kitrobot.compiler.team_names import Atom, Atoms, Names
 from kitrobot.compiler.team_sets import TeamSets
-from kitrobot.lll import (
-    Block,
-    Conditional,
-    Instr,
-    Joint,
-    Members,
-    Move,
-    Node,
-    Parallel,
-    Repeat,
-    Seq,
-    While,
-    bodies,
-    nodes,
-)
-from kitrobot.text import Help, Sentence
+from kitrobot.lll.tree import Block, Conditional, Instr, Joint, Members, Move, Node, Parallel, Repeat, Seq, While
+from kitrobot.lll.walk import bodies, nodes
+from kitrobot.text.sentences import Help, Sentence
 
 MOST_PAIRS = 40_000
 """Pairs of a group with a group, a MOVE, a block or a question that are looked at, at most."""

@@ -12,10 +12,13 @@ from functools import cached_property
 from typing import NamedTuple, TypeAlias
 
 from kitrobot.compiler import team_rules as rules
-from kitrobot.diagnostics import Diagnostic, Place
-from kitrobot.lll import AnyDeclaration, GroupDeclaration, RoleDeclaration
-from kitrobot.primitives import Crew, Robot
-from kitrobot.text import Help, Sentence, Suggestions, listed
+from kitrobot.diagnostics.model import Diagnostic, Place
+from kitrobot.lll.tree import AnyDeclaration, GroupDeclaration, RoleDeclaration
+from kitrobot.primitives.crew import Crew
+from kitrobot.primitives.robot import Robot
+from kitrobot.text.phrases import listed
+from kitrobot.text.sentences import Help, Sentence
+from kitrobot.text.suggestions import Suggestions
 
 
 class Atom(NamedTuple):

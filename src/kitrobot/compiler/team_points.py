@@ -22,7 +22,7 @@ from dataclasses import dataclass
 from enum import StrEnum
 from typing import Final, Literal
 
-from kitrobot.lll import Quantifier
+from kitrobot.lll.tree import Quantifier
 
 NameSet = frozenset[str]
 """Roles, groups and agents as a program names them; none of them stand for the whole team."""

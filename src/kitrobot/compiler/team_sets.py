@@ -5,8 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterable
 
 from kitrobot.compiler.team_names import Atoms, Names
-from kitrobot.lll import Move, Seq, nodes
-from kitrobot.primitives import Crew
+from kitrobot.lll.tree import Move, Seq
+from kitrobot.lll.walk import nodes
+from kitrobot.primitives.crew import Crew
 
 
 class TeamSets:

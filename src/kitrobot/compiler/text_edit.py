@@ -20,11 +20,13 @@ from kitrobot.compiler.stretch import redraw_edited
 from kitrobot.compiler.target import read_for
 from kitrobot.compiler.team_check import check_program
 from kitrobot.compiler.vertex_places import VertexPlace, vertex_places
-from kitrobot.diagnostics import Diagnostic, Source, in_reading_order
-from kitrobot.graph import Program
-from kitrobot.lll import Node, Seq, TeamProgram, nodes
-from kitrobot.primitives import Catalogue, Crew, declaring
-from kitrobot.text import TextPositions
+from kitrobot.diagnostics.model import Diagnostic, Source, in_reading_order
+from kitrobot.graph.model import Program
+from kitrobot.lll.tree import Node, Seq, TeamProgram
+from kitrobot.lll.walk import nodes
+from kitrobot.primitives.catalogue import Catalogue
+from kitrobot.primitives.crew import Crew, declaring
+from kitrobot.text.positions import TextPositions
 
 
 @dataclass(frozen=True)

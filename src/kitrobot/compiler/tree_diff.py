@@ -11,7 +11,7 @@ from __future__ import annotations
 from typing import Any
 
 from kitrobot.compiler.common_order import common_order
-from kitrobot.lll import (
+from kitrobot.lll.tree import (
     And,
     Call,
     Conditional,
@@ -33,9 +33,8 @@ from kitrobot.lll import (
     Wait,
     Where,
     While,
-    children,
-    nodes,
 )
+from kitrobot.lll.walk import children, nodes
 
 Same = dict[int, Node]
 """`id` of a new node → the old node it is."""

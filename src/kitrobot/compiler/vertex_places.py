@@ -5,8 +5,9 @@ from __future__ import annotations
 from typing import Any, NamedTuple
 
 from kitrobot.compiler.lineage import Lineage, Table
-from kitrobot.diagnostics import Source
-from kitrobot.lll import Call, Node, Seq, Wait, children
+from kitrobot.diagnostics.model import Source
+from kitrobot.lll.tree import Call, Node, Seq, Wait
+from kitrobot.lll.walk import children
 
 
 class VertexPlace(NamedTuple):

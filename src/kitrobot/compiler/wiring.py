@@ -11,10 +11,13 @@ from typing import Any
 
 from kitrobot.compiler import graph_rules as rules
 from kitrobot.compiler.target import words_for
-from kitrobot.diagnostics import ArcName, Diagnostic, Fix, FixKind
-from kitrobot.graph import IN, NEXT, RETURN, START, STOP, Arc, Program, Vertex
-from kitrobot.primitives import Catalogue, Constructor, Robot, SlotKind
-from kitrobot.text import Sentence, Suggestions, Word
+from kitrobot.diagnostics.model import ArcName, Diagnostic, Fix, FixKind
+from kitrobot.graph.model import IN, NEXT, RETURN, START, STOP, Arc, Program, Vertex
+from kitrobot.primitives.catalogue import Catalogue
+from kitrobot.primitives.constructors import Constructor, SlotKind
+from kitrobot.primitives.robot import Robot
+from kitrobot.text.sentences import Sentence, Word
+from kitrobot.text.suggestions import Suggestions
 
 
 class Wiring:

@@ -22,7 +22,7 @@ from kitrobot.deploy.line import Line
 from kitrobot.deploy.news import Fault, News, Text, printable, read_fault, read_news
 from kitrobot.deploy.refusals import another_version, not_understood, refusal, silent
 from kitrobot.deploy.retry_timer import ANSWER_S, LONGEST_S, MOST_SILENT_S, PAUSE_S, SILENT_S, RetryTimer
-from kitrobot.text import Sentence
+from kitrobot.text.sentences import Sentence
 from kitrobot_onboard import link
 
 _HOLD_S = 0.25

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 from kitrobot.deploy.declarations import Wire
 from kitrobot.deploy.errors import PackageError
-from kitrobot.text import Sentence
+from kitrobot.text.sentences import Sentence
 
 _READ = frozenset({"echo"})
 """Settings that are only read, though other parts may not be wired to their pins as to those of an `input`."""

@@ -27,7 +27,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 
 from kitrobot.deploy.errors import PackageError
-from kitrobot.text import COMMA, Sentence, Series
+from kitrobot.text.sentences import COMMA, Sentence, Series
 
 ALWAYS = frozenset({"limit"})
 """Settings of actuators that the robot's loop understands itself."""

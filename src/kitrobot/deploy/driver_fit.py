@@ -6,7 +6,7 @@ from kitrobot.deploy.declarations import Wire, may_join, refuse_what_is_not_unde
 from kitrobot.deploy.errors import PackageError
 from kitrobot.deploy.package import FAMILIES, Package
 from kitrobot.deploy.program_file import UNUSED, Device, ProgramFile
-from kitrobot.text import Sentence
+from kitrobot.text.sentences import Sentence
 
 _PLAIN = {"pin-in", "pin-out"}
 """Drivers of pins to which one may do both, by turns."""

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from kitrobot.diagnostics import KitRobotError
+from kitrobot.diagnostics.model import KitRobotError
 
 
 class DeployError(KitRobotError):

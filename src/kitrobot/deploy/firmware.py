@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 from kitrobot.deploy.chips import PLATFORMS
 from kitrobot.deploy.errors import FirmwareError
-from kitrobot.text import Sentence
+from kitrobot.text.sentences import Sentence
 
 EVERYWHERE = "https://micropython.org/download/"
 """Where MicroPython for most boards is to be had."""

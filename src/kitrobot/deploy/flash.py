@@ -15,7 +15,7 @@ from dataclasses import dataclass
 from kitrobot.deploy.errors import BoardError, FullError
 from kitrobot.deploy.flash_code import CHUNK, HEAD, head, unknown_firmware
 from kitrobot.deploy.receiver import Receiver, strange
-from kitrobot.text import Sentence
+from kitrobot.text.sentences import Sentence
 
 PAGE = 1024
 END = 256 * 1024

@@ -24,7 +24,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
 from kitrobot.deploy.errors import BoardError
-from kitrobot.text import Sentence
+from kitrobot.text.sentences import Sentence
 
 CHUNK = 128
 """Bytes of a piece of the board's file system, whose first byte says what it is."""

@@ -9,7 +9,7 @@ from kitrobot.deploy.flash import Flash
 from kitrobot.deploy.flash_code import DUMP, FlashBlock, Function, lay_out, unknown_firmware
 from kitrobot.deploy.receiver import Receiver
 from kitrobot.deploy.repl import GarbledError
-from kitrobot.text import Sentence
+from kitrobot.text.sentences import Sentence
 
 _TEXT = "krt.py"
 _TRIES = 3

@@ -13,7 +13,7 @@ from kitrobot.deploy.errors import FullError
 from kitrobot.deploy.flash import Flash, pieces
 from kitrobot.deploy.flash_code import CHUNK, HEAD, FlashBlock
 from kitrobot.deploy.receiver import Receiver
-from kitrobot.text import COMMA, Sentence, Series
+from kitrobot.text.sentences import COMMA, Sentence, Series
 
 _OF_A_LETTER = 0.5
 """Bytes of compiled code for a letter of its text, at least; 0.545 were found."""

@@ -55,7 +55,7 @@ from kitrobot.deploy.receiver import MICROBIT, Receiver, too_much_lost
 from kitrobot.deploy.repl import GarbledError, RawRepl
 from kitrobot.deploy.retry_timer import STARTING_S
 from kitrobot.deploy.script import board_file
-from kitrobot.text import Sentence, Series
+from kitrobot.text.sentences import Sentence, Series
 from kitrobot_onboard.link import checksum
 
 Progress = Callable[[str, int, int], None]

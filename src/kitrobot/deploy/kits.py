@@ -20,9 +20,11 @@ from kitrobot.deploy.errors import PackageError
 from kitrobot.deploy.package import Package, missing_driver
 from kitrobot.deploy.program_file import used
 from kitrobot.deploy.waves import SLICES, Wave, clash, waves_of
-from kitrobot.image import Image, Layout
-from kitrobot.primitives import OF_A_TEAM, Board, Category, Kit, KitPart, Robot, RobotObject, lacks, on_kit
-from kitrobot.text import COMMA, Label, Sentence, Series
+from kitrobot.image.machine import Layout
+from kitrobot.image.model import Image
+from kitrobot.primitives.kit import OF_A_TEAM, Kit, KitPart, lacks, on_kit
+from kitrobot.primitives.robot import Board, Category, Robot, RobotObject
+from kitrobot.text.sentences import COMMA, Label, Sentence, Series
 
 INHERITED = ("side", "reach")
 """Settings of a robot's part that its driver gets where the kit does not give them: what they mean is the same for

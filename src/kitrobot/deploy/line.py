@@ -18,7 +18,7 @@ from threading import Event
 from typing import Any
 
 from kitrobot.deploy.errors import BrokenOffError, LineError
-from kitrobot.text import Help, Sentence, Word
+from kitrobot.text.sentences import Help, Sentence, Word
 
 BAUD = 115200
 _SLICE_S = 0.02

@@ -13,7 +13,7 @@ from collections.abc import Iterable
 from kitrobot.deploy.errors import NoMemoryError
 from kitrobot.deploy.package import BoardPackage
 from kitrobot.deploy.program_file import UNUSED, ProgramFile
-from kitrobot.text import COMMA, Sentence, Series
+from kitrobot.text.sentences import COMMA, Sentence, Series
 from kitrobot_onboard.image import header
 
 WORKING = 2200

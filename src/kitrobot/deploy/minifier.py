@@ -9,7 +9,7 @@ import ast
 
 from kitrobot.deploy.errors import PackageError
 from kitrobot.deploy.short_names import with_known_locals
-from kitrobot.text import Sentence
+from kitrobot.text.sentences import Sentence
 
 
 def parsed(text: str, name: str) -> ast.Module:

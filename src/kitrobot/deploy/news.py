@@ -6,7 +6,7 @@ import struct
 from collections.abc import Mapping
 from dataclasses import dataclass
 
-from kitrobot.text import Sentence, Word
+from kitrobot.text.sentences import Sentence, Word
 
 NO_INSTRUCTION = 65535
 FAULTS = {

@@ -19,8 +19,8 @@ from kitrobot.deploy.errors import PackageError
 from kitrobot.deploy.flash_code import FlashBlock, WithNames, build_block, literals_of
 from kitrobot.deploy.minifier import parsed, shortened
 from kitrobot.deploy.short_names import renamed, short_names
-from kitrobot.diagnostics import note_read
-from kitrobot.text import Sentence, Word
+from kitrobot.diagnostics.read_files import note_read
+from kitrobot.text.sentences import Sentence, Word
 from kitrobot_onboard.requests import BY_FAMILY, REQUESTS
 
 ONBOARD = Path(kitrobot_onboard.__file__).parent

@@ -38,7 +38,7 @@ from kitrobot.deploy.onboard_bundle import (
 from kitrobot.deploy.short_names import own_names, renamed
 from kitrobot.deploy.start_script import start_file, start_from_flash
 from kitrobot.deploy.tree_shaking import UsedParts, trim_driver, trim_shared_module
-from kitrobot.text import COMMA, Sentence, Series
+from kitrobot.text.sentences import COMMA, Sentence, Series
 
 MODULE, PROGRAM, DIGITS = "kr", "kp", 8
 OWN_SUFFIX = ".driver.py"

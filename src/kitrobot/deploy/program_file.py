@@ -13,10 +13,11 @@ from typing import NamedTuple
 from kitrobot.deploy.errors import DeployError, PackageError
 from kitrobot.deploy.package import PROGRAM, TEAM_DRIVER, name_of
 from kitrobot.deploy.tree_shaking import UsedParts
-from kitrobot.image import Image, Layout
 from kitrobot.image.instructions import ACT, BY_NUMBER, Role
-from kitrobot.primitives import Robot, RobotObject
-from kitrobot.text import Sentence
+from kitrobot.image.machine import Layout
+from kitrobot.image.model import Image
+from kitrobot.primitives.robot import Robot, RobotObject
+from kitrobot.text.sentences import Sentence
 from kitrobot_onboard.link import checksum
 
 _FIRST = "KRP1"

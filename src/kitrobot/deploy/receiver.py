@@ -17,7 +17,7 @@ from kitrobot.deploy.raw_paste import run_by_raw_paste
 from kitrobot.deploy.receiver_text import laid_down, pieces_of, texts
 from kitrobot.deploy.repl import LONGEST, GarbledError, RawRepl
 from kitrobot.deploy.retry_timer import RetryTimer
-from kitrobot.text import Sentence
+from kitrobot.text.sentences import Sentence
 from kitrobot_onboard import link
 
 _DEFINITION_TRIES = 5

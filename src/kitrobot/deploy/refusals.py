@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from kitrobot.deploy.errors import BoardError, NoMemoryError, SilentError
-from kitrobot.text import Sentence
+from kitrobot.text.sentences import Sentence
 from kitrobot_onboard import link
 
 _MEMORY = 6

@@ -16,7 +16,7 @@ from collections.abc import Callable
 from kitrobot.deploy.errors import SilentError
 from kitrobot.deploy.line import MOST, Line
 from kitrobot.deploy.retry_timer import RetryTimer
-from kitrobot.text import Sentence
+from kitrobot.text.sentences import Sentence
 
 LONGEST = 60
 """Bytes of a command, with its end."""

@@ -15,7 +15,7 @@ from kitrobot.deploy.onboard_bundle import join_statements
 from kitrobot.deploy.package import MODULE, BoardPackage
 from kitrobot.deploy.program_file import LIMIT_S, UNUSED, Device, ProgramFile
 from kitrobot.deploy.start_script import begun, piece
-from kitrobot.image import Image
+from kitrobot.image.model import Image
 from kitrobot_onboard import state
 from kitrobot_onboard.image import load
 

@@ -20,7 +20,7 @@ from kitrobot.deploy.onboard_bundle import (
     script_pieces,
     with_short_names,
 )
-from kitrobot.text import Sentence
+from kitrobot.text.sentences import Sentence
 
 _MOST = 9999
 """Bytes that a piece may have."""

@@ -16,8 +16,8 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from kitrobot.deploy.errors import DeployError
-from kitrobot.diagnostics import open_regular
-from kitrobot.text import COMMA, Sentence, Series
+from kitrobot.diagnostics.regular import open_regular
+from kitrobot.text.sentences import COMMA, Sentence, Series
 
 INFO = "INFO_UF2.TXT"
 SUFFIX = ".uf2"

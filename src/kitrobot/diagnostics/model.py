@@ -12,7 +12,8 @@ from dataclasses import dataclass, field
 from enum import StrEnum
 from functools import cached_property
 
-from kitrobot.text import Help, Sentence, TextPositions
+from kitrobot.text.positions import TextPositions
+from kitrobot.text.sentences import Help, Sentence
 
 
 class Severity(StrEnum):

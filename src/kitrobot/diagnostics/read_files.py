@@ -14,7 +14,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 
 from kitrobot.diagnostics.model import KitRobotError
-from kitrobot.text import Sentence
+from kitrobot.text.sentences import Sentence
 
 Identity = tuple[int, int]
 """Device and number of a file on it."""

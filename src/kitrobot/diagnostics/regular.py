@@ -13,7 +13,8 @@ from pathlib import Path
 from typing import BinaryIO
 
 from kitrobot.diagnostics.read_files import note_read
-from kitrobot.text import Sentence, name_form
+from kitrobot.text.forms import name_form
+from kitrobot.text.sentences import Sentence
 
 _FLAGS = os.O_RDONLY | sum(getattr(os, name, 0) for name in ("O_BINARY", "O_CLOEXEC", "O_NOCTTY", "O_NONBLOCK"))
 _KINDS = (

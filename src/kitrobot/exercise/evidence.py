@@ -10,7 +10,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Literal, NamedTuple
 
-from kitrobot.text import Label, Sentence
+from kitrobot.text.sentences import Label, Sentence
 
 
 class PathPoint(NamedTuple):

@@ -9,27 +9,16 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import replace
 
-from kitrobot.diagnostics import Diagnostic
+from kitrobot.diagnostics.model import Diagnostic
 from kitrobot.exercise import rules
 from kitrobot.exercise.goals import Avoids, CheckGoal, Done, Draws, Goal, NoContact, Parts, Uses, Visits, Within
 from kitrobot.exercise.model import Exercise, Seed
-from kitrobot.text import Sentence
-from kitrobot.xml import (
-    NAME,
-    TEXT,
-    YES_NO,
-    Attribute,
-    Element,
-    Reader,
-    Tag,
-    decimal,
-    lesson_tag,
-    needed,
-    one,
-    optional,
-    require_label,
-    whole,
-)
+from kitrobot.text.sentences import Sentence
+from kitrobot.xml.attributes import NAME, YES_NO, Attribute, decimal, needed, one, optional, whole
+from kitrobot.xml.element import Element, Tag
+from kitrobot.xml.lessons import lesson_tag, require_label
+from kitrobot.xml.reader import Reader
+from kitrobot.xml.texts import TEXT
 
 VERSION = 1
 """The newest version of the format that is read."""

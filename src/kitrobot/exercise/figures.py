@@ -18,7 +18,7 @@ import math
 from collections.abc import Sequence
 
 from kitrobot.exercise.evidence import PathPoint
-from kitrobot.text import Sentence
+from kitrobot.text.sentences import Sentence
 
 ANGLE_TOLERANCE = 15.0
 """Degrees that the turn at a corner may be off."""

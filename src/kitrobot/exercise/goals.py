@@ -12,8 +12,8 @@ from dataclasses import dataclass
 
 from kitrobot.exercise.evidence import CheckEvidence, PathPoint, ProgramEvidence, RunEvidence
 from kitrobot.exercise.figures import figure_fault
-from kitrobot.primitives import Texts
-from kitrobot.text import SEMICOLON, Sentence, Series
+from kitrobot.primitives.robot import Texts
+from kitrobot.text.sentences import SEMICOLON, Sentence, Series
 
 
 @dataclass(frozen=True)

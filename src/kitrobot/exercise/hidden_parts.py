@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from kitrobot.diagnostics import Diagnostic
-from kitrobot.xml import DoctypeError, ExpatError, decode, new_parser
+from kitrobot.diagnostics.model import Diagnostic
+from kitrobot.xml.decoder import decode
+from kitrobot.xml.expat_parser import DoctypeError, ExpatError, new_parser
 
 
 def remove_hidden_parts(data: bytes, name: str) -> bytes:

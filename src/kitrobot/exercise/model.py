@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from kitrobot.exercise.goals import Goal
-from kitrobot.primitives import Texts
+from kitrobot.primitives.robot import Texts
 
 
 @dataclass(frozen=True)

@@ -17,19 +17,13 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
 
-from kitrobot.diagnostics import (
-    Diagnostic,
-    KitRobotError,
-    Place,
-    Severity,
-    expect_output,
-    expect_regular,
-    open_regular,
-    rule,
-)
+from kitrobot.diagnostics.model import Diagnostic, KitRobotError, Place, Severity, rule
+from kitrobot.diagnostics.read_files import expect_output
+from kitrobot.diagnostics.regular import expect_regular, open_regular
 from kitrobot.files.file_lock import FileLock
 from kitrobot.files.quota import expect_room, expect_room_for_folder
-from kitrobot.text import Help, Sentence, Word, line_feeds, no_text, older_copy
+from kitrobot.text.forms import line_feeds, no_text, older_copy
+from kitrobot.text.sentences import Help, Sentence, Word
 
 LARGEST_FILE_BYTES = 64 * 1024 * 1024
 """More than any mission, world or image; a device or a film given by mistake is refused instead of filling memory."""

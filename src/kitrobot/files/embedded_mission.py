@@ -12,12 +12,13 @@ import re
 import zlib
 from pathlib import Path, PurePath
 
-from kitrobot.diagnostics import KitRobotError
+from kitrobot.diagnostics.model import KitRobotError
 from kitrobot.files.disk import FileError, read_bytes
 from kitrobot.files.file_kinds import identify_file_kind
 from kitrobot.files.pdf_attachment import MAGIC, PdfError, mission_in_pdf
-from kitrobot.text import Sentence
-from kitrobot.xml import MAX_BYTES, DoctypeError, ExpatError, new_parser
+from kitrobot.text.sentences import Sentence
+from kitrobot.xml.decoder import MAX_BYTES
+from kitrobot.xml.expat_parser import DoctypeError, ExpatError, new_parser
 
 KEYWORD = "kitrobot-mission"
 PICTURES = (".pdf", ".png", ".svg")

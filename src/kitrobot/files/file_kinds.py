@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from kitrobot.text import Sentence
+from kitrobot.text.sentences import Sentence
 
 LOOKED_AT = 16
 """Bytes at the beginning that say it."""

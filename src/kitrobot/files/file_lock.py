@@ -13,7 +13,7 @@ import time
 from dataclasses import dataclass
 from pathlib import Path
 
-from kitrobot.diagnostics import lock_handle
+from kitrobot.diagnostics.regular import lock_handle
 
 _held: set[Path] | None = set() if sys.platform == "emscripten" else None
 """The locks of this process, where the system says yes to everybody (WebAssembly): no other process is there."""

@@ -19,13 +19,13 @@ import threading
 from dataclasses import dataclass
 from pathlib import Path, PurePosixPath
 
-from kitrobot.diagnostics import KitRobotError
+from kitrobot.diagnostics.model import KitRobotError
 from kitrobot.files.disk import read_bytes, saving_in, sweep
 from kitrobot.files.embedded_mission import is_picture
 from kitrobot.files.examples import examples_folder
 from kitrobot.files.listing import MissionEntry, entry_of, folders_below, found_below, listed_files
-from kitrobot.text import Sentence
-from kitrobot.trace import ENDING as TRACE_ENDING
+from kitrobot.text.sentences import Sentence
+from kitrobot.trace.layout import ENDING as TRACE_ENDING
 
 ENDING = ".krt"
 EXERCISE_ENDING = ".exercise.xml"

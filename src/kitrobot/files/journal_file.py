@@ -22,10 +22,10 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from kitrobot.diagnostics import KitRobotError
+from kitrobot.diagnostics.model import KitRobotError
 from kitrobot.files.disk import FileError, read_bytes, write_atomic
 from kitrobot.files.quota import expect_room_for_more
-from kitrobot.text import Sentence, Word
+from kitrobot.text.sentences import Sentence, Word
 
 FORMAT = b"kitrobot journal 1\n"
 _ANY_FORMAT = b"kitrobot journal "

@@ -5,9 +5,9 @@ from __future__ import annotations
 from dataclasses import dataclass
 from pathlib import Path
 
-from kitrobot.diagnostics import Diagnostic, Source
+from kitrobot.diagnostics.model import Diagnostic, Source
 from kitrobot.files.disk import decode, read_bytes, write_atomic
-from kitrobot.lll import format_text
+from kitrobot.lll.formatter import format_text
 
 
 @dataclass(frozen=True)

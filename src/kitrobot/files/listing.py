@@ -11,8 +11,8 @@ from dataclasses import dataclass
 from datetime import UTC, datetime
 from pathlib import Path
 
-from kitrobot.diagnostics import open_regular
-from kitrobot.text import Sentence, Word
+from kitrobot.diagnostics.regular import open_regular
+from kitrobot.text.sentences import Sentence, Word
 
 DEEPEST = 5
 MOST_LISTED = 500

@@ -17,7 +17,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass, field
 from typing import Any
 
-from kitrobot.xml import MAX_BYTES
+from kitrobot.xml.decoder import MAX_BYTES
 
 MAGIC = b"%PDF-"
 MOST_OBJECTS = 300_000

@@ -11,9 +11,9 @@ import re
 from collections.abc import Iterable
 from dataclasses import replace
 
-from kitrobot.diagnostics import ArcName, Diagnostic, Place, Source
-from kitrobot.graph import IN, NEXT
-from kitrobot.text import name_form
+from kitrobot.diagnostics.model import ArcName, Diagnostic, Place, Source
+from kitrobot.graph.model import IN, NEXT
+from kitrobot.text.forms import name_form
 
 _TAG = re.compile(
     r"<!--.*?(?:-->|\Z)|<!\[CDATA\[.*?(?:\]\]>|\Z)|<\?.*?(?:\?>|\Z)"

@@ -25,7 +25,7 @@ from kitrobot.files.file_lock import FileLock
 from kitrobot.files.folder import EXAMPLE, RECORDING, MissionFolder
 from kitrobot.files.journal_file import Journal, JournalError, append_records, read_journal, write_journal
 from kitrobot.files.listing import utc_moment
-from kitrobot.text import Sentence
+from kitrobot.text.sentences import Sentence
 from kitrobot.user_folders import state_folder
 
 ENDING = ".journal"

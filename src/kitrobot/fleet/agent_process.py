@@ -21,9 +21,10 @@ from kitrobot.fleet.host import AgentHost
 from kitrobot.fleet.identity import identity_of
 from kitrobot.fleet.refusals import Refusals
 from kitrobot.fleet.transport import Channel, milliseconds
-from kitrobot.sim import Simulation
-from kitrobot.team import MessageError, decode
-from kitrobot.text import Sentence, listed
+from kitrobot.sim.simulation import Simulation
+from kitrobot.team.codec import MessageError, decode
+from kitrobot.text.phrases import listed
+from kitrobot.text.sentences import Sentence
 
 HELLO_EVERY_MS = 200
 ASK_EVERY_MS = 100

@@ -11,7 +11,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Literal
 
-from kitrobot.image import Machine
+from kitrobot.image.machine import Machine
 
 REST_MS = 300
 """A board without a tick for so long gets the order to stand still; by itself it does so after 800."""

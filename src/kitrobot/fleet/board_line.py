@@ -8,12 +8,14 @@ from dataclasses import dataclass
 from queue import Empty, SimpleQueue
 from threading import Thread
 
-from kitrobot.deploy import Board, LineError, SilentError, connect
-from kitrobot.diagnostics import KitRobotError
+from kitrobot.deploy.board import Board
+from kitrobot.deploy.errors import LineError, SilentError
+from kitrobot.deploy.handshake import connect
+from kitrobot.diagnostics.model import KitRobotError
 from kitrobot.fleet.board_body import Order
 from kitrobot.fleet.charter import FleetError
-from kitrobot.robots import BoardProgram
-from kitrobot.text import Sentence
+from kitrobot.robots.program import BoardProgram
+from kitrobot.text.sentences import Sentence
 
 LEAST_SILENT_S = 1.5
 """A board answers within less, also a small one, and what got lost on the line was repeated meanwhile."""

@@ -14,10 +14,12 @@ from dataclasses import dataclass, field
 from typing import Any, TypeVar
 
 from kitrobot.fleet.replica import Effect
-from kitrobot.sim import TickResult
-from kitrobot.team import AppliedNote, NewView, Seat, View
-from kitrobot.text import Sentence
+from kitrobot.sim.hosted import TickResult
+from kitrobot.team.changes import AppliedNote, NewView
+from kitrobot.team.commands import Seat
+from kitrobot.team.tables import View
 from kitrobot.text.json_text import from_json, to_json
+from kitrobot.text.sentences import Sentence
 
 Decoded = TypeVar("Decoded")
 

@@ -11,8 +11,9 @@ import struct
 from collections.abc import Iterable
 
 from kitrobot.fleet.envelopes import EVERYBODY, EnvelopeError
-from kitrobot.team import EVERYONE, Message, Sending, encode
-from kitrobot.text import Sentence
+from kitrobot.team.codec import encode
+from kitrobot.team.messages import EVERYONE, Message, Sending
+from kitrobot.text.sentences import Sentence
 
 SMALL = 1024
 """Bytes up to which a message to a single member is brought to everybody, instead of alone."""

@@ -5,12 +5,11 @@ Each agent is a member. Roles, groups, meetings and works of the mission are in 
 
 from __future__ import annotations
 
-from kitrobot.diagnostics import KitRobotError
-from kitrobot.sim import Simulation
+from kitrobot.diagnostics.model import KitRobotError
 from kitrobot.sim.columns import TICK
-from kitrobot.team import Charter
-from kitrobot.team.charter import MOST_MEMBERS
-from kitrobot.text import Help, Sentence
+from kitrobot.sim.simulation import Simulation
+from kitrobot.team.charter import MOST_MEMBERS, Charter
+from kitrobot.text.sentences import Help, Sentence
 
 LEASE_MS = 500
 """A role changes hands about 2.3 times this after a failure, 2.8 times after that of the first of the view."""

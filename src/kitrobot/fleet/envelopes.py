@@ -13,7 +13,7 @@ import struct
 from dataclasses import dataclass
 from hashlib import blake2b
 
-from kitrobot.text import Sentence
+from kitrobot.text.sentences import Sentence
 
 VERSION = 4
 SEAL = 16

@@ -20,30 +20,19 @@ from kitrobot.fleet.replica import Replica
 from kitrobot.fleet.replication import LogReplication
 from kitrobot.fleet.team_devices import TeamDevices
 from kitrobot.fleet.tick_runner import Tick, TickRunner
-from kitrobot.sim import Event, Simulation
+from kitrobot.sim.event_text import Event
+from kitrobot.sim.simulation import Simulation
 from kitrobot.sim.team_columns import T_ROLE
-from kitrobot.team import (
-    AppliedNote,
-    Charter,
-    IncomingMessage,
-    Member,
-    Message,
-    NewView,
-    Note,
-    QuorumChange,
-    Refusal,
-    Seat,
-    Sending,
-    Time,
-    Write,
-    initial_state,
-    may_act,
-    step,
-)
-from kitrobot.team.changes import Change, LogGap, SlotDecision
+from kitrobot.team.changes import AppliedNote, Change, LogGap, NewView, QuorumChange, Refusal, SlotDecision
+from kitrobot.team.charter import Charter
+from kitrobot.team.commands import Note, Seat
 from kitrobot.team.events import Event as Input
+from kitrobot.team.events import IncomingMessage, Time, Write
+from kitrobot.team.member import step
+from kitrobot.team.messages import Message, Sending
 from kitrobot.team.shared_store import FIRST_STAMP
-from kitrobot.text import Sentence
+from kitrobot.team.state import Member, initial_state, may_act
+from kitrobot.text.sentences import Sentence
 
 MOST_PENDING = 12
 """Notes of this agent that are in the protocol at the same time; others wait here."""

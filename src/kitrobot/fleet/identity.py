@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from hashlib import blake2b
 
-from kitrobot.mission import write_mission
-from kitrobot.sim import Simulation
-from kitrobot.world import write_world
+from kitrobot.mission.writer import write_mission
+from kitrobot.sim.simulation import Simulation
+from kitrobot.world.xml_writer import write_world
 
 
 def identity_of(simulation: Simulation) -> str:

@@ -8,9 +8,9 @@ from collections.abc import Mapping
 from hashlib import blake2b
 from pathlib import Path
 
-from kitrobot.diagnostics import note_read
+from kitrobot.diagnostics.read_files import note_read
 from kitrobot.fleet.charter import FleetError
-from kitrobot.text import Sentence
+from kitrobot.text.sentences import Sentence
 
 VARIABLE = "KITROBOT_TEAM_KEY"
 """The environment variable in which a team gives its key to the agents that it starts."""

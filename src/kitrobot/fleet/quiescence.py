@@ -13,7 +13,7 @@ from collections.abc import Sequence
 from kitrobot.fleet.replica import Replica
 from kitrobot.sim.columns import CHANCE, PATIENCE, PLANNED, PLANS, REVIVALS, TICK
 from kitrobot.sim.team_columns import T_AT, T_ROLE
-from kitrobot.text import Sentence
+from kitrobot.text.sentences import Sentence
 
 QUIESCENT_MS = 10_000
 """A fleet in which nothing stirs for so long is stuck."""

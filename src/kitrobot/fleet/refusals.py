@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections import Counter
 
-from kitrobot.text import Sentence
+from kitrobot.text.sentences import Sentence
 
 MOST_KINDS = 512
 """Senders and reasons that are counted apart; the rest is counted together."""

@@ -10,10 +10,11 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 
 from kitrobot.fleet import notes
-from kitrobot.sim import Event, Simulation
 from kitrobot.sim.columns import ACTUATOR_INDEX, ENDED, EVENTS
+from kitrobot.sim.event_text import Event
 from kitrobot.sim.meetings import arrive, find_members
 from kitrobot.sim.program_ends import end_program
+from kitrobot.sim.simulation import Simulation
 from kitrobot.sim.state import State
 from kitrobot.sim.substitution import declare_missing, finish_team_step, handle_return
 from kitrobot.sim.team_columns import (
@@ -28,7 +29,8 @@ from kitrobot.sim.team_columns import (
     W_TAKEN,
 )
 from kitrobot.sim.team_work import finish_unit, take_unit
-from kitrobot.team import AppliedNote, NewView, Seat
+from kitrobot.team.changes import AppliedNote, NewView
+from kitrobot.team.commands import Seat
 
 Effect = AppliedNote | NewView
 """What a slot of the log does to a replica."""

@@ -11,7 +11,7 @@ from collections.abc import Callable
 
 from kitrobot.fleet.body_messages import ReplicaSnapshot
 from kitrobot.fleet.replica import Effect, Replica
-from kitrobot.sim import Event
+from kitrobot.sim.event_text import Event
 from kitrobot.sim.state import Shared
 
 MOST_RECENT_SLOTS = 512

@@ -13,24 +13,14 @@ from collections.abc import Callable, Iterator, Sequence
 from pathlib import Path
 from typing import Any
 
-from kitrobot.sim import Recorder, Simulation
-from kitrobot.sim.recorder import STOPPED, outcome_of
-from kitrobot.text import Sentence, Word
-from kitrobot.trace import (
-    Drawing,
-    DrawingReader,
-    NewEvents,
-    RecordingSource,
-    TickRecord,
-    TraceError,
-    TraceEvent,
-    TraceHeader,
-    TracePart,
-    TraceReader,
-    TraceWriter,
-    UnchangeableSource,
-    walk,
-)
+from kitrobot.sim.recorder import STOPPED, Recorder, outcome_of
+from kitrobot.sim.simulation import Simulation
+from kitrobot.text.sentences import Sentence, Word
+from kitrobot.trace.drawing import Drawing, DrawingReader
+from kitrobot.trace.model import TickRecord, TraceError, TraceEvent, TraceHeader, TracePart
+from kitrobot.trace.reader import TraceReader
+from kitrobot.trace.source import NewEvents, RecordingSource, UnchangeableSource, walk
+from kitrobot.trace.writer import TraceWriter
 
 MOST_RECENT_NUMBERS = 200_000
 """Numbers of the last records that are cached, so that following the run reads no file."""

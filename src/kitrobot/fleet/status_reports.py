@@ -9,7 +9,7 @@ import binascii
 import pickle
 from dataclasses import dataclass
 
-from kitrobot.text import Sentence
+from kitrobot.text.sentences import Sentence
 
 MOST_LINE_BYTES = 64 * 1024
 

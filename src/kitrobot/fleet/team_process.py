@@ -23,8 +23,9 @@ from kitrobot.fleet.refusals import Refusals
 from kitrobot.fleet.roster import Answer, Roster
 from kitrobot.fleet.transport import Channel, milliseconds
 from kitrobot.fleet.world import WorldHost
-from kitrobot.sim import Outcome, Simulation
-from kitrobot.text import Sentence, listed
+from kitrobot.sim.simulation import Outcome, Simulation
+from kitrobot.text.phrases import listed
+from kitrobot.text.sentences import Sentence
 
 TURN_MS = 10
 """How often the world gets the time when nothing comes."""

@@ -9,9 +9,9 @@ from kitrobot.fleet.body_messages import Frame
 from kitrobot.fleet.recurrence import Recurrence, Snapshot
 from kitrobot.fleet.replication import LogReplication
 from kitrobot.fleet.team_devices import NoteRequest, TeamDevices
-from kitrobot.sim import TickResult
 from kitrobot.sim.actuation import COMMAND
 from kitrobot.sim.columns import A_CELL, ACTUATOR_INDEX, PROGRAM, S_CELL, S_ROBOT
+from kitrobot.sim.hosted import TickResult
 from kitrobot.sim.shared_variables import SHARED_VALUE
 
 Rows = tuple[tuple[int, ...], ...]

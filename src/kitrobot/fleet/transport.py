@@ -38,7 +38,7 @@ from kitrobot.fleet.envelopes import (
 from kitrobot.fleet.link_sockets import set_up_links
 from kitrobot.fleet.refusals import NOBODY, Refusals
 from kitrobot.team.charter import MOST_MEMBERS
-from kitrobot.text import Sentence
+from kitrobot.text.sentences import Sentence
 
 MOST_OF_ONE = 1024
 """Messages of one sender that may wait."""

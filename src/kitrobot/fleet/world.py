@@ -16,8 +16,7 @@ from kitrobot.fleet.body_messages import WINDOW, Frame, Reply
 from kitrobot.fleet.quiescence import QuiescenceDetector
 from kitrobot.fleet.replica import Replica
 from kitrobot.fleet.replication import LogReplication
-from kitrobot.mission import FailureKind
-from kitrobot.sim import Event, Simulation, TickResult, begin_hosted_step, finish_hosted_step, fits, report_write
+from kitrobot.mission.trial import FailureKind
 from kitrobot.sim.columns import (
     CAUSE,
     DOWN,
@@ -31,8 +30,11 @@ from kitrobot.sim.columns import (
     TICK,
     WELL,
 )
+from kitrobot.sim.event_text import Event
 from kitrobot.sim.faults import AWAY, HELD
-from kitrobot.text import Sentence
+from kitrobot.sim.hosted import TickResult, begin_hosted_step, finish_hosted_step, fits, report_write
+from kitrobot.sim.simulation import Simulation
+from kitrobot.text.sentences import Sentence
 
 AGAIN_MS = 40
 """How long an answer is waited for before the frame is sent once more."""

@@ -16,10 +16,16 @@ from dataclasses import replace
 from typing import NamedTuple
 
 from kitrobot.graph.model import IN, NEXT, Arc, Note, Program, Vertex
-from kitrobot.primitives import LEVEL, Level
-from kitrobot.text import Sentence, name_form, shown
-from kitrobot.xml import NAME, Element, Kind, Tag, attributes, escape_text, fragment, needed, optional
+from kitrobot.primitives.attribute_kinds import LEVEL
+from kitrobot.primitives.levels import Level
+from kitrobot.text.forms import name_form
+from kitrobot.text.phrases import shown
+from kitrobot.text.sentences import Sentence
+from kitrobot.xml.attributes import NAME, Kind, needed, optional
+from kitrobot.xml.element import Element, Tag
+from kitrobot.xml.foreign import fragment
 from kitrobot.xml.rules import DUPLICATE, MISSING, UNKNOWN_ATTRIBUTE
+from kitrobot.xml.writer import attributes, escape_text
 
 
 class _Setting(NamedTuple):

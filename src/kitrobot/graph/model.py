@@ -13,7 +13,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 
-from kitrobot.primitives import Level
+from kitrobot.primitives.levels import Level
 
 START = "Start"
 STOP = "Stop"

@@ -10,7 +10,7 @@ from functools import lru_cache
 
 from kitrobot.image.instructions import BY_NAME, BY_NUMBER, Role
 from kitrobot.image.model import Image, ImageError, ParallelRecord, SlotRecord, StopRecord
-from kitrobot.text import Sentence
+from kitrobot.text.sentences import Sentence
 
 _SIZES = ("inputs", "variables", "counters", "temporaries", "constants")
 _ONCE = ("robot", "tick", "wait-unit", *_SIZES, "actuators", "arguments")

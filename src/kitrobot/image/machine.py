@@ -14,8 +14,8 @@ from functools import lru_cache
 from kitrobot.image.devices import Command, Devices
 from kitrobot.image.model import Image, ImageError
 from kitrobot.image.verification import verify
-from kitrobot.primitives import Robot, RobotObject
-from kitrobot.text import Sentence
+from kitrobot.primitives.robot import Robot, RobotObject
+from kitrobot.text.sentences import Sentence
 from kitrobot_onboard.image import header, whole_arrays
 from kitrobot_onboard.interpreter import tick
 

@@ -14,8 +14,8 @@ import zlib
 from dataclasses import dataclass, field
 from typing import Any, NamedTuple
 
-from kitrobot.diagnostics import KitRobotError
-from kitrobot.text import Sentence
+from kitrobot.diagnostics.model import KitRobotError
+from kitrobot.text.sentences import Sentence
 from kitrobot_onboard import image as onboard
 from kitrobot_onboard.arrays import NO_PARALLEL
 

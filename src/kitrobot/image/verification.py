@@ -23,7 +23,7 @@ from kitrobot.image.model import (
     Image,
     ImageError,
 )
-from kitrobot.text import Sentence
+from kitrobot.text.sentences import Sentence
 
 _ANYWHERE = frozenset(
     number for number, op in BY_NUMBER.items() if not op.jumps and number not in (ADD, SUB, FORK, JOIN, ARM)

@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from kitrobot.diagnostics import Diagnostic, Fix, Rule, Source
+from kitrobot.diagnostics.model import Diagnostic, Fix, Rule, Source
 from kitrobot.lll import rules
 from kitrobot.lll.tokens import CALL, END, HOLE, NAME, NUMBER, OTHER, QUOTED, SYMBOL, Comment, Token, tokenise
 from kitrobot.lll.tree import MAX_NESTING, Declaration, Instr
-from kitrobot.text import Help, Sentence, line_feeds
+from kitrobot.text.forms import line_feeds
+from kitrobot.text.sentences import Help, Sentence
 
 PARTNER = {"(": ")", "[": "]", "<": ">"}
 _NAMES = {

@@ -20,7 +20,7 @@ from kitrobot.lll.tree import (
     Or,
     Param,
 )
-from kitrobot.text import Help, Sentence
+from kitrobot.text.sentences import Help, Sentence
 
 _BEHIND_A_CALL = frozenset((";", ",", ")", "]", ">", "&", "|", MARK))
 

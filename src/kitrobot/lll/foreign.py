@@ -5,7 +5,7 @@ from __future__ import annotations
 from kitrobot.lll import habits, rules
 from kitrobot.lll.cursor import Cursor, Mistake
 from kitrobot.lll.tokens import CALL, END, NAME, NUMBER, OTHER, SYMBOL
-from kitrobot.text import Sentence
+from kitrobot.text.sentences import Sentence
 
 _WHOLE = Sentence("numbers are whole; where one is too coarse, look for a smaller unit")
 

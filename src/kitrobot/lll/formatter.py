@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from kitrobot.diagnostics import Diagnostic
+from kitrobot.diagnostics.model import Diagnostic
 from kitrobot.lll.parse_results import parse_any
 from kitrobot.lll.printer import print_program, print_team_program
 from kitrobot.lll.tree import Seq

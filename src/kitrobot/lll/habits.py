@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import re
 
-from kitrobot.text import Help, Sentence
+from kitrobot.text.sentences import Help, Sentence
 
 _CHANGE = re.compile(r"\s*(?P<sign>\+\+|--|[-+*/]=|:=|=(?!=))[ \t]*(?P<value>[^;#\n]*)")
 _NUMBER = re.compile(r"[0-9]{1,5}")

@@ -5,12 +5,14 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Generic, TypeVar
 
-from kitrobot.diagnostics import Diagnostic, Source
+from kitrobot.diagnostics.model import Diagnostic, Source
 from kitrobot.lll import rules
 from kitrobot.lll.parser import Parser
 from kitrobot.lll.tokens import NAME, QUOTED, SYMBOL, tokenise
 from kitrobot.lll.tree import Call, Condition, Instr, Members, Seq, TeamProgram
-from kitrobot.text import FINISH_MERGE, UNFINISHED_MERGE, Sentence, collection_paused, conflict_mark
+from kitrobot.text.collection import collection_paused
+from kitrobot.text.forms import FINISH_MERGE, UNFINISHED_MERGE, conflict_mark
+from kitrobot.text.sentences import Sentence
 
 ProgramRead = TypeVar("ProgramRead", Seq, TeamProgram)
 

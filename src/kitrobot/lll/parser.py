@@ -14,7 +14,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from kitrobot.diagnostics import Fix
+from kitrobot.diagnostics.model import Fix
 from kitrobot.lll import habits, rules
 from kitrobot.lll.cursor import Mistake
 from kitrobot.lll.team_forms import TeamForms
@@ -33,7 +33,7 @@ from kitrobot.lll.tree import (
     Wait,
     While,
 )
-from kitrobot.text import Sentence
+from kitrobot.text.sentences import Sentence
 
 _WHOLE_UNITS = Sentence("numbers are whole; on most robots WAIT(10) is one second, and WAIT(1) a tenth")
 

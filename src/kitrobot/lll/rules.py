@@ -1,6 +1,6 @@
 """The rules of syntax: what can be wrong with a text before anybody asks what its names mean."""
 
-from kitrobot.diagnostics import Severity, rule
+from kitrobot.diagnostics.model import Severity, rule
 
 SYNTAX = rule(
     "syntax",

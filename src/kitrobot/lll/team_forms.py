@@ -33,7 +33,8 @@ from kitrobot.lll.tree import (
     Where,
     WorkDeclaration,
 )
-from kitrobot.text import Help, Sentence, one_of
+from kitrobot.text.phrases import one_of
+from kitrobot.text.sentences import Help, Sentence
 
 _SET = Sentence("a set is a name, or several: {a, b}")
 _WAY_OUT = Sentence("put it into the team's program, and what one robot does into the program of that robot")

@@ -24,7 +24,7 @@ from typing import Any, NamedTuple
 
 from kitrobot.lll.lookalikes import plain
 from kitrobot.lll.tree import QUANTIFIERS
-from kitrobot.text import name_form
+from kitrobot.text.forms import name_form
 
 CALL, NAME, NUMBER, HOLE, SYMBOL, OTHER, END, QUOTED = range(8)
 

@@ -10,8 +10,10 @@ from enum import StrEnum
 
 from kitrobot.mission import rules
 from kitrobot.mission.trial import LONGEST_S
-from kitrobot.text import Sentence
-from kitrobot.xml import Element, Tag, attributes, decimal, needed, one, optional
+from kitrobot.text.sentences import Sentence
+from kitrobot.xml.attributes import decimal, needed, one, optional
+from kitrobot.xml.element import Element, Tag
+from kitrobot.xml.writer import attributes
 
 
 class BreakdownRule(StrEnum):

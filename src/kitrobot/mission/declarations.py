@@ -10,8 +10,10 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from typing import TypeVar, cast
 
-from kitrobot.graph import Note
-from kitrobot.lll import (
+from kitrobot.graph.model import Note
+from kitrobot.lll.parse_results import parse_names
+from kitrobot.lll.tokens import team_name
+from kitrobot.lll.tree import (
     FAILURES,
     MAX_NUMBER,
     AnyDeclaration,
@@ -21,12 +23,12 @@ from kitrobot.lll import (
     Members,
     RoleDeclaration,
     WorkDeclaration,
-    parse_names,
-    team_name,
 )
-from kitrobot.primitives import IDENTIFIER
-from kitrobot.text import Sentence
-from kitrobot.xml import Element, Kind, Tag, attributes, escape_text, needed, one, optional, whole
+from kitrobot.primitives.attribute_kinds import IDENTIFIER
+from kitrobot.text.sentences import Sentence
+from kitrobot.xml.attributes import Kind, needed, one, optional, whole
+from kitrobot.xml.element import Element, Tag
+from kitrobot.xml.writer import attributes, escape_text
 
 Made = TypeVar("Made", bound=Declaration)
 

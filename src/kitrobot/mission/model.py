@@ -11,14 +11,18 @@ import re
 from collections.abc import Iterable
 from dataclasses import dataclass, field
 
-from kitrobot.graph import Program
-from kitrobot.lll import GroupDeclaration, RoleDeclaration, WorkDeclaration
+from kitrobot.graph.model import Program
+from kitrobot.lll.tree import GroupDeclaration, RoleDeclaration, WorkDeclaration
 from kitrobot.mission.breakdown import Breakdown
 from kitrobot.mission.property_xml import AskedProperty
 from kitrobot.mission.radio import Radio
 from kitrobot.mission.trial import Breakpoint, Failure
-from kitrobot.primitives import Constructor, Crew, CrewProgram, Level, OwnVariable, Texts
-from kitrobot.world import World
+from kitrobot.primitives.constructors import Constructor
+from kitrobot.primitives.crew import Crew, CrewProgram
+from kitrobot.primitives.levels import Level
+from kitrobot.primitives.own_xml import OwnVariable
+from kitrobot.primitives.robot import Texts
+from kitrobot.world.model import World
 
 VERSION = 1
 """The newest version of the `.krt` format."""

@@ -15,8 +15,10 @@ from enum import StrEnum
 
 from kitrobot.mission import rules
 from kitrobot.mission.trial import LONGEST_CONDITION
-from kitrobot.text import Sentence
-from kitrobot.xml import Element, Tag, attributes, needed, optional
+from kitrobot.text.sentences import Sentence
+from kitrobot.xml.attributes import needed, optional
+from kitrobot.xml.element import Element, Tag
+from kitrobot.xml.writer import attributes
 
 
 class Form(StrEnum):

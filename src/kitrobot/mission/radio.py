@@ -7,7 +7,9 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from kitrobot.xml import Element, Tag, attributes, decimal, optional, whole
+from kitrobot.xml.attributes import decimal, optional, whole
+from kitrobot.xml.element import Element, Tag
+from kitrobot.xml.writer import attributes
 
 LARGEST_RANGE_MM = 1_000_000.0
 LONGEST_DELAY_MS = 2000

@@ -5,9 +5,10 @@ from __future__ import annotations
 from dataclasses import fields, replace
 from typing import NamedTuple
 
-from kitrobot.diagnostics import Diagnostic
-from kitrobot.graph import PROGRAM, Program
-from kitrobot.lll import GroupDeclaration, RoleDeclaration, WorkDeclaration
+from kitrobot.diagnostics.model import Diagnostic
+from kitrobot.graph.graph_xml import PROGRAM
+from kitrobot.graph.model import Program
+from kitrobot.lll.tree import GroupDeclaration, RoleDeclaration, WorkDeclaration
 from kitrobot.mission import rules
 from kitrobot.mission.breakdown import BREAKDOWN, the_breakdown
 from kitrobot.mission.declarations import DECLARATIONS
@@ -16,10 +17,17 @@ from kitrobot.mission.model import ALL, VERSION, Agent, Goal, Mission, Team
 from kitrobot.mission.property_xml import PROPERTIES, AskedProperty
 from kitrobot.mission.radio import RADIO, Radio
 from kitrobot.mission.trial import TRIAL, Breakpoint, Failure, check_trial
-from kitrobot.primitives import OWN, Constructor, OwnVariable
-from kitrobot.text import Sentence, shown
-from kitrobot.world import ATTRIBUTES, PARTS, World, keep_unknown, read_plan, with_things
-from kitrobot.xml import TEXTS, Element, Kind, Reader, Tag, needed, one, optional, version, whole
+from kitrobot.primitives.constructors import Constructor
+from kitrobot.primitives.own_xml import OWN, OwnVariable
+from kitrobot.text.phrases import shown
+from kitrobot.text.sentences import Sentence
+from kitrobot.world.model import World
+from kitrobot.world.parts import PARTS
+from kitrobot.world.xml_reader import ATTRIBUTES, keep_unknown, read_plan, with_things
+from kitrobot.xml.attributes import Kind, needed, one, optional, version, whole
+from kitrobot.xml.element import Element, Tag
+from kitrobot.xml.reader import Reader
+from kitrobot.xml.texts import TEXTS
 
 LARGEST_GOAL = 65535
 """The largest stock that a goal may ask for."""

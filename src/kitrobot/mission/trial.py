@@ -15,8 +15,11 @@ from dataclasses import dataclass
 from enum import StrEnum
 
 from kitrobot.mission import rules
-from kitrobot.text import Sentence, shown
-from kitrobot.xml import YES_NO, Element, Tag, attributes, decimal, needed, one, optional, whole
+from kitrobot.text.phrases import shown
+from kitrobot.text.sentences import Sentence
+from kitrobot.xml.attributes import YES_NO, decimal, needed, one, optional, whole
+from kitrobot.xml.element import Element, Tag
+from kitrobot.xml.writer import attributes
 
 MOST_HITS = 1_000_000
 LONGEST_S = 1_000_000.0

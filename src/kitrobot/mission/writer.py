@@ -8,19 +8,21 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from kitrobot.diagnostics import KitRobotError
-from kitrobot.files import replace_whole
-from kitrobot.graph import write_program
+from kitrobot.diagnostics.model import KitRobotError
+from kitrobot.files.disk import replace_whole
+from kitrobot.graph.graph_xml import write_program
 from kitrobot.mission.breakdown import write_breakdown
 from kitrobot.mission.declarations import write_declarations
 from kitrobot.mission.model import Mission, Team
 from kitrobot.mission.property_xml import write_property
 from kitrobot.mission.radio import write_radio
 from kitrobot.mission.trial import write_breakpoint, write_failure
-from kitrobot.primitives import Texts, write_constructor, write_variable
-from kitrobot.text import Sentence, Word
-from kitrobot.world import world_lines
-from kitrobot.xml import attributes, fragment, head, remark, text_element
+from kitrobot.primitives.own_xml import write_constructor, write_variable
+from kitrobot.primitives.robot import Texts
+from kitrobot.text.sentences import Sentence, Word
+from kitrobot.world.xml_writer import world_lines
+from kitrobot.xml.foreign import fragment, head, remark
+from kitrobot.xml.writer import attributes, text_element
 
 
 def write_mission(mission: Mission) -> bytes:

@@ -5,11 +5,12 @@ from __future__ import annotations
 import re
 from dataclasses import replace
 
-from kitrobot.lll import is_name
+from kitrobot.lll.tokens import is_name
 from kitrobot.primitives.levels import Level
 from kitrobot.primitives.robot import LARGEST_VALUE
-from kitrobot.text import Sentence
-from kitrobot.xml import LONGEST_NAME, Kind, one, optional, whole
+from kitrobot.text.sentences import Sentence
+from kitrobot.xml.attributes import Kind, one, optional, whole
+from kitrobot.xml.element import LONGEST_NAME
 
 COLOURS = ("loop", "choice", "parallel", "action", "test", "team")
 """The categories of the studio's colours."""

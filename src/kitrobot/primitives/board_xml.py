@@ -10,8 +10,10 @@ import re
 
 from kitrobot.primitives import rules
 from kitrobot.primitives.robot import LONGEST_SETTING, MOST_SETTINGS, Board
-from kitrobot.text import Sentence, shown
-from kitrobot.xml import Element, Kind, Tag, optional
+from kitrobot.text.phrases import shown
+from kitrobot.text.sentences import Sentence
+from kitrobot.xml.attributes import Kind, optional
+from kitrobot.xml.element import Element, Tag
 
 _DRIVER = re.compile(r"[A-Za-z][A-Za-z0-9_-]*")
 _BREAKING = frozenset(' ="')

@@ -16,8 +16,9 @@ from dataclasses import dataclass, field, replace
 from functools import cached_property, lru_cache
 from pathlib import Path
 
-from kitrobot.diagnostics import Diagnostic, KitRobotError, Place, open_regular
-from kitrobot.lll import Condition, Instr
+from kitrobot.diagnostics.model import Diagnostic, KitRobotError, Place
+from kitrobot.diagnostics.regular import open_regular
+from kitrobot.lll.tree import Condition, Instr
 from kitrobot.primitives import rules
 from kitrobot.primitives.constructors import Constructor, Group
 from kitrobot.primitives.constructors_xml import read_constructors
@@ -28,10 +29,11 @@ from kitrobot.primitives.own_xml import OWN_GROUP, OWN_LABEL, OwnVariable
 from kitrobot.primitives.robot import Robot, RobotObject
 from kitrobot.primitives.robot_xml import read_robot
 from kitrobot.primitives.templates import Shape, inverse_shape, shape, shape_drawn
-from kitrobot.text import COMMA, Sentence, Series, Suggestions, Word, did_you_mean
+from kitrobot.text.sentences import COMMA, Sentence, Series, Word
+from kitrobot.text.suggestions import Suggestions, did_you_mean
 from kitrobot.user_folders import config_folder
-from kitrobot.xml import MAX_BYTES
 from kitrobot.xml import rules as xml_rules
+from kitrobot.xml.decoder import MAX_BYTES
 
 SHIPPED = Path(__file__).parent / "shipped"
 """The folder of the XML that comes with the package."""

@@ -12,7 +12,8 @@ from enum import StrEnum
 from functools import cached_property
 from typing import Literal
 
-from kitrobot.lll import And, Condition, Instr, Or, Seq, nodes
+from kitrobot.lll.tree import And, Condition, Instr, Or, Seq
+from kitrobot.lll.walk import nodes
 from kitrobot.primitives.levels import Level
 from kitrobot.primitives.meaning import Meaning
 from kitrobot.primitives.robot import Texts

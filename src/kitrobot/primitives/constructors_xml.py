@@ -12,8 +12,10 @@ from __future__ import annotations
 from dataclasses import replace
 from typing import NamedTuple
 
-from kitrobot.diagnostics import Diagnostic
-from kitrobot.lll import And, Call, Joint, Not, Or, Seq, TeamInstr, nodes, print_template, without_comments
+from kitrobot.diagnostics.model import Diagnostic
+from kitrobot.lll.printer import print_template
+from kitrobot.lll.tree import And, Call, Joint, Not, Or, Seq, TeamInstr
+from kitrobot.lll.walk import nodes, without_comments
 from kitrobot.primitives import rules
 from kitrobot.primitives.attribute_kinds import COLOUR, COLOURS, IDENTIFIER, LEVEL, ROBOT_NUMBER
 from kitrobot.primitives.constructors import Constructor, Group, Role, Slot, SlotKind
@@ -22,23 +24,13 @@ from kitrobot.primitives.meaning_xml import MEANING_ATTRIBUTES, MEANING_PARTS, r
 from kitrobot.primitives.robot import LARGEST_VALUE
 from kitrobot.primitives.template_xml import LONGEST_CODE, Template, read_template
 from kitrobot.primitives.templates import holes, named_by
-from kitrobot.text import Help, Sentence, one_of, shown
-from kitrobot.xml import (
-    ICON,
-    LONGEST_NAME,
-    NAME,
-    TEXTS,
-    YES_NO,
-    Element,
-    Kind,
-    Reader,
-    Tag,
-    needed,
-    optional,
-    version,
-    whole,
-)
+from kitrobot.text.phrases import one_of, shown
+from kitrobot.text.sentences import Help, Sentence
 from kitrobot.xml import rules as xml_rules
+from kitrobot.xml.attributes import ICON, NAME, YES_NO, Kind, needed, optional, version, whole
+from kitrobot.xml.element import LONGEST_NAME, Element, Tag
+from kitrobot.xml.reader import Reader
+from kitrobot.xml.texts import TEXTS
 
 VERSION = 1
 """The newest version of the format that is read."""

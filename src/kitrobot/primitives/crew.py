@@ -11,7 +11,7 @@ from collections import Counter
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 
-from kitrobot.lll import GroupDeclaration, RoleDeclaration, TeamProgram, WorkDeclaration
+from kitrobot.lll.tree import GroupDeclaration, RoleDeclaration, TeamProgram, WorkDeclaration
 from kitrobot.primitives.automatic import work_object
 from kitrobot.primitives.levels import Level
 from kitrobot.primitives.robot import Category, Method, Robot, RobotObject

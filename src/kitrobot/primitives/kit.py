@@ -13,7 +13,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 from enum import StrEnum
 
-from kitrobot.diagnostics import Place
+from kitrobot.diagnostics.model import Place
 from kitrobot.primitives.robot import Board, Category, Robot, RobotObject, Texts
 
 FAMILIES_OF_BOARDS = ("machine", "microbit")

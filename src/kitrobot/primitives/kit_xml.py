@@ -8,7 +8,7 @@ from __future__ import annotations
 import re
 from dataclasses import dataclass, replace
 
-from kitrobot.diagnostics import Diagnostic
+from kitrobot.diagnostics.model import Diagnostic
 from kitrobot.primitives import rules
 from kitrobot.primitives.attribute_kinds import ROBOT_NAME
 from kitrobot.primitives.board_xml import BOARD, read_board
@@ -25,28 +25,15 @@ from kitrobot.primitives.kit import (
     Wire,
 )
 from kitrobot.primitives.robot import Category, Texts
-from kitrobot.text import Sentence, shown
-from kitrobot.xml import (
-    LANGUAGE,
-    TEXTS,
-    Element,
-    Kind,
-    Reader,
-    Tag,
-    attributes,
-    escape_text,
-    fragment,
-    head,
-    needed,
-    one,
-    optional,
-    read_text_element,
-    remark,
-    report_duplicate_text,
-    text_element,
-    version,
-)
+from kitrobot.text.phrases import shown
+from kitrobot.text.sentences import Sentence
 from kitrobot.xml import rules as xml_rules
+from kitrobot.xml.attributes import Kind, needed, one, optional, version
+from kitrobot.xml.element import Element, Tag
+from kitrobot.xml.foreign import fragment, head, remark
+from kitrobot.xml.reader import Reader
+from kitrobot.xml.texts import LANGUAGE, TEXTS, read_text_element, report_duplicate_text
+from kitrobot.xml.writer import attributes, escape_text, text_element
 
 VERSION = 1
 """The newest version of the format that is read."""

@@ -12,7 +12,7 @@ import copy
 from dataclasses import fields, is_dataclass
 from typing import Any
 
-from kitrobot.lll import Hole, Instruction, Members, Node, Number, Seq
+from kitrobot.lll.tree import Hole, Instruction, Members, Node, Number, Seq
 from kitrobot.primitives.constructors import Constructor, SlotKind
 
 Bound = dict[str, Any]

@@ -8,22 +8,12 @@ from dataclasses import replace
 from kitrobot.primitives import rules
 from kitrobot.primitives.attribute_kinds import ROBOT_NUMBER
 from kitrobot.primitives.meaning import FIELDS, MOST_CHOICES, WAIT_UNIT, Choice, Meaning
-from kitrobot.text import Sentence
-from kitrobot.xml import (
-    ICON,
-    TEXT,
-    TEXTS,
-    Attribute,
-    Element,
-    Kind,
-    Tag,
-    attributes,
-    needed,
-    one,
-    optional,
-    text_element,
-)
+from kitrobot.text.sentences import Sentence
 from kitrobot.xml import rules as xml_rules
+from kitrobot.xml.attributes import ICON, Attribute, Kind, needed, one, optional
+from kitrobot.xml.element import Element, Tag
+from kitrobot.xml.texts import TEXT, TEXTS
+from kitrobot.xml.writer import attributes, text_element
 
 LONGEST_UNIT = 20
 """Characters of a unit, at most."""

@@ -14,9 +14,12 @@ from kitrobot.primitives.automatic import comparison
 from kitrobot.primitives.constructors_xml import icon
 from kitrobot.primitives.meaning_xml import MEANING_ATTRIBUTES, MEANING_PARTS, read_meaning
 from kitrobot.primitives.robot import Kind, Method, Parameter, Texts, ValueType
-from kitrobot.text import Sentence, shown
-from kitrobot.xml import ICON, TEXT, TEXTS, YES_NO, Element, Tag, needed, one, optional
+from kitrobot.text.phrases import shown
+from kitrobot.text.sentences import Sentence
 from kitrobot.xml import rules as xml_rules
+from kitrobot.xml.attributes import ICON, YES_NO, needed, one, optional
+from kitrobot.xml.element import Element, Tag
+from kitrobot.xml.texts import TEXT, TEXTS
 
 _HOLE = re.compile(r"\{([^}]*)\}")
 _WORD = re.compile(r"[A-Z]?[^A-Z]+|[A-Z]+(?![^A-Z])")

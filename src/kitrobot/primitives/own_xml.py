@@ -13,7 +13,7 @@ from __future__ import annotations
 from collections.abc import Hashable, Sequence
 from dataclasses import dataclass, replace
 
-from kitrobot.diagnostics import Diagnostic
+from kitrobot.diagnostics.model import Diagnostic
 from kitrobot.primitives import rules
 from kitrobot.primitives.attribute_kinds import NAMED_ROBOT
 from kitrobot.primitives.constructors import Constructor, Slot, SlotKind
@@ -21,9 +21,13 @@ from kitrobot.primitives.constructors_xml import CONSTRUCTOR
 from kitrobot.primitives.meaning_xml import meaning_attributes, meaning_elements
 from kitrobot.primitives.robot import RobotObject, Texts, ValueType
 from kitrobot.primitives.robot_xml import VARIABLE
-from kitrobot.text import Sentence, shown
-from kitrobot.xml import Element, Reader, Tag, attributes, escape_text, needed, text_element
+from kitrobot.text.phrases import shown
+from kitrobot.text.sentences import Sentence
 from kitrobot.xml import rules as xml_rules
+from kitrobot.xml.attributes import needed
+from kitrobot.xml.element import Element, Tag
+from kitrobot.xml.reader import Reader
+from kitrobot.xml.writer import attributes, escape_text, text_element
 
 MOST_OWN = 500
 """Constructors, and variables, that one mission may bring along."""

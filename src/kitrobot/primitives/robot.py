@@ -15,7 +15,7 @@ from dataclasses import dataclass, field
 from enum import StrEnum
 from functools import cached_property
 
-from kitrobot.diagnostics import Place
+from kitrobot.diagnostics.model import Place
 from kitrobot.primitives.levels import Level
 from kitrobot.primitives.meaning import Meaning
 

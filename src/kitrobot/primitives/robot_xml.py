@@ -12,7 +12,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
 
-from kitrobot.diagnostics import Diagnostic
+from kitrobot.diagnostics.model import Diagnostic
 from kitrobot.primitives import rules
 from kitrobot.primitives.attribute_kinds import (
     FIGURE,
@@ -34,9 +34,13 @@ from kitrobot.primitives.robot import (
     RobotObject,
     ValueType,
 )
-from kitrobot.text import Sentence, Word, shown
-from kitrobot.xml import TEXTS, YES_NO, Element, Reader, Tag, needed, optional, version, whole
+from kitrobot.text.phrases import shown
+from kitrobot.text.sentences import Sentence, Word
 from kitrobot.xml import rules as xml_rules
+from kitrobot.xml.attributes import YES_NO, needed, optional, version, whole
+from kitrobot.xml.element import Element, Tag
+from kitrobot.xml.reader import Reader
+from kitrobot.xml.texts import TEXTS
 
 VERSION = 1
 """The newest version of the format that is read."""

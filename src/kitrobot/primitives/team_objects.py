@@ -8,7 +8,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import replace
 
-from kitrobot.lll import WorkDeclaration
+from kitrobot.lll.tree import WorkDeclaration
 from kitrobot.primitives.automatic import texts, work_object
 from kitrobot.primitives.robot import (
     Board,

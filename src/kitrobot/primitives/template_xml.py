@@ -9,10 +9,11 @@ from __future__ import annotations
 from dataclasses import replace
 from itertools import accumulate
 
-from kitrobot.lll import Condition, Hole, Instr, Seq, parse_template
+from kitrobot.lll.parse_results import parse_template
+from kitrobot.lll.tree import Condition, Hole, Instr, Seq
 from kitrobot.primitives import rules
-from kitrobot.text import Sentence
-from kitrobot.xml import Element
+from kitrobot.text.sentences import Sentence
+from kitrobot.xml.element import Element
 
 LONGEST_CODE = 10_000
 """Characters of a template, at most."""

@@ -11,7 +11,7 @@ from collections.abc import Iterator
 from dataclasses import fields
 from typing import Literal
 
-from kitrobot.lll import (
+from kitrobot.lll.tree import (
     Call,
     Conditional,
     Hole,
@@ -24,9 +24,8 @@ from kitrobot.lll import (
     Seq,
     Where,
     While,
-    children,
-    nodes,
 )
+from kitrobot.lll.walk import children, nodes
 from kitrobot.primitives.constructors import Constructor, SlotKind
 
 Shape = tuple[type[Node], bool | str]

@@ -10,7 +10,7 @@ from decimal import Decimal
 
 from kitrobot.primitives.meaning import WAIT_UNIT, Meaning
 from kitrobot.primitives.robot import Robot, RobotObject, ValueType
-from kitrobot.text import Label, Recorded
+from kitrobot.text.sentences import Label, Recorded
 
 _PLACES = Decimal("0.0001")
 

@@ -9,10 +9,14 @@ from threading import Event, Thread
 from time import monotonic
 from typing import TypeVar
 
-from kitrobot.deploy import Board, DeployError, DeployResult, Hello, Port, RobotContext, connect, deploy, list_ports
-from kitrobot.diagnostics import KitRobotError
+from kitrobot.deploy.board import Board, Hello
+from kitrobot.deploy.errors import DeployError
+from kitrobot.deploy.handshake import connect
+from kitrobot.deploy.installation import DeployResult, RobotContext, deploy
+from kitrobot.deploy.ports import Port, list_ports
+from kitrobot.diagnostics.model import KitRobotError
 from kitrobot.robots.program import BoardProgram
-from kitrobot.text import COMMA, Sentence, Series
+from kitrobot.text.sentences import COMMA, Sentence, Series
 
 _MOST_AT_ONCE = 32
 _FAREWELL_S = 2.0

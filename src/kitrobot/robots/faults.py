@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from kitrobot.deploy import Fault
+from kitrobot.deploy.news import Fault
 from kitrobot.robots.names import BoardNames
 from kitrobot.robots.state import RobotEvent
-from kitrobot.text import Recorded
-from kitrobot.trace import LINK, PROGRAM, ROBOT
+from kitrobot.text.sentences import Recorded
+from kitrobot.trace.model import LINK, PROGRAM, ROBOT
 
 _CAUSES = {3: PROGRAM, 4: PROGRAM, 6: LINK}
 """What brings a fault about: a program that is too large or damaged, a link that was lost; else the robot itself."""

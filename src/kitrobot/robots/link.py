@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from typing import Protocol
 
-from kitrobot.deploy import Fault, Hello, News, Text
+from kitrobot.deploy.board import Hello
+from kitrobot.deploy.news import Fault, News, Text
 
 
 class Link(Protocol):

@@ -10,11 +10,12 @@ import re
 from collections.abc import Mapping
 from dataclasses import dataclass
 
-from kitrobot.compiler import Compiled
-from kitrobot.diagnostics import KitRobotError
-from kitrobot.image import Layout
-from kitrobot.primitives import Robot
-from kitrobot.text import COMMA, Sentence, Series, did_you_mean
+from kitrobot.compiler.compilation import Compiled
+from kitrobot.diagnostics.model import KitRobotError
+from kitrobot.image.machine import Layout
+from kitrobot.primitives.robot import Robot
+from kitrobot.text.sentences import COMMA, Sentence, Series
+from kitrobot.text.suggestions import did_you_mean
 
 _DEVICE = re.compile(r"([as])(\d{1,3}) ?(.*)", re.DOTALL)
 NAME_ON_ROBOT = re.compile(r"[0-9a-f]{8}")

@@ -6,30 +6,25 @@ from dataclasses import dataclass
 from functools import cached_property
 from pathlib import Path
 
-from kitrobot.compiler import Compiled
-from kitrobot.deploy import (
-    FAMILIES,
-    FirmwareRequirements,
-    Package,
-    PackageError,
-    ProgramFile,
-    board_file,
-    fit_to_kit,
-    make_program_file,
-    parts_used,
-    program_name,
-    refuse_misfits,
-    refuse_what_fits_no_board,
-    refuse_what_is_missing,
-)
-from kitrobot.diagnostics import Diagnostic, Source
-from kitrobot.image import Image, verify
-from kitrobot.primitives import Kit, Robot
+from kitrobot.compiler.compilation import Compiled
+from kitrobot.deploy.driver_fit import refuse_misfits, refuse_what_fits_no_board
+from kitrobot.deploy.errors import PackageError
+from kitrobot.deploy.firmware import FirmwareRequirements
+from kitrobot.deploy.kits import fit_to_kit, parts_used, refuse_what_is_missing
+from kitrobot.deploy.package import FAMILIES, Package
+from kitrobot.deploy.program_file import ProgramFile, make_program_file, program_name
+from kitrobot.deploy.script import board_file
+from kitrobot.diagnostics.model import Diagnostic, Source
+from kitrobot.image.model import Image
+from kitrobot.image.verification import verify
+from kitrobot.primitives.kit import Kit
+from kitrobot.primitives.robot import Robot
 from kitrobot.robots.names import BoardNames, names_of
 from kitrobot.robots.recording_context import RecordingContext
 from kitrobot.robots.session import InstalledProgram
 from kitrobot.robots.shared_variable_check import SHARED_ON_BOARD
-from kitrobot.text import COMMA, Sentence, Series, listed
+from kitrobot.text.phrases import listed
+from kitrobot.text.sentences import COMMA, Sentence, Series
 from kitrobot.user_folders import config_folder
 
 

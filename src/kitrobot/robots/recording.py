@@ -14,8 +14,9 @@ from typing import Any
 from kitrobot.robots.records import RecordedBoard, header_of, refuse_several_missions
 from kitrobot.robots.run import RobotsRun
 from kitrobot.robots.state import Change
-from kitrobot.text import Sentence, Word
-from kitrobot.trace import TickRecord, TraceError, TraceWriter
+from kitrobot.text.sentences import Sentence, Word
+from kitrobot.trace.model import TickRecord, TraceError
+from kitrobot.trace.writer import TraceWriter
 
 SETTLE_S = 5.0
 """How much of a recording is lost at most when the program is killed."""

@@ -9,13 +9,16 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass
 
-from kitrobot.compiler import Compiled
-from kitrobot.image import Image, Layout
+from kitrobot.compiler.compilation import Compiled
 from kitrobot.image.instructions import ACT
-from kitrobot.mission import Mission, write_mission
-from kitrobot.primitives import Robot
-from kitrobot.trace import TracePart
-from kitrobot.world import World, write_world
+from kitrobot.image.machine import Layout
+from kitrobot.image.model import Image
+from kitrobot.mission.model import Mission
+from kitrobot.mission.writer import write_mission
+from kitrobot.primitives.robot import Robot
+from kitrobot.trace.model import TracePart
+from kitrobot.world.model import World
+from kitrobot.world.xml_writer import write_world
 
 Call = tuple[str, str, tuple[int, ...]]
 """A command of a program: actuator, procedure, and its arguments where the program gives fixed numbers."""

@@ -9,13 +9,13 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from kitrobot.diagnostics import KitRobotError
+from kitrobot.diagnostics.model import KitRobotError
 from kitrobot.robots.faults import describe_fault
 from kitrobot.robots.names import BoardNames
 from kitrobot.robots.recording_context import RecordingContext
 from kitrobot.robots.state import RobotState
-from kitrobot.text import Sentence
-from kitrobot.trace import TEAM, Column, Threads, TraceAgent, TraceHeader
+from kitrobot.text.sentences import Sentence
+from kitrobot.trace.model import TEAM, Column, Threads, TraceAgent, TraceHeader
 
 BEFORE = ("doing", "forced", "tick")
 """Numbers that stand before the cells of each robot."""

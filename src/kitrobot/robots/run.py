@@ -19,23 +19,15 @@ from dataclasses import replace
 from functools import partial
 from typing import NamedTuple, Protocol
 
-from kitrobot.diagnostics import KitRobotError
-from kitrobot.image import LARGEST_VALUE
+from kitrobot.diagnostics.model import KitRobotError
+from kitrobot.image.model import LARGEST_VALUE
 from kitrobot.robots.records import RecordedBoard, active_of, first_row, header_of, row_of, sentence_of
 from kitrobot.robots.session import RobotSession
 from kitrobot.robots.state import Change, ChangeKind, RobotState
-from kitrobot.text import Recorded, Sentence, clipped
-from kitrobot.trace import (
-    Ability,
-    AbilityError,
-    Drawing,
-    NewEvents,
-    Threads,
-    TickRecord,
-    TraceCommand,
-    TraceEvent,
-    TraceHeader,
-)
+from kitrobot.text.sentences import Recorded, Sentence, clipped
+from kitrobot.trace.drawing import Drawing
+from kitrobot.trace.model import Threads, TickRecord, TraceCommand, TraceEvent, TraceHeader
+from kitrobot.trace.source import Ability, AbilityError, NewEvents
 
 LONGEST_TEXT = 500
 MOST_EVENTS = 5000

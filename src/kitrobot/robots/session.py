@@ -13,16 +13,17 @@ from collections.abc import Callable
 from contextlib import suppress
 from dataclasses import dataclass, replace
 
-from kitrobot.deploy import Fault, Hello, News, Text
-from kitrobot.diagnostics import KitRobotError
-from kitrobot.primitives import held_by_hand, set_by_hand
+from kitrobot.deploy.board import Hello
+from kitrobot.deploy.news import Fault, News, Text
+from kitrobot.diagnostics.model import KitRobotError
+from kitrobot.primitives.value_format import held_by_hand, set_by_hand
 from kitrobot.robots.faults import fault_event
 from kitrobot.robots.link import Link
 from kitrobot.robots.names import BoardNames
 from kitrobot.robots.recording_context import RecordingContext
 from kitrobot.robots.state import Change, ChangeKind, RobotEvent, RobotState
-from kitrobot.text import Recorded, Sentence
-from kitrobot.trace import LINK, PERSON, PROGRAM, ROBOT
+from kitrobot.text.sentences import Recorded, Sentence
+from kitrobot.trace.model import LINK, PERSON, PROGRAM, ROBOT
 
 LOOK_S = 0.5
 """How often a robot's state is looked at; it is queried only while it does not report that itself."""

@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from kitrobot.compiler import Compiled
-from kitrobot.diagnostics import Diagnostic, Severity, rule
-from kitrobot.lll import Call, nodes
-from kitrobot.primitives import Robot
-from kitrobot.text import Sentence
+from kitrobot.compiler.compilation import Compiled
+from kitrobot.diagnostics.model import Diagnostic, Severity, rule
+from kitrobot.lll.tree import Call
+from kitrobot.lll.walk import nodes
+from kitrobot.primitives.robot import Robot
+from kitrobot.text.sentences import Sentence
 
 SHARED_ON_BOARD = rule(
     "shared-on-board",

@@ -6,8 +6,10 @@ from collections.abc import Mapping
 from contextlib import suppress
 from typing import Any
 
-from kitrobot.deploy import Fault, Hello, LineError, News, SilentError, Text, is_slow
-from kitrobot.diagnostics import KitRobotError
+from kitrobot.deploy.board import Hello, is_slow
+from kitrobot.deploy.errors import LineError, SilentError
+from kitrobot.deploy.news import Fault, News, Text
+from kitrobot.diagnostics.model import KitRobotError
 from kitrobot.robots.link import Link
 from kitrobot.robots.names import BoardNames
 from kitrobot.robots.records import active_of

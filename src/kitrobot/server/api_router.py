@@ -11,9 +11,9 @@ from starlette.requests import HTTPConnection
 from kitrobot.server.background import can_block
 from kitrobot.server.json_bodies import JsonRoute
 from kitrobot.server.robot_registry import AddressError
-from kitrobot.server.shapes import FailureShape
+from kitrobot.server.shapes.problem import FailureShape
 from kitrobot.server.studio import Studio
-from kitrobot.text import Sentence
+from kitrobot.text.sentences import Sentence
 
 FAILURES: dict[int | str, dict[str, Any]] = {
     "4XX": {"model": FailureShape, "description": "Why it could not be done, and a way out."}

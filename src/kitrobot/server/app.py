@@ -13,8 +13,10 @@ from fastapi.responses import FileResponse, HTMLResponse, JSONResponse, Redirect
 from pydantic.json_schema import models_json_schema
 from starlette.exceptions import HTTPException
 
-from kitrobot.diagnostics import KitRobotError
-from kitrobot.files import ConflictError, FileError, MissionNameError, QuotaError, ReadOnlyError
+from kitrobot.diagnostics.model import KitRobotError
+from kitrobot.files.disk import FileError
+from kitrobot.files.folder import ConflictError, MissionNameError, ReadOnlyError
+from kitrobot.files.quota import QuotaError
 from kitrobot.server import fallback_pages
 from kitrobot.server.assignments import handed_out_routes
 from kitrobot.server.board_routes import board_routes
@@ -34,18 +36,14 @@ from kitrobot.server.routes import routes
 from kitrobot.server.runs import run_routes
 from kitrobot.server.security import SecurityMiddleware, refuse
 from kitrobot.server.sentences import LanguageMiddleware
-from kitrobot.server.shapes import (
-    BOARD_MESSAGE_MODELS,
-    BOARD_REQUEST_MODELS,
-    REQUEST_MODELS,
-    RUN_MESSAGE_MODELS,
-    WATCH_MESSAGE_MODELS,
-    ConflictShape,
-    FailureShape,
-    problem_shapes,
-)
+from kitrobot.server.shapes.board import BOARD_MESSAGE_MODELS, BOARD_REQUEST_MODELS
 from kitrobot.server.shapes.drawing_check import DRAWING_CHECK_MESSAGE_MODELS, DRAWING_CHECK_REQUEST_MODELS
+from kitrobot.server.shapes.files import ConflictShape
+from kitrobot.server.shapes.journal import WATCH_MESSAGE_MODELS
 from kitrobot.server.shapes.mission_delta import ForgottenError
+from kitrobot.server.shapes.problem import FailureShape, problem_shapes
+from kitrobot.server.shapes.run import RUN_MESSAGE_MODELS
+from kitrobot.server.shapes.run_requests import REQUEST_MODELS
 from kitrobot.server.shapes.sweep import SWEEP_MESSAGE_MODELS, SWEEP_REQUEST_MODELS
 from kitrobot.server.shapes.verification import VERIFY_MESSAGE_MODELS, VERIFY_REQUEST_MODELS
 from kitrobot.server.starter_routes import starter_routes
@@ -55,7 +53,7 @@ from kitrobot.server.text_routes import text_routes
 from kitrobot.server.trace_routes import trace_routes
 from kitrobot.server.tutorial_routes import tutorial_routes
 from kitrobot.server.verification_socket import verify_routes
-from kitrobot.text import Sentence, Word
+from kitrobot.text.sentences import Sentence, Word
 
 ROUTERS = (
     routes,

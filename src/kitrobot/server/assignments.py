@@ -14,10 +14,11 @@ from typing import Annotated, Final
 
 from fastapi import Query, Request
 
-from kitrobot.diagnostics import KitRobotError
-from kitrobot.files import EXERCISE_ENDING, HANDED_OUT, FileError, ReadOnlyError, make_folder, read_bytes, write_atomic
+from kitrobot.diagnostics.model import KitRobotError
+from kitrobot.files.disk import FileError, make_folder, read_bytes, write_atomic
+from kitrobot.files.folder import EXERCISE_ENDING, HANDED_OUT, ReadOnlyError
 from kitrobot.server.api_router import ThisStudio, api_router
-from kitrobot.text import Sentence
+from kitrobot.text.sentences import Sentence
 
 MOST_FILES: Final = 50
 MOST_BYTES: Final = 4 * 1024 * 1024

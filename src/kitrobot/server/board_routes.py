@@ -17,13 +17,13 @@ from fastapi.responses import FileResponse
 from pydantic import ValidationError
 from starlette.background import BackgroundTask
 
-from kitrobot.diagnostics import KitRobotError
+from kitrobot.diagnostics.model import KitRobotError
 from kitrobot.server.api_router import refuse_visitors, studio_of
 from kitrobot.server.background import run_in_background
 from kitrobot.server.robot_registry import AddressError, RobotRegistry
 from kitrobot.server.robot_subscriber import RobotSubscriber
 from kitrobot.server.sentences import not_understood
-from kitrobot.server.shapes import (
+from kitrobot.server.shapes.board import (
     BOARD_REQUEST,
     BoardBenchRequest,
     BoardCancelRequest,
@@ -39,18 +39,18 @@ from kitrobot.server.shapes import (
     BoardTryRequest,
     TeamCancelRequest,
     TeamSendRequest,
-    mission_from_shape,
-    problem_shapes,
 )
+from kitrobot.server.shapes.mission import mission_from_shape
+from kitrobot.server.shapes.problem import problem_shapes
 from kitrobot.server.studio import Studio
 from kitrobot.server.team_controller import TEAM
-from kitrobot.text import Sentence
-from kitrobot.trace import ENDING
+from kitrobot.text.sentences import Sentence
+from kitrobot.trace.layout import ENDING
 
 if TYPE_CHECKING:
-    from kitrobot.robots import BoardProgram
-    from kitrobot.workspace import OpenMission
+    from kitrobot.robots.program import BoardProgram
     from kitrobot.workspace.bench import Bench
+    from kitrobot.workspace.mission_loader import OpenMission
 
 board_routes = APIRouter()
 _log = logging.getLogger("kitrobot.server")
@@ -183,16 +183,17 @@ class BoardSession:
                 room.team.cancel()
 
     def _program(self, request: BoardConnectRequest | BoardSendRequest) -> BoardProgram:
-        from kitrobot.workspace import board_program, kit_named
+        from kitrobot.workspace.kit_files import kit_named
+        from kitrobot.workspace.robot_programs import board_program
 
         folder = self._studio.folder.folders_of(request.path)[0]
         kit = kit_named(request.kit, folder) if request.kit else None
         return board_program(self._open_message(request), request.program, folder, kit)
 
     def _bench(self, request: BoardBenchRequest) -> Bench:
-        from kitrobot.compiler import robot_of
-        from kitrobot.workspace import kit_named
+        from kitrobot.compiler.target import robot_of
         from kitrobot.workspace.bench import bench_of
+        from kitrobot.workspace.kit_files import kit_named
 
         folder = self._studio.folder.folders_of(request.path)[0]
         kit = kit_named(request.kit, folder) if request.kit else None

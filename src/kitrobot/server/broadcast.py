@@ -19,11 +19,11 @@ from typing import Any, Protocol
 
 from fastapi import WebSocketDisconnect
 
-from kitrobot.mission import Mission
+from kitrobot.mission.model import Mission
 from kitrobot.server.run_encoder import MOST_EVENTS_SENT
-from kitrobot.server.shapes import ErrorMessage, StartedMessage, StateMessage
+from kitrobot.server.shapes.run import ErrorMessage, StartedMessage, StateMessage
 from kitrobot.text.json_text import to_json
-from kitrobot.translation import reader_language, translate
+from kitrobot.translation.languages import reader_language, translate
 
 MOST_WATCHERS = 200
 """Pages that watch one run at a time."""

@@ -9,8 +9,9 @@ from typing import Final
 from fastapi import FastAPI
 from starlette.types import ASGIApp
 
-from kitrobot.classroom import Admission, AdmissionRefusedError, ClassRoom, NameTakenError
-from kitrobot.diagnostics import KitRobotError
+from kitrobot.classroom.admission import Admission, AdmissionRefusedError, NameTakenError
+from kitrobot.classroom.class_room import ClassRoom
+from kitrobot.diagnostics.model import KitRobotError
 from kitrobot.server.app import STATIC, create_app, install_failures
 from kitrobot.server.class_gateway import ClassGateway, new_key
 from kitrobot.server.class_grader import ClassGrader

@@ -9,11 +9,13 @@ from contextlib import suppress
 from dataclasses import dataclass
 from typing import Final
 
-from kitrobot.classroom import ClassError, ClassRoom, Pupil, Submission, met
-from kitrobot.diagnostics import KitRobotError
-from kitrobot.files import FileError
+from kitrobot.classroom.class_room import ClassError, ClassRoom
+from kitrobot.classroom.pupil import Pupil, met
+from kitrobot.classroom.submissions import Submission
+from kitrobot.diagnostics.model import KitRobotError
+from kitrobot.files.disk import FileError
 from kitrobot.server.studio import Studio
-from kitrobot.text import Sentence
+from kitrobot.text.sentences import Sentence
 from kitrobot.workspace.grade_tables import as_cell
 
 MOST_BYTES: Final = 256 * 1024 * 1024

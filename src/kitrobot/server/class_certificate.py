@@ -10,9 +10,9 @@ from datetime import UTC, datetime
 from pathlib import Path
 from typing import Final
 
-from kitrobot.files import read_bytes
+from kitrobot.files.disk import read_bytes
 from kitrobot.server.studio_server import ServerError
-from kitrobot.text import Sentence
+from kitrobot.text.sentences import Sentence
 
 _BEGIN: Final = "-----BEGIN CERTIFICATE-----"
 _END: Final = "-----END CERTIFICATE-----"

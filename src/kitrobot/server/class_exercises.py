@@ -9,13 +9,13 @@ from __future__ import annotations
 
 from pathlib import Path, PurePosixPath
 
-from kitrobot.classroom import ClassError, ClassRoom
+from kitrobot.classroom.class_room import ClassError, ClassRoom
 from kitrobot.classroom.names import as_file_name
-from kitrobot.exercise import remove_hidden_parts
-from kitrobot.files import EXAMPLE, EXERCISE_ENDING, HANDED_OUT, TUTORIAL_ENDING
+from kitrobot.exercise.hidden_parts import remove_hidden_parts
+from kitrobot.files.folder import EXAMPLE, EXERCISE_ENDING, HANDED_OUT, TUTORIAL_ENDING
 from kitrobot.server.assignments import is_plain, read_files, write_files
 from kitrobot.server.studio import Studio
-from kitrobot.text import Sentence
+from kitrobot.text.sentences import Sentence
 
 
 def hand_out_exercise(room: ClassRoom, studio: Studio, name: str) -> str:

@@ -26,11 +26,13 @@ from urllib.parse import parse_qs
 from starlette.datastructures import Headers
 from starlette.types import ASGIApp, Message, Receive, Scope, Send
 
-from kitrobot.classroom import ClassRoom, Pupil, RateLimit
-from kitrobot.files import writing_within
+from kitrobot.classroom.class_room import ClassRoom
+from kitrobot.classroom.pupil import Pupil
+from kitrobot.classroom.rate_limits import RateLimit
+from kitrobot.files.quota import writing_within
 from kitrobot.server.class_studios import PupilStudios
 from kitrobot.server.security import TOKEN_HEADER, add_security_headers, refuse
-from kitrobot.text import Sentence
+from kitrobot.text.sentences import Sentence
 
 A_SECOND: Final = 40.0
 AT_ONCE: Final = 300.0

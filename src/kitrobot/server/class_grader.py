@@ -12,11 +12,12 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Final
 
-from kitrobot.classroom import GRADES_PAGE, GRADES_TABLE, ClassError, ClassRoom
-from kitrobot.diagnostics import KitRobotError
-from kitrobot.files import EXERCISE_ENDING, FileError, read_bytes, write_atomic
+from kitrobot.classroom.class_room import GRADES_PAGE, GRADES_TABLE, ClassError, ClassRoom
+from kitrobot.diagnostics.model import KitRobotError
+from kitrobot.files.disk import FileError, read_bytes, write_atomic
+from kitrobot.files.folder import EXERCISE_ENDING
 from kitrobot.server.studio import Studio
-from kitrobot.text import Sentence
+from kitrobot.text.sentences import Sentence
 from kitrobot.workspace.class_grader import grade
 from kitrobot.workspace.grade_tables import as_csv, as_html
 from kitrobot.workspace.grades import Grade

@@ -10,8 +10,10 @@ from typing import Final
 
 from pydantic import BaseModel
 
-from kitrobot.classroom import Admission, ClassRoom, Pupil, state_of
-from kitrobot.diagnostics import KitRobotError
+from kitrobot.classroom.admission import Admission
+from kitrobot.classroom.class_room import ClassRoom
+from kitrobot.classroom.pupil import Pupil, state_of
+from kitrobot.diagnostics.model import KitRobotError
 from kitrobot.server.class_grader import ClassGrader
 from kitrobot.server.shapes.classroom import (
     ClassAskingShape,

@@ -17,7 +17,7 @@ from starlette.types import Scope
 from kitrobot.server import fallback_pages
 from kitrobot.server.page_files import PageFiles
 from kitrobot.server.security import CONTENT_POLICY
-from kitrobot.text import Sentence
+from kitrobot.text.sentences import Sentence
 
 PUPIL: Final = "pupil"
 ROLES: Final = {"/": PUPIL, "/index.html": PUPIL, "/teacher": "teacher", "/studio": ""}

@@ -7,9 +7,10 @@ from __future__ import annotations
 
 import threading
 
-from kitrobot.classroom import ClassRoom, Pupil
-from kitrobot.diagnostics import KitRobotError
-from kitrobot.mission import read_mission
+from kitrobot.classroom.class_room import ClassRoom
+from kitrobot.classroom.pupil import Pupil
+from kitrobot.diagnostics.model import KitRobotError
+from kitrobot.mission.reader import read_mission
 from kitrobot.server.shapes.classroom import ClassPictureShape
 from kitrobot.server.shapes.mission import MissionShape, mission_shape
 

@@ -10,7 +10,9 @@ from typing import Annotated
 from fastapi import Depends, Query, Request, Response
 from starlette.requests import HTTPConnection
 
-from kitrobot.classroom import Admission, AdmissionRefusedError, ClassRoom, NameTakenError, Pupil
+from kitrobot.classroom.admission import Admission, AdmissionRefusedError, NameTakenError
+from kitrobot.classroom.class_room import ClassRoom
+from kitrobot.classroom.pupil import Pupil
 from kitrobot.server.api_router import api_router
 from kitrobot.server.assignments import pack
 from kitrobot.server.class_exercises import files_of_exercise
@@ -28,7 +30,7 @@ from kitrobot.server.shapes.classroom import (
     JoinShape,
 )
 from kitrobot.server.shapes.mission import mission_from_shape
-from kitrobot.text import Sentence
+from kitrobot.text.sentences import Sentence
 
 class_routes = api_router("/api/class")
 

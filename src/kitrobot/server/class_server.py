@@ -12,12 +12,14 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Final
 
-from kitrobot.classroom import SITE, ClassRoom, TeacherActions, unread_sentence
+from kitrobot.classroom.class_room import SITE, ClassRoom
+from kitrobot.classroom.record import unread_sentence
+from kitrobot.classroom.teacher_actions import TeacherActions
 from kitrobot.server.class_certificate import usable_certificate
 from kitrobot.server.presence import Presence
 from kitrobot.server.studio_server import ServerError, has_screen, listen, print_address
-from kitrobot.text import Sentence
-from kitrobot.translation import translate
+from kitrobot.text.sentences import Sentence
+from kitrobot.translation.languages import translate
 
 if TYPE_CHECKING:
     from kitrobot.server.class_overview import JoinAddress

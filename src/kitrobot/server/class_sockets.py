@@ -14,13 +14,16 @@ from typing import Annotated, Any, Final
 from fastapi import WebSocket, WebSocketDisconnect
 from pydantic import BaseModel, Field, TypeAdapter, ValidationError
 
-from kitrobot.classroom import ClassRoom, Goal, Pupil, PupilStatus, RateLimit, Report, TeacherActions
-from kitrobot.diagnostics import KitRobotError
+from kitrobot.classroom.class_room import ClassRoom
+from kitrobot.classroom.pupil import Goal, Pupil, Report
+from kitrobot.classroom.pupil_status import PupilStatus
+from kitrobot.classroom.rate_limits import RateLimit
+from kitrobot.classroom.teacher_actions import TeacherActions
+from kitrobot.diagnostics.model import KitRobotError
 from kitrobot.server.api_router import api_router
 from kitrobot.server.background import run_in_background
 from kitrobot.server.class_overview import Overview
 from kitrobot.server.class_routes import pupil_of, room_of
-from kitrobot.server.shapes import HereMessage
 from kitrobot.server.shapes.classroom import (
     ArenaMessage,
     ClassArenaShape,
@@ -31,6 +34,7 @@ from kitrobot.server.shapes.classroom import (
     ShowArenaMessage,
     TurnMessage,
 )
+from kitrobot.server.shapes.journal import HereMessage
 
 LOOK_S: Final = 1.0
 """How often the teacher's page is refreshed."""

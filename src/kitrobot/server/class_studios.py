@@ -14,9 +14,9 @@ from typing import Final
 
 from fastapi import FastAPI
 
-from kitrobot.classroom import STUDIOS, ClassRoom
-from kitrobot.diagnostics import KitRobotError
-from kitrobot.files import Quota
+from kitrobot.classroom.class_room import STUDIOS, ClassRoom
+from kitrobot.diagnostics.model import KitRobotError
+from kitrobot.files.quota import Quota
 from kitrobot.server.app import create_app
 from kitrobot.server.class_exercises import copy_exercise
 from kitrobot.server.gallery import Gallery

@@ -9,8 +9,11 @@ from typing import Annotated
 
 from fastapi import Depends, Query, Request, Response
 
-from kitrobot.classroom import Admission, ClassError, Pupil, TeacherActions
-from kitrobot.files import carried_mission
+from kitrobot.classroom.admission import Admission
+from kitrobot.classroom.class_room import ClassError
+from kitrobot.classroom.pupil import Pupil
+from kitrobot.classroom.teacher_actions import TeacherActions
+from kitrobot.files.embedded_mission import carried_mission
 from kitrobot.server.api_router import ThisStudio, api_router
 from kitrobot.server.class_archive import ClassArchive, build_archive, table
 from kitrobot.server.class_exercises import hand_out_exercise
@@ -34,7 +37,7 @@ from kitrobot.server.shapes.classroom import (
     TeacherPupilShape,
     TeacherTurnShape,
 )
-from kitrobot.text import Sentence
+from kitrobot.text.sentences import Sentence
 
 teacher_routes = api_router("/api/class/teacher")
 

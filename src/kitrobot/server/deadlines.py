@@ -15,7 +15,7 @@ from collections.abc import Awaitable, Callable
 
 from starlette.types import ASGIApp, Message, Receive, Scope, Send
 
-from kitrobot.text import Sentence
+from kitrobot.text.sentences import Sentence
 
 DEADLINE_S = 120.0
 """How long an answer may keep a page waiting before it begins."""

@@ -14,9 +14,10 @@ from kitrobot.server.shapes.drawing_check import (
     drawing_check_message,
 )
 from kitrobot.server.websocket_jobs import WebSocketJob
-from kitrobot.text import Sentence
-from kitrobot.workspace import OpenMission, RunOptions
+from kitrobot.text.sentences import Sentence
 from kitrobot.workspace.drawing_check import EXPLORE_S, RUN_S, check_drawing
+from kitrobot.workspace.mission_loader import OpenMission
+from kitrobot.workspace.mission_run import RunOptions
 
 
 class _DrawingCheck(WebSocketJob):

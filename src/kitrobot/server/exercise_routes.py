@@ -12,7 +12,6 @@ from fastapi import Request
 from kitrobot.server.api_router import ThisStudio, api_router
 from kitrobot.server.background import StopSignal
 from kitrobot.server.request_cancellation import run_until_disconnect
-from kitrobot.server.shapes import mission_from_shape, mission_shape
 from kitrobot.server.shapes.exercise import (
     ExerciseShape,
     JudgedShape,
@@ -21,9 +20,10 @@ from kitrobot.server.shapes.exercise import (
     exercise_shape,
     goal_verdict_shapes,
 )
+from kitrobot.server.shapes.mission import mission_from_shape, mission_shape
 from kitrobot.server.studio import Studio
-from kitrobot.workspace import handed_in
 from kitrobot.workspace.exercise_evaluation import EvaluationOptions, evaluate_submission
+from kitrobot.workspace.exercises import handed_in
 
 exercise_routes = api_router()
 

@@ -6,7 +6,8 @@ import html
 import re
 
 from kitrobot.server.sentences import spoken
-from kitrobot.translation import DIRECTIONS, reader_language
+from kitrobot.translation.languages import reader_language
+from kitrobot.translation.translator import DIRECTIONS
 
 _PAGE = """<!doctype html>
 <html lang="{language}" dir="{direction}">

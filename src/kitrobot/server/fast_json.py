@@ -12,16 +12,18 @@ from typing import Any
 
 from fastapi import Response
 
-from kitrobot.compiler import Followed, VertexPlace
-from kitrobot.diagnostics import Diagnostic
-from kitrobot.graph import Arc, Program, Vertex
-from kitrobot.lll import TeamProgram
+from kitrobot.compiler.text_edit import Followed
+from kitrobot.compiler.vertex_places import VertexPlace
+from kitrobot.diagnostics.model import Diagnostic
+from kitrobot.graph.model import Arc, Program, Vertex
+from kitrobot.lll.tree import TeamProgram
 from kitrobot.server.list_delta import encode_delta
-from kitrobot.server.shapes import problem_shapes
 from kitrobot.server.shapes.mission import DeclaredShape
-from kitrobot.text import common_affixes
+from kitrobot.server.shapes.problem import problem_shapes
+from kitrobot.text.affixes import common_affixes
 from kitrobot.text.json_text import to_json
-from kitrobot.workspace import ProgramReport, Report
+from kitrobot.workspace.mission_loader import Report
+from kitrobot.workspace.program_report import ProgramReport
 
 Bases = Mapping[str, ProgramReport]
 """By the names of programs, the reports that whoever asks has of them."""

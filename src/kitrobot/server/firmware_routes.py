@@ -24,7 +24,7 @@ async def _body(request: Request) -> bytes:
 def firmware(request: Request) -> FirmwareShape:
     """The drives of boards that there are now, and the page where MicroPython is to be had."""
     refuse_visitors(request)
-    from kitrobot.deploy import EVERYWHERE
+    from kitrobot.deploy.firmware import EVERYWHERE
     from kitrobot.deploy.uf2 import drives
 
     found = [DriveShape(folder=str(one.folder), board=one.board, chip=one.chip) for one in drives()]

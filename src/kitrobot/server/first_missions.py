@@ -5,10 +5,11 @@ from __future__ import annotations
 import tempfile
 from pathlib import Path
 
-from kitrobot.files import first_example
+from kitrobot.files.examples import first_example
 from kitrobot.server.routes import mission
 from kitrobot.server.studio import Studio
-from kitrobot.translation import LANGUAGES, override_language
+from kitrobot.translation.languages import override_language
+from kitrobot.translation.translator import LANGUAGES
 
 
 def first_missions() -> dict[str, bytes]:

@@ -8,16 +8,19 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from kitrobot.compiler import lll_to_graph
-from kitrobot.diagnostics import Diagnostic, KitRobotError
-from kitrobot.graph import IN, START, STOP, Program
-from kitrobot.lll import Seq, parse
-from kitrobot.mission import Mission
-from kitrobot.primitives import Catalogue, Robot
+from kitrobot.compiler.lll_to_graph import lll_to_graph
+from kitrobot.diagnostics.model import Diagnostic, KitRobotError
+from kitrobot.graph.model import IN, START, STOP, Program
+from kitrobot.lll.parse_results import parse
+from kitrobot.lll.tree import Seq
+from kitrobot.mission.model import Mission
+from kitrobot.primitives.catalogue import Catalogue
+from kitrobot.primitives.robot import Robot
 from kitrobot.server.api_router import ThisStudio, api_router
-from kitrobot.server.shapes import mission_shape, problem_shapes
 from kitrobot.server.shapes.fragment import FragmentRequestShape, FragmentShape
+from kitrobot.server.shapes.mission import mission_shape
 from kitrobot.server.shapes.own_parts import own_constructor, own_variable
+from kitrobot.server.shapes.problem import problem_shapes
 
 FILE = "clipboard.lll"
 """The name by which problems speak of the text."""

@@ -10,12 +10,14 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from kitrobot.diagnostics import KitRobotError
-from kitrobot.files import EXAMPLE, MissionEntry
-from kitrobot.mission import Mission, read_mission
-from kitrobot.server.shapes import MissionEntryShape
+from kitrobot.diagnostics.model import KitRobotError
+from kitrobot.files.folder import EXAMPLE
+from kitrobot.files.listing import MissionEntry
+from kitrobot.mission.model import Mission
+from kitrobot.mission.reader import read_mission
+from kitrobot.server.shapes.files import MissionEntryShape
 from kitrobot.server.shapes.gallery import ExampleShape, RunPreviewShape, TopicShape, run_preview_shape
-from kitrobot.workspace import shipped_examples
+from kitrobot.workspace.example_list import shipped_examples
 
 if TYPE_CHECKING:
     from kitrobot.server.studio import Studio

@@ -17,11 +17,11 @@ from typing import Annotated
 from fastapi import Request, Response
 from pydantic import BaseModel, StringConstraints
 
-from kitrobot.diagnostics import KitRobotError
+from kitrobot.diagnostics.model import KitRobotError
 from kitrobot.server.api_router import api_router
 from kitrobot.server.handshake_proof import compute_proof
 from kitrobot.server.security import page_cookie
-from kitrobot.text import Sentence
+from kitrobot.text.sentences import Sentence
 
 MOST_ASKED = 64
 """Numbers of ours that wait for a proof; the oldest goes when there are more."""

@@ -4,13 +4,13 @@ from __future__ import annotations
 
 from base64 import b64encode
 
-from kitrobot.compiler import robot_of
-from kitrobot.diagnostics import ProblemsError
-from kitrobot.image import disassemble
+from kitrobot.compiler.target import robot_of
+from kitrobot.diagnostics.problems import ProblemsError
+from kitrobot.image.listing import disassemble
 from kitrobot.server.api_router import ThisStudio, api_router
 from kitrobot.server.shapes.image import ImageAskShape, ImageShape
 from kitrobot.server.shapes.mission_delta import mission_from_delta
-from kitrobot.text import Sentence
+from kitrobot.text.sentences import Sentence
 
 image_routes = api_router()
 

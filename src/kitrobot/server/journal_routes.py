@@ -11,12 +11,14 @@ import contextlib
 
 from fastapi import WebSocket, WebSocketDisconnect
 
-from kitrobot.files import Journal, MissionNameError
-from kitrobot.mission import write_mission
+from kitrobot.files.folder import MissionNameError
+from kitrobot.files.journal_file import Journal
+from kitrobot.mission.writer import write_mission
 from kitrobot.server.api_router import ThisStudio, api_router, studio_of
 from kitrobot.server.background import run_in_background
-from kitrobot.server.shapes import (
+from kitrobot.server.shapes.journal import (
     ClaimShape,
+    ConflictedShape,
     DifferenceAskShape,
     DifferenceShape,
     ForgetShape,
@@ -25,16 +27,17 @@ from kitrobot.server.shapes import (
     JournalAppendShape,
     JournalShape,
     JournalSizeShape,
+    LeftShape,
+    MergeAskShape,
+    MergedShape,
     NewsMessage,
-    mission_from_shape,
-    mission_shape,
 )
-from kitrobot.server.shapes.journal import ConflictedShape, LeftShape, MergeAskShape, MergedShape
+from kitrobot.server.shapes.mission import mission_from_shape, mission_shape
 from kitrobot.server.shapes.values import ClaimedValue
 from kitrobot.server.studio import Studio
-from kitrobot.translation import translate
-from kitrobot.versions import Difference, differences
-from kitrobot.workspace import merge_checked
+from kitrobot.translation.languages import translate
+from kitrobot.versions.comparison import Difference, differences
+from kitrobot.workspace.file_merge import merge_checked
 
 LOOK_S = 0.5
 """How often a tab's files are looked at."""

@@ -13,11 +13,14 @@ from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from kitrobot.text import Sentence
-from kitrobot.trace import ENDING, TraceError
+from kitrobot.text.sentences import Sentence
+from kitrobot.trace.layout import ENDING
+from kitrobot.trace.model import TraceError
 
 if TYPE_CHECKING:
-    from kitrobot.robots import Change, RobotRecorder, RobotSession
+    from kitrobot.robots.recording import RobotRecorder
+    from kitrobot.robots.session import RobotSession
+    from kitrobot.robots.state import Change
 
 
 class LastRunRecorder:
@@ -70,7 +73,8 @@ class LastRunRecorder:
                 self._folder = None
 
     def _changed(self, change: Change) -> None:
-        from kitrobot.robots import ChangeKind, held_event
+        from kitrobot.robots.session import held_event
+        from kitrobot.robots.state import ChangeKind
 
         kind, state = change.kind, change.state
         if kind is ChangeKind.STARTED:
@@ -92,7 +96,8 @@ class LastRunRecorder:
 
     def _begin(self) -> None:
         """A new recording takes the place of the one before, if what the robot has is known here."""
-        from kitrobot.robots import RecordedBoard, RobotRecorder
+        from kitrobot.robots.recording import RobotRecorder
+        from kitrobot.robots.records import RecordedBoard
 
         self._end()
         known = self._session.known

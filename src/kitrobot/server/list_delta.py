@@ -9,8 +9,9 @@ from __future__ import annotations
 from collections.abc import Callable, Hashable, Sequence
 from typing import Any, TypeVar
 
-from kitrobot.diagnostics import KitRobotError
-from kitrobot.text import Sentence, common_affixes
+from kitrobot.diagnostics.model import KitRobotError
+from kitrobot.text.affixes import common_affixes
+from kitrobot.text.sentences import Sentence
 
 Item = TypeVar("Item")
 

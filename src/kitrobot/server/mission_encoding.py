@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
-from kitrobot.diagnostics import KitRobotError
-from kitrobot.mission import Mission, read_mission, write_mission
-from kitrobot.text import Sentence
+from kitrobot.diagnostics.model import KitRobotError
+from kitrobot.mission.model import Mission
+from kitrobot.mission.reader import read_mission
+from kitrobot.mission.writer import write_mission
+from kitrobot.text.sentences import Sentence
 
 
 class UnsavableError(KitRobotError):

@@ -2,16 +2,19 @@
 
 from __future__ import annotations
 
-from kitrobot.compiler import Appearance, PartError, SelectionError, draw_template, make_part, offer_part, read_part
-from kitrobot.diagnostics import KitRobotError
-from kitrobot.graph import Program
-from kitrobot.lll import print_template
-from kitrobot.mission import Mission
-from kitrobot.primitives import Catalogue, write_constructors
+from kitrobot.compiler.own_part import Appearance, PartError, make_part, offer_part
+from kitrobot.compiler.part_text import draw_template, read_part
+from kitrobot.compiler.selection import SelectionError
+from kitrobot.diagnostics.model import KitRobotError
+from kitrobot.graph.model import Program
+from kitrobot.lll.printer import print_template
+from kitrobot.mission.model import Mission
+from kitrobot.primitives.catalogue import Catalogue
+from kitrobot.primitives.own_xml import write_constructors
 from kitrobot.server.api_router import ThisStudio, api_router
-from kitrobot.server.shapes import FailureShape, TextShape, mission_from_shape, mission_shape, problem_shapes
 from kitrobot.server.shapes.catalogue import ConstructorShape
-from kitrobot.server.shapes.mission import ProgramShape
+from kitrobot.server.shapes.files import TextShape
+from kitrobot.server.shapes.mission import ProgramShape, mission_from_shape, mission_shape
 from kitrobot.server.shapes.own_part_draft import (
     LONGEST_PART,
     OfferAnswerShape,
@@ -27,9 +30,10 @@ from kitrobot.server.shapes.own_part_draft import (
     chosen_from_shape,
 )
 from kitrobot.server.shapes.own_parts import OwnPartError, own_constructor, raw_constructor
+from kitrobot.server.shapes.problem import FailureShape, problem_shapes
 from kitrobot.server.studio import Studio
-from kitrobot.text import Sentence
-from kitrobot.workspace import NoProgramError
+from kitrobot.text.sentences import Sentence
+from kitrobot.workspace.mission_loader import NoProgramError
 
 MOST_PROBLEMS = 100
 

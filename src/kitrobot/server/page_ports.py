@@ -13,11 +13,11 @@ from collections.abc import Awaitable, Callable
 from contextlib import suppress
 from typing import Final, Literal
 
-from kitrobot.deploy import LineError, Port
+from kitrobot.deploy.errors import LineError
 from kitrobot.deploy.line import open_with
-from kitrobot.deploy.ports import port_of
+from kitrobot.deploy.ports import Port, port_of
 from kitrobot.server.background import WakeCondition
-from kitrobot.text import Sentence
+from kitrobot.text.sentences import Sentence
 
 KIND: Final = "page"
 MOST_WAITING: Final = 64 * 1024

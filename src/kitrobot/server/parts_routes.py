@@ -6,10 +6,11 @@ from typing import Annotated, Literal, cast
 
 from fastapi import Depends, Query, Request
 
-from kitrobot.diagnostics import KitRobotError
-from kitrobot.primitives import ValueType
+from kitrobot.diagnostics.model import KitRobotError
+from kitrobot.primitives.robot import ValueType
 from kitrobot.server.api_router import ThisStudio, api_router
-from kitrobot.server.shapes import ConflictShape, TextShape, mission_from_shape, problem_shapes, world_shape
+from kitrobot.server.shapes.files import ConflictShape, TextShape
+from kitrobot.server.shapes.mission import mission_from_shape
 from kitrobot.server.shapes.own_parts import OwnVariableShape, own_variable
 from kitrobot.server.shapes.own_world import OwnWorldShape, own_world, own_world_shape
 from kitrobot.server.shapes.part_files import (
@@ -26,21 +27,19 @@ from kitrobot.server.shapes.part_files import (
     WorldEntryShape,
     WorldFileShape,
 )
-from kitrobot.text import Sentence, Series
-from kitrobot.translation import translate
-from kitrobot.workspace import (
-    FoundWorld,
-    WantedVariable,
-    add_parts,
-    body_picture,
-    kits_at_hand,
-    make_variable,
-    part_differences,
-    program_on_kits,
-    read_world_file,
-    worlds_at_hand,
-)
-from kitrobot.world import MOST_SEED, TEMPLATES, write_world
+from kitrobot.server.shapes.problem import problem_shapes
+from kitrobot.server.shapes.world import world_shape
+from kitrobot.text.sentences import Sentence, Series
+from kitrobot.translation.languages import translate
+from kitrobot.workspace.kit_files import kits_at_hand
+from kitrobot.workspace.kit_pictures import body_picture
+from kitrobot.workspace.kits import program_on_kits
+from kitrobot.workspace.part_imports import add_parts, part_differences
+from kitrobot.workspace.variables import WantedVariable, make_variable
+from kitrobot.workspace.worlds import FoundWorld, read_world_file, worlds_at_hand
+from kitrobot.world.maze import MOST_SEED
+from kitrobot.world.template import TEMPLATES
+from kitrobot.world.xml_writer import write_world
 
 LONGEST_NAME = 1000
 

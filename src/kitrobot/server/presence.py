@@ -31,11 +31,11 @@ from pathlib import Path
 from typing import Any
 from urllib.parse import urlsplit
 
-from kitrobot.diagnostics import KitRobotError
-from kitrobot.files import FileLock
+from kitrobot.diagnostics.model import KitRobotError
+from kitrobot.files.file_lock import FileLock
 from kitrobot.server import fallback_pages
 from kitrobot.server.handshake_proof import compute_proof
-from kitrobot.text import Sentence
+from kitrobot.text.sentences import Sentence
 from kitrobot.user_folders import state_folder
 
 _LARGEST_BYTES = 10_000

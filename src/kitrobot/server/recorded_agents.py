@@ -14,13 +14,14 @@ from collections import Counter
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import replace
 
-from kitrobot.compiler import Compiled
-from kitrobot.image import Layout
+from kitrobot.compiler.compilation import Compiled
 from kitrobot.image.instructions import ACT
-from kitrobot.lll import WorkDeclaration
-from kitrobot.mission import Breakpoint
-from kitrobot.primitives import Robot, has_team, with_team
-from kitrobot.trace import Place, Threads, TickRecord, TraceAgent, TraceHeader
+from kitrobot.image.machine import Layout
+from kitrobot.lll.tree import WorkDeclaration
+from kitrobot.mission.trial import Breakpoint
+from kitrobot.primitives.robot import Robot
+from kitrobot.primitives.team_objects import has_team, with_team
+from kitrobot.trace.model import Place, Threads, TickRecord, TraceAgent, TraceHeader
 
 _CELLS = ("input", "done", "variable")
 """The first words of columns that hold what an agent's program knows."""

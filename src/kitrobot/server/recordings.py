@@ -13,9 +13,9 @@ import threading
 from collections.abc import Callable
 from pathlib import Path
 
-from kitrobot.diagnostics import KitRobotError
-from kitrobot.text import Sentence
-from kitrobot.workspace import OpenTrace, open_trace, unpack
+from kitrobot.diagnostics.model import KitRobotError
+from kitrobot.text.sentences import Sentence
+from kitrobot.workspace.traces import OpenTrace, open_trace, unpack
 
 MAX_OPEN = 16
 """Recordings that stay open; the one that was opened first goes when there are more."""

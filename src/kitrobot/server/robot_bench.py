@@ -2,18 +2,19 @@
 
 from __future__ import annotations
 
-from kitrobot.diagnostics import KitRobotError
-from kitrobot.primitives import RobotObject
-from kitrobot.robots import BoardProgram, RobotSession
-from kitrobot.server.shapes import (
+from kitrobot.diagnostics.model import KitRobotError
+from kitrobot.primitives.robot import RobotObject
+from kitrobot.robots.program import BoardProgram
+from kitrobot.robots.session import RobotSession
+from kitrobot.server.shapes.bench import (
     BenchLeftOutShape,
     BenchStepShape,
     BoardBenchFailureShape,
     BoardBenchShape,
-    BoardStepsMessage,
     ReadingShape,
 )
-from kitrobot.text import Label, Sentence
+from kitrobot.server.shapes.board import BoardStepsMessage
+from kitrobot.text.sentences import Label, Sentence
 from kitrobot.workspace.bench import Bench, PartKey
 from kitrobot.workspace.bench_loader import PartError, Send, load_parts
 from kitrobot.workspace.bench_run import BenchHand

@@ -9,13 +9,14 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import TYPE_CHECKING, Protocol
 
-from kitrobot.diagnostics import KitRobotError
+from kitrobot.diagnostics.model import KitRobotError
 from kitrobot.server.robot_subscriber import AT_PAGE
-from kitrobot.server.shapes import BoardWay
+from kitrobot.server.shapes.board import BoardWay
 
 if TYPE_CHECKING:
-    from kitrobot.deploy import Port
-    from kitrobot.robots import BoardProgram, Link
+    from kitrobot.deploy.ports import Port
+    from kitrobot.robots.link import Link
+    from kitrobot.robots.program import BoardProgram
 
 Progress = Callable[[str, int, int], None]
 """What is done now (`connect`, `compare`, `send`, `start`), and how many bytes of how many; what it raises breaks the
@@ -46,19 +47,19 @@ class SerialGateway:
 
     def list_ports(self) -> list[Port]:
         """As `deploy.list_ports`."""
-        from kitrobot.deploy import list_ports
+        from kitrobot.deploy.ports import list_ports
 
         return list_ports()
 
     def connect(self, address: str) -> Link:
         """As `deploy.connect`."""
-        from kitrobot.deploy import connect
+        from kitrobot.deploy.handshake import connect
 
         return connect(address)
 
     def deploy(self, address: str, program: BoardProgram, progress: Progress, replace: bool, fresh: bool) -> None:
         """As `deploy.deploy`."""
-        from kitrobot.deploy import RobotContext, deploy
+        from kitrobot.deploy.installation import RobotContext, deploy
         from kitrobot.workspace.sent_firmware import store_firmware_version
         from kitrobot.workspace.sent_programs import store_sent_program
 
@@ -72,12 +73,12 @@ class SerialGateway:
 
     def way(self, error: KitRobotError) -> BoardWay:
         """Whether it was refused for somebody else's program, or for want of room."""
-        from kitrobot.deploy import ForeignError, FullError
+        from kitrobot.deploy.errors import ForeignError, FullError
 
         return "replace" if isinstance(error, ForeignError) else "fresh" if isinstance(error, FullError) else ""
 
     def is_lost(self, error: KitRobotError) -> bool:
         """Whether the line is broken or silent."""
-        from kitrobot.deploy import LineError, SilentError
+        from kitrobot.deploy.errors import LineError, SilentError
 
         return isinstance(error, LineError | SilentError)

@@ -20,21 +20,17 @@ import logging
 from collections.abc import Iterable
 from typing import TYPE_CHECKING
 
-from kitrobot.diagnostics import KitRobotError
+from kitrobot.diagnostics.model import KitRobotError
 from kitrobot.server.background import run_in_background
 from kitrobot.server.robot_gateway import RobotGateway
 from kitrobot.server.robot_subscriber import AT_PAGE, MOST_BOARDS, MessageSink, RobotSubscriber
-from kitrobot.server.shapes import (
-    BoardGoneMessage,
-    BoardPortShape,
-    BoardPortsMessage,
-)
+from kitrobot.server.shapes.board import BoardGoneMessage, BoardPortShape, BoardPortsMessage
 from kitrobot.server.team_controller import TeamController
-from kitrobot.text import Sentence
-from kitrobot.translation import reader_language
+from kitrobot.text.sentences import Sentence
+from kitrobot.translation.languages import reader_language
 
 if TYPE_CHECKING:
-    from kitrobot.deploy import Port
+    from kitrobot.deploy.ports import Port
     from kitrobot.server.last_run_recorder import LastRunRecorder
     from kitrobot.server.robot_worker import RobotWorker
 

@@ -7,18 +7,14 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 
-from kitrobot.deploy import Fault, ForeignError, FullError, LineError, SilentError
-from kitrobot.diagnostics import KitRobotError
-from kitrobot.robots import BoardNames, RobotState
-from kitrobot.server.shapes import (
-    BoardBenchShape,
-    BoardFaultShape,
-    BoardMessage,
-    BoardPhase,
-    BoardProgressShape,
-    BoardWay,
-)
-from kitrobot.text import Sentence
+from kitrobot.deploy.errors import ForeignError, FullError, LineError, SilentError
+from kitrobot.deploy.news import Fault
+from kitrobot.diagnostics.model import KitRobotError
+from kitrobot.robots.names import BoardNames
+from kitrobot.robots.state import RobotState
+from kitrobot.server.shapes.bench import BoardBenchShape
+from kitrobot.server.shapes.board import BoardFaultShape, BoardMessage, BoardPhase, BoardProgressShape, BoardWay
+from kitrobot.text.sentences import Sentence
 
 LONGEST_TEXT = 500
 

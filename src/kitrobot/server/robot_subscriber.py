@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING, Protocol
 from fastapi import WebSocketDisconnect
 from pydantic import BaseModel
 
-from kitrobot.server.shapes import BoardsWelcomeMessage
+from kitrobot.server.shapes.board import BoardsWelcomeMessage
 
 if TYPE_CHECKING:
     from kitrobot.server.page_ports import PagePort

@@ -22,15 +22,17 @@ from collections.abc import Callable
 from dataclasses import replace
 from typing import Any, get_args
 
-from kitrobot.diagnostics import KitRobotError
-from kitrobot.robots import BoardProgram, Change, ChangeKind, RobotSession
+from kitrobot.diagnostics.model import KitRobotError
+from kitrobot.robots.program import BoardProgram
+from kitrobot.robots.session import RobotSession
+from kitrobot.robots.state import Change, ChangeKind
 from kitrobot.server.background import BackgroundTask, WakeCondition
 from kitrobot.server.last_run_recorder import LastRunRecorder
 from kitrobot.server.robot_bench import RobotBench
 from kitrobot.server.robot_gateway import RobotGateway
 from kitrobot.server.robot_status import RobotStatus, no_answer_error, recovery_hint
-from kitrobot.server.shapes import BoardMessage, BoardProgressShape, BoardStep
-from kitrobot.text import Recorded, Sentence
+from kitrobot.server.shapes.board import BoardMessage, BoardProgressShape, BoardStep
+from kitrobot.text.sentences import Recorded, Sentence
 from kitrobot.workspace.bench import Bench, PartKey
 from kitrobot.workspace.sent_firmware import load_firmware_version
 

@@ -7,38 +7,36 @@ from typing import Annotated
 from fastapi import Depends, Query, Request, Response
 
 import kitrobot
-from kitrobot.diagnostics import ProblemsError
-from kitrobot.files import carried_mission, is_picture, revision_of
-from kitrobot.mission import save, write_mission
+from kitrobot.diagnostics.problems import ProblemsError
+from kitrobot.files.embedded_mission import carried_mission, is_picture
+from kitrobot.files.folder import revision_of
+from kitrobot.mission.writer import save, write_mission
 from kitrobot.server.api_router import ThisStudio, api_router
 from kitrobot.server.fast_json import report_answer
 from kitrobot.server.mission_encoding import mission_bytes
-from kitrobot.server.shapes import (
-    CheckShape,
+from kitrobot.server.shapes.files import (
     ConflictShape,
-    FailureShape,
-    FirstTeamShape,
     MissionEntryShape,
     MissionFileShape,
-    MissionShape,
     MissionTextShape,
-    ReportShape,
     SavedShape,
     SaveShape,
     SessionShape,
     TextShape,
-    mission_from_shape,
-    mission_shape,
-    problem_shapes,
-    world_shape,
 )
 from kitrobot.server.shapes.gallery import RunPreviewShape
+from kitrobot.server.shapes.mission import MissionShape, mission_from_shape, mission_shape
 from kitrobot.server.shapes.mission_delta import mission_from_delta, reports_from_delta
+from kitrobot.server.shapes.problem import FailureShape, problem_shapes
+from kitrobot.server.shapes.report import CheckShape, FirstTeamShape, ReportShape
+from kitrobot.server.shapes.world import world_shape
 from kitrobot.server.studio import Studio
-from kitrobot.sim import expect_run
-from kitrobot.text import Sentence, collection_paused, name_form
-from kitrobot.workspace import OpenMission, new_mission
+from kitrobot.sim.jit_policy import expect_run
+from kitrobot.text.collection import collection_paused
+from kitrobot.text.forms import name_form
+from kitrobot.text.sentences import Sentence
 from kitrobot.workspace.first_team import first_team
+from kitrobot.workspace.mission_loader import OpenMission, new_mission
 
 _FAILURES: dict[int | str, dict[str, object]] = {
     "4XX": {"model": FailureShape, "description": "Why it could not be done, and a way out."}

@@ -14,20 +14,17 @@ from collections.abc import Collection, Iterable, Sequence
 from dataclasses import dataclass
 from typing import Any
 
-from kitrobot.server.shapes import EVENT_CAUSES, EVENT_KINDS, StartedAgentShape, StartedMessage, world_shape
+from kitrobot.server.shapes.run import EVENT_CAUSES, EVENT_KINDS, StartedAgentShape, StartedMessage
+from kitrobot.server.shapes.world import world_shape
 from kitrobot.server.team_snapshots import TeamSnapshotEncoder
-from kitrobot.sim import DOING
-from kitrobot.text import Sentence, clipped
-from kitrobot.trace import (
-    PEN,
+from kitrobot.sim.recorder import DOING
+from kitrobot.text.sentences import Sentence, clipped
+from kitrobot.trace.drawing import PEN, Mark, News, Pen
+from kitrobot.trace.model import (
     POSE_WORDS,
     PROGRAM,
     TEAM,
-    Ability,
     Inner,
-    Mark,
-    News,
-    Pen,
     Threads,
     TickRecord,
     TraceAgent,
@@ -35,7 +32,8 @@ from kitrobot.trace import (
     TraceEvent,
     TraceHeader,
 )
-from kitrobot.world import World
+from kitrobot.trace.source import Ability
+from kitrobot.world.model import World
 
 MOST_EVENTS_SENT = 5000
 """Events in one message when all of them are sent again."""

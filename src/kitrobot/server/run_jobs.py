@@ -7,7 +7,8 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator
 
-from kitrobot.server.shapes import (
+from kitrobot.server.shapes.mission import breakpoint_from_shape
+from kitrobot.server.shapes.run_requests import (
     BreakpointsRequest,
     ForceRequest,
     HarmRequest,
@@ -17,7 +18,6 @@ from kitrobot.server.shapes import (
     Steering,
     StepRequest,
     StopRequest,
-    breakpoint_from_shape,
 )
 from kitrobot.server.watched_run import WatchedRun
 

@@ -9,7 +9,8 @@ from fastapi import WebSocket
 from pydantic import BaseModel
 
 from kitrobot.server.broadcast import Broadcast, RunUpdate
-from kitrobot.server.shapes import ErrorMessage, StateMessage, problem_shapes
+from kitrobot.server.shapes.problem import problem_shapes
+from kitrobot.server.shapes.run import ErrorMessage, StateMessage
 from kitrobot.server.watched_run import WatchedRun
 
 

@@ -12,28 +12,30 @@ from importlib.util import find_spec
 
 from starlette.requests import HTTPConnection
 
-from kitrobot.diagnostics import KitRobotError, ProblemsError
-from kitrobot.mission import Mission
+from kitrobot.diagnostics.model import KitRobotError
+from kitrobot.diagnostics.problems import ProblemsError
+from kitrobot.mission.model import Mission
 from kitrobot.server.api_router import refuse_visitors, studio_of
 from kitrobot.server.background import run_in_background
-from kitrobot.server.shapes import (
+from kitrobot.server.shapes.mission import mission_from_shape
+from kitrobot.server.shapes.problem import problem_shapes
+from kitrobot.server.shapes.run import ProblemsMessage
+from kitrobot.server.shapes.run_requests import (
     Beginning,
     BreakpointsRequest,
     FleetRequest,
-    ProblemsMessage,
     ReplayRequest,
     RobotsRequest,
     StartRequest,
     Steering,
-    mission_from_shape,
-    problem_shapes,
 )
 from kitrobot.server.studio import Studio
 from kitrobot.server.watched_recording import WatchedRecording
 from kitrobot.server.watched_run import WatchedRun
 from kitrobot.server.watched_simulation import WatchedSimulation
-from kitrobot.text import Sentence
-from kitrobot.workspace import OpenMission, PreparedRun, RunOptions
+from kitrobot.text.sentences import Sentence
+from kitrobot.workspace.mission_loader import OpenMission
+from kitrobot.workspace.mission_run import PreparedRun, RunOptions
 
 
 async def create_run(
@@ -123,7 +125,7 @@ async def _fleet(studio: Studio, request: FleetRequest, wake: Callable[[], None]
 
 def _prepared(studio: Studio, request: FleetRequest) -> tuple[PreparedRun, Mission]:
     """The network is the radio of a fleet, instead of the mission's radio."""
-    from kitrobot.fleet import charter_of
+    from kitrobot.fleet.charter import charter_of
 
     opened = _opened(studio, request)
     mission = copy.copy(opened.mission)

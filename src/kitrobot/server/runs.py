@@ -22,7 +22,7 @@ from collections.abc import Callable
 from fastapi import APIRouter, WebSocket, WebSocketDisconnect
 from pydantic import ValidationError
 
-from kitrobot.diagnostics import KitRobotError
+from kitrobot.diagnostics.model import KitRobotError
 from kitrobot.server.api_router import studio_of
 from kitrobot.server.background import run_in_background
 from kitrobot.server.broadcast import MOST_WATCHERS, Broadcast, Subscription
@@ -31,12 +31,13 @@ from kitrobot.server.run_jobs import Job, job_for_request, run_job_until, single
 from kitrobot.server.run_publisher import RunPublisher
 from kitrobot.server.run_sources import create_run, initial_requests
 from kitrobot.server.sentences import not_understood
-from kitrobot.server.shapes import (
+from kitrobot.server.shapes.mission import mission_from_shape
+from kitrobot.server.shapes.run import ProblemsMessage
+from kitrobot.server.shapes.run_requests import (
     REQUEST,
     Beginning,
     LookRequest,
     PauseRequest,
-    ProblemsMessage,
     ReplayRequest,
     ResumeRequest,
     SpeedRequest,
@@ -44,11 +45,10 @@ from kitrobot.server.shapes import (
     StepRequest,
     StopRequest,
     WatchRequest,
-    mission_from_shape,
 )
 from kitrobot.server.studio import Studio
 from kitrobot.server.watched_run import WatchedRun
-from kitrobot.text import Sentence
+from kitrobot.text.sentences import Sentence
 
 LARGEST_MESSAGE_BYTES = 16 * 1024 * 1024
 MOST_RUNS = 8

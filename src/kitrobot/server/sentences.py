@@ -9,9 +9,10 @@ from pydantic import PlainSerializer, SkipValidation, ValidationError
 from starlette.datastructures import Headers, QueryParams
 from starlette.types import ASGIApp, Receive, Scope, Send
 
-from kitrobot.diagnostics import KitRobotError
-from kitrobot.text import Sentence, Series
-from kitrobot.translation import STOPS, best_language, override_language, reader_language, translate
+from kitrobot.diagnostics.model import KitRobotError
+from kitrobot.text.sentences import Sentence, Series
+from kitrobot.translation.languages import best_language, override_language, reader_language, translate
+from kitrobot.translation.translator import STOPS
 
 
 def readable(words: str) -> str:

@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from kitrobot.mission import Mission
+from kitrobot.mission.model import Mission
 from kitrobot.server.api_router import ThisStudio, api_router
 from kitrobot.server.routes import Name, mission_file
-from kitrobot.server.shapes import MissionFileShape
+from kitrobot.server.shapes.files import MissionFileShape
 from kitrobot.server.shapes.gallery import run_preview_shape
 from kitrobot.server.shapes.starter import (
     BeginningsShape,

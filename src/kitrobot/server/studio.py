@@ -15,32 +15,29 @@ from collections.abc import Iterable
 from functools import cached_property
 from pathlib import Path
 
-from kitrobot.diagnostics import KitRobotError
-from kitrobot.files import RECORDING, Journals, MissionFolder
-from kitrobot.mission import Mission
-from kitrobot.primitives import SHIPPED, Catalogue, load_catalogue
+from kitrobot.diagnostics.model import KitRobotError
+from kitrobot.files.folder import RECORDING, MissionFolder
+from kitrobot.files.recovery import Journals
+from kitrobot.mission.model import Mission
+from kitrobot.primitives.catalogue import SHIPPED, Catalogue, load_catalogue
 from kitrobot.server.background import StopSignal
 from kitrobot.server.broadcast import Broadcast
 from kitrobot.server.gallery import Gallery
 from kitrobot.server.recordings import Recordings
 from kitrobot.server.robot_gateway import SerialGateway
 from kitrobot.server.robot_registry import RobotRegistry
-from kitrobot.server.shapes import CatalogueShape, catalogue_shape
+from kitrobot.server.shapes.catalogue import CatalogueShape, catalogue_shape
 from kitrobot.server.watched_run import WatchedRun
 from kitrobot.user_folders import config_folder
-from kitrobot.workspace import (
-    CompileCache,
-    Exercises,
-    NewMissionChoices,
-    OpenMission,
-    OpenTrace,
-    Previews,
-    SearchPath,
-    Tutorials,
-    read_mission_data,
-    with_mission,
-)
-from kitrobot.world import EMPTY
+from kitrobot.workspace.compile_cache import CompileCache
+from kitrobot.workspace.exercises import Exercises
+from kitrobot.workspace.mission_loader import OpenMission, read_mission_data, with_mission
+from kitrobot.workspace.new_mission_choices import NewMissionChoices
+from kitrobot.workspace.previews import Previews
+from kitrobot.workspace.search_path import SearchPath
+from kitrobot.workspace.traces import OpenTrace
+from kitrobot.workspace.tutorials import Tutorials
+from kitrobot.world.lookup import EMPTY
 
 Stamp = tuple[tuple[str, int, int, int], ...]
 MAX_CACHED = 16

@@ -14,10 +14,11 @@ from dataclasses import dataclass
 from pathlib import Path
 from urllib.parse import urlencode
 
-from kitrobot.diagnostics import KitRobotError
-from kitrobot.files import MissionFolder, first_example
+from kitrobot.diagnostics.model import KitRobotError
+from kitrobot.files.examples import first_example
+from kitrobot.files.folder import MissionFolder
 from kitrobot.server.presence import Presence, StudioInfo
-from kitrobot.text import Sentence
+from kitrobot.text.sentences import Sentence
 
 USUAL_PORT = 8765
 """Always the same where it is free: what the page remembers belongs to its address."""

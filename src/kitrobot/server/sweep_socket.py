@@ -16,9 +16,10 @@ from kitrobot.server.shapes.sweep import (
     sweep_map_message,
 )
 from kitrobot.server.websocket_jobs import WebSocketJob
-from kitrobot.text import Sentence
-from kitrobot.workspace import OpenMission, RunOptions
+from kitrobot.text.sentences import Sentence
 from kitrobot.workspace.child_processes import cores, has_processes
+from kitrobot.workspace.mission_loader import OpenMission
+from kitrobot.workspace.mission_run import RunOptions
 from kitrobot.workspace.sweep import SweepError, SweepOptions, run_sweep
 
 MOST_FIELDS = 5000

@@ -16,9 +16,9 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Literal, get_args
 
-from kitrobot.diagnostics import KitRobotError
+from kitrobot.diagnostics.model import KitRobotError
 from kitrobot.server.background import run_in_background
-from kitrobot.server.shapes import (
+from kitrobot.server.shapes.board import (
     BoardProgressShape,
     BoardStep,
     BoardWay,
@@ -27,13 +27,14 @@ from kitrobot.server.shapes import (
     TeamBoardShape,
     TeamMessage,
 )
-from kitrobot.text import Sentence, listed
+from kitrobot.text.phrases import listed
+from kitrobot.text.sentences import Sentence
 
 if TYPE_CHECKING:
-    from kitrobot.robots import BoardProgram
+    from kitrobot.robots.program import BoardProgram
     from kitrobot.server.robot_registry import RobotRegistry
     from kitrobot.server.watched_fleet import FleetThread
-    from kitrobot.workspace import OpenMission
+    from kitrobot.workspace.mission_loader import OpenMission
 
 STEPS: tuple[BoardStep, ...] = get_args(BoardStep)
 END_WITHIN_S = 8.0
@@ -160,7 +161,7 @@ class TeamController:
         Raises:
             KitRobotError: the studio has a team already, there is no such agent or board, or another page has a board.
         """
-        from kitrobot.workspace import check_boards
+        from kitrobot.workspace.team_boards import check_boards
 
         if self._registry.in_page:
             raise TeamBusyError(
@@ -250,7 +251,7 @@ class TeamController:
             self.release(**result)
 
     def _programs(self, opened: OpenMission, boards: Mapping[str, str], folder: Path) -> dict[str, BoardProgram]:
-        from kitrobot.workspace import agent_program
+        from kitrobot.workspace.team_boards import agent_program
 
         found = {}
         for name in boards:

@@ -9,8 +9,8 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Any
 
-from kitrobot.server.shapes import MeetingShape, MemberShape, TeamNowShape
-from kitrobot.trace import TEAM, TraceHeader, TracePoint
+from kitrobot.server.shapes.run import MeetingShape, MemberShape, TeamNowShape
+from kitrobot.trace.model import TEAM, TraceHeader, TracePoint
 
 MAX_NAMES = 100
 """Names of robots that are sent for one meeting; the rest are counted."""

@@ -4,14 +4,15 @@ from __future__ import annotations
 
 from fastapi import Response
 
-from kitrobot.compiler import follow_text
-from kitrobot.diagnostics import KitRobotError
+from kitrobot.compiler.text_edit import follow_text
+from kitrobot.diagnostics.model import KitRobotError
 from kitrobot.server.api_router import ThisStudio, api_router
 from kitrobot.server.fast_json import followed_answer
 from kitrobot.server.shapes.mission_delta import mission_from_delta, reports_from_delta
 from kitrobot.server.shapes.text import FollowedShape, TextEditShape
-from kitrobot.text import Sentence, collection_paused
-from kitrobot.workspace import NoProgramError
+from kitrobot.text.collection import collection_paused
+from kitrobot.text.sentences import Sentence
+from kitrobot.workspace.mission_loader import NoProgramError
 
 LONGEST_TEXT = 1_000_000
 MOST_PROBLEMS = 100

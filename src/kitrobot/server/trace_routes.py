@@ -9,17 +9,18 @@ from typing import Annotated
 from fastapi import BackgroundTasks, Query, Request
 from fastapi.responses import FileResponse
 
-from kitrobot.files import RECORDING, FileError, read_bytes, revision_of
+from kitrobot.files.disk import FileError, read_bytes
+from kitrobot.files.folder import RECORDING, revision_of
 from kitrobot.server.api_router import ThisStudio, api_router
 from kitrobot.server.background import run_in_background
 from kitrobot.server.recordings import RecordingError
 from kitrobot.server.request_cancellation import run_until_disconnect
 from kitrobot.server.routes import LONGEST_NAME, mission_file
-from kitrobot.server.shapes import RecordingEntryShape, RecordingShape
+from kitrobot.server.shapes.recording import RecordingEntryShape, RecordingShape
 from kitrobot.server.studio import Studio
-from kitrobot.text import Sentence
-from kitrobot.trace import ENDING
-from kitrobot.workspace import is_trace
+from kitrobot.text.sentences import Sentence
+from kitrobot.trace.layout import ENDING
+from kitrobot.workspace.traces import is_trace
 
 trace_routes = api_router()
 

@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from kitrobot.server.api_router import ThisStudio, api_router
-from kitrobot.server.shapes import mission_from_shape
+from kitrobot.server.shapes.mission import mission_from_shape
 from kitrobot.server.shapes.tutorial import TutorialFitShape, TutorialShape, TutorialWatchShape, tutorial_shape
-from kitrobot.workspace import watched
+from kitrobot.workspace.tutorials import watched
 
 tutorial_routes = api_router()
 

@@ -15,10 +15,11 @@ from kitrobot.server.shapes.verification import (
     verify_message,
 )
 from kitrobot.server.websocket_jobs import WebSocketJob
-from kitrobot.text import Sentence
-from kitrobot.verifier import KINDS
-from kitrobot.workspace import OpenMission, RunOptions
+from kitrobot.text.sentences import Sentence
+from kitrobot.verifier.table_builder import KINDS
 from kitrobot.workspace.background_check import verify_apart
+from kitrobot.workspace.mission_loader import OpenMission
+from kitrobot.workspace.mission_run import RunOptions
 from kitrobot.workspace.verification import VerificationOptions
 
 RUN_S = 600.0

@@ -15,15 +15,23 @@ import threading
 from collections.abc import Callable, Iterator, Mapping
 from pathlib import Path
 
-from kitrobot.diagnostics import KitRobotError
-from kitrobot.fleet import Agents, FleetCallbacks, FleetRun, FleetSource, Network, StatusReport, identity_of
-from kitrobot.mission import Mission
+from kitrobot.diagnostics.model import KitRobotError
+from kitrobot.fleet.identity import identity_of
+from kitrobot.fleet.processes import Agents
+from kitrobot.fleet.run_source import FleetSource
+from kitrobot.fleet.status_reports import StatusReport
+from kitrobot.fleet.team_process import FleetCallbacks, FleetRun
+from kitrobot.fleet.transport import Network
+from kitrobot.mission.model import Mission
 from kitrobot.server.robot_status import recovery_hint
 from kitrobot.server.team_controller import TeamController
 from kitrobot.server.watched_recording import WatchedRecords
-from kitrobot.text import Sentence, listed
-from kitrobot.trace import ENDING
-from kitrobot.workspace import FleetPlan, PreparedRun, files_for_agents, free_endpoint, parts_of, run_fleet
+from kitrobot.text.phrases import listed
+from kitrobot.text.sentences import Sentence
+from kitrobot.trace.layout import ENDING
+from kitrobot.workspace.fleets import FleetPlan, files_for_agents, free_endpoint, run_fleet
+from kitrobot.workspace.mission_run import PreparedRun
+from kitrobot.workspace.traces import parts_of
 
 BOARD_LEASE_MS = 2000
 """How long silence is borne at least where a board is in the team: a small one is slow."""

@@ -9,14 +9,15 @@ import shutil
 from collections.abc import Callable, Iterable
 from pathlib import Path
 
-from kitrobot.diagnostics import KitRobotError
-from kitrobot.mission import Breakpoint
+from kitrobot.diagnostics.model import KitRobotError
+from kitrobot.mission.trial import Breakpoint
 from kitrobot.server.recorded_agents import recorded_agents, select_testable
 from kitrobot.server.watched_run import WatchedRun
-from kitrobot.text import Sentence
-from kitrobot.trace import RecordingSource, RunSource
-from kitrobot.workspace import OpenMission, OpenTrace
-from kitrobot.world import World
+from kitrobot.text.sentences import Sentence
+from kitrobot.trace.source import RecordingSource, RunSource
+from kitrobot.workspace.mission_loader import OpenMission
+from kitrobot.workspace.traces import OpenTrace
+from kitrobot.world.model import World
 
 
 class ReplayError(KitRobotError):

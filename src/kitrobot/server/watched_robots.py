@@ -9,13 +9,16 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Mapping
 from pathlib import Path
 
-from kitrobot.mission import Mission
-from kitrobot.robots import Change, ChangeKind, NotConnectedError, RecordedBoard, RobotsRun
+from kitrobot.mission.model import Mission
+from kitrobot.robots.records import RecordedBoard
+from kitrobot.robots.run import RobotsRun
+from kitrobot.robots.session import NotConnectedError
+from kitrobot.robots.state import Change, ChangeKind
 from kitrobot.server.robot_worker import RobotWorker
 from kitrobot.server.watched_recording import WatchedRecords
-from kitrobot.text import Sentence
-from kitrobot.trace import TraceWriter
-from kitrobot.workspace import OpenMission
+from kitrobot.text.sentences import Sentence
+from kitrobot.trace.writer import TraceWriter
+from kitrobot.workspace.mission_loader import OpenMission
 
 
 class WatchedRobots(WatchedRecords):

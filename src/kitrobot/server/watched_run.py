@@ -11,14 +11,15 @@ from collections.abc import Callable, Iterable, Iterator, Sequence
 from pathlib import Path
 from typing import Any
 
-from kitrobot.diagnostics import Diagnostic, KitRobotError
-from kitrobot.mission import Breakpoint, Mission
+from kitrobot.diagnostics.model import Diagnostic, KitRobotError
+from kitrobot.mission.model import Mission
+from kitrobot.mission.trial import Breakpoint
 from kitrobot.server.run_encoder import MOST_EVENTS_SENT, MOST_REPORTED, RunEncoder
-from kitrobot.server.shapes import StartedMessage
+from kitrobot.server.shapes.run import StartedMessage
 from kitrobot.sim.breakpoints import Breakpoints, Hit, ObservedAgent
-from kitrobot.text import Sentence
-from kitrobot.trace import RunSource
-from kitrobot.world import World
+from kitrobot.text.sentences import Sentence
+from kitrobot.trace.source import RunSource
+from kitrobot.world.model import World
 
 _TICKS_BETWEEN_LOOKS = 8
 """Ticks run between two looks at the clock; fewer of very many robots, so that Stop is obeyed soon."""

@@ -5,11 +5,14 @@ from __future__ import annotations
 from collections.abc import Callable
 from pathlib import Path
 
-from kitrobot.diagnostics import Diagnostic
-from kitrobot.mission import Mission
+from kitrobot.diagnostics.model import Diagnostic
+from kitrobot.mission.model import Mission
 from kitrobot.server.watched_run import WatchedRun
-from kitrobot.sim import SimulationSource, record_again
-from kitrobot.workspace import PreparedRun, advice, parts_of
+from kitrobot.sim.recorder import record_again
+from kitrobot.sim.source import SimulationSource
+from kitrobot.workspace.mission_run import PreparedRun
+from kitrobot.workspace.run_hints import advice
+from kitrobot.workspace.traces import parts_of
 
 
 class WatchedSimulation(WatchedRun):

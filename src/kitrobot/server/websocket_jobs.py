@@ -17,15 +17,16 @@ from typing import Any, ClassVar
 from fastapi import APIRouter, WebSocket, WebSocketDisconnect
 from pydantic import BaseModel, TypeAdapter, ValidationError
 
-from kitrobot.diagnostics import KitRobotError
+from kitrobot.diagnostics.model import KitRobotError
 from kitrobot.server.api_router import studio_of
 from kitrobot.server.background import StopSignal, run_in_background
 from kitrobot.server.sentences import not_understood
-from kitrobot.server.shapes import mission_from_shape, problem_shapes
 from kitrobot.server.shapes.job import WorkRefusedMessage
+from kitrobot.server.shapes.mission import mission_from_shape
+from kitrobot.server.shapes.problem import problem_shapes
 from kitrobot.server.studio import Studio
-from kitrobot.text import Sentence
-from kitrobot.workspace import OpenMission
+from kitrobot.text.sentences import Sentence
+from kitrobot.workspace.mission_loader import OpenMission
 
 _log = logging.getLogger("kitrobot.server")
 

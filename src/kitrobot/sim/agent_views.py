@@ -9,8 +9,8 @@ from typing import Any
 from kitrobot.sim import columns
 from kitrobot.sim.agents import Agent
 from kitrobot.sim.state import State, numbers
-from kitrobot.trace import Threads
-from kitrobot.world import normalised
+from kitrobot.trace.model import Threads
+from kitrobot.world.geometry import normalised
 
 LAMP = columns.SIGN_LAMP
 FAILED = 2

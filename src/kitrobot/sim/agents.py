@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from kitrobot.image import Command, Machine
-from kitrobot.primitives import Robot
+from kitrobot.image.devices import Command
+from kitrobot.image.machine import Machine
+from kitrobot.primitives.robot import Robot
 from kitrobot.sim.actuation import busy
 from kitrobot.sim.columns import (
     A_FRESH,
@@ -32,8 +33,8 @@ from kitrobot.sim.fault_schedule import CAUSES
 from kitrobot.sim.faults import HELD
 from kitrobot.sim.state import State, numbers
 from kitrobot.sim.team_columns import T_SILENT
-from kitrobot.text import Recorded
-from kitrobot.trace import Threads
+from kitrobot.text.sentences import Recorded
+from kitrobot.trace.model import Threads
 
 
 class Agent:

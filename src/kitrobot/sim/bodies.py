@@ -9,7 +9,7 @@ from typing import Any
 
 from kitrobot.sim import columns
 from kitrobot.sim.state import State
-from kitrobot.world import World
+from kitrobot.world.model import World
 
 
 class RobotTable:

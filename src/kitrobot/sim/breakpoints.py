@@ -18,14 +18,15 @@ from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Protocol
 
-from kitrobot.compiler import compile_text
-from kitrobot.diagnostics import KitRobotError
-from kitrobot.image import Machine
-from kitrobot.lll import Conditional, parse
-from kitrobot.mission import Breakpoint
-from kitrobot.primitives import Robot
-from kitrobot.text import Sentence
-from kitrobot.trace import Place, Threads
+from kitrobot.compiler.compilation import compile_text
+from kitrobot.diagnostics.model import KitRobotError
+from kitrobot.image.machine import Machine
+from kitrobot.lll.parse_results import parse
+from kitrobot.lll.tree import Conditional
+from kitrobot.mission.trial import Breakpoint
+from kitrobot.primitives.robot import Robot
+from kitrobot.text.sentences import Sentence
+from kitrobot.trace.model import Place, Threads
 
 
 class ObservedMachine(Protocol):

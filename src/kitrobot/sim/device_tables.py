@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from kitrobot.primitives import RobotObject
+from kitrobot.primitives.robot import RobotObject
 from kitrobot.sim.devices import Device, Placement, Values
 
 

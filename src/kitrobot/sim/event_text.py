@@ -6,15 +6,15 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Literal
 
-from kitrobot.primitives import RobotObject
+from kitrobot.primitives.robot import RobotObject
 from kitrobot.sim import columns as c
 from kitrobot.sim.agents import Agent
 from kitrobot.sim.breakdowns import BOX_BACK, BOX_LOST, PASSED
 from kitrobot.sim.fault_schedule import describe_fault
 from kitrobot.sim.faults import REVIVE
 from kitrobot.sim.state import State, numbers
-from kitrobot.text import Recorded
-from kitrobot.world import World
+from kitrobot.text.sentences import Recorded
+from kitrobot.world.model import World
 
 Cause = Literal["program", "world", "person", "mission", "chance"]
 

@@ -7,12 +7,12 @@ from collections import Counter
 from collections.abc import Sequence
 from dataclasses import dataclass, field
 
-from kitrobot.mission import Failure, FailureKind
+from kitrobot.mission.trial import Failure, FailureKind
 from kitrobot.sim import columns as c
 from kitrobot.sim.faults import APART, AWAY, BY_HAND, FAIL, HELD, MUTE, PLAN_ROWS, REVIVE, STALL, inject_fault
 from kitrobot.sim.random_numbers import keys
 from kitrobot.sim.state import State
-from kitrobot.text import Recorded
+from kitrobot.text.sentences import Recorded
 
 KINDS = tuple(FailureKind)
 """The kinds in the order of their numbers in `faults`."""

@@ -27,7 +27,7 @@ from importlib.metadata import PackageNotFoundError, version
 from pathlib import Path
 from typing import Any, Generic, TypeVar
 
-from kitrobot.files import FileLock
+from kitrobot.files.file_lock import FileLock
 from kitrobot.user_folders import cache_folder
 
 Made = TypeVar("Made")

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from kitrobot.sim.setup import SimulationError
-from kitrobot.text import Sentence
+from kitrobot.text.sentences import Sentence
 
 MAX_SEED = 2**53
 """Larger whole numbers do not reach the page as they are."""

@@ -17,7 +17,8 @@ from collections.abc import Sequence
 from kitrobot.sim.agents import Agent
 from kitrobot.sim.bodies import WorldState
 from kitrobot.sim.columns import WELL
-from kitrobot.text import SEMICOLON, Recorded, Series, all_of
+from kitrobot.text.phrases import all_of
+from kitrobot.text.sentences import SEMICOLON, Recorded, Series
 
 AT_ONCE_S = 0.1
 """A run that ends before this came to its end at once."""

@@ -11,8 +11,7 @@ from collections.abc import Iterable
 from kitrobot.sim.agents import Agent
 from kitrobot.sim.columns import A_ROBOT, DRAWN, EVENT, EVENTS, X, Y, record_event
 from kitrobot.sim.state import Pens, State, numbers
-from kitrobot.trace import Mark, Pen, marks_of
-from kitrobot.trace.drawing import packed, unpacked
+from kitrobot.trace.drawing import Mark, Pen, marks_of, packed, unpacked
 from kitrobot.trace.strokes import AT_X, AT_Y, COLOURS, ROW, STYLE, extend_stroke, style_of, tenths
 
 _BITS = 8

@@ -15,7 +15,7 @@ from kitrobot.sim.columns import DT, MOVED, PUSHABLES, RADIUS, ROAD, WAY, X, Y
 from kitrobot.sim.grids import cell_at, fixed
 from kitrobot.sim.motion import is_moving
 from kitrobot.sim.state import Grid, Pushables, State, Walls
-from kitrobot.world import World
+from kitrobot.world.model import World
 
 (
     PUSH_X,

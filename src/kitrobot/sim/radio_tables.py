@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 
-from kitrobot.mission import Radio as RadioOfMission
+from kitrobot.mission.radio import Radio as RadioOfMission
 from kitrobot.sim import radio as r
 from kitrobot.sim.random_numbers import keys
 from kitrobot.sim.shared_tables import SharedTables

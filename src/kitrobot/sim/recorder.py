@@ -13,7 +13,7 @@ from collections.abc import Callable, Collection, Iterable, Sequence
 from pathlib import Path
 from typing import Any
 
-from kitrobot.mission import write_mission
+from kitrobot.mission.writer import write_mission
 from kitrobot.sim.agent_views import all_flags, commanded
 from kitrobot.sim.columns import DELIVERED, HEADING, LOAD, X, Y
 from kitrobot.sim.event_text import Event
@@ -21,21 +21,11 @@ from kitrobot.sim.simulation import Simulation
 from kitrobot.sim.state import numbers
 from kitrobot.sim.team_record import TeamRecord
 from kitrobot.sim.timeline import Timeline
-from kitrobot.trace import (
-    PEN,
-    TEAM,
-    Column,
-    Drawing,
-    Stroke,
-    TickRecord,
-    TraceAgent,
-    TraceCommand,
-    TraceEvent,
-    TraceHeader,
-    TracePart,
-    TraceWriter,
-)
-from kitrobot.world import normalised, write_world
+from kitrobot.trace.drawing import PEN, Drawing, Stroke
+from kitrobot.trace.model import TEAM, Column, TickRecord, TraceAgent, TraceCommand, TraceEvent, TraceHeader, TracePart
+from kitrobot.trace.writer import TraceWriter
+from kitrobot.world.geometry import normalised
+from kitrobot.world.xml_writer import write_world
 
 PROGRESS_STEPS = 250
 """How often `simulate` reports how far it is."""

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from kitrobot.diagnostics import Severity, rule
+from kitrobot.diagnostics.model import Severity, rule
 
 TOO_MANY = rule(
     "run-too-many-agents",

@@ -6,7 +6,7 @@ from kitrobot.sim.arrays import as_arrays
 from kitrobot.sim.shared_tables import SharedTables
 from kitrobot.sim.state import State
 from kitrobot.sim.tables import Tables
-from kitrobot.world import World
+from kitrobot.world.model import World
 
 
 def small_state() -> State:

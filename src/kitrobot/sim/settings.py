@@ -6,13 +6,15 @@ import math
 from collections.abc import Collection, Mapping
 from typing import NamedTuple
 
-from kitrobot.diagnostics import Diagnostic
-from kitrobot.primitives import Category, Robot, RobotObject
+from kitrobot.diagnostics.model import Diagnostic
+from kitrobot.primitives.robot import Category, Robot, RobotObject
 from kitrobot.sim import rules
 from kitrobot.sim.devices import Actuator, Device, Sensor, Setting, Values, actuators, sensors
 from kitrobot.sim.devices.base import MOVES_BOXES, DisplayKind, ManualControl
-from kitrobot.text import Sentence, did_you_mean, one_of, shown
-from kitrobot.world import World
+from kitrobot.text.phrases import one_of, shown
+from kitrobot.text.sentences import Sentence
+from kitrobot.text.suggestions import did_you_mean
+from kitrobot.world.model import World
 
 _OTHER_DEVICE = Sentence('say what stands for it, as in <simulate as="slider"/>, or let the robot run on a board only')
 

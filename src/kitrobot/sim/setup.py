@@ -12,12 +12,15 @@ from collections.abc import Collection, Mapping, Sequence
 from dataclasses import replace
 from functools import reduce
 
-from kitrobot.compiler import Compiled, TeamPlan
-from kitrobot.diagnostics import Diagnostic, KitRobotError
-from kitrobot.image import Machine
-from kitrobot.mission import ALL, Mission
-from kitrobot.mission import Agent as Member
-from kitrobot.primitives import Catalogue, Robot, RobotObject, with_team
+from kitrobot.compiler.compilation import Compiled
+from kitrobot.compiler.team_points import TeamPlan
+from kitrobot.diagnostics.model import Diagnostic, KitRobotError
+from kitrobot.image.machine import Machine
+from kitrobot.mission.model import ALL, Mission
+from kitrobot.mission.model import Agent as Member
+from kitrobot.primitives.catalogue import Catalogue
+from kitrobot.primitives.robot import Robot, RobotObject
+from kitrobot.primitives.team_objects import with_team
 from kitrobot.sim import rules
 from kitrobot.sim.agents import Agent
 from kitrobot.sim.columns import AT, BED, FREE, LENGTH, RADIUS, ROAD, SOLID, X, Y
@@ -30,8 +33,12 @@ from kitrobot.sim.shared_tables import SharedTables
 from kitrobot.sim.tables import Tables
 from kitrobot.sim.team_tables import TeamMember, TeamSetup, assign_roles
 from kitrobot.sim.world_tables import wall_rows
-from kitrobot.text import COMMA, Help, Sentence, Series, Suggestions, Word, collection_paused, did_you_mean, shown
-from kitrobot.world import LOAD, Start, World, distance_to_stretch
+from kitrobot.text.collection import collection_paused
+from kitrobot.text.phrases import shown
+from kitrobot.text.sentences import COMMA, Help, Sentence, Series, Word
+from kitrobot.text.suggestions import Suggestions, did_you_mean
+from kitrobot.world.geometry import distance_to_stretch
+from kitrobot.world.model import LOAD, Start, World
 
 MAX_AGENTS = 100_000
 """Agents in one run at most."""

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from kitrobot.diagnostics import Diagnostic
-from kitrobot.primitives import RobotObject
+from kitrobot.diagnostics.model import Diagnostic
+from kitrobot.primitives.robot import RobotObject
 from kitrobot.sim import rules
 from kitrobot.sim.agents import Agent
 from kitrobot.sim.shared_variables import (
@@ -18,7 +18,7 @@ from kitrobot.sim.shared_variables import (
     WRITING,
 )
 from kitrobot.sim.state import Shared
-from kitrobot.text import Sentence
+from kitrobot.text.sentences import Sentence
 
 
 class SharedTables:

@@ -18,11 +18,14 @@ from collections.abc import Mapping, Sequence
 from functools import cached_property
 from typing import Literal
 
-from kitrobot.compiler import Compiled, TeamPlan
-from kitrobot.diagnostics import KitRobotError
-from kitrobot.image import Image
-from kitrobot.mission import FailureKind, Mission, write_mission
-from kitrobot.primitives import Catalogue
+from kitrobot.compiler.compilation import Compiled
+from kitrobot.compiler.team_points import TeamPlan
+from kitrobot.diagnostics.model import KitRobotError
+from kitrobot.image.model import Image
+from kitrobot.mission.model import Mission
+from kitrobot.mission.trial import FailureKind
+from kitrobot.mission.writer import write_mission
+from kitrobot.primitives.catalogue import Catalogue
 from kitrobot.sim.agent_views import AgentView, poses_of, view_of
 from kitrobot.sim.agents import Agent
 from kitrobot.sim.arrays import as_arrays
@@ -52,9 +55,11 @@ from kitrobot.sim.state_codec import StateCodec
 from kitrobot.sim.step_loop import advance, are_goals_reached, can_continue
 from kitrobot.sim.team_columns import T_ACTUATOR, T_ROLE, TEAM_OVER
 from kitrobot.sim.team_text import TeamText
-from kitrobot.text import Sentence, collection_paused
-from kitrobot.trace import Mark
-from kitrobot.world import World, write_world
+from kitrobot.text.collection import collection_paused
+from kitrobot.text.sentences import Sentence
+from kitrobot.trace.drawing import Mark
+from kitrobot.world.model import World
+from kitrobot.world.xml_writer import write_world
 
 Outcome = Literal["done", "failed", "stuck", "time"]
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import zlib
 
 from kitrobot.sim.setup import SimulationError
-from kitrobot.text import Sentence
+from kitrobot.text.sentences import Sentence
 
 SNAPSHOT_VERSION = 7
 _MARK = b"KRSNAP\n" + bytes([SNAPSHOT_VERSION])

@@ -8,7 +8,9 @@ from kitrobot.sim.event_text import Event
 from kitrobot.sim.recorder import Recorder
 from kitrobot.sim.simulation import Simulation
 from kitrobot.sim.timeline import Timeline
-from kitrobot.trace import Ability, Drawing, NewEvents, Threads, TickRecord, TraceEvent, TraceHeader
+from kitrobot.trace.drawing import Drawing
+from kitrobot.trace.model import Threads, TickRecord, TraceEvent, TraceHeader
+from kitrobot.trace.source import Ability, NewEvents
 
 
 class SimulationSource:

@@ -8,7 +8,7 @@ from typing import Any
 
 from kitrobot.sim.columns import CONTACTS, EVENT, EVENTS, KEPT, MOVED
 from kitrobot.sim.state import CHANGING, State, numbers
-from kitrobot.text import Sentence
+from kitrobot.text.sentences import Sentence
 
 
 def row_lengths(state: State) -> tuple[list[int], ...]:

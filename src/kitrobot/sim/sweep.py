@@ -13,9 +13,9 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 
-from kitrobot.diagnostics import KitRobotError
+from kitrobot.diagnostics.model import KitRobotError
 from kitrobot.sim.simulation import Outcome, Simulation
-from kitrobot.text import Sentence
+from kitrobot.text.sentences import Sentence
 
 MOST_MOMENTS = 10_000
 """Moments of a sweep at most."""

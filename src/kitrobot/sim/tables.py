@@ -9,9 +9,11 @@ from __future__ import annotations
 import math
 from dataclasses import replace
 
-from kitrobot.image import Machine
-from kitrobot.mission import Breakdown, BreakdownRule, Radio
-from kitrobot.primitives import TEAM, Robot, RobotObject
+from kitrobot.image.machine import Machine
+from kitrobot.mission.breakdown import Breakdown, BreakdownRule
+from kitrobot.mission.radio import Radio
+from kitrobot.primitives.robot import Robot, RobotObject
+from kitrobot.primitives.team_objects import TEAM
 from kitrobot.sim import columns as c
 from kitrobot.sim.actuation import QUEUE
 from kitrobot.sim.angles import direction
@@ -41,7 +43,8 @@ from kitrobot.sim.state import (
 )
 from kitrobot.sim.team_tables import InitialState, TeamSetup, no_team, team_tables
 from kitrobot.sim.world_tables import dock_tables, floor_tables, line_tables, road_tables, wall_tables
-from kitrobot.world import Pose, World
+from kitrobot.world.geometry import Pose
+from kitrobot.world.model import World
 
 BY_HAND_AT_ONCE = 64
 """So much can be done to the robots of any run by hand between two steps, and be told."""

@@ -8,12 +8,12 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from kitrobot.compiler import PointKind, TeamPlan
+from kitrobot.compiler.team_points import PointKind, TeamPlan
 from kitrobot.sim import team_columns as c
 from kitrobot.sim.agents import Agent
 from kitrobot.sim.meetings import in_group
 from kitrobot.sim.state import State, numbers
-from kitrobot.trace import TEAM, Column, TracePlan, TracePoint
+from kitrobot.trace.model import TEAM, Column, TracePlan, TracePoint
 
 MOST_MEMBERS = 1000
 """Of a larger team nothing is recorded: its numbers would be more than those of its robots."""

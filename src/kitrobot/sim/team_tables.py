@@ -6,9 +6,9 @@ import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 
-from kitrobot.compiler import ALL, ONE, Point, PointKind, TeamPlan
-from kitrobot.lll import FAILURES, QUANTIFIERS, RoleDeclaration
-from kitrobot.mission import Team as DeclaredTeam
+from kitrobot.compiler.team_points import ALL, ONE, Point, PointKind, TeamPlan
+from kitrobot.lll.tree import FAILURES, QUANTIFIERS, RoleDeclaration
+from kitrobot.mission.model import Team as DeclaredTeam
 from kitrobot.sim import team_columns as c
 from kitrobot.sim.meetings import find_members
 from kitrobot.sim.state import Team

@@ -16,12 +16,13 @@ from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from typing import Literal
 
-from kitrobot.mission import FailureKind
+from kitrobot.mission.trial import FailureKind
 from kitrobot.primitives.value_format import held_by_hand, set_by_hand
 from kitrobot.sim.event_text import Event
 from kitrobot.sim.pens import pens_of
 from kitrobot.sim.simulation import Simulation
-from kitrobot.trace import Drawing, Mark, walk
+from kitrobot.trace.drawing import Drawing, Mark
+from kitrobot.trace.source import walk
 
 ROOM_BYTES = 64 * 1024 * 1024
 OUTSIDE = "outside"

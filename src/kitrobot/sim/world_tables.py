@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from kitrobot.sim.grids import fixed
 from kitrobot.sim.state import Docks, Floors, Lines, Roads, Walls
-from kitrobot.world import COLOURS, World
+from kitrobot.world.model import COLOURS, World
 
 
 def dock_tables(world: World, goals: list[list[int]]) -> Docks:

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from kitrobot.team.commands import Seat
 from kitrobot.team.messages import Sending
 from kitrobot.team.tables import View
-from kitrobot.text import Sentence
+from kitrobot.text.sentences import Sentence
 
 
 @dataclass(frozen=True, slots=True)

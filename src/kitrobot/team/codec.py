@@ -14,7 +14,7 @@ from typing import Any, get_args, get_origin, get_type_hints
 
 from kitrobot.team import commands, messages, tables
 from kitrobot.team.messages import Message
-from kitrobot.text import Sentence
+from kitrobot.text.sentences import Sentence
 
 VERSION = 2
 MOST_BYTES = 1 << 18

@@ -17,7 +17,7 @@ from typing import NamedTuple
 
 from kitrobot.team.commands import Batch, Seat
 from kitrobot.team.messages import EVERYONE, Accepted, Ballot, Chosen, Denied, Prepare, Promise, Propose, Sending
-from kitrobot.text import Sentence
+from kitrobot.text.sentences import Sentence
 
 FIRST = Ballot(0, 0)
 NO_BALLOT = Ballot(-1, -1)

@@ -33,7 +33,7 @@ from kitrobot.team.messages import (
 )
 from kitrobot.team.table_transitions import apply_batch
 from kitrobot.team.tables import Tables, initial_tables
-from kitrobot.text import Sentence
+from kitrobot.text.sentences import Sentence
 
 MOST_RECENT = 32
 MOST_COMMANDS = 64

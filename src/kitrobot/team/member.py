@@ -23,7 +23,7 @@ from kitrobot.team.events import Event, IncomingMessage, Leave, Time, Write
 from kitrobot.team.log import StepOutput
 from kitrobot.team.messages import EVERYONE, Behind, Compare, Heartbeat, Message, Sending, Writes
 from kitrobot.team.state import Member, StepResult
-from kitrobot.text import Sentence
+from kitrobot.text.sentences import Sentence
 
 BUDGET = 768
 """Messages of one member in one beat; the rest is refused unread. Meetings as fast as they go take 300 of them."""

@@ -16,7 +16,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator
 
-from kitrobot.text import Recorded, Sentence
+from kitrobot.text.sentences import Recorded, Sentence
 from kitrobot.trace.model import Threads, TickRecord, TraceCommand, TraceError, TraceEvent
 
 MAX_ITEMS = 1_000_000

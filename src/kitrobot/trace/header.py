@@ -10,7 +10,7 @@ from collections.abc import Iterable, Sequence
 from itertools import groupby
 from typing import Any
 
-from kitrobot.text import Sentence
+from kitrobot.text.sentences import Sentence
 from kitrobot.trace.model import TEAM, Column, TraceAgent, TraceError, TraceHeader, TracePart, TracePlan, TracePoint
 
 MOST_AGENTS = 1_000_000

@@ -15,7 +15,7 @@ from dataclasses import dataclass, field
 from functools import cached_property
 from itertools import zip_longest
 
-from kitrobot.diagnostics import KitRobotError
+from kitrobot.diagnostics.model import KitRobotError
 
 TEAM = ""
 """The owner of a column that belongs to no single agent."""

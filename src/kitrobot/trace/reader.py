@@ -17,8 +17,8 @@ from pathlib import Path
 from types import TracebackType
 from typing import Any, NamedTuple
 
-from kitrobot.diagnostics import open_regular
-from kitrobot.text import Recorded, Sentence, Word
+from kitrobot.diagnostics.regular import open_regular
+from kitrobot.text.sentences import Recorded, Sentence, Word
 from kitrobot.trace import layout
 from kitrobot.trace.codec import decode, decode_events
 from kitrobot.trace.header import header_from_json

@@ -11,7 +11,7 @@ from __future__ import annotations
 from collections.abc import Callable, Collection, Iterator, Sequence
 from typing import ClassVar, Literal, NamedTuple, NoReturn, Protocol
 
-from kitrobot.text import Recorded, Sentence
+from kitrobot.text.sentences import Recorded, Sentence
 from kitrobot.trace.drawing import Drawing, DrawingReader
 from kitrobot.trace.model import Threads, TickRecord, TraceError, TraceEvent, TraceHeader
 from kitrobot.trace.reader import TraceReader, kept

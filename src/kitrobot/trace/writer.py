@@ -9,8 +9,9 @@ from pathlib import Path
 from types import TracebackType
 from typing import Any, BinaryIO
 
-from kitrobot.diagnostics import expect_output, expect_regular, lock_handle
-from kitrobot.text import Sentence, Word
+from kitrobot.diagnostics.read_files import expect_output
+from kitrobot.diagnostics.regular import expect_regular, lock_handle
+from kitrobot.text.sentences import Sentence, Word
 from kitrobot.trace import layout
 from kitrobot.trace.codec import Encoder
 from kitrobot.trace.header import header_to_json

@@ -5,17 +5,3 @@ of (`kitrobot.text.Sentence`). The doors translate them into the reader's langua
 gettext catalogues beside this file, `fr.po` and `ur.po`, read on first use (`catalogue`); `tools/sentences.py` finds
 sentences without a translation.
 """
-
-from kitrobot.translation.languages import best_language, override_language, reader_language, translate
-from kitrobot.translation.translator import DIRECTIONS, ENGLISH, LANGUAGES, STOPS
-
-__all__ = [
-    "DIRECTIONS",
-    "ENGLISH",
-    "LANGUAGES",
-    "STOPS",
-    "best_language",
-    "override_language",
-    "reader_language",
-    "translate",
-]

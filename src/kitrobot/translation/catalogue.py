@@ -13,7 +13,7 @@ from functools import cache
 from gettext import c2py
 from importlib.resources import files
 
-from kitrobot.text import Sentence
+from kitrobot.text.sentences import Sentence
 
 _PLURAL = re.compile(r"plural=([^;]+);")
 

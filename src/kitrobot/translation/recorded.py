@@ -14,7 +14,7 @@ from __future__ import annotations
 import re
 from functools import lru_cache
 
-from kitrobot.text import COMMA, HOLE, SEMICOLON, Recorded, Sentence, Series
+from kitrobot.text.sentences import COMMA, HOLE, SEMICOLON, Recorded, Sentence, Series
 from kitrobot.translation.catalogue import Catalogue
 
 LONGEST = 4000

@@ -10,7 +10,7 @@ from __future__ import annotations
 
 import re
 
-from kitrobot.text import HOLE, Label, Recorded, Sentence, Series, Word
+from kitrobot.text.sentences import HOLE, Label, Recorded, Sentence, Series, Word
 from kitrobot.translation.catalogue import Catalogue, catalogue
 from kitrobot.translation.recorded import recalled
 

@@ -11,8 +11,8 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Literal
 
-from kitrobot.lll import Condition, Failure, Instr, Seq
-from kitrobot.primitives import Texts
+from kitrobot.lll.tree import Condition, Failure, Instr, Seq
+from kitrobot.primitives.robot import Texts
 
 EVENTS = (
     "run-started",

@@ -18,7 +18,7 @@ from collections import Counter
 from collections.abc import Iterator, Mapping
 from typing import Any
 
-from kitrobot.lll import (
+from kitrobot.lll.tree import (
     And,
     Break,
     Call,
@@ -42,10 +42,10 @@ from kitrobot.lll import (
     Wait,
     Where,
     While,
-    children,
-    nodes,
 )
-from kitrobot.primitives import Crew, holes
+from kitrobot.lll.walk import children, nodes
+from kitrobot.primitives.crew import Crew
+from kitrobot.primitives.templates import holes
 from kitrobot.tutorial.model import Pattern, Tutorial
 from kitrobot.tutorial.teams import team_fits
 

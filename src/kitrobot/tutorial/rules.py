@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from kitrobot.diagnostics import Severity, rule
+from kitrobot.diagnostics.model import Severity, rule
 
 PATTERN = rule(
     "tutorial-pattern",

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from kitrobot.primitives import Crew
+from kitrobot.primitives.crew import Crew
 from kitrobot.tutorial.model import GroupWant, TeamWant
 
 

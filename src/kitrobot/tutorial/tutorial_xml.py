@@ -9,10 +9,15 @@ from __future__ import annotations
 from dataclasses import replace
 from typing import NamedTuple, cast, get_args
 
-from kitrobot.diagnostics import Diagnostic
-from kitrobot.lll import FAILURES, Failure, Node, children
-from kitrobot.primitives import IDENTIFIER, Template, Texts, holes, read_template
-from kitrobot.text import Sentence, Series, Word, one_of
+from kitrobot.diagnostics.model import Diagnostic
+from kitrobot.lll.tree import FAILURES, Failure, Node
+from kitrobot.lll.walk import children
+from kitrobot.primitives.attribute_kinds import IDENTIFIER
+from kitrobot.primitives.robot import Texts
+from kitrobot.primitives.template_xml import Template, read_template
+from kitrobot.primitives.templates import holes
+from kitrobot.text.phrases import one_of
+from kitrobot.text.sentences import Sentence, Series, Word
 from kitrobot.tutorial import rules
 from kitrobot.tutorial.model import (
     EVENTS,
@@ -27,20 +32,11 @@ from kitrobot.tutorial.model import (
     TeacherPage,
     Tutorial,
 )
-from kitrobot.xml import (
-    NAME,
-    TEXT,
-    TEXTS,
-    Element,
-    Reader,
-    Tag,
-    lesson_tag,
-    needed,
-    one,
-    optional,
-    require_label,
-    whole,
-)
+from kitrobot.xml.attributes import NAME, needed, one, optional, whole
+from kitrobot.xml.element import Element, Tag
+from kitrobot.xml.lessons import lesson_tag, require_label
+from kitrobot.xml.reader import Reader
+from kitrobot.xml.texts import TEXT, TEXTS
 
 VERSION = 1
 """The newest version of the format that is read."""

@@ -15,13 +15,13 @@ from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from typing import NamedTuple
 
-from kitrobot.sim import Simulation
 from kitrobot.sim import columns as c
 from kitrobot.sim import team_columns as tc
 from kitrobot.sim.devices.base import Command
 from kitrobot.sim.dispatch import start
 from kitrobot.sim.meetings import is_left_empty
 from kitrobot.sim.radio_tables import no_radio
+from kitrobot.sim.simulation import Simulation
 from kitrobot.sim.state import State, Team
 from kitrobot.sim.substitution import declare_missing, finish_team_step, handle_return, restart_program
 from kitrobot.sim.team_work import is_taken

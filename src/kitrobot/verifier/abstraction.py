@@ -10,17 +10,17 @@ import math
 from collections.abc import Collection, Sequence
 from dataclasses import dataclass, field
 
-from kitrobot.mission import BreakdownRule
-from kitrobot.primitives import RobotObject
-from kitrobot.sim import Simulation
+from kitrobot.mission.breakdown import BreakdownRule
+from kitrobot.primitives.robot import RobotObject
 from kitrobot.sim import columns as c
 from kitrobot.sim.agents import Agent
 from kitrobot.sim.devices import actuators, collision, drive, presence, sensors, sign, work_left
 from kitrobot.sim.devices.base import Discrete
 from kitrobot.sim.docks import DOCK_AT, DOCK_REACH
 from kitrobot.sim.event_text import sensor_names
+from kitrobot.sim.simulation import Simulation
 from kitrobot.sim.state import State
-from kitrobot.text import COMMA, Label, Sentence, Series
+from kitrobot.text.sentences import COMMA, Label, Sentence, Series
 from kitrobot.verifier.programs import ProgramTable, greatest_argument, value_classes
 from kitrobot.verifier.roads import Gaps, Track, Zones, zones_of
 from kitrobot.verifier.team_agreement import Agreement

@@ -9,9 +9,9 @@ from __future__ import annotations
 
 from collections.abc import Collection
 
-from kitrobot.mission import FailureKind
-from kitrobot.sim import Simulation
+from kitrobot.mission.trial import FailureKind
 from kitrobot.sim import columns as c
+from kitrobot.sim.simulation import Simulation
 from kitrobot.verifier import columns as v
 from kitrobot.verifier import reactions
 from kitrobot.verifier.absence import AbsenceAgreement

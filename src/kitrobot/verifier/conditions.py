@@ -12,13 +12,17 @@ from collections.abc import Callable, Collection, Iterator, Sequence
 from dataclasses import dataclass
 from typing import NamedTuple
 
-from kitrobot.diagnostics import KitRobotError
-from kitrobot.lll import And, Call, Condition, Conditional, Hole, Joint, Not, Or, nodes, parse_team
-from kitrobot.mission import Team
-from kitrobot.primitives import Robot
+from kitrobot.diagnostics.model import KitRobotError
+from kitrobot.lll.parse_results import parse_team
+from kitrobot.lll.tree import And, Call, Condition, Conditional, Hole, Joint, Not, Or
+from kitrobot.lll.walk import nodes
+from kitrobot.mission.model import Team
+from kitrobot.primitives.robot import Robot
 from kitrobot.sim.breakpoints import Condition as Test
 from kitrobot.sim.breakpoints import ConditionError
-from kitrobot.text import Help, Sentence, did_you_mean, listed
+from kitrobot.text.phrases import listed
+from kitrobot.text.sentences import Help, Sentence
+from kitrobot.text.suggestions import did_you_mean
 
 
 class PropertyError(KitRobotError):

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from kitrobot.primitives import in_words
+from kitrobot.primitives.value_format import in_words
 from kitrobot.sim.devices.base import Discrete
-from kitrobot.text import COMMA, Sentence, Series
+from kitrobot.text.sentences import COMMA, Sentence, Series
 from kitrobot.verifier.bodies import RUNS
 from kitrobot.verifier.events import Event, EventKind
 from kitrobot.verifier.model import Model, State

@@ -10,14 +10,15 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
-from kitrobot.mission import AskedProperty, Form, Team
-from kitrobot.sim import Simulation
+from kitrobot.mission.model import Team
+from kitrobot.mission.property_xml import AskedProperty, Form
 from kitrobot.sim.breakpoints import Condition as Test
 from kitrobot.sim.devices.base import Discrete
 from kitrobot.sim.meetings import in_group
+from kitrobot.sim.simulation import Simulation
 from kitrobot.sim.state import Team as TeamTables
 from kitrobot.sim.team_columns import T_ROLE
-from kitrobot.text import Sentence
+from kitrobot.text.sentences import Sentence
 from kitrobot.verifier.conditions import AgentCondition, Member, Members, PropertyError, Truth, parse_condition
 from kitrobot.verifier.model import Model
 from kitrobot.verifier.properties import Property, SensedCondition

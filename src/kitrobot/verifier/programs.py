@@ -15,11 +15,12 @@ from dataclasses import dataclass
 from functools import lru_cache
 from itertools import compress
 
-from kitrobot.diagnostics import KitRobotError
-from kitrobot.image import Image, Machine
+from kitrobot.diagnostics.model import KitRobotError
 from kitrobot.image.instructions import ACT, BY_NUMBER, CLAMP, END, EQ, FORK, LT, Role
-from kitrobot.primitives import Robot
-from kitrobot.text import Sentence
+from kitrobot.image.machine import Machine
+from kitrobot.image.model import Image
+from kitrobot.primitives.robot import Robot
+from kitrobot.text.sentences import Sentence
 from kitrobot.verifier.stops import stops_in
 
 MOST_OUTCOMES = 4096

@@ -9,11 +9,11 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass
 
-from kitrobot.mission import BreakdownRule
-from kitrobot.sim import Simulation
+from kitrobot.mission.breakdown import BreakdownRule
 from kitrobot.sim import columns as c
+from kitrobot.sim.simulation import Simulation
 from kitrobot.sim.team_columns import HAS_UNIT
-from kitrobot.text import Sentence
+from kitrobot.text.sentences import Sentence
 from kitrobot.verifier.bodies import FAILED, RUNS, Inside
 from kitrobot.verifier.events import SWINGS, EventKind
 from kitrobot.verifier.model import Model, Shared

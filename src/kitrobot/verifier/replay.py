@@ -10,8 +10,8 @@ from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from itertools import chain, combinations
 
-from kitrobot.sim import Simulation
 from kitrobot.sim import columns as c
+from kitrobot.sim.simulation import Simulation
 from kitrobot.verifier.absence import gave_up
 from kitrobot.verifier.events import EventKind
 from kitrobot.verifier.model import Model

@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Protocol
 
-from kitrobot.sim import Simulation
 from kitrobot.sim import columns as c
 from kitrobot.sim import team_columns as tc
+from kitrobot.sim.simulation import Simulation
 from kitrobot.verifier.absence import gave_up
 from kitrobot.verifier.stops import stops_in
 

@@ -9,8 +9,8 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from kitrobot.image import Machine
 from kitrobot.image.instructions import ARM
+from kitrobot.image.machine import Machine
 
 
 def stops_in(armed: Sequence[int], machine: Machine) -> tuple[int, int]:

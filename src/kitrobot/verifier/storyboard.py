@@ -10,7 +10,7 @@ from dataclasses import dataclass
 
 from kitrobot.image.instructions import FORK, JOIN
 from kitrobot.sim import columns as c
-from kitrobot.text import Sentence
+from kitrobot.text.sentences import Sentence
 from kitrobot.verifier.bodies import FAILED
 from kitrobot.verifier.counterexample_text import describe_event
 from kitrobot.verifier.events import EventKind

@@ -6,12 +6,12 @@ from collections.abc import Sequence
 from functools import lru_cache
 from typing import Any
 
-from kitrobot.mission import FailureKind
-from kitrobot.sim import Simulation
+from kitrobot.mission.trial import FailureKind
 from kitrobot.sim import columns as c
 from kitrobot.sim.devices.base import Discrete
 from kitrobot.sim.docks import DOCK_AT, DOCK_REACH
-from kitrobot.text import Sentence
+from kitrobot.sim.simulation import Simulation
+from kitrobot.text.sentences import Sentence
 from kitrobot.verifier import columns as v
 from kitrobot.verifier.abstraction import AgentModel
 from kitrobot.verifier.bodies import MOST_GAPS, TICKS, body

@@ -12,13 +12,13 @@ from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from typing import NamedTuple
 
-from kitrobot.sim import Simulation
 from kitrobot.sim import columns as c
 from kitrobot.sim import team_columns as tc
 from kitrobot.sim.devices.base import Command
 from kitrobot.sim.dispatch import start
 from kitrobot.sim.meetings import agree, find_members
 from kitrobot.sim.radio_tables import no_radio
+from kitrobot.sim.simulation import Simulation
 from kitrobot.sim.state import State, Team, numbers
 from kitrobot.sim.team_work import is_taken, share_out
 

@@ -13,9 +13,9 @@ from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass
 from functools import lru_cache
 
-from kitrobot.image import Image
 from kitrobot.image.instructions import BY_NUMBER, FORK, JOIN
-from kitrobot.sim import Simulation
+from kitrobot.image.model import Image
+from kitrobot.sim.simulation import Simulation
 from kitrobot.verifier.abstraction import Abstraction
 from kitrobot.verifier.exploration import StateSpace
 from kitrobot.verifier.programs import ProgramTable, Reaction

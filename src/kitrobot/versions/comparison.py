@@ -15,12 +15,18 @@ from dataclasses import dataclass, fields, replace
 from pathlib import Path
 
 from kitrobot.compiler.common_order import common_order
-from kitrobot.diagnostics import KitRobotError, ProblemsError, Source
-from kitrobot.files import lay_out_file, read_bytes, read_carried
-from kitrobot.graph import START, STOP, Note, Program, Vertex
-from kitrobot.mission import NO_PROGRAM, Mission, read_mission
-from kitrobot.primitives import KIT_SUFFIX, Kit, read_kit
-from kitrobot.text import Sentence, Word
+from kitrobot.diagnostics.model import KitRobotError, Source
+from kitrobot.diagnostics.problems import ProblemsError
+from kitrobot.files.disk import read_bytes
+from kitrobot.files.embedded_mission import read_carried
+from kitrobot.files.layout import lay_out_file
+from kitrobot.graph.model import START, STOP, Note, Program, Vertex
+from kitrobot.mission.model import Mission
+from kitrobot.mission.reader import read_mission
+from kitrobot.mission.rules import NO_PROGRAM
+from kitrobot.primitives.kit import Kit
+from kitrobot.primitives.kit_xml import KIT_SUFFIX, read_kit
+from kitrobot.text.sentences import Sentence, Word
 from kitrobot.versions.kits import kit_differences
 from kitrobot.versions.outline import PARKED, Outline
 from kitrobot.versions.own_parts import TOLD_HERE, own_part_differences

@@ -10,7 +10,7 @@ from collections.abc import Collection
 from dataclasses import dataclass
 from typing import Any, TypeVar
 
-from kitrobot.text import Sentence
+from kitrobot.text.sentences import Sentence
 from kitrobot.versions.phrases import short
 from kitrobot.versions.phrases import value as in_words
 

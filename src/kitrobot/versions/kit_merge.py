@@ -11,8 +11,10 @@ from collections.abc import Callable, Sequence
 from dataclasses import fields, replace
 from typing import Any
 
-from kitrobot.primitives import Board, Kit, KitPart, Measured, Texts, read_kit, write_kit
-from kitrobot.text import Sentence, Word
+from kitrobot.primitives.kit import Kit, KitPart, Measured
+from kitrobot.primitives.kit_xml import read_kit, write_kit
+from kitrobot.primitives.robot import Board, Texts
+from kitrobot.text.sentences import Sentence, Word
 from kitrobot.versions.conflicts import Conflict, Decisions
 from kitrobot.versions.kits import named_part
 from kitrobot.versions.lists import merged_by_name, merged_nameless, merged_order, merged_values

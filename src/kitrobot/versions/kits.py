@@ -8,8 +8,9 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from dataclasses import fields
 
-from kitrobot.primitives import Kit, KitPart, Texts
-from kitrobot.text import Sentence, Word
+from kitrobot.primitives.kit import Kit, KitPart
+from kitrobot.primitives.robot import Texts
+from kitrobot.text.sentences import Sentence, Word
 
 _LANGUAGES = {"": "English", "fr": "French", "ur": "Urdu"}
 """Languages of texts, in words."""

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Hashable, Iterable, Mapping, Sequence
 from typing import Any, TypeVar
 
-from kitrobot.text import Sentence, Word
+from kitrobot.text.sentences import Sentence, Word
 
 T = TypeVar("T")
 

@@ -12,10 +12,12 @@ from collections.abc import Collection, Hashable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, fields, replace
 from typing import Any
 
-from kitrobot.graph import Program
-from kitrobot.mission import Agent, Breakpoint, Failure, Goal, Mission, Team
-from kitrobot.primitives import Constructor, OwnVariable
-from kitrobot.text import Sentence, Word
+from kitrobot.graph.model import Program
+from kitrobot.mission.model import Agent, Goal, Mission, Team
+from kitrobot.mission.trial import Breakpoint, Failure
+from kitrobot.primitives.constructors import Constructor
+from kitrobot.primitives.own_xml import OwnVariable
+from kitrobot.text.sentences import Sentence, Word
 from kitrobot.versions.conflicts import Conflict, Decisions
 from kitrobot.versions.lists import merged_by_name, merged_nameless, merged_order, merged_values
 from kitrobot.versions.own_parts import breakpoint_title, failure_title

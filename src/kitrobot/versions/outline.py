@@ -11,7 +11,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass
 
-from kitrobot.graph import IN, NEXT, RETURN, START, STOP, Arc, Program, Vertex
+from kitrobot.graph.model import IN, NEXT, RETURN, START, STOP, Arc, Program, Vertex
 
 Chain = tuple[str, str]
 PARKED = "parked"

@@ -6,9 +6,13 @@ from collections.abc import Iterator, Sequence
 from dataclasses import fields
 from typing import Any
 
-from kitrobot.mission import AskedProperty, Breakpoint, Failure, Mission
-from kitrobot.primitives import Constructor, OwnVariable, RobotObject
-from kitrobot.text import COMMA, Sentence, Series, Word
+from kitrobot.mission.model import Mission
+from kitrobot.mission.property_xml import AskedProperty
+from kitrobot.mission.trial import Breakpoint, Failure
+from kitrobot.primitives.constructors import Constructor
+from kitrobot.primitives.own_xml import OwnVariable
+from kitrobot.primitives.robot import RobotObject
+from kitrobot.text.sentences import COMMA, Sentence, Series, Word
 
 TOLD_HERE = ("constructors", "variables", "breakpoints", "failures", "breakdown", "properties")
 """The fields of a mission whose differences are told here."""

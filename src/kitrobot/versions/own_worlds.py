@@ -11,10 +11,11 @@ from collections.abc import Callable, Iterator, Sequence
 from dataclasses import fields, replace
 from typing import Any
 
-from kitrobot.mission import Mission
-from kitrobot.text import COMMA, Sentence, Series, Word
+from kitrobot.mission.model import Mission
+from kitrobot.text.sentences import COMMA, Sentence, Series, Word
 from kitrobot.versions.lists import merged_by_name, merged_nameless, merged_values
-from kitrobot.world import KINDS, World
+from kitrobot.world.model import World
+from kitrobot.world.xml_reader import KINDS
 
 Choose = Callable[[str, Any, Any, Any], Any]
 

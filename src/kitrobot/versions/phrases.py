@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from typing import Any
 
-from kitrobot.graph import START, STOP, Vertex
-from kitrobot.text import Sentence, Word
+from kitrobot.graph.model import START, STOP, Vertex
+from kitrobot.text.sentences import Sentence, Word
 from kitrobot.versions.outline import PARKED, Outline
 
 _LONGEST_QUOTE = 60

@@ -10,8 +10,8 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
 
-from kitrobot.graph import IN, RETURN, START, STOP, Arc, Program, Vertex
-from kitrobot.text import Sentence, Word
+from kitrobot.graph.model import IN, RETURN, START, STOP, Arc, Program, Vertex
+from kitrobot.text.sentences import Sentence, Word
 from kitrobot.versions.conflicts import Decisions
 from kitrobot.versions.lists import merged_order
 from kitrobot.versions.outline import Outline

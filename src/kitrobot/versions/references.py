@@ -12,11 +12,17 @@ from dataclasses import replace
 from enum import StrEnum
 from typing import Any
 
-from kitrobot.graph import Program, Vertex
-from kitrobot.lll import Hole, Joint, nodes, parse_team, renamed_text
-from kitrobot.mission import Agent, Breakpoint, Mission, Team
-from kitrobot.primitives import Constructor, OwnVariable, load_catalogue, read_own, write_constructor, write_variable
-from kitrobot.world import World
+from kitrobot.graph.model import Program, Vertex
+from kitrobot.lll.name_replacement import renamed_text
+from kitrobot.lll.parse_results import parse_team
+from kitrobot.lll.tree import Hole, Joint
+from kitrobot.lll.walk import nodes
+from kitrobot.mission.model import Agent, Mission, Team
+from kitrobot.mission.trial import Breakpoint
+from kitrobot.primitives.catalogue import load_catalogue
+from kitrobot.primitives.constructors import Constructor
+from kitrobot.primitives.own_xml import OwnVariable, read_own, write_constructor, write_variable
+from kitrobot.world.model import World
 
 Names = Mapping[str, str]
 """Old name → new name."""

@@ -12,8 +12,8 @@ from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import replace
 from typing import Any, NamedTuple
 
-from kitrobot.mission import Mission
-from kitrobot.text import Sentence, Word
+from kitrobot.mission.model import Mission
+from kitrobot.text.sentences import Sentence, Word
 from kitrobot.versions.comparison import renamed_programs
 from kitrobot.versions.conflicts import Decisions
 from kitrobot.versions.references import Named, with_names

@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from dataclasses import fields
 
-from kitrobot.lll import print_declaration
-from kitrobot.mission import Agent, Goal, Team
-from kitrobot.text import Sentence, Word
+from kitrobot.lll.printer import print_declaration
+from kitrobot.mission.model import Agent, Goal, Team
+from kitrobot.text.sentences import Sentence, Word
 
 
 def team_differences(before: Team, after: Team) -> Iterator[tuple[str, Sentence]]:

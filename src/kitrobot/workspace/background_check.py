@@ -11,10 +11,13 @@ from collections.abc import Callable
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any
 
-from kitrobot.diagnostics import KitRobotError
-from kitrobot.text import Sentence
-from kitrobot.verifier import Answer, ConfirmedRun, CutReason, Timing
+from kitrobot.diagnostics.model import KitRobotError
+from kitrobot.text.sentences import Sentence
+from kitrobot.verifier.budget import CutReason
+from kitrobot.verifier.replay import ConfirmedRun
 from kitrobot.verifier.storyboard import Culprit, Scene
+from kitrobot.verifier.timing import Timing
+from kitrobot.verifier.verdicts import Answer
 from kitrobot.workspace.child_processes import end_with_parent, has_processes
 from kitrobot.workspace.mission_run import PreparedRun
 from kitrobot.workspace.verification import (

@@ -13,13 +13,17 @@ from contextlib import suppress
 from dataclasses import dataclass, replace
 from pathlib import Path
 
-from kitrobot.compiler import compile_text
-from kitrobot.deploy import Package, PackageError, parts_on_kit
-from kitrobot.diagnostics import KitRobotError, Source
-from kitrobot.primitives import Category, Kit, Method, Robot, RobotObject, Texts, number_variable
-from kitrobot.primitives import Kind as MethodKind
-from kitrobot.robots import BoardProgram
-from kitrobot.text import Label, Sentence
+from kitrobot.compiler.compilation import compile_text
+from kitrobot.deploy.errors import PackageError
+from kitrobot.deploy.kits import parts_on_kit
+from kitrobot.deploy.package import Package
+from kitrobot.diagnostics.model import KitRobotError, Source
+from kitrobot.primitives.automatic import number_variable
+from kitrobot.primitives.kit import Kit
+from kitrobot.primitives.robot import Category, Method, Robot, RobotObject, Texts
+from kitrobot.primitives.robot import Kind as MethodKind
+from kitrobot.robots.program import BoardProgram
+from kitrobot.text.sentences import Label, Sentence
 from kitrobot.user_folders import config_folder
 from kitrobot.workspace.bench_notes import BenchNote, notes_for
 from kitrobot.workspace.robot_programs import ready_program

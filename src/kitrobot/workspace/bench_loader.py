@@ -11,11 +11,12 @@ import re
 from collections.abc import Callable
 from dataclasses import dataclass
 
-from kitrobot.deploy import BoardError, FullError, NoMemoryError
-from kitrobot.diagnostics import KitRobotError
-from kitrobot.primitives import Category
-from kitrobot.robots import BoardNames, BoardProgram
-from kitrobot.text import Sentence
+from kitrobot.deploy.errors import BoardError, FullError, NoMemoryError
+from kitrobot.diagnostics.model import KitRobotError
+from kitrobot.primitives.robot import Category
+from kitrobot.robots.names import BoardNames
+from kitrobot.robots.program import BoardProgram
+from kitrobot.text.sentences import Sentence
 from kitrobot.workspace.bench import Bench, PartKey
 
 WIRES = Sentence("look at its wires and its settings in the board's file")

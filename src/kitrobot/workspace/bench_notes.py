@@ -12,10 +12,14 @@ from dataclasses import dataclass
 from functools import cache
 from pathlib import Path
 
-from kitrobot.diagnostics import Diagnostic
-from kitrobot.primitives import IDENTIFIER, Category, RobotObject, Texts
-from kitrobot.text import Sentence
-from kitrobot.xml import TEXTS, Element, Kind, Reader, Tag, needed, one, optional, version, whole
+from kitrobot.diagnostics.model import Diagnostic
+from kitrobot.primitives.attribute_kinds import IDENTIFIER
+from kitrobot.primitives.robot import Category, RobotObject, Texts
+from kitrobot.text.sentences import Sentence
+from kitrobot.xml.attributes import Kind, needed, one, optional, version, whole
+from kitrobot.xml.element import Element, Tag
+from kitrobot.xml.reader import Reader
+from kitrobot.xml.texts import TEXTS
 
 VERSION = 1
 """The newest version of the list that is read."""

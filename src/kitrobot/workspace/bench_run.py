@@ -14,11 +14,14 @@ from collections.abc import Callable
 from contextlib import suppress
 from types import TracebackType
 
-from kitrobot.deploy import DeployError, FirmwareError, ForeignError, LineError, News, SilentError, connect
-from kitrobot.diagnostics import KitRobotError
-from kitrobot.primitives import Category
-from kitrobot.robots import BoardProgram, RobotSession
-from kitrobot.text import Sentence
+from kitrobot.deploy.errors import DeployError, FirmwareError, ForeignError, LineError, SilentError
+from kitrobot.deploy.handshake import connect
+from kitrobot.deploy.news import News
+from kitrobot.diagnostics.model import KitRobotError
+from kitrobot.primitives.robot import Category
+from kitrobot.robots.program import BoardProgram
+from kitrobot.robots.session import RobotSession
+from kitrobot.text.sentences import Sentence
 from kitrobot.workspace.bench import Bench, BenchStep, PartKey
 from kitrobot.workspace.bench_loader import WIRES, PartError, blamed_part, load_parts, reason_of
 from kitrobot.workspace.robot_programs import send_program

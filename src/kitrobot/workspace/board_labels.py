@@ -11,9 +11,9 @@ import re
 import unicodedata
 from collections.abc import Iterable
 
-from kitrobot.deploy import list_ports
-from kitrobot.diagnostics import KitRobotError
-from kitrobot.text import Sentence
+from kitrobot.deploy.ports import list_ports
+from kitrobot.diagnostics.model import KitRobotError
+from kitrobot.text.sentences import Sentence
 from kitrobot.workspace.json_store import read_entries, write_entries
 
 LONGEST_LABEL = 40

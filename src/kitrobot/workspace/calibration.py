@@ -15,10 +15,15 @@ from functools import cache
 from pathlib import Path
 from statistics import fmean, stdev
 
-from kitrobot.diagnostics import Diagnostic, KitRobotError, Source, expect_output
-from kitrobot.files import FileError, read_bytes, replace_file, saving_in
-from kitrobot.primitives import SHIPPED, Category, Kit, KitPart, Measured, Robot, read_kit, read_robot, write_kit
-from kitrobot.text import Sentence
+from kitrobot.diagnostics.model import Diagnostic, KitRobotError, Source
+from kitrobot.diagnostics.read_files import expect_output
+from kitrobot.files.disk import FileError, read_bytes, replace_file, saving_in
+from kitrobot.primitives.catalogue import SHIPPED
+from kitrobot.primitives.kit import Kit, KitPart, Measured
+from kitrobot.primitives.kit_xml import read_kit, write_kit
+from kitrobot.primitives.robot import Category, Robot
+from kitrobot.primitives.robot_xml import read_robot
+from kitrobot.text.sentences import Sentence
 from kitrobot.user_folders import config_folder
 from kitrobot.workspace.bench import Bench, BenchStep, bench_of
 from kitrobot.workspace.bench_notes import MEASURES, fits, shipped_notes

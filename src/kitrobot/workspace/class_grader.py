@@ -16,9 +16,10 @@ from multiprocessing.connection import Connection
 from pathlib import Path
 from typing import Any, Final
 
-from kitrobot.diagnostics import KitRobotError, open_regular
-from kitrobot.mission import write_mission
-from kitrobot.text import Sentence, Word
+from kitrobot.diagnostics.model import KitRobotError
+from kitrobot.diagnostics.regular import open_regular
+from kitrobot.mission.writer import write_mission
+from kitrobot.text.sentences import Sentence, Word
 from kitrobot.workspace.child_processes import MOST_JOBS
 from kitrobot.workspace.grader_process import MOST_CPU_S, ready_exercise, serve
 from kitrobot.workspace.grades import GoalGrade, Grade, translate_all

@@ -14,12 +14,16 @@ from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
-from kitrobot import robots
-from kitrobot.deploy import list_ports
-from kitrobot.diagnostics import KitRobotError, Place
-from kitrobot.files import read_text
-from kitrobot.robots import BoardProgram, Progress, SendResult
-from kitrobot.text import COMMA, Sentence, Series, did_you_mean, listed, name_form
+from kitrobot.deploy.ports import list_ports
+from kitrobot.diagnostics.model import KitRobotError, Place
+from kitrobot.files.disk import read_text
+from kitrobot.robots import board_operations
+from kitrobot.robots.board_operations import Progress, SendResult
+from kitrobot.robots.program import BoardProgram
+from kitrobot.text.forms import name_form
+from kitrobot.text.phrases import listed
+from kitrobot.text.sentences import COMMA, Sentence, Series
+from kitrobot.text.suggestions import did_you_mean
 from kitrobot.workspace.board_labels import LabelError, clean_label, label_key, labels_of
 from kitrobot.workspace.robot_programs import load_board_program
 from kitrobot.workspace.sent_firmware import store_firmware_version
@@ -90,7 +94,9 @@ class BoardSet:
     def send(self, progress: Progress, *, replace: bool = False, fresh: bool = False) -> list[SetResult]:
         """Sends all programs at once; what goes wrong with one board does not hold up the others."""
         programs = {one.address: one.program for one in self.members if one.program is not None}
-        sent = {one.address: one for one in robots.send_programs(programs, progress, replace=replace, fresh=fresh)}
+        sent = {
+            one.address: one for one in board_operations.send_programs(programs, progress, replace=replace, fresh=fresh)
+        }
         for address, one in sent.items():
             if one.deployed is not None:
                 store_sent_program(programs[address], [one.deployed.program])

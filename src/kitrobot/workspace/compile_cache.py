@@ -17,9 +17,14 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 
-from kitrobot.compiler import Compiled, Translation, compile_program, graph_to_lll, graph_to_lll_again
-from kitrobot.graph import Program, Vertex
-from kitrobot.primitives import Catalogue, Constructor, Crew, OwnVariable
+from kitrobot.compiler.compilation import Compiled, compile_program
+from kitrobot.compiler.graph_to_lll import Translation, graph_to_lll
+from kitrobot.compiler.retranslation import graph_to_lll_again
+from kitrobot.graph.model import Program, Vertex
+from kitrobot.primitives.catalogue import Catalogue
+from kitrobot.primitives.constructors import Constructor
+from kitrobot.primitives.crew import Crew
+from kitrobot.primitives.own_xml import OwnVariable
 from kitrobot.workspace.program_report import ProgramReport, program_report
 
 MOST_VERTICES = 20_000

@@ -15,25 +15,27 @@ from __future__ import annotations
 from dataclasses import dataclass
 from pathlib import Path
 
-from kitrobot.compiler import (
-    check,
-    check_program,
-    compile_program,
-    compile_text,
-    graph_to_lll,
-    lll_to_graph,
-    print_for,
-    robot_of,
-    target_of,
-)
-from kitrobot.diagnostics import Diagnostic, KitRobotError, Place, Severity, Source, expect_output, rule
-from kitrobot.files import Form, form_of, is_picture, read_text, saving_in, write_atomic
-from kitrobot.graph import Program
-from kitrobot.image import Image, disassemble
-from kitrobot.lll import is_name, parse
-from kitrobot.mission import Mission, save
-from kitrobot.primitives import Robot, load_catalogue
-from kitrobot.text import Sentence
+from kitrobot.compiler.checker import check
+from kitrobot.compiler.compilation import compile_program, compile_text
+from kitrobot.compiler.graph_to_lll import graph_to_lll
+from kitrobot.compiler.lll_to_graph import lll_to_graph
+from kitrobot.compiler.target import print_for, robot_of, target_of
+from kitrobot.compiler.team_check import check_program
+from kitrobot.diagnostics.model import Diagnostic, KitRobotError, Place, Severity, Source, rule
+from kitrobot.diagnostics.read_files import expect_output
+from kitrobot.files.disk import read_text, saving_in, write_atomic
+from kitrobot.files.embedded_mission import is_picture
+from kitrobot.files.forms import Form, form_of
+from kitrobot.graph.model import Program
+from kitrobot.image.listing import disassemble
+from kitrobot.image.model import Image
+from kitrobot.lll.parse_results import parse
+from kitrobot.lll.tokens import is_name
+from kitrobot.mission.model import Mission
+from kitrobot.mission.writer import save
+from kitrobot.primitives.catalogue import load_catalogue
+from kitrobot.primitives.robot import Robot
+from kitrobot.text.sentences import Sentence
 from kitrobot.workspace.images import read_image, read_listing, why_unsafe
 from kitrobot.workspace.mission_loader import OpenMission, mission_of, open_mission, retarget
 from kitrobot.workspace.robots import find_robot

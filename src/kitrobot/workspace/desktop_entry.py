@@ -14,10 +14,11 @@ from contextlib import suppress
 from dataclasses import dataclass
 from pathlib import Path
 
-from kitrobot.diagnostics import KitRobotError
-from kitrobot.files import make_folder, write_atomic
-from kitrobot.text import Sentence
-from kitrobot.translation import ENGLISH, LANGUAGES, override_language, translate
+from kitrobot.diagnostics.model import KitRobotError
+from kitrobot.files.disk import make_folder, write_atomic
+from kitrobot.text.sentences import Sentence
+from kitrobot.translation.languages import override_language, translate
+from kitrobot.translation.translator import ENGLISH, LANGUAGES
 
 COMMENT = Sentence("Draw programs for small robots, and run them")
 MISSION = Sentence("KitRobot mission")

@@ -16,12 +16,16 @@ from contextlib import suppress
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, NamedTuple
 
-from kitrobot.diagnostics import Diagnostic, KitRobotError, Severity, rule
-from kitrobot.mission import BreakdownRule, Mission
-from kitrobot.sim import Simulation
-from kitrobot.text import Sentence
-from kitrobot.verifier import Budget, ConfirmedRun, Model, Timing, abstract_run
-from kitrobot.verifier.abstraction import Abstraction
+from kitrobot.diagnostics.model import Diagnostic, KitRobotError, Severity, rule
+from kitrobot.mission.breakdown import BreakdownRule
+from kitrobot.mission.model import Mission
+from kitrobot.sim.simulation import Simulation
+from kitrobot.text.sentences import Sentence
+from kitrobot.verifier.abstraction import Abstraction, abstract_run
+from kitrobot.verifier.budget import Budget
+from kitrobot.verifier.model import Model
+from kitrobot.verifier.replay import ConfirmedRun
+from kitrobot.verifier.timing import Timing
 from kitrobot.workspace.child_processes import end_with_parent, has_processes
 from kitrobot.workspace.mission_run import PreparedRun
 from kitrobot.workspace.verification import VerificationError, runs_of

@@ -12,23 +12,13 @@ from dataclasses import dataclass, field
 from functools import cache
 from pathlib import Path
 
-from kitrobot.diagnostics import Diagnostic
-from kitrobot.text import COMMA, Sentence, Series
+from kitrobot.diagnostics.model import Diagnostic
+from kitrobot.text.sentences import COMMA, Sentence, Series
 from kitrobot.workspace.previews import Hand
-from kitrobot.xml import (
-    LONGEST_NAME,
-    NAME,
-    TEXT_VALUE,
-    TEXTS,
-    Element,
-    Kind,
-    Reader,
-    Tag,
-    decimal,
-    needed,
-    version,
-    whole,
-)
+from kitrobot.xml.attributes import NAME, TEXT_VALUE, Kind, decimal, needed, version, whole
+from kitrobot.xml.element import LONGEST_NAME, Element, Tag
+from kitrobot.xml.reader import Reader
+from kitrobot.xml.texts import TEXTS
 
 VERSION = 1
 """The newest version of the list that is read."""

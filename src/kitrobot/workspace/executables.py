@@ -5,12 +5,16 @@ from __future__ import annotations
 from dataclasses import dataclass
 from pathlib import Path
 
-from kitrobot.compiler import compile_program, compile_text, robot_of
-from kitrobot.diagnostics import Diagnostic, KitRobotError, Source
-from kitrobot.files import Form, form_of, is_picture, read_text
-from kitrobot.image import Image, Machine
-from kitrobot.primitives import Robot
-from kitrobot.text import Sentence
+from kitrobot.compiler.compilation import compile_program, compile_text
+from kitrobot.compiler.target import robot_of
+from kitrobot.diagnostics.model import Diagnostic, KitRobotError, Source
+from kitrobot.files.disk import read_text
+from kitrobot.files.embedded_mission import is_picture
+from kitrobot.files.forms import Form, form_of
+from kitrobot.image.machine import Machine
+from kitrobot.image.model import Image
+from kitrobot.primitives.robot import Robot
+from kitrobot.text.sentences import Sentence
 from kitrobot.workspace.images import read_image
 from kitrobot.workspace.inputs import Inputs, read_inputs
 from kitrobot.workspace.mission_loader import open_mission, retarget

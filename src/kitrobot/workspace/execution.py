@@ -11,8 +11,10 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
-from kitrobot.image import Command, Image, Machine, Readings
-from kitrobot.primitives import Robot
+from kitrobot.image.devices import Command, Readings
+from kitrobot.image.machine import Machine
+from kitrobot.image.model import Image
+from kitrobot.primitives.robot import Robot
 from kitrobot.workspace.inputs import Inputs
 
 NO_INPUTS = Inputs()

@@ -13,29 +13,26 @@ from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass, replace
 from typing import Final, Literal
 
-from kitrobot.compiler import draw_template, target_of
-from kitrobot.diagnostics import Diagnostic, KitRobotError, ProblemsError
-from kitrobot.exercise import (
-    CheckEvidence,
-    CheckGoal,
-    Contact,
-    Exercise,
-    Fault,
-    Goal,
-    PathPoint,
-    ProgramEvidence,
-    ProgramGoal,
-    RunEvidence,
-    RunGoal,
-)
-from kitrobot.graph import IN, RETURN, START, STOP, Program
-from kitrobot.lll import Call, nodes
-from kitrobot.mission import Mission
-from kitrobot.primitives import Constructor
-from kitrobot.sim import Simulation, pens_of, strokes_now
-from kitrobot.text import Label, Sentence
-from kitrobot.trace import Drawing
-from kitrobot.verifier import AbstractionError, Answer, Timing
+from kitrobot.compiler.part_text import draw_template
+from kitrobot.compiler.target import target_of
+from kitrobot.diagnostics.model import Diagnostic, KitRobotError
+from kitrobot.diagnostics.problems import ProblemsError
+from kitrobot.exercise.evidence import CheckEvidence, Contact, PathPoint, ProgramEvidence, RunEvidence
+from kitrobot.exercise.goals import CheckGoal, Fault, Goal, ProgramGoal, RunGoal
+from kitrobot.exercise.model import Exercise
+from kitrobot.graph.model import IN, RETURN, START, STOP, Program
+from kitrobot.lll.tree import Call
+from kitrobot.lll.walk import nodes
+from kitrobot.mission.model import Mission
+from kitrobot.primitives.constructors import Constructor
+from kitrobot.sim.pens import pens_of
+from kitrobot.sim.recorder import strokes_now
+from kitrobot.sim.simulation import Simulation
+from kitrobot.text.sentences import Label, Sentence
+from kitrobot.trace.drawing import Drawing
+from kitrobot.verifier.programs import AbstractionError
+from kitrobot.verifier.timing import Timing
+from kitrobot.verifier.verdicts import Answer
 from kitrobot.workspace.exercises import handed_in
 from kitrobot.workspace.mission_loader import OpenMission, with_mission
 from kitrobot.workspace.mission_run import PreparedRun, RunOptions

@@ -9,12 +9,13 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from kitrobot.diagnostics import KitRobotError
-from kitrobot.exercise import Exercise, read_exercise
+from kitrobot.diagnostics.model import KitRobotError
+from kitrobot.exercise.exercise_xml import read_exercise
+from kitrobot.exercise.model import Exercise
 from kitrobot.exercise.rules import START
-from kitrobot.files import EXERCISE_ENDING, MissionFolder
-from kitrobot.mission import Mission
-from kitrobot.text import Sentence
+from kitrobot.files.folder import EXERCISE_ENDING, MissionFolder
+from kitrobot.mission.model import Mission
+from kitrobot.text.sentences import Sentence
 from kitrobot.workspace.lesson_library import FoundLesson, LessonKind, LessonLibrary
 
 FoundExercise = FoundLesson[Exercise]

@@ -11,19 +11,25 @@ import re
 from dataclasses import dataclass
 from pathlib import Path
 
-from kitrobot.compiler import compile_text
-from kitrobot.diagnostics import Diagnostic, KitRobotError, Place, ProblemsError, Severity, Source, rule
-from kitrobot.exercise import read_exercise
-from kitrobot.files import FileError, decode, find_mission, read_bytes
-from kitrobot.lll import parse_any
-from kitrobot.primitives import KIT_SUFFIX, Robot, load_catalogue, read_constructors, read_kit, read_robot
-from kitrobot.text import Sentence
-from kitrobot.tutorial import read_tutorial
+from kitrobot.compiler.compilation import compile_text
+from kitrobot.diagnostics.model import Diagnostic, KitRobotError, Place, Severity, Source, rule
+from kitrobot.diagnostics.problems import ProblemsError
+from kitrobot.exercise.exercise_xml import read_exercise
+from kitrobot.files.disk import FileError, decode, read_bytes
+from kitrobot.files.examples import find_mission
+from kitrobot.lll.parse_results import parse_any
+from kitrobot.primitives.catalogue import load_catalogue
+from kitrobot.primitives.constructors_xml import read_constructors
+from kitrobot.primitives.kit_xml import KIT_SUFFIX, read_kit
+from kitrobot.primitives.robot import Robot
+from kitrobot.primitives.robot_xml import read_robot
+from kitrobot.text.sentences import Sentence
+from kitrobot.tutorial.tutorial_xml import read_tutorial
 from kitrobot.workspace.images import read_image, read_listing, why_unsafe
 from kitrobot.workspace.kit_files import wiring_problems
 from kitrobot.workspace.mission_loader import open_mission
 from kitrobot.workspace.robot_devices import robot_problems
-from kitrobot.world import read_world
+from kitrobot.world.xml_reader import read_world
 
 UNKNOWN_KIND = rule(
     "file-unknown-kind",

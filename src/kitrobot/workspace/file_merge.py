@@ -13,12 +13,18 @@ from dataclasses import replace
 from pathlib import Path
 from typing import Any, NamedTuple
 
-from kitrobot.diagnostics import Diagnostic, Source, expect_output
-from kitrobot.files import expect_unchanged, read_bytes, replace_file, same_file, saving_in
-from kitrobot.mission import Mission, read_mission, save, write_mission
-from kitrobot.primitives import read_kit, write_kit
-from kitrobot.text import Sentence
-from kitrobot.versions import CompareError, Conflict, Merged, kit_whole, merge_kits, merge_missions, mission_whole
+from kitrobot.diagnostics.model import Diagnostic, Source
+from kitrobot.diagnostics.read_files import expect_output
+from kitrobot.files.disk import expect_unchanged, read_bytes, replace_file, same_file, saving_in
+from kitrobot.mission.model import Mission
+from kitrobot.mission.reader import read_mission
+from kitrobot.mission.writer import save, write_mission
+from kitrobot.primitives.kit_xml import read_kit, write_kit
+from kitrobot.text.sentences import Sentence
+from kitrobot.versions.comparison import CompareError, kit_whole, mission_whole
+from kitrobot.versions.conflicts import Conflict
+from kitrobot.versions.kit_merge import merge_kits
+from kitrobot.versions.mission_merge import Merged, merge_missions
 from kitrobot.workspace.mission_loader import OpenMission, read_mission_data
 from kitrobot.workspace.search_path import SearchPath
 

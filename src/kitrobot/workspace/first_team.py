@@ -9,13 +9,13 @@ from __future__ import annotations
 from collections.abc import Collection
 from dataclasses import replace
 
-from kitrobot.compiler import lll_to_graph
-from kitrobot.diagnostics import KitRobotError
-from kitrobot.graph import Program
-from kitrobot.lll import Instr, Members, Parallel, ParOfSeq, ProgramCall, RoleDeclaration, Seq
-from kitrobot.mission import Mission
-from kitrobot.primitives import Level
-from kitrobot.text import Sentence
+from kitrobot.compiler.lll_to_graph import lll_to_graph
+from kitrobot.diagnostics.model import KitRobotError
+from kitrobot.graph.model import Program
+from kitrobot.lll.tree import Instr, Members, Parallel, ParOfSeq, ProgramCall, RoleDeclaration, Seq
+from kitrobot.mission.model import Mission
+from kitrobot.primitives.levels import Level
+from kitrobot.text.sentences import Sentence
 from kitrobot.workspace.mission_loader import OpenMission
 
 

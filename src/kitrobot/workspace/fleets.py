@@ -9,22 +9,14 @@ from contextlib import suppress
 from dataclasses import dataclass, field
 from pathlib import Path
 
-from kitrobot.fleet import (
-    TEAM_PROCESS,
-    VARIABLE,
-    Agents,
-    Channel,
-    FleetCallbacks,
-    FleetRun,
-    Network,
-    TeamProcess,
-    find_key,
-    key_of,
-    new_key,
-)
-from kitrobot.sim import Simulation
-from kitrobot.text import Sentence
-from kitrobot.trace import TraceHeader
+from kitrobot.fleet.envelopes import TEAM_PROCESS
+from kitrobot.fleet.keys import VARIABLE, find_key, key_of, new_key
+from kitrobot.fleet.processes import Agents
+from kitrobot.fleet.team_process import FleetCallbacks, FleetRun, TeamProcess
+from kitrobot.fleet.transport import Channel, Network
+from kitrobot.sim.simulation import Simulation
+from kitrobot.text.sentences import Sentence
+from kitrobot.trace.model import TraceHeader
 from kitrobot.workspace.mission_loader import OpenMission
 from kitrobot.workspace.traces import lay_out
 

@@ -13,8 +13,8 @@ from collections.abc import Iterator, Mapping, Sequence
 from html import escape
 from typing import Final
 
-from kitrobot.text import Sentence
-from kitrobot.translation import DIRECTIONS, LANGUAGES
+from kitrobot.text.sentences import Sentence
+from kitrobot.translation.translator import DIRECTIONS, LANGUAGES
 from kitrobot.workspace.grades import GoalGrade, Grade, TextsByLanguage, translate_all
 
 _FORMULA: Final = re.compile(r"""(^|[;,|\t\r\n])([\s"']*)(?=[=+\-@＝＋－＠])""")

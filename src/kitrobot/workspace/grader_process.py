@@ -14,12 +14,18 @@ from multiprocessing.connection import Connection
 from pathlib import Path
 from typing import Any, Final
 
-from kitrobot.diagnostics import KitRobotError, ProblemsError, Source, named_file
-from kitrobot.exercise import Exercise, read_exercise
+from kitrobot.diagnostics.model import KitRobotError, Source
+from kitrobot.diagnostics.problems import ProblemsError
+from kitrobot.diagnostics.regular import named_file
+from kitrobot.exercise.exercise_xml import read_exercise
+from kitrobot.exercise.model import Exercise
 from kitrobot.exercise.rules import START
-from kitrobot.files import carried_mission, examples_folder, read_bytes
-from kitrobot.mission import Mission, read_mission
-from kitrobot.text import Sentence
+from kitrobot.files.disk import read_bytes
+from kitrobot.files.embedded_mission import carried_mission
+from kitrobot.files.examples import examples_folder
+from kitrobot.mission.model import Mission
+from kitrobot.mission.reader import read_mission
+from kitrobot.text.sentences import Sentence
 from kitrobot.workspace.child_processes import end_with_parent
 from kitrobot.workspace.exercise_evaluation import EvaluationOptions, GoalVerdict, evaluate_submission, open_handed_in
 from kitrobot.workspace.exercises import programs_of

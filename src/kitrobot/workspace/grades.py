@@ -6,7 +6,8 @@ from collections.abc import Mapping
 from dataclasses import asdict, dataclass
 from typing import Any, Final
 
-from kitrobot.translation import LANGUAGES, override_language, translate
+from kitrobot.translation.languages import override_language, translate
+from kitrobot.translation.translator import LANGUAGES
 
 LONGEST_TEXT: Final = 500
 """Characters of one sentence in a row."""

@@ -4,9 +4,11 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from kitrobot.files import FileError, read_bytes, read_text
-from kitrobot.image import Image, ImageError, assemble, verify
-from kitrobot.text import Sentence
+from kitrobot.files.disk import FileError, read_bytes, read_text
+from kitrobot.image.listing import assemble
+from kitrobot.image.model import Image, ImageError
+from kitrobot.image.verification import verify
+from kitrobot.text.sentences import Sentence
 
 
 def read_image(path: Path) -> Image:

@@ -17,9 +17,12 @@ import re
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
 
-from kitrobot.diagnostics import Diagnostic, Severity, Source, rule
-from kitrobot.primitives import Robot
-from kitrobot.text import Help, Sentence, Suggestions, listed, name_form, number_form
+from kitrobot.diagnostics.model import Diagnostic, Severity, Source, rule
+from kitrobot.primitives.robot import Robot
+from kitrobot.text.forms import name_form, number_form
+from kitrobot.text.phrases import listed
+from kitrobot.text.sentences import Help, Sentence
+from kitrobot.text.suggestions import Suggestions
 
 HEADER = rule(
     "inputs-header",

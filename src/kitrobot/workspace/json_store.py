@@ -7,7 +7,7 @@ from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
-from kitrobot.files import make_folder, write_atomic
+from kitrobot.files.disk import make_folder, write_atomic
 from kitrobot.user_folders import state_folder
 
 _MOST_BYTES = 200_000

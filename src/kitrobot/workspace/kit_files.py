@@ -5,11 +5,17 @@ from __future__ import annotations
 from collections.abc import Iterator
 from pathlib import Path
 
-from kitrobot.deploy import Package, kit_problems
-from kitrobot.diagnostics import Diagnostic, KitRobotError, Place, ProblemsError, Severity, Source, open_regular, rule
-from kitrobot.files import read_bytes
-from kitrobot.primitives import KIT_SUFFIX, SHIPPED, Kit, read_kit
-from kitrobot.text import COMMA, Sentence, Series, did_you_mean
+from kitrobot.deploy.kits import kit_problems
+from kitrobot.deploy.package import Package
+from kitrobot.diagnostics.model import Diagnostic, KitRobotError, Place, Severity, Source, rule
+from kitrobot.diagnostics.problems import ProblemsError
+from kitrobot.diagnostics.regular import open_regular
+from kitrobot.files.disk import read_bytes
+from kitrobot.primitives.catalogue import SHIPPED
+from kitrobot.primitives.kit import Kit
+from kitrobot.primitives.kit_xml import KIT_SUFFIX, read_kit
+from kitrobot.text.sentences import COMMA, Sentence, Series
+from kitrobot.text.suggestions import did_you_mean
 from kitrobot.user_folders import config_folder
 from kitrobot.workspace.robots import names_a_file
 

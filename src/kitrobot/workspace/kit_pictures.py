@@ -8,9 +8,9 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 
-from kitrobot.deploy import Package
-from kitrobot.primitives import Kit, KitPart, Module, Wire
-from kitrobot.xml import escape_text
+from kitrobot.deploy.package import Package
+from kitrobot.primitives.kit import Kit, KitPart, Module, Wire
+from kitrobot.xml.writer import escape_text
 
 ROW, WIDTH, BOARD, PART, OTHER = 26, 820, 150, 250, 290
 _COLOURS = ("#b3261e", "#1565c0", "#2e7d32", "#6a1b9a", "#8d5a00", "#00695c")

@@ -7,12 +7,16 @@ from dataclasses import dataclass
 from functools import partial
 from pathlib import Path
 
-from kitrobot.compiler import Compiled, compile_program, compile_text, robot_of
-from kitrobot.deploy import Package, PartOnKit, parts_on_kit
-from kitrobot.diagnostics import KitRobotError
-from kitrobot.files import read_text
-from kitrobot.graph import Program
-from kitrobot.primitives import Kit, Robot, RobotObject, with_team
+from kitrobot.compiler.compilation import Compiled, compile_program, compile_text
+from kitrobot.compiler.target import robot_of
+from kitrobot.deploy.kits import PartOnKit, parts_on_kit
+from kitrobot.deploy.package import Package
+from kitrobot.diagnostics.model import KitRobotError
+from kitrobot.files.disk import read_text
+from kitrobot.graph.model import Program
+from kitrobot.primitives.kit import Kit
+from kitrobot.primitives.robot import Robot, RobotObject
+from kitrobot.primitives.team_objects import with_team
 from kitrobot.user_folders import config_folder
 from kitrobot.workspace.mission_loader import OpenMission
 from kitrobot.workspace.robot_programs import board_program, load_board_program

@@ -13,9 +13,11 @@ from dataclasses import dataclass
 from pathlib import PurePosixPath
 from typing import Generic, Protocol, TypeVar
 
-from kitrobot.diagnostics import Diagnostic, KitRobotError, Place, Rule
-from kitrobot.files import NAME_NO_TEXT, RENAME, UNREADABLE, FileError, MissionFolder, name_as_text, read_bytes
-from kitrobot.text import Sentence
+from kitrobot.diagnostics.model import Diagnostic, KitRobotError, Place, Rule
+from kitrobot.files.disk import UNREADABLE, FileError, read_bytes
+from kitrobot.files.folder import RENAME, MissionFolder
+from kitrobot.files.listing import NAME_NO_TEXT, name_as_text
+from kitrobot.text.sentences import Sentence
 
 MOST_CACHED = 200
 """Parsed lessons of one kind that are cached."""

@@ -5,15 +5,21 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Iterable
 
-from kitrobot.compiler import check_declarations
-from kitrobot.diagnostics import Diagnostic, Place, Severity, rule
-from kitrobot.files import Places
-from kitrobot.lll import AnyDeclaration
-from kitrobot.mission import AGENT_ROBOT, NO_PROGRAM, Agent, Mission
-from kitrobot.primitives import Catalogue, Crew, Level, has_team
-from kitrobot.sim import free_start
-from kitrobot.text import Help, Sentence, Suggestions, listed
-from kitrobot.world import World
+from kitrobot.compiler.team_names import check_declarations
+from kitrobot.diagnostics.model import Diagnostic, Place, Severity, rule
+from kitrobot.files.places import Places
+from kitrobot.lll.tree import AnyDeclaration
+from kitrobot.mission.model import Agent, Mission
+from kitrobot.mission.rules import AGENT_ROBOT, NO_PROGRAM
+from kitrobot.primitives.catalogue import Catalogue
+from kitrobot.primitives.crew import Crew
+from kitrobot.primitives.levels import Level
+from kitrobot.primitives.team_objects import has_team
+from kitrobot.sim.setup import free_start
+from kitrobot.text.phrases import listed
+from kitrobot.text.sentences import Help, Sentence
+from kitrobot.text.suggestions import Suggestions
+from kitrobot.world.model import World
 
 SAME_NAME = rule(
     "mission-same-name",

@@ -13,31 +13,34 @@ from functools import cached_property, partial
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from kitrobot.compiler import (
-    Compiled,
-    CompiledTeam,
-    compile_program,
-    left_out,
-    not_compiled,
-    oversize_in_mission,
-    program_circles,
-)
-from kitrobot.diagnostics import Diagnostic, KitRobotError, Place, ProblemsError, Severity, Source, rule
-from kitrobot.files import Places, find_mission, read_bytes, read_carried
-from kitrobot.graph import Program, empty_program
-from kitrobot.mission import Agent, Mission, Team, image_name, read_mission
-from kitrobot.primitives import Catalogue, Robot
-from kitrobot.text import COMMA, Sentence, Series, name_form
+from kitrobot.compiler.compilation import Compiled, compile_program, not_compiled
+from kitrobot.compiler.expansion_limit import left_out, oversize_in_mission
+from kitrobot.compiler.team_check import program_circles
+from kitrobot.compiler.team_compilation import CompiledTeam
+from kitrobot.diagnostics.model import Diagnostic, KitRobotError, Place, Severity, Source, rule
+from kitrobot.diagnostics.problems import ProblemsError
+from kitrobot.files.disk import read_bytes
+from kitrobot.files.embedded_mission import read_carried
+from kitrobot.files.examples import find_mission
+from kitrobot.files.places import Places
+from kitrobot.graph.model import Program, empty_program
+from kitrobot.mission.model import Agent, Mission, Team, image_name
+from kitrobot.mission.reader import read_mission
+from kitrobot.primitives.catalogue import Catalogue
+from kitrobot.primitives.robot import Robot
+from kitrobot.text.forms import name_form
+from kitrobot.text.sentences import COMMA, Sentence, Series
 from kitrobot.workspace.mission_check import mission_problems
 from kitrobot.workspace.program_report import ProgramReport, ProjectionReport, program_report, projection_report
 from kitrobot.workspace.property_check import property_problems
 from kitrobot.workspace.robots import find_robot
 from kitrobot.workspace.search_path import SearchPath
 from kitrobot.workspace.team_programs import team_of
-from kitrobot.world import World, check_plan, read_world
+from kitrobot.world.model import World
+from kitrobot.world.xml_reader import check_plan, read_world
 
 if TYPE_CHECKING:
-    from kitrobot.sim import Simulation
+    from kitrobot.sim.simulation import Simulation
     from kitrobot.workspace.compile_cache import CompileCache
     from kitrobot.workspace.mission_run import PreparedRun, Progress, Run, RunOptions
 

@@ -8,12 +8,19 @@ from dataclasses import asdict, dataclass, replace
 from pathlib import Path
 from typing import Any, Literal
 
-from kitrobot.compiler import TeamPlan
-from kitrobot.diagnostics import Diagnostic, Place, ProblemsError, Source, expect_output
-from kitrobot.primitives import Catalogue, Kit, as_measured
-from kitrobot.sim import Simulation, SimulationError, check_limits, check_mission, pens_of, simulate, strokes_now
-from kitrobot.text import Sentence
-from kitrobot.trace import Drawing, Stroke
+from kitrobot.compiler.team_points import TeamPlan
+from kitrobot.diagnostics.model import Diagnostic, Place, Source
+from kitrobot.diagnostics.problems import ProblemsError
+from kitrobot.diagnostics.read_files import expect_output
+from kitrobot.primitives.catalogue import Catalogue
+from kitrobot.primitives.kit import Kit, as_measured
+from kitrobot.sim.limits import check_limits
+from kitrobot.sim.pens import pens_of
+from kitrobot.sim.recorder import simulate, strokes_now
+from kitrobot.sim.setup import SimulationError, check_mission
+from kitrobot.sim.simulation import Simulation
+from kitrobot.text.sentences import Sentence
+from kitrobot.trace.drawing import Drawing, Stroke
 from kitrobot.workspace.mission_loader import OpenMission
 from kitrobot.workspace.run_hints import advice
 from kitrobot.workspace.traces import parts_of

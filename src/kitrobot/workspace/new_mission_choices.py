@@ -15,16 +15,21 @@ from dataclasses import dataclass, replace
 from functools import cache
 from pathlib import Path
 
-from kitrobot.diagnostics import Diagnostic, KitRobotError
-from kitrobot.files import EXAMPLE, MissionFolder
-from kitrobot.graph import Program, empty_program
-from kitrobot.mission import Mission, read_mission
-from kitrobot.primitives import Catalogue
-from kitrobot.text import Sentence
+from kitrobot.diagnostics.model import Diagnostic, KitRobotError
+from kitrobot.files.folder import EXAMPLE, MissionFolder
+from kitrobot.graph.model import Program, empty_program
+from kitrobot.mission.model import Mission
+from kitrobot.mission.reader import read_mission
+from kitrobot.primitives.catalogue import Catalogue
+from kitrobot.text.sentences import Sentence
 from kitrobot.workspace.mission_loader import NEW_PROGRAM, mission_of
 from kitrobot.workspace.worlds import read_world_file
-from kitrobot.world import EMPTY, World, find_world
-from kitrobot.xml import LONGEST_NAME, NAME, TEXTS, Element, Kind, Reader, Tag, needed, optional, version
+from kitrobot.world.lookup import EMPTY, find_world
+from kitrobot.world.model import World
+from kitrobot.xml.attributes import NAME, Kind, needed, optional, version
+from kitrobot.xml.element import LONGEST_NAME, Element, Tag
+from kitrobot.xml.reader import Reader
+from kitrobot.xml.texts import TEXTS
 
 VERSION = 1
 """The newest version of the list that is read."""

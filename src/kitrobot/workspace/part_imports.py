@@ -12,13 +12,16 @@ from contextlib import suppress
 from dataclasses import dataclass
 from pathlib import PurePosixPath
 
-from kitrobot.diagnostics import KitRobotError
-from kitrobot.files import ConflictError, MissionFolder, MissionNameError, read_bytes, replace_file, revision_of
-from kitrobot.primitives import KIT_SUFFIX, read_constructors, read_kit, read_robot
-from kitrobot.text import Sentence
-from kitrobot.versions import kit_differences
+from kitrobot.diagnostics.model import KitRobotError
+from kitrobot.files.disk import read_bytes, replace_file
+from kitrobot.files.folder import ConflictError, MissionFolder, MissionNameError, revision_of
+from kitrobot.primitives.constructors_xml import read_constructors
+from kitrobot.primitives.kit_xml import KIT_SUFFIX, read_kit
+from kitrobot.primitives.robot_xml import read_robot
+from kitrobot.text.sentences import Sentence
+from kitrobot.versions.kits import kit_differences
 from kitrobot.workspace.file_check import first_element
-from kitrobot.world import read_world
+from kitrobot.world.xml_reader import read_world
 
 LARGEST_PARTS_BYTES = 4 * 1024 * 1024
 """Far more than any robot; a film given by mistake is refused."""

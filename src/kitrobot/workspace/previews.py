@@ -19,14 +19,15 @@ from functools import cache
 from pathlib import Path
 from typing import Any
 
-from kitrobot.diagnostics import KitRobotError
-from kitrobot.mission import write_mission
-from kitrobot.sim import Simulation, pens_of
-from kitrobot.trace import Drawing
+from kitrobot.diagnostics.model import KitRobotError
+from kitrobot.mission.writer import write_mission
+from kitrobot.sim.pens import pens_of
+from kitrobot.sim.simulation import Simulation
+from kitrobot.trace.drawing import Drawing
 from kitrobot.workspace.mission_loader import OpenMission
 from kitrobot.workspace.mission_run import RunOptions, prepare
 from kitrobot.workspace.traces import parts_of
-from kitrobot.world import write_world
+from kitrobot.world.xml_writer import write_world
 
 VERSION = 1
 """Part of each key: another one where previews are made in another way."""

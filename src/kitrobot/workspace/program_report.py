@@ -5,8 +5,11 @@ from __future__ import annotations
 from collections.abc import Iterable
 from dataclasses import dataclass
 
-from kitrobot.compiler import Compiled, Lineage, VertexPlace, vertex_places
-from kitrobot.lll import Instruction, nodes
+from kitrobot.compiler.compilation import Compiled
+from kitrobot.compiler.lineage import Lineage
+from kitrobot.compiler.vertex_places import VertexPlace, vertex_places
+from kitrobot.lll.tree import Instruction
+from kitrobot.lll.walk import nodes
 
 
 @dataclass(frozen=True)

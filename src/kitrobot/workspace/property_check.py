@@ -4,12 +4,15 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from kitrobot.diagnostics import Diagnostic, Place
-from kitrobot.files import Places
-from kitrobot.mission import PROPERTY, Mission
+from kitrobot.diagnostics.model import Diagnostic, Place
+from kitrobot.files.places import Places
+from kitrobot.mission.model import Mission
 from kitrobot.mission.property_xml import is_ready
-from kitrobot.primitives import Catalogue, Robot, has_team, with_team
-from kitrobot.text import Sentence
+from kitrobot.mission.rules import PROPERTY
+from kitrobot.primitives.catalogue import Catalogue
+from kitrobot.primitives.robot import Robot
+from kitrobot.primitives.team_objects import has_team, with_team
+from kitrobot.text.sentences import Sentence
 
 
 def property_problems(mission: Mission, catalogue: Catalogue, places: Places | None) -> Iterator[Diagnostic]:

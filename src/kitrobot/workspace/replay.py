@@ -5,8 +5,8 @@ from __future__ import annotations
 import math
 from typing import Any
 
-from kitrobot.sim import DOING
-from kitrobot.trace import TEAM, TickRecord, TraceEvent
+from kitrobot.sim.recorder import DOING
+from kitrobot.trace.model import TEAM, TickRecord, TraceEvent
 from kitrobot.workspace.traces import OpenTrace
 
 _DECIMALS = {"x_mm": 1, "y_mm": 1, "heading_rad": 3}

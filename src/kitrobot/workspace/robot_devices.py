@@ -8,11 +8,13 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from kitrobot.deploy import Package
-from kitrobot.diagnostics import Diagnostic, Severity, in_reading_order, rule
-from kitrobot.primitives import Robot, RobotObject
-from kitrobot.sim import device_problems, simulated_devices
-from kitrobot.text import Sentence, did_you_mean, shown
+from kitrobot.deploy.package import Package
+from kitrobot.diagnostics.model import Diagnostic, Severity, in_reading_order, rule
+from kitrobot.primitives.robot import Robot, RobotObject
+from kitrobot.sim.settings import device_problems, simulated_devices
+from kitrobot.text.phrases import shown
+from kitrobot.text.sentences import Sentence
+from kitrobot.text.suggestions import did_you_mean
 from kitrobot.user_folders import config_folder
 
 NOT_SIMULATED = rule(

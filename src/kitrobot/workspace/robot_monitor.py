@@ -7,10 +7,15 @@ from contextlib import contextmanager
 from functools import partial
 from pathlib import Path
 
-from kitrobot.deploy import Hello, connect
-from kitrobot.diagnostics import expect_output
-from kitrobot.robots import InstalledProgram, NoBoardError, NoRecordingError, RecordedBoard, RobotRecorder, WatchedRobot
-from kitrobot.text import Sentence
+from kitrobot.deploy.board import Hello
+from kitrobot.deploy.handshake import connect
+from kitrobot.diagnostics.read_files import expect_output
+from kitrobot.robots.board_operations import NoBoardError
+from kitrobot.robots.recording import RobotRecorder
+from kitrobot.robots.records import NoRecordingError, RecordedBoard
+from kitrobot.robots.session import InstalledProgram
+from kitrobot.robots.view import WatchedRobot
+from kitrobot.text.sentences import Sentence
 from kitrobot.workspace.robot_programs import load_board_program
 from kitrobot.workspace.sent_programs import load_sent_program
 

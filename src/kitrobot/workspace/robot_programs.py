@@ -6,22 +6,22 @@ from collections.abc import Sequence
 from dataclasses import replace
 from pathlib import Path
 
-from kitrobot import robots
-from kitrobot.compiler import Compiled, compile_program, compile_text, robot_of
-from kitrobot.diagnostics import Diagnostic, KitRobotError, ProblemsError, Source
-from kitrobot.files import Form, find_mission, form_of, is_picture, read_text
-from kitrobot.primitives import Kit, Robot
-from kitrobot.robots import (
-    BoardContents,
-    BoardProgram,
-    Progress,
-    SendResult,
-    WaitListener,
-    program_of,
-    recording_context_of,
-    warn_of_shared_variables,
-)
-from kitrobot.text import Sentence
+from kitrobot.compiler.compilation import Compiled, compile_program, compile_text
+from kitrobot.compiler.target import robot_of
+from kitrobot.diagnostics.model import Diagnostic, KitRobotError, Source
+from kitrobot.diagnostics.problems import ProblemsError
+from kitrobot.files.disk import read_text
+from kitrobot.files.embedded_mission import is_picture
+from kitrobot.files.examples import find_mission
+from kitrobot.files.forms import Form, form_of
+from kitrobot.primitives.kit import Kit
+from kitrobot.primitives.robot import Robot
+from kitrobot.robots import board_operations
+from kitrobot.robots.board_operations import BoardContents, Progress, SendResult, WaitListener
+from kitrobot.robots.program import BoardProgram, program_of
+from kitrobot.robots.recording_context import recording_context_of
+from kitrobot.robots.shared_variable_check import warn_of_shared_variables
+from kitrobot.text.sentences import Sentence
 from kitrobot.workspace.executables import NoRobotError
 from kitrobot.workspace.kit_files import find_kit
 from kitrobot.workspace.mission_loader import OpenMission, open_mission
@@ -146,8 +146,8 @@ def send_program(
     replace: bool = False,
     fresh: bool = False,
 ) -> list[SendResult]:
-    """As `robots.send_program`; what was sent is kept, so that its names are known later."""
-    sent = robots.send_program(program, addresses, progress, replace=replace, fresh=fresh)
+    """As `board_operations.send_program`; what was sent is kept, so that its names are known later."""
+    sent = board_operations.send_program(program, addresses, progress, replace=replace, fresh=fresh)
     store_sent_program(program, {one.deployed.program for one in sent if one.deployed is not None})
     for one in sent:
         if one.deployed is not None:
@@ -156,13 +156,13 @@ def send_program(
 
 
 def scan_boards(addresses: Sequence[str] = (), waits: WaitListener = lambda address: None) -> list[BoardContents]:
-    """As `robots.scan_boards`, with the names of programs that were sent from here."""
+    """As `board_operations.scan_boards`, with the names of programs that were sent from here."""
 
     def name_of(installed: str) -> str:
         names = load_names(installed)
         return names.program if names is not None else ""
 
-    seen = robots.scan_boards(addresses, waits, name_of)
+    seen = board_operations.scan_boards(addresses, waits, name_of)
     return [
         replace(one, micropython=load_firmware_version(one.port.address, one.hello)) if one.hello is not None else one
         for one in seen

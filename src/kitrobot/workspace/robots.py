@@ -4,10 +4,13 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from kitrobot.diagnostics import ProblemsError, Source
-from kitrobot.files import read_bytes
-from kitrobot.primitives import Robot, load_catalogue, read_robot
-from kitrobot.text import Sentence
+from kitrobot.diagnostics.model import Source
+from kitrobot.diagnostics.problems import ProblemsError
+from kitrobot.files.disk import read_bytes
+from kitrobot.primitives.catalogue import load_catalogue
+from kitrobot.primitives.robot import Robot
+from kitrobot.primitives.robot_xml import read_robot
+from kitrobot.text.sentences import Sentence
 
 
 def find_robot(word: str, folder: Path | None = None) -> Robot:

@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from kitrobot.compiler import lll_to_graph
-from kitrobot.diagnostics import Diagnostic, Fix, FixKind, KitRobotError
-from kitrobot.graph import START, STOP
-from kitrobot.lll import parse
-from kitrobot.sim import Simulation
+from kitrobot.compiler.lll_to_graph import lll_to_graph
+from kitrobot.diagnostics.model import Diagnostic, Fix, FixKind, KitRobotError
+from kitrobot.graph.model import START, STOP
+from kitrobot.lll.parse_results import parse
 from kitrobot.sim import rules as sim_rules
-from kitrobot.text import Help, Sentence
+from kitrobot.sim.simulation import Simulation
+from kitrobot.text.sentences import Help, Sentence
 from kitrobot.workspace.mission_loader import OpenMission
 
 PAUSE = "WAIT(10);"

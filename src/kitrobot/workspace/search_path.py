@@ -5,8 +5,8 @@ from __future__ import annotations
 from dataclasses import dataclass
 from pathlib import Path
 
-from kitrobot.primitives import Catalogue, load_catalogue
-from kitrobot.world import SHIPPED, find_world
+from kitrobot.primitives.catalogue import Catalogue, load_catalogue
+from kitrobot.world.lookup import SHIPPED, find_world
 
 
 @dataclass(frozen=True)

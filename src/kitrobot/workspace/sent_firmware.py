@@ -8,8 +8,9 @@ from __future__ import annotations
 
 from contextlib import suppress
 
-from kitrobot.deploy import DeployResult, Hello
-from kitrobot.files import FileError
+from kitrobot.deploy.board import Hello
+from kitrobot.deploy.installation import DeployResult
+from kitrobot.files.disk import FileError
 from kitrobot.workspace.json_store import read_entries, write_entries
 
 _NAME = "firmware"

@@ -12,9 +12,12 @@ from contextlib import suppress
 from dataclasses import asdict, replace
 from typing import Any
 
-from kitrobot.files import FileError, write_atomic
-from kitrobot.robots import NAME_ON_ROBOT, BoardNames, BoardProgram, InstalledProgram, RecordingContext
-from kitrobot.trace import TracePart
+from kitrobot.files.disk import FileError, write_atomic
+from kitrobot.robots.names import NAME_ON_ROBOT, BoardNames
+from kitrobot.robots.program import BoardProgram
+from kitrobot.robots.recording_context import RecordingContext
+from kitrobot.robots.session import InstalledProgram
+from kitrobot.trace.model import TracePart
 from kitrobot.user_folders import state_folder
 
 _MOST_PROGRAMS = 200

@@ -22,8 +22,8 @@ from types import MappingProxyType
 from typing import Final
 
 from kitrobot import __version__
-from kitrobot.diagnostics import KitRobotError
-from kitrobot.text import Sentence
+from kitrobot.diagnostics.model import KitRobotError
+from kitrobot.text.sentences import Sentence
 from kitrobot.workspace.site_packages import packages
 from kitrobot.workspace.site_packer import PACKED, packed
 from kitrobot.workspace.site_sources import in_library, without_texts

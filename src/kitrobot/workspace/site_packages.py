@@ -15,8 +15,9 @@ from importlib.metadata import PackageNotFoundError, distribution
 from pathlib import Path
 from typing import Final
 
-from kitrobot.exercise import remove_hidden_parts
-from kitrobot.files import EXERCISE_ENDING, examples_folder
+from kitrobot.exercise.hidden_parts import remove_hidden_parts
+from kitrobot.files.examples import examples_folder
+from kitrobot.files.folder import EXERCISE_ENDING
 from kitrobot.workspace.site_sources import without_texts
 
 USED: Final = ("fastapi", "mpremote", "python-minifier")

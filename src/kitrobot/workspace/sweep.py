@@ -15,10 +15,9 @@ from concurrent.futures import Future
 from dataclasses import dataclass
 from typing import Any, Final
 
-from kitrobot.diagnostics import KitRobotError
-from kitrobot.sim import Simulation
+from kitrobot.diagnostics.model import KitRobotError
 from kitrobot.sim.jit_policy import expect_many_runs, would_gain
-from kitrobot.sim.simulation import Outcome
+from kitrobot.sim.simulation import Outcome, Simulation
 from kitrobot.sim.sweep import (
     MOST_MOMENTS,
     Fault,
@@ -29,7 +28,7 @@ from kitrobot.sim.sweep import (
     run_task,
     snapshots_at,
 )
-from kitrobot.text import Sentence
+from kitrobot.text.sentences import Sentence
 from kitrobot.workspace.child_processes import MOST_JOBS, cores, end_with_parent
 from kitrobot.workspace.mission_run import PreparedRun, Run
 

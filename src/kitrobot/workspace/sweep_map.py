@@ -15,7 +15,7 @@ from typing import Final
 from kitrobot.sim.simulation import Outcome
 from kitrobot.sim.sweep import Fault
 from kitrobot.workspace.sweep import OUTCOMES, Sweep
-from kitrobot.xml import escape_text
+from kitrobot.xml.writer import escape_text
 
 COLOURS: Final[dict[str, str]] = {
     "done": "#2f9e78",

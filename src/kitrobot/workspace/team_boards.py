@@ -6,12 +6,20 @@ from collections.abc import Iterable, Mapping
 from dataclasses import replace
 from pathlib import Path
 
-from kitrobot import robots
-from kitrobot.compiler import Compiled, robot_of
-from kitrobot.diagnostics import KitRobotError, ProblemsError
-from kitrobot.primitives import Kit, Robot, with_team
-from kitrobot.robots import BoardProgram, Progress, SendResult, recording_context_of
-from kitrobot.text import Sentence, did_you_mean, listed
+from kitrobot.compiler.compilation import Compiled
+from kitrobot.compiler.target import robot_of
+from kitrobot.diagnostics.model import KitRobotError
+from kitrobot.diagnostics.problems import ProblemsError
+from kitrobot.primitives.kit import Kit
+from kitrobot.primitives.robot import Robot
+from kitrobot.primitives.team_objects import with_team
+from kitrobot.robots import board_operations
+from kitrobot.robots.board_operations import Progress, SendResult
+from kitrobot.robots.program import BoardProgram
+from kitrobot.robots.recording_context import recording_context_of
+from kitrobot.text.phrases import listed
+from kitrobot.text.sentences import Sentence
+from kitrobot.text.suggestions import did_you_mean
 from kitrobot.workspace.mission_loader import OpenMission
 from kitrobot.workspace.robot_programs import ready_program
 from kitrobot.workspace.sent_programs import store_sent_program
@@ -85,7 +93,7 @@ def send_team(
         KitRobotError: what can be said before anything is sent.
     """
     programs = {port: agent_program(opened, name, kit=kit) for name, port in boards.items()}
-    sent = robots.send_programs(programs, progress, replace=replace, fresh=fresh)
+    sent = board_operations.send_programs(programs, progress, replace=replace, fresh=fresh)
     for one in sent:
         if one.deployed is not None:
             store_sent_program(programs[one.address], [one.deployed.program])

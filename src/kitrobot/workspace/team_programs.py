@@ -6,10 +6,12 @@ from collections.abc import Collection
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from kitrobot.compiler import Compiled, CompiledTeam, compile_team
-from kitrobot.diagnostics import Diagnostic
-from kitrobot.graph import Program
-from kitrobot.primitives import Robot, has_team, with_team
+from kitrobot.compiler.compilation import Compiled
+from kitrobot.compiler.team_compilation import CompiledTeam, compile_team
+from kitrobot.diagnostics.model import Diagnostic
+from kitrobot.graph.model import Program
+from kitrobot.primitives.robot import Robot
+from kitrobot.primitives.team_objects import has_team, with_team
 from kitrobot.workspace.robots import find_robot
 
 if TYPE_CHECKING:
@@ -23,7 +25,7 @@ def team_of(opened: OpenMission, name: str, kinds: Collection[str]) -> CompiledT
         return None
     if not all(kind in robots and not has_team(robots[kind], opened.mission.team.works) for kind in kinds):
         return None
-    from kitrobot.sim import moves_boxes
+    from kitrobot.sim.settings import moves_boxes
 
     return compile_team(name, compiled, opened.catalogue, kinds, moves_boxes)
 

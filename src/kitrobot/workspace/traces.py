@@ -12,13 +12,18 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 from pathlib import Path, PurePosixPath
 
-from kitrobot.files import FileError, read_bytes, write_atomic
-from kitrobot.mission import Mission, read_mission
-from kitrobot.primitives import SHIPPED
-from kitrobot.text import Sentence
-from kitrobot.trace import ENDING, TraceError, TraceHeader, TracePart, TraceReader
+from kitrobot.files.disk import FileError, read_bytes, write_atomic
+from kitrobot.mission.model import Mission
+from kitrobot.mission.reader import read_mission
+from kitrobot.primitives.catalogue import SHIPPED
+from kitrobot.text.sentences import Sentence
+from kitrobot.trace.layout import ENDING
+from kitrobot.trace.model import TraceError, TraceHeader, TracePart
+from kitrobot.trace.reader import TraceReader
 from kitrobot.workspace.mission_loader import OpenMission
-from kitrobot.world import EMPTY, World, read_world
+from kitrobot.world.lookup import EMPTY
+from kitrobot.world.model import World
+from kitrobot.world.xml_reader import read_world
 
 _DECLARATION = re.compile(r"\A\s*<\?xml[^>]*\?>\s*")
 _NAME = re.compile(r"[^\\/:*?\"<>|\x00-\x1f\x7f]{1,200}\.xml", re.IGNORECASE)

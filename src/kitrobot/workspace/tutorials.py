@@ -4,14 +4,15 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from kitrobot.compiler import graph_to_lll
-from kitrobot.files import EXAMPLE, TUTORIAL_ENDING, MissionFolder
-from kitrobot.mission import Mission
-from kitrobot.primitives import Catalogue
-from kitrobot.text import Sentence
-from kitrobot.tutorial import Tutorial, read_tutorial, steps_fit
-from kitrobot.tutorial.model import LAST
+from kitrobot.compiler.graph_to_lll import graph_to_lll
+from kitrobot.files.folder import EXAMPLE, TUTORIAL_ENDING, MissionFolder
+from kitrobot.mission.model import Mission
+from kitrobot.primitives.catalogue import Catalogue
+from kitrobot.text.sentences import Sentence
+from kitrobot.tutorial.model import LAST, Tutorial
+from kitrobot.tutorial.pattern_matcher import steps_fit
 from kitrobot.tutorial.rules import START
+from kitrobot.tutorial.tutorial_xml import read_tutorial
 from kitrobot.workspace.lesson_library import FoundLesson, LessonKind, LessonLibrary
 
 FoundTutorial = FoundLesson[Tutorial]

@@ -8,21 +8,12 @@ import unicodedata
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from kitrobot.diagnostics import KitRobotError
-from kitrobot.lll import is_name
-from kitrobot.primitives import (
-    LARGEST_VALUE,
-    MOST_OWN,
-    Catalogue,
-    Category,
-    OwnVariable,
-    Robot,
-    RobotObject,
-    ValueType,
-    read_own,
-    write_variable,
-)
-from kitrobot.text import Sentence
+from kitrobot.diagnostics.model import KitRobotError
+from kitrobot.lll.tokens import is_name
+from kitrobot.primitives.catalogue import Catalogue
+from kitrobot.primitives.own_xml import MOST_OWN, OwnVariable, read_own, write_variable
+from kitrobot.primitives.robot import LARGEST_VALUE, Category, Robot, RobotObject, ValueType
+from kitrobot.text.sentences import Sentence
 
 LONGEST_NAME = 100
 

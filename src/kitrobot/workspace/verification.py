@@ -7,33 +7,22 @@ from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from typing import Any
 
-from kitrobot.diagnostics import KitRobotError
-from kitrobot.mission import FailureKind
-from kitrobot.sim import Simulation
-from kitrobot.text import COMMA, Sentence, Series
-from kitrobot.verifier import (
-    USUAL_KINDS,
-    Abstraction,
-    Answer,
-    Budget,
-    CheckResult,
-    ConfirmedRun,
-    Model,
-    Property,
-    Timing,
-    Verdict,
-    abstract_run,
-    build_custom_properties,
-    check_properties,
-    confirm,
-    describe_run,
-    free_readings,
-    injected_faults,
-    property_variables,
-    ready_properties,
-)
+from kitrobot.diagnostics.model import KitRobotError
+from kitrobot.mission.trial import FailureKind
+from kitrobot.sim.simulation import Simulation
+from kitrobot.text.sentences import COMMA, Sentence, Series
+from kitrobot.verifier.abstraction import Abstraction, abstract_run
+from kitrobot.verifier.budget import Budget
+from kitrobot.verifier.counterexample_text import describe_run, free_readings
+from kitrobot.verifier.custom_properties import build_custom_properties, property_variables
 from kitrobot.verifier.engines import would_gain
+from kitrobot.verifier.model import Model
+from kitrobot.verifier.properties import Property, ready_properties
+from kitrobot.verifier.replay import ConfirmedRun, confirm, injected_faults
 from kitrobot.verifier.storyboard import Culprit, Scene, draw_scenes, find_culprits
+from kitrobot.verifier.table_builder import USUAL_KINDS
+from kitrobot.verifier.timing import Timing
+from kitrobot.verifier.verdicts import Answer, CheckResult, Verdict, check_properties
 from kitrobot.workspace.mission_run import PreparedRun
 
 MOST_FAILURES = 3

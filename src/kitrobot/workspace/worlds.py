@@ -6,10 +6,13 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
-from kitrobot.diagnostics import Diagnostic, open_regular
-from kitrobot.files import FileError, read_bytes
+from kitrobot.diagnostics.model import Diagnostic
+from kitrobot.diagnostics.regular import open_regular
+from kitrobot.files.disk import FileError, read_bytes
 from kitrobot.workspace.file_check import first_element
-from kitrobot.world import EMPTY, SHIPPED, World, read_world
+from kitrobot.world.lookup import EMPTY, SHIPPED
+from kitrobot.world.model import World
+from kitrobot.world.xml_reader import read_world
 
 MOST_WORLDS = 100
 _BEGINNING = 4096

@@ -15,7 +15,7 @@ from bisect import bisect_right
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from kitrobot.text import Sentence
+from kitrobot.text.sentences import Sentence
 
 SAGITTA_MM = 0.05
 """How far a sampled chord may leave its arc."""

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from pathlib import Path
 
-from kitrobot.diagnostics import named_file
+from kitrobot.diagnostics.regular import named_file
 
 SUFFIX = ".world.xml"
 

@@ -15,7 +15,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from functools import cached_property
 
-from kitrobot.primitives import Texts
+from kitrobot.primitives.robot import Texts
 from kitrobot.world.geometry import Corner, Polyline, Pose, normalised, polyline
 
 ARM_CLEARANCE_MM = 40.0

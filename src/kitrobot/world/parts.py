@@ -9,7 +9,7 @@ from __future__ import annotations
 import math
 from dataclasses import replace
 
-from kitrobot.text import Sentence, Series
+from kitrobot.text.sentences import Sentence, Series
 from kitrobot.world import rules
 from kitrobot.world.geometry import Corner, Pose, normalised
 from kitrobot.world.model import (
@@ -32,8 +32,9 @@ from kitrobot.world.model import (
     Zone,
     rectangle_corners,
 )
-from kitrobot.xml import NAME, YES_NO, Element, Tag, decimal, needed, one, optional, whole
 from kitrobot.xml import rules as xml_rules
+from kitrobot.xml.attributes import NAME, YES_NO, decimal, needed, one, optional, whole
+from kitrobot.xml.element import Element, Tag
 
 MAX_SIZE_MM = 1_000_000.0
 """A kilometre; worlds are table tops and halls."""

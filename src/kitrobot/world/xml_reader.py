@@ -13,15 +13,19 @@ from dataclasses import replace
 from functools import cached_property, lru_cache
 from typing import TypeVar
 
-from kitrobot.diagnostics import Diagnostic
-from kitrobot.text import Sentence, shown
+from kitrobot.diagnostics.model import Diagnostic
+from kitrobot.text.phrases import shown
+from kitrobot.text.sentences import Sentence
 from kitrobot.world import rules
 from kitrobot.world.geometry import Corner, distance_to_stretch
 from kitrobot.world.model import Ball, Box, ColouredLine, Dock, Floor, Road, Start, Storehouse, Wall, World, Zone
 from kitrobot.world.parts import PARTS, SIZE, has_shape, in_mm, mm
 from kitrobot.world.xml_writer import write_world
-from kitrobot.xml import TEXTS, Element, Reader, Tag, needed, version
 from kitrobot.xml import rules as xml_rules
+from kitrobot.xml.attributes import needed, version
+from kitrobot.xml.element import Element, Tag
+from kitrobot.xml.reader import Reader
+from kitrobot.xml.texts import TEXTS
 
 VERSION = 1
 

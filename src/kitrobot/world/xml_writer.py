@@ -6,10 +6,11 @@ import math
 from collections.abc import Iterator
 from dataclasses import replace
 
-from kitrobot.primitives import Texts
+from kitrobot.primitives.robot import Texts
 from kitrobot.world.geometry import Corner
 from kitrobot.world.model import LEFT, ColouredLine, Dock, Floor, Road, Start, World, Zone
-from kitrobot.xml import attributes, fragment, head, remark, text_element
+from kitrobot.xml.foreign import fragment, head, remark
+from kitrobot.xml.writer import attributes, text_element
 
 
 def number(value: float) -> str:

@@ -7,7 +7,7 @@ import re
 from collections.abc import Callable
 from dataclasses import dataclass
 
-from kitrobot.text import Sentence
+from kitrobot.text.sentences import Sentence
 
 
 @dataclass(frozen=True, slots=True)

@@ -8,8 +8,9 @@ from __future__ import annotations
 import codecs
 import re
 
-from kitrobot.diagnostics import Diagnostic, Place
-from kitrobot.text import Sentence, line_feeds, no_text, older_copy
+from kitrobot.diagnostics.model import Diagnostic, Place
+from kitrobot.text.forms import line_feeds, no_text, older_copy
+from kitrobot.text.sentences import Sentence
 from kitrobot.xml import rules
 
 MAX_BYTES = 64 * 1024 * 1024

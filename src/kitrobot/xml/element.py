@@ -14,8 +14,9 @@ from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, TypeVar
 
-from kitrobot.diagnostics import Diagnostic, Place, Rule
-from kitrobot.text import Help, Sentence, Word, one_of, shown
+from kitrobot.diagnostics.model import Diagnostic, Place, Rule
+from kitrobot.text.phrases import one_of, shown
+from kitrobot.text.sentences import Help, Sentence, Word
 from kitrobot.xml import rules
 from kitrobot.xml.attributes import Attribute
 

@@ -9,8 +9,8 @@ import re
 from collections.abc import Mapping
 from typing import Final
 
-from kitrobot.diagnostics import Rule
-from kitrobot.text import Sentence
+from kitrobot.diagnostics.model import Rule
+from kitrobot.text.sentences import Sentence
 from kitrobot.xml.attributes import ICON, Attribute, Kind, needed, optional, version
 from kitrobot.xml.element import LONGEST_NAME, Element, Tag
 from kitrobot.xml.texts import TEXTS

@@ -6,7 +6,8 @@ import re
 from collections.abc import Sequence
 from typing import NamedTuple
 
-from kitrobot.text import FINISH_MERGE, UNFINISHED_MERGE, Help, Sentence, conflict_mark
+from kitrobot.text.forms import FINISH_MERGE, UNFINISHED_MERGE, conflict_mark
+from kitrobot.text.sentences import Help, Sentence
 
 _CLOSING = re.compile(r"</\s*([^\s>]{1,40})")
 _ENTITY = re.compile(r"&([^;\s]{1,40});?")

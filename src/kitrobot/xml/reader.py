@@ -19,8 +19,13 @@ import re
 from collections.abc import Hashable, Mapping
 from typing import NoReturn
 
-from kitrobot.diagnostics import Diagnostic, Place, Source
-from kitrobot.text import BytePositions, Sentence, Suggestions, collection_paused, name_form, one_of, shown
+from kitrobot.diagnostics.model import Diagnostic, Place, Source
+from kitrobot.text.collection import collection_paused
+from kitrobot.text.forms import name_form
+from kitrobot.text.phrases import one_of, shown
+from kitrobot.text.positions import BytePositions
+from kitrobot.text.sentences import Sentence
+from kitrobot.text.suggestions import Suggestions
 from kitrobot.xml import rules
 from kitrobot.xml.decoder import decode
 from kitrobot.xml.element import Element, Tag

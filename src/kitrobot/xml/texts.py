@@ -8,8 +8,9 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import replace
 
-from kitrobot.text import Sentence, one_of, shown
-from kitrobot.translation import ENGLISH, LANGUAGES
+from kitrobot.text.phrases import one_of, shown
+from kitrobot.text.sentences import Sentence
+from kitrobot.translation.translator import ENGLISH, LANGUAGES
 from kitrobot.xml import rules
 from kitrobot.xml.attributes import optional
 from kitrobot.xml.element import Element, Tag

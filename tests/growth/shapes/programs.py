@@ -49,9 +49,9 @@ lines(
 
 @shape("kra instructions")
 def _listing(n: int) -> str:
-    from kitrobot.compiler import compile_text
-    from kitrobot.image import disassemble
-    from kitrobot.primitives import load_catalogue
+    from kitrobot.compiler.compilation import compile_text
+    from kitrobot.image.listing import disassemble
+    from kitrobot.primitives.catalogue import load_catalogue
 
     image = compile_text("Wheel.Stop();\n" * min(n, 8000), load_catalogue([]).robot("mini-robot")).image
     assert image is not None
@@ -60,9 +60,9 @@ def _listing(n: int) -> str:
 
 @shape("kra parallels")
 def _parallel_listing(n: int) -> str:
-    from kitrobot.compiler import compile_text
-    from kitrobot.image import disassemble
-    from kitrobot.primitives import load_catalogue
+    from kitrobot.compiler.compilation import compile_text
+    from kitrobot.image.listing import disassemble
+    from kitrobot.primitives.catalogue import load_catalogue
 
     text = "//(Wheel.Stop();, WAIT(5););\n" * min(n, 100)
     image = compile_text(text, load_catalogue([]).robot("mini-robot")).image

@@ -13,9 +13,10 @@ import pytest
 from fastapi.routing import APIRoute, APIWebSocketRoute
 from starlette.websockets import WebSocketDisconnect
 
-from kitrobot.classroom import ClassRoom
-from kitrobot.files import measured
-from kitrobot.server import class_gateway, class_sockets, class_studios, create_app
+from kitrobot.classroom.class_room import ClassRoom
+from kitrobot.files.quota import measured
+from kitrobot.server import class_gateway, class_sockets, class_studios
+from kitrobot.server.app import create_app
 from kitrobot.server.assignments import pack
 from kitrobot.server.class_app import class_api
 from tests.server.classes.conftest import KEY, SOCKET, SQUARE, WORLD, hand_in, told

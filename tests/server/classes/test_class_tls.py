@@ -19,7 +19,7 @@ import pytest
 from websockets import Origin
 from websockets.asyncio.client import connect
 
-from kitrobot.diagnostics import KitRobotError
+from kitrobot.diagnostics.model import KitRobotError
 from kitrobot.server.class_certificate import usable_certificate, validity
 from tests import coroutines
 from tests.certificates import self_signed

@@ -14,10 +14,10 @@ from collections.abc import Collection, Iterator
 from itertools import product
 from operator import itemgetter
 
-from kitrobot.mission import FailureKind
-from kitrobot.sim import Simulation
+from kitrobot.mission.trial import FailureKind
 from kitrobot.sim import columns as c
 from kitrobot.sim.devices.base import Discrete
+from kitrobot.sim.simulation import Simulation
 from kitrobot.verifier.abstraction import Abstraction, AgentModel, InputModel
 from tests.verifier.reference.bodies import FAILED, RUNS, STALLED, Inside
 from tests.verifier.reference.events import Event, EventKind

@@ -10,7 +10,7 @@ from collections.abc import Callable
 from dataclasses import dataclass
 
 from kitrobot.sim import columns as c
-from kitrobot.text import Sentence
+from kitrobot.text.sentences import Sentence
 from tests.verifier.reference.events import SWINGS, EventKind
 from tests.verifier.reference.model import Model, State
 from tests.verifier.reference.motion import Move

@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections import deque
 from collections.abc import Iterator, Sequence
 
-from kitrobot.sim import Simulation
 from kitrobot.sim import columns as c
+from kitrobot.sim.simulation import Simulation
 from kitrobot.verifier.abstraction import AgentModel
 from kitrobot.verifier.roads import PRESSED
 from tests.verifier.reference.bodies import FAILED, RUNS, Body

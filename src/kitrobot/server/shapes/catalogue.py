@@ -6,10 +6,13 @@ from typing import Annotated, Any, Literal
 
 from pydantic import AliasChoices, BaseModel, Field, model_validator
 
-from kitrobot.primitives import Catalogue, Robot, work_object
+from kitrobot.primitives.automatic import work_object
+from kitrobot.primitives.catalogue import Catalogue
+from kitrobot.primitives.robot import Robot
 from kitrobot.server.shapes.problem import ProblemShape, problem_shapes
 from kitrobot.server.shapes.values import Least, Most, View
-from kitrobot.sim import DisplayKind, ManualControl, appearance_of, length_of
+from kitrobot.sim.devices import DisplayKind, ManualControl
+from kitrobot.sim.settings import appearance_of, length_of
 
 Texts = dict[str, str]
 LevelName = Literal["agent", "group", "social"]

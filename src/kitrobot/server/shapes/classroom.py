@@ -6,7 +6,8 @@ from typing import Annotated, Literal
 
 from pydantic import BaseModel, Field
 
-from kitrobot.classroom import State, Turn
+from kitrobot.classroom.pupil import State
+from kitrobot.classroom.pupil_status import Turn
 from kitrobot.server.sentences import Clause
 from kitrobot.server.shapes.mission import MissionShape, ProgramShape
 from kitrobot.server.shapes.world import WorldShape

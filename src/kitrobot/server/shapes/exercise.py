@@ -6,13 +6,13 @@ from typing import Annotated, Literal
 
 from pydantic import BaseModel, Field
 
-from kitrobot.exercise import CheckGoal, Goal, ProgramGoal
+from kitrobot.exercise.goals import CheckGoal, Goal, ProgramGoal
 from kitrobot.server.sentences import Spoken
 from kitrobot.server.shapes.mission import MissionShape
 from kitrobot.server.shapes.problem import ProblemShape, problem_shapes
-from kitrobot.sim import MAX_SEED
-from kitrobot.workspace import FoundExercise
+from kitrobot.sim.limits import MAX_SEED
 from kitrobot.workspace.exercise_evaluation import Evaluation
+from kitrobot.workspace.exercises import FoundExercise
 
 GoalKind = Literal["program", "run", "check"]
 JudgingName = Annotated[str, Field(max_length=100)]

@@ -6,7 +6,7 @@ from typing import Annotated
 
 from pydantic import BaseModel, Field
 
-from kitrobot.primitives import MOST_OWN
+from kitrobot.primitives.own_xml import MOST_OWN
 from kitrobot.server.shapes.catalogue import ConstructorShape
 from kitrobot.server.shapes.mission import ProgramShape
 from kitrobot.server.shapes.own_parts import OwnVariableShape

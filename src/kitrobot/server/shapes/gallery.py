@@ -6,7 +6,8 @@ from pydantic import BaseModel
 
 from kitrobot.server.shapes.mission import ProgramShape, mission_shape
 from kitrobot.server.shapes.world import WorldShape, world_shape
-from kitrobot.workspace import OpenMission, Preview
+from kitrobot.workspace.mission_loader import OpenMission
+from kitrobot.workspace.previews import Preview
 
 
 class TopicShape(BaseModel):

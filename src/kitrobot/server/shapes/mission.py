@@ -6,24 +6,15 @@ from typing import Annotated, Any, Literal
 
 from pydantic import BaseModel, Field, field_validator
 
-from kitrobot.graph import Program
-from kitrobot.lll import MAX_NUMBER, GroupDeclaration, Members, RoleDeclaration, WorkDeclaration
-from kitrobot.mission import (
-    AskedProperty,
-    Breakdown,
-    BreakdownRule,
-    Breakpoint,
-    Failure,
-    FailureKind,
-    Form,
-    Mission,
-    Radio,
-    Team,
-)
-from kitrobot.mission.property_xml import LONGEST_NAME
-from kitrobot.mission.radio import LARGEST_RANGE_MM, LONGEST_DELAY_MS
-from kitrobot.mission.trial import LONGEST_CONDITION, LONGEST_S, MOST_HITS
-from kitrobot.primitives import MOST_OWN, Level
+from kitrobot.graph.model import Program
+from kitrobot.lll.tree import MAX_NUMBER, GroupDeclaration, Members, RoleDeclaration, WorkDeclaration
+from kitrobot.mission.breakdown import Breakdown, BreakdownRule
+from kitrobot.mission.model import Mission, Team
+from kitrobot.mission.property_xml import LONGEST_NAME, AskedProperty, Form
+from kitrobot.mission.radio import LARGEST_RANGE_MM, LONGEST_DELAY_MS, Radio
+from kitrobot.mission.trial import LONGEST_CONDITION, LONGEST_S, MOST_HITS, Breakpoint, Failure, FailureKind
+from kitrobot.primitives.levels import Level
+from kitrobot.primitives.own_xml import MOST_OWN
 from kitrobot.server.shapes.catalogue import ConstructorShape, LevelName
 from kitrobot.server.shapes.own_parts import OwnVariableShape, own_constructor, own_variable
 from kitrobot.server.shapes.own_world import OwnWorldShape, own_world, own_world_shape

@@ -13,10 +13,10 @@ from typing import Annotated
 
 from pydantic import BaseModel, Field
 
-from kitrobot.diagnostics import KitRobotError
-from kitrobot.graph import Program
-from kitrobot.mission import Mission
-from kitrobot.primitives import Level
+from kitrobot.diagnostics.model import KitRobotError
+from kitrobot.graph.model import Program
+from kitrobot.mission.model import Mission
+from kitrobot.primitives.levels import Level
 from kitrobot.server.list_delta import apply_delta
 from kitrobot.server.shapes.catalogue import LevelName
 from kitrobot.server.shapes.mission import (
@@ -26,8 +26,8 @@ from kitrobot.server.shapes.mission import (
     mission_from_shape,
 )
 from kitrobot.server.shapes.values import ArcValue, VertexValue
-from kitrobot.text import Sentence
-from kitrobot.workspace import ProgramReport
+from kitrobot.text.sentences import Sentence
+from kitrobot.workspace.program_report import ProgramReport
 
 Place = Annotated[int, Field(ge=0)]
 VertexRow = Annotated[VertexValue | tuple[Place, Place], Field(union_mode="left_to_right")]

@@ -6,7 +6,7 @@ from typing import Annotated, Any, Literal
 
 from pydantic import BaseModel, Field, model_validator
 
-from kitrobot.compiler import ChosenSlot
+from kitrobot.compiler.own_part import ChosenSlot
 from kitrobot.server.shapes.catalogue import Colour, ConstructorShape, MeaningShape, Texts
 from kitrobot.server.shapes.mission import MOST_VERTICES, MissionShape, ProgramShape
 from kitrobot.server.shapes.problem import FailureShape, ProblemShape

@@ -10,26 +10,15 @@ from dataclasses import replace
 from functools import lru_cache
 from typing import TypeVar
 
-from kitrobot.diagnostics import KitRobotError
-from kitrobot.primitives import (
-    Category,
-    Choice,
-    Constructor,
-    Level,
-    Meaning,
-    OwnVariable,
-    RobotObject,
-    Role,
-    Slot,
-    SlotKind,
-    ValueType,
-    read_own,
-    write_constructor,
-    write_variable,
-)
+from kitrobot.diagnostics.model import KitRobotError
+from kitrobot.primitives.constructors import Constructor, Role, Slot, SlotKind
+from kitrobot.primitives.levels import Level
+from kitrobot.primitives.meaning import Choice, Meaning
+from kitrobot.primitives.own_xml import OwnVariable, read_own, write_constructor, write_variable
+from kitrobot.primitives.robot import Category, RobotObject, ValueType
 from kitrobot.server.shapes.catalogue import ConstructorShape, MeaningShape, RobotObjectShape
 from kitrobot.server.shapes.values import View
-from kitrobot.text import Sentence
+from kitrobot.text.sentences import Sentence
 
 Own = TypeVar("Own", Constructor, OwnVariable)
 

@@ -11,16 +11,13 @@ from typing import Annotated, Literal, cast
 
 from pydantic import BaseModel, Field
 
-from kitrobot.world import (
-    MAX_NUMBER,
-    MAX_SIZE_MM,
+from kitrobot.world.geometry import Corner, Pose, normalised
+from kitrobot.world.model import (
     Ball,
     Box,
     ColouredLine,
-    Corner,
     Dock,
     Floor,
-    Pose,
     Road,
     Section,
     Start,
@@ -28,8 +25,8 @@ from kitrobot.world import (
     Wall,
     World,
     Zone,
-    normalised,
 )
+from kitrobot.world.parts import MAX_NUMBER, MAX_SIZE_MM
 
 MOST_THINGS = 20_000
 """Walls, corners, … of one kind."""

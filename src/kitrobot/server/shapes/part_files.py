@@ -6,7 +6,7 @@ from typing import Annotated, Literal
 
 from pydantic import BaseModel, Field
 
-from kitrobot.primitives import MOST_OWN
+from kitrobot.primitives.own_xml import MOST_OWN
 from kitrobot.server.sentences import FileName, Spoken
 from kitrobot.server.shapes.catalogue import CatalogueShape
 from kitrobot.server.shapes.mission import MissionShape

@@ -7,7 +7,8 @@ from typing import Literal
 
 from pydantic import BaseModel
 
-from kitrobot.diagnostics import Diagnostic, to_page_json
+from kitrobot.diagnostics.model import Diagnostic
+from kitrobot.diagnostics.renderer import to_page_json
 from kitrobot.server.sentences import Clause, FileName, Spoken
 
 

@@ -13,7 +13,7 @@ from kitrobot.server.sentences import Spoken
 from kitrobot.server.shapes.problem import ProblemShape
 from kitrobot.server.shapes.values import HitValue
 from kitrobot.server.shapes.world import WorldShape
-from kitrobot.trace import Ability
+from kitrobot.trace.source import Ability
 
 
 class StartedAgentShape(BaseModel):

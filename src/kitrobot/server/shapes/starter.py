@@ -6,10 +6,11 @@ from collections.abc import Iterable
 
 from pydantic import BaseModel
 
-from kitrobot.primitives import Catalogue, RobotObject
+from kitrobot.primitives.catalogue import Catalogue
+from kitrobot.primitives.robot import RobotObject
 from kitrobot.server.shapes.gallery import RunPreviewShape
 from kitrobot.server.shapes.world import WorldShape, world_shape
-from kitrobot.workspace import FoundPlace, NewMissionChoices, RobotSet, Starter
+from kitrobot.workspace.new_mission_choices import FoundPlace, NewMissionChoices, RobotSet, Starter
 
 
 class AbilityShape(BaseModel):

@@ -7,8 +7,8 @@ from pydantic import BaseModel
 from kitrobot.server.shapes.mission import MissionShape
 from kitrobot.server.shapes.problem import ProblemShape, problem_shapes
 from kitrobot.server.shapes.values import PointValue
-from kitrobot.tutorial import TeacherPage
-from kitrobot.workspace import FoundTutorial
+from kitrobot.tutorial.model import TeacherPage
+from kitrobot.workspace.tutorials import FoundTutorial
 
 
 class TutorialStepShape(BaseModel):

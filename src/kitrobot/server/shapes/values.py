@@ -11,13 +11,13 @@ from pydantic import AfterValidator, AliasChoices, BaseModel, ConfigDict, Field,
 from pydantic.json_schema import JsonSchemaValue
 from pydantic_core import CoreSchema
 
-from kitrobot.files import Claimed
-from kitrobot.graph import Arc, Vertex
-from kitrobot.mission import Agent, Goal
+from kitrobot.files.recovery import Claimed
+from kitrobot.graph.model import Arc, Vertex
+from kitrobot.mission.model import Agent, Goal
 from kitrobot.mission.reader import describe_goal_stock, is_goal_stock
 from kitrobot.sim.breakpoints import Hit
-from kitrobot.tutorial import Point
-from kitrobot.world import Section, Storehouse
+from kitrobot.tutorial.model import Point
+from kitrobot.world.model import Section, Storehouse
 
 T = TypeVar("T")
 

@@ -7,7 +7,7 @@ from typing import Literal, cast
 from pydantic import BaseModel
 
 from kitrobot.server.shapes.values import SectionValue, StorehouseValue
-from kitrobot.world import LOAD, Dock, Start, World
+from kitrobot.world.model import LOAD, Dock, Start, World
 
 FloorColour = Literal["red", "green", "blue"]
 ZoneKind = Literal["warm", "loud", "bright"]

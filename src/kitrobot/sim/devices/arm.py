@@ -8,7 +8,7 @@ never made or lost.
 
 from __future__ import annotations
 
-from kitrobot.primitives import RobotObject
+from kitrobot.primitives.robot import RobotObject
 from kitrobot.sim.columns import (
     A_ACTION,
     A_DOCK,
@@ -35,7 +35,7 @@ from kitrobot.sim.columns import (
 from kitrobot.sim.devices.base import LATENCY, LOST_COMMANDS, MOVES_BOXES, Actuator, Command, Setting, Values
 from kitrobot.sim.docks import carrier_in
 from kitrobot.sim.state import State
-from kitrobot.text import Sentence
+from kitrobot.text.sentences import Sentence
 
 BOX_S, REMAINING_S, WAITS_FOR_ROOM = A_OWN[:3]
 """Columns of an arm: the seconds a box takes, those left of this box, and 1 while it waits for room."""

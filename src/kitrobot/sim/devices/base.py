@@ -25,9 +25,9 @@ from dataclasses import dataclass
 from enum import Enum
 from typing import TYPE_CHECKING, ClassVar, Literal, NamedTuple
 
-from kitrobot.primitives import Method, RobotObject
-from kitrobot.text import Sentence
-from kitrobot.world import World
+from kitrobot.primitives.robot import Method, RobotObject
+from kitrobot.text.sentences import Sentence
+from kitrobot.world.model import World
 
 if TYPE_CHECKING:
     from kitrobot.sim.state import State

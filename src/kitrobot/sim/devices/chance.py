@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from kitrobot.primitives import RobotObject
+from kitrobot.primitives.robot import RobotObject
 from kitrobot.sim.columns import DT, ENDED, PERIOD, S_KEY_A, S_KEY_B, S_LEAST, S_MOST, S_OWN, S_ROBOT, S_VALUE
 from kitrobot.sim.devices.base import LATENCY, LOST_READINGS, Sensor, Setting, Values
 from kitrobot.sim.random_numbers import happens
 from kitrobot.sim.state import State
-from kitrobot.text import Sentence
+from kitrobot.text.sentences import Sentence
 
 PROBABILITY, PERIOD_S = S_OWN[:2]
 """Columns of a chance sensor: the probability (0…1), and the period in s."""

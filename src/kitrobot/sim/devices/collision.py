@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from kitrobot.primitives import RobotObject
+from kitrobot.primitives.robot import RobotObject
 from kitrobot.sim.columns import (
     DIRECTED,
     ENDED,
@@ -25,7 +25,7 @@ from kitrobot.sim.contacts import TOUCH_MM
 from kitrobot.sim.devices.base import LATENCY, LOST_READINGS, WRONG, Discrete, Sensor, Setting, Values
 from kitrobot.sim.sight import ray_to_discs
 from kitrobot.sim.state import State
-from kitrobot.text import Sentence
+from kitrobot.text.sentences import Sentence
 
 REACH = S_OWN[0]
 """Column of a collision sensor: how far it reaches in mm."""

@@ -6,11 +6,11 @@ the left. The pictures and digits are those that the board shows.
 
 from __future__ import annotations
 
-from kitrobot.primitives import RobotObject
+from kitrobot.primitives.robot import RobotObject
 from kitrobot.sim.columns import A_DONE, A_OWN, A_ROBOT, DOWN, FAILED
 from kitrobot.sim.devices.base import LATENCY, LOST_COMMANDS, Actuator, Command, Discrete, DisplayKind, Setting, Values
 from kitrobot.sim.state import State
-from kitrobot.text import Sentence
+from kitrobot.text.sentences import Sentence
 
 COLUMN_S, SCROLLED_S = A_OWN[:2]
 """Columns of a display: the seconds for each column of a number that scrolls, and how long it has scrolled."""

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from kitrobot.primitives import RobotObject
+from kitrobot.primitives.robot import RobotObject
 from kitrobot.sim.columns import A_DONE, A_NOISE, A_OWN, A_ROBOT, DOWN, FAILED
 from kitrobot.sim.devices.base import LATENCY, LOST_COMMANDS, Actuator, Command, Setting, Values
 from kitrobot.sim.state import State
-from kitrobot.text import Sentence
+from kitrobot.text.sentences import Sentence
 
 OPENING, TARGET_OPENING, TRAVEL_S, CURRENT_TRAVEL_S = A_OWN
 """Columns of a door: how far it is open (0…1), where it goes, the seconds for all of it, and those for this time."""

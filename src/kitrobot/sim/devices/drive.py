@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from kitrobot.primitives import RobotObject
+from kitrobot.primitives.robot import RobotObject
 from kitrobot.sim.columns import (
     A_NOISE,
     A_OWN,
@@ -19,7 +19,7 @@ from kitrobot.sim.columns import (
 )
 from kitrobot.sim.devices.base import LATENCY, LOST_COMMANDS, Actuator, Command, Discrete, DisplayKind, Setting, Values
 from kitrobot.sim.state import State
-from kitrobot.text import Sentence
+from kitrobot.text.sentences import Sentence
 
 FULL_SPEED = A_OWN[0]
 """Column of a drive: full speed in mm/s."""

@@ -6,7 +6,7 @@ from kitrobot.sim.columns import S_LEAST, S_MOST, S_OWN, S_ROBOT, S_VALUE
 from kitrobot.sim.devices.base import LATENCY, LOST_READINGS, WRONG, Sensor, Setting
 from kitrobot.sim.radio import has_radio, is_in_reach, is_on
 from kitrobot.sim.state import State
-from kitrobot.text import Sentence
+from kitrobot.text.sentences import Sentence
 
 OTHER = S_OWN[0]
 """Column: the number of the other robot."""

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import math
 
-from kitrobot.primitives import Method, RobotObject
+from kitrobot.primitives.robot import Method, RobotObject
 from kitrobot.sim.columns import A_ACTION, A_DONE, A_NOISE, A_OWN, A_ROBOT, DOWN, FAILED
 from kitrobot.sim.devices.base import LATENCY, LOST_COMMANDS, Actuator, Command, DisplayKind, Setting, Values
 from kitrobot.sim.state import State
-from kitrobot.text import Sentence
+from kitrobot.text.sentences import Sentence
 
 VALUE, TARGET_VALUE, DURATION_S, REMAINING_S = A_OWN
 """Columns of an indicator: its value, the value it goes to, how long that takes, and how much of this is left, in s."""

@@ -7,8 +7,9 @@ from collections.abc import Sequence
 from kitrobot.sim.columns import A_DONE
 from kitrobot.sim.devices.base import LATENCY, LOST_COMMANDS, Actuator, Command, DisplayKind, Setting, Values
 from kitrobot.sim.state import State
-from kitrobot.text import Sentence
-from kitrobot.trace import MOST_PEN_COLOUR, MOST_PEN_WIDTH_MM
+from kitrobot.text.sentences import Sentence
+from kitrobot.trace.drawing import MOST_COLOUR as MOST_PEN_COLOUR
+from kitrobot.trace.drawing import MOST_WIDTH_MM as MOST_PEN_WIDTH_MM
 
 _UP, _DOWN, _COLOUR, _WIDTH = range(4)
 

@@ -5,12 +5,12 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 
-from kitrobot.primitives import RobotObject
+from kitrobot.primitives.robot import RobotObject
 from kitrobot.sim.columns import ENDED, PERIOD, S_FIRST, S_LEAST, S_MOST, S_OWN, S_ROBOT, S_VALUE, X, Y
 from kitrobot.sim.devices.base import LATENCY, LOST_READINGS, SPREAD, Sensor, Setting, Values
 from kitrobot.sim.state import State
-from kitrobot.text import Sentence
-from kitrobot.world import World
+from kitrobot.text.sentences import Sentence
+from kitrobot.world.model import World
 
 REACH, IS_BOOLEAN = S_OWN[:2]
 """Columns of a place sensor: how far it reaches in mm, and 1 for a boolean one."""

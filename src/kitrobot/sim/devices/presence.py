@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from kitrobot.primitives import RobotObject
+from kitrobot.primitives.robot import RobotObject
 from kitrobot.sim.columns import LOAD, S_DOCK, S_OWN, S_VALUE
 from kitrobot.sim.devices.base import LATENCY, LOST_READINGS, WRONG, Discrete, Sensor, Setting, Values
 from kitrobot.sim.docks import carrier_in
 from kitrobot.sim.state import State
-from kitrobot.text import Sentence
+from kitrobot.text.sentences import Sentence
 
 WANTED_LOAD = S_OWN[0]
 """Column of a presence sensor: the load that it waits for, 0, 1, or 2 for any."""

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 
-from kitrobot.primitives import RobotObject
+from kitrobot.primitives.robot import RobotObject
 from kitrobot.sim.angles import direction
 from kitrobot.sim.columns import (
     DIRECTED,
@@ -25,7 +25,7 @@ from kitrobot.sim.devices.base import LATENCY, LOST_READINGS, SPREAD, Sensor, Se
 from kitrobot.sim.pushable import ray_to_pushables
 from kitrobot.sim.sight import ray_to_discs, ray_to_walls
 from kitrobot.sim.state import State
-from kitrobot.text import Sentence
+from kitrobot.text.sentences import Sentence
 
 REACH, COSINE, SINE = S_OWN
 """Columns of a range sensor: how far it reaches in mm, and cosine and sine of its direction as seen from the robot."""

@@ -6,12 +6,12 @@ import math
 from collections.abc import Sequence
 from itertools import pairwise
 
-from kitrobot.primitives import RobotObject
+from kitrobot.primitives.robot import RobotObject
 from kitrobot.sim.columns import DT, ENDED, PERIOD, S_END, S_FIRST, S_OWN, S_ROBOT, S_VALUE
 from kitrobot.sim.devices.base import LATENCY, LOST_READINGS, SPREAD, Sensor, Setting, Values
 from kitrobot.sim.state import State
-from kitrobot.text import Sentence
-from kitrobot.world import World
+from kitrobot.text.sentences import Sentence
+from kitrobot.world.model import World
 
 IS_LINE, PERIOD_S = S_OWN[:2]
 """Columns of a schedule: 1 for a line between its points, and its period in s, 0 for none."""

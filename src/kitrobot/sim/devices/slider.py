@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from kitrobot.sim.devices.base import LATENCY, LOST_READINGS, SPREAD, ManualControl, Sensor, Setting, Values
-from kitrobot.text import Sentence
+from kitrobot.text.sentences import Sentence
 
 
 class Slider(Sensor):

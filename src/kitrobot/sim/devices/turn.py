@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import math
 
-from kitrobot.primitives import RobotObject
+from kitrobot.primitives.robot import RobotObject
 from kitrobot.sim.columns import A_DONE, A_NOISE, A_OWN, A_ROBOT, DOWN, FAILED, TURN
 from kitrobot.sim.devices.base import LATENCY, LOST_COMMANDS, Actuator, Command, Discrete, Setting, Values
 from kitrobot.sim.state import State
-from kitrobot.text import Sentence
+from kitrobot.text.sentences import Sentence
 
 FULL_RATE, RATE, ANGLE_LEFT = A_OWN[:3]
 """Columns of a turning motor, in rad/s and rad: the full rate, the rate now, the angle that is left."""

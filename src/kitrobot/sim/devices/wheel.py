@@ -7,7 +7,7 @@ steady speeds its middle drives an arc of radius (r + l) / (r - l) · t / 2. A w
 
 from __future__ import annotations
 
-from kitrobot.primitives import RobotObject
+from kitrobot.primitives.robot import RobotObject
 from kitrobot.sim.columns import (
     A_NOISE,
     A_OWN,
@@ -27,7 +27,7 @@ from kitrobot.sim.columns import (
 )
 from kitrobot.sim.devices.base import LATENCY, LOST_COMMANDS, Actuator, Command, Discrete, DisplayKind, Setting, Values
 from kitrobot.sim.state import State
-from kitrobot.text import Sentence
+from kitrobot.text.sentences import Sentence
 
 FULL_SPEED, WHEEL_SPEED, WHEEL_TARGET, TRACK = A_OWN
 """Columns of a wheel, in mm/s and mm: full speed, the speed now, the commanded speed, and the track between the wheels,

@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from kitrobot.primitives import RobotObject
+from kitrobot.primitives.robot import RobotObject
 from kitrobot.sim.columns import A_DONE, A_OWN, A_ROBOT
 from kitrobot.sim.devices.base import LATENCY, LOST_COMMANDS, Actuator, Command, Discrete, Setting, Values
 from kitrobot.sim.state import State
 from kitrobot.sim.team_columns import T_ACTUATOR
 from kitrobot.sim.team_work import finish_unit, take_unit
-from kitrobot.text import Sentence
+from kitrobot.text.sentences import Sentence
 
 WORK = A_OWN[0]
 """Column: the number of the work."""

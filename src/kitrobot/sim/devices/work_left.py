@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from kitrobot.primitives import RobotObject
+from kitrobot.primitives.robot import RobotObject
 from kitrobot.sim.columns import S_OWN, S_VALUE
 from kitrobot.sim.devices.base import LATENCY, LOST_READINGS, Discrete, Sensor, Values
 from kitrobot.sim.devices.work import NUMBER

@@ -6,12 +6,12 @@ import math
 from collections.abc import Sequence
 from typing import ClassVar
 
-from kitrobot.primitives import RobotObject
+from kitrobot.primitives.robot import RobotObject
 from kitrobot.sim.columns import ENDED, PERIOD, S_END, S_FIRST, S_LEAST, S_MOST, S_OWN, S_ROBOT, S_VALUE, X, Y
 from kitrobot.sim.devices.base import LATENCY, LOST_READINGS, SPREAD, Sensor, Setting, Values
 from kitrobot.sim.state import State
-from kitrobot.text import Sentence
-from kitrobot.world import BRIGHT, LOUD, WARM, World
+from kitrobot.text.sentences import Sentence
+from kitrobot.world.model import BRIGHT, LOUD, WARM, World
 
 AMBIENT, IS_BOOLEAN = S_OWN[:2]
 """Columns of a zone sensor: what it measures far from all zones, and 1 for a boolean one."""
