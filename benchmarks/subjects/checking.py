@@ -21,15 +21,15 @@ from pathlib import Path
 
 from benchmarks.measurement import Rate, Row, in_turns
 from kitrobot.mission.model import Agent
-from kitrobot.sim.jit_cache import available
+from kitrobot.sim.jit.cache import available
 from kitrobot.sim.simulation import Simulation
-from kitrobot.verifier.abstraction import abstract_run
-from kitrobot.verifier.budget import Budget
-from kitrobot.verifier.engines import PLAIN
-from kitrobot.verifier.exploration import explore
-from kitrobot.verifier.model import Model
-from kitrobot.verifier.numba_engine import engine
-from kitrobot.verifier.timing import Timing
+from kitrobot.verifier.exploration.budget import Budget
+from kitrobot.verifier.exploration.engines import PLAIN
+from kitrobot.verifier.exploration.exploration import explore
+from kitrobot.verifier.exploration.numba_engine import engine
+from kitrobot.verifier.model.abstraction import abstract_run
+from kitrobot.verifier.model.model import Model
+from kitrobot.verifier.model.timing import Timing
 from kitrobot.workspace.mission_loader import open_mission
 from kitrobot.workspace.mission_run import RunOptions
 from kitrobot.world.model import Start

@@ -19,7 +19,7 @@ from benchmarks.measurement import Rate, Row, in_turns
 from benchmarks.swarm import SPACING_MM, instructions_a_tick, swarm
 from benchmarks.table import table
 from kitrobot.mission.radio import Radio
-from kitrobot.sim import jit_cache
+from kitrobot.sim.jit import cache as jit_cache
 from kitrobot.sim.simulation import Simulation
 
 TITLE = "simulating"

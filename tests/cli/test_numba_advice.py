@@ -7,8 +7,9 @@ import platform
 import pytest
 
 from kitrobot.files.examples import examples_folder
-from kitrobot.sim import jit_cache, jit_policy
-from kitrobot.verifier import engines
+from kitrobot.sim.jit import cache as jit_cache
+from kitrobot.sim.jit import policy as jit_policy
+from kitrobot.verifier.exploration import engines
 from tests.cli.conftest import EXAMPLE
 
 SAYS = 'Numba makes this many times as fast: `pip install "kitrobot[fast]"`'

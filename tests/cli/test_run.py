@@ -257,7 +257,7 @@ def test_a_run_that_ends_at_once_says_how_to_see_more(kitrobot, short):
 
 
 def test_a_mission_is_set_up_once(kitrobot, short, monkeypatch):
-    from kitrobot.sim.setup import Setup
+    from kitrobot.sim.setup.setup import Setup
 
     built = []
     build = Setup._build

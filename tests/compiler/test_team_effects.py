@@ -17,7 +17,7 @@ from kitrobot.primitives.automatic import number_variable
 from kitrobot.primitives.catalogue import load_catalogue
 from kitrobot.primitives.crew import Crew, CrewProgram, declaring
 from kitrobot.primitives.own_xml import OwnVariable
-from kitrobot.sim.settings import moves_boxes
+from kitrobot.sim.setup.settings import moves_boxes
 from tests.lll.expectations import meets_expectations
 
 EXAMPLES = Path(__file__).resolve().parents[2] / "examples"

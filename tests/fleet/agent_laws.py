@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from kitrobot.sim.columns import ENDED
-from kitrobot.sim.team_columns import HAS_UNIT, T_ROLE, TEAM_OVER, W_LEFT
+from kitrobot.sim.tables.columns import ENDED
+from kitrobot.sim.tables.team_columns import HAS_UNIT, T_ROLE, TEAM_OVER, W_LEFT
 from tests.fleet.three_agents import MEMBERS, Agent, Faults, Law, Team, ThreeAgents
 
 

@@ -13,7 +13,7 @@ from kitrobot.fleet.host import AgentHost
 from kitrobot.fleet.world import WorldHost
 from kitrobot.sim.event_text import Event
 from kitrobot.sim.simulation import Simulation
-from kitrobot.sim.team_columns import T_ACTUATOR, T_ROLE, T_SEAT
+from kitrobot.sim.tables.team_columns import T_ACTUATOR, T_ROLE, T_SEAT
 from kitrobot.team.messages import EVERYONE, Message
 from tests.fleet.bench_boards import BenchBoard
 

@@ -6,8 +6,8 @@ from dataclasses import dataclass
 
 from kitrobot.fleet import notes
 from kitrobot.fleet.replica import Effect, Replica
-from kitrobot.sim.columns import ENDED
-from kitrobot.sim.team_columns import (
+from kitrobot.sim.tables.columns import ENDED
+from kitrobot.sim.tables.team_columns import (
     ANY,
     ASK,
     BRANCH,

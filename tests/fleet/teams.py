@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from kitrobot.lll.tree import TeamProgram
-from kitrobot.sim.team_columns import T_ANCHOR, T_ANCHORED
+from kitrobot.sim.tables.team_columns import T_ANCHOR, T_ANCHORED
 from tests.fleet.network import LEASE, Fleet
 from tests.sim.team_building import RunningTeam, lost_for
 from tests.team_programs.making import TeamMaker

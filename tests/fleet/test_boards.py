@@ -13,7 +13,7 @@ from kitrobot.deploy.errors import BoardError
 from kitrobot.fleet.board_body import REST_MS, Order
 from kitrobot.fleet.board_line import LEAST_SILENT_S, BoardLine
 from kitrobot.sim.simulation import Simulation
-from kitrobot.sim.team_columns import T_AT, T_HOLDER
+from kitrobot.sim.tables.team_columns import T_AT, T_HOLDER
 from kitrobot.workspace.mission_loader import open_mission
 from kitrobot.workspace.mission_run import RunOptions
 from kitrobot_onboard.state import HELD, STATE

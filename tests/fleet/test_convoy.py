@@ -11,7 +11,7 @@ import pytest
 
 from kitrobot.cli.agent import prepare_team_run
 from kitrobot.sim.simulation import Simulation
-from kitrobot.sim.team_columns import T_HOLDER
+from kitrobot.sim.tables.team_columns import T_HOLDER
 from kitrobot.workspace.mission_loader import OpenMission, open_mission
 from kitrobot.workspace.mission_run import RunOptions
 from tests.fleet.network import Faults, Fleet

@@ -15,11 +15,11 @@ import pytest
 
 from kitrobot.fleet import replica
 from kitrobot.lll.parse_results import parse_team
-from kitrobot.sim import meetings
 from kitrobot.sim.simulation import Simulation
-from kitrobot.sim.state import State
-from kitrobot.sim.state import Team as TeamTables
-from kitrobot.sim.team_columns import HAS_UNIT, LOST_UNIT, P_MEMBERS, T_AT, W_LEFT, W_TAKEN
+from kitrobot.sim.tables.state import State
+from kitrobot.sim.tables.state import Team as TeamTables
+from kitrobot.sim.tables.team_columns import HAS_UNIT, LOST_UNIT, P_MEMBERS, T_AT, W_LEFT, W_TAKEN
+from kitrobot.sim.team import meetings
 from kitrobot.team import decision, membership
 from kitrobot.team.decision import Decision
 from tests.effort import cases

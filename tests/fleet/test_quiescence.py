@@ -12,9 +12,9 @@ from kitrobot.cli.agent import prepare_team_run
 from kitrobot.fleet.quiescence import QUIESCENT_MS, QuiescenceDetector
 from kitrobot.fleet.recurrence import Recurrence, Snapshot
 from kitrobot.fleet.replica import Replica
-from kitrobot.sim.columns import PLANNED, PLANS, TICK
 from kitrobot.sim.simulation import Simulation
-from kitrobot.sim.team_columns import T_AT
+from kitrobot.sim.tables.columns import PLANNED, PLANS, TICK
+from kitrobot.sim.tables.team_columns import T_AT
 from kitrobot.workspace.mission_run import RunOptions
 from tests.fleet.network import Fleet
 from tests.fleet.test_convoy import anew, fleet, until

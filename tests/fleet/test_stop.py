@@ -26,7 +26,7 @@ from kitrobot.fleet.identity import identity_of
 from kitrobot.fleet.keys import key_of
 from kitrobot.fleet.team_process import FleetCallbacks, TeamProcess
 from kitrobot.fleet.transport import MOST_OF_ONE, Channel, Network
-from kitrobot.sim.team_columns import T_AT
+from kitrobot.sim.tables.team_columns import T_AT
 from kitrobot.team.commands import Seat
 from kitrobot.team.messages import EVERYONE, Heartbeat, Sending
 from kitrobot_onboard.state import STATE

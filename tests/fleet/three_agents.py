@@ -24,9 +24,9 @@ from kitrobot.fleet.charter import charter_of
 from kitrobot.fleet.host import AgentHost
 from kitrobot.fleet.replica import Effect
 from kitrobot.sim.event_text import Event
-from kitrobot.sim.meetings import find_members
 from kitrobot.sim.simulation import Simulation
-from kitrobot.sim.team_columns import T_ROLE, T_SEAT
+from kitrobot.sim.tables.team_columns import T_ROLE, T_SEAT
+from kitrobot.sim.team.meetings import find_members
 from kitrobot.team.commands import Batch, Command, Note
 from kitrobot.team.messages import EVERYONE, Ballot, Heartbeat, Message, Sending
 from kitrobot.team.state import Member

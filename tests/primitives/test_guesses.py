@@ -3,7 +3,7 @@
 import pytest
 
 from kitrobot.primitives.robot import Category
-from kitrobot.sim.settings import simulated_devices
+from kitrobot.sim.setup.settings import simulated_devices
 from kitrobot.text.suggestions import nearest
 
 NEAR = [

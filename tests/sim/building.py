@@ -16,9 +16,9 @@ from kitrobot.mission.trial import Failure
 from kitrobot.primitives.catalogue import Catalogue, load_catalogue
 from kitrobot.primitives.robot import Robot
 from kitrobot.primitives.robot_xml import read_robot
-from kitrobot.sim.columns import FREE, PIECES, ROAD, ROBOT_FLOATS, ROBOT_INTS
 from kitrobot.sim.simulation import Simulation
-from kitrobot.sim.state import Robots
+from kitrobot.sim.tables.columns import FREE, PIECES, ROAD, ROBOT_FLOATS, ROBOT_INTS
+from kitrobot.sim.tables.state import Robots
 from kitrobot.world.geometry import Pose
 from kitrobot.world.lookup import find_world
 from kitrobot.world.model import Start, World

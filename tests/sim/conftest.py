@@ -9,8 +9,8 @@ from pathlib import Path
 
 import pytest
 
-from kitrobot.sim import jit_policy
-from kitrobot.sim.jit_compiler import step
+from kitrobot.sim.jit import policy as jit_policy
+from kitrobot.sim.jit.compiler import step
 
 if sys.platform != "win32":
     import fcntl

@@ -22,7 +22,7 @@ from kitrobot.primitives.robot_xml import read_robot
 from kitrobot.primitives.team_objects import with_team
 from kitrobot.sim.event_text import Event
 from kitrobot.sim.simulation import Simulation
-from kitrobot.sim.team_columns import T_ANCHOR, T_ANCHORED, T_ROLE, T_SEAT, W_LEFT
+from kitrobot.sim.tables.team_columns import T_ANCHOR, T_ANCHORED, T_ROLE, T_SEAT, W_LEFT
 from tests.sim.building import empty_world
 from tests.team_programs.hosting import TooLarge
 from tests.team_programs.making import KINDS, TeamMaker

@@ -10,8 +10,8 @@ from dataclasses import replace
 from hypothesis import given
 from hypothesis import strategies as st
 
-from kitrobot.sim.sight import floor_at
-from kitrobot.sim.state import Floors
+from kitrobot.sim.physics.sight import floor_at
+from kitrobot.sim.tables.state import Floors
 from kitrobot.world.geometry import Corner
 from kitrobot.world.model import ColouredLine, Floor, rectangle_corners
 from tests.sim.building import catalogue, empty_world, run_of

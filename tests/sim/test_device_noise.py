@@ -17,7 +17,7 @@ import pytest
 
 from kitrobot.sim.agent_views import LAMP
 from kitrobot.sim.devices import Device, Sensor, actuators, sensors
-from kitrobot.sim.jit_compiler import loops
+from kitrobot.sim.jit.compiler import loops
 from tests.patience import PATIENCE_S
 from tests.sim.building import WHEEL, avatar, empty_world, run_of, steps
 from tests.sim.test_devices import RANGE, ROOT, SENSOR, sensed

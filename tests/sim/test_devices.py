@@ -13,16 +13,16 @@ from hypothesis import strategies as st
 
 from kitrobot.diagnostics.model import KitRobotError
 from kitrobot.sim.agent_views import LAMP
-from kitrobot.sim.angles import direction
-from kitrobot.sim.columns import RADIUS, X, Y
 from kitrobot.sim.devices import Actuator, Sensor, actuators, sensors
-from kitrobot.sim.grids import fill, fixed
-from kitrobot.sim.random_numbers import drawn, gauss, keys
-from kitrobot.sim.settings import find_device, read_settings
-from kitrobot.sim.setup import SimulationError
-from kitrobot.sim.sight import ray_to_discs, ray_to_walls
+from kitrobot.sim.physics.angles import direction
+from kitrobot.sim.physics.grids import fill, fixed
+from kitrobot.sim.physics.sight import ray_to_discs, ray_to_walls
+from kitrobot.sim.setup.settings import find_device, read_settings
+from kitrobot.sim.setup.setup import SimulationError
 from kitrobot.sim.simulation import Simulation
-from kitrobot.sim.state import Grid, Rays, Walls
+from kitrobot.sim.tables.columns import RADIUS, X, Y
+from kitrobot.sim.tables.random_numbers import drawn, gauss, keys
+from kitrobot.sim.tables.state import Grid, Rays, Walls
 from tests.sim.building import MOTOR, SIDE, WHEEL, avatar, catalogue, empty_world, robots_with, run_of, steps
 
 ROOT = Path(__file__).parents[2]

@@ -11,7 +11,7 @@ from kitrobot.diagnostics.model import Rule
 from kitrobot.lll.parse_results import parse_team
 from kitrobot.lll.tree import Node
 from kitrobot.mission.trial import Failure
-from kitrobot.sim.settings import moves_boxes
+from kitrobot.sim.setup.settings import moves_boxes
 from kitrobot.text.sentences import Help, Sentence
 from tests.sim.team_building import RunningTeam
 from tests.team_programs.making import TeamMaker

@@ -11,8 +11,8 @@ from hypothesis import strategies as st
 
 from kitrobot.mission.trial import Failure, FailureKind
 from kitrobot.sim.event_text import Event
-from kitrobot.sim.fault_schedule import KINDS
 from kitrobot.sim.simulation import Simulation
+from kitrobot.sim.step.fault_schedule import KINDS
 from kitrobot.sim.timeline import Timeline
 from tests.effort import examples
 from tests.sim.building import transport

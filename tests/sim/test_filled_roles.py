@@ -7,7 +7,7 @@ import random
 from pathlib import Path
 
 from kitrobot.lll.tree import RoleDeclaration
-from kitrobot.sim.team_tables import TeamMember, assign_roles
+from kitrobot.sim.setup.team_tables import TeamMember, assign_roles
 
 HELD = Path(__file__).resolve().parents[2] / "web" / "src" / "model" / "testing" / "filled-roles.json"
 """Random teams and who plays what in them; `python -m tests.sim.test_filled_roles` writes it anew."""

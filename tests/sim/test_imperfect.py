@@ -10,9 +10,9 @@ import pytest
 
 from kitrobot.primitives.robot import Robot
 from kitrobot.sim.agent_views import LAMP
-from kitrobot.sim.columns import A_ACTION, HEADING, SPEED
 from kitrobot.sim.devices.door import OPENING
 from kitrobot.sim.simulation import Simulation
+from kitrobot.sim.tables.columns import A_ACTION, HEADING, SPEED
 from kitrobot.world.model import Floor, World, rectangle_corners
 from tests.sim.building import MOTOR, SIDE, WHEEL, avatar, empty_world, run_of, steps
 

@@ -10,11 +10,11 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from kitrobot.sim.agent_views import MOVING
-from kitrobot.sim.angles import direction
-from kitrobot.sim.columns import ACCELERATION, BRAKING, HEADING, SPEED, TARGET, TURN, UX, UY, WAY, X, Y
 from kitrobot.sim.devices.turn import ANGLE_LEFT
-from kitrobot.sim.motion import move_freely, roll
+from kitrobot.sim.physics.angles import direction
+from kitrobot.sim.physics.motion import move_freely, roll
 from kitrobot.sim.simulation import Simulation
+from kitrobot.sim.tables.columns import ACCELERATION, BRAKING, HEADING, SPEED, TARGET, TURN, UX, UY, WAY, X, Y
 from kitrobot.world.geometry import Corner, normalised
 from kitrobot.world.model import Road, Start, World
 from tests.sim.building import MOTOR, SIDE, WHEEL, avatar, empty_world, robots_with, run_of, shipped_world, steps

@@ -18,8 +18,10 @@ from hypothesis import strategies as st
 
 from kitrobot.mission.radio import Radio
 from kitrobot.mission.trial import Failure, FailureKind
-from kitrobot.sim import jit_cache, jit_compiler, jit_policy
-from kitrobot.sim.jit_policy import expect_run
+from kitrobot.sim.jit import cache as jit_cache
+from kitrobot.sim.jit import compiler as jit_compiler
+from kitrobot.sim.jit import policy as jit_policy
+from kitrobot.sim.jit.policy import expect_run
 from kitrobot.sim.recorder import simulate
 from kitrobot.sim.simulation import Simulation
 from tests.effort import examples
@@ -236,7 +238,7 @@ def njit(**options):
     return lambda function: lambda tables, steps: 0
 
 __spec__ = ModuleSpec("numba", None)
-extending = sys.modules["kitrobot.sim.numba_tables"] = sys.modules[__name__]
+extending = sys.modules["kitrobot.sim.jit.numba_tables"] = sys.modules[__name__]
 """
 """In place of Numba: compiles to functions that do nothing, and says which process asked."""
 

@@ -11,8 +11,8 @@ from hypothesis import strategies as st
 
 from kitrobot.mission.model import Goal
 from kitrobot.mission.trial import Failure, FailureKind
-from kitrobot.sim.columns import CHANCE, STUCK
 from kitrobot.sim.simulation import Simulation
+from kitrobot.sim.tables.columns import CHANCE, STUCK
 from kitrobot.world.model import Wall
 from tests.effort import examples
 from tests.sim.building import (

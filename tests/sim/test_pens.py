@@ -7,10 +7,10 @@ import random
 
 import pytest
 
-from kitrobot.sim.pens import pens_of
 from kitrobot.sim.recorder import Recorder, strokes_now
 from kitrobot.sim.simulation import Simulation
 from kitrobot.sim.source import SimulationSource
+from kitrobot.sim.step.pens import pens_of
 from kitrobot.trace.drawing import Drawing, DrawingReader, Mark, Stroke
 from kitrobot.trace.drawing_svg import drawing_svg
 from kitrobot.trace.source import walk

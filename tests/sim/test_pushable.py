@@ -8,10 +8,10 @@ from dataclasses import replace
 
 import pytest
 
-from kitrobot.sim.columns import RADIUS
-from kitrobot.sim.pushable import PUSH_HALF_HEIGHT, PUSH_HALF_WIDTH, PUSH_IS_BALL, PUSH_X, PUSH_Y
+from kitrobot.sim.physics.pushable import PUSH_HALF_HEIGHT, PUSH_HALF_WIDTH, PUSH_IS_BALL, PUSH_X, PUSH_Y
 from kitrobot.sim.recorder import Recorder
 from kitrobot.sim.simulation import Simulation
+from kitrobot.sim.tables.columns import RADIUS
 from kitrobot.world.model import Ball, Box, Wall
 from tests.sim.building import catalogue, empty_world, run_of
 

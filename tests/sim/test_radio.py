@@ -12,10 +12,10 @@ from hypothesis import strategies as st
 from kitrobot.mission.radio import Radio
 from kitrobot.mission.trial import Failure, FailureKind
 from kitrobot.primitives.robot import Robot
-from kitrobot.sim.columns import X, Y
-from kitrobot.sim.radio import BEAT, is_in_reach, is_on, neighbours
-from kitrobot.sim.setup import SimulationError
+from kitrobot.sim.setup.setup import SimulationError
 from kitrobot.sim.simulation import Simulation
+from kitrobot.sim.tables.columns import X, Y
+from kitrobot.sim.team.radio import BEAT, is_in_reach, is_on, neighbours
 from tests.effort import examples
 from tests.sim.building import WHEEL, avatar, empty_world, run_of, steps
 from tests.sim.team_building import RunningTeam, random_team_program

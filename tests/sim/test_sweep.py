@@ -10,9 +10,9 @@ from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
 from kitrobot.mission.trial import Failure, FailureKind
-from kitrobot.sim.columns import EVENTS
 from kitrobot.sim.simulation import Simulation
 from kitrobot.sim.sweep import Fault, Field, SweepStoppedError, Task, moments_of, run_task, snapshots_at
+from kitrobot.sim.tables.columns import EVENTS
 from tests.effort import examples
 from tests.sim.building import transport
 from tests.sim.team_building import RunningTeam, random_team_program

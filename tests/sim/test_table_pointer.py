@@ -7,7 +7,7 @@ from typing import Any, NamedTuple
 
 import pytest
 
-from kitrobot.sim.table_pointer import TablePointer
+from kitrobot.sim.jit.table_pointer import TablePointer
 
 
 @dataclass(frozen=True, slots=True)
@@ -33,7 +33,7 @@ def work(tables: Any) -> int:
 def test_compiled_code_reads_and_writes_the_arrays_of_every_group() -> None:
     np = pytest.importorskip("numpy")
     numba = pytest.importorskip("numba")
-    from kitrobot.sim import numba_tables
+    from kitrobot.sim.jit import numba_tables
 
     tables = Outer(
         np.array([3, 4]), Inner(np.arange(8, dtype=np.int32).reshape(2, 4), np.array([7], np.uint8)), np.zeros(2)
@@ -58,7 +58,7 @@ class Named(NamedTuple):
 def test_a_named_tuple_is_reached_as_a_dataclass_is() -> None:
     np = pytest.importorskip("numpy")
     numba = pytest.importorskip("numba")
-    from kitrobot.sim import numba_tables  # noqa: F401 (it tells Numba what a pointer to tables is)
+    from kitrobot.sim.jit import numba_tables  # noqa: F401 (it tells Numba what a pointer to tables is)
 
     def write(tables: Any) -> int:
         tables.numbers[0] = 5

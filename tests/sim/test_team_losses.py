@@ -11,7 +11,7 @@ from dataclasses import dataclass, field
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
-from kitrobot.sim.team_columns import T_MISSED, T_ROLE, T_SEAT
+from kitrobot.sim.tables.team_columns import T_MISSED, T_ROLE, T_SEAT
 from tests.effort import examples
 from tests.sim.team_building import RunningTeam
 from tests.team_programs.blocks import BlocksMaker

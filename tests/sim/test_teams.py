@@ -12,7 +12,7 @@ from kitrobot.lll.parse_results import parse_team
 from kitrobot.mission.radio import Radio
 from kitrobot.mission.trial import Failure, FailureKind
 from kitrobot.sim.simulation import Simulation
-from kitrobot.sim.team_columns import HAS_UNIT, LOST_UNIT, NO_UNIT, T_HOLDER, W_LEFT, W_TAKEN
+from kitrobot.sim.tables.team_columns import HAS_UNIT, LOST_UNIT, NO_UNIT, T_HOLDER, W_LEFT, W_TAKEN
 from tests.effort import examples
 from tests.sim.team_building import RunningTeam, random_team_program
 from tests.team_programs.hosting import TooLarge

@@ -10,9 +10,9 @@ import pytest
 
 from kitrobot.primitives.robot import Robot
 from kitrobot.primitives.robot_xml import read_robot
-from kitrobot.sim.columns import AT, HEADING, SPEED, X, Y
-from kitrobot.sim.pushable import PUSH_X, PUSH_Y
+from kitrobot.sim.physics.pushable import PUSH_X, PUSH_Y
 from kitrobot.sim.simulation import Simulation
+from kitrobot.sim.tables.columns import AT, HEADING, SPEED, X, Y
 from kitrobot.world.model import Ball, Box, Wall, World
 from tests.effort import cases
 from tests.sim.building import AVATAR, WHEEL, catalogue, empty_world, run_of, transport

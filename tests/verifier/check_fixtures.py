@@ -5,12 +5,12 @@ from __future__ import annotations
 from pathlib import Path
 
 from kitrobot.sim.simulation import Simulation
-from kitrobot.verifier.abstraction import abstract_run
-from kitrobot.verifier.budget import Budget
-from kitrobot.verifier.model import Model
-from kitrobot.verifier.properties import ready_properties
-from kitrobot.verifier.timing import Timing
-from kitrobot.verifier.verdicts import CheckResult, check_properties
+from kitrobot.verifier.exploration.budget import Budget
+from kitrobot.verifier.model.abstraction import abstract_run
+from kitrobot.verifier.model.model import Model
+from kitrobot.verifier.model.timing import Timing
+from kitrobot.verifier.properties.properties import ready_properties
+from kitrobot.verifier.properties.verdicts import CheckResult, check_properties
 from kitrobot.workspace.mission_loader import open_mission
 from kitrobot.workspace.mission_run import PreparedRun, RunOptions
 

@@ -11,13 +11,13 @@ from hypothesis import strategies as st
 from kitrobot.compiler.compilation import compile_text
 from kitrobot.image.machine import Machine
 from kitrobot.text.sentences import Sentence
-from kitrobot.verifier.abstraction import abstract_run
-from kitrobot.verifier.budget import Budget
-from kitrobot.verifier.model import Model
-from kitrobot.verifier.programs import AbstractionError, ProgramTable, value_classes
-from kitrobot.verifier.properties import AgentFact, Property
-from kitrobot.verifier.roads import Gaps, possible, possible_everywhere, zones_of
-from kitrobot.verifier.verdicts import check_properties
+from kitrobot.verifier.exploration.budget import Budget
+from kitrobot.verifier.model.abstraction import abstract_run
+from kitrobot.verifier.model.model import Model
+from kitrobot.verifier.model.programs import AbstractionError, ProgramTable, value_classes
+from kitrobot.verifier.properties.properties import AgentFact, Property
+from kitrobot.verifier.properties.verdicts import check_properties
+from kitrobot.verifier.tables.roads import Gaps, possible, possible_everywhere, zones_of
 from tests.effort import examples
 from tests.sim.building import WHEEL, avatar, catalogue, empty_world, run_of
 

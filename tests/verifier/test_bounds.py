@@ -10,16 +10,16 @@ import pytest
 from kitrobot.exercise.exercise_xml import PROPERTIES
 from kitrobot.mission.property_xml import READY, READY_OF_AGENTS, is_ready
 from kitrobot.sim.simulation import Simulation
-from kitrobot.verifier import exploration
-from kitrobot.verifier.abstraction import abstract_run
-from kitrobot.verifier.budget import Budget, CutReason
-from kitrobot.verifier.engines import PLAIN
-from kitrobot.verifier.events import ModelTooLargeError
-from kitrobot.verifier.model import Model
-from kitrobot.verifier.programs import AbstractionError
-from kitrobot.verifier.properties import ready_properties
-from kitrobot.verifier.timing import Timing
-from kitrobot.verifier.verdicts import check_properties
+from kitrobot.verifier.exploration import exploration
+from kitrobot.verifier.exploration.budget import Budget, CutReason
+from kitrobot.verifier.exploration.engines import PLAIN
+from kitrobot.verifier.model.abstraction import abstract_run
+from kitrobot.verifier.model.model import Model
+from kitrobot.verifier.model.programs import AbstractionError
+from kitrobot.verifier.model.timing import Timing
+from kitrobot.verifier.properties.properties import ready_properties
+from kitrobot.verifier.properties.verdicts import check_properties
+from kitrobot.verifier.tables.events import ModelTooLargeError
 from tests.sim.building import avatar, empty_world, run_of, transport
 from tests.verifier.check_fixtures import EXAMPLES, prepared
 

@@ -18,17 +18,17 @@ import pytest
 from kitrobot.image.machine import Machine
 from kitrobot.lll.printer import print_program
 from kitrobot.mission.property_xml import AskedProperty, Form
-from kitrobot.sim.shared_variables import SHARED_VALUE
 from kitrobot.sim.simulation import Simulation
-from kitrobot.sim.state import numbers
-from kitrobot.verifier.abstraction import abstract_run
-from kitrobot.verifier.budget import Budget
-from kitrobot.verifier.custom_properties import build_custom_properties, property_variables
-from kitrobot.verifier.exploration import StateSpace, explore
-from kitrobot.verifier.model import Model
-from kitrobot.verifier.properties import ready_properties
-from kitrobot.verifier.timing import Timing
-from kitrobot.verifier.verdicts import check_properties
+from kitrobot.sim.tables.state import numbers
+from kitrobot.sim.team.shared_variables import SHARED_VALUE
+from kitrobot.verifier.exploration.budget import Budget
+from kitrobot.verifier.exploration.exploration import StateSpace, explore
+from kitrobot.verifier.model.abstraction import abstract_run
+from kitrobot.verifier.model.model import Model
+from kitrobot.verifier.model.timing import Timing
+from kitrobot.verifier.properties.custom_properties import build_custom_properties, property_variables
+from kitrobot.verifier.properties.properties import ready_properties
+from kitrobot.verifier.properties.verdicts import check_properties
 from tests.effort import examples
 from tests.sim.building import avatar, empty_world, run_of
 from tests.strategies.programs import Shape, random_program

@@ -20,14 +20,14 @@ from kitrobot.lll.printer import print_program
 from kitrobot.mission.model import Goal
 from kitrobot.mission.property_xml import AskedProperty, Form
 from kitrobot.sim.simulation import Simulation
-from kitrobot.verifier.abstraction import abstract_run
-from kitrobot.verifier.budget import Budget
-from kitrobot.verifier.custom_properties import build_custom_properties, property_variables
-from kitrobot.verifier.exploration import explore
-from kitrobot.verifier.model import Model
-from kitrobot.verifier.properties import ready_properties
-from kitrobot.verifier.timing import Timing
-from kitrobot.verifier.verdicts import check_properties
+from kitrobot.verifier.exploration.budget import Budget
+from kitrobot.verifier.exploration.exploration import explore
+from kitrobot.verifier.model.abstraction import abstract_run
+from kitrobot.verifier.model.model import Model
+from kitrobot.verifier.model.timing import Timing
+from kitrobot.verifier.properties.custom_properties import build_custom_properties, property_variables
+from kitrobot.verifier.properties.properties import ready_properties
+from kitrobot.verifier.properties.verdicts import check_properties
 from kitrobot.world.geometry import Corner
 from kitrobot.world.model import Road, Section, Start, Storehouse, World
 from tests.effort import examples

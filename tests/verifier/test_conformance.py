@@ -14,9 +14,9 @@ from typing import Any
 import pytest
 
 from kitrobot.mission.trial import Failure, FailureKind
-from kitrobot.sim import columns as c
 from kitrobot.sim.simulation import Simulation
-from kitrobot.verifier.abstraction import abstract_run
+from kitrobot.sim.tables import columns as c
+from kitrobot.verifier.model.abstraction import abstract_run
 from kitrobot.world.geometry import Corner
 from kitrobot.world.model import Dock, Road, Start, Storehouse, World
 from tests.effort import cases

@@ -6,15 +6,15 @@ import pytest
 
 from kitrobot.mission.property_xml import AskedProperty, Form
 from kitrobot.sim.simulation import Simulation
-from kitrobot.verifier.abstraction import abstract_run
-from kitrobot.verifier.budget import Budget
-from kitrobot.verifier.conditions import PropertyError, parse_condition
-from kitrobot.verifier.custom_properties import build_custom_properties, property_variables, team_of
-from kitrobot.verifier.model import Model, State
-from kitrobot.verifier.properties import Condition, SensedCondition
-from kitrobot.verifier.replay import confirm
-from kitrobot.verifier.state_decoding import decode, sense_key
-from kitrobot.verifier.verdicts import Verdict, check_properties
+from kitrobot.verifier.exploration.budget import Budget
+from kitrobot.verifier.model.abstraction import abstract_run
+from kitrobot.verifier.model.model import Model, State
+from kitrobot.verifier.properties.conditions import PropertyError, parse_condition
+from kitrobot.verifier.properties.custom_properties import build_custom_properties, property_variables, team_of
+from kitrobot.verifier.properties.properties import Condition, SensedCondition
+from kitrobot.verifier.properties.verdicts import Verdict, check_properties
+from kitrobot.verifier.report.replay import confirm
+from kitrobot.verifier.tables.state_decoding import decode, sense_key
 from tests.sim.building import transport
 
 LOADED, EMPTY = "any carrier-1 (Cargo.IsPressed())", "any carrier-1 (Cargo.IsReleased())"

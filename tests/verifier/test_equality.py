@@ -9,16 +9,16 @@ import pytest
 
 from kitrobot.mission.trial import FailureKind
 from kitrobot.sim.simulation import Simulation
-from kitrobot.verifier import columns as v
-from kitrobot.verifier.abstraction import abstract_run
-from kitrobot.verifier.budget import Budget
-from kitrobot.verifier.exploration import explore
-from kitrobot.verifier.model import Model
-from kitrobot.verifier.programs import AbstractionError
-from kitrobot.verifier.properties import ready_properties
-from kitrobot.verifier.table_builder import USUAL_KINDS
-from kitrobot.verifier.timing import Timing
-from kitrobot.verifier.verdicts import check_properties
+from kitrobot.verifier.exploration.budget import Budget
+from kitrobot.verifier.exploration.exploration import explore
+from kitrobot.verifier.model.abstraction import abstract_run
+from kitrobot.verifier.model.model import Model
+from kitrobot.verifier.model.programs import AbstractionError
+from kitrobot.verifier.model.table_builder import USUAL_KINDS
+from kitrobot.verifier.model.timing import Timing
+from kitrobot.verifier.properties.properties import ready_properties
+from kitrobot.verifier.properties.verdicts import check_properties
+from kitrobot.verifier.tables import columns as v
 from tests.effort import cases
 from tests.sim.building import transport
 from tests.verifier.check_fixtures import EXAMPLES, mutant, prepared

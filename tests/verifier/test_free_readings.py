@@ -6,8 +6,8 @@ import pytest
 
 from kitrobot.sim.simulation import Simulation
 from kitrobot.translation.translator import translate_to
-from kitrobot.verifier.abstraction import abstract_run
-from kitrobot.verifier.timing import Timing
+from kitrobot.verifier.model.abstraction import abstract_run
+from kitrobot.verifier.model.timing import Timing
 from kitrobot.workspace.verification import Verification, VerificationOptions, verify_runs
 from tests.sim.building import avatar, empty_world, run_of
 

@@ -7,14 +7,14 @@ from pathlib import Path
 import pytest
 
 from kitrobot.mission.property_xml import AskedProperty, Form
-from kitrobot.verifier.abstraction import abstract_run
-from kitrobot.verifier.budget import Budget
-from kitrobot.verifier.custom_properties import build_custom_properties, property_variables
-from kitrobot.verifier.model import Model
-from kitrobot.verifier.properties import ready_properties
-from kitrobot.verifier.replay import confirm
-from kitrobot.verifier.timing import Timing
-from kitrobot.verifier.verdicts import check_properties
+from kitrobot.verifier.exploration.budget import Budget
+from kitrobot.verifier.model.abstraction import abstract_run
+from kitrobot.verifier.model.model import Model
+from kitrobot.verifier.model.timing import Timing
+from kitrobot.verifier.properties.custom_properties import build_custom_properties, property_variables
+from kitrobot.verifier.properties.properties import ready_properties
+from kitrobot.verifier.properties.verdicts import check_properties
+from kitrobot.verifier.report.replay import confirm
 from kitrobot.workspace.verification import VerificationOptions, runs_of, verify
 from tests.sim.building import transport
 from tests.verifier.check_fixtures import EXAMPLES, answers, judged, mutant, prepared

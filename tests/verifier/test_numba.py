@@ -8,17 +8,17 @@ from __future__ import annotations
 import pytest
 
 from kitrobot.mission.property_xml import AskedProperty, Form
-from kitrobot.verifier.abstraction import abstract_run
-from kitrobot.verifier.budget import Budget
-from kitrobot.verifier.custom_properties import build_custom_properties, property_variables
-from kitrobot.verifier.engines import PLAIN, Engine
-from kitrobot.verifier.exploration import StateSpace, explore
-from kitrobot.verifier.model import Model
-from kitrobot.verifier.numba_engine import engine
-from kitrobot.verifier.properties import ready_properties
-from kitrobot.verifier.table_builder import KINDS
-from kitrobot.verifier.timing import Timing
-from kitrobot.verifier.verdicts import check_properties
+from kitrobot.verifier.exploration.budget import Budget
+from kitrobot.verifier.exploration.engines import PLAIN, Engine
+from kitrobot.verifier.exploration.exploration import StateSpace, explore
+from kitrobot.verifier.exploration.numba_engine import engine
+from kitrobot.verifier.model.abstraction import abstract_run
+from kitrobot.verifier.model.model import Model
+from kitrobot.verifier.model.table_builder import KINDS
+from kitrobot.verifier.model.timing import Timing
+from kitrobot.verifier.properties.custom_properties import build_custom_properties, property_variables
+from kitrobot.verifier.properties.properties import ready_properties
+from kitrobot.verifier.properties.verdicts import check_properties
 from tests.sim.building import transport
 from tests.verifier.test_custom_properties import AT_A, LOADED
 from tests.verifier.test_teams import team

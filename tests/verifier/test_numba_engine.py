@@ -7,13 +7,13 @@ import weakref
 
 import pytest
 
-from kitrobot.sim.table_pointer import TablePointer
-from kitrobot.verifier.abstraction import abstract_run
-from kitrobot.verifier.dynamic_arrays import grow_table
-from kitrobot.verifier.engines import FUNCTIONS, ArrayGraph, ArrayTables, array_engine
-from kitrobot.verifier.exploration import fresh_graph
-from kitrobot.verifier.model import Model
-from kitrobot.verifier.numba_engine import samples
+from kitrobot.sim.jit.table_pointer import TablePointer
+from kitrobot.verifier.exploration.engines import FUNCTIONS, ArrayGraph, ArrayTables, array_engine
+from kitrobot.verifier.exploration.exploration import fresh_graph
+from kitrobot.verifier.exploration.numba_engine import samples
+from kitrobot.verifier.model.abstraction import abstract_run
+from kitrobot.verifier.model.model import Model
+from kitrobot.verifier.tables.dynamic_arrays import grow_table
 from tests.sim.building import transport
 
 

@@ -6,7 +6,7 @@ import pytest
 
 from kitrobot.primitives.robot_xml import read_robot
 from kitrobot.sim.simulation import Simulation
-from kitrobot.verifier.timing import Timing
+from kitrobot.verifier.model.timing import Timing
 from kitrobot.workspace.verification import Verification, VerificationOptions, verify_runs
 from tests.sim.building import empty_world, run_of
 

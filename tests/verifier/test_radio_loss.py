@@ -7,12 +7,12 @@ from pathlib import Path
 import pytest
 
 from kitrobot.mission.trial import FailureKind
-from kitrobot.verifier.abstraction import abstract_run
-from kitrobot.verifier.budget import Budget
-from kitrobot.verifier.exploration import explore
-from kitrobot.verifier.model import Model
-from kitrobot.verifier.timing import Timing
-from kitrobot.verifier.verdicts import Answer
+from kitrobot.verifier.exploration.budget import Budget
+from kitrobot.verifier.exploration.exploration import explore
+from kitrobot.verifier.model.abstraction import abstract_run
+from kitrobot.verifier.model.model import Model
+from kitrobot.verifier.model.timing import Timing
+from kitrobot.verifier.properties.verdicts import Answer
 from kitrobot.workspace.verification import Verification, VerificationOptions, verify, verify_runs
 from tests.sim.building import transport
 from tests.verifier.check_fixtures import mutant

@@ -14,16 +14,16 @@ import pytest
 from kitrobot.lll.parse_results import parse_team
 from kitrobot.mission.breakdown import BreakdownRule
 from kitrobot.mission.trial import FailureKind
-from kitrobot.sim import columns as c
 from kitrobot.sim.simulation import Simulation
-from kitrobot.verifier.abstraction import abstract_run
-from kitrobot.verifier.budget import Budget
-from kitrobot.verifier.exploration import explore
-from kitrobot.verifier.model import Model
-from kitrobot.verifier.properties import ready_properties
-from kitrobot.verifier.replay import ConfirmedRun, confirm
-from kitrobot.verifier.timing import Timing
-from kitrobot.verifier.verdicts import Verdict, check_properties
+from kitrobot.sim.tables import columns as c
+from kitrobot.verifier.exploration.budget import Budget
+from kitrobot.verifier.exploration.exploration import explore
+from kitrobot.verifier.model.abstraction import abstract_run
+from kitrobot.verifier.model.model import Model
+from kitrobot.verifier.model.timing import Timing
+from kitrobot.verifier.properties.properties import ready_properties
+from kitrobot.verifier.properties.verdicts import Verdict, check_properties
+from kitrobot.verifier.report.replay import ConfirmedRun, confirm
 from kitrobot.workspace.verification import VerificationOptions, verify_runs
 from tests.sim.building import WHEEL, avatar, empty_world, run_of, transport
 from tests.sim.team_building import RunningTeam

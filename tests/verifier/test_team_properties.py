@@ -11,13 +11,18 @@ import pytest
 from kitrobot.lll.parse_results import parse_team
 from kitrobot.mission.property_xml import AskedProperty, Form
 from kitrobot.sim.simulation import Simulation
-from kitrobot.verifier.abstraction import abstract_run
-from kitrobot.verifier.budget import Budget
-from kitrobot.verifier.conditions import PropertyError, parse_condition
-from kitrobot.verifier.custom_properties import build_custom_properties, declared_of, property_variables, team_of
-from kitrobot.verifier.model import Model
-from kitrobot.verifier.replay import confirm
-from kitrobot.verifier.verdicts import check_properties
+from kitrobot.verifier.exploration.budget import Budget
+from kitrobot.verifier.model.abstraction import abstract_run
+from kitrobot.verifier.model.model import Model
+from kitrobot.verifier.properties.conditions import PropertyError, parse_condition
+from kitrobot.verifier.properties.custom_properties import (
+    build_custom_properties,
+    declared_of,
+    property_variables,
+    team_of,
+)
+from kitrobot.verifier.properties.verdicts import check_properties
+from kitrobot.verifier.report.replay import confirm
 from tests.sim.team_building import RunningTeam
 
 PROGRAM = """role scout: ant 2; role helper: ant; group ahead = scout; group behind = {helper};

@@ -11,24 +11,24 @@ import pytest
 
 from kitrobot.lll.parse_results import parse_team
 from kitrobot.mission.trial import FailureKind
-from kitrobot.sim import columns as c
 from kitrobot.sim.simulation import Simulation
-from kitrobot.sim.team_columns import T_MISSED
-from kitrobot.verifier import columns as v
-from kitrobot.verifier.absence import AbsenceAgreement
-from kitrobot.verifier.abstraction import abstract_run
-from kitrobot.verifier.bodies import RUNS
-from kitrobot.verifier.budget import Budget
-from kitrobot.verifier.counterexample_text import describe_run
-from kitrobot.verifier.engines import PLAIN
-from kitrobot.verifier.exploration import StateSpace, explore
-from kitrobot.verifier.model import Model, State
-from kitrobot.verifier.properties import ready_properties
-from kitrobot.verifier.replay import InjectedFault, confirm
-from kitrobot.verifier.table_builder import KINDS
-from kitrobot.verifier.team_agreement import Agreement
-from kitrobot.verifier.timing import Timing
-from kitrobot.verifier.verdicts import check_properties
+from kitrobot.sim.tables import columns as c
+from kitrobot.sim.tables.team_columns import T_MISSED
+from kitrobot.verifier.exploration.budget import Budget
+from kitrobot.verifier.exploration.engines import PLAIN
+from kitrobot.verifier.exploration.exploration import StateSpace, explore
+from kitrobot.verifier.model.absence import AbsenceAgreement
+from kitrobot.verifier.model.abstraction import abstract_run
+from kitrobot.verifier.model.model import Model, State
+from kitrobot.verifier.model.table_builder import KINDS
+from kitrobot.verifier.model.team_agreement import Agreement
+from kitrobot.verifier.model.timing import Timing
+from kitrobot.verifier.properties.properties import ready_properties
+from kitrobot.verifier.properties.verdicts import check_properties
+from kitrobot.verifier.report.counterexample_text import describe_run
+from kitrobot.verifier.report.replay import InjectedFault, confirm
+from kitrobot.verifier.tables import columns as v
+from kitrobot.verifier.tables.bodies import RUNS
 from tests.effort import cases
 from tests.sim.team_building import RunningTeam, random_team_program
 from tests.team_programs.blocks import BlocksMaker

@@ -12,16 +12,16 @@ import pytest
 
 from kitrobot.sim.simulation import Simulation
 from kitrobot.text.sentences import Sentence
-from kitrobot.verifier import fair_cycles
-from kitrobot.verifier.abstraction import abstract_run
-from kitrobot.verifier.budget import Budget, CutReason
-from kitrobot.verifier.engines import PLAIN
-from kitrobot.verifier.exploration import explore
-from kitrobot.verifier.model import Model
-from kitrobot.verifier.properties import AgentFact, Property, ready_properties
-from kitrobot.verifier.replay import ConfirmedRun, confirm
-from kitrobot.verifier.timing import Timing
-from kitrobot.verifier.verdicts import Counterexample, check_properties
+from kitrobot.verifier.exploration.budget import Budget, CutReason
+from kitrobot.verifier.exploration.engines import PLAIN
+from kitrobot.verifier.exploration.exploration import explore
+from kitrobot.verifier.model.abstraction import abstract_run
+from kitrobot.verifier.model.model import Model
+from kitrobot.verifier.model.timing import Timing
+from kitrobot.verifier.properties import fair_cycles
+from kitrobot.verifier.properties.properties import AgentFact, Property, ready_properties
+from kitrobot.verifier.properties.verdicts import Counterexample, check_properties
+from kitrobot.verifier.report.replay import ConfirmedRun, confirm
 from kitrobot.workspace.verification import VerificationOptions, verify
 from tests.sim.building import transport
 from tests.verifier.check_fixtures import EXAMPLES, answers, mutant, prepared

@@ -9,12 +9,12 @@ from pathlib import Path
 import pytest
 
 from kitrobot.sim.simulation import Simulation
-from kitrobot.verifier.abstraction import abstract_run
-from kitrobot.verifier.budget import Budget
-from kitrobot.verifier.engines import PLAIN
-from kitrobot.verifier.exploration import explore
-from kitrobot.verifier.model import Model
-from kitrobot.verifier.trap_detection import record_coverage, unexecuted_instructions
+from kitrobot.verifier.exploration.budget import Budget
+from kitrobot.verifier.exploration.engines import PLAIN
+from kitrobot.verifier.exploration.exploration import explore
+from kitrobot.verifier.model.abstraction import abstract_run
+from kitrobot.verifier.model.model import Model
+from kitrobot.verifier.properties.trap_detection import record_coverage, unexecuted_instructions
 from kitrobot.workspace import child_processes
 from kitrobot.workspace.drawing_check import RUN_S, check_drawing, explore_drawing
 from kitrobot.workspace.mission_loader import open_mission

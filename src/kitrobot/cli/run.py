@@ -74,7 +74,7 @@ def run_mission(
     if not math.isfinite(fail_rate):
         raise typer.BadParameter("a probability is a number from 0 to 1", param_hint="'--fail-rate'")
     from kitrobot.files.disk import replace_whole
-    from kitrobot.sim.limits import MAX_SECONDS, MAX_SEED
+    from kitrobot.sim.setup.limits import MAX_SECONDS, MAX_SEED
     from kitrobot.trace.drawing_svg import drawing_svg
     from kitrobot.workspace.mission_loader import open_mission
     from kitrobot.workspace.mission_run import RunOptions

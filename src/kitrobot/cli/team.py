@@ -63,7 +63,7 @@ def run_team(
     from kitrobot.fleet.processes import Agents
     from kitrobot.fleet.team_process import FleetCallbacks
     from kitrobot.fleet.transport import Network
-    from kitrobot.sim.limits import MAX_SECONDS, MAX_SEED
+    from kitrobot.sim.setup.limits import MAX_SECONDS, MAX_SEED
     from kitrobot.workspace.fleets import FleetPlan, free_endpoint, run_fleet
     from kitrobot.workspace.mission_run import RunOptions
     from kitrobot.workspace.team_boards import boards_of

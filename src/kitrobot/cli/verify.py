@@ -15,8 +15,8 @@ import typer
 from kitrobot.cli.output import json_text, print_data, print_diagnostics, print_message
 
 if TYPE_CHECKING:
-    from kitrobot.verifier.budget import CutReason
-    from kitrobot.verifier.timing import Timing
+    from kitrobot.verifier.exploration.budget import CutReason
+    from kitrobot.verifier.model.timing import Timing
     from kitrobot.workspace.verification import Finding, Progress, Verification
 
 _MEGA = 1_000_000
@@ -74,9 +74,9 @@ def verify_mission(
     """
     if not (math.isfinite(seconds) and seconds > 0):
         raise typer.BadParameter("a check takes more than 0 seconds", param_hint="'--seconds'")
-    from kitrobot.verifier.table_builder import KINDS, USUAL_KINDS
-    from kitrobot.verifier.timing import Timing
-    from kitrobot.verifier.verdicts import Answer
+    from kitrobot.verifier.model.table_builder import KINDS, USUAL_KINDS
+    from kitrobot.verifier.model.timing import Timing
+    from kitrobot.verifier.properties.verdicts import Answer
     from kitrobot.workspace.mission_loader import open_mission
     from kitrobot.workspace.mission_run import RunOptions
     from kitrobot.workspace.run_hints import FASTER
@@ -153,7 +153,7 @@ def _head(timing: str, failures: int, kinds: str = "") -> str:
 
 def _table(made: Verification) -> str:
     """The result as people read it: a row for each property, a column for each assumption, then what is broken."""
-    from kitrobot.verifier.table_builder import USUAL_KINDS
+    from kitrobot.verifier.model.table_builder import USUAL_KINDS
 
     kinds = "" if made.kinds == USUAL_KINDS else f" ({', '.join(kind.value for kind in made.kinds)})"
     heads = [_head(column.judged.timing.value, column.judged.failures, kinds) for column in made.columns]

@@ -6,8 +6,8 @@ Each agent is a member. Roles, groups, meetings and works of the mission are in 
 from __future__ import annotations
 
 from kitrobot.diagnostics.model import KitRobotError
-from kitrobot.sim.columns import TICK
 from kitrobot.sim.simulation import Simulation
+from kitrobot.sim.tables.columns import TICK
 from kitrobot.team.charter import MOST_MEMBERS, Charter
 from kitrobot.text.sentences import Help, Sentence
 

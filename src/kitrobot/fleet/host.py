@@ -22,7 +22,7 @@ from kitrobot.fleet.team_devices import TeamDevices
 from kitrobot.fleet.tick_runner import Tick, TickRunner
 from kitrobot.sim.event_text import Event
 from kitrobot.sim.simulation import Simulation
-from kitrobot.sim.team_columns import T_ROLE
+from kitrobot.sim.tables.team_columns import T_ROLE
 from kitrobot.team.changes import AppliedNote, Change, LogGap, NewView, QuorumChange, Refusal, SlotDecision
 from kitrobot.team.charter import Charter
 from kitrobot.team.commands import Note, Seat

@@ -11,8 +11,8 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from kitrobot.fleet.replica import Replica
-from kitrobot.sim.columns import CHANCE, PATIENCE, PLANNED, PLANS, REVIVALS, TICK
-from kitrobot.sim.team_columns import T_AT, T_ROLE
+from kitrobot.sim.tables.columns import CHANCE, PATIENCE, PLANNED, PLANS, REVIVALS, TICK
+from kitrobot.sim.tables.team_columns import T_AT, T_ROLE
 from kitrobot.text.sentences import Sentence
 
 QUIESCENT_MS = 10_000

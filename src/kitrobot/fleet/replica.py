@@ -1,6 +1,6 @@
 """`Replica`: the agreed state of a team, computed from its log with the simulator's functions, so both agree.
 
-It works on the tables of a run (`sim.state.State`), of which it changes those of the team: points, sets, roles, works.
+It works on the tables of a run (`sim.tables.state.State`), of which it changes those of the team: points, sets, roles, works.
 Equal logs make equal tables, in every process: nothing here reads a clock or anything else of the process. `slot` is
 how many slots of the log are in them. A robot in no view of the log is silent, as a failed one is in the simulator.
 """
@@ -10,14 +10,13 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 
 from kitrobot.fleet import notes
-from kitrobot.sim.columns import ACTUATOR_INDEX, ENDED, EVENTS
 from kitrobot.sim.event_text import Event
-from kitrobot.sim.meetings import arrive, find_members
-from kitrobot.sim.program_ends import end_program
 from kitrobot.sim.simulation import Simulation
-from kitrobot.sim.state import State
-from kitrobot.sim.substitution import declare_missing, finish_team_step, handle_return
-from kitrobot.sim.team_columns import (
+from kitrobot.sim.step.program_ends import end_program
+from kitrobot.sim.step.substitution import declare_missing, finish_team_step, handle_return
+from kitrobot.sim.tables.columns import ACTUATOR_INDEX, ENDED, EVENTS
+from kitrobot.sim.tables.state import State
+from kitrobot.sim.tables.team_columns import (
     HAS_UNIT,
     LOST_UNIT,
     T_ACTUATOR,
@@ -28,7 +27,8 @@ from kitrobot.sim.team_columns import (
     W_LEFT,
     W_TAKEN,
 )
-from kitrobot.sim.team_work import finish_unit, take_unit
+from kitrobot.sim.team.meetings import arrive, find_members
+from kitrobot.sim.team.work import finish_unit, take_unit
 from kitrobot.team.changes import AppliedNote, NewView
 from kitrobot.team.commands import Seat
 

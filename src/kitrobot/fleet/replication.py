@@ -12,7 +12,7 @@ from collections.abc import Callable
 from kitrobot.fleet.body_messages import ReplicaSnapshot
 from kitrobot.fleet.replica import Effect, Replica
 from kitrobot.sim.event_text import Event
-from kitrobot.sim.state import Shared
+from kitrobot.sim.tables.state import Shared
 
 MOST_RECENT_SLOTS = 512
 """Slots that are stored for the world and for members that request them."""

@@ -1,7 +1,7 @@
 """The devices of one robot that no body has: `Team` and its works, answered by what the team agreed on.
 
 Each of them does one thing at a time. What the program asks of it becomes a note for the log of the team, and is done
-when the log, and what others did since, have ended it (see `sim.meetings`, `sim.team_work`).
+when the log, and what others did since, have ended it (see `sim.team.meetings`, `sim.team.work`).
 """
 
 from __future__ import annotations
@@ -10,8 +10,10 @@ from dataclasses import dataclass, field
 
 from kitrobot.fleet import notes
 from kitrobot.fleet.replica import Replica
-from kitrobot.sim.actuation import COMMAND
-from kitrobot.sim.columns import (
+from kitrobot.sim.devices import sensors, team, team_answer, work, work_left
+from kitrobot.sim.step.actuation import COMMAND
+from kitrobot.sim.step.dispatch import AGREES
+from kitrobot.sim.tables.columns import (
     A_CELL,
     A_KIND,
     A_ROBOT,
@@ -23,9 +25,7 @@ from kitrobot.sim.columns import (
     S_ROBOT,
     S_VALUE,
 )
-from kitrobot.sim.devices import sensors, team, team_answer, work, work_left
-from kitrobot.sim.dispatch import AGREES
-from kitrobot.sim.team_columns import T_ACTUATOR, T_AT, T_ROLE
+from kitrobot.sim.tables.team_columns import T_ACTUATOR, T_AT, T_ROLE
 
 NoteRequest = tuple[int, int, int]
 """What is to be put into the log: the kind of the note, and its two numbers."""

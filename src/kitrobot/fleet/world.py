@@ -17,7 +17,11 @@ from kitrobot.fleet.quiescence import QuiescenceDetector
 from kitrobot.fleet.replica import Replica
 from kitrobot.fleet.replication import LogReplication
 from kitrobot.mission.trial import FailureKind
-from kitrobot.sim.columns import (
+from kitrobot.sim.event_text import Event
+from kitrobot.sim.hosted import TickResult, begin_hosted_step, finish_hosted_step, fits, report_write
+from kitrobot.sim.simulation import Simulation
+from kitrobot.sim.step.faults import AWAY, HELD
+from kitrobot.sim.tables.columns import (
     CAUSE,
     DOWN,
     ENDED,
@@ -30,10 +34,6 @@ from kitrobot.sim.columns import (
     TICK,
     WELL,
 )
-from kitrobot.sim.event_text import Event
-from kitrobot.sim.faults import AWAY, HELD
-from kitrobot.sim.hosted import TickResult, begin_hosted_step, finish_hosted_step, fits, report_write
-from kitrobot.sim.simulation import Simulation
 from kitrobot.text.sentences import Sentence
 
 AGAIN_MS = 40

@@ -37,7 +37,7 @@ _ATTRIBUTES: dict[Form, tuple[str, ...]] = {
     Form.STAYS: ("stays", "until"),
 }
 READY = ("contact", "empty-storehouse", "empty-swing", "stock", "deadlock", "delivered", "stopped", "end")
-"""Names of properties that are checked unasked (`verifier.properties`), and so are no names of others."""
+"""Names of properties that are checked unasked (`verifier.properties.properties`), and so are no names of others."""
 READY_OF_AGENTS = ("served", "meets")
 """The same of those that are asked of each agent: the agent's name follows, behind a hyphen."""
 

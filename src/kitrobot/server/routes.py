@@ -31,7 +31,7 @@ from kitrobot.server.shapes.problem import FailureShape, problem_shapes
 from kitrobot.server.shapes.report import CheckShape, FirstTeamShape, ReportShape
 from kitrobot.server.shapes.world import world_shape
 from kitrobot.server.studio import Studio
-from kitrobot.sim.jit_policy import expect_run
+from kitrobot.sim.jit.policy import expect_run
 from kitrobot.text.collection import collection_paused
 from kitrobot.text.forms import name_form
 from kitrobot.text.sentences import Sentence

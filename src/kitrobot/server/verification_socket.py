@@ -16,7 +16,7 @@ from kitrobot.server.shapes.verification import (
 )
 from kitrobot.server.websocket_jobs import WebSocketJob
 from kitrobot.text.sentences import Sentence
-from kitrobot.verifier.table_builder import KINDS
+from kitrobot.verifier.model.table_builder import KINDS
 from kitrobot.workspace.background_check import verify_apart
 from kitrobot.workspace.mission_loader import OpenMission
 from kitrobot.workspace.mission_run import RunOptions

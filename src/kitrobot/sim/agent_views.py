@@ -6,9 +6,9 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any
 
-from kitrobot.sim import columns
-from kitrobot.sim.agents import Agent
-from kitrobot.sim.state import State, numbers
+from kitrobot.sim.step.agents import Agent
+from kitrobot.sim.tables import columns
+from kitrobot.sim.tables.state import State, numbers
 from kitrobot.trace.model import Threads
 from kitrobot.world.geometry import normalised
 

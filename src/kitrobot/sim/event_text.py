@@ -7,12 +7,12 @@ from dataclasses import dataclass
 from typing import Literal
 
 from kitrobot.primitives.robot import RobotObject
-from kitrobot.sim import columns as c
-from kitrobot.sim.agents import Agent
-from kitrobot.sim.breakdowns import BOX_BACK, BOX_LOST, PASSED
-from kitrobot.sim.fault_schedule import describe_fault
-from kitrobot.sim.faults import REVIVE
-from kitrobot.sim.state import State, numbers
+from kitrobot.sim.step.agents import Agent
+from kitrobot.sim.step.breakdowns import BOX_BACK, BOX_LOST, PASSED
+from kitrobot.sim.step.fault_schedule import describe_fault
+from kitrobot.sim.step.faults import REVIVE
+from kitrobot.sim.tables import columns as c
+from kitrobot.sim.tables.state import State, numbers
 from kitrobot.text.sentences import Recorded
 from kitrobot.world.model import World
 

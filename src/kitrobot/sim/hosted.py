@@ -10,22 +10,13 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
-from kitrobot.sim.actuation import deliver_commands, issue_command
-from kitrobot.sim.columns import (
-    A_FRESH,
-    A_KIND,
-    ACTUATOR_INDEX,
-    DT,
-    PROGRAM,
-    TICK,
-    WRITTEN,
-    record_event,
-)
-from kitrobot.sim.dispatch import AGREES, advance_all
-from kitrobot.sim.physics import move
-from kitrobot.sim.shared_variables import SHARED_VALUE
+from kitrobot.sim.physics.step import move
 from kitrobot.sim.simulation import Simulation
-from kitrobot.sim.step_loop import inject_faults, sample_sensors
+from kitrobot.sim.step.actuation import deliver_commands, issue_command
+from kitrobot.sim.step.dispatch import AGREES, advance_all
+from kitrobot.sim.step.step_loop import inject_faults, sample_sensors
+from kitrobot.sim.tables.columns import A_FRESH, A_KIND, ACTUATOR_INDEX, DT, PROGRAM, TICK, WRITTEN, record_event
+from kitrobot.sim.team.shared_variables import SHARED_VALUE
 
 
 @dataclass(frozen=True, slots=True)

@@ -14,9 +14,9 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from kitrobot.sim.agents import Agent
-from kitrobot.sim.bodies import WorldState
-from kitrobot.sim.columns import WELL
+from kitrobot.sim.physics.bodies import WorldState
+from kitrobot.sim.step.agents import Agent
+from kitrobot.sim.tables.columns import WELL
 from kitrobot.text.phrases import all_of
 from kitrobot.text.sentences import SEMICOLON, Recorded, Series
 

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from kitrobot.sim.columns import (
+from kitrobot.sim.step.deadlock_detection import mark_activity
+from kitrobot.sim.tables.columns import (
     CHANCE,
     ROLLING,
     S_DROPOUT,
@@ -18,8 +19,7 @@ from kitrobot.sim.columns import (
     TURN,
     WAY,
 )
-from kitrobot.sim.deadlock_detection import mark_activity
-from kitrobot.sim.state import State
+from kitrobot.sim.tables.state import State
 
 MOST = 2**40
 """A noise of ten million or a forced value beyond all range would not fit the tables."""

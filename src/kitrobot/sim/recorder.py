@@ -15,10 +15,10 @@ from typing import Any
 
 from kitrobot.mission.writer import write_mission
 from kitrobot.sim.agent_views import all_flags, commanded
-from kitrobot.sim.columns import DELIVERED, HEADING, LOAD, X, Y
 from kitrobot.sim.event_text import Event
 from kitrobot.sim.simulation import Simulation
-from kitrobot.sim.state import numbers
+from kitrobot.sim.tables.columns import DELIVERED, HEADING, LOAD, X, Y
+from kitrobot.sim.tables.state import numbers
 from kitrobot.sim.team_record import TeamRecord
 from kitrobot.sim.timeline import Timeline
 from kitrobot.trace.drawing import PEN, Drawing, Stroke

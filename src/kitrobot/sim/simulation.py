@@ -6,7 +6,7 @@ the run's seed and the names of agent and device, and nothing reads a clock.
 
 The state of a run is its tables (state); a `Simulation` puts the mission in, gives names to what comes out, and finds
 the sentence for the end. `tick` counts finished steps. Once `outcome` is set (see `outcome`), `step` does nothing more.
-CPython and Numba give the same steps, only the speed differs (jit_policy). Left to others: the clock on the wall, the
+CPython and Numba give the same steps, only the speed differs (`sim.jit.policy`). Left to others: the clock on the wall, the
 trace (`recorder`), who watches.
 """
 
@@ -27,16 +27,9 @@ from kitrobot.mission.trial import FailureKind
 from kitrobot.mission.writer import write_mission
 from kitrobot.primitives.catalogue import Catalogue
 from kitrobot.sim.agent_views import AgentView, poses_of, view_of
-from kitrobot.sim.agents import Agent
-from kitrobot.sim.arrays import as_arrays
-from kitrobot.sim.bodies import WorldState
-from kitrobot.sim.columns import ASLEEP, COLLISIONS, EVENTS, S_FORCED, STUCK, TICK
-from kitrobot.sim.deadlock_detection import mark_activity
 from kitrobot.sim.event_text import Event, EventText, sensor_names
-from kitrobot.sim.fault_schedule import discard_reported_events, has_event_room, inject_fault_by_hand, schedule_faults
-from kitrobot.sim.faults import BY_HAND
-from kitrobot.sim.jit_policy import JitPolicy
-from kitrobot.sim.limits import check_limits
+from kitrobot.sim.jit.arrays import as_arrays
+from kitrobot.sim.jit.policy import JitPolicy
 from kitrobot.sim.outcome import (
     Goals,
     describe_done,
@@ -47,13 +40,25 @@ from kitrobot.sim.outcome import (
     is_at_once,
 )
 from kitrobot.sim.overrides import force_sensor, stop_motors
-from kitrobot.sim.pens import drawn_marks
-from kitrobot.sim.setup import Setup, shared_tables_of
+from kitrobot.sim.physics.bodies import WorldState
+from kitrobot.sim.setup.limits import check_limits
+from kitrobot.sim.setup.setup import Setup, shared_tables_of
 from kitrobot.sim.snapshots import SNAPSHOT_VERSION, damaged, sealed, unsealed
-from kitrobot.sim.state import State, numbers
-from kitrobot.sim.state_codec import StateCodec
-from kitrobot.sim.step_loop import advance, are_goals_reached, can_continue
-from kitrobot.sim.team_columns import T_ACTUATOR, T_ROLE, TEAM_OVER
+from kitrobot.sim.step.agents import Agent
+from kitrobot.sim.step.deadlock_detection import mark_activity
+from kitrobot.sim.step.fault_schedule import (
+    discard_reported_events,
+    has_event_room,
+    inject_fault_by_hand,
+    schedule_faults,
+)
+from kitrobot.sim.step.faults import BY_HAND
+from kitrobot.sim.step.pens import drawn_marks
+from kitrobot.sim.step.step_loop import advance, are_goals_reached, can_continue
+from kitrobot.sim.tables.columns import ASLEEP, COLLISIONS, EVENTS, S_FORCED, STUCK, TICK
+from kitrobot.sim.tables.state import State, numbers
+from kitrobot.sim.tables.state_codec import StateCodec
+from kitrobot.sim.tables.team_columns import T_ACTUATOR, T_ROLE, TEAM_OVER
 from kitrobot.sim.team_text import TeamText
 from kitrobot.text.collection import collection_paused
 from kitrobot.text.sentences import Sentence

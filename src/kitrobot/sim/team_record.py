@@ -9,10 +9,10 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from kitrobot.compiler.team_points import PointKind, TeamPlan
-from kitrobot.sim import team_columns as c
-from kitrobot.sim.agents import Agent
-from kitrobot.sim.meetings import in_group
-from kitrobot.sim.state import State, numbers
+from kitrobot.sim.step.agents import Agent
+from kitrobot.sim.tables import team_columns as c
+from kitrobot.sim.tables.state import State, numbers
+from kitrobot.sim.team.meetings import in_group
 from kitrobot.trace.model import TEAM, Column, TracePlan, TracePoint
 
 MOST_MEMBERS = 1000

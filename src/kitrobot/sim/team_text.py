@@ -5,11 +5,11 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from kitrobot.compiler.team_points import PointKind, TeamPlan
-from kitrobot.sim import team_columns as c
-from kitrobot.sim.agents import Agent
-from kitrobot.sim.meetings import is_left_empty
 from kitrobot.sim.outcome import list_names
-from kitrobot.sim.state import State
+from kitrobot.sim.step.agents import Agent
+from kitrobot.sim.tables import team_columns as c
+from kitrobot.sim.tables.state import State
+from kitrobot.sim.team.meetings import is_left_empty
 from kitrobot.text.sentences import Recorded
 
 

@@ -19,8 +19,8 @@ from typing import Literal
 from kitrobot.mission.trial import FailureKind
 from kitrobot.primitives.value_format import held_by_hand, set_by_hand
 from kitrobot.sim.event_text import Event
-from kitrobot.sim.pens import pens_of
 from kitrobot.sim.simulation import Simulation
+from kitrobot.sim.step.pens import pens_of
 from kitrobot.trace.drawing import Drawing, Mark
 from kitrobot.trace.source import walk
 

@@ -13,11 +13,11 @@ from typing import TYPE_CHECKING, Any
 
 from kitrobot.diagnostics.model import KitRobotError
 from kitrobot.text.sentences import Sentence
-from kitrobot.verifier.budget import CutReason
-from kitrobot.verifier.replay import ConfirmedRun
-from kitrobot.verifier.storyboard import Culprit, Scene
-from kitrobot.verifier.timing import Timing
-from kitrobot.verifier.verdicts import Answer
+from kitrobot.verifier.exploration.budget import CutReason
+from kitrobot.verifier.model.timing import Timing
+from kitrobot.verifier.properties.verdicts import Answer
+from kitrobot.verifier.report.replay import ConfirmedRun
+from kitrobot.verifier.report.storyboard import Culprit, Scene
 from kitrobot.workspace.child_processes import end_with_parent, has_processes
 from kitrobot.workspace.mission_run import PreparedRun
 from kitrobot.workspace.verification import (

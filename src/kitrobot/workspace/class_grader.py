@@ -90,7 +90,7 @@ def _context() -> Any:
     """How processes begin: where the system can, as copies of one that has imported everything and read nothing."""
     if "forkserver" in multiprocessing.get_all_start_methods():
         made = multiprocessing.get_context("forkserver")
-        made.set_forkserver_preload(["kitrobot.workspace.grader_process", "kitrobot.sim.step_loop"])
+        made.set_forkserver_preload(["kitrobot.workspace.grader_process", "kitrobot.sim.step.step_loop"])
         return made
     return multiprocessing.get_context("spawn")
 

@@ -4,7 +4,7 @@ It explores all orders of events in lockstep for `EXPLORE_S`, in its own process
 nothing for a mission that is too large, has no discrete form, or has errors. A trap that the model finds is reported
 only if a run of the simulator shows it too: while drawing, there must be no false alarm.
 
-Left to others: finding (`verifier.trap_detection`), a check of properties (`background_check`).
+Left to others: finding (`verifier.properties.trap_detection`), a check of properties (`background_check`).
 """
 
 from __future__ import annotations
@@ -21,11 +21,11 @@ from kitrobot.mission.breakdown import BreakdownRule
 from kitrobot.mission.model import Mission
 from kitrobot.sim.simulation import Simulation
 from kitrobot.text.sentences import Sentence
-from kitrobot.verifier.abstraction import Abstraction, abstract_run
-from kitrobot.verifier.budget import Budget
-from kitrobot.verifier.model import Model
-from kitrobot.verifier.replay import ConfirmedRun
-from kitrobot.verifier.timing import Timing
+from kitrobot.verifier.exploration.budget import Budget
+from kitrobot.verifier.model.abstraction import Abstraction, abstract_run
+from kitrobot.verifier.model.model import Model
+from kitrobot.verifier.model.timing import Timing
+from kitrobot.verifier.report.replay import ConfirmedRun
 from kitrobot.workspace.child_processes import end_with_parent, has_processes
 from kitrobot.workspace.mission_run import PreparedRun
 from kitrobot.workspace.verification import VerificationError, runs_of
@@ -199,10 +199,10 @@ def explore_drawing(
     Raises:
         AbstractionError: the mission cannot be checked.
     """
-    from kitrobot.verifier.engines import PLAIN
-    from kitrobot.verifier.exploration import explore
-    from kitrobot.verifier.numba_engine import engine
-    from kitrobot.verifier.trap_detection import find_trap_run, find_traps, record_coverage
+    from kitrobot.verifier.exploration.engines import PLAIN
+    from kitrobot.verifier.exploration.exploration import explore
+    from kitrobot.verifier.exploration.numba_engine import engine
+    from kitrobot.verifier.properties.trap_detection import find_trap_run, find_traps, record_coverage
 
     run = runs(seed)
     parts = abstract_run(run)
@@ -244,7 +244,7 @@ def explore_drawing(
 
 def _never_run(run: Simulation, looked_at: Sequence[Abstraction]) -> tuple[tuple[str, tuple[str, ...]], ...]:
     """By the program the vertices that ran in no robot; a program of a team is another one in each kind of robot."""
-    from kitrobot.verifier.trap_detection import unexecuted_instructions
+    from kitrobot.verifier.properties.trap_detection import unexecuted_instructions
 
     programs = {agent.image_name: agent.program for agent in run.members}
     there: dict[str, set[str]] = {}

@@ -25,14 +25,14 @@ from kitrobot.lll.tree import Call
 from kitrobot.lll.walk import nodes
 from kitrobot.mission.model import Mission
 from kitrobot.primitives.constructors import Constructor
-from kitrobot.sim.pens import pens_of
 from kitrobot.sim.recorder import strokes_now
 from kitrobot.sim.simulation import Simulation
+from kitrobot.sim.step.pens import pens_of
 from kitrobot.text.sentences import Label, Sentence
 from kitrobot.trace.drawing import Drawing
-from kitrobot.verifier.programs import AbstractionError
-from kitrobot.verifier.timing import Timing
-from kitrobot.verifier.verdicts import Answer
+from kitrobot.verifier.model.programs import AbstractionError
+from kitrobot.verifier.model.timing import Timing
+from kitrobot.verifier.properties.verdicts import Answer
 from kitrobot.workspace.exercises import handed_in
 from kitrobot.workspace.mission_loader import OpenMission, with_mission
 from kitrobot.workspace.mission_run import PreparedRun, RunOptions

@@ -15,7 +15,7 @@ from kitrobot.primitives.catalogue import Catalogue
 from kitrobot.primitives.crew import Crew
 from kitrobot.primitives.levels import Level
 from kitrobot.primitives.team_objects import has_team
-from kitrobot.sim.setup import free_start
+from kitrobot.sim.setup.setup import free_start
 from kitrobot.text.phrases import listed
 from kitrobot.text.sentences import Help, Sentence
 from kitrobot.text.suggestions import Suggestions

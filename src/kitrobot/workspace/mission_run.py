@@ -14,11 +14,11 @@ from kitrobot.diagnostics.problems import ProblemsError
 from kitrobot.diagnostics.read_files import expect_output
 from kitrobot.primitives.catalogue import Catalogue
 from kitrobot.primitives.kit import Kit, as_measured
-from kitrobot.sim.limits import check_limits
-from kitrobot.sim.pens import pens_of
 from kitrobot.sim.recorder import simulate, strokes_now
-from kitrobot.sim.setup import SimulationError, check_mission
+from kitrobot.sim.setup.limits import check_limits
+from kitrobot.sim.setup.setup import SimulationError, check_mission
 from kitrobot.sim.simulation import Simulation
+from kitrobot.sim.step.pens import pens_of
 from kitrobot.text.sentences import Sentence
 from kitrobot.trace.drawing import Drawing, Stroke
 from kitrobot.workspace.mission_loader import OpenMission

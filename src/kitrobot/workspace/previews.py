@@ -21,8 +21,8 @@ from typing import Any
 
 from kitrobot.diagnostics.model import KitRobotError
 from kitrobot.mission.writer import write_mission
-from kitrobot.sim.pens import pens_of
 from kitrobot.sim.simulation import Simulation
+from kitrobot.sim.step.pens import pens_of
 from kitrobot.trace.drawing import Drawing
 from kitrobot.workspace.mission_loader import OpenMission
 from kitrobot.workspace.mission_run import RunOptions, prepare

@@ -20,7 +20,7 @@ def property_problems(mission: Mission, catalogue: Catalogue, places: Places | N
     if not mission.properties:
         return
     # Reading missions has no need of it.
-    from kitrobot.verifier.conditions import Member, PropertyError, parse_condition
+    from kitrobot.verifier.properties.conditions import Member, PropertyError, parse_condition
 
     def place(name: str, attribute: str) -> Place | None:
         return places.asked(name, attribute) if places is not None else None

@@ -11,7 +11,7 @@ from pathlib import Path
 from kitrobot.deploy.package import Package
 from kitrobot.diagnostics.model import Diagnostic, Severity, in_reading_order, rule
 from kitrobot.primitives.robot import Robot, RobotObject
-from kitrobot.sim.settings import device_problems, simulated_devices
+from kitrobot.sim.setup.settings import device_problems, simulated_devices
 from kitrobot.text.phrases import shown
 from kitrobot.text.sentences import Sentence
 from kitrobot.text.suggestions import did_you_mean

@@ -6,7 +6,7 @@ from kitrobot.compiler.lll_to_graph import lll_to_graph
 from kitrobot.diagnostics.model import Diagnostic, Fix, FixKind, KitRobotError
 from kitrobot.graph.model import START, STOP
 from kitrobot.lll.parse_results import parse
-from kitrobot.sim import rules as sim_rules
+from kitrobot.sim.setup import rules as sim_rules
 from kitrobot.sim.simulation import Simulation
 from kitrobot.text.sentences import Help, Sentence
 from kitrobot.workspace.mission_loader import OpenMission

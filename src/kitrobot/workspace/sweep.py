@@ -16,7 +16,7 @@ from dataclasses import dataclass
 from typing import Any, Final
 
 from kitrobot.diagnostics.model import KitRobotError
-from kitrobot.sim.jit_policy import expect_many_runs, would_gain
+from kitrobot.sim.jit.policy import expect_many_runs, would_gain
 from kitrobot.sim.simulation import Outcome, Simulation
 from kitrobot.sim.sweep import (
     MOST_MOMENTS,

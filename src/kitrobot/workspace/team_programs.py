@@ -25,7 +25,7 @@ def team_of(opened: OpenMission, name: str, kinds: Collection[str]) -> CompiledT
         return None
     if not all(kind in robots and not has_team(robots[kind], opened.mission.team.works) for kind in kinds):
         return None
-    from kitrobot.sim.settings import moves_boxes
+    from kitrobot.sim.setup.settings import moves_boxes
 
     return compile_team(name, compiled, opened.catalogue, kinds, moves_boxes)
 

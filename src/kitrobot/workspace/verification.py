@@ -11,18 +11,18 @@ from kitrobot.diagnostics.model import KitRobotError
 from kitrobot.mission.trial import FailureKind
 from kitrobot.sim.simulation import Simulation
 from kitrobot.text.sentences import COMMA, Sentence, Series
-from kitrobot.verifier.abstraction import Abstraction, abstract_run
-from kitrobot.verifier.budget import Budget
-from kitrobot.verifier.counterexample_text import describe_run, free_readings
-from kitrobot.verifier.custom_properties import build_custom_properties, property_variables
-from kitrobot.verifier.engines import would_gain
-from kitrobot.verifier.model import Model
-from kitrobot.verifier.properties import Property, ready_properties
-from kitrobot.verifier.replay import ConfirmedRun, confirm, injected_faults
-from kitrobot.verifier.storyboard import Culprit, Scene, draw_scenes, find_culprits
-from kitrobot.verifier.table_builder import USUAL_KINDS
-from kitrobot.verifier.timing import Timing
-from kitrobot.verifier.verdicts import Answer, CheckResult, Verdict, check_properties
+from kitrobot.verifier.exploration.budget import Budget
+from kitrobot.verifier.exploration.engines import would_gain
+from kitrobot.verifier.model.abstraction import Abstraction, abstract_run
+from kitrobot.verifier.model.model import Model
+from kitrobot.verifier.model.table_builder import USUAL_KINDS
+from kitrobot.verifier.model.timing import Timing
+from kitrobot.verifier.properties.custom_properties import build_custom_properties, property_variables
+from kitrobot.verifier.properties.properties import Property, ready_properties
+from kitrobot.verifier.properties.verdicts import Answer, CheckResult, Verdict, check_properties
+from kitrobot.verifier.report.counterexample_text import describe_run, free_readings
+from kitrobot.verifier.report.replay import ConfirmedRun, confirm, injected_faults
+from kitrobot.verifier.report.storyboard import Culprit, Scene, draw_scenes, find_culprits
 from kitrobot.workspace.mission_run import PreparedRun
 
 MOST_FAILURES = 3

@@ -15,10 +15,10 @@ from itertools import product
 from operator import itemgetter
 
 from kitrobot.mission.trial import FailureKind
-from kitrobot.sim import columns as c
 from kitrobot.sim.devices.base import Discrete
 from kitrobot.sim.simulation import Simulation
-from kitrobot.verifier.abstraction import Abstraction, AgentModel, InputModel
+from kitrobot.sim.tables import columns as c
+from kitrobot.verifier.model.abstraction import Abstraction, AgentModel, InputModel
 from tests.verifier.reference.bodies import FAILED, RUNS, STALLED, Inside
 from tests.verifier.reference.events import Event, EventKind
 from tests.verifier.reference.traffic import Traffic

@@ -10,8 +10,8 @@ from dataclasses import dataclass
 from enum import IntEnum
 from functools import lru_cache
 
-from kitrobot.verifier import roads
-from kitrobot.verifier.roads import PRESSED, TOUCHING, Gaps, Track, Zones
+from kitrobot.verifier.tables import roads
+from kitrobot.verifier.tables.roads import PRESSED, TOUCHING, Gaps, Track, Zones
 from tests.verifier.reference.bodies import Body
 
 

@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass
 
-from kitrobot.sim import columns as c
+from kitrobot.sim.tables import columns as c
 from kitrobot.text.sentences import Sentence
 from tests.verifier.reference.events import SWINGS, EventKind
 from tests.verifier.reference.model import Model, State
@@ -29,7 +29,7 @@ class Property:
         from_start: whether only waiting since the first state counts.
         about, concerned: the events, or states, that the property is about; where none comes up, it is vacuous. Without
             both it always is in question.
-        seen_as: the events of the simulator (see `sim.columns`) that break it.
+        seen_as: the events of the simulator (see `sim.tables.columns`) that break it.
         ends_as: the outcomes of a run of the simulator that break it.
     """
 

@@ -5,10 +5,10 @@ from __future__ import annotations
 from collections import deque
 from collections.abc import Iterator, Sequence
 
-from kitrobot.sim import columns as c
 from kitrobot.sim.simulation import Simulation
-from kitrobot.verifier.abstraction import AgentModel
-from kitrobot.verifier.roads import PRESSED
+from kitrobot.sim.tables import columns as c
+from kitrobot.verifier.model.abstraction import AgentModel
+from kitrobot.verifier.tables.roads import PRESSED
 from tests.verifier.reference.bodies import FAILED, RUNS, Body
 from tests.verifier.reference.events import MOST_AT_ONCE, Event, ModelTooLargeError, progress
 from tests.verifier.reference.motion import Move, around_of, moves

@@ -12,7 +12,7 @@ from kitrobot.primitives.robot import Robot
 from kitrobot.server.shapes.problem import ProblemShape, problem_shapes
 from kitrobot.server.shapes.values import Least, Most, View
 from kitrobot.sim.devices import DisplayKind, ManualControl
-from kitrobot.sim.settings import appearance_of, length_of
+from kitrobot.sim.setup.settings import appearance_of, length_of
 
 Texts = dict[str, str]
 LevelName = Literal["agent", "group", "social"]

@@ -10,7 +10,7 @@ from kitrobot.exercise.goals import CheckGoal, Goal, ProgramGoal
 from kitrobot.server.sentences import Spoken
 from kitrobot.server.shapes.mission import MissionShape
 from kitrobot.server.shapes.problem import ProblemShape, problem_shapes
-from kitrobot.sim.limits import MAX_SEED
+from kitrobot.sim.setup.limits import MAX_SEED
 from kitrobot.workspace.exercise_evaluation import Evaluation
 from kitrobot.workspace.exercises import FoundExercise
 

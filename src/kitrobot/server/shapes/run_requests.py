@@ -9,7 +9,7 @@ from pydantic import BaseModel, Field, TypeAdapter
 from kitrobot.server.realtime_pacer import FASTEST
 from kitrobot.server.shapes.board import Address, Name, TeamBoards
 from kitrobot.server.shapes.mission import MOST_AGENTS, BreakpointShape, MissionShape
-from kitrobot.sim.limits import MAX_SECONDS
+from kitrobot.sim.setup.limits import MAX_SECONDS
 
 Speed = Annotated[float, Field(ge=0, le=FASTEST, allow_inf_nan=False)]
 """Times real time; 0 is as fast as it goes."""

@@ -9,8 +9,8 @@ from pydantic import BaseModel, Field, TypeAdapter
 from kitrobot.server.sentences import Clause, Spoken
 from kitrobot.server.shapes.job import WorkMessage, WorkRefusedMessage
 from kitrobot.server.shapes.mission import MissionShape
-from kitrobot.verifier.replay import ConfirmedRun
-from kitrobot.verifier.table_builder import KINDS
+from kitrobot.verifier.model.table_builder import KINDS
+from kitrobot.verifier.report.replay import ConfirmedRun
 from kitrobot.workspace.background_check import Answered, CheckedColumn, Explored
 from kitrobot.workspace.verification import MOST_FAILURES
 

@@ -9,7 +9,9 @@ never made or lost.
 from __future__ import annotations
 
 from kitrobot.primitives.robot import RobotObject
-from kitrobot.sim.columns import (
+from kitrobot.sim.devices.base import LATENCY, LOST_COMMANDS, MOVES_BOXES, Actuator, Command, Setting, Values
+from kitrobot.sim.physics.docks import carrier_in
+from kitrobot.sim.tables.columns import (
     A_ACTION,
     A_DOCK,
     A_DONE,
@@ -32,9 +34,7 @@ from kitrobot.sim.columns import (
     UNLOADED,
     record_event,
 )
-from kitrobot.sim.devices.base import LATENCY, LOST_COMMANDS, MOVES_BOXES, Actuator, Command, Setting, Values
-from kitrobot.sim.docks import carrier_in
-from kitrobot.sim.state import State
+from kitrobot.sim.tables.state import State
 from kitrobot.text.sentences import Sentence
 
 BOX_S, REMAINING_S, WAITS_FOR_ROOM = A_OWN[:3]

@@ -30,7 +30,7 @@ from kitrobot.text.sentences import Sentence
 from kitrobot.world.model import World
 
 if TYPE_CHECKING:
-    from kitrobot.sim.state import State
+    from kitrobot.sim.tables.state import State
 
 
 @dataclass(frozen=True)

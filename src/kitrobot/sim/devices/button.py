@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from kitrobot.sim.columns import S_ROBOT, S_VALUE, TOUCHING
 from kitrobot.sim.devices.base import LATENCY, LOST_READINGS, WRONG, Sensor
-from kitrobot.sim.state import State
+from kitrobot.sim.tables.columns import S_ROBOT, S_VALUE, TOUCHING
+from kitrobot.sim.tables.state import State
 
 
 class Button(Sensor):

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from kitrobot.sim.columns import BED, LOAD, S_ROBOT, S_VALUE
 from kitrobot.sim.devices.base import LATENCY, LOST_READINGS, WRONG, Discrete, Sensor, Values
-from kitrobot.sim.state import State
+from kitrobot.sim.tables.columns import BED, LOAD, S_ROBOT, S_VALUE
+from kitrobot.sim.tables.state import State
 
 
 class Cargo(Sensor):

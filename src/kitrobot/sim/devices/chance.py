@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from kitrobot.primitives.robot import RobotObject
-from kitrobot.sim.columns import DT, ENDED, PERIOD, S_KEY_A, S_KEY_B, S_LEAST, S_MOST, S_OWN, S_ROBOT, S_VALUE
 from kitrobot.sim.devices.base import LATENCY, LOST_READINGS, Sensor, Setting, Values
-from kitrobot.sim.random_numbers import happens
-from kitrobot.sim.state import State
+from kitrobot.sim.tables.columns import DT, ENDED, PERIOD, S_KEY_A, S_KEY_B, S_LEAST, S_MOST, S_OWN, S_ROBOT, S_VALUE
+from kitrobot.sim.tables.random_numbers import happens
+from kitrobot.sim.tables.state import State
 from kitrobot.text.sentences import Sentence
 
 PROBABILITY, PERIOD_S = S_OWN[:2]

@@ -3,7 +3,10 @@
 from __future__ import annotations
 
 from kitrobot.primitives.robot import RobotObject
-from kitrobot.sim.columns import (
+from kitrobot.sim.devices.base import LATENCY, LOST_READINGS, WRONG, Discrete, Sensor, Setting, Values
+from kitrobot.sim.physics.contacts import TOUCH_MM
+from kitrobot.sim.physics.sight import ray_to_discs
+from kitrobot.sim.tables.columns import (
     DIRECTED,
     ENDED,
     GAP_AHEAD,
@@ -21,10 +24,7 @@ from kitrobot.sim.columns import (
     UX,
     UY,
 )
-from kitrobot.sim.contacts import TOUCH_MM
-from kitrobot.sim.devices.base import LATENCY, LOST_READINGS, WRONG, Discrete, Sensor, Setting, Values
-from kitrobot.sim.sight import ray_to_discs
-from kitrobot.sim.state import State
+from kitrobot.sim.tables.state import State
 from kitrobot.text.sentences import Sentence
 
 REACH = S_OWN[0]

@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from kitrobot.primitives.robot import RobotObject
-from kitrobot.sim.columns import DIRECTED, ENDED, S_OWN, S_ROBOT, S_VALUE, UX, UY, X, Y
 from kitrobot.sim.devices.base import LATENCY, LOST_READINGS, WRONG, Sensor, Setting, Values
-from kitrobot.sim.sight import colour_at, floor_at
-from kitrobot.sim.state import State
+from kitrobot.sim.physics.sight import colour_at, floor_at
+from kitrobot.sim.tables.columns import DIRECTED, ENDED, S_OWN, S_ROBOT, S_VALUE, UX, UY, X, Y
+from kitrobot.sim.tables.state import State
 from kitrobot.text.sentences import Sentence
 
 AHEAD, LEFT = S_OWN[:2]

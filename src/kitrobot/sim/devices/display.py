@@ -7,9 +7,9 @@ the left. The pictures and digits are those that the board shows.
 from __future__ import annotations
 
 from kitrobot.primitives.robot import RobotObject
-from kitrobot.sim.columns import A_DONE, A_OWN, A_ROBOT, DOWN, FAILED
 from kitrobot.sim.devices.base import LATENCY, LOST_COMMANDS, Actuator, Command, Discrete, DisplayKind, Setting, Values
-from kitrobot.sim.state import State
+from kitrobot.sim.tables.columns import A_DONE, A_OWN, A_ROBOT, DOWN, FAILED
+from kitrobot.sim.tables.state import State
 from kitrobot.text.sentences import Sentence
 
 COLUMN_S, SCROLLED_S = A_OWN[:2]

@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from kitrobot.primitives.robot import RobotObject
-from kitrobot.sim.columns import A_DONE, A_NOISE, A_OWN, A_ROBOT, DOWN, FAILED
 from kitrobot.sim.devices.base import LATENCY, LOST_COMMANDS, Actuator, Command, Setting, Values
-from kitrobot.sim.state import State
+from kitrobot.sim.tables.columns import A_DONE, A_NOISE, A_OWN, A_ROBOT, DOWN, FAILED
+from kitrobot.sim.tables.state import State
 from kitrobot.text.sentences import Sentence
 
 OPENING, TARGET_OPENING, TRAVEL_S, CURRENT_TRAVEL_S = A_OWN

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 from kitrobot.primitives.robot import RobotObject
-from kitrobot.sim.columns import (
+from kitrobot.sim.devices.base import LATENCY, LOST_COMMANDS, Actuator, Command, Discrete, DisplayKind, Setting, Values
+from kitrobot.sim.tables.columns import (
     A_NOISE,
     A_OWN,
     A_ROBOT,
@@ -17,8 +18,7 @@ from kitrobot.sim.columns import (
     SPEED,
     TARGET,
 )
-from kitrobot.sim.devices.base import LATENCY, LOST_COMMANDS, Actuator, Command, Discrete, DisplayKind, Setting, Values
-from kitrobot.sim.state import State
+from kitrobot.sim.tables.state import State
 from kitrobot.text.sentences import Sentence
 
 FULL_SPEED = A_OWN[0]

@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from kitrobot.sim.columns import S_LEAST, S_MOST, S_OWN, S_ROBOT, S_VALUE
 from kitrobot.sim.devices.base import LATENCY, LOST_READINGS, WRONG, Sensor, Setting
-from kitrobot.sim.radio import has_radio, is_in_reach, is_on
-from kitrobot.sim.state import State
+from kitrobot.sim.tables.columns import S_LEAST, S_MOST, S_OWN, S_ROBOT, S_VALUE
+from kitrobot.sim.tables.state import State
+from kitrobot.sim.team.radio import has_radio, is_in_reach, is_on
 from kitrobot.text.sentences import Sentence
 
 OTHER = S_OWN[0]

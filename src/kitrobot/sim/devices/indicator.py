@@ -5,9 +5,9 @@ from __future__ import annotations
 import math
 
 from kitrobot.primitives.robot import Method, RobotObject
-from kitrobot.sim.columns import A_ACTION, A_DONE, A_NOISE, A_OWN, A_ROBOT, DOWN, FAILED
 from kitrobot.sim.devices.base import LATENCY, LOST_COMMANDS, Actuator, Command, DisplayKind, Setting, Values
-from kitrobot.sim.state import State
+from kitrobot.sim.tables.columns import A_ACTION, A_DONE, A_NOISE, A_OWN, A_ROBOT, DOWN, FAILED
+from kitrobot.sim.tables.state import State
 from kitrobot.text.sentences import Sentence
 
 VALUE, TARGET_VALUE, DURATION_S, REMAINING_S = A_OWN

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import math
 
-from kitrobot.sim.columns import A_DONE, A_OWN, A_ROBOT, DOWN, FAILED
 from kitrobot.sim.devices.base import LATENCY, LOST_COMMANDS, Actuator, Command, DisplayKind, Values
-from kitrobot.sim.state import State
+from kitrobot.sim.tables.columns import A_DONE, A_OWN, A_ROBOT, DOWN, FAILED
+from kitrobot.sim.tables.state import State
 
 REMAINING_S = A_OWN[1]
 """Column of a buzzer: how many seconds it still sounds."""

@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from kitrobot.sim.columns import ENDED, PERIOD, S_LEAST, S_MOST, S_ROBOT, S_VALUE
 from kitrobot.sim.devices.base import LATENCY, LOST_READINGS, SPREAD, Sensor
-from kitrobot.sim.radio import has_radio, is_on, neighbours
-from kitrobot.sim.state import State
+from kitrobot.sim.tables.columns import ENDED, PERIOD, S_LEAST, S_MOST, S_ROBOT, S_VALUE
+from kitrobot.sim.tables.state import State
+from kitrobot.sim.team.radio import has_radio, is_on, neighbours
 
 
 class Neighbours(Sensor):

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from kitrobot.sim.columns import A_DONE
 from kitrobot.sim.devices.base import LATENCY, LOST_COMMANDS, Actuator, Command, DisplayKind, Setting, Values
-from kitrobot.sim.state import State
+from kitrobot.sim.tables.columns import A_DONE
+from kitrobot.sim.tables.state import State
 from kitrobot.text.sentences import Sentence
 from kitrobot.trace.drawing import MOST_COLOUR as MOST_PEN_COLOUR
 from kitrobot.trace.drawing import MOST_WIDTH_MM as MOST_PEN_WIDTH_MM

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from kitrobot.sim.devices.base import LATENCY, LOST_COMMANDS, Actuator, Command, Discrete, DisplayKind, Values
-from kitrobot.sim.state import State
+from kitrobot.sim.tables.state import State
 
 
 class PinOut(Actuator):

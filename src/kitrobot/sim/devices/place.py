@@ -6,9 +6,9 @@ import math
 from collections.abc import Sequence
 
 from kitrobot.primitives.robot import RobotObject
-from kitrobot.sim.columns import ENDED, PERIOD, S_FIRST, S_LEAST, S_MOST, S_OWN, S_ROBOT, S_VALUE, X, Y
 from kitrobot.sim.devices.base import LATENCY, LOST_READINGS, SPREAD, Sensor, Setting, Values
-from kitrobot.sim.state import State
+from kitrobot.sim.tables.columns import ENDED, PERIOD, S_FIRST, S_LEAST, S_MOST, S_OWN, S_ROBOT, S_VALUE, X, Y
+from kitrobot.sim.tables.state import State
 from kitrobot.text.sentences import Sentence
 from kitrobot.world.model import World
 

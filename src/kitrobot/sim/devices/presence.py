@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from kitrobot.primitives.robot import RobotObject
-from kitrobot.sim.columns import LOAD, S_DOCK, S_OWN, S_VALUE
 from kitrobot.sim.devices.base import LATENCY, LOST_READINGS, WRONG, Discrete, Sensor, Setting, Values
-from kitrobot.sim.docks import carrier_in
-from kitrobot.sim.state import State
+from kitrobot.sim.physics.docks import carrier_in
+from kitrobot.sim.tables.columns import LOAD, S_DOCK, S_OWN, S_VALUE
+from kitrobot.sim.tables.state import State
 from kitrobot.text.sentences import Sentence
 
 WANTED_LOAD = S_OWN[0]

@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from kitrobot.sim.columns import ENDED, PERIOD, S_KEY_A, S_KEY_B, S_LEAST, S_MOST, S_ROBOT, S_VALUE
 from kitrobot.sim.devices.base import LATENCY, LOST_READINGS, Sensor
-from kitrobot.sim.random_numbers import drawn
-from kitrobot.sim.state import State
+from kitrobot.sim.tables.columns import ENDED, PERIOD, S_KEY_A, S_KEY_B, S_LEAST, S_MOST, S_ROBOT, S_VALUE
+from kitrobot.sim.tables.random_numbers import drawn
+from kitrobot.sim.tables.state import State
 
 
 class Random(Sensor):

@@ -5,8 +5,11 @@ from __future__ import annotations
 import math
 
 from kitrobot.primitives.robot import RobotObject
-from kitrobot.sim.angles import direction
-from kitrobot.sim.columns import (
+from kitrobot.sim.devices.base import LATENCY, LOST_READINGS, SPREAD, Sensor, Setting, Values
+from kitrobot.sim.physics.angles import direction
+from kitrobot.sim.physics.pushable import ray_to_pushables
+from kitrobot.sim.physics.sight import ray_to_discs, ray_to_walls
+from kitrobot.sim.tables.columns import (
     DIRECTED,
     ENDED,
     PERIOD,
@@ -21,10 +24,7 @@ from kitrobot.sim.columns import (
     X,
     Y,
 )
-from kitrobot.sim.devices.base import LATENCY, LOST_READINGS, SPREAD, Sensor, Setting, Values
-from kitrobot.sim.pushable import ray_to_pushables
-from kitrobot.sim.sight import ray_to_discs, ray_to_walls
-from kitrobot.sim.state import State
+from kitrobot.sim.tables.state import State
 from kitrobot.text.sentences import Sentence
 
 REACH, COSINE, SINE = S_OWN

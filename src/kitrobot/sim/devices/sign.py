@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from kitrobot.primitives.robot import RobotObject
-from kitrobot.sim.columns import AT, CLOSED, CUT_FIRST, CUT_LAST, ROAD, S_OWN, S_ROBOT, S_SECTION, S_VALUE
 from kitrobot.sim.devices.base import LATENCY, LOST_READINGS, SPREAD, Discrete, Sensor, Setting, Values
-from kitrobot.sim.state import State
+from kitrobot.sim.tables.columns import AT, CLOSED, CUT_FIRST, CUT_LAST, ROAD, S_OWN, S_ROBOT, S_SECTION, S_VALUE
+from kitrobot.sim.tables.state import State
 from kitrobot.text.sentences import Sentence
 
 AHEAD = S_OWN[0]

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from kitrobot.sim.columns import S_STORE, S_VALUE
 from kitrobot.sim.devices.base import COUNTS_BOXES, LATENCY, LOST_READINGS, SPREAD, Discrete, Sensor
-from kitrobot.sim.state import State
+from kitrobot.sim.tables.columns import S_STORE, S_VALUE
+from kitrobot.sim.tables.state import State
 
 
 class Store(Sensor):

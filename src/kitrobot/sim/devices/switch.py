@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from kitrobot.sim.columns import A_ACTION
 from kitrobot.sim.devices.base import LATENCY, LOST_COMMANDS, Actuator, Command, Discrete
-from kitrobot.sim.state import State
+from kitrobot.sim.tables.columns import A_ACTION
+from kitrobot.sim.tables.state import State
 
 
 class Switch(Actuator):

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from kitrobot.sim.columns import A_DONE, A_ROBOT
 from kitrobot.sim.devices.base import LATENCY, LOST_COMMANDS, Actuator, Command, Discrete
-from kitrobot.sim.meetings import arrive
-from kitrobot.sim.state import State
-from kitrobot.sim.team_columns import T_ACTUATOR, T_ROLE
+from kitrobot.sim.tables.columns import A_DONE, A_ROBOT
+from kitrobot.sim.tables.state import State
+from kitrobot.sim.tables.team_columns import T_ACTUATOR, T_ROLE
+from kitrobot.sim.team.meetings import arrive
 
 JOIN = 0
 

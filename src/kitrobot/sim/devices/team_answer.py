@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from kitrobot.sim.columns import S_ROBOT, S_VALUE
 from kitrobot.sim.devices.base import LATENCY, LOST_READINGS, Discrete, Sensor
-from kitrobot.sim.state import State
-from kitrobot.sim.team_columns import T_ANSWER
+from kitrobot.sim.tables.columns import S_ROBOT, S_VALUE
+from kitrobot.sim.tables.state import State
+from kitrobot.sim.tables.team_columns import T_ANSWER
 
 
 class TeamAnswer(Sensor):

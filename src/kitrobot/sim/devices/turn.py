@@ -5,9 +5,9 @@ from __future__ import annotations
 import math
 
 from kitrobot.primitives.robot import RobotObject
-from kitrobot.sim.columns import A_DONE, A_NOISE, A_OWN, A_ROBOT, DOWN, FAILED, TURN
 from kitrobot.sim.devices.base import LATENCY, LOST_COMMANDS, Actuator, Command, Discrete, Setting, Values
-from kitrobot.sim.state import State
+from kitrobot.sim.tables.columns import A_DONE, A_NOISE, A_OWN, A_ROBOT, DOWN, FAILED, TURN
+from kitrobot.sim.tables.state import State
 from kitrobot.text.sentences import Sentence
 
 FULL_RATE, RATE, ANGLE_LEFT = A_OWN[:3]

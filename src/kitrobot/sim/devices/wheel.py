@@ -8,7 +8,8 @@ steady speeds its middle drives an arc of radius (r + l) / (r - l) · t / 2. A w
 from __future__ import annotations
 
 from kitrobot.primitives.robot import RobotObject
-from kitrobot.sim.columns import (
+from kitrobot.sim.devices.base import LATENCY, LOST_COMMANDS, Actuator, Command, Discrete, DisplayKind, Setting, Values
+from kitrobot.sim.tables.columns import (
     A_NOISE,
     A_OWN,
     A_ROBOT,
@@ -25,8 +26,7 @@ from kitrobot.sim.columns import (
     TARGET,
     TURN,
 )
-from kitrobot.sim.devices.base import LATENCY, LOST_COMMANDS, Actuator, Command, Discrete, DisplayKind, Setting, Values
-from kitrobot.sim.state import State
+from kitrobot.sim.tables.state import State
 from kitrobot.text.sentences import Sentence
 
 FULL_SPEED, WHEEL_SPEED, WHEEL_TARGET, TRACK = A_OWN

@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from kitrobot.primitives.robot import RobotObject
-from kitrobot.sim.columns import A_DONE, A_OWN, A_ROBOT
 from kitrobot.sim.devices.base import LATENCY, LOST_COMMANDS, Actuator, Command, Discrete, Setting, Values
-from kitrobot.sim.state import State
-from kitrobot.sim.team_columns import T_ACTUATOR
-from kitrobot.sim.team_work import finish_unit, take_unit
+from kitrobot.sim.tables.columns import A_DONE, A_OWN, A_ROBOT
+from kitrobot.sim.tables.state import State
+from kitrobot.sim.tables.team_columns import T_ACTUATOR
+from kitrobot.sim.team.work import finish_unit, take_unit
 from kitrobot.text.sentences import Sentence
 
 WORK = A_OWN[0]

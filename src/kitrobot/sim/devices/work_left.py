@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from kitrobot.primitives.robot import RobotObject
-from kitrobot.sim.columns import S_OWN, S_VALUE
 from kitrobot.sim.devices.base import LATENCY, LOST_READINGS, Discrete, Sensor, Values
 from kitrobot.sim.devices.work import NUMBER
-from kitrobot.sim.state import State
-from kitrobot.sim.team_columns import W_LEFT
+from kitrobot.sim.tables.columns import S_OWN, S_VALUE
+from kitrobot.sim.tables.state import State
+from kitrobot.sim.tables.team_columns import W_LEFT
 
 WORK = S_OWN[0]
 """Column: the number of the work."""

@@ -7,9 +7,9 @@ from collections.abc import Sequence
 from typing import ClassVar
 
 from kitrobot.primitives.robot import RobotObject
-from kitrobot.sim.columns import ENDED, PERIOD, S_END, S_FIRST, S_LEAST, S_MOST, S_OWN, S_ROBOT, S_VALUE, X, Y
 from kitrobot.sim.devices.base import LATENCY, LOST_READINGS, SPREAD, Sensor, Setting, Values
-from kitrobot.sim.state import State
+from kitrobot.sim.tables.columns import ENDED, PERIOD, S_END, S_FIRST, S_LEAST, S_MOST, S_OWN, S_ROBOT, S_VALUE, X, Y
+from kitrobot.sim.tables.state import State
 from kitrobot.text.sentences import Sentence
 from kitrobot.world.model import BRIGHT, LOUD, WARM, World
 

@@ -2,7 +2,7 @@
  * Who plays which role, and who is to: agents are put into roles and taken out of them.
  *
  * A run gives each role, in the order of declaration, the first free agents of its kind, up to its largest number, but
- * those that later roles need at least (`sim.team_tables.filled`, which says the same). So putting an agent into a role
+ * those that later roles need at least (`sim.setup.team_tables.filled`, which says the same). So putting an agent into a role
  * changes the order of the agents and, where they do not fit, how many the roles want.
  */
 import { t } from "../../i18n/words";

@@ -1,0 +1,1 @@
+"""Motion, contact, pushing and sight in the plane, over the tables."""

@@ -1,0 +1,303 @@
+"""Breadth-first exploration: every reachable state, a shortest path to each, and the steps between them."""
+
+from __future__ import annotations
+
+from array import array
+from collections.abc import Callable, Iterator
+from contextlib import suppress
+from dataclasses import dataclass, field
+from typing import Any
+
+from kitrobot.verifier.exploration import engines
+from kitrobot.verifier.exploration.budget import Budget, CutReason
+from kitrobot.verifier.exploration.engines import Engine
+from kitrobot.verifier.exploration.memory import USUAL, resident
+from kitrobot.verifier.model.model import Model, State
+from kitrobot.verifier.tables import columns as v
+from kitrobot.verifier.tables.dynamic_arrays import grow_table
+from kitrobot.verifier.tables.events import Event, ModelTooLargeError, event_of
+from kitrobot.verifier.tables.tables import Graph
+
+_PAUSE_S = 0.1
+"""Seconds of exploration between two polls of the limits."""
+_ROOM_AT_FIRST = 16_000_000
+"""The initial capacity of arrays, in states; memory is taken only as it is used."""
+MOST_STATES = (1 << 31) - 2
+
+
+@dataclass
+class StateSpace:
+    """The explored states of a model.
+
+    Attributes:
+        model: the model.
+        graph: its states and steps.
+        engine: the engine that explores and searches them.
+        expanded: how many of the states, from the first on, have all their steps.
+        cut: why there may be more states; None if there are none.
+        seconds: the duration of the exploration.
+        interruption: returns why a search has to end now (time, stop); None otherwise.
+        interrupted_by: why the search for a property ended early; None if it did not.
+        reserve: bytes for each state reserved for the searches after the exploration.
+    """
+
+    model: Model
+    graph: Graph
+    engine: Engine
+    cut: CutReason | None = CutReason.SIZE
+    seconds: float = 0.0
+    interruption: Callable[[], CutReason | None] = field(default=lambda: None)
+    interrupted_by: CutReason | None = None
+    reserve: int = 0
+
+    @property
+    def complete(self) -> bool:
+        """Whether there is no state beyond."""
+        return self.cut is None
+
+    def begin_property(self) -> None:
+        """Resets `interrupted_by` before the search for another property."""
+        self.interrupted_by = None
+
+    def __len__(self) -> int:
+        """The number of states."""
+        return int(self.model.t.regs[v.COUNT])
+
+    @property
+    def expanded(self) -> int:
+        """How many of the states, from the first on, have all their steps."""
+        return int(self.model.t.regs[v.AT])
+
+    @property
+    def depth(self) -> int:
+        """Steps to the state that is furthest away."""
+        return int(self.model.t.regs[v.DEPTH])
+
+    @property
+    def memory(self) -> int:
+        """Bytes that states, steps and tables take."""
+        regs, graph = self.model.t.regs, self.graph
+        states = len(self) * (8 * self.model.layout.words + 4)
+        steps = int(regs[v.EDGES]) * 6 + (self.expanded + 1) * 4 if regs[v.KEEPS] else 0
+        tables = sum(8 * len(table) for table in self.model.t)
+        return states + steps + 4 * len(graph.slots) + 4 * int(regs[v.CALMS]) + tables
+
+    @property
+    def process_memory(self) -> int:
+        """Bytes that the process will have taken when all properties are decided."""
+        return (resident() or USUAL + self.memory) + self.reserve * len(self)
+
+    def growth(self, code: int) -> int:
+        """Bytes that the process takes, at least for a while, when `fill` is called with this code."""
+        # Arrays grow one after another; of what is not used yet nothing is taken.
+        if code == v.ROOM_STATES:
+            return max(8 * len(self) if self._needs_states() else 0, 4 * len(self.graph.slots))
+        if code == v.ROOM_EDGES:
+            return 4 * max(int(self.model.t.regs[v.EDGES]), self.expanded)
+        if code == v.ROOM_CALM:
+            return 4 * int(self.model.t.regs[v.CALMS])
+        # Keys may come to need a second word.
+        return 8 * len(self) if self.model.layout.words == 1 else 0
+
+    def state(self, number: int) -> State:
+        """A state."""
+        graph = self.graph
+        return self.model.layout.state(
+            int(graph.x[number]), int(graph.y[number]) if self.model.layout.words == 2 else 0
+        )
+
+    def first_occurrences(self) -> dict[int, int]:
+        """For each kind of event that occurred, the first state in which it did."""
+        regs = self.model.t.regs
+        return {kind: int(regs[v.FIRST_OF + kind]) for kind in range(v.KINDS) if regs[v.SEEN_KINDS] >> kind & 1}
+
+    def path(self, number: int) -> list[int]:
+        """The numbers of the states on a shortest path to a state, from the first one on."""
+        found = []
+        while number >= 0:
+            found.append(number)
+            number = int(self.graph.parents[number])
+        return found[::-1]
+
+    def steps(self, number: int) -> Iterator[tuple[State, int, int]]:
+        """The steps out of a state: the state after each, its progress classes by number, its kinds of events."""
+        t = self._expand(number, -1)
+        for n in range(int(t.regs[v.NEXTS])):
+            state = self.model.layout.state(int(t.next_x[n]), int(t.next_y[n]))
+            yield state, int(t.next_taken[n]), int(t.next_kinds[n])
+
+    def events(self, number: int, step: int) -> tuple[Event, ...]:
+        """The events of a step out of a state, by its place among those."""
+        t = self._expand(number, step)
+        if t.fixed[v.TIMING] != v.LOCKSTEP:
+            return (event_of(int(t.next_event[step])),)
+        return tuple(event_of(int(t.events[n])) for n in range(int(t.regs[v.FOUND])))
+
+    def _expand(self, number: int, seek: int) -> Any:
+        """Finds the steps out of a state again."""
+        state = self.state(number)
+        while True:
+            t = self.model.t
+            t.regs[v.SEEK] = seek
+            found = self.engine.expand(t, *self.model.layout.key(state))
+            t.regs[v.SEEK] = -1
+            if found >= 0 or (seek >= 0 and t.fixed[v.TIMING] == v.LOCKSTEP and t.regs[v.FOUND] >= 0):
+                return t
+            self.fill(int(t.regs[v.CODE]))
+
+    def fill(self, code: int) -> None:
+        """Adds the missing entries or room that a pause code asks for, to the tables or the graph.
+
+        Raises:
+            ModelTooLargeError: there is no room left.
+        """
+        before = self.model.layout
+        regs = self.model.t.regs
+        if code == v.ROOM_STATES:
+            self._grow_states()
+        elif code == v.ROOM_EDGES:
+            self._grow("targets", "taken")
+            if int(regs[v.AT]) + 2 > len(self.graph.first_edge):
+                self._grow("first_edge")
+        elif code == v.ROOM_CALM:
+            self._grow("calm")
+        else:
+            self.model.fill(code)
+        if self.model.layout is not before:
+            self._repack(before)
+
+    def _grow(self, *names: str) -> None:
+        for name in names:
+            table = getattr(self.graph, name)
+            self.graph = self.graph._replace(**{name: grow_table(table, 2 * len(table))})
+
+    def _needs_states(self) -> bool:
+        return len(self.graph.x) - len(self) < 2 * len(self.model.t.next_x)
+
+    def _grow_states(self) -> None:
+        count, words = len(self), self.model.layout.words
+        if self._needs_states():
+            self._grow("x", "parents", *(("y",) if words == 2 else ()))
+        if (count + len(self.model.t.next_x)) * 10 > len(self.graph.slots) * 7:
+            self._rebuild_slots(2 * len(self.graph.slots))
+
+    def _rebuild_slots(self, size: int) -> None:
+        slots = self.graph.slots
+        self.graph = self.graph._replace(slots=slots[:0])
+        del slots
+        self.graph = self.graph._replace(slots=self.engine.zeros(size))
+        self.engine.rehash(self.graph, len(self), self.model.layout.words == 2)
+
+    def _repack(self, before: Any) -> None:
+        """Rewrites all keys in the new layout."""
+        model = self.model
+        if model.layout.words == 2 and len(self.graph.y) < len(self.graph.x):
+            self.graph = self.graph._replace(y=grow_table(self.graph.y, len(self.graph.x)))
+        two = model.layout.words == 2
+        rows = self.engine.row(before.rows()), self.engine.row(model.layout.rows())
+        self.engine.repack(self.graph, len(self), len(before.word), *rows, before.words == 2, two)
+        model.t.regs[v.WORDS] = model.layout.words
+        self._rebuild_slots(len(self.graph.slots))
+
+
+def explore(
+    model: Model, budget: Budget, keeps_steps: bool, engine: Engine | None = None, reserve: int = 0
+) -> StateSpace:
+    """Explores the states of a model.
+
+    Args:
+        model: a model that has not been explored.
+        budget: the limits.
+        keeps_steps: whether steps are stored, as deciding liveness needs them.
+        engine: the engine; None for the plain one until the compiled one is available and worth it.
+        reserve: bytes of memory for each state to leave free.
+    """
+    began = budget.clock()
+    space = StateSpace(model, fresh_graph(), engines.PLAIN, interruption=budget.interruption(began), reserve=reserve)
+    with suppress(ModelTooLargeError):
+        _begin(space, MOST_STATES if budget.states is None else min(budget.states, MOST_STATES), keeps_steps)
+        if engine is not None:
+            _use(space, engine)
+        space.cut = _explore(space, budget, engine is None)
+    space.seconds = budget.clock() - began
+    if space.engine is engines.PLAIN:
+        engines.plain_work.states += len(space)
+        engines.plain_work.seconds += space.seconds
+    budget.progress(len(space), space.depth)
+    return space
+
+
+def fresh_graph() -> Graph:
+    """A graph without states."""
+
+    def numbers(size: int) -> array[int]:
+        return array("i", bytes(4 * size))
+
+    def keys(size: int) -> array[int]:
+        return array("q", bytes(8 * size))
+
+    return Graph(
+        x=keys(4096),
+        y=keys(0),
+        parents=numbers(4096),
+        slots=numbers(8192),
+        first_edge=numbers(4096),
+        targets=numbers(8192),
+        taken=array("H", bytes(2 * 8192)),
+        calm=numbers(4096),
+    )
+
+
+def _begin(space: StateSpace, most: int, keeps_steps: bool) -> None:
+    """Adds the first state to the graph."""
+    model = space.model
+    first = model.begin()
+    regs = model.t.regs
+    regs[v.WORDS] = model.layout.words
+    if model.layout.words == 2:
+        space.graph = space.graph._replace(y=grow_table(space.graph.y, len(space.graph.x)))
+    space.graph.x[0], y = model.layout.key(first)
+    if model.layout.words == 2:
+        space.graph.y[0] = y
+    space.graph.parents[0] = -1
+    regs[v.AT], regs[v.COUNT], regs[v.EDGES], regs[v.LEVEL_END], regs[v.DEPTH] = 0, 1, 0, 1, 0
+    regs[v.MOST], regs[v.KEEPS], regs[v.SEEK], regs[v.SEEN_KINDS] = most, int(keeps_steps), -1, 0
+    space.engine.rehash(space.graph, 1, model.layout.words == 2)
+
+
+def _explore(space: StateSpace, budget: Budget, may_change: bool) -> CutReason | None:
+    batch, begun = 256, budget.clock()
+    reported = begun
+    while space.expanded < len(space):
+        if cut := space.interruption():
+            return cut
+        if budget.memory is not None and space.process_memory > budget.memory:
+            return CutReason.MEMORY
+        if may_change and space.engine is engines.PLAIN:
+            better = engines.choose_engine(len(space), budget.clock() - begun)
+            # For a moment both copies exist.
+            if better is not None and (budget.memory is None or space.process_memory + space.memory < budget.memory):
+                _use(space, better)
+        began = budget.clock()
+        t = space.model.t
+        code = space.engine.advance(t, space.graph, int(t.regs[v.AT]) + batch)
+        if code == v.CUT:
+            return CutReason.STATES
+        if code != v.GOES_ON:
+            if budget.memory is not None and space.process_memory + space.growth(code) > budget.memory:
+                return CutReason.MEMORY
+            space.fill(code)
+            continue
+        now = budget.clock()
+        batch = max(1, min(4 * batch, int(batch * _PAUSE_S / max(now - began, 1e-3))))
+        if now - reported > _PAUSE_S:
+            reported = now
+            budget.progress(len(space), space.depth)
+    return None
+
+
+def _use(space: StateSpace, engine: Engine) -> None:
+    """Switches to another engine, converting tables and graph."""
+    most = min(space.model.t.regs[v.MOST] or _ROOM_AT_FIRST, _ROOM_AT_FIRST)
+    space.model.t, space.graph = engine.take(space.model.t, space.graph, int(most))
+    space.engine = engine

@@ -1,0 +1,78 @@
+"""The engine that Numba compiles from the functions of `engines` (see `sim.jit.cache`)."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+from kitrobot.sim.jit.cache import CALLED, Compilation, folder_of, functions_called, njit
+from kitrobot.sim.jit.table_pointer import TablePointer
+from kitrobot.verifier.exploration import engines
+from kitrobot.verifier.exploration.fairness import ComponentSearch
+
+_INLINED = frozenset({"look_up_change", "decode", "emit_step", "find", "key_hash", "sense_key", "touch"})
+"""Short functions that run many times for each state. Inlining longer ones too makes exploration no faster, and
+compilation half as long again."""
+
+
+def compiled_functions() -> dict[str, Callable[..., Any]]:
+    """All functions that the functions of `engines` call, directly or not, by module and name."""
+    return functions_called(engines.FUNCTIONS.values())
+
+
+def cache_folder() -> Path:
+    """The cache folder of the functions compiled for this machine."""
+    return folder_of("step-check", Path(__file__).parent.glob("*.py"))
+
+
+def _build(folder: Path) -> engines.Engine:
+    """Compiles the functions for arrays."""
+    import numba
+    from numba import extending
+
+    from kitrobot.sim.jit import numba_tables  # noqa: F401 (it tells Numba what a pointer to tables is)
+
+    typeof: Any = numba.typeof
+    # Numba's annotations know fewer options than Numba does.
+    for function in compiled_functions().values():
+        options: Any = {**CALLED, "forceinline": True} if function.__name__ in _INLINED else CALLED
+        extending.register_jitable(**options)(function)
+    made = dict(zip(engines.FUNCTIONS, njit(folder, engines.FUNCTIONS.values()), strict=True))
+    entries = {}
+    for name, arguments in samples().items():
+        types = tuple(typeof(one) for one in arguments)
+        made[name].compile(types)
+        # The entry point skips Numba's dispatch on argument types, which takes longer than most calls.
+        entries[name] = made[name].overloads[types].entry_point
+    return engines.array_engine(entries)
+
+
+def samples() -> dict[str, tuple[Any, ...]]:
+    """Sample arguments of the exact types that each function gets: for others Numba would compile again, in a check."""
+    import numpy as np
+
+    words, numbers, marks = np.zeros(1, np.int64), np.zeros(1, np.int32), np.zeros(1, np.uint8)
+    kinds: dict[str, Any] = {"x": words, "y": words, "taken": np.zeros(1, np.uint16)}
+    tables: list[Any] = [words] * len(engines.ArrayTables._fields)
+    rows: list[Any] = [words if name in ("numbers", "masks") else numbers for name in ComponentSearch._fields]
+    t = engines.ArrayTables(*tables).pointer
+    g = engines.ArrayGraph(*(kinds.get(name, numbers) for name in engines.ArrayGraph._fields)).pointer
+    s = TablePointer(ComponentSearch(*rows))
+    return {
+        "advance": (t, g, 1),
+        "expand": (t, 1, 1),
+        "rehash": (g, 1, True),
+        "repack": (g, 1, 1, words, words, True, True),
+        "mark_states": (t, g, 1, 1, True, words, words, marks),
+        "sense_agent": (t, g, 1, 1, True, 1, words),
+        "find_crossing": (g, 1, 1, marks, marks),
+        "prune_open_states": (g, numbers, 1, marks, marks),
+        "find_fair_component": (t, g, s, 1),
+        "mark_reachable": (g, marks, marks, numbers, numbers, numbers, words, 1),
+        "sample_steps": (g, numbers, marks, numbers),
+        "find_shortest_path": (g, 1, 1, marks, numbers, numbers),
+    }
+
+
+engine = Compilation(f"{__name__}:engine", cache_folder, _build)

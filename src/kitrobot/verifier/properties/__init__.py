@@ -1,0 +1,1 @@
+"""Properties of states and runs, and their verdicts."""

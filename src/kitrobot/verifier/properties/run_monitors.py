@@ -1,0 +1,114 @@
+"""Monitors of a run of the simulator: check, step by step, ready properties that its events do not decide."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Protocol
+
+from kitrobot.sim.simulation import Simulation
+from kitrobot.sim.tables import columns as c
+from kitrobot.sim.tables import team_columns as tc
+from kitrobot.verifier.model.absence import gave_up
+from kitrobot.verifier.model.stops import stops_in
+
+LONG_ENOUGH = 2
+"""A run whose time is up shows that something is waited for in vain if it was for one part of so many of its time."""
+
+
+class RunMonitor(Protocol):
+    """Monitors a run of the simulator for a violation of a property."""
+
+    def after_step(self) -> bool:
+        """Whether the step that was just made broke it."""
+
+    def at_end(self) -> bool:
+        """Whether the run, which is over, broke it."""
+
+
+class _InvariantMonitor:
+    """Reports a violation when a condition holds once."""
+
+    def __init__(self, test: Callable[[], bool]) -> None:
+        self._test = test
+
+    def after_step(self) -> bool:
+        return self._test()
+
+    def at_end(self) -> bool:
+        return False
+
+
+class _WaitMonitor:
+    """Reports a violation when a condition holds up to the end of the run, and long enough."""
+
+    def __init__(self, run: Simulation, test: Callable[[], bool]) -> None:
+        self._run = run
+        self._test = test
+        self._since = -1
+
+    def after_step(self) -> bool:
+        if not self._test():
+            self._since = -1
+        elif self._since < 0:
+            self._since = self._run.tick
+        return False
+
+    def at_end(self) -> bool:
+        return self._since >= 0 and waited_long_enough(self._run, self._since)
+
+
+def waited_long_enough(run: Simulation, since: int) -> bool:
+    """Whether a run that is over shows that what was waited for since a step would never have come."""
+    return run.outcome != "time" or LONG_ENOUGH * (run.tick - since) >= run.tick
+
+
+def loss_monitor(run: Simulation) -> RunMonitor:
+    """Monitors for a box without room, or a unit of work whose robot ended its program without doing it."""
+
+    def is_lost() -> bool:
+        state = run.state
+        ints, team = state.robots.ints, state.team
+        rows = list(zip(ints[c.DOWN], ints[c.ENDED], strict=True))
+        if any(origin < 0 for origin in ints[c.ORIGIN]):
+            return True
+        return any(
+            one == tc.HAS_UNIT and not lease and ended and down != c.FAILED
+            for holds, lease in zip(team.holds, team.works[tc.W_LEASE], strict=False)
+            for one, (down, ended) in zip(holds, rows, strict=False)
+        )
+
+    return _InvariantMonitor(is_lost)
+
+
+def meeting_monitor(run: Simulation, name: str) -> RunMonitor:
+    """Monitors whether an agent waits for its team up to the end."""
+    robot = [agent.name for agent in run.members].index(name)
+
+    def waits() -> bool:
+        ints, team = run.state.robots.ints, run.state.team
+        is_waiting = team.robots[tc.T_AT][robot] >= 0 and team.robots[tc.T_ROLE][robot] >= 0
+        return bool(is_waiting and ints[c.DOWN][robot] == c.WELL and not gave_up(team))
+
+    return _WaitMonitor(run, waits)
+
+
+def loose_action_monitor(run: Simulation) -> RunMonitor:
+    """Monitors whether a program has ended and an action that it marked goes on.
+
+    The run is before its first step.
+    """
+    # A marked action may begin and end in one tick: nothing is armed before it or after it, but its instruction ran.
+    run.watch_programs()
+    before = [list(agent.machine.pars) for agent in run.members]
+    loose = [0] * len(run.members)
+
+    def goes_on() -> bool:
+        found = False
+        for i, agent in enumerate(run.members):
+            stopped, left = stops_in(before[i], agent.machine)
+            loose[i] = loose[i] & ~stopped | left
+            before[i] = list(agent.machine.pars)
+            found = found or (loose[i] > 0 and agent.ended and run.state.robots.ints[c.DOWN][i] != c.FAILED)
+        return found
+
+    return _InvariantMonitor(goes_on)

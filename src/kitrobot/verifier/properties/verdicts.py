@@ -1,0 +1,197 @@
+"""Verdicts: explores the states of a model under one assumption and decides every property on them."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from enum import Enum
+from typing import NamedTuple
+
+from kitrobot.verifier.exploration.budget import Budget, CutReason
+from kitrobot.verifier.exploration.engines import Engine
+from kitrobot.verifier.exploration.exploration import StateSpace, explore
+from kitrobot.verifier.model.model import Model, State
+from kitrobot.verifier.model.timing import Timing
+from kitrobot.verifier.properties.fair_cycles import find_fair_cycle, find_first, find_first_crossing, holds_somewhere
+from kitrobot.verifier.properties.properties import Property
+from kitrobot.verifier.properties.standstill import find_standstill
+from kitrobot.verifier.tables.events import Event
+
+
+class Answer(Enum):
+    """The result of checking one property."""
+
+    HOLDS = "holds"
+    BROKEN = "broken"
+    NOT_FINISHED = "not finished"
+    VACUOUS = "vacuous"
+
+
+class Step(NamedTuple):
+    """A step of a run: its events, and the state after it."""
+
+    events: tuple[Event, ...]
+    state: State
+
+
+@dataclass(frozen=True)
+class Counterexample:
+    """A run of the model that breaks a property.
+
+    Attributes:
+        states: the states in order.
+        steps: the steps between them.
+        repeats_from: the state from which on the run repeats; -1 if it does not. If that is the last state, nothing
+            happens after it except that programs repeat themselves (see `standstill`).
+    """
+
+    states: tuple[State, ...]
+    steps: tuple[Step, ...]
+    repeats_from: int = -1
+
+
+@dataclass(frozen=True)
+class Verdict:
+    """The result of one property under one assumption.
+
+    Attributes:
+        property: the property.
+        answer: never HOLDS if the search ended early.
+        counterexample: a run that breaks it; None unless there is one.
+    """
+
+    property: Property
+    answer: Answer
+    counterexample: Counterexample | None = None
+
+
+@dataclass(frozen=True)
+class CheckResult:
+    """The verdicts under one assumption.
+
+    Attributes:
+        timing, failures: the assumption.
+        verdicts: one for each property.
+        states: the number of states reached.
+        depth: the number of steps to the furthest state.
+        cut: why answers are not finished; None if all are.
+        complete: whether there are no more states.
+        seconds: the duration of the exploration.
+        memory: the bytes of states, steps and tables.
+    """
+
+    timing: Timing
+    failures: int
+    verdicts: tuple[Verdict, ...]
+    states: int
+    depth: int
+    complete: bool
+    seconds: float
+    memory: int = 0
+    cut: CutReason | None = None
+
+
+_SAFETY_BYTES, _LIVENESS_BYTES = 12, 48
+"""Bytes for each state that deciding properties takes: marks and calm states; for liveness also a search."""
+_SHARE = 0.75
+"""The share of the time for exploring if steps are stored; the rest is for deciding liveness."""
+
+
+def check_properties(
+    model: Model, properties: Sequence[Property], budget: Budget, engine: Engine | None = None
+) -> CheckResult:
+    """Explores a model that has not been explored, and decides properties on its states."""
+    keeps_steps = any(one.keeps_steps for one in properties)
+    began = budget.clock()
+    share = None if budget.seconds is None else budget.seconds * (_SHARE if keeps_steps else 1.0)
+    reserve = _LIVENESS_BYTES if any(one.waits is not None for one in properties) else _SAFETY_BYTES
+    space = explore(model, replace(budget, seconds=share), keeps_steps, engine, reserve)
+    space.interruption = budget.interruption(began)
+    first = space.first_occurrences()
+    # Violations of safety are found at once; liveness takes the time that is left.
+    quick_first = sorted(range(len(properties)), key=lambda n: properties[n].waits is not None)
+    judged: dict[int, Verdict] = {}
+    cut = space.cut
+    for n in quick_first:
+        judged[n] = _verdict(space, properties[n], first)
+        cut = cut or space.interrupted_by
+    verdicts = [judged[n] for n in range(len(properties))]
+    return CheckResult(
+        model.timing,
+        model.failures,
+        tuple(verdicts),
+        len(space),
+        space.depth,
+        space.complete,
+        space.seconds,
+        space.memory,
+        cut,
+    )
+
+
+def _verdict(space: StateSpace, one: Property, first: dict[int, int]) -> Verdict:
+    space.begin_property()
+    kinds = [what for what in one.broken_by if what in first]
+    if kinds:
+        kind = min(kinds, key=lambda what: (first[what], what))
+        path = space.path(first[kind])
+        last = next(n for n, (_, _, came) in enumerate(space.steps(path[-1])) if came >> kind & 1)
+        return Verdict(one, Answer.BROKEN, _counterexample_to(space, path, last))
+    counterexample = _find_safety_violation(space, one) or _find_liveness_violation(space, one)
+    if counterexample is not None:
+        return Verdict(one, Answer.BROKEN, counterexample)
+    in_question = space.complete and _is_concerned(space, one, first)
+    if not space.complete or space.interrupted_by is not None:
+        return Verdict(one, Answer.NOT_FINISHED)
+    return Verdict(one, Answer.HOLDS if in_question else Answer.VACUOUS)
+
+
+def _is_concerned(space: StateSpace, one: Property, first: dict[int, int]) -> bool:
+    """Whether an event or state that the property is about occurred."""
+    if not one.about and one.concerned is None:
+        return True
+    if any(what in first for what in one.about):
+        return True
+    return one.concerned is not None and holds_somewhere(space, one.concerned)
+
+
+def _find_safety_violation(space: StateSpace, one: Property) -> Counterexample | None:
+    """A run that breaks a property by a state or a step; None for none."""
+    if one.never is not None:
+        number = find_first(space, one.never)
+        return None if number < 0 else _counterexample_to(space, space.path(number))
+    if one.breaks is not None:
+        number, step = find_first_crossing(space, *one.breaks)
+        return None if number < 0 else _counterexample_to(space, space.path(number), step)
+    return None
+
+
+def _find_liveness_violation(space: StateSpace, one: Property) -> Counterexample | None:
+    """A run that breaks a property by standing still or waiting for ever; None for none."""
+    if one.is_wrong is not None:
+        number = find_standstill(space, one.is_wrong)
+        return None if number < 0 else _counterexample_to(space, space.path(number), repeats=True)
+    if one.waits is None:
+        return None
+    lead, around = find_fair_cycle(space, one)
+    if not around:
+        return None
+    path = [*space.path(lead[0]), *lead[1:]]
+    return _counterexample_to(space, [*path, *around[1:]], repeats=True, first=len(path) - 1)
+
+
+def _counterexample_to(
+    space: StateSpace, numbers: Sequence[int], last: int = -1, repeats: bool = False, first: int = -1
+) -> Counterexample:
+    """Rebuilds the run through these states, with a step out of the last one (-1: none)."""
+    states = [space.state(number) for number in numbers]
+    steps = []
+    for number, after in zip(numbers, states[1:], strict=False):
+        which = next(n for n, (state, _, _) in enumerate(space.steps(number)) if state == after)
+        steps.append(Step(space.events(number, which), after))
+    if last >= 0:
+        after = [state for state, _, _ in space.steps(numbers[-1])][last]
+        steps.append(Step(space.events(numbers[-1], last), after))
+        states.append(after)
+    repeats_from = -1 if not repeats else first if first >= 0 else len(states) - 1
+    return Counterexample(tuple(states), tuple(steps), repeats_from)

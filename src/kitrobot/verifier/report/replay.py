@@ -1,0 +1,147 @@
+"""Confirms a counterexample in the simulator: tries seeds, and times for faults, until a run breaks the property.
+
+The faults come from the counterexample of the model: which agents fail, stall or recover, in which order. The model has
+no times, so several are tried, spread evenly over the run without faults.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass
+from itertools import chain, combinations
+
+from kitrobot.sim.simulation import Simulation
+from kitrobot.sim.tables import columns as c
+from kitrobot.verifier.model.absence import gave_up
+from kitrobot.verifier.model.model import Model
+from kitrobot.verifier.properties.properties import Property
+from kitrobot.verifier.properties.verdicts import Counterexample
+from kitrobot.verifier.tables.events import EventKind
+
+SEEDS = 8
+"""Seeds that are tried without faults."""
+MOMENTS = 24
+"""Times that are tried for each fault."""
+MOST_RUNS = 300
+_CHUNK = 50
+_KINDS: dict[int, str] = {
+    EventKind.FAIL: "fail",
+    EventKind.STALL: "stall",
+    EventKind.RESUME: "revive",
+    EventKind.MUTE: "mute",
+}
+
+
+@dataclass(frozen=True)
+class InjectedFault:
+    """A fault injected into the simulator: the step before which it occurs, the agent's name, and its kind."""
+
+    tick: int
+    agent: str
+    kind: str
+
+
+@dataclass(frozen=True)
+class ConfirmedRun:
+    """A run of the simulator that breaks a property: its seed, its faults, and the step of the violation."""
+
+    seed: int
+    faults: tuple[InjectedFault, ...]
+    tick: int
+
+
+def confirm(
+    one: Property,
+    counterexample: Counterexample,
+    model: Model,
+    fresh: Callable[[int], Simulation],
+    stop: Callable[[], bool],
+) -> ConfirmedRun | None:
+    """Finds a run of the simulator that breaks the property; None if it finds none.
+
+    Args:
+        one: the property.
+        counterexample: the run of the model that breaks it.
+        model: the model.
+        fresh: makes the run of a seed, before its first step; it needs a time limit.
+        stop: polled now and then; True stops the search.
+    """
+    wanted = injected_faults(counterexample, model)
+    if not wanted:
+        tries: Iterator[tuple[int, tuple[InjectedFault, ...]]] = ((seed, ()) for seed in range(1, SEEDS + 1))
+    else:
+        tries = _moments(wanted, fresh(1), stop)
+    for number, (seed, faults) in enumerate(tries):
+        if number >= MOST_RUNS or stop():
+            return None
+        tick = _broken_at(one, fresh(seed), faults, stop)
+        if tick >= 0:
+            return ConfirmedRun(seed, faults, tick)
+    return None
+
+
+def injected_faults(counterexample: Counterexample, model: Model) -> tuple[tuple[str, str], ...]:
+    """The faults in a run of the model, in order: the agent's name and the kind. `confirm` injects no others."""
+    return tuple(
+        (model.parts[event.agent].agent.name, _KINDS[event.what])
+        for step in counterexample.steps
+        for event in step.events
+        if event.what in _KINDS
+    )
+
+
+def _moments(
+    injected_faults: Sequence[tuple[str, str]], run: Simulation, stop: Callable[[], bool]
+) -> Iterator[tuple[int, tuple[InjectedFault, ...]]]:
+    """The same faults at ascending times, spread over the run without faults."""
+    while run.outcome is None:
+        if stop():
+            return
+        run.advance(1000)
+    moments = dict.fromkeys(max(1, run.tick * number // MOMENTS) for number in range(MOMENTS))
+    # Faults before the first step are tried last: people seldom mean them.
+    at_first = ((0, *later) for later in combinations(moments, len(injected_faults) - 1))
+    for chosen in chain(combinations(moments, len(injected_faults)), at_first):
+        yield (
+            1,
+            tuple(
+                InjectedFault(tick, agent, kind) for tick, (agent, kind) in zip(chosen, injected_faults, strict=True)
+            ),
+        )
+
+
+def _broken_at(one: Property, run: Simulation, faults: Sequence[InjectedFault], stop: Callable[[], bool]) -> int:
+    """The step in which a run broke the property; -1 if it did not, or the search was stopped."""
+    left = list(faults)
+    monitor = one.monitor(run) if one.monitor is not None else None
+    chunk = _CHUNK if monitor is None else 1
+    next_poll = 0
+    while run.outcome is None or left:
+        if run.tick >= next_poll:
+            next_poll = run.tick + _CHUNK
+            if stop():
+                return -1
+        if left and run.tick >= left[0].tick:
+            fault = left.pop(0)
+            run.inject_fault(fault.agent, fault.kind)
+            continue
+        if run.outcome is not None:
+            break
+        run.advance(min(chunk, left[0].tick - run.tick) if left else chunk)
+        found = _seen(one, run) if monitor is None else run.tick if monitor.after_step() else -1
+        if found >= 0:
+            return found
+    if monitor is not None:
+        return run.tick if monitor.at_end() else -1
+    has_said_why = one.spares_teams and gave_up(run.state.team)
+    return run.tick if run.outcome in one.ends_as and not has_said_why else -1
+
+
+def _seen(one: Property, run: Simulation) -> int:
+    """The step of the first event of the last steps that breaks the property; -1 for none."""
+    state = run.state
+    for at in range(0, c.EVENT * int(state.clock[c.EVENTS]), c.EVENT):
+        kind, _, what, _, tick = state.events[at : at + c.EVENT]
+        if kind in one.seen_as and not (kind == c.COLLISION and what < 0):
+            return int(tick)
+    return -1

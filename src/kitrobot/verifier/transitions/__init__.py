@@ -1,0 +1,1 @@
+"""Successors of a state, under each assumption about time."""
