@@ -54,7 +54,7 @@ from kitrobot.primitives.kit_xml import read_kit, write_kit
 from kitrobot.primitives.own_xml import write_constructors
 from kitrobot.robots.names import BoardNames
 from kitrobot.robots.recording_context import RecordingContext
-from kitrobot.server.assignments import is_plain, pack, unpack
+from kitrobot.server.class_files import is_plain, pack, unpack
 from kitrobot.text.forms import name_form
 from kitrobot.trace.model import TracePart
 from kitrobot.workspace import board_labels

@@ -28,14 +28,14 @@ from kitrobot.server.fragment_routes import routes as fragment_routes
 from kitrobot.server.handshake import Handshake, StrangerError, handshake_routes
 from kitrobot.server.image_routes import image_routes
 from kitrobot.server.journal_routes import journal_routes
+from kitrobot.server.language import LanguageMiddleware
 from kitrobot.server.own_part_routes import own_part_routes
 from kitrobot.server.page_files import PageFiles
 from kitrobot.server.page_port_routes import page_port_routes
 from kitrobot.server.parts_routes import parts_routes
 from kitrobot.server.routes import routes
-from kitrobot.server.runs import run_routes
+from kitrobot.server.run_routes import run_routes
 from kitrobot.server.security import SecurityMiddleware, refuse
-from kitrobot.server.sentences import LanguageMiddleware
 from kitrobot.server.shapes.board import BOARD_MESSAGE_MODELS, BOARD_REQUEST_MODELS
 from kitrobot.server.shapes.drawing_check import DRAWING_CHECK_MESSAGE_MODELS, DRAWING_CHECK_REQUEST_MODELS
 from kitrobot.server.shapes.files import ConflictShape

@@ -23,8 +23,8 @@ from kitrobot.server.class_sockets import class_socket_routes
 from kitrobot.server.class_studios import PupilStudios
 from kitrobot.server.class_teacher_routes import teacher_routes
 from kitrobot.server.deadlines import DeadlineMiddleware
+from kitrobot.server.language import LanguageMiddleware
 from kitrobot.server.security import SecurityMiddleware, refuse
-from kitrobot.server.sentences import LanguageMiddleware
 
 LARGEST_BODY_BYTES: Final = 2 * 1024 * 1024
 """Of what a pupil hands in, as JSON; the file is smaller."""

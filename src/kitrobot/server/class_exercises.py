@@ -13,7 +13,7 @@ from kitrobot.classroom.class_room import ClassError, ClassRoom
 from kitrobot.classroom.names import as_file_name
 from kitrobot.exercise.hidden_parts import remove_hidden_parts
 from kitrobot.files.folder import EXAMPLE, EXERCISE_ENDING, HANDED_OUT, TUTORIAL_ENDING
-from kitrobot.server.assignments import is_plain, read_files, write_files
+from kitrobot.server.class_files import is_plain, read_files, write_files
 from kitrobot.server.studio import Studio
 from kitrobot.text.sentences import Sentence
 

@@ -14,8 +14,8 @@ from kitrobot.classroom.admission import Admission, AdmissionRefusedError, NameT
 from kitrobot.classroom.class_room import ClassRoom
 from kitrobot.classroom.pupil import Pupil
 from kitrobot.server.api_router import api_router
-from kitrobot.server.assignments import pack
 from kitrobot.server.class_exercises import files_of_exercise
+from kitrobot.server.class_files import pack
 from kitrobot.server.class_pictures import ClassPictures
 from kitrobot.server.mission_encoding import mission_bytes
 from kitrobot.server.shapes.classroom import (

@@ -10,7 +10,6 @@ from __future__ import annotations
 from collections.abc import Callable
 
 SLOWEST = 0.1
-FASTEST = 100.0
 UNPACED = 0.0
 """The speed that means: as fast as it goes."""
 

@@ -10,12 +10,9 @@ from collections.abc import Callable
 from contextlib import suppress
 from importlib.util import find_spec
 
-from starlette.requests import HTTPConnection
-
 from kitrobot.diagnostics.model import KitRobotError
 from kitrobot.diagnostics.problems import ProblemsError
 from kitrobot.mission.model import Mission
-from kitrobot.server.api_router import refuse_visitors, studio_of
 from kitrobot.server.background import run_in_background
 from kitrobot.server.shapes.mission import mission_from_shape
 from kitrobot.server.shapes.problem import problem_shapes
@@ -39,21 +36,20 @@ from kitrobot.workspace.mission_run import PreparedRun, RunOptions
 
 
 async def create_run(
-    request: Beginning, connection: HTTPConnection, wake: Callable[[], None]
+    request: Beginning, studio: Studio, refuse_visitors: Callable[[], None], wake: Callable[[], None]
 ) -> WatchedRun | ProblemsMessage:
     """The run, or why it cannot begin. `wake` is called when real robots did something.
 
     Raises:
-        KitRobotError: there is no such recording, or no such robot.
+        KitRobotError: there is no such recording, or no such robot; or `refuse_visitors` raised it.
     """
-    studio = studio_of(connection)
     if isinstance(request, RobotsRequest):
-        refuse_visitors(connection)
+        refuse_visitors()
         opened = await run_in_background(_opened, studio, request)
         return _robots(studio, request, opened, wake)
     if isinstance(request, FleetRequest):
         if not studio.in_page:
-            refuse_visitors(connection)
+            refuse_visitors()
         return await _fleet(studio, request, wake)
     if isinstance(request, ReplayRequest):
         return await run_in_background(_replay, studio, request)

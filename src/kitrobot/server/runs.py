@@ -1,4 +1,4 @@
-"""`WS /api/run`: a run that the page starts, steers and watches.
+"""A run that a page starts, steers and watches, over a socket of its own.
 
 One run at a time on a socket, in a task of its own; it ends when the socket closes. The task goes round thirty times
 a second: so many ticks as the pace asks for, computed in a thread so that nobody waits for them, then what changed:
@@ -19,11 +19,10 @@ import os
 import time
 from collections.abc import Callable
 
-from fastapi import APIRouter, WebSocket, WebSocketDisconnect
+from fastapi import WebSocket, WebSocketDisconnect
 from pydantic import ValidationError
 
 from kitrobot.diagnostics.model import KitRobotError
-from kitrobot.server.api_router import studio_of
 from kitrobot.server.background import run_in_background
 from kitrobot.server.broadcast import MOST_WATCHERS, Broadcast, Subscription
 from kitrobot.server.realtime_pacer import RealtimePacer, clamp_speed
@@ -55,25 +54,26 @@ MOST_RUNS = 8
 """Runs that one studio has at a time: a forgotten page must not stop the others."""
 FRAME_S = 1 / 30
 
-run_routes = APIRouter()
 _log = logging.getLogger("kitrobot.server")
 _numbers = itertools.count(1)
 
 
-@run_routes.websocket("/api/run")
-async def run(socket: WebSocket) -> None:
-    """Serves one socket until it closes."""
-    await socket.accept()
-    await RunSession(socket, studio_of(socket)).serve()
-
-
 class RunSession:
-    """One socket and the run on it. `clock` gives seconds and never goes back."""
+    """One socket and the run on it. `refuse_visitors` raises an error where real robots are not this page's to use;
+    `clock` gives seconds and never goes back.
+    """
 
-    def __init__(self, socket: WebSocket, studio: Studio, clock: Callable[[], float] = time.monotonic) -> None:
+    def __init__(
+        self,
+        socket: WebSocket,
+        studio: Studio,
+        refuse_visitors: Callable[[], None] = lambda: None,
+        clock: Callable[[], float] = time.monotonic,
+    ) -> None:
         self._socket = socket
         self._publisher = RunPublisher(socket)
         self._studio = studio
+        self._refuse_visitors = refuse_visitors
         self._clock = clock
         self._task: asyncio.Task[None] | None = None
         self._wake = asyncio.Event()
@@ -233,7 +233,7 @@ class RunSession:
 
     async def _run_to_end(self, request: Beginning) -> None:
         try:
-            watch = await create_run(request, self._socket, self._wake.set)
+            watch = await create_run(request, self._studio, self._refuse_visitors, self._wake.set)
             if isinstance(watch, ProblemsMessage):
                 await self._publisher.send(watch)
                 return

@@ -6,12 +6,10 @@ import re
 from typing import Annotated
 
 from pydantic import PlainSerializer, SkipValidation, ValidationError
-from starlette.datastructures import Headers, QueryParams
-from starlette.types import ASGIApp, Receive, Scope, Send
 
 from kitrobot.diagnostics.model import KitRobotError
 from kitrobot.text.sentences import Sentence, Series
-from kitrobot.translation.languages import best_language, override_language, reader_language, translate
+from kitrobot.translation.languages import reader_language, translate
 from kitrobot.translation.translator import STOPS
 
 
@@ -63,21 +61,3 @@ def not_understood(error: ValidationError) -> KitRobotError:
         Sentence("the request was not understood: {reason}{where}", first["msg"], f" ({where})" if where else ""),
         Sentence("load the page again: it may be older than the studio"),
     )
-
-
-class LanguageMiddleware:
-    """ASGI middleware: sentences are translated into the language that a request or a WebSocket requests.
-
-    `?language=` counts before `Accept-Language`: a browser lets no page write the headers of a WebSocket.
-    """
-
-    def __init__(self, app: ASGIApp) -> None:
-        self.app = app
-
-    async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
-        if scope["type"] not in ("http", "websocket"):
-            await self.app(scope, receive, send)
-            return
-        asked = QueryParams(scope["query_string"][:4096]).get("language", "")
-        with override_language(best_language(asked or Headers(scope=scope).get("accept-language", ""))):
-            await self.app(scope, receive, send)

@@ -6,8 +6,8 @@ the run's seed and the names of agent and device, and nothing reads a clock.
 
 The state of a run is its tables (state); a `Simulation` puts the mission in, gives names to what comes out, and finds
 the sentence for the end. `tick` counts finished steps. Once `outcome` is set (see `outcome`), `step` does nothing more.
-CPython and Numba give the same steps, only the speed differs (`sim.jit.policy`). Left to others: the clock on the wall, the
-trace (`recorder`), who watches.
+CPython and Numba give the same steps, only the speed differs (`sim.jit.policy`). Left to others: the clock on the
+wall, the trace (`recorder`), who watches.
 """
 
 from __future__ import annotations

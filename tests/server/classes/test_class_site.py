@@ -10,8 +10,8 @@ import pytest
 
 from kitrobot.classroom.class_room import ClassRoom
 from kitrobot.server.app import create_app
-from kitrobot.server.assignments import MOST_BYTES, MOST_FILES, pack
 from kitrobot.server.class_app import create_class_app
+from kitrobot.server.class_files import MOST_BYTES, MOST_FILES, pack
 from kitrobot.server.class_server import ClassSettings, serve_class
 from kitrobot.workspace.site import SiteError
 from tests.server.classes.conftest import KEY, REACH, Class

@@ -6,10 +6,12 @@ from typing import Annotated, Literal
 
 from pydantic import BaseModel, Field, TypeAdapter
 
-from kitrobot.server.realtime_pacer import FASTEST
 from kitrobot.server.shapes.board import Address, Name, TeamBoards
 from kitrobot.server.shapes.mission import MOST_AGENTS, BreakpointShape, MissionShape
 from kitrobot.sim.setup.limits import MAX_SECONDS
+
+FASTEST = 100.0
+"""Times real time."""
 
 Speed = Annotated[float, Field(ge=0, le=FASTEST, allow_inf_nan=False)]
 """Times real time; 0 is as fast as it goes."""

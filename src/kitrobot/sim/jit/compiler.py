@@ -44,7 +44,7 @@ def _build(folder: Path) -> Advance:
     from kitrobot.sim.jit import numba_tables  # noqa: F401 (it tells Numba what a pointer to tables is)
     from kitrobot.sim.jit.sample_state import small_state
     from kitrobot.sim.step.step_loop import advance
-    from kitrobot.sim.tables import rows  # noqa: F401 (it tells Numba what a pointer to tables is)
+    from kitrobot.sim.tables import rows
 
     def same_arrays(one: Any, other: Any) -> Any:
         def same(one: Any, other: Any) -> bool:

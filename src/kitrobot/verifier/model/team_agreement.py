@@ -1,8 +1,8 @@
 """The state of a team as part of a model's shared state: waiting robots, answers, groups, and units of work.
 
-The simulator itself (`sim.team.meetings`, `sim.team.work`) executes commands to `Team` and to works, on a private copy of
-its tables: the state is written into the tables before a command and read back after it. This module assumes that no
-robot fails, so a robot that plays no role never plays one; `absence` adds missed robots and substitutes.
+The simulator itself (`sim.team.meetings`, `sim.team.work`) executes commands to `Team` and to works, on a private copy
+of its tables: the state is written into the tables before a command and read back after it. This module assumes that
+no robot fails, so a robot that plays no role never plays one; `absence` adds missed robots and substitutes.
 """
 
 from __future__ import annotations
