@@ -18,6 +18,7 @@ from itertools import pairwise
 from pathlib import Path
 from typing import Any
 
+from kitrobot.boards.programs import load_board_program
 from kitrobot.deploy.handshake import connect
 from kitrobot.deploy.installation import DeployResult, deploy
 from kitrobot.deploy.line import Line
@@ -25,7 +26,6 @@ from kitrobot.deploy.receiver import Receiver
 from kitrobot.deploy.repl import RawRepl
 from kitrobot.robots.program import BoardProgram
 from kitrobot.robots.session import LOOK_S
-from kitrobot.workspace.robot_programs import load_board_program
 
 FORGETS = """
 class Forgets:

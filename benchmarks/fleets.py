@@ -23,6 +23,7 @@ from collections.abc import Iterator
 from contextlib import ExitStack, contextmanager
 from pathlib import Path
 
+from kitrobot.boards.teams import agent_program
 from kitrobot.fleet.identity import identity_of
 from kitrobot.fleet.processes import Agents
 from kitrobot.fleet.team_process import FleetCallbacks
@@ -32,7 +33,6 @@ from kitrobot.sim.simulation import Simulation
 from kitrobot.workspace.fleets import FleetPlan, free_endpoint, run_fleet
 from kitrobot.workspace.mission_loader import OpenMission, open_mission
 from kitrobot.workspace.mission_run import RunOptions
-from kitrobot.workspace.team_boards import agent_program
 
 CONVOY = Path(__file__).parents[1] / "examples/convoy"
 LEASE_MS, LARGE_LEASE_MS = 500, 5000

@@ -17,6 +17,7 @@ from pathlib import Path
 from typing import Any
 
 from benchmarks.boards import ROBOT, allocated, read_log
+from kitrobot.boards.programs import board_program, ready_program
 from kitrobot.compiler.compilation import compile_text
 from kitrobot.compiler.target import robot_of
 from kitrobot.deploy.errors import BoardError
@@ -32,7 +33,6 @@ from kitrobot.robots.program import BoardProgram
 from kitrobot.user_folders import config_folder
 from kitrobot.workspace.example_list import shipped_examples
 from kitrobot.workspace.mission_loader import open_mission
-from kitrobot.workspace.robot_programs import board_program, ready_program
 
 EXAMPLES = Path(__file__).resolve().parents[1] / "examples"
 KITS = ("pico", "cardboard", "esp32", "xrp", "xrp-beta", "pololu-3pi", "alvik")

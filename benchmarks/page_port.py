@@ -24,8 +24,8 @@ from pathlib import Path
 
 from playwright.sync_api import Browser, Locator, expect, sync_playwright
 
+from kitrobot.packaging.site import make_site
 from kitrobot.server.first_missions import first_missions
-from kitrobot.workspace.site import make_site
 from tests.boards.qemu import running
 from tests.studio.conftest import EXAMPLES, IS_OPEN
 from tests.studio.serial_ports import MICROBIT, STAND_IN, Bridge

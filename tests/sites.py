@@ -15,8 +15,8 @@ from contextlib import contextmanager
 from pathlib import Path
 from unittest.mock import patch
 
+from kitrobot.packaging import site, site_packages, site_packer, site_sources
 from kitrobot.server.first_missions import first_missions
-from kitrobot.workspace import site, site_packages, site_packer, site_sources
 from tools.site_parts import PARTS, ROOT
 
 if sys.platform != "win32":

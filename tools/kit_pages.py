@@ -15,10 +15,10 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
+from kitrobot.boards.kit_pictures import pin_name, wiring_picture
+from kitrobot.boards.kits import mission_on_kit
 from kitrobot.primitives.kit import Kit, Tried
 from kitrobot.workspace.kit_files import kits_at_hand
-from kitrobot.workspace.kit_pictures import pin_name, wiring_picture
-from kitrobot.workspace.kits import mission_on_kit
 from kitrobot.workspace.mission_loader import open_mission
 from tools.kit_texts import WORDS, page_in
 

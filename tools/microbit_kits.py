@@ -21,6 +21,8 @@ from concurrent.futures import ThreadPoolExecutor
 from contextlib import suppress
 from typing import Any
 
+from kitrobot.boards.programs import board_program
+from kitrobot.boards.teams import agent_program
 from kitrobot.deploy.board import Board
 from kitrobot.deploy.errors import BoardError, FullError, NoMemoryError
 from kitrobot.deploy.handshake import connect
@@ -30,8 +32,6 @@ from kitrobot.primitives.kit import Kit
 from kitrobot.robots.program import BoardProgram
 from kitrobot.workspace.kit_files import kits_at_hand
 from kitrobot.workspace.mission_loader import OpenMission, open_mission
-from kitrobot.workspace.robot_programs import board_program
-from kitrobot.workspace.team_boards import agent_program
 from tools.kit_pages import SMALL, key_of, measured_2016, missions
 
 _TICKS = 15

@@ -15,7 +15,7 @@ from pathlib import Path
 
 from kitrobot.diagnostics.model import KitRobotError
 from kitrobot.files.folder import EXAMPLE
-from kitrobot.server.studio import Studio
+from kitrobot.live.studio import Studio
 from kitrobot.workspace.example_list import shipped_examples
 from kitrobot.workspace.mission_loader import OpenMission
 from kitrobot.workspace.new_mission_choices import PREVIEW_S

@@ -16,13 +16,13 @@ from collections import Counter
 from collections.abc import Iterator, Mapping
 from pathlib import Path
 
+from kitrobot.boards.bench_notes import BENCH
 from kitrobot.exercise.exercise_xml import EXERCISE
 from kitrobot.mission.reader import MISSION
 from kitrobot.primitives.constructors_xml import CONSTRUCTORS
 from kitrobot.primitives.kit_xml import KIT
 from kitrobot.primitives.robot_xml import ROBOT
 from kitrobot.tutorial.tutorial_xml import TUTORIAL
-from kitrobot.workspace.bench_notes import BENCH
 from kitrobot.workspace.example_list import EXAMPLES
 from kitrobot.workspace.new_mission_choices import BEGINNINGS
 from kitrobot.world.xml_reader import WORLD

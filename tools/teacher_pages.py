@@ -10,7 +10,7 @@ import re
 import sys
 from pathlib import Path, PurePosixPath
 
-from kitrobot.server.studio import Studio
+from kitrobot.live.studio import Studio
 from kitrobot.tutorial.model import Tutorial
 
 ROOT = Path(__file__).resolve().parents[1]

@@ -34,8 +34,8 @@ from websockets.exceptions import WebSocketException
 
 from benchmarks.measurement import Rate, Row
 from kitrobot.files.folder import revision_of
+from kitrobot.packaging.site import make_site
 from kitrobot.server.first_missions import first_missions
-from kitrobot.workspace.site import make_site
 from tools import chromium
 from tools.site_parts import PARTS, ROOT, fetch
 

@@ -29,9 +29,9 @@ from playwright.sync_api import Browser, Page
 from benchmarks import browser as web
 from benchmarks.measurement import Rate, Row
 from benchmarks.subjects.studio import WORKING, mission_of, studio_of, type_in_code
+from kitrobot.packaging.site import make_site
+from kitrobot.packaging.site_packer import PACKED
 from kitrobot.server.first_missions import first_missions
-from kitrobot.workspace.site import make_site
-from kitrobot.workspace.site_packer import PACKED
 from tools.site_parts import PARTS, ROOT, fetch
 
 TITLE = "site"

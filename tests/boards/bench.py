@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from pathlib import Path
 
+from kitrobot.boards.programs import load_board_program
 from kitrobot.primitives.robot import Robot
 from kitrobot.robots.program import BoardProgram
-from kitrobot.workspace.robot_programs import load_board_program
 from kitrobot.workspace.robots import find_robot
 
 ROBOT = """<robot name="bench" version="1" tick="20" wait-unit="20">

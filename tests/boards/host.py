@@ -10,7 +10,7 @@ from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
 
-from kitrobot.workspace.robot_programs import load_board_program
+from kitrobot.boards.programs import load_board_program
 from tests.boards.booting import lay
 from tests.patience import PATIENCE_S
 

@@ -18,6 +18,11 @@ from typing import Any
 
 import pytest
 
+from kitrobot.boards import bench_run
+from kitrobot.boards.bench import Bench, PartKey, bench_of
+from kitrobot.boards.bench_loader import PartError, load_parts
+from kitrobot.boards.bench_run import BenchRun
+from kitrobot.boards.calibration import bench_robot
 from kitrobot.cli.app import main
 from kitrobot.deploy.board import Board
 from kitrobot.deploy.errors import FullError, LineError, NoMemoryError
@@ -28,11 +33,6 @@ from kitrobot.primitives.kit_xml import read_kit
 from kitrobot.robots.program import BoardProgram
 from kitrobot.robots.session import RobotSession
 from kitrobot.text.sentences import Sentence
-from kitrobot.workspace import bench_run
-from kitrobot.workspace.bench import Bench, PartKey, bench_of
-from kitrobot.workspace.bench_loader import PartError, load_parts
-from kitrobot.workspace.bench_run import BenchRun
-from kitrobot.workspace.calibration import bench_robot
 from kitrobot.workspace.kit_files import kit_named
 from tests.boards.modern import ModernBoard, onboard_files
 from tests.boards.qemu import Emulated

@@ -9,9 +9,9 @@ from pathlib import Path
 
 import pytest
 
+from kitrobot.boards.programs import load_board_program
 from kitrobot.deploy.handshake import connect
 from kitrobot.deploy.installation import deploy
-from kitrobot.workspace.robot_programs import load_board_program
 from tests.boards.modern import ModernBoard
 from tests.boards.test_modern_robot import pins_told
 from tests.patience import PATIENCE_S

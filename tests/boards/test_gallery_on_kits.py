@@ -14,6 +14,8 @@ from contextlib import suppress
 
 import pytest
 
+from kitrobot.boards.programs import board_program
+from kitrobot.boards.teams import agent_program
 from kitrobot.diagnostics.model import KitRobotError
 from kitrobot.files.examples import examples_folder
 from kitrobot.primitives.kit import Kit
@@ -21,8 +23,6 @@ from kitrobot.robots.program import BoardProgram
 from kitrobot.workspace.example_list import shipped_examples
 from kitrobot.workspace.kit_files import kits_at_hand
 from kitrobot.workspace.mission_loader import OpenMission, open_mission
-from kitrobot.workspace.robot_programs import board_program
-from kitrobot.workspace.team_boards import agent_program
 from tests.boards.alvik import NOTHING
 from tests.boards.modern import onboard_files, run
 from tests.effort import THOROUGH

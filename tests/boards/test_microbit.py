@@ -18,6 +18,7 @@ from pathlib import Path
 
 import pytest
 
+from kitrobot.boards.programs import load_board_program
 from kitrobot.deploy import package
 from kitrobot.deploy.errors import BoardError, FullError, LineError, SilentError
 from kitrobot.deploy.handshake import connect
@@ -31,7 +32,6 @@ from kitrobot.diagnostics.model import KitRobotError
 from kitrobot.image.machine import Machine
 from kitrobot.image.model import Image
 from kitrobot.robots.program import BoardProgram
-from kitrobot.workspace.robot_programs import load_board_program
 from kitrobot.workspace.robots import find_robot
 from tests.boards.bench import PROGRAMS, STORES, bench_program, bench_robot
 from tests.boards.proxy import Proxy, noise

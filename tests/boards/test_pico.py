@@ -13,13 +13,13 @@ from pathlib import Path
 import pytest
 import serial
 
+from kitrobot.boards.programs import load_board_program
 from kitrobot.deploy.handshake import connect
 from kitrobot.deploy.installation import deploy
 from kitrobot.deploy.news import News
 from kitrobot.diagnostics.model import KitRobotError
 from kitrobot.primitives.catalogue import load_catalogue
 from kitrobot.robots.program import BoardProgram
-from kitrobot.workspace.robot_programs import load_board_program
 from tests.boards.pico import Pico
 from tests.boards.proxy import Proxy
 from tests.boards.test_modern_robot import FORWARD_LEFT, FORWARD_RIGHT, LOOKS

@@ -11,10 +11,10 @@ from typing import Any
 
 import pytest
 
+from kitrobot.boards.programs import load_board_program
 from kitrobot.files.examples import examples_folder
 from kitrobot.trace.reader import TraceReader
 from kitrobot.workspace.replay import state_at, summary_of
-from kitrobot.workspace.robot_programs import load_board_program
 from kitrobot.workspace.traces import open_trace
 from tests.boards.host import write_pulse
 from tests.boards.modern import ModernBoard, onboard_files

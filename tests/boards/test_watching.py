@@ -8,10 +8,10 @@ from pathlib import Path
 
 import pytest
 
-from kitrobot.server.robot_gateway import SerialGateway
-from kitrobot.server.robot_worker import RobotWorker
-from kitrobot.workspace.robot_monitor import watched_robot
-from kitrobot.workspace.robot_programs import load_board_program
+from kitrobot.boards.monitor import watched_robot
+from kitrobot.boards.programs import load_board_program
+from kitrobot.live.robot_gateway import SerialGateway
+from kitrobot.live.robot_worker import RobotWorker
 from kitrobot_onboard.link import unwrap
 from tests.boards.host import HostBoard, host_board, write_pulse
 from tests.boards.proxy import Proxy

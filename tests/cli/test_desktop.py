@@ -14,7 +14,7 @@ from pathlib import Path
 import pytest
 
 from kitrobot import __version__
-from kitrobot.workspace import desktop_entry
+from kitrobot.packaging import desktop_entry
 
 ODD = 'my 100% "odd" $missions `here`\\there'
 

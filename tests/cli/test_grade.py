@@ -11,11 +11,11 @@ from pathlib import Path
 
 import pytest
 
+from kitrobot.classroom import grader_process
+from kitrobot.classroom.grade_tables import as_csv, as_html
+from kitrobot.classroom.grades import Grade
+from kitrobot.classroom.grading import MOST_BYTES, grade
 from kitrobot.mission.writer import write_mission
-from kitrobot.workspace import grader_process
-from kitrobot.workspace.class_grader import MOST_BYTES, grade
-from kitrobot.workspace.grade_tables import as_csv, as_html
-from kitrobot.workspace.grades import Grade
 from tests.exercises.handing_in import exercise_file, handed_in_file, submission
 from tests.exercises.solutions import SOLVED, WRONG
 

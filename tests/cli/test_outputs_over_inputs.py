@@ -9,10 +9,10 @@ from pathlib import Path
 import pytest
 
 import kitrobot as library
+from kitrobot.boards.monitor import record_robots
 from kitrobot.cli.app import app
 from kitrobot.diagnostics.read_files import OutputPlaceError, expect_outputs, note_read, recording_reads
 from kitrobot.files.disk import read_bytes, write_atomic
-from kitrobot.workspace.robot_monitor import record_robots
 
 MISSION = """<kitrobot version="1">
   <program name="p" robot="rover">
@@ -188,7 +188,7 @@ def test_shipped_exercises_are_read_when_none_is_named(kitrobot, project, monkey
     folder.mkdir()
     for name in ("wait.exercise.xml", "begin.krt"):
         (folder / name).write_bytes((project / name).read_bytes())
-    monkeypatch.setattr("kitrobot.workspace.grader_process.examples_folder", lambda: project)
+    monkeypatch.setattr("kitrobot.classroom.grader_process.examples_folder", lambda: project)
     for name in ("wait.exercise.xml", "begin.krt"):
         said = kitrobot("grade", "handed-in.krt", "--csv", folder / name)
         assert "it is a file that is read" in said.err

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import pytest
 
+from kitrobot.checking.exercise_evaluation import collect_run_evidence
 from kitrobot.exercise.exercise_xml import read_exercise
 from kitrobot.exercise.goals import RunGoal
-from kitrobot.workspace.exercise_evaluation import collect_run_evidence
 from tests.sim.building import catalogue, empty_world, run_of
 
 SIDE = "Wheel.Advance(60); WAIT(15); Wheel.Stop(); WAIT(5); Motor.AbsoluteTurn(25, 90);"

@@ -9,9 +9,9 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from kitrobot.classroom.grader_process import shipped_exercises
 from kitrobot.exercise.exercise_xml import read_exercise
 from kitrobot.exercise.hidden_parts import remove_hidden_parts
-from kitrobot.workspace.grader_process import shipped_exercises
 
 GOALS = [
     "<done{}><label>{}</label></done>",

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import pytest
 
+from kitrobot.checking.exercise_evaluation import collect_program_evidence
 from kitrobot.compiler.lll_to_graph import lll_to_graph
 from kitrobot.exercise.goals import Avoids, Parts, Uses
 from kitrobot.graph.model import Arc, Vertex
@@ -11,7 +12,6 @@ from kitrobot.lll.parse_results import parse
 from kitrobot.mission.model import Mission
 from kitrobot.primitives.constructors import Constructor
 from kitrobot.primitives.own_xml import read_own
-from kitrobot.workspace.exercise_evaluation import collect_program_evidence
 from kitrobot.workspace.mission_loader import open_mission, with_mission
 from kitrobot.workspace.search_path import SearchPath
 from tests.exercises.handing_in import FOLDER

@@ -6,12 +6,12 @@ from dataclasses import replace
 
 import pytest
 
+from kitrobot.checking.exercise_evaluation import Evaluation, EvaluationOptions, evaluate_submission, open_handed_in
+from kitrobot.classroom.grader_process import goal_grade, ready_exercise, shipped_exercises
+from kitrobot.classroom.grades import Grade
 from kitrobot.exercise.evidence import ProgramEvidence
 from kitrobot.translation.translator import translate_to
-from kitrobot.workspace.exercise_evaluation import Evaluation, EvaluationOptions, evaluate_submission, open_handed_in
 from kitrobot.workspace.exercises import programs_of
-from kitrobot.workspace.grader_process import goal_grade, ready_exercise, shipped_exercises
-from kitrobot.workspace.grades import Grade
 from kitrobot.workspace.mission_loader import open_mission
 from kitrobot.workspace.search_path import SearchPath
 from tests.exercises.handing_in import FOLDER, exercise_file, submission

@@ -12,10 +12,10 @@ from typing import Any
 
 import pytest
 
+from kitrobot.boards.teams import agent_program
 from kitrobot.fleet.keys import new_key
 from kitrobot.trace.reader import TraceReader
 from kitrobot.workspace.mission_loader import open_mission
-from kitrobot.workspace.team_boards import agent_program
 from tests.boards.host import HostBoard, board_with
 from tests.boards.proxy import Proxy
 from tests.fleet.test_processes import CONVOY, agents_of, is_there, linux, started

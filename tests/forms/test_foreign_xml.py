@@ -17,7 +17,7 @@ from kitrobot.mission.model import Mission
 from kitrobot.mission.reader import read_mission
 from kitrobot.mission.writer import write_mission
 from kitrobot.primitives.kit_xml import read_kit, write_kit
-from kitrobot.server.shapes.mission import MissionShape, mission_from_shape, mission_shape
+from kitrobot.wire.mission import MissionShape, mission_from_shape, mission_shape
 from kitrobot.world.xml_reader import read_world
 from kitrobot.world.xml_writer import write_world
 from tests.versions.test_renames import TEXT as MISSION

@@ -34,7 +34,11 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from kitrobot.boards import labels as board_labels
+from kitrobot.boards.json_store import read_entries, write_entries
+from kitrobot.boards.sent_programs import load_names, load_recording_context, store_names, store_recording_context
 from kitrobot.classroom.admission import Admission, NameTakenError
+from kitrobot.classroom.assignments import is_plain, pack, unpack
 from kitrobot.classroom.class_room import ClassRoom
 from kitrobot.classroom.names import InvalidNameError, as_file_name, free_name, is_file_name, key_of
 from kitrobot.classroom.teacher_actions import TeacherActions
@@ -54,13 +58,9 @@ from kitrobot.primitives.kit_xml import read_kit, write_kit
 from kitrobot.primitives.own_xml import write_constructors
 from kitrobot.robots.names import BoardNames
 from kitrobot.robots.recording_context import RecordingContext
-from kitrobot.server.class_files import is_plain, pack, unpack
 from kitrobot.text.forms import name_form
 from kitrobot.trace.model import TracePart
-from kitrobot.workspace import board_labels
-from kitrobot.workspace.json_store import read_entries, write_entries
 from kitrobot.workspace.previews import Preview, preview_from, preview_text, read_previews
-from kitrobot.workspace.sent_programs import load_names, load_recording_context, store_names, store_recording_context
 from tests.effort import examples
 
 DEVICES = ["con", "Aux", "NUL", "prn", "com1", "LPT³", "conin$"]

@@ -12,9 +12,9 @@ from kitrobot.mission.model import Mission
 from kitrobot.mission.property_xml import AskedProperty, Form
 from kitrobot.mission.reader import read_mission
 from kitrobot.mission.writer import write_mission
-from kitrobot.server.shapes.mission import MissionShape, mission_from_shape, mission_shape
 from kitrobot.versions.comparison import differences
 from kitrobot.versions.mission_merge import merge_missions
+from kitrobot.wire.mission import MissionShape, mission_from_shape, mission_shape
 from kitrobot.workspace.mission_loader import open_mission
 from tests.verifier.check_fixtures import EXAMPLES
 

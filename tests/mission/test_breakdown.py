@@ -10,9 +10,9 @@ from kitrobot.mission.breakdown import Breakdown, BreakdownRule
 from kitrobot.mission.model import Mission
 from kitrobot.mission.reader import read_mission
 from kitrobot.mission.writer import write_mission
-from kitrobot.server.shapes.mission import MissionShape, mission_from_shape, mission_shape
 from kitrobot.versions.comparison import differences
 from kitrobot.versions.mission_merge import merge_missions
+from kitrobot.wire.mission import MissionShape, mission_from_shape, mission_shape
 
 TOW = Breakdown(BreakdownRule.TOW, 2.5)
 PASS = Breakdown(BreakdownRule.PASS)

@@ -14,9 +14,9 @@ from kitrobot.diagnostics.model import Diagnostic
 from kitrobot.mission.model import Mission
 from kitrobot.mission.reader import read_mission
 from kitrobot.mission.writer import write_mission
-from kitrobot.server.shapes.mission import MissionShape, mission_from_shape, mission_shape
 from kitrobot.versions.comparison import differences
 from kitrobot.versions.mission_merge import merge_missions
+from kitrobot.wire.mission import MissionShape, mission_from_shape, mission_shape
 from kitrobot.workspace.mission_loader import open_mission, with_mission
 from kitrobot.workspace.search_path import SearchPath
 from kitrobot.world.lookup import SHIPPED

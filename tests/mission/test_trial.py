@@ -8,9 +8,9 @@ from kitrobot.mission.model import Mission
 from kitrobot.mission.reader import read_mission
 from kitrobot.mission.trial import Breakpoint, Failure, FailureKind
 from kitrobot.mission.writer import write_mission
-from kitrobot.server.shapes.mission import MissionShape, mission_from_shape, mission_shape
 from kitrobot.versions.comparison import differences
 from kitrobot.versions.mission_merge import merge_missions
+from kitrobot.wire.mission import MissionShape, mission_from_shape, mission_shape
 
 HEAD = """<kitrobot version="1"><program name="p" robot="mini-robot"><vertex id="start" element="Start"/>
 <vertex id="stop" element="Stop"/><arc from="start" to="stop"/></program>

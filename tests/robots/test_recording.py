@@ -9,6 +9,8 @@ from pathlib import Path
 
 import pytest
 
+from kitrobot.boards.programs import load_board_program
+from kitrobot.boards.sent_programs import load_recording_context, store_names, store_recording_context
 from kitrobot.deploy.news import Fault, News, Text
 from kitrobot.robots.recording import MOST_FILLED, RobotRecorder
 from kitrobot.robots.records import NoRecordingError, RecordedBoard
@@ -17,8 +19,6 @@ from kitrobot.robots.state import Activity
 from kitrobot.trace.model import PERSON, PROGRAM, ROBOT, TraceError
 from kitrobot.trace.reader import TraceReader
 from kitrobot.workspace.replay import state_at, summary_of
-from kitrobot.workspace.robot_programs import load_board_program
-from kitrobot.workspace.sent_programs import load_recording_context, store_names, store_recording_context
 from kitrobot.workspace.traces import open_trace
 from tests.boards.host import write_pulse
 from tests.robots.twin import Clock, Twin

@@ -6,16 +6,16 @@ from pathlib import Path
 
 import pytest
 
+from kitrobot.boards.programs import load_board_program
 from kitrobot.deploy.news import Fault, News
 from kitrobot.diagnostics.model import KitRobotError
+from kitrobot.live.run_encoder import RunEncoder
 from kitrobot.robots.records import RecordedBoard
 from kitrobot.robots.run import RobotsRun
 from kitrobot.robots.session import InstalledProgram, RobotSession
-from kitrobot.server.run_encoder import RunEncoder
 from kitrobot.trace.model import TickRecord
 from kitrobot.trace.source import AbilityError, RunSource, walk
 from kitrobot.translation.languages import override_language, translate
-from kitrobot.workspace.robot_programs import load_board_program
 from tests.boards.host import write_pulse
 from tests.robots.twin import Clock, Twin
 

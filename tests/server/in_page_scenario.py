@@ -16,7 +16,7 @@ from tests.server.sleeping_loop import SleepingLoop, sleep
 BANNED = frozenset(
     {"numpy", "numba", "llvmlite", "orjson", "uvicorn", "uvloop", "websockets", "h11", "serial", "mpremote", "zenoh"}
     | {"rich", "typer", "python_minifier", "multiprocessing", "_multiprocessing", "concurrent.futures.process"}
-    # What is not sent (`workspace.site_sources`, `workspace.site_packages`).
+    # What is not sent (`packaging.site_sources`, `packaging.site_packages`).
     | {"idna", "argparse", "configparser", "tomllib", "tracemalloc", "http.server", "http.cookiejar"}
     | {"logging.handlers", "logging.config", "anyio._backends._trio", "starlette.testclient"}
 )
@@ -42,7 +42,7 @@ def remove_what_pages_lack() -> None:
 
 
 async def scenario(folder: Path) -> dict:
-    from kitrobot.server.background import set_sleep_function
+    from kitrobot.live.background import set_sleep_function
     from kitrobot.server.in_page_server import begin
 
     studio = begin(folder)

@@ -17,8 +17,8 @@ FIRST = 2000
 
 
 async def scenario(folder: Path, text: str) -> dict:
-    from kitrobot.server import watched_run
-    from kitrobot.server.background import set_sleep_function
+    from kitrobot.live import watched_run
+    from kitrobot.live.background import set_sleep_function
     from kitrobot.server.in_page_server import begin
 
     watched_run.LONGEST_STEP_S = HOURS

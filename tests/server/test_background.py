@@ -9,8 +9,8 @@ from typing import Any
 
 import pytest
 
-from kitrobot.server import background as module
-from kitrobot.server.background import (
+from kitrobot.live import background as module
+from kitrobot.live.background import (
     BackgroundTask,
     StopSignal,
     WakeCondition,

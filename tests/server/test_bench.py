@@ -5,10 +5,10 @@ from __future__ import annotations
 import shutil
 from pathlib import Path
 
-from kitrobot.server.robot_bench import RobotBench, steps_message
+from kitrobot.boards.bench import bench_of
+from kitrobot.boards.bench_run import BenchRun
+from kitrobot.live.robot_bench import RobotBench, steps_message
 from kitrobot.translation.languages import override_language, translate
-from kitrobot.workspace.bench import bench_of
-from kitrobot.workspace.bench_run import BenchRun
 from kitrobot.workspace.kit_files import find_kit
 from kitrobot.workspace.robots import find_robot
 from tests.boards.modern import ModernBoard

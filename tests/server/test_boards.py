@@ -14,9 +14,9 @@ from pydantic import TypeAdapter
 from kitrobot.deploy.board import Hello
 from kitrobot.deploy.news import News
 from kitrobot.deploy.ports import BOARDS_VARIABLE
-from kitrobot.server.robot_gateway import SerialGateway
-from kitrobot.server.robot_registry import RobotRegistry
-from kitrobot.server.shapes.board import BoardsMessage
+from kitrobot.live.robot_gateway import SerialGateway
+from kitrobot.live.robot_registry import RobotRegistry
+from kitrobot.wire.board import BoardsMessage
 from tests.boards.host import HELD_PACE, HostBoard, host_board, write_pulse
 from tests.server.conftest import HOST, SOCKET, TOKEN, TestClient
 from tests.server.test_run import Watcher

@@ -8,8 +8,8 @@ from typing import Any
 
 import pytest
 
-from kitrobot.server import runs
-from kitrobot.server.watched_simulation import WatchedSimulation
+from kitrobot.live import runs
+from kitrobot.live.watched_simulation import WatchedSimulation
 from tests.server.conftest import SOCKET, TOKEN
 from tests.server.test_run import FOREVER
 from tests.server.test_run import Watcher as Page

@@ -11,8 +11,8 @@ import pytest
 
 from kitrobot.deploy.errors import ForeignError, FullError
 from kitrobot.diagnostics.model import KitRobotError
-from kitrobot.server.robot_gateway import SerialGateway
-from kitrobot.server.robot_registry import RobotRegistry
+from kitrobot.live.robot_gateway import SerialGateway
+from kitrobot.live.robot_registry import RobotRegistry
 from kitrobot.text.sentences import Sentence
 from tests.boards.host import HELD_PACE, PULSER, host_board, write_pulse
 from tests.server.test_boards import robot, visit  # noqa: F401

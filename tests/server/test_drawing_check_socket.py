@@ -8,8 +8,8 @@ from typing import Any
 import pytest
 from pydantic import TypeAdapter
 
-from kitrobot.server import drawing_check_socket
-from kitrobot.server.shapes.drawing_check import DrawingCheckMessage
+from kitrobot.server.routes import drawing_check as drawing_check_socket
+from kitrobot.wire.drawing_check import DrawingCheckMessage
 from tests.server.conftest import SOCKET, TOKEN
 from tests.workspace.test_drawing_check import WAIT
 

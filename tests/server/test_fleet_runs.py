@@ -15,12 +15,12 @@ from typing import Any
 
 import pytest
 
+from kitrobot.boards.teams import agent_program
 from kitrobot.deploy.errors import ForeignError
-from kitrobot.server.robot_gateway import SerialGateway
+from kitrobot.live.robot_gateway import SerialGateway
 from kitrobot.text.sentences import Sentence
 from kitrobot.trace.reader import TraceReader
 from kitrobot.workspace.mission_loader import open_mission
-from kitrobot.workspace.team_boards import agent_program
 from tests.boards.host import board_with
 from tests.boards.proxy import Proxy
 from tests.fleet.test_processes import CONVOY, NAMES, is_there
@@ -295,7 +295,7 @@ def test_a_team_that_cannot_be_started_is_told_in_a_sentence(visit, app, monkeyp
         with page.fleet() as run:
             assert run.until("problems")["problems"]
         page.mission["programs"][0]["arcs"] = whole
-        monkeypatch.setattr("kitrobot.server.run_sources.find_spec", lambda name: None)
+        monkeypatch.setattr("kitrobot.live.run_sources.find_spec", lambda name: None)
         with page.fleet() as run:
             assert "eclipse-zenoh" in run.until("error", ended=True)["message"]
     assert ended(app, {})

@@ -10,10 +10,10 @@ from typing import Any
 import pytest
 
 from kitrobot.server.app import create_app
-from kitrobot.server.json_bodies import read_json
-from kitrobot.server.shapes.board import BOARD_REQUEST_MODELS
-from kitrobot.server.shapes.run_requests import REQUEST_MODELS
-from kitrobot.server.shapes.sweep import SWEEP_REQUEST_MODELS
+from kitrobot.server.routes.json_bodies import read_json
+from kitrobot.wire.board import BOARD_REQUEST_MODELS
+from kitrobot.wire.run_requests import REQUEST_MODELS
+from kitrobot.wire.sweep import SWEEP_REQUEST_MODELS
 from tests.effort import THOROUGH
 from tests.server.conftest import HOST, SOCKET, TOKEN, TestClient
 

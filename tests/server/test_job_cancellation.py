@@ -18,7 +18,8 @@ from typing import Any
 import pytest
 
 from kitrobot.diagnostics.model import KitRobotError
-from kitrobot.server import exercise_routes, watched_run
+from kitrobot.live import watched_run
+from kitrobot.server.routes import exercise as exercise_routes
 from kitrobot.text.sentences import Sentence
 from tests.server.conftest import HOST, SOCKET, TOKEN
 from tests.server.test_run import connect  # noqa: F401

@@ -12,7 +12,7 @@ from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
 from kitrobot.server.app import create_app
-from kitrobot.server.shapes.mission import MOST_VERTICES
+from kitrobot.wire.mission import MOST_VERTICES
 from kitrobot.workspace.compile_cache import MOST_NAMED, MOST_STATES, CompileCache
 from tests.effort import examples
 from tests.server.conftest import HOST, TOKEN, TestClient, whole, whole_report

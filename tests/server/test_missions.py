@@ -53,7 +53,7 @@ def test_a_mission_opens_with_its_world_and_catalogue(page):
 
 def test_what_only_a_page_needs_of_a_catalogue_is_not_made_for_a_list(page, monkeypatch):
     made = []
-    monkeypatch.setattr("kitrobot.server.studio.catalogue_shape", lambda catalogue: made.append(catalogue))
+    monkeypatch.setattr("kitrobot.live.studio.catalogue_shape", lambda catalogue: made.append(catalogue))
     assert page.get("/api/missions").status_code == 200
     assert made == []
 

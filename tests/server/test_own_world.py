@@ -9,9 +9,9 @@ from typing import Any
 import pytest
 from fastapi.testclient import TestClient
 
-from kitrobot.server.json_bodies import read_json
-from kitrobot.server.shapes.own_world import OwnWorldShape, own_world, own_world_shape
-from kitrobot.server.shapes.world import world_shape
+from kitrobot.server.routes.json_bodies import read_json
+from kitrobot.wire.own_world import OwnWorldShape, own_world, own_world_shape
+from kitrobot.wire.world import world_shape
 from kitrobot.world.lookup import SHIPPED
 from kitrobot.world.maze import make_maze
 from kitrobot.world.xml_reader import read_world

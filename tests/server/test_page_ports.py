@@ -14,8 +14,8 @@ from starlette.websockets import WebSocketDisconnect
 
 from kitrobot.deploy.errors import LineError
 from kitrobot.deploy.line import Line
-from kitrobot.server.page_port_routes import MOST_PIECE
-from kitrobot.server.page_ports import MOST_WAITING
+from kitrobot.live.page_ports import MOST_WAITING
+from kitrobot.server.routes.page_port import MOST_PIECE
 from tests.patience import PATIENCE_S
 from tests.server.conftest import HOST, SOCKET, TOKEN, TestClient
 
@@ -221,7 +221,7 @@ def test_a_board_that_floods_is_not_taken_in_faster_than_it_is_read_and_odd_word
 
 
 def test_a_page_has_no_more_ports_than_robots(visit, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("kitrobot.server.robot_subscriber.MOST_BOARDS", 1)
+    monkeypatch.setattr("kitrobot.live.robot_subscriber.MOST_BOARDS", 1)
     with visit() as page, page.port() as first, page.port() as second:
         assert refused(second) == 1008
         page.look()

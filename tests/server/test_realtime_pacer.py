@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from kitrobot.server.realtime_pacer import MOST_BEHIND_S, UNPACED, RealtimePacer
+from kitrobot.live.realtime_pacer import MOST_BEHIND_S, UNPACED, RealtimePacer
 
 
 class Clock:

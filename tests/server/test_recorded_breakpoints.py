@@ -10,10 +10,10 @@ from pathlib import Path
 import pytest
 
 import kitrobot
+from kitrobot.live import recorded_agents
+from kitrobot.live.watched_recording import ReplayError, WatchedRecording
+from kitrobot.live.watched_simulation import WatchedSimulation
 from kitrobot.mission.trial import Breakpoint
-from kitrobot.server import recorded_agents
-from kitrobot.server.watched_recording import ReplayError, WatchedRecording
-from kitrobot.server.watched_simulation import WatchedSimulation
 from kitrobot.sim.breakpoints import ConditionError, Hit
 from kitrobot.sim.recorder import simulate
 from kitrobot.trace.source import walk

@@ -15,11 +15,11 @@ from hypothesis import strategies as st
 
 import kitrobot
 from kitrobot.diagnostics.model import KitRobotError
-from kitrobot.server.recordings import Recordings
-from kitrobot.server.run_encoder import MOST_REPORTED
+from kitrobot.live.recordings import Recordings
+from kitrobot.live.run_encoder import MOST_REPORTED
+from kitrobot.live.watched_recording import WatchedRecording
+from kitrobot.live.watched_simulation import WatchedSimulation
 from kitrobot.server.security import SecurityMiddleware
-from kitrobot.server.watched_recording import WatchedRecording
-from kitrobot.server.watched_simulation import WatchedSimulation
 from kitrobot.trace import layout
 from kitrobot.trace.header import header_to_json
 from kitrobot.trace.model import Threads
@@ -339,7 +339,7 @@ def test_own_robots_and_constructors_travel_with_the_recording(page, folder, con
 
 
 def test_only_so_many_recordings_stay_open(tmp_path, recorded, monkeypatch):
-    from kitrobot.server import recordings
+    from kitrobot.live import recordings
 
     monkeypatch.setattr(recordings, "MAX_OPEN", 2)
     kept = Recordings(lambda folder: None)

@@ -6,12 +6,12 @@ from pathlib import Path
 
 import pytest
 
+from kitrobot.boards.programs import load_board_program
+from kitrobot.live.last_run_recorder import LastRunRecorder
 from kitrobot.robots.session import RobotSession
 from kitrobot.robots.state import Activity
-from kitrobot.server.last_run_recorder import LastRunRecorder
 from kitrobot.trace.model import TraceError
 from kitrobot.trace.reader import TraceReader
-from kitrobot.workspace.robot_programs import load_board_program
 from tests.boards.host import host_board, write_pulse
 from tests.robots.twin import Twin
 from tests.server.conftest import HOST, SOCKET, TOKEN, TestClient

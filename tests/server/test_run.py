@@ -14,9 +14,9 @@ from typing import Any
 import pytest
 from pydantic import TypeAdapter
 
-from kitrobot.server import runs
-from kitrobot.server.shapes.run import RunMessage
-from kitrobot.server.watched_simulation import WatchedSimulation
+from kitrobot.live import runs
+from kitrobot.live.watched_simulation import WatchedSimulation
+from kitrobot.wire.run import RunMessage
 from tests.server.conftest import SOCKET, TOKEN
 
 MESSAGE: TypeAdapter[Any] = TypeAdapter(RunMessage)

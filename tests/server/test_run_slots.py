@@ -8,8 +8,8 @@ from typing import Any
 
 import pytest
 
-from kitrobot.server import runs
-from kitrobot.server.runs import MOST_RUNS, RunSession
+from kitrobot.live import runs
+from kitrobot.live.runs import MOST_RUNS, RunSession
 from tests import coroutines
 from tests.server.test_run import FOREVER
 

@@ -8,9 +8,9 @@ from typing import Any
 
 import orjson
 
-from kitrobot.server.broadcast import RunUpdate, Watcher
-from kitrobot.server.shapes.run import ErrorMessage, StateMessage
+from kitrobot.live.broadcast import RunUpdate, Watcher
 from kitrobot.translation.languages import override_language
+from kitrobot.wire.run import ErrorMessage, StateMessage
 from tests import coroutines
 
 

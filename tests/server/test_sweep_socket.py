@@ -9,8 +9,8 @@ from typing import Any
 import pytest
 from pydantic import TypeAdapter
 
-from kitrobot.server import sweep_socket
-from kitrobot.server.shapes.sweep import SweepMessage
+from kitrobot.server.routes import sweep as sweep_socket
+from kitrobot.wire.sweep import SweepMessage
 from tests.server.conftest import SOCKET, TOKEN
 from tests.server.test_run import FOREVER, Watcher, connect, forever, mission  # noqa: F401
 

@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from kitrobot.mission.reader import read_mission
-from kitrobot.server.shapes.mission import MissionShape, mission_from_shape, mission_shape
-from kitrobot.server.shapes.mission_delta import SentMissionShape, mission_from_delta
+from kitrobot.wire.mission import MissionShape, mission_from_shape, mission_shape
+from kitrobot.wire.mission_delta import SentMissionShape, mission_from_delta
 from tests.forms.test_written_opens import FULL
 
 

@@ -10,8 +10,8 @@ from typing import Any
 
 import pytest
 
-from kitrobot.server.run_encoder import RunEncoder
-from kitrobot.server.team_snapshots import TeamSnapshotEncoder
+from kitrobot.live.run_encoder import RunEncoder
+from kitrobot.live.team_snapshots import TeamSnapshotEncoder
 from kitrobot.sim.recorder import Recorder
 from kitrobot.trace.header import header_from_json, header_to_json
 from kitrobot.trace.model import TEAM, TraceError, TraceHeader

@@ -7,9 +7,9 @@ from typing import Any
 
 import pytest
 
-from kitrobot.server.shapes.report import ReportShape
-from kitrobot.server.shapes.text import FollowedShape
-from kitrobot.server.text_routes import LONGEST_TEXT
+from kitrobot.server.routes.text import LONGEST_TEXT
+from kitrobot.wire.report import ReportShape
+from kitrobot.wire.text import FollowedShape
 from tests.server.conftest import TestClient, whole
 
 

@@ -9,7 +9,7 @@ from typing import Any
 import pytest
 from pydantic import TypeAdapter
 
-from kitrobot.server.shapes.verification import VerifyMessage
+from kitrobot.wire.verification import VerifyMessage
 from tests.server.conftest import SOCKET, TOKEN
 from tests.server.test_run import Watcher, connect, mission  # noqa: F401
 from tests.verifier.check_fixtures import EXAMPLES

@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 from playwright.sync_api import expect
 
-from kitrobot.server import drawing_check_socket
+from kitrobot.server.routes import drawing_check as drawing_check_socket
 from tests.patience import PATIENCE_S
 from tests.studio.test_reach import find_nothing
 from tests.verifier.check_fixtures import EXAMPLES

@@ -10,7 +10,7 @@ import pytest
 from playwright.sync_api import expect
 
 from kitrobot.primitives.catalogue import load_catalogue
-from kitrobot.server.shapes.catalogue import catalogue_shape
+from kitrobot.wire.catalogue import catalogue_shape
 from tests.effort import cases
 from tests.studio.conftest import Studio
 

@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 
-from kitrobot.server.watched_recording import WatchedRecording
+from kitrobot.live.watched_recording import WatchedRecording
 from kitrobot.trace.model import POSE_WORDS, ROBOT, TickRecord, TraceError, TraceHeader
 from kitrobot.trace.reader import TraceReader
 from kitrobot.trace.source import walk

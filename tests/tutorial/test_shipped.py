@@ -8,8 +8,8 @@ from pathlib import Path
 import pytest
 
 import kitrobot
+from kitrobot.live.studio import Studio
 from kitrobot.mission.model import Mission
-from kitrobot.server.studio import Studio
 from kitrobot.tutorial.model import Tutorial
 from kitrobot.workspace.mission_loader import OpenMission
 from kitrobot.workspace.tutorials import watched

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import pytest
 
+from kitrobot.checking.verification import Verification, VerificationOptions, verify_runs
 from kitrobot.sim.simulation import Simulation
 from kitrobot.translation.translator import translate_to
 from kitrobot.verifier.model.abstraction import abstract_run
 from kitrobot.verifier.model.timing import Timing
-from kitrobot.workspace.verification import Verification, VerificationOptions, verify_runs
 from tests.sim.building import avatar, empty_world, run_of
 
 GROUND = """<sensor name="Ground" device="colour" min="0" max="9">

@@ -6,6 +6,7 @@ from pathlib import Path
 
 import pytest
 
+from kitrobot.checking.verification import VerificationOptions, runs_of, verify
 from kitrobot.mission.property_xml import AskedProperty, Form
 from kitrobot.verifier.exploration.budget import Budget
 from kitrobot.verifier.model.abstraction import abstract_run
@@ -15,7 +16,6 @@ from kitrobot.verifier.properties.custom_properties import build_custom_properti
 from kitrobot.verifier.properties.properties import ready_properties
 from kitrobot.verifier.properties.verdicts import check_properties
 from kitrobot.verifier.report.replay import confirm
-from kitrobot.workspace.verification import VerificationOptions, runs_of, verify
 from tests.sim.building import transport
 from tests.verifier.check_fixtures import EXAMPLES, answers, judged, mutant, prepared
 

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import pytest
 
+from kitrobot.checking.verification import Verification, VerificationOptions, verify_runs
 from kitrobot.primitives.robot_xml import read_robot
 from kitrobot.sim.simulation import Simulation
 from kitrobot.verifier.model.timing import Timing
-from kitrobot.workspace.verification import Verification, VerificationOptions, verify_runs
 from tests.sim.building import empty_world, run_of
 
 GARDENER = b"""<robot name="gardener" version="1">

@@ -6,6 +6,7 @@ from pathlib import Path
 
 import pytest
 
+from kitrobot.checking.verification import Verification, VerificationOptions, verify, verify_runs
 from kitrobot.mission.trial import FailureKind
 from kitrobot.verifier.exploration.budget import Budget
 from kitrobot.verifier.exploration.exploration import explore
@@ -13,7 +14,6 @@ from kitrobot.verifier.model.abstraction import abstract_run
 from kitrobot.verifier.model.model import Model
 from kitrobot.verifier.model.timing import Timing
 from kitrobot.verifier.properties.verdicts import Answer
-from kitrobot.workspace.verification import Verification, VerificationOptions, verify, verify_runs
 from tests.sim.building import transport
 from tests.verifier.check_fixtures import mutant
 from tests.verifier.reference import exploration as plain_exploration

@@ -11,6 +11,7 @@ from typing import Any
 
 import pytest
 
+from kitrobot.checking.verification import VerificationOptions, verify_runs
 from kitrobot.lll.parse_results import parse_team
 from kitrobot.mission.breakdown import BreakdownRule
 from kitrobot.mission.trial import FailureKind
@@ -24,7 +25,6 @@ from kitrobot.verifier.model.timing import Timing
 from kitrobot.verifier.properties.properties import ready_properties
 from kitrobot.verifier.properties.verdicts import Verdict, check_properties
 from kitrobot.verifier.report.replay import ConfirmedRun, confirm
-from kitrobot.workspace.verification import VerificationOptions, verify_runs
 from tests.sim.building import WHEEL, avatar, empty_world, run_of, transport
 from tests.sim.team_building import RunningTeam
 from tests.verifier.check_fixtures import mutant

@@ -10,6 +10,7 @@ from typing import Any
 
 import pytest
 
+from kitrobot.checking.verification import VerificationOptions, verify
 from kitrobot.sim.simulation import Simulation
 from kitrobot.text.sentences import Sentence
 from kitrobot.verifier.exploration.budget import Budget, CutReason
@@ -22,7 +23,6 @@ from kitrobot.verifier.properties import fair_cycles
 from kitrobot.verifier.properties.properties import AgentFact, Property, ready_properties
 from kitrobot.verifier.properties.verdicts import Counterexample, check_properties
 from kitrobot.verifier.report.replay import ConfirmedRun, confirm
-from kitrobot.workspace.verification import VerificationOptions, verify
 from tests.sim.building import transport
 from tests.verifier.check_fixtures import EXAMPLES, answers, mutant, prepared
 

@@ -6,9 +6,9 @@ from pathlib import Path
 
 import pytest
 
+from kitrobot.live.studio import Studio
 from kitrobot.primitives.catalogue import SHIPPED
-from kitrobot.server.shapes.starter import robot_set_shape
-from kitrobot.server.studio import Studio
+from kitrobot.wire.starter import robot_set_shape
 from kitrobot.workspace.new_mission_choices import NOTHING, NoBeginningError, read_beginnings
 
 

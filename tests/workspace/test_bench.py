@@ -7,6 +7,10 @@ from pathlib import Path
 
 import pytest
 
+from kitrobot.boards.bench import NoPartsError, bench_of, program_text
+from kitrobot.boards.bench_loader import reason_of
+from kitrobot.boards.bench_notes import notes_for, read_bench, shipped_notes
+from kitrobot.boards.calibration import bench_robot
 from kitrobot.compiler.compilation import compile_text
 from kitrobot.image.machine import Machine
 from kitrobot.primitives.automatic import number_variable
@@ -15,10 +19,6 @@ from kitrobot.primitives.kit import Kit
 from kitrobot.primitives.kit_xml import read_kit
 from kitrobot.primitives.robot import Category
 from kitrobot.text.sentences import Sentence
-from kitrobot.workspace.bench import NoPartsError, bench_of, program_text
-from kitrobot.workspace.bench_loader import reason_of
-from kitrobot.workspace.bench_notes import notes_for, read_bench, shipped_notes
-from kitrobot.workspace.calibration import bench_robot
 
 ROBOTS = load_catalogue().robots
 KITS = sorted(SHIPPED.glob("*.board.xml"))

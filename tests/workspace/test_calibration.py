@@ -8,11 +8,7 @@ from pathlib import Path
 
 import pytest
 
-from kitrobot.files.disk import read_text
-from kitrobot.primitives.catalogue import SHIPPED
-from kitrobot.primitives.kit import Kit, Measured
-from kitrobot.primitives.kit_xml import read_kit, write_kit
-from kitrobot.workspace.calibration import (
+from kitrobot.boards.calibration import (
     Answers,
     MeasureError,
     Turned,
@@ -22,6 +18,10 @@ from kitrobot.workspace.calibration import (
     own_place,
     write_kit_file,
 )
+from kitrobot.files.disk import read_text
+from kitrobot.primitives.catalogue import SHIPPED
+from kitrobot.primitives.kit import Kit, Measured
+from kitrobot.primitives.kit_xml import read_kit, write_kit
 from kitrobot.workspace.conversion import convert
 from kitrobot.workspace.mission_loader import open_mission
 from kitrobot.workspace.mission_run import RunOptions

@@ -9,10 +9,10 @@ from pathlib import Path
 import pytest
 from serial.tools import list_ports
 
+from kitrobot.boards.class_set import MOST_BOARDS, SetError, Wanted, prepare_set, read_set
+from kitrobot.boards.labels import LabelError, labels_of, store_label
 from kitrobot.diagnostics.model import KitRobotError
 from kitrobot.files.examples import examples_folder
-from kitrobot.workspace.board_labels import LabelError, labels_of, store_label
-from kitrobot.workspace.class_set import MOST_BOARDS, SetError, Wanted, prepare_set, read_set
 
 EXAMPLES = examples_folder()
 assert EXAMPLES is not None

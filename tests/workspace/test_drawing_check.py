@@ -8,6 +8,8 @@ from pathlib import Path
 
 import pytest
 
+from kitrobot.checking.drawing_check import RUN_S, check_drawing, explore_drawing
+from kitrobot.checking.verification import runs_of
 from kitrobot.sim.simulation import Simulation
 from kitrobot.verifier.exploration.budget import Budget
 from kitrobot.verifier.exploration.engines import PLAIN
@@ -16,10 +18,8 @@ from kitrobot.verifier.model.abstraction import abstract_run
 from kitrobot.verifier.model.model import Model
 from kitrobot.verifier.properties.trap_detection import record_coverage, unexecuted_instructions
 from kitrobot.workspace import child_processes
-from kitrobot.workspace.drawing_check import RUN_S, check_drawing, explore_drawing
 from kitrobot.workspace.mission_loader import open_mission
 from kitrobot.workspace.mission_run import PreparedRun, RunOptions
-from kitrobot.workspace.verification import runs_of
 from tests.effort import cases
 from tests.sim.team_building import RunningTeam, random_team_program
 from tests.team_programs.hosting import TooLarge

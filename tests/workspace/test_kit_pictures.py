@@ -6,9 +6,9 @@ from xml.etree import ElementTree
 
 import pytest
 
+from kitrobot.boards.kit_pictures import body_picture, wiring_picture
 from kitrobot.primitives.kit import Kit
 from kitrobot.workspace.kit_files import kits_at_hand
-from kitrobot.workspace.kit_pictures import body_picture, wiring_picture
 from tests.deploy.test_kits import kit_of as kit
 
 WHEELS = '<actuator device="drive" left-forward="2" left-backward="3" right-forward="4" right-backward="5"/>'

@@ -8,6 +8,7 @@ from pathlib import Path
 
 import pytest
 
+from kitrobot.classroom.grade_tables import as_cell
 from kitrobot.diagnostics.model import Diagnostic
 from kitrobot.files import listing
 from kitrobot.files.folder import MissionFolder
@@ -15,12 +16,11 @@ from kitrobot.files.listing import MOST_LISTED
 from kitrobot.mission.model import Mission
 from kitrobot.mission.reader import read_mission
 from kitrobot.mission.writer import SaveError, save
-from kitrobot.server.mission_encoding import UnsavableError, mission_bytes
-from kitrobot.server.sentences import clause, spoken
+from kitrobot.server.routes.mission_encoding import UnsavableError, mission_bytes
 from kitrobot.text.forms import conflict_mark
 from kitrobot.text.sentences import COMMA, Sentence, Series
+from kitrobot.wire.sentences import clause, spoken
 from kitrobot.workspace.file_check import check_file
-from kitrobot.workspace.grade_tables import as_cell
 from kitrobot.workspace.mission_loader import new_mission, open_mission, with_mission
 from kitrobot.workspace.search_path import SearchPath
 

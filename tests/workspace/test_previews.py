@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 
-from kitrobot.server.studio import Studio
+from kitrobot.live.studio import Studio
 from kitrobot.workspace.example_list import EXAMPLES_XML, LEVELS, read_examples, shipped_examples
 from kitrobot.workspace.mission_loader import OpenMission
 from kitrobot.workspace.new_mission_choices import PREVIEW_S

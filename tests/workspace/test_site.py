@@ -13,10 +13,10 @@ from pathlib import Path
 import pytest
 
 from kitrobot import __version__
+from kitrobot.packaging.site import PAGE, POLICY, PYODIDE, SiteError, expect_site, make_site
 from kitrobot.server.first_missions import first_missions
 from kitrobot.server.security import CONTENT_POLICY
 from kitrobot.translation.translator import LANGUAGES
-from kitrobot.workspace.site import PAGE, POLICY, PYODIDE, SiteError, expect_site, make_site
 from tests.sites import made_site
 from tools.site_parts import PARTS, ROOT
 

@@ -9,7 +9,7 @@ from pathlib import Path
 import pytest
 
 import kitrobot
-from kitrobot.workspace.site_sources import NOT_IMPORTED, in_library, without_texts
+from kitrobot.packaging.site_sources import NOT_IMPORTED, in_library, without_texts
 
 SOURCE = b'''"""About it,
 in two lines."""

@@ -79,6 +79,7 @@ def run_agent(
 
     The exit status is 0 when the mission was done, and 1 when it was not.
     """
+    from kitrobot.boards.teams import agent_program
     from kitrobot.fleet.agent_process import AgentBoard, AgentProcess
     from kitrobot.fleet.board_line import open_board
     from kitrobot.fleet.charter import FleetError
@@ -87,7 +88,6 @@ def run_agent(
     from kitrobot.fleet.processes import end_of_input
     from kitrobot.fleet.transport import Channel, Network
     from kitrobot.workspace.mission_run import RunOptions
-    from kitrobot.workspace.team_boards import agent_program
 
     check_wait(wait)
     over = end_of_input() if with_input else None

@@ -16,8 +16,8 @@ from kitrobot.diagnostics.model import KitRobotError
 from kitrobot.text.sentences import Sentence
 
 if TYPE_CHECKING:
-    from kitrobot.workspace.bench import Bench, BenchStep
-    from kitrobot.workspace.bench_run import BenchRun
+    from kitrobot.boards.bench import Bench, BenchStep
+    from kitrobot.boards.bench_run import BenchRun
 
 _HELP = "keys: Enter begins the step and ends it, n the next one, b the one before, q leaves; leaving stops everything"
 
@@ -67,10 +67,10 @@ def try_parts(
     it has. Everything stops when you leave, at Ctrl-C, and within a second when the cable is pulled. With --all or
     --json the exit status is 1 when a part failed.
     """
+    from kitrobot.boards.bench import bench_of
+    from kitrobot.boards.bench_run import BenchRun
+    from kitrobot.boards.calibration import bench_robot
     from kitrobot.translation.languages import override_language
-    from kitrobot.workspace.bench import bench_of
-    from kitrobot.workspace.bench_run import BenchRun
-    from kitrobot.workspace.calibration import bench_robot
     from kitrobot.workspace.kit_files import find_kit
     from kitrobot.workspace.robots import find_robot
 
@@ -127,8 +127,8 @@ def _try_steps(run: BenchRun, bench: Bench, seconds: float) -> list[dict[str, An
     Raises:
         KitRobotError: nothing could be tried.
     """
-    from kitrobot.workspace.bench_loader import PartError
-    from kitrobot.workspace.bench_run import OF_THE_BOARD
+    from kitrobot.boards.bench_loader import PartError
+    from kitrobot.boards.bench_run import OF_THE_BOARD
 
     rows: list[dict[str, Any]] = []
     gone: KitRobotError | None = None
@@ -213,10 +213,10 @@ def _result_text(row: dict[str, Any]) -> str:
 
 def _control_by_keys(run: BenchRun, bench: Bench) -> None:
     """Steps by keys until the person leaves."""
+    from kitrobot.boards.bench_run import OF_THE_BOARD
     from kitrobot.cli.key_input import ESCAPE, read_keys
     from kitrobot.primitives.value_format import format_value
     from kitrobot.translation.languages import translate
-    from kitrobot.workspace.bench_run import OF_THE_BOARD
 
     print_message(_HELP)
     for part, why in bench.left_out:

@@ -58,9 +58,9 @@ def list_boards(
     if label is not None:
         _label(to or [], label, as_json)
         return
+    from kitrobot.boards.labels import labels_of
+    from kitrobot.boards.programs import scan_boards
     from kitrobot.deploy.board import is_slow
-    from kitrobot.workspace.board_labels import labels_of
-    from kitrobot.workspace.robot_programs import scan_boards
 
     seen = scan_boards(to or [], print_no_answer)
     labels = labels_of(one.port.address for one in seen)
@@ -92,7 +92,7 @@ def list_boards(
 def _label(addresses: list[str], label: str, as_json: bool) -> None:
     if len(addresses) != 1:
         raise typer.BadParameter("say with --to which robot it is, once", param_hint="'--label'")
-    from kitrobot.workspace.board_labels import store_label
+    from kitrobot.boards.labels import store_label
 
     kept = store_label(addresses[0], label)
     if as_json:

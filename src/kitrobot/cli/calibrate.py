@@ -14,10 +14,10 @@ from kitrobot.cli.watch import Board
 from kitrobot.text.forms import number_form
 
 if TYPE_CHECKING:
+    from kitrobot.boards.bench import BenchStep
+    from kitrobot.boards.bench_run import BenchRun
+    from kitrobot.boards.calibration import Answers, Turned
     from kitrobot.primitives.kit import Kit
-    from kitrobot.workspace.bench import BenchStep
-    from kitrobot.workspace.bench_run import BenchRun
-    from kitrobot.workspace.calibration import Answers, Turned
 
 _LONGEST_S = 30.0
 """How long a step may take that ends by itself."""
@@ -55,8 +55,8 @@ def calibrate_robot(
     answer leaves that out. Kits that come with KitRobot are copied and never changed; beside your missions the copy
     takes their place. `kitrobot run --board NAME` simulates with what was measured.
     """
-    from kitrobot.workspace.bench_run import BenchRun
-    from kitrobot.workspace.calibration import (
+    from kitrobot.boards.bench_run import BenchRun
+    from kitrobot.boards.calibration import (
         calibrated,
         expect_kit_place,
         left_out,
@@ -89,7 +89,7 @@ def calibrate_robot(
 
 
 def _answers(run: BenchRun, steps: dict[str, BenchStep], times: int) -> Answers:
-    from kitrobot.workspace.calibration import Answers
+    from kitrobot.boards.calibration import Answers
 
     dialogue = Dialogue(run.keep_alive)
     wheels: dict[str, Turned] = {}
@@ -110,7 +110,7 @@ def _answers(run: BenchRun, steps: dict[str, BenchStep], times: int) -> Answers:
 
 
 def _which_wheel(dialogue: Dialogue, step: BenchStep) -> Turned | None:
-    from kitrobot.workspace.calibration import Turned
+    from kitrobot.boards.calibration import Turned
 
     while True:
         words = dialogue.ask(f"{step.seen.get('', '')}: ").lower().split()

@@ -12,9 +12,9 @@ from kitrobot.cli.language import translated
 from kitrobot.cli.output import error_object, json_text, print_data, print_diagnostics, print_message, sanitize
 
 if TYPE_CHECKING:
+    from kitrobot.boards.kits import ProgramOnKit
     from kitrobot.deploy.kits import PartOnKit
     from kitrobot.primitives.kit import Kit
-    from kitrobot.workspace.kits import ProgramOnKit
 
 
 def check_on_kit(files: Sequence[Path], board: str, robot: str | None, *, as_json: bool) -> None:
@@ -40,11 +40,11 @@ def check_on_kit(files: Sequence[Path], board: str, robot: str | None, *, as_jso
 
 
 def _programs(path: Path, kit: Kit, robot: str | None) -> list[ProgramOnKit]:
+    from kitrobot.boards.kits import mission_on_kit, text_on_kit
+    from kitrobot.boards.programs import no_robot
     from kitrobot.files.embedded_mission import is_picture
     from kitrobot.files.forms import Form, form_of
-    from kitrobot.workspace.kits import mission_on_kit, text_on_kit
     from kitrobot.workspace.mission_loader import open_mission
-    from kitrobot.workspace.robot_programs import no_robot
 
     if is_picture(path.name) or form_of(path, (Form.TEXT, Form.MISSION)) is Form.MISSION:
         return mission_on_kit(open_mission(path, robot=robot), kit)

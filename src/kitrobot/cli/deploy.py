@@ -90,8 +90,8 @@ def deploy_program(
     Only what is new is sent, and it is read back. Until all of it is there the robot keeps what it had. The exit status
     is 1 when the program has errors, or when one of the robots could not be brought to run it.
     """
+    from kitrobot.boards.programs import load_board_program, send_program
     from kitrobot.robots.board_operations import choose_boards
-    from kitrobot.workspace.robot_programs import load_board_program, send_program
 
     if many:
         if to or program or robot or team or board:
@@ -130,9 +130,9 @@ def deploy_program(
 
 
 def _deploy_team(mission: Path, board: Sequence[str], *, replace: bool, fresh: bool, as_json: bool) -> None:
+    from kitrobot.boards.teams import boards_of, send_team
     from kitrobot.workspace.kit_files import find_kit
     from kitrobot.workspace.mission_loader import open_mission
-    from kitrobot.workspace.team_boards import boards_of, send_team
 
     opened = open_mission(mission)
     kits = [one for one in board if "=" not in one]

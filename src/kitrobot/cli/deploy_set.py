@@ -16,7 +16,7 @@ from kitrobot.text.phrases import listed
 from kitrobot.text.sentences import Sentence
 
 if TYPE_CHECKING:
-    from kitrobot.workspace.class_set import SetResult
+    from kitrobot.boards.class_set import SetResult
 
 Bars = Callable[[Sequence[str]], AbstractContextManager[Callable[[str, str, int, int], None]]]
 
@@ -25,7 +25,7 @@ HEAD = ("label", "port", "program", "state", "KitRobot", "MicroPython", "generat
 
 def deploy_set(path: Path, bars: Bars, *, replace: bool, fresh: bool, as_json: bool) -> None:
     """Sends them, gives the table or JSON, and ends with the status."""
-    from kitrobot.workspace.class_set import prepare_set, read_set
+    from kitrobot.boards.class_set import prepare_set, read_set
 
     found = prepare_set(read_set(path))
     for program in {id(one.program): one.program for one in found.members if one.program is not None}.values():

@@ -23,7 +23,7 @@ def desktop_entry(
         raise typer.BadParameter("say one of --install and --remove", param_hint="'--install'")
     if remove and folder is not None:
         raise typer.BadParameter("a folder belongs to --install", param_hint="'FOLDER'")
-    from kitrobot.workspace.desktop_entry import install_entry, remove_entry
+    from kitrobot.packaging.desktop_entry import install_entry, remove_entry
 
     if remove:
         removed = remove_entry()

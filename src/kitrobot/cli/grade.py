@@ -14,7 +14,7 @@ from kitrobot.cli.output import json_text, print_data, print_message, sanitize
 from kitrobot.diagnostics.read_files import expect_outputs, note_read
 
 if TYPE_CHECKING:
-    from kitrobot.workspace.grades import Grade
+    from kitrobot.classroom.grades import Grade
 
 
 def grade_submissions(
@@ -39,9 +39,9 @@ def grade_submissions(
     Each submission is judged in a process of its own, with bounds on memory and work; only the file that is named is
     read. The exit status is 0 when every submission reached every goal, and 1 when one did not or cannot be judged.
     """
+    from kitrobot.classroom.grader_process import ready_exercise, shipped_exercises
+    from kitrobot.classroom.grading import grade
     from kitrobot.workspace.child_processes import cores
-    from kitrobot.workspace.class_grader import grade
-    from kitrobot.workspace.grader_process import ready_exercise, shipped_exercises
 
     # Each is read by a process of its own, those of KitRobot too.
     for one in submissions:
@@ -70,8 +70,8 @@ def grade_submissions(
 
 
 def _write(found: Sequence[Grade], csv: Path | None, html: Path | None) -> None:
+    from kitrobot.classroom.grade_tables import as_csv, as_html
     from kitrobot.files.disk import write_atomic
-    from kitrobot.workspace.grade_tables import as_csv, as_html
 
     if csv is not None:
         write_atomic(csv, as_csv(found).encode(errors="replace"))
@@ -96,7 +96,7 @@ def _progress(total: int) -> Iterator[Callable[[int, int], None] | None]:
 
 def _tables(found: Sequence[Grade]) -> str:
     """A table for each exercise, then those that could not be judged."""
-    from kitrobot.workspace.grade_tables import by_exercise
+    from kitrobot.classroom.grade_tables import by_exercise
 
     lines: list[str] = []
     for rows in by_exercise(found):

@@ -23,12 +23,12 @@ def show_log(
     as_json: Annotated[bool, typer.Option("--json", help="Give one JSON object a line.")] = False,
 ) -> None:
     """Show the last fault of a robot, with the place in the program, and the text that the robot prints."""
+    from kitrobot.boards.monitor import known_program
     from kitrobot.deploy.errors import SilentError
     from kitrobot.deploy.handshake import connect
     from kitrobot.deploy.news import Fault, Text
     from kitrobot.robots.board_operations import choose_boards
     from kitrobot.robots.view import fault_object, fault_sentence
-    from kitrobot.workspace.robot_monitor import known_program
 
     def say(sentence: str, found: dict[str, Any]) -> None:
         print_data(json_text(found) + "\n" if as_json else f"{sanitize(sentence)}\n")

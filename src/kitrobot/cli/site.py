@@ -25,7 +25,7 @@ def write_site(
     ] = None,
 ) -> None:
     """Write the studio as a static site, where Python runs in the page: for any web server, under any path."""
-    from kitrobot.workspace.site import make_site
+    from kitrobot.packaging.site import make_site
 
     first: FirstMissions | None = context.obj
     made = make_site(folder, parts or [], first=first() if first is not None else {})

@@ -58,6 +58,7 @@ def run_team(
     Ctrl-C is the emergency stop: all robots stand still, then everything ends. The exit status is 0 when the mission
     was done.
     """
+    from kitrobot.boards.teams import boards_of
     from kitrobot.fleet.charter import LEAST_LEASE_MS, MOST_LEASE_MS, FleetError
     from kitrobot.fleet.identity import identity_of
     from kitrobot.fleet.processes import Agents
@@ -66,7 +67,6 @@ def run_team(
     from kitrobot.sim.setup.limits import MAX_SECONDS, MAX_SEED
     from kitrobot.workspace.fleets import FleetPlan, free_endpoint, run_fleet
     from kitrobot.workspace.mission_run import RunOptions
-    from kitrobot.workspace.team_boards import boards_of
 
     if not 0 < seconds <= MAX_SECONDS or seed > MAX_SEED:
         words = f"a run takes at most {MAX_SECONDS:.0f} seconds, and a seed is at most {MAX_SEED}"

@@ -15,9 +15,9 @@ import typer
 from kitrobot.cli.output import json_text, print_data, print_diagnostics, print_message
 
 if TYPE_CHECKING:
+    from kitrobot.checking.verification import Finding, Progress, Verification
     from kitrobot.verifier.exploration.budget import CutReason
     from kitrobot.verifier.model.timing import Timing
-    from kitrobot.workspace.verification import Finding, Progress, Verification
 
 _MEGA = 1_000_000
 _FIRST, _LAST = 6, 24
@@ -74,13 +74,13 @@ def verify_mission(
     """
     if not (math.isfinite(seconds) and seconds > 0):
         raise typer.BadParameter("a check takes more than 0 seconds", param_hint="'--seconds'")
+    from kitrobot.checking.verification import MOST_FAILURES, VerificationOptions, verify
     from kitrobot.verifier.model.table_builder import KINDS, USUAL_KINDS
     from kitrobot.verifier.model.timing import Timing
     from kitrobot.verifier.properties.verdicts import Answer
     from kitrobot.workspace.mission_loader import open_mission
     from kitrobot.workspace.mission_run import RunOptions
     from kitrobot.workspace.run_hints import FASTER
-    from kitrobot.workspace.verification import MOST_FAILURES, VerificationOptions, verify
 
     if not 0 <= failures <= MOST_FAILURES:
         raise typer.BadParameter(f"a check takes 0 to {MOST_FAILURES} failures", param_hint="'--failures'")
@@ -122,7 +122,7 @@ def _progress() -> Iterator[Progress | None]:
     from rich.progress import Progress as Bar
     from rich.progress import SpinnerColumn, TextColumn, TimeElapsedColumn
 
-    from kitrobot.workspace.background_check import memory_taken
+    from kitrobot.checking.background_check import memory_taken
 
     begun: dict[str, float] = {}
 

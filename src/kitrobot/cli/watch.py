@@ -97,8 +97,8 @@ def watch_board(
     """
     if seconds is not None and not (math.isfinite(seconds) and seconds > 0):
         raise typer.BadParameter("watching takes more than 0 seconds", param_hint="'--seconds'")
+    from kitrobot.boards.monitor import record_robots, watched_robot
     from kitrobot.robots.board_operations import choose_boards
-    from kitrobot.workspace.robot_monitor import record_robots, watched_robot
 
     with ExitStack() as stack:
         watched = [

@@ -1,6 +1,6 @@
 """Names for the numbers of a real robot: cells → sensors and variables, instructions → vertices and lines of the LLL.
 
-A robot sends numbers only. The names are made where the mission is at hand; `workspace.sent_programs` stores them under
+A robot sends numbers only. The names are made where the mission is at hand; `boards.sent_programs` stores them under
 the name that the program has on the robot.
 """
 

@@ -1,6 +1,6 @@
 """The context that recordings of real robots embed, so that they open anywhere: mission, world, parts, names of cells.
 
-A robot knows none of it. It is made where the mission is at hand; `workspace.sent_programs` stores it beside the names
+A robot knows none of it. It is made where the mission is at hand; `boards.sent_programs` stores it beside the names
 of a program that was sent from here, so that a robot can be recorded later without naming its mission.
 """
 

@@ -17,43 +17,43 @@ from kitrobot.diagnostics.model import KitRobotError
 from kitrobot.files.disk import FileError
 from kitrobot.files.folder import ConflictError, MissionNameError, ReadOnlyError
 from kitrobot.files.quota import QuotaError
+from kitrobot.live.studio import Studio
 from kitrobot.server import fallback_pages
-from kitrobot.server.assignments import handed_out_routes
-from kitrobot.server.board_routes import board_routes
 from kitrobot.server.deadlines import DeadlineMiddleware
-from kitrobot.server.drawing_check_socket import drawing_check_routes
-from kitrobot.server.exercise_routes import exercise_routes
-from kitrobot.server.firmware_routes import firmware_routes
-from kitrobot.server.fragment_routes import routes as fragment_routes
 from kitrobot.server.handshake import Handshake, StrangerError, handshake_routes
-from kitrobot.server.image_routes import image_routes
-from kitrobot.server.journal_routes import journal_routes
 from kitrobot.server.language import LanguageMiddleware
-from kitrobot.server.own_part_routes import own_part_routes
 from kitrobot.server.page_files import PageFiles
-from kitrobot.server.page_port_routes import page_port_routes
-from kitrobot.server.parts_routes import parts_routes
-from kitrobot.server.routes import routes
-from kitrobot.server.run_routes import run_routes
+from kitrobot.server.routes.assignments import handed_out_routes
+from kitrobot.server.routes.board import board_routes
+from kitrobot.server.routes.drawing_check import drawing_check_routes
+from kitrobot.server.routes.exercise import exercise_routes
+from kitrobot.server.routes.firmware import firmware_routes
+from kitrobot.server.routes.fragment import routes as fragment_routes
+from kitrobot.server.routes.image import image_routes
+from kitrobot.server.routes.journal import journal_routes
+from kitrobot.server.routes.missions import routes
+from kitrobot.server.routes.own_part import own_part_routes
+from kitrobot.server.routes.page_port import page_port_routes
+from kitrobot.server.routes.parts import parts_routes
+from kitrobot.server.routes.run import run_routes
+from kitrobot.server.routes.starter import starter_routes
+from kitrobot.server.routes.sweep import sweep_routes
+from kitrobot.server.routes.text import text_routes
+from kitrobot.server.routes.trace import trace_routes
+from kitrobot.server.routes.tutorial import tutorial_routes
+from kitrobot.server.routes.verification import verify_routes
 from kitrobot.server.security import SecurityMiddleware, refuse
-from kitrobot.server.shapes.board import BOARD_MESSAGE_MODELS, BOARD_REQUEST_MODELS
-from kitrobot.server.shapes.drawing_check import DRAWING_CHECK_MESSAGE_MODELS, DRAWING_CHECK_REQUEST_MODELS
-from kitrobot.server.shapes.files import ConflictShape
-from kitrobot.server.shapes.journal import WATCH_MESSAGE_MODELS
-from kitrobot.server.shapes.mission_delta import ForgottenError
-from kitrobot.server.shapes.problem import FailureShape, problem_shapes
-from kitrobot.server.shapes.run import RUN_MESSAGE_MODELS
-from kitrobot.server.shapes.run_requests import REQUEST_MODELS
-from kitrobot.server.shapes.sweep import SWEEP_MESSAGE_MODELS, SWEEP_REQUEST_MODELS
-from kitrobot.server.shapes.verification import VERIFY_MESSAGE_MODELS, VERIFY_REQUEST_MODELS
-from kitrobot.server.starter_routes import starter_routes
-from kitrobot.server.studio import Studio
-from kitrobot.server.sweep_socket import sweep_routes
-from kitrobot.server.text_routes import text_routes
-from kitrobot.server.trace_routes import trace_routes
-from kitrobot.server.tutorial_routes import tutorial_routes
-from kitrobot.server.verification_socket import verify_routes
 from kitrobot.text.sentences import Sentence, Word
+from kitrobot.wire.board import BOARD_MESSAGE_MODELS, BOARD_REQUEST_MODELS
+from kitrobot.wire.drawing_check import DRAWING_CHECK_MESSAGE_MODELS, DRAWING_CHECK_REQUEST_MODELS
+from kitrobot.wire.files import ConflictShape
+from kitrobot.wire.journal import WATCH_MESSAGE_MODELS
+from kitrobot.wire.mission_delta import ForgottenError
+from kitrobot.wire.problem import FailureShape, problem_shapes
+from kitrobot.wire.run import RUN_MESSAGE_MODELS
+from kitrobot.wire.run_requests import REQUEST_MODELS
+from kitrobot.wire.sweep import SWEEP_MESSAGE_MODELS, SWEEP_REQUEST_MODELS
+from kitrobot.wire.verification import VERIFY_MESSAGE_MODELS, VERIFY_REQUEST_MODELS
 
 ROUTERS = (
     routes,

@@ -11,19 +11,19 @@ from starlette.types import ASGIApp
 
 from kitrobot.classroom.admission import Admission, AdmissionRefusedError, NameTakenError
 from kitrobot.classroom.class_room import ClassRoom
+from kitrobot.classroom.grading_queue import ClassGrader
+from kitrobot.classroom.overview import JoinAddress, Overview
+from kitrobot.classroom.pictures import ClassPictures
 from kitrobot.diagnostics.model import KitRobotError
 from kitrobot.server.app import STATIC, create_app, install_failures
 from kitrobot.server.class_gateway import ClassGateway, new_key
-from kitrobot.server.class_grader import ClassGrader
-from kitrobot.server.class_overview import JoinAddress, Overview
 from kitrobot.server.class_pages import serve_pages
-from kitrobot.server.class_pictures import ClassPictures
-from kitrobot.server.class_routes import class_routes
-from kitrobot.server.class_sockets import class_socket_routes
 from kitrobot.server.class_studios import PupilStudios
-from kitrobot.server.class_teacher_routes import teacher_routes
 from kitrobot.server.deadlines import DeadlineMiddleware
 from kitrobot.server.language import LanguageMiddleware
+from kitrobot.server.routes.class_sockets import class_socket_routes
+from kitrobot.server.routes.classroom import class_routes
+from kitrobot.server.routes.teacher import teacher_routes
 from kitrobot.server.security import SecurityMiddleware, refuse
 
 LARGEST_BODY_BYTES: Final = 2 * 1024 * 1024

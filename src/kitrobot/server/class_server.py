@@ -22,7 +22,7 @@ from kitrobot.text.sentences import Sentence
 from kitrobot.translation.languages import translate
 
 if TYPE_CHECKING:
-    from kitrobot.server.class_overview import JoinAddress
+    from kitrobot.classroom.overview import JoinAddress
 
 USUAL_FOLDER: Final = "Class"
 
@@ -70,7 +70,7 @@ def _site(opening: ClassSettings) -> Path | None:
     Raises:
         SiteError: it cannot be used.
     """
-    from kitrobot.workspace.site import expect_site
+    from kitrobot.packaging.site import expect_site
 
     site = opening.site
     if site is None and (opening.folder / SITE).is_dir():
@@ -89,9 +89,9 @@ def _serve(room: ClassRoom, address: str, opening: ClassSettings, site: Path | N
         # The teacher's page is for this machine; it is at the number that all machines have for themselves.
         listening.append(listen("127.0.0.1", number))
     # Only now: where it cannot listen, nobody waits for the web server to load.
+    from kitrobot.classroom.overview import JoinAddress
     from kitrobot.server.class_app import create_class_app
     from kitrobot.server.class_gateway import new_key
-    from kitrobot.server.class_overview import JoinAddress
     from kitrobot.server.web_server import run_server
 
     scheme = "http" if tls is None else "https"

@@ -15,11 +15,11 @@ from typing import Final
 from fastapi import FastAPI
 
 from kitrobot.classroom.class_room import STUDIOS, ClassRoom
+from kitrobot.classroom.exercises import copy_exercise
 from kitrobot.diagnostics.model import KitRobotError
 from kitrobot.files.quota import Quota
+from kitrobot.live.gallery import Gallery
 from kitrobot.server.app import create_app
-from kitrobot.server.class_exercises import copy_exercise
-from kitrobot.server.gallery import Gallery
 
 MOST_BYTES: Final = 64 * 1024 * 1024
 MOST_FILES: Final = 300

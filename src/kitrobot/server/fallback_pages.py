@@ -5,9 +5,9 @@ from __future__ import annotations
 import html
 import re
 
-from kitrobot.server.sentences import spoken
 from kitrobot.translation.languages import reader_language
 from kitrobot.translation.translator import DIRECTIONS
+from kitrobot.wire.sentences import spoken
 
 _PAGE = """<!doctype html>
 <html lang="{language}" dir="{direction}">

@@ -6,8 +6,8 @@ import tempfile
 from pathlib import Path
 
 from kitrobot.files.examples import first_example
-from kitrobot.server.routes import mission
-from kitrobot.server.studio import Studio
+from kitrobot.live.studio import Studio
+from kitrobot.server.routes.missions import mission
 from kitrobot.translation.languages import override_language
 from kitrobot.translation.translator import LANGUAGES
 

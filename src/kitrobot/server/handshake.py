@@ -18,8 +18,8 @@ from fastapi import Request, Response
 from pydantic import BaseModel, StringConstraints
 
 from kitrobot.diagnostics.model import KitRobotError
-from kitrobot.server.api_router import api_router
 from kitrobot.server.handshake_proof import compute_proof
+from kitrobot.server.routes.api_router import api_router
 from kitrobot.server.security import page_cookie
 from kitrobot.text.sentences import Sentence
 

@@ -18,8 +18,8 @@ from urllib.parse import unquote, urlsplit
 from starlette.types import ASGIApp, Message
 
 from kitrobot.files.examples import first_example
+from kitrobot.live.background import disable_threads
 from kitrobot.server.app import create_app
-from kitrobot.server.background import disable_threads
 from kitrobot.server.garbage_collector import tune_garbage_collector
 from kitrobot.server.security import TOKEN_HEADER
 

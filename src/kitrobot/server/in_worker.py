@@ -10,7 +10,7 @@ from typing import Any
 
 from pyodide.ffi import can_run_sync, create_proxy, run_sync, to_js
 
-from kitrobot.server.background import set_sleep_function
+from kitrobot.live.background import set_sleep_function
 from kitrobot.server.in_page_server import InPageServer, Socket, begin
 
 

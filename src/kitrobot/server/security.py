@@ -30,9 +30,9 @@ from starlette.types import ASGIApp, Message, Receive, Scope, Send
 from starlette.websockets import WebSocketDisconnect
 
 from kitrobot.server import fallback_pages
-from kitrobot.server.sentences import spoken
 from kitrobot.text.json_text import to_json
 from kitrobot.text.sentences import Sentence
+from kitrobot.wire.sentences import spoken
 
 LARGEST_BODY_BYTES = 16 * 1024 * 1024
 """A mission of 100 000 vertices is half of it."""

@@ -10,9 +10,9 @@ from pathlib import Path
 import uvicorn
 from starlette.types import ASGIApp
 
+from kitrobot.live.runs import LARGEST_MESSAGE_BYTES
 from kitrobot.server.connections import LARGEST_HEAD_BYTES, MOST_CONNECTIONS, BoundedConnection
 from kitrobot.server.garbage_collector import tune_garbage_collector
-from kitrobot.server.runs import LARGEST_MESSAGE_BYTES
 
 END_WITHIN_S = 2
 """How long open connections may take to close after Ctrl-C."""

@@ -9,8 +9,8 @@ from typing import Any
 import pytest
 
 from kitrobot.classroom.class_room import ClassRoom
+from kitrobot.classroom.overview import JoinAddress
 from kitrobot.server.class_app import ClassApp, create_class_app
-from kitrobot.server.class_overview import JoinAddress
 from tests.server.conftest import SHORT, TestClient
 
 KEY = "the-teachers-key"

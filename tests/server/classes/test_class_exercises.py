@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from kitrobot.server.class_files import unpack
+from kitrobot.classroom.assignments import unpack
 from tests.patience import PATIENCE_S
 from tests.server.classes.conftest import KEY, SOCKET, SQUARE, hand_in, told
 

@@ -8,12 +8,12 @@ from pathlib import Path
 
 import pytest
 
+from kitrobot.classroom.assignments import MOST_BYTES, MOST_FILES, pack
 from kitrobot.classroom.class_room import ClassRoom
+from kitrobot.packaging.site import SiteError
 from kitrobot.server.app import create_app
 from kitrobot.server.class_app import create_class_app
-from kitrobot.server.class_files import MOST_BYTES, MOST_FILES, pack
 from kitrobot.server.class_server import ClassSettings, serve_class
-from kitrobot.workspace.site import SiteError
 from tests.server.classes.conftest import KEY, REACH, Class
 from tests.server.classes.test_class_exercises import put_own_exercise
 from tests.server.conftest import TestClient

@@ -360,7 +360,7 @@ export interface CheckedEvent {
   text: string;
 }
 
-/** One answer: see `kitrobot.workspace.background_check.Answered`. */
+/** One answer: see `kitrobot.checking.background_check.Answered`. */
 export interface CheckedProperty {
   name: string;
   sentence: string;
@@ -2355,7 +2355,7 @@ export interface VerifyEndMessage {
   limits: string[];
 }
 
-/** How far the check is under one assumption: see `kitrobot.workspace.background_check.Explored`. */
+/** How far the check is under one assumption: see `kitrobot.checking.background_check.Explored`. */
 export interface VerifyProgressMessage {
   type: "progress";
   timing: "lockstep" | "prompt" | "free";

@@ -4,7 +4,7 @@ An agent is *trapped* in a loop of its program if one of its threads is in it an
 reached from there, although the loop has a way out. A loop without one (Forever) is intended. In a mission with goals
 only states count from which the goals cannot be reached any more: a robot that waits when all is done is right to.
 
-Not here: exploring (`exploration`), words and places for people (`workspace.drawing_check`).
+Not here: exploring (`exploration`), words and places for people (`checking.drawing_check`).
 """
 
 from __future__ import annotations

@@ -1,0 +1,1 @@
+"""Real boards as use cases: what they run, kits, benches, calibration, and sets of a class."""

@@ -1,0 +1,1 @@
+"""Verification as a use case: a mission's check, checks while somebody draws, checks beside other work, exercises."""

@@ -1,0 +1,394 @@
+"""Evaluation of a submission for an exercise: its programs are inspected, run with every seed, and checked.
+
+The work is bounded by steps: each run ends after the exercise's simulated seconds, each check after its states. `stop`
+ends it between two stretches of a run or within a check; results found until then are returned. The result contains
+nothing that depends on wall-clock time. Left to others: what a goal is (`exercise`), processes and tables for a class
+(`class_grader`).
+"""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Callable, Iterable, Sequence
+from dataclasses import dataclass, replace
+from typing import Final, Literal
+
+from kitrobot.checking.verification import Finding, VerificationError, VerificationOptions, verify
+from kitrobot.compiler.part_text import draw_template
+from kitrobot.compiler.target import target_of
+from kitrobot.diagnostics.model import Diagnostic, KitRobotError
+from kitrobot.diagnostics.problems import ProblemsError
+from kitrobot.exercise.evidence import CheckEvidence, Contact, PathPoint, ProgramEvidence, RunEvidence
+from kitrobot.exercise.goals import CheckGoal, Fault, Goal, ProgramGoal, RunGoal
+from kitrobot.exercise.model import Exercise
+from kitrobot.graph.model import IN, RETURN, START, STOP, Program
+from kitrobot.lll.tree import Call
+from kitrobot.lll.walk import nodes
+from kitrobot.mission.model import Mission
+from kitrobot.primitives.constructors import Constructor
+from kitrobot.sim.recorder import strokes_now
+from kitrobot.sim.simulation import Simulation
+from kitrobot.sim.step.pens import pens_of
+from kitrobot.text.sentences import Label, Sentence
+from kitrobot.trace.drawing import Drawing
+from kitrobot.verifier.model.programs import AbstractionError
+from kitrobot.verifier.model.timing import Timing
+from kitrobot.verifier.properties.verdicts import Answer
+from kitrobot.workspace.exercises import handed_in
+from kitrobot.workspace.mission_loader import OpenMission, with_mission
+from kitrobot.workspace.mission_run import PreparedRun, RunOptions
+from kitrobot.workspace.search_path import SearchPath
+
+STRETCH: Final = 250
+"""Steps of the simulator between two looks at `stop`."""
+LEAST_MOVE_MM: Final = 1.0
+"""Points of a path are at least so far apart."""
+STEPS_SHOWN: Final = 4
+"""How many of the last steps are shown of a model run that breaks a property."""
+
+_ANSWERS: Final[dict[Answer, Literal["holds", "broken", "not finished", "vacuous"]]] = {
+    Answer.BROKEN: "broken",
+    Answer.NOT_FINISHED: "not finished",
+    Answer.VACUOUS: "vacuous",
+    Answer.HOLDS: "holds",
+}
+"""From the worst to the best."""
+
+Progress = Callable[[int, int], None]
+"""Called with how many pieces of work are over, and how many there are."""
+
+
+def _never() -> bool:
+    return False
+
+
+@dataclass(frozen=True)
+class GoalVerdict:
+    """The result for one goal.
+
+    Attributes:
+        goal: the goal.
+        reached: whether it is reached; None where it was not evaluated.
+        why: what went wrong, "" when nothing did.
+        seed: the run that shows it, if a run does.
+        seconds: when in that run, in simulated seconds.
+        runs: in how many of the `of` runs it was reached; both 0 for goals that are not of runs.
+    """
+
+    goal: Goal
+    reached: bool | None
+    why: str = ""
+    seed: int | None = None
+    seconds: float | None = None
+    runs: int = 0
+    of: int = 0
+
+
+@dataclass(frozen=True)
+class Evaluation:
+    """The result for a submission. `problems` are the errors that kept it from running; then no goal is reached."""
+
+    verdicts: tuple[GoalVerdict, ...]
+    problems: tuple[Diagnostic, ...] = ()
+
+    @property
+    def full(self) -> bool:
+        """Whether every goal is reached."""
+        return all(verdict.reached for verdict in self.verdicts)
+
+
+@dataclass(frozen=True)
+class EvaluationOptions:
+    """Which parts of an exercise are evaluated.
+
+    Attributes:
+        hidden: the hidden goals and seeds too.
+        seeds: these seeds only, in place of the exercise's; none: the exercise's.
+        runs: goals of runs too.
+        checks: goals of checking too, which take longest.
+        stop: polled regularly; once it returns True, goals that are not decided yet are left out.
+    """
+
+    hidden: bool = False
+    seeds: tuple[int, ...] = ()
+    runs: bool = True
+    checks: bool = True
+    stop: Callable[[], bool] = _never
+
+
+def open_handed_in(start: OpenMission, submission: Mission, search: SearchPath) -> OpenMission:
+    """A submission in the mission of its exercise, which lies in the folder of `search`.
+
+    Raises:
+        AnotherMissionError: it belongs to another exercise.
+    """
+    return with_mission(handed_in(start.mission, submission), start.name, search)
+
+
+def evaluate_submission(
+    exercise: Exercise,
+    opened: OpenMission,
+    options: EvaluationOptions | None = None,
+    progress: Progress | None = None,
+    given: Sequence[Constructor] = (),
+) -> Evaluation:
+    """Judges a submission that was put into the mission of its exercise; `given` are the own blocks of that mission."""
+    options = options or EvaluationOptions()
+    goals = exercise.goals_for(options.hidden)
+    seeds = options.seeds or exercise.seeds_for(options.hidden)
+    run_goals = [goal for goal in goals if isinstance(goal, RunGoal)] if options.runs else []
+    checks = [goal for goal in goals if isinstance(goal, CheckGoal)] if options.checks else []
+    total = (len(seeds) if run_goals else 0) + len(checks)
+    done = 0
+
+    def count_done() -> None:
+        nonlocal done
+        done += 1
+        if progress is not None:
+            progress(done, total)
+
+    try:
+        prepared = opened.prepare(RunOptions(seeds[0], exercise.seconds))
+    except ProblemsError as error:
+        return _unusable(goals, [one for one in error.diagnostics if one.is_error])
+    found: dict[int, GoalVerdict] = {}
+    seen = collect_program_evidence(opened, given)
+    for goal in goals:
+        if isinstance(goal, ProgramGoal):
+            fault = goal.fault(seen)
+            found[id(goal)] = _verdict(goal, fault)
+    verdicts: dict[int, list[tuple[int, Fault | None]]] = {id(goal): [] for goal in run_goals}
+    if run_goals:
+        paths = any(goal.needs_path for goal in run_goals)
+        for seed in seeds:
+            run = collect_run_evidence(_simulation(prepared, seed), seed, paths, options.stop)
+            if run is None:
+                break
+            for goal in run_goals:
+                verdicts[id(goal)].append((seed, goal.fault(run)))
+            count_done()
+    for goal in run_goals:
+        found[id(goal)] = _of_runs(goal, verdicts[id(goal)], len(seeds))
+    for alike in _alike(checks):
+        if options.stop():
+            break
+        seen_of = collect_check_evidence(prepared, alike, options.stop)
+        cut = options.stop()
+        for check in alike:
+            # Only what is broken is known of a check that was cut.
+            if not cut or seen_of[check.property].answer == "broken":
+                found[id(check)] = _verdict(check, check.fault(seen_of[check.property]))
+                count_done()
+    return Evaluation(tuple(found.get(id(goal), GoalVerdict(goal, None)) for goal in goals))
+
+
+def _unusable(goals: Iterable[Goal], problems: list[Diagnostic]) -> Evaluation:
+    first = problems[0].message if problems else ""
+    return Evaluation(tuple(GoalVerdict(goal, False, first) for goal in goals), tuple(problems))
+
+
+def _verdict(goal: Goal, fault: Fault | None) -> GoalVerdict:
+    if fault is None:
+        return GoalVerdict(goal, True)
+    return GoalVerdict(goal, False, fault.sentence, fault.seed, fault.seconds)
+
+
+def _of_runs(goal: RunGoal, found: list[tuple[int, Fault | None]], wanted: int) -> GoalVerdict:
+    wrong = [(seed, fault) for seed, fault in found if fault is not None]
+    reached = len(found) - len(wrong)
+    if not wrong:
+        return GoalVerdict(goal, True if reached == wanted else None, runs=reached, of=len(found))
+    seed, fault = wrong[0]
+    return GoalVerdict(goal, False, fault.sentence, seed, fault.seconds, reached, len(found))
+
+
+# -- what is seen of programs
+
+
+def collect_program_evidence(opened: OpenMission, given: Sequence[Constructor] = ()) -> ProgramEvidence:
+    """The elements that hang on the Start of each program, and those that its own blocks would be drawn as.
+
+    A part is what it does: an own block counts by its name only as far as it is one of `given`, and as what stands in
+    it in any case, once for each program.
+    """
+    blocks = {block.name: block for block in opened.mission.constructors}
+    named = {block.name for block in given if block.name in blocks and _is_same(block, blocks[block.name])}
+    elements: dict[str, Counter[str]] = {}
+    own: dict[str, int] = {}
+    for program in opened.mission.programs:
+        counts = Counter(attached(program))
+        own[program.name] = 0
+        for name in sorted(set(counts) & set(blocks)):
+            if name not in named:
+                own[program.name] += counts.pop(name)
+            counts.update(_drawn(blocks[name], program, opened))
+        elements[program.name] = counts
+    return ProgramEvidence(elements, own, _labels(opened))
+
+
+def _is_same(one: Constructor, other: Constructor) -> bool:
+    return (one.template, one.slots, one.adds) == (other.template, other.slots, other.adds)
+
+
+def _drawn(block: Constructor, program: Program, opened: OpenMission) -> list[str]:
+    """The elements that an own block would be drawn as if it stood in the program itself."""
+    if block.template is None:
+        return []
+    common = opened.common if opened.common is not None else opened.catalogue
+    # Under no name: one that is called as a part of the files is not to keep that from being drawn.
+    bare = replace(block, name="")
+    try:
+        drawn = draw_template(bare, target_of(program, opened.catalogue), common)
+    except KitRobotError:
+        return [f"{node.object}.{node.method}" for node in nodes(block.template) if isinstance(node, Call)]
+    elements = (vertex.element for vertex in drawn.vertices)
+    return [element for element in elements if element not in (START, STOP) and not element.startswith("{")]
+
+
+def _labels(opened: OpenMission) -> dict[str, Sentence]:
+    """What elements are called on the page, of the constructors and of the robots of all programs."""
+    known = {**opened.catalogue.constructors, **(opened.common.constructors if opened.common is not None else {})}
+    found: dict[str, Sentence] = {name: Label(name, one.label) for name, one in known.items()}
+    for program in opened.mission.programs:
+        robot = opened.catalogue.robots.get(program.target)
+        for (part, name), (of, method) in (robot.calls if robot is not None else {}).items():
+            label: Sentence = Label(name, method.label)
+            if not method.alone:
+                label = Sentence("{part}: {does}", Label(part, of.label), label)
+            found.setdefault(f"{part}.{name}", label)
+    return found
+
+
+def attached(program: Program) -> list[str]:
+    """The elements of the vertices that hang on Start, but for Start and Stop: those on the way from it, and what fills
+    their slots. What is parked is not among them.
+    """
+    kinds = {vertex.id: vertex.element for vertex in program.vertices}
+    ways: dict[str, list[str]] = {}
+    for arc in program.arcs:
+        fills = arc.at not in (IN, RETURN)
+        ways.setdefault(arc.target if fills else arc.source, []).append(arc.source if fills else arc.target)
+    waiting = [vertex.id for vertex in program.vertices if vertex.element == START]
+    met = set(waiting)
+    while waiting:
+        for other in ways.get(waiting.pop(), ()):
+            if other in kinds and other not in met:
+                met.add(other)
+                waiting.append(other)
+    return [kinds[vertex] for vertex in met if kinds[vertex] not in (START, STOP)]
+
+
+# -- what is seen of runs
+
+
+def _simulation(prepared: PreparedRun, seed: int) -> Simulation:
+    if seed == prepared.options.seed:
+        return prepared.again()
+    return prepared.opened.prepare(replace(prepared.options, seed=seed)).simulation
+
+
+def collect_run_evidence(
+    simulation: Simulation, seed: int, with_paths: bool, stop: Callable[[], bool] = _never
+) -> RunEvidence | None:
+    """Runs a simulation that has a time limit to its end; None when `stop` said so before."""
+    # Compiling takes longer than the runs of an exercise.
+    simulation.stays_plain = True
+    names = [agent.name for agent in simulation.members]
+    paths: list[list[PathPoint]] = [[PathPoint(x, y, 0.0)] for x, y, *_ in simulation.poses()]
+    contacts: list[Contact] = []
+    drawing = Drawing(pens_of(simulation.members))
+    while simulation.outcome is None:
+        if simulation.tick % STRETCH == 0 and stop():
+            return None
+        simulation.advance(1 if with_paths else STRETCH)
+        for event in simulation.events:
+            if event.kind == "collision":
+                contacts.append(Contact(event.agent, event.tick * simulation.tick_ms / 1000, event.text))
+        if with_paths:
+            drawing.add(simulation.drawn)
+            _follow(simulation, paths)
+    if with_paths:
+        for path, (x, y, *_) in zip(paths, simulation.poses(), strict=True):
+            path.append(PathPoint(x, y, simulation.seconds))
+    return RunEvidence(
+        seed,
+        simulation.outcome,
+        simulation.sentence,
+        simulation.seconds,
+        tuple(contacts),
+        {name: tuple(path) for name, path in zip(names, paths, strict=True)} if with_paths else None,
+        _lines(simulation, drawing) if with_paths else None,
+    )
+
+
+def _lines(simulation: Simulation, drawing: Drawing) -> dict[str, tuple[tuple[PathPoint, ...], ...]]:
+    """What each agent's pens drew."""
+    found: dict[str, tuple[tuple[PathPoint, ...], ...]] = {agent.name: () for agent in simulation.members}
+    for stroke in strokes_now(simulation, drawing):
+        name = simulation.members[drawing.pens[stroke.pen].agent].name
+        found[name] += (tuple(PathPoint(x, y, simulation.seconds) for x, y in stroke.points),)
+    return found
+
+
+def _follow(simulation: Simulation, paths: list[list[PathPoint]]) -> None:
+    for path, (x, y, *_) in zip(paths, simulation.poses(), strict=True):
+        last = path[-1]
+        if abs(x - last.x) + abs(y - last.y) >= LEAST_MOVE_MM:
+            path.append(PathPoint(x, y, simulation.seconds))
+
+
+# -- what is seen by checking
+
+
+def _alike(checks: Iterable[CheckGoal]) -> list[list[CheckGoal]]:
+    """The goals that one search decides together."""
+    found: dict[tuple[str, int, int], list[CheckGoal]] = {}
+    for check in checks:
+        found.setdefault((check.timing, check.failures, check.states), []).append(check)
+    return list(found.values())
+
+
+def collect_check_evidence(
+    prepared: PreparedRun, goals: Sequence[CheckGoal], stop: Callable[[], bool] = _never
+) -> dict[str, CheckEvidence]:
+    """Checks the properties of goals that are alike, bounded by their states, in one search.
+
+    Of each property the worst answer counts: of all numbers of failures, and of all agents that it is about.
+    """
+    like = goals[0]
+    wanted = tuple(dict.fromkeys(goal.property for goal in goals))
+    options = VerificationOptions(
+        wanted, (Timing(like.timing),), like.failures, states=like.states, seconds=None, stop=stop
+    )
+    try:
+        made = verify(prepared, options)
+    except VerificationError as error:
+        if len(wanted) == 1:
+            return {wanted[0]: CheckEvidence("none", error.message)}
+        # One of them does not fit this mission: each by itself.
+        return {goal.property: collect_check_evidence(prepared, [goal], stop)[goal.property] for goal in goals}
+    except AbstractionError as error:
+        return dict.fromkeys(wanted, CheckEvidence("none", error.message))
+    seen = {}
+    for name in wanted:
+        findings = [
+            finding
+            for column in made.columns
+            for finding in column.findings
+            if finding.verdict.property.name == name or finding.verdict.property.name.startswith(f"{name}-")
+        ]
+        if findings:
+            worst = min(findings, key=lambda finding: list(_ANSWERS).index(finding.verdict.answer))
+            seen[name] = _check_evidence(worst, made.tick_ms)
+        else:
+            seen[name] = CheckEvidence("none", Sentence("nothing was checked"))
+    return seen
+
+
+def _check_evidence(finding: Finding, tick_ms: int) -> CheckEvidence:
+    verdict, confirmed = finding.verdict, finding.confirmed
+    steps = tuple(dict.fromkeys(text for _, text in finding.story[-STEPS_SHOWN:]))
+    seed = seconds = None
+    if confirmed is not None and not confirmed.faults:
+        seed, seconds = confirmed.seed, confirmed.tick * tick_ms / 1000
+    return CheckEvidence(_ANSWERS[verdict.answer], verdict.property.sentence, seed, seconds, steps)

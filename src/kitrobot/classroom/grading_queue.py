@@ -1,0 +1,112 @@
+"""Grading a class with its exercise: what each pupil handed in last, beside the running class, one piece after another.
+
+It writes `grades.html` and `grades.csv` into the class's folder; goals that pupils' own pages report do not count.
+"""
+
+from __future__ import annotations
+
+import logging
+import threading
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from pathlib import Path
+from typing import Final
+
+from kitrobot.classroom.class_room import GRADES_PAGE, GRADES_TABLE, ClassError, ClassRoom
+from kitrobot.classroom.grade_tables import as_csv, as_html
+from kitrobot.classroom.grades import Grade
+from kitrobot.classroom.grading import grade
+from kitrobot.diagnostics.model import KitRobotError
+from kitrobot.files.disk import FileError, read_bytes, write_atomic
+from kitrobot.files.folder import EXERCISE_ENDING
+from kitrobot.live.studio import Studio
+from kitrobot.text.sentences import Sentence
+
+JOBS: Final = 1
+"""The class goes on meanwhile."""
+
+_log = logging.getLogger("kitrobot.server")
+
+
+@dataclass(frozen=True)
+class GradingState:
+    """How far grading is; `page` names what it wrote, "" until then."""
+
+    done: int
+    total: int
+    page: str = ""
+
+
+class ClassGrader:
+    """Grading of one class: one at a time."""
+
+    def __init__(self, room: ClassRoom, studio: Studio) -> None:
+        self._room = room
+        self._studio = studio
+        self._stop = threading.Event()
+        self._lock = threading.Lock()
+        self._thread: threading.Thread | None = None
+        self.state: GradingState | None = None
+
+    def begin(self, folders: Sequence[str] | None) -> int:
+        """Starts grading; returns the number of submissions.
+
+        Raises:
+            ClassError: there is nothing to grade, or grading is on.
+        """
+        exercise = self._room.record.exercise
+        if not exercise:
+            raise ClassError(Sentence("the class has no exercise"), Sentence("choose one first"))
+        self._studio.exercises.usable(exercise)
+        path = self._studio.folder.path_of(exercise, EXERCISE_ENDING)
+        names = {
+            str(self._room.folder / pupil.folder / pupil.work): pupil.record.name
+            for pupil in list(self._room.pupils.values())
+            if pupil.work and (folders is None or pupil.folder in folders)
+        }
+        if not names:
+            raise ClassError(Sentence("nobody has handed anything in yet"), "")
+        with self._lock:
+            if self._thread is not None and self._thread.is_alive():
+                raise ClassError(Sentence("grading is on already"), "")
+            self._stop = threading.Event()
+            self.state = GradingState(0, len(names))
+            self._thread = threading.Thread(target=self._run, args=(names, path), name="grading", daemon=True)
+            self._thread.start()
+        return len(names)
+
+    def end(self) -> None:
+        """Cancels grading."""
+        self._stop.set()
+        self.wait(10)
+
+    def wait(self, within_s: float) -> None:
+        """Waits until grading is over, at most `within_s` seconds."""
+        if self._thread is not None:
+            self._thread.join(within_s)
+
+    def page(self) -> bytes:
+        """The page of grades that was written last.
+
+        Raises:
+            FileError: there is none.
+        """
+        return read_bytes(self._room.folder / GRADES_PAGE)
+
+    def _run(self, names: dict[str, str], exercise: Path) -> None:
+        made: list[Grade] = []
+        try:
+            for one in grade([Path(name) for name in names], exercise, JOBS, stop=self._stop):
+                made.append(replace(one, submission=names[one.submission]))
+                self.state = GradingState(len(made), len(names))
+            if self._stop.is_set() and len(made) < len(names):
+                return
+            made.sort(key=lambda one: one.submission)
+            write_atomic(self._room.folder / GRADES_TABLE, as_csv(made).encode(errors="replace"))
+            write_atomic(self._room.folder / GRADES_PAGE, as_html(made).encode(errors="replace"))
+            self.state = GradingState(len(made), len(names), GRADES_PAGE)
+            self._room.log.write(f"{len(made)} were graded: {GRADES_PAGE}")
+        except (KitRobotError, FileError, OSError) as error:
+            _log.warning("grading ended: %s", error)
+            self._room.log.write(f"grading ended: {error}")
+            self.state = None

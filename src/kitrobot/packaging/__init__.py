@@ -1,0 +1,1 @@
+"""The studio as a static site, and as an entry of a desktop."""

@@ -1,0 +1,73 @@
+"""LLL text from a clipboard → a piece of a graph.
+
+Instructions become a chain between Start and Stop. A condition by itself ("Sign.EqualTo(0) & Run.IsTrue()") is no
+program: it is read as the guard of an empty event; that graph without its chain is the condition alone.
+"""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from kitrobot.compiler.lll_to_graph import lll_to_graph
+from kitrobot.diagnostics.model import Diagnostic, KitRobotError
+from kitrobot.graph.model import IN, START, STOP, Program
+from kitrobot.lll.parse_results import parse
+from kitrobot.lll.tree import Seq
+from kitrobot.mission.model import Mission
+from kitrobot.primitives.catalogue import Catalogue
+from kitrobot.primitives.robot import Robot
+from kitrobot.server.routes.api_router import ThisStudio, api_router
+from kitrobot.wire.fragment import FragmentRequestShape, FragmentShape
+from kitrobot.wire.mission import mission_shape
+from kitrobot.wire.own_parts import own_constructor, own_variable
+from kitrobot.wire.problem import problem_shapes
+
+FILE = "clipboard.lll"
+"""The name by which problems speak of the text."""
+
+routes = api_router()
+
+
+@routes.post("/fragment")
+def fragment(studio: ThisStudio, wanted: FragmentRequestShape) -> FragmentShape:
+    """Reads a pasted text for a robot; a text that is no LLL gives its problems and no graph."""
+    own = Mission(
+        constructors=[own_constructor(one) for one in wanted.constructors],
+        variables=[own_variable(one) for one in wanted.variables],
+    )
+    catalogue = studio.parts_of(own, wanted.path)
+    robot = catalogue.robot(wanted.robot)
+    program, problems = read_fragment(wanted.text, robot, catalogue)
+    shape = None if program is None else mission_shape(Mission(programs=[program])).programs[0]
+    return FragmentShape(program=shape, problems=problem_shapes(problems))
+
+
+def read_fragment(text: str, robot: Robot, catalogue: Catalogue) -> tuple[Program | None, list[Diagnostic]]:
+    """The graph of a text, or None and what is wrong with it."""
+    parsed = parse(text, FILE)
+    if parsed.ok:
+        return _drawn(parsed.program, robot, catalogue), parsed.diagnostics
+    guarded = parse(f"<{text}>();", FILE)
+    if guarded.ok and len(guarded.program.items) == 1:
+        drawn = _drawn(guarded.program, robot, catalogue)
+        if drawn is not None:
+            return _without_chain(drawn), []
+    return None, parsed.diagnostics
+
+
+def _drawn(program: Seq, robot: Robot, catalogue: Catalogue) -> Program | None:
+    try:
+        return lll_to_graph(program, robot, catalogue, "fragment")
+    except KitRobotError:
+        return None
+
+
+def _without_chain(program: Program) -> Program:
+    """The program without its chain: the condition of its only instruction."""
+    chained = {arc.target for arc in program.arcs if arc.at == IN}
+    gone = chained | {vertex.id for vertex in program.vertices if vertex.element in (START, STOP)}
+    return replace(
+        program,
+        vertices=[vertex for vertex in program.vertices if vertex.id not in gone],
+        arcs=[arc for arc in program.arcs if arc.source not in gone and arc.target not in gone],
+    )

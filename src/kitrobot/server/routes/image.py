@@ -1,0 +1,48 @@
+"""The request for a program's image, for a download."""
+
+from __future__ import annotations
+
+from base64 import b64encode
+
+from kitrobot.compiler.target import robot_of
+from kitrobot.diagnostics.problems import ProblemsError
+from kitrobot.image.listing import disassemble
+from kitrobot.server.routes.api_router import ThisStudio, api_router
+from kitrobot.text.sentences import Sentence
+from kitrobot.wire.image import ImageAskShape, ImageShape
+from kitrobot.wire.mission_delta import mission_from_delta
+
+image_routes = api_router()
+
+
+@image_routes.post("/image")
+def image(studio: ThisStudio, wanted: ImageAskShape) -> ImageShape:
+    """Compiles one program of a mission: its image and the listing of it."""
+    opened = studio.open(mission_from_delta(wanted.mission, studio.programs.named), wanted.path)
+    program = opened.program(wanted.program)
+    if program.level.is_team:
+        robot_of(program, opened.catalogue)  # says that it has none
+    compiled = opened.compiled.get(program.name)
+    if compiled is None:
+        raise ProblemsError(
+            Sentence(
+                "the robot `{robot}` of `{program}` is not at hand, so there is no image of it",
+                program.target,
+                program.name,
+            ),
+            Sentence("put the robot's file beside the mission"),
+            opened.diagnostics,
+        )
+    if compiled.image is None:
+        errors = tuple(item for item in compiled.diagnostics if item.is_error)
+        raise ProblemsError(
+            Sentence("`{program}` has {errors}, so there is no image of it yet", program.name, _counted(len(errors))),
+            Sentence("mend what the list of problems shows"),
+            errors,
+        )
+    data = compiled.image.to_bytes()
+    return ImageShape(image=b64encode(data).decode(), listing=disassemble(compiled.image))
+
+
+def _counted(errors: int) -> str:
+    return Sentence.counted("{count} error", "{count} errors", errors)

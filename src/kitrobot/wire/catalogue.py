@@ -1,0 +1,193 @@
+"""The catalogue on the wire: what the palette, the inspector and the chips are made of."""
+
+from __future__ import annotations
+
+from typing import Annotated, Any, Literal
+
+from pydantic import AliasChoices, BaseModel, Field, model_validator
+
+from kitrobot.primitives.automatic import work_object
+from kitrobot.primitives.catalogue import Catalogue
+from kitrobot.primitives.robot import Robot
+from kitrobot.sim.devices import DisplayKind, ManualControl
+from kitrobot.sim.setup.settings import appearance_of, length_of
+from kitrobot.wire.problem import ProblemShape, problem_shapes
+from kitrobot.wire.values import Least, Most, View
+
+Texts = dict[str, str]
+LevelName = Literal["agent", "group", "social"]
+Colour = Literal["loop", "choice", "parallel", "action", "test", "team"]
+
+
+class ChoiceShape(View):
+    """A value with a name, and one picture at most: an icon, lights (digits, five by five) or a `#rrggbb`."""
+
+    value: int
+    label: Texts
+    icon: str = ""
+    lights: str = ""
+    colour: str = ""
+
+
+class MeaningShape(View):
+    """What a number means. `scale`: how many units one is, or `wait-unit`; `units`: other languages than English."""
+
+    scale: str = "1"
+    units: Texts = Field(default_factory=dict)
+    field: Literal["", "slider", "time", "dial", "ruler", "choices", "lights", "piano", "colour"] = ""
+    choices: list[ChoiceShape] = Field(default_factory=list)
+
+
+class SlotShape(View):
+    """A hole of a constructor."""
+
+    name: str
+    kind: Literal["flow", "condition", "value", "number", "text", "action"]
+    label: Texts
+    loop: bool
+    repeat: bool
+    least: int
+    min: Least[int | None]
+    max: Most[int | None]
+    default: str
+    unit: str
+    names: Literal["", "set", "program"] = ""
+    meaning: MeaningShape | None = None
+
+
+class AddsShape(View):
+    """The constructor, and its slot, that a branch adds itself to."""
+
+    constructor: str
+    slot: str
+
+    @model_validator(mode="before")
+    @classmethod
+    def _pair(cls, given: Any) -> Any:
+        return {"constructor": given[0], "slot": given[1]} if isinstance(given, tuple) else given
+
+
+class ConstructorShape(View):
+    """A building block of programs."""
+
+    name: str
+    group: str
+    icon: str
+    colour: Colour
+    label: Texts
+    help: Texts
+    slots: list[SlotShape]
+    role: Literal["instruction", "condition", "branch"]
+    adds: AddsShape | None
+    code: str
+    level: LevelName = "agent"
+
+
+class GroupShape(View):
+    """A heading of the palette."""
+
+    name: str
+    colour: Colour
+    label: Texts
+    constructors: list[ConstructorShape]
+
+
+class ParameterShape(View):
+    """A parameter of a method; `min` and `max` are included."""
+
+    name: str
+    kind: Annotated[Literal["integer", "boolean"], Field(validation_alias=AliasChoices("kind", "type"))]
+    min: Least[int]
+    max: Most[int]
+    default: int
+    unit: str
+    label: Texts
+    help: Texts
+    meaning: MeaningShape | None = None
+
+
+class MethodShape(View):
+    """What a robot object can do or tell. `phrase`: words for chips, with holes, `{object} = {value}`."""
+
+    name: str
+    kind: Literal["procedure", "test", "value"]
+    label: Texts
+    help: Texts
+    icon: str
+    parameters: list[ParameterShape]
+    completes_later: bool
+    stop: str | None
+    phrase: Texts
+    test: Literal["", "equal", "less", "greater"] = ""
+    to: int | None = None
+    alone: bool = False
+
+
+class RayShape(BaseModel):
+    """Where a range finder looks: how far from its robot's edge, in mm, and counter-clockwise from the front."""
+
+    reach_mm: float
+    angle_rad: float
+
+
+class RobotObjectShape(View):
+    """A part of a robot. In the arena, `look` is how an actuator is drawn, and `hand` how a person works a sensor."""
+
+    name: str
+    category: Literal["actuator", "sensor", "variable", "system"]
+    look: DisplayKind = ""
+    hand: ManualControl = ""
+    ray: RayShape | None = None
+    icon: str
+    label: Texts
+    help: Texts
+    methods: list[MethodShape]
+    type: Literal["integer", "boolean"]
+    min: Least[int]
+    max: Most[int]
+    initial: int
+    shared: bool
+    unit: str = ""
+    meaning: MeaningShape | None = None
+
+
+class RobotShape(View):
+    """A kind of robot; `length_mm` is how long it is, 0 for one without wheels, `figure` how it is drawn."""
+
+    name: str
+    label: Texts
+    help: Texts
+    tick_ms: int
+    wait_unit_ms: int
+    objects: list[RobotObjectShape]
+    length_mm: float = 0.0
+    figure: str = ""
+
+
+class CatalogueShape(BaseModel):
+    """Every word that programs can be made of, and what was wrong with the files that hold them."""
+
+    groups: list[GroupShape]
+    robots: list[RobotShape]
+    problems: list[ProblemShape]
+    work: RobotObjectShape | None = None
+    """What a work of a team can do and tell, without its name."""
+
+
+def catalogue_shape(catalogue: Catalogue) -> CatalogueShape:
+    """The catalogue as it travels."""
+    return CatalogueShape(
+        groups=[GroupShape.model_validate(group) for group in catalogue.groups],
+        robots=[_robot(robot) for robot in catalogue.robots.values()],
+        work=RobotObjectShape.model_validate(work_object("", 0)),
+        problems=problem_shapes(catalogue.problems),
+    )
+
+
+def _robot(robot: Robot) -> RobotShape:
+    shape = RobotShape.model_validate(robot).model_copy(update={"length_mm": length_of(robot)})
+    for part, seen in zip(robot.objects, shape.objects, strict=True):
+        seen.look, seen.hand, resting, ray = appearance_of(part)
+        seen.ray = None if ray is None else RayShape(reach_mm=ray[0], angle_rad=ray[1])
+        seen.initial = part.initial or resting
+    return shape
