@@ -19,8 +19,8 @@ from kitrobot.compiler import (
     print_for,
 )
 from kitrobot.compiler.accepted_forms import normalise
+from kitrobot.compiler.lll_to_graph import redraw
 from kitrobot.compiler.preserve_ids import Before
-from kitrobot.compiler.stretch import redraw_edited
 from kitrobot.graph import Program, empty_program
 from kitrobot.lll import Seq, TeamProgram, nodes, parse_team, print_team_program
 from kitrobot.primitives import Catalogue, Crew, CrewProgram, Level, SlotKind, load_catalogue
@@ -215,7 +215,7 @@ def test_an_edited_text_becomes_a_graph_that_says_the_same(rng: random.Random) -
                 body.items.insert(0, body.items.pop(rng.randrange(len(body.items))))
     before = Before(graph_to_lll(lll_to_graph(old.seq, TARGET, PARTS, "haul"), PARTS))
     text = print_team_program(new)
-    program, translation = redraw_edited(parse_team(text).program.seq, TARGET, PARTS, before)
+    program, translation = redraw(parse_team(text).program.seq, TARGET, PARTS, "haul", before)
     assert (program.level, program.target) == (Level.SOCIAL, "")
     assert translation.diagnostics == []
     assert graph_to_lll(program, PARTS).program == parse_team(text).program.seq

@@ -1,16 +1,21 @@
 """Translations: graph → LLL, LLL → graph, LLL → three-address code → image; and the check of a program's names."""
 
 from kitrobot.compiler.checker import check
-from kitrobot.compiler.compilation import Compiled, compile_lll, compile_program, compile_text, not_compiled
+from kitrobot.compiler.compilation import (
+    CheckResult,
+    Compiled,
+    compile_lll,
+    compile_program,
+    compile_text,
+    not_compiled,
+)
 from kitrobot.compiler.expansion_limit import left_out, oversize_in_mission
 from kitrobot.compiler.graph_to_lll import Translation, graph_to_lll
-from kitrobot.compiler.lineage import Lineage
 from kitrobot.compiler.lll_to_graph import lll_to_graph
 from kitrobot.compiler.own_part import Appearance, ChosenSlot, Part, PartError, PartOffer, make_part, offer_part
 from kitrobot.compiler.part_offers import Offer
 from kitrobot.compiler.part_text import PartText, draw_template, read_part
 from kitrobot.compiler.projection import Projection, project
-from kitrobot.compiler.retranslation import graph_to_lll_again
 from kitrobot.compiler.selection import SelectionError
 from kitrobot.compiler.target import Read, Target, print_for, read_for, robot_of, target_of
 from kitrobot.compiler.team_check import check_program, program_circles
@@ -24,11 +29,11 @@ __all__ = [
     "ALL",
     "ONE",
     "Appearance",
+    "CheckResult",
     "ChosenSlot",
     "Compiled",
     "CompiledTeam",
     "Followed",
-    "Lineage",
     "Offer",
     "Part",
     "PartError",
@@ -53,7 +58,6 @@ __all__ = [
     "draw_template",
     "follow_text",
     "graph_to_lll",
-    "graph_to_lll_again",
     "left_out",
     "lll_to_graph",
     "make_part",

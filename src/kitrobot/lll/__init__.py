@@ -13,9 +13,7 @@ from kitrobot.lll.parse_results import (
     parse_template,
 )
 from kitrobot.lll.printer import (
-    print_again,
     print_declaration,
-    print_lines,
     print_members,
     print_program,
     print_team_program,
@@ -122,9 +120,7 @@ __all__ = [
     "parse_names",
     "parse_team",
     "parse_template",
-    "print_again",
     "print_declaration",
-    "print_lines",
     "print_members",
     "print_program",
     "print_team_program",

@@ -45,7 +45,6 @@ from kitrobot.server.shapes import (
     problem_shapes,
 )
 from kitrobot.server.shapes.drawing_check import DRAWING_CHECK_MESSAGE_MODELS, DRAWING_CHECK_REQUEST_MODELS
-from kitrobot.server.shapes.mission_delta import ForgottenError
 from kitrobot.server.shapes.sweep import SWEEP_MESSAGE_MODELS, SWEEP_REQUEST_MODELS
 from kitrobot.server.shapes.verification import VERIFY_MESSAGE_MODELS, VERIFY_REQUEST_MODELS
 from kitrobot.server.starter_routes import starter_routes
@@ -182,8 +181,6 @@ def _failed(request: Request, error: Exception) -> Response:
         status = 413
     elif isinstance(error, FileError) and not error.path.exists():
         status = 404
-    elif isinstance(error, ForgottenError):
-        status = 410
     return _failure(error, status)
 
 

@@ -8,8 +8,8 @@ from kitrobot.compiler import robot_of
 from kitrobot.diagnostics import ProblemsError
 from kitrobot.image import disassemble
 from kitrobot.server.api_router import ThisStudio, api_router
+from kitrobot.server.shapes import mission_from_shape
 from kitrobot.server.shapes.image import ImageAskShape, ImageShape
-from kitrobot.server.shapes.mission_delta import mission_from_delta
 from kitrobot.text import Sentence
 
 image_routes = api_router()
@@ -18,7 +18,7 @@ image_routes = api_router()
 @image_routes.post("/image")
 def image(studio: ThisStudio, wanted: ImageAskShape) -> ImageShape:
     """Compiles one program of a mission: its image and the listing of it."""
-    opened = studio.open(mission_from_delta(wanted.mission, studio.programs.named), wanted.path)
+    opened = studio.open(mission_from_shape(wanted.mission), wanted.path)
     program = opened.program(wanted.program)
     if program.level.is_team:
         robot_of(program, opened.catalogue)  # says that it has none

@@ -33,7 +33,6 @@ from kitrobot.server.shapes import (
     world_shape,
 )
 from kitrobot.server.shapes.gallery import RunPreviewShape
-from kitrobot.server.shapes.mission_delta import mission_from_delta, reports_from_delta
 from kitrobot.server.studio import Studio
 from kitrobot.sim import expect_run
 from kitrobot.text import Sentence, collection_paused, name_form
@@ -144,9 +143,8 @@ def mission_text(wanted: MissionTextShape) -> TextShape:
 def check(studio: ThisStudio, wanted: CheckShape) -> Response:
     """Looks a mission through: LLL and three-address code of each program, and every problem."""
     with collection_paused():
-        opened = studio.open(mission_from_delta(wanted.mission, studio.programs.named), wanted.path)
-        bases = reports_from_delta(wanted.mission, studio.programs.report_of)
-        answer = report_answer(opened.check(), bases)
+        opened = studio.open(mission_from_shape(wanted.mission), wanted.path)
+        answer = report_answer(opened.check())
     expect_run(len(opened.mission.team.agents))
     return answer
 
@@ -154,7 +152,7 @@ def check(studio: ThisStudio, wanted: CheckShape) -> Response:
 @routes.post("/mission/team")
 def mission_team(studio: ThisStudio, wanted: FirstTeamShape) -> MissionShape:
     """The mission with a first program of the whole team, in which each robot does what it did before."""
-    opened = studio.open(mission_from_delta(wanted.mission, studio.programs.named), wanted.path)
+    opened = studio.open(mission_from_shape(wanted.mission), wanted.path)
     return mission_shape(first_team(opened, name_form(wanted.name)))
 
 

@@ -1,6 +1,5 @@
 """What every reader of a text needs: lines and columns, words that were meant, values as sentences repeat them."""
 
-from kitrobot.text.affixes import common_affixes
 from kitrobot.text.collection import collection_paused
 from kitrobot.text.forms import (
     FINISH_MERGE,
@@ -35,7 +34,6 @@ __all__ = [
     "all_of",
     "clipped",
     "collection_paused",
-    "common_affixes",
     "conflict_mark",
     "did_you_mean",
     "line_feeds",
