@@ -102,10 +102,10 @@ def test_importing_the_package_imports_nothing_else():
 
 def test_a_mistake_of_ours_shows_where_only_when_asked(tmp_path):
     code = (
-        "import kitrobot.cli.format as f, kitrobot.cli\n"
+        "import kitrobot.cli.format as f, kitrobot.cli.app\n"
         "def broken(*a): raise ZeroDivisionError('x')\n"
         "f._format = broken\n"
-        "kitrobot.cli.main(['format', 'x.lll'])\n"
+        "kitrobot.cli.app.main(['format', 'x.lll'])\n"
     )
     for debug in ("", "1"):
         env = {**os.environ, "KITROBOT_DEBUG": debug}

@@ -158,7 +158,7 @@ def test_whoever_asks_for_the_end_gets_what_was_found(exchange, jobs):
 PROBE = """
 import os, signal, sys
 from pathlib import Path
-from kitrobot.cli import main
+from kitrobot.cli.app import main
 from kitrobot.workspace import sweep
 
 real = sweep._run

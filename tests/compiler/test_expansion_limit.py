@@ -11,7 +11,6 @@ import pytest
 
 from kitrobot.compiler import expansion_limit
 from kitrobot.compiler.graph_to_lll import graph_to_lll
-from kitrobot.compiler.retranslation import graph_to_lll_again
 from kitrobot.graph.model import IN, NEXT, RETURN, START, STOP, Arc, Program, Vertex
 from kitrobot.image.model import MOST_INSTRUCTIONS
 from kitrobot.workspace.mission_loader import OpenMission, read_mission_data
@@ -99,12 +98,10 @@ def test_parts_inside_of_parts_count() -> None:
         made.arcs.append(Arc(f"v{depth - 1}", f"v{depth - 1}", "body", RETURN))
         return made
 
-    before = graph_to_lll(nested(9), catalogue)
-    assert before.ok, before.diagnostics
-    # Also where only an edit is translated.
-    for made in (graph_to_lll(nested(11), catalogue), graph_to_lll_again(before, nested(11), catalogue)):
-        assert [one.code for one in made.diagnostics] == ["too-large"]
-        assert made.program.items == []
+    assert graph_to_lll(nested(9), catalogue).ok
+    made = graph_to_lll(nested(11), catalogue)
+    assert [one.code for one in made.diagnostics] == ["too-large"]
+    assert made.program.items == []
 
 
 def test_parts_as_small_as_what_is_drawn_are_no_reason_to_refuse_a_program() -> None:

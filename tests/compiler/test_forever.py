@@ -44,7 +44,7 @@ def test_a_typed_text_of_before_is_followed_with_its_places() -> None:
     text = f"Wheel.Stop(); # here\n{OLD}(WAIT(1););\n"
     followed = follow_text(graph_to_lll(program, shipped()), text, shipped())
     assert followed.diagnostics == []
-    assert followed.sound
+    assert followed.checked is not None
     assert followed.program is not None
     assert [vertex.element for vertex in followed.program.vertices if vertex.element == "Forever"]
     assert [text[span.start : span.end] for span in followed.spans][1] == f"{OLD}(WAIT(1);)"

@@ -10,11 +10,10 @@ from hypothesis import strategies as st
 
 from kitrobot.compiler.accepted_forms import normalise
 from kitrobot.compiler.graph_to_lll import graph_to_lll
-from kitrobot.compiler.lll_to_graph import lll_to_graph
+from kitrobot.compiler.lll_to_graph import lll_to_graph, redraw
 from kitrobot.compiler.own_part import Appearance, ChosenSlot, make_part
 from kitrobot.compiler.part_text import draw_template
 from kitrobot.compiler.preserve_ids import Before
-from kitrobot.compiler.stretch import redraw_edited
 from kitrobot.compiler.target import print_for
 from kitrobot.compiler.text_edit import follow_text
 from kitrobot.graph.model import Program, empty_program
@@ -217,7 +216,7 @@ def test_an_edited_text_becomes_a_graph_that_says_the_same(rng: random.Random) -
                 body.items.insert(0, body.items.pop(rng.randrange(len(body.items))))
     before = Before(graph_to_lll(lll_to_graph(old.seq, TARGET, PARTS, "haul"), PARTS))
     text = print_team_program(new)
-    program, translation = redraw_edited(parse_team(text).program.seq, TARGET, PARTS, before)
+    program, translation = redraw(parse_team(text).program.seq, TARGET, PARTS, "haul", before)
     assert (program.level, program.target) == (Level.SOCIAL, "")
     assert translation.diagnostics == []
     assert graph_to_lll(program, PARTS).program == parse_team(text).program.seq

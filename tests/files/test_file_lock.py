@@ -104,7 +104,7 @@ import os, sys
 from pathlib import Path
 os.replace = lambda *_: os.kill(os.getpid(), 9)
 if sys.argv[2] == "mission":
-    from kitrobot.mission import Mission, save
+    from kitrobot.mission.model import Mission; from kitrobot.mission.writer import save
     save(Path(sys.argv[1]), Mission())
 else:
     from kitrobot.files.disk import write_atomic

@@ -152,7 +152,8 @@ def test_a_folder_that_cannot_be_written_to_has_its_journals_in_the_state_folder
 def test_another_process_on_the_same_folder_takes_nothing_that_is_being_written(journals, folder, tmp_path):
     working(journals)
     code = (
-        "import sys; from pathlib import Path; from kitrobot.files import Journals, MissionFolder\n"
+        "import sys; from pathlib import Path; from kitrobot.files.recovery import Journals\n"
+        "from kitrobot.files.folder import MissionFolder\n"
         "journals = Journals(MissionFolder(Path(sys.argv[1])), Path(sys.argv[2]))\n"
         "print(len(journals.orphaned()), len(journals.claim(journals.join(), 'a.krt').records))"
     )
@@ -163,7 +164,8 @@ def test_another_process_on_the_same_folder_takes_nothing_that_is_being_written(
 
 def test_what_a_killed_process_was_writing_is_free_for_the_next(folder, tmp_path):
     code = (
-        "import os, sys; from pathlib import Path; from kitrobot.files import Journal, Journals, MissionFolder\n"
+        "import os, sys; from pathlib import Path; from kitrobot.files.journal_file import Journal\n"
+        "from kitrobot.files.recovery import Journals; from kitrobot.files.folder import MissionFolder\n"
         "journals = Journals(MissionFolder(Path(sys.argv[1])), Path(sys.argv[2])); tab = journals.join()\n"
         "journals.claim(tab, 'a.krt'); journals.replace(tab, Journal('a.krt', 'a', ('base', 'one'), True))\n"
         "os.kill(os.getpid(), 9)"

@@ -21,7 +21,7 @@ SERVED = """
 from pathlib import Path
 import kitrobot
 from fastapi.testclient import TestClient
-from kitrobot.server import create_app
+from kitrobot.server.app import create_app
 with TestClient(create_app(Path.cwd(), None, "t"), base_url="http://127.0.0.1:8000") as client:
     answer = client.get("/?token=t")
     assert '<div id="root">' in answer.text, answer.text

@@ -5,7 +5,6 @@ from __future__ import annotations
 import shutil
 import warnings
 from pathlib import Path
-from typing import Any
 
 import pytest
 
@@ -17,7 +16,7 @@ with warnings.catch_warnings():
 from kitrobot.files.examples import examples_folder
 from kitrobot.server.app import create_app
 
-__all__ = ["HOST", "SHORT", "SOCKET", "TOKEN", "TestClient", "whole", "whole_report"]
+__all__ = ["HOST", "SHORT", "SOCKET", "TOKEN", "TestClient"]
 
 TOKEN = "the-right-token"
 HOST = "http://127.0.0.1:8765"
@@ -37,37 +36,6 @@ SHORT = """<kitrobot version="1">
   </team>
 </kitrobot>
 """
-
-
-def whole(before: dict[str, Any], rows: dict[str, Any]) -> dict[str, Any]:
-    """The program that rows say, as the page puts it together."""
-    made = {
-        part: [one for row in rows[part] for one in (before[part][slice(*row)] if isinstance(row, list) else [row])]
-        for part in ("vertices", "arcs")
-    }
-    return before | made
-
-
-def whole_report(told: dict[str, Any], known: dict[str, dict[str, Any]]) -> dict[str, Any]:
-    """A report, whole, as the page puts it together; `known`: programs of earlier ones by name, and then these."""
-    programs = [_whole_program(one, known[one["of"]]) if "of" in one else one for one in told["programs"]]
-    known.update({one["known"]: one for one in programs})
-    return told | {"programs": programs}
-
-
-def _whole_program(told: dict[str, Any], before: dict[str, Any]) -> dict[str, Any]:
-    spans: list[dict[str, Any]] = []
-    for row in told["spans"]:
-        if "vertex" in row:
-            spans.append(row)
-            continue
-        by = {"start": row["characters"], "end": row["characters"], "line": row["lines"]}
-        stretch = before["spans"][row["start"] : row["end"]]
-        spans += [one | {name: one[name] + more for name, more in by.items()} for one in stretch]
-    at, text = told["at"], before["lll"]
-    lll = text[:at] + told["inserted"] + text[at + told["removed"] :]
-    plain = {name: told[name] for name in ("name", "instructions", "known")}
-    return {**plain, "lll": lll, "spans": spans}
 
 
 @pytest.fixture

@@ -3,14 +3,19 @@
 from __future__ import annotations
 
 import copy
+import random
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
 import pytest
+from hypothesis import HealthCheck, given, settings
+from hypothesis import strategies as st
 
 from kitrobot.server.app import create_app
-from tests.server.conftest import HOST, TOKEN, TestClient, whole
+from kitrobot.workspace.compile_cache import MOST_STATES
+from tests.effort import examples
+from tests.server.conftest import HOST, TOKEN, TestClient
 
 ROBOT = """<robot name="rover" version="1">
   <actuator name="Lamp"><procedure name="{word}"/></actuator>
@@ -41,8 +46,8 @@ class Studio:
     def _both(self, address: str, wanted: Mission) -> Mission:
         fresh = TestClient(create_app(self.folder, None, TOKEN), base_url=HOST, headers={"X-KitRobot-Token": TOKEN})
         answer, expected = self.page.post(address, json=wanted), fresh.post(address, json=wanted)
-        found = _nameless(answer.json())
-        assert (answer.status_code, found) == (expected.status_code, _nameless(expected.json()))
+        found: Mission = answer.json()
+        assert (answer.status_code, found) == (expected.status_code, expected.json())
         return found
 
     def check(self, mission: Mission) -> Mission:
@@ -51,18 +56,7 @@ class Studio:
     def typed(self, mission: Mission, text: str) -> Mission:
         name = mission["programs"][0]["name"]
         wanted = {"mission": mission, "path": "transport.krt", "program": name, "text": text}
-        found = self._both("/api/text", wanted)
-        if found["program"] is not None:
-            found["program"] = whole(_program(mission), found["program"])
-        return found
-
-
-def _nameless(answer: Mission) -> Mission:
-    """An answer without the names by which this studio alone knows programs."""
-    report = answer.get("report", answer)
-    for program in (report or {}).get("programs", ()):
-        del program["known"]
-    return answer
+        return self._both("/api/text", wanted)
 
 
 @pytest.fixture
@@ -187,3 +181,33 @@ def test_parts_of_the_mission_s_own_that_change_change_what_they_are_in(
     other["constructors"] = []
     assert [one for one in studio.check(other)["problems"] if one["code"] == "unknown-element"]
     assert studio.check(own) == first
+
+
+def test_two_windows_that_edit_the_same_program_are_each_answered_for_their_own(
+    studio: Studio, mission: Mission
+) -> None:
+    windows = [copy.deepcopy(mission), copy.deepcopy(mission)]
+    for turn in range(2 * MOST_STATES):
+        for at, window in enumerate(windows):
+            typed = _numbered(window)["settings"]
+            typed[next(iter(typed))] = number = str(10 * turn + at)
+            assert f"({number})" in studio.check(window)["programs"][0]["lll"]
+
+
+@settings(max_examples=examples(15), deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture])
+@given(st.randoms(use_true_random=True))
+def test_each_key_is_answered_as_by_a_studio_that_begins_anew(
+    studio: Studio, mission: Mission, rng: random.Random
+) -> None:
+    mission, text = copy.deepcopy(mission), studio.check(mission)["programs"][0]["lll"]
+    for _ in range(6):
+        lines = text.splitlines(keepends=True)
+        at = rng.randrange(len(lines) + 1)
+        lines[at : at + rng.randrange(2)] = rng.choice(
+            [["WAIT(7);\n"], ["2*(\n", "  WAIT(1);\n", "  BREAK;\n", ");\n"], ["# é🙂\n", "BREAK;\n"], []]
+        )
+        found = studio.typed(mission, "".join(lines))
+        if found["program"] is not None:
+            mission["programs"][0] = found["program"]
+            text = found["report"]["programs"][0]["lll"]
+            assert studio.check(mission) == found["report"]

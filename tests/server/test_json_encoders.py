@@ -306,7 +306,7 @@ REFUSED = {
     ("PUT", "/api/handed-out"),
 }
 """Those of which no answer is to be had here."""
-RANDOM = ("journal", "proof", "answered", "token", "recording", "stamp", "parts", "path", "known", "of", "modified")
+RANDOM = ("journal", "proof", "answered", "token", "recording", "stamp", "parts", "path", "modified")
 """Fields that are not the same in two studios, or two moments."""
 
 

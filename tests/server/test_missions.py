@@ -317,6 +317,14 @@ def test_a_request_that_is_not_understood_is_a_sentence(page, body):
     assert answer.json()["message"].endswith(".")
 
 
+def test_a_request_that_is_cut_off_is_refused(page):
+    sent = page.build_request("POST", "/api/check", json={"mission": opened(page)["mission"], "path": ""}).content
+    for end in (1, len(sent) // 2, len(sent) - 1):
+        answer = page.post("/api/check", content=sent[:end], headers={"Content-Type": "application/json"})
+        assert answer.status_code == 422
+        assert answer.json()["message"]
+
+
 def test_a_request_nested_deeply_is_a_sentence(page):
     answer = page.post("/api/check", content=b"[" * 100_000, headers={"Content-Type": "application/json"})
     assert answer.status_code == 422

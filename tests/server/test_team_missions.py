@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from kitrobot.mission.reader import read_mission
 from kitrobot.wire.mission import MissionShape, mission_from_shape, mission_shape
-from kitrobot.wire.mission_delta import SentMissionShape, mission_from_delta
 from tests.forms.test_written_opens import FULL
 
 
@@ -13,8 +12,6 @@ def test_a_mission_that_travelled_is_the_mission():
     assert mission is not None
     text = mission_shape(mission).model_dump_json()
     assert mission_from_shape(MissionShape.model_validate_json(text)) == mission
-    sent = SentMissionShape.model_validate_json(text)
-    assert mission_from_delta(sent, lambda _: None) == mission
 
 
 def test_constructors_say_of_which_level_they_are(page):

@@ -10,7 +10,7 @@ import pytest
 from kitrobot.server.routes.text import LONGEST_TEXT
 from kitrobot.wire.report import ReportShape
 from kitrobot.wire.text import FollowedShape
-from tests.server.conftest import TestClient, whole
+from tests.server.conftest import TestClient
 
 
 @pytest.fixture
@@ -21,14 +21,6 @@ def mission(page: TestClient) -> dict[str, Any]:
 
 
 def typed(page: TestClient, mission: dict[str, Any], text: str, program: str = "blink") -> dict[str, Any]:
-    """The answer, with the program as a whole."""
-    found = answered(page, mission, text, program)
-    if found["program"] is not None:
-        found["program"] = whole(mission["programs"][0], found["program"])
-    return found
-
-
-def answered(page: TestClient, mission: dict[str, Any], text: str, program: str = "blink") -> dict[str, Any]:
     wanted = {"mission": mission, "path": "blink.krt", "program": program, "text": text}
     answer = page.post("/api/text", json=wanted)
     assert answer.status_code == 200, answer.text
@@ -105,10 +97,10 @@ def test_a_program_that_is_not_there_and_a_robot_that_is_not_there_are_said(
 
 
 def test_the_answer_has_the_fields_of_its_shape_and_no_others(page: TestClient, mission: dict[str, Any]) -> None:
-    found = answered(page, mission, "# now\nLight.LightOn(); WAIT(3);")
+    found = typed(page, mission, "# now\nLight.LightOn(); WAIT(3);")
     assert found["program"]["vertices"]
     assert FollowedShape.model_validate(found).model_dump(mode="json") == found
-    wrong = answered(page, mission, "Light.Lighton();")
+    wrong = typed(page, mission, "Light.Lighton();")
     assert wrong["problems"]
     assert wrong["report"] is None
     assert FollowedShape.model_validate(wrong).model_dump(mode="json") == wrong

@@ -57,7 +57,7 @@ def test_the_functions_of_every_device_have_the_same_form_and_are_told_to_numba(
 
 
 NEW_SENSOR = """
-from kitrobot.sim.columns import S_VALUE
+from kitrobot.sim.tables.columns import S_VALUE
 from kitrobot.sim.devices.base import LATENCY, LOST_READINGS, Sensor
 
 class Beat(Sensor):
@@ -70,7 +70,7 @@ def sense(first, last, step, state):
 """
 
 NEW_ACTUATOR = """
-from kitrobot.sim.columns import A_DONE, A_OWN
+from kitrobot.sim.tables.columns import A_DONE, A_OWN
 from kitrobot.sim.devices.base import LATENCY, LOST_COMMANDS, Actuator, Command
 
 REMAINING_S = A_OWN[0]

@@ -140,7 +140,7 @@ def test_force_and_set_variable_do_the_same_on_both() -> None:
 
 CHILD = """
 import sys
-from kitrobot.sim import Simulation, jit_cache
+from kitrobot.sim.simulation import Simulation; from kitrobot.sim.jit import cache as jit_cache
 from tests.sim.building import transport
 run = transport(3, 3)
 assert run.compile_step() is (sys.argv[1] == "yes"), jit_cache.available()
@@ -151,8 +151,8 @@ sys.stdout.buffer.write(run.snapshot())
 
 LONG = """
 import sys
-from kitrobot.sim import jit_policy
-from kitrobot.sim.jit_compiler import step
+from kitrobot.sim.jit import policy as jit_policy
+from kitrobot.sim.jit.compiler import step
 from tests.sim.teams import random_team
 jit_policy.WORTH = 500
 run = random_team(5, 10)
@@ -181,8 +181,8 @@ def test_a_long_run_asks_for_the_compiled_step_and_takes_it_when_it_is_there() -
 
 CROWD = """
 import sys
-from kitrobot.sim import expect_run
-from kitrobot.sim.jit_compiler import step
+from kitrobot.sim.jit.policy import expect_run
+from kitrobot.sim.jit.compiler import step
 from tests.sim.teams import random_team
 expect_run(100)
 assert step.asked is not None
@@ -243,7 +243,7 @@ extending = sys.modules["kitrobot.sim.jit.numba_tables"] = sys.modules[__name__]
 """In place of Numba: compiles to functions that do nothing, and says which process asked."""
 
 ASKED = """
-from kitrobot.sim.jit_compiler import step
+from kitrobot.sim.jit.compiler import step
 step.ask()
 step.asked.join()
 assert step.made is not None
@@ -276,7 +276,7 @@ SLOW = QUICK.replace(
 
 LEFT = """
 import os, sys
-from kitrobot.sim.jit_compiler import step
+from kitrobot.sim.jit.compiler import step
 step.ask()
 sys.stdin.read()
 os._exit(0)
@@ -308,7 +308,7 @@ def test_what_is_begun_is_compiled_to_the_end_though_the_one_that_asked_has_ende
 
 
 REFUSED = """
-from kitrobot.sim.jit_compiler import step
+from kitrobot.sim.jit.compiler import step
 step.ask()
 thread = step.asked
 thread.join()

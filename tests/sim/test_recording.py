@@ -21,7 +21,7 @@ ROOT = Path(__file__).parents[2]
 CHILD = """
 import sys
 from pathlib import Path
-from kitrobot.sim import simulate
+from kitrobot.sim.recorder import simulate
 from tests.sim.building import transport
 simulate(transport(5, 3, 2), Path(sys.argv[1]))
 """

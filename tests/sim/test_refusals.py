@@ -139,7 +139,7 @@ def ended_at_once(agents: int) -> bool:
 
 
 def test_as_many_agents_as_allowed_begin_a_run_and_no_more(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("kitrobot.sim.setup.MAX_AGENTS", 30)
+    monkeypatch.setattr("kitrobot.sim.setup.setup.MAX_AGENTS", 30)
     assert ended_at_once(30)
     with pytest.raises(SimulationError, match="expected at most 30 agents in a run, found 31"):
         ended_at_once(31)

@@ -6,11 +6,10 @@ from dataclasses import replace
 
 from kitrobot.compiler.compilation import compile_program
 from kitrobot.compiler.graph_to_lll import graph_to_lll
-from kitrobot.graph.model import Program
+from kitrobot.graph.model import Note, Program
 from kitrobot.primitives.catalogue import Catalogue, load_catalogue
 from kitrobot.primitives.own_xml import OwnVariable, read_own
 from kitrobot.workspace.compile_cache import MOST_STATES, CompileCache
-from kitrobot.workspace.program_report import program_report
 from tests.compiler.graphs import graph, shipped
 
 
@@ -24,7 +23,7 @@ def test_the_same_program_is_found_again_with_all_that_was_made_of_it() -> None:
     again = kept.of(blink(), shipped())
     assert again is first
     assert again.compiled is first.compiled
-    assert again.report == program_report(blink().name, compile_program(blink(), shipped()))
+    assert again.compiled == compile_program(blink(), shipped())
 
 
 def test_another_word_anywhere_in_a_program_is_another_program() -> None:
@@ -39,7 +38,14 @@ def test_another_word_anywhere_in_a_program_is_another_program() -> None:
         replace(program, vertices=program.vertices[::-1]),
         *(
             replace(program, vertices=[*program.vertices[:-1], replace(vertex, **change)])
-            for change in ({"id": "x"}, {"element": "Break"}, {"settings": {"duration": "3"}}, {"unknown": "<x/>"})
+            for change in (
+                {"id": "x"},
+                {"element": "Break"},
+                {"settings": {"duration": "3"}},
+                {"settings": {"duration": ""}},
+                {"notes": [Note("duration")]},
+                {"unknown": "<x/>"},
+            )
         ),
     ]
     for one in others:
@@ -54,7 +60,7 @@ def test_the_order_of_settings_counts_as_it_does_in_the_text_of_a_call_that_nobo
     for settings in ({"a": "1", "b": "2"}, {"b": "2", "a": "1"}):
         program = graph("start > a:Lamp.Glow > stop")
         program.vertices = [replace(one, settings=settings) if one.id == "a" else one for one in program.vertices]
-        texts.append(kept.of(program, shipped()).report.lll)
+        texts.append(kept.of(program, shipped()).compiled.source.text)
     assert texts == ["Lamp.Glow(1, 2);\n", "Lamp.Glow(2, 1);\n"]
 
 
@@ -97,7 +103,7 @@ def test_of_one_program_the_newest_states_are_kept() -> None:
 
 def test_a_program_beyond_the_limit_is_compiled_all_the_same() -> None:
     kept = CompileCache(most_vertices=1)
-    assert kept.of(blink(), shipped()).report.instructions > 0
+    assert kept.of(blink(), shipped()).compiled.ok
 
 
 def test_a_translation_that_is_there_is_used() -> None:

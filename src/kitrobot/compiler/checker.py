@@ -6,13 +6,10 @@ read (an empty `object`) was reported by the parser and is passed over.
 
 from __future__ import annotations
 
-from dataclasses import replace
-
 from kitrobot.compiler import rules
 from kitrobot.compiler.called_names import CalledNames
 from kitrobot.compiler.constant_conditions import always_holds
 from kitrobot.compiler.flow import FlowAnalysis
-from kitrobot.compiler.lineage import Lineage
 from kitrobot.compiler.overridden_commands import find_overridden_commands
 from kitrobot.compiler.target import Target, words_for
 from kitrobot.diagnostics.model import Diagnostic, Fix, FixKind, Rule, Source, in_reading_order
@@ -45,37 +42,26 @@ from kitrobot.primitives.robot import Category, Kind, Method, Parameter, Robot, 
 from kitrobot.text.sentences import COMMA, Help, Sentence, Series, Word
 
 
-def check(
-    program: Seq, target: Target, source: Source, program_name: str = "", lineage: Lineage | None = None
-) -> list[Diagnostic]:
+def check(program: Seq, target: Target, source: Source, program_name: str = "") -> list[Diagnostic]:
     """All that is wrong or odd about a program for a target, in reading order.
 
-    `source` is the text the nodes' places point into; `program_name` is set on each diagnostic. `lineage`: what is
-    known of the instructions that are the same as in another state of the program.
+    `source` is the text the nodes' places point into; `program_name` is set on each diagnostic.
     """
-    lineage, of = lineage or Lineage(), (id(target), source.name, program_name)
-    known: list[Diagnostic] | None = lineage.found("check", program, source.text, of)
-    if known is not None:
-        return [*known]
-    checker = _Checker(target, source, program_name, lineage)
+    checker = _Checker(target, source, program_name)
     checker.seq(program, in_loop=False, in_parallel=False)
     if not any(item.is_error for item in checker.found):
         checker.overwritten(program)
-    found = in_reading_order(checker.found)
-    lineage.find("check", program, source.text, of, found)
-    return [*found]
+    return in_reading_order(checker.found)
 
 
 class _Checker:
-    def __init__(self, robot: Robot, source: Source, program_name: str, lineage: Lineage) -> None:
-        self.lineage = lineage
-        self.known = lineage.table("check", (id(robot), source.name, program_name))
+    def __init__(self, robot: Robot, source: Source, program_name: str) -> None:
         self.robot = robot
         self.source = source
         self.program_name = program_name
         self.within = program_name
         """The program from which the instruction comes that is looked at."""
-        self.flow = FlowAnalysis(robot, self.is_endless, lineage.table("endless flow", id(robot)))
+        self.flow = FlowAnalysis(robot, self.is_endless)
         self.names = CalledNames(robot)
         self.found: list[Diagnostic] = []
 
@@ -112,31 +98,9 @@ class _Checker:
                     Sentence("take it away, or let a BREAK leave the loop before it"),
                 )
             within, self.within = self.within, node.program or self.program_name
-            if isinstance(node, Call | Wait):
-                self.instruction(node, in_loop, in_parallel)
-            else:
-                self.kept_instruction(node, in_loop, in_parallel)
+            self.instruction(node, in_loop, in_parallel)
             self.within = within
             reachable = reachable is not True or self.flow.instruction(node).goes_on
-
-    def kept_instruction(self, node: Instr, in_loop: bool, in_parallel: bool) -> None:
-        """As `instruction`; of one that was met before, what was said then is said at the place where it is now."""
-        around = (in_loop, in_parallel, self.within)
-        _, known = self.known.get(id(node), (None, None))
-        if known is not None and known[0] == around:
-            found: tuple[Diagnostic, ...] = known[2]
-            if not found:
-                return
-            line, column = self.source.position(node.start)
-            # Elsewhere in its line, or longer, its parts may stand in other lines.
-            if (column, node.end - node.start) == known[1][1:]:
-                self.found += [_further_down(item, line - known[1][0]) for item in found]
-                return
-        count = len(self.found)
-        self.instruction(node, in_loop, in_parallel)
-        found = tuple(self.found[count:])
-        at = (*self.source.position(node.start), node.end - node.start) if found else (0, 0, 0)
-        self.known[id(node)] = (node, (around, at, found))
 
     def instruction(self, node: Instr, in_loop: bool, in_parallel: bool) -> None:
         match node:
@@ -232,7 +196,7 @@ class _Checker:
         return meaning is not None and not meaning[1].completes_later
 
     def overwritten(self, program: Seq) -> None:
-        for call, later in find_overridden_commands(program, self.robot, self.lineage):
+        for call, later in find_overridden_commands(program, self.robot):
             message = Sentence("this has no effect: in the same tick `{call}` takes its place", _name(later))
             help = Sentence("put a WAIT between the two, or take one of them away")
             self.report(rules.OVERWRITTEN, message, call, help)
@@ -405,14 +369,6 @@ class _Checker:
                 node,
                 self.offer(meaning[0], Kind.TEST),
             )
-
-
-def _further_down(item: Diagnostic, by: int) -> Diagnostic:
-    """A diagnostic with its place so many lines further down."""
-    place = item.place
-    if place is None or by == 0:
-        return item
-    return replace(item, place=replace(place, line=place.line + by, end_line=place.end_line + by))
 
 
 def _name(call: Call) -> str:

@@ -8,46 +8,36 @@ from functools import cached_property
 from kitrobot.compiler.checker import check
 from kitrobot.compiler.graph_rules import NOT_A_NUMBER, UNKNOWN_ELEMENT
 from kitrobot.compiler.graph_to_lll import Translation, graph_to_lll
-from kitrobot.compiler.lineage import Lineage
 from kitrobot.compiler.lowering import lower
 from kitrobot.compiler.rules import UNKNOWN_METHOD, UNKNOWN_OBJECT
 from kitrobot.compiler.target import Target, print_for, target_of
 from kitrobot.compiler.team_check import check_program
+from kitrobot.compiler.vertex_places import VertexPlace, vertex_places
 from kitrobot.diagnostics.model import Diagnostic, Source, in_reading_order
 from kitrobot.graph.model import Program
 from kitrobot.image.debug import DebugMap
 from kitrobot.image.model import Image
 from kitrobot.lll.parse_results import parse
-from kitrobot.lll.printer import print_again, print_program
+from kitrobot.lll.printer import print_program
 from kitrobot.lll.tree import Seq
-from kitrobot.lll.walk import nodes
 from kitrobot.primitives.catalogue import Catalogue
 from kitrobot.text.collection import collection_paused
 
 
 @dataclass(frozen=True)
 class Compiled:
-    """What became of a program: its LLL (tree and text), its image (None when there are errors), its debug map.
-
-    `shared`: other states of the program share nodes of the tree, so that their places may be those of another text.
-    """
+    """What became of a program: its LLL (tree and text), its image (None when there are errors), its debug map."""
 
     program: Seq
     source: Source
     image: Image | None
     debug: DebugMap
     diagnostics: list[Diagnostic] = field(default_factory=list)
-    shared: bool = field(default=False, compare=False)
 
     @cached_property
-    def placed(self) -> Seq:
-        """The tree, its nodes with their places in the text."""
-        if not self.shared:
-            return self.program
-        read = parse(self.source.text, self.source.name).program
-        for node, made in zip(nodes(read), nodes(self.program), strict=True):
-            node.vertex = made.vertex
-        return read
+    def places(self) -> list[VertexPlace]:
+        """Where the vertices are in the text."""
+        return vertex_places(self.program, self.source)
 
     @property
     def ok(self) -> bool:
@@ -55,26 +45,39 @@ class Compiled:
         return self.image is not None
 
 
+@dataclass(frozen=True)
+class CheckResult:
+    """What `check` found in a tree, with its places in this text, which is without line breaks at its end."""
+
+    text: str
+    diagnostics: list[Diagnostic]
+
+    def is_of(self, text: str) -> bool:
+        """Whether it holds for an equal tree with that text."""
+        return not self.diagnostics or text.rstrip("\n") == self.text
+
+
 def compile_lll(
     program: Seq,
     target: Target,
     source: Source | None = None,
     name: str = "",
-    *,
-    sound: bool = False,
-    lineage: Lineage | None = None,
+    checked: CheckResult | None = None,
 ) -> Compiled:
     """Checks a tree for a target and lowers it. Without a `source` the tree is printed first, to have a text.
 
-    `name` is the program's name in its mission, set on the diagnostics; `sound`: `check` found nothing in an equal
-    tree; `lineage`: as for `check`.
+    `name` is the program's name in its mission, set on the diagnostics; `checked`: of an equal
+    tree.
     """
     if source is None:
         source = Source(f"{name or 'program'}.lll", print_program(program))
-    diagnostics = [] if sound else check(program, target, source, name, lineage)
+    if checked is not None and checked.is_of(source.text):
+        diagnostics = [*checked.diagnostics]
+    else:
+        diagnostics = check(program, target, source, name)
     if any(item.is_error for item in diagnostics):
         return Compiled(program, source, None, DebugMap(), diagnostics)
-    image, debug, too_large = lower(program, target, name, lineage)
+    image, debug, too_large = lower(program, target, name)
     diagnostics += [replace(item, place=source.place(0, 0), program=name) for item in too_large]
     return Compiled(program, source, image, debug, diagnostics)
 
@@ -91,16 +94,19 @@ def compile_text(text: str, target: Target, name: str = "program.lll") -> Compil
 
 
 def compile_program(
-    program: Program, catalogue: Catalogue, translation: Translation | None = None, *, sound: bool = False
+    program: Program,
+    catalogue: Catalogue,
+    translation: Translation | None = None,
+    checked: CheckResult | None = None,
 ) -> Compiled:
     """Translates a graph to LLL and compiles it for its target. Vertices are named in the diagnostics and debug map.
 
-    `translation`: the graph's, where it was made already; `sound`: `check` found nothing in a tree equal to its own.
+    `translation`: the graph's, where it was made already; `checked`: of a tree equal to its own.
 
     Raises KitRobotError when the catalogue has no such robot.
     """
     with collection_paused():
-        return _compile_program(program, catalogue, translation, sound)
+        return _compile_program(program, catalogue, translation, checked)
 
 
 def not_compiled(program: Program, why: Diagnostic) -> Compiled:
@@ -108,34 +114,21 @@ def not_compiled(program: Program, why: Diagnostic) -> Compiled:
     return Compiled(Seq(), Source(f"{program.name}.lll", ""), None, DebugMap(), [why])
 
 
-def _compile_program(program: Program, catalogue: Catalogue, translation: Translation | None, sound: bool) -> Compiled:
+def _compile_program(
+    program: Program, catalogue: Catalogue, translation: Translation | None, checked: CheckResult | None
+) -> Compiled:
     target = target_of(program, catalogue)
     if translation is None:
         translation = graph_to_lll(program, catalogue)
-    source = Source(f"{program.name}.lll", text_of(translation, catalogue))
+    source = Source(f"{program.name}.lll", print_for(translation.program, target, catalogue.crew))
     if not translation.ok or target.level.is_team:  # what a team's program becomes is each robot's own
         found = check_program(translation.program, target, catalogue.crew, source, program.name)
         diagnostics = translation.diagnostics + _news(found, translation.diagnostics)
         return Compiled(translation.program, source, None, DebugMap(), diagnostics)
-    compiled = compile_lll(translation.program, target, source, program.name, sound=sound, lineage=translation.lineage)
+    compiled = compile_lll(translation.program, target, source, program.name, checked)
     return Compiled(
         compiled.program, source, compiled.image, compiled.debug, translation.diagnostics + compiled.diagnostics
     )
-
-
-def text_of(translation: Translation, catalogue: Catalogue) -> str:
-    """The text of a translation; sets the places of its nodes, which the states of its lineage share."""
-    lineage, tree, target = translation.lineage, translation.program, translation.wiring.robot
-    if target.level.is_team:
-        return print_for(tree, target, catalogue.crew)
-    if lineage.tree is tree:
-        return lineage.text
-    if translation.since is not None and lineage.tree is translation.since:
-        text = print_again(tree, lineage.text, translation.taken)
-    else:
-        text = print_for(tree, target, catalogue.crew)
-    lineage.tree, lineage.text = tree, text
-    return text
 
 
 def _news(found: list[Diagnostic], told: list[Diagnostic]) -> list[Diagnostic]:

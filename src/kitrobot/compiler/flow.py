@@ -9,7 +9,6 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import NamedTuple
 
-from kitrobot.compiler.lineage import Table, remembered
 from kitrobot.compiler.slots import is_marked
 from kitrobot.lll.tree import (
     Break,
@@ -56,20 +55,21 @@ class FlowAnalysis:
     """Flows of the pieces of one program, each worked out once. The tree must not change meanwhile.
 
     `endless`: which loops go on for ever unless a BREAK leaves them. Without it the flow is the one of the language's
-    definition, by which passes of loops are timed: there every `*[ ]( )` and `*( )` may be passed. `known`: what was
-    found out about bodies that other trees share with this one.
+    definition, by which passes of loops are timed: there every `*[ ]( )` and `*( )` may be passed.
     """
 
-    def __init__(
-        self, robot: Robot, endless: Callable[[While], bool] | None = None, known: Table | None = None
-    ) -> None:
+    def __init__(self, robot: Robot, endless: Callable[[While], bool] | None = None) -> None:
         self._robot = robot
         self._endless = endless
-        self._known: Table = {} if known is None else known
+        self._known: dict[int, Flow] = {}
+        """Flows by the `id` of their body."""
 
     def seq(self, seq: Seq) -> Flow:
         """The flow of a body."""
-        return remembered(self._known, seq, self._sequence)
+        known = self._known.get(id(seq))
+        if known is None:
+            known = self._known[id(seq)] = self._sequence(seq)
+        return known
 
     def back_edge_is_free(self, body: Seq) -> bool:
         """Whether every way round through a loop's body surely blocks."""

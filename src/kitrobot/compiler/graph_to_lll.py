@@ -9,14 +9,13 @@ given name and is not walked. That is how a stretch of a program becomes a templ
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Set
+from collections.abc import Mapping
 from dataclasses import dataclass, field
-from typing import Any, NamedTuple, cast
+from typing import Any, cast
 
 from kitrobot.compiler import graph_rules as rules
 from kitrobot.compiler.expand_template import fill
 from kitrobot.compiler.expansion_limit import oversize
-from kitrobot.compiler.lineage import Lineage
 from kitrobot.compiler.target import target_of
 from kitrobot.compiler.typed_numbers import nearest_number, typed_number
 from kitrobot.compiler.wiring import Wiring
@@ -29,32 +28,17 @@ from kitrobot.primitives.robot import Parameter
 from kitrobot.text.sentences import Help, Sentence, Word
 
 
-class Piece(NamedTuple):
-    """What a vertex in the flow became: its instructions in a row, how deep they stand, how many vertices they are."""
-
-    row: list[Any]
-    depth: int
-    vertices: int
-
-
 @dataclass(frozen=True)
 class Translation:
     """The program as far as it could be read off the graph, what is wrong with the graph, and how it is wired.
 
     `stretches`: the instructions in a row that each vertex of a longer template became, those in its hole among them.
-    `pieces`: what each vertex in the flow became, for who translates the next state of the program (`retranslation`).
-    `lineage`: what is known of the pieces that it shares with such states; `since` is the tree of the one before, and
-    `taken` are the `id`s of the instructions that were taken over from there, the outermost only.
     """
 
     program: Seq
     wiring: Wiring = field(repr=False, compare=False)
     stretches: dict[str, list[Instr]] = field(repr=False, compare=False, default_factory=dict)
     diagnostics: list[Diagnostic] = field(default_factory=list)
-    pieces: dict[str, Piece] = field(repr=False, compare=False, default_factory=dict)
-    lineage: Lineage = field(repr=False, compare=False, default_factory=Lineage)
-    since: Seq | None = field(repr=False, compare=False, default=None)
-    taken: Set[int] = field(repr=False, compare=False, default=frozenset())
 
     @property
     def ok(self) -> bool:
@@ -79,42 +63,29 @@ def graph_to_lll(program: Program, catalogue: Catalogue, holes: Mapping[SlotName
     found = oversize(program, catalogue)
     if found is not None:
         return Translation(Seq(), Wiring(program, target_of(program, catalogue), catalogue), {}, [found])
-    walk = Walk(program, catalogue, holes or {})
+    walk = _Walk(program, catalogue, holes or {})
     seq = walk.whole()
-    return Translation(seq, walk.wiring, walk.stretches, walk.wiring.found, walk.pieces)
+    return Translation(seq, walk.wiring, walk.stretches, walk.wiring.found)
 
 
 def condition_to_lll(
     program: Program, vertex: str, catalogue: Catalogue, holes: Mapping[SlotName, str]
 ) -> tuple[Condition, list[Diagnostic]]:
     """Translates one vertex of a program as the condition that it is, with holes as in `graph_to_lll`."""
-    walk = Walk(program, catalogue, holes)
+    walk = _Walk(program, catalogue, holes)
     return walk.condition(walk.wiring.vertices[vertex]), walk.wiring.found
 
 
-class Walk:
-    """One walk over a program. Pieces of `kept` are taken over where they stand as deep as before, and not walked."""
+class _Walk:
+    """One walk over a program."""
 
-    def __init__(
-        self,
-        program: Program,
-        catalogue: Catalogue,
-        holes: Mapping[SlotName, str],
-        wiring: Wiring | None = None,
-        kept: Mapping[str, Piece] | None = None,
-    ) -> None:
+    def __init__(self, program: Program, catalogue: Catalogue, holes: Mapping[SlotName, str]) -> None:
         self.holes = holes
-        self.kept = kept or {}
-        self.taken: list[str] = []
-        """The vertices whose pieces were taken over, outermost ones only."""
-        self.inside = 0
-        """How many vertices are inside of those."""
-        self.pieces: dict[str, Piece] = {}
         self.stretches: dict[str, list[Instr]] = {}
         self.program = program
         self.robot = target_of(program, catalogue)
         self.catalogue = catalogue
-        self.wiring = wiring or Wiring(program, self.robot, catalogue)
+        self.wiring = Wiring(program, self.robot, catalogue)
         self.visited: set[str] = set()
         self.depth = 0
         self.notes: list[str] = []
@@ -145,8 +116,7 @@ class Walk:
         if stop is not None:
             self.visited.add(stop.id)
             seq.below += [line for note in stop.notes for line in note.lines]
-        if not self.kept:
-            self.parked()
+        self.parked()
         return seq
 
     def parked(self) -> None:
@@ -227,12 +197,7 @@ class Walk:
                 return
             self.visited.add(target.id)
             hole = self.hole(target, "") if self.holes else None
-            piece = self.kept.get(target.id)
-            if piece is not None and piece.depth == self.depth:
-                self.taken.append(target.id)
-                self.inside += piece.vertices - 1
-                seq.items += piece.row
-            elif hole is not None:
+            if hole is not None:
                 self.put(target, seq, Seq(hole=hole))
             else:
                 self.instruction(seq, target)
@@ -278,7 +243,6 @@ class Walk:
     def instruction(self, seq: Seq, vertex: Vertex) -> None:
         """Adds the instructions a vertex in the flow becomes: one, or those of a longer template."""
         notes, self.notes = self.notes, []
-        before = len(self.visited) + self.inside
         constructor = self.wiring.constructor(vertex)
         row = Seq()
         if constructor is None:
@@ -303,13 +267,12 @@ class Walk:
                 row.items.append(filled)
         made: list[Any] = row.items
         inner, self.notes = self.notes, notes
-        if made:
+        if made and (vertex.notes or inner):
             above = [line for note in vertex.notes if note.at == "" for line in note.lines]
             made[0].above = above + inner + made[0].above
             after = [" ".join(note.text.split("\n")) for note in vertex.notes if note.at == "after"]
             if after:
                 made[-1].after = " ".join([*filter(None, (made[-1].after,)), *after]).rstrip()
-        self.pieces[vertex.id] = Piece(made, self.depth, len(self.visited) + self.inside - before + 1)
         self.put(vertex, seq, row)
 
     def look_at_level(self, vertex: Vertex, constructor: Constructor) -> None:
@@ -329,12 +292,13 @@ class Walk:
         call = Call(name if method else "", method, vertex=vertex.id)
         meaning = self.robot.calls.get((name, method))
         if meaning is not None:
-            nests = any((vertex.id, parameter.name) in self.wiring.fills for parameter in meaning[1].parameters)
+            parameters, fills = meaning[1].parameters, self.wiring.fills
+            nests = any((vertex.id, parameter.name) in fills for parameter in parameters)
             if nests and not self.deeper(vertex):
                 return Call("", "", vertex=vertex.id)
-            call.params = [self.parameter(vertex, parameter) for parameter in meaning[1].parameters]
+            call.params = [self.parameter(vertex, parameter) for parameter in parameters]
             self.depth -= nests
-            known = {parameter.name for parameter in meaning[1].parameters}
+            known = [parameter.name for parameter in parameters]
             for setting in vertex.settings:
                 if setting not in known:
                     message = Sentence(
@@ -393,7 +357,8 @@ class Walk:
     def body(self, vertex: Vertex, port: str) -> Seq:
         seq = Seq()
         self.chain(seq, vertex.id, port, vertex.id)
-        seq.below += [line for note in vertex.notes if note.at == f"in:{port}" for line in note.lines]
+        if vertex.notes:
+            seq.below += [line for note in vertex.notes if note.at == f"in:{port}" for line in note.lines]
         return seq
 
     def condition(self, vertex: Vertex) -> Condition:

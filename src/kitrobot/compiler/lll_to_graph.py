@@ -77,6 +77,8 @@ def redraw(seq: Seq, robot: Robot, catalogue: Catalogue, name: str, before: Befo
         old.leave(drawn, loose_only=notes_anew)
         translation = graph_to_lll(drawn, catalogue)
         if translation.program == seq:
+            for node, made in zip(nodes(seq), nodes(translation.program), strict=True):
+                node.vertex = made.vertex
             break
     return drawn, translation
 
@@ -101,7 +103,7 @@ class _Choice:
 
 
 class Drawing:
-    """A program being drawn from its text: `whole`, or by `chain` a stretch of it."""
+    """A program being drawn from its text."""
 
     def __init__(
         self,
@@ -151,7 +153,8 @@ class Drawing:
         else:
             was = choice.origin.vertex
             settings = dict(was.settings) if was.element == choice.element else {}
-            vertex = replace(was, element=choice.element, settings=settings, notes=list(was.notes))
+            # By hand: `replace` takes ten times as long.
+            vertex = Vertex(was.id, choice.element, settings, list(was.notes), was.unknown)
         self.used.add(vertex.id)
         self.program.vertices.append(vertex)
         return vertex
@@ -161,6 +164,12 @@ class Drawing:
         at = 0
         rows = self.old.rows(seq.items)
         while at < len(seq.items):
+            was = None if self.notes_anew or at in rows or (title and at == 0) else self.old.unchanged(seq.items[at])
+            if was is not None and was.vertex not in self.used:
+                self.arc(source, was.vertex, port)
+                self.keep(was)
+                source, port, at = was.vertex, NEXT, at + 1
+                continue
             choice = self.row(rows.get(at, []), seq.items, at) or self.choose(seq.items[at], seq, at)
             vertex = self.vertex(choice)
             self.arc(source, vertex.id, port)
@@ -174,18 +183,25 @@ class Drawing:
             at += choice.width
         return source, port
 
+    def keep(self, was: Instruction) -> None:
+        """Takes over an instruction in which nothing changed: its vertices, and the arcs in it, as they are."""
+        vertices, arcs = self.old.parts_of(was)
+        self.used |= {vertex.id for vertex in vertices}
+        self.program.vertices += vertices
+        self.program.arcs += arcs
+
     def notes(self, vertex: Vertex, choice: _Choice, above: list[str], last: Instruction) -> bool:
         """Sets the notes above and behind an instruction; whether what stands in its slots may bring none."""
         kept = [one for one in vertex.notes if one.at not in ("", "after")]
         over = [one for one in vertex.notes if one.at == ""]
         behind = [one for one in vertex.notes if one.at == "after"]
-        bare = True
+        after, bare = last.after, True
         if choice.origin is not None and not self.notes_anew:
             before = choice.origin.nodes
             first = bool(self.old.tree.items) and self.old.tree.items[0] is before[0]
             bare = before[0].above[len(self.title) if first else 0 :] != above
-            if before[-1].after == last.after:
-                last = replace(last, after=None)
+            if before[-1].after == after:
+                after = None
             else:
                 behind = []
         else:
@@ -193,8 +209,8 @@ class Drawing:
         # What a vertex in the hole says stays with that one.
         anew = [] if choice.begins_inside else note(above)
         vertex.notes = (anew if bare else over) + behind
-        if last.after is not None and not choice.ends_inside:
-            vertex.notes.append(Note(last.after, "after"))
+        if after is not None and not choice.ends_inside:
+            vertex.notes.append(Note(after, "after"))
         vertex.notes += kept
         return bare
 

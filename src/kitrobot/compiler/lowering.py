@@ -9,7 +9,6 @@ from __future__ import annotations
 from kitrobot.compiler import rules
 from kitrobot.compiler.code import FAULT, Cell, Code, Label
 from kitrobot.compiler.flow import FlowAnalysis
-from kitrobot.compiler.lineage import Lineage
 from kitrobot.compiler.slots import SlotTree
 from kitrobot.compiler.target import Target
 from kitrobot.diagnostics.model import Diagnostic
@@ -52,14 +51,12 @@ from kitrobot.primitives.robot import Category, Kind, Method, Robot, RobotObject
 from kitrobot.text.sentences import Sentence, Word
 
 
-def lower(
-    program: Seq, target: Target, name: str = "", lineage: Lineage | None = None
-) -> tuple[Image | None, DebugMap, list[Diagnostic]]:
+def lower(program: Seq, target: Target, name: str = "") -> tuple[Image | None, DebugMap, list[Diagnostic]]:
     """The image of a program, or None and why it is too large; and where each instruction came from.
 
-    `name` is the program's name in its mission, kept in the origins; `lineage`: as for `check`.
+    `name` is the program's name in its mission, kept in the origins.
     """
-    lowering = _CodeGenerator(program, target, name, lineage or Lineage())
+    lowering = _CodeGenerator(program, target, name)
     too_large = lowering.too_large()
     debug = DebugMap(lowering.code.origins)
     if too_large:
@@ -68,11 +65,11 @@ def lower(
 
 
 class _CodeGenerator:
-    def __init__(self, program: Seq, robot: Robot, name: str, lineage: Lineage) -> None:
+    def __init__(self, program: Seq, robot: Robot, name: str) -> None:
         self.name = name
         self.robot = robot
         self.layout = Layout(robot)
-        self.flow = FlowAnalysis(robot, None, lineage.table("flow", id(robot)))
+        self.flow = FlowAnalysis(robot)
         self.code = Code()
         self.tree = SlotTree()
         self.tree.add(program, None, marked=False)

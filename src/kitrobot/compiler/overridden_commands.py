@@ -7,7 +7,6 @@ command that is overridden on some paths only is not reported: a choice may over
 from __future__ import annotations
 
 from kitrobot.compiler.flow import FlowAnalysis
-from kitrobot.compiler.lineage import Lineage, Table, remembered
 from kitrobot.compiler.team_lines import has_blocks
 from kitrobot.lll.tree import (
     Call,
@@ -33,22 +32,15 @@ Pairs = list[tuple[Call, Call]]
 """Commands, and those to which they give way."""
 
 
-def find_overridden_commands(program: Seq, robot: Robot, lineage: Lineage | None = None) -> Pairs:
-    """Each command that surely gives way, and the one it gives way to, in no order.
-
-    `lineage`: what is known of the instructions that are the same as in another state of the program.
-    """
-    lineage = lineage or Lineage()
-    return _OverrideSearch(robot, lineage.table("flow", id(robot)), lineage.table("ways", id(robot))).body(
-        program, False
-    )
+def find_overridden_commands(program: Seq, robot: Robot) -> Pairs:
+    """Each command that surely gives way, and the one it gives way to, in no order."""
+    return _OverrideSearch(robot).body(program, False)
 
 
 class _OverrideSearch:
-    def __init__(self, robot: Robot, flows: Table, known: Table) -> None:
+    def __init__(self, robot: Robot) -> None:
         self.robot = robot
-        self.flow = FlowAnalysis(robot, None, flows)
-        self.known = known
+        self.flow = FlowAnalysis(robot)
 
     def body(self, seq: Seq, goes_round: bool) -> Pairs:
         """Those of a body, with all in it."""
@@ -62,7 +54,7 @@ class _OverrideSearch:
             found += [pair for pair in more if id(pair[0]) in last - told and pair[0] is not pair[1]]
         for node in seq.items:
             if not isinstance(node, _SHORT):
-                found += remembered(self.known, node, self.inside)
+                found += self.inside(node)
         return found
 
     def inside(self, node: Instr) -> Pairs:

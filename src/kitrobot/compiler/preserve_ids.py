@@ -18,9 +18,9 @@ from kitrobot.compiler.graph_to_lll import Translation
 from kitrobot.compiler.target import program_for
 from kitrobot.compiler.tree_diff import Same, same_nodes
 from kitrobot.compiler.wiring import Wiring
-from kitrobot.graph.model import RETURN, START, Note, Program, Vertex
+from kitrobot.graph.model import NEXT, RETURN, START, Arc, Note, Program, Vertex
 from kitrobot.lll.tree import Node, Number, Seq
-from kitrobot.lll.walk import children
+from kitrobot.lll.walk import children, nodes
 from kitrobot.primitives.catalogue import Catalogue
 from kitrobot.primitives.robot import Robot
 
@@ -55,13 +55,9 @@ class Branch:
 
 
 class Before:
-    """A graph as it was before an edit, with its translation to LLL; nothing of either may change any more.
+    """A graph as it was before an edit, with its translation to LLL; nothing of either may change any more."""
 
-    `within`: what of the tree is asked about, if not all.
-    """
-
-    def __init__(self, translation: Translation, within: Seq | None = None) -> None:
-        self.within = translation.program if within is None else within
+    def __init__(self, translation: Translation) -> None:
         self.program = translation.wiring.program
         self.translation = translation
 
@@ -74,7 +70,7 @@ class Before:
     def roots(self) -> dict[str, list[Any]]:
         """The outermost nodes of each vertex: a template's inner nodes name the vertex too."""
         found: dict[str, list[Any]] = {}
-        waiting: list[tuple[Node, str | None]] = [(self.within, None)]
+        waiting: list[tuple[Node, str | None]] = [(self.translation.program, None)]
         while waiting:
             node, owner = waiting.pop()
             if node.vertex is not None and node.vertex != owner and not isinstance(node, Number):
@@ -126,6 +122,31 @@ class Old:
     def beside(before: Before, new: Seq) -> Old:
         """The graph beside a whole new text."""
         return Old(before, same_nodes(before.translation.program, new))
+
+    def unchanged(self, node: Node) -> Any:
+        """What an instruction was, where nothing in it changed and it is all that its vertex became; or None."""
+        was = self.same.get(id(node))
+        name = self.root_of.get(id(was))
+        if name is None or name in self.stretches or len(self.roots[name]) > 1 or was != node:
+            return None
+        return was
+
+    def parts_of(self, root: Node) -> tuple[list[Vertex], list[Arc]]:
+        """The vertices that an instruction is, whatever it holds, and the arcs between them, in their order."""
+        wiring, place = self.wiring, self._place
+        names = {node.vertex for node in nodes(root) if node.vertex is not None}
+        arcs = [wiring.out[name, out] for name in names for out in wiring.ports.get(name, ())]
+        leaving = wiring.out.get((root.vertex or "", NEXT))
+        return (
+            sorted((wiring.vertices[name] for name in names), key=lambda one: place[id(one)]),
+            sorted((arc for arc in arcs if arc is not leaving), key=lambda one: place[id(one)]),
+        )
+
+    @cached_property
+    def _place(self) -> dict[int, int]:
+        """By the `id` of a vertex or an arc, its place in the lists of the program."""
+        lists = (self.program.vertices, self.program.arcs)
+        return {id(one): at for things in lists for at, one in enumerate(things)}
 
     def rows(self, items: list[Any]) -> dict[int, list[Row]]:
         """The rows of a body by the place where they begin, the longest first.

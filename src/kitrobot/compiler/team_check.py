@@ -14,7 +14,6 @@ from typing import Any
 
 from kitrobot.compiler import team_rules as rules
 from kitrobot.compiler.checker import check
-from kitrobot.compiler.lineage import Lineage
 from kitrobot.compiler.target import Target
 from kitrobot.compiler.team_names import Atom, Atoms, Names
 from kitrobot.diagnostics.model import Diagnostic, Rule, Source, in_reading_order
@@ -46,14 +45,12 @@ from kitrobot.text.phrases import listed
 from kitrobot.text.sentences import Help, Sentence, Word
 
 
-def check_program(
-    program: Seq, target: Target, crew: Crew, source: Source, name: str = "", lineage: Lineage | None = None
-) -> list[Diagnostic]:
+def check_program(program: Seq, target: Target, crew: Crew, source: Source, name: str = "") -> list[Diagnostic]:
     """All that is wrong or odd about a program for a target, in reading order; see `check`.
 
     `crew` is the team that the program of a team speaks of.
     """
-    found = check(program, target, source, name, lineage)
+    found = check(program, target, source, name)
     if target.level.is_team:
         found += _CheckWalk(Names(crew), target, source, name).whole(program)
     return in_reading_order(found)

@@ -46,7 +46,7 @@ def compile_team(
         moves_boxes: whether a part moves boxes of a storehouse.
     """
     whole = programs[name]
-    others = {other: compiled.placed for other, compiled in programs.items()}
+    others = {other: compiled.program for other, compiled in programs.items()}
     known = catalogue.teams[Level.SOCIAL].calls
 
     def shared(call: Call) -> bool:

@@ -10,13 +10,14 @@ from __future__ import annotations
 from bisect import bisect_right
 from collections import Counter
 from dataclasses import dataclass, field, replace
+from functools import cached_property
 from itertools import accumulate
 from operator import itemgetter
 
+from kitrobot.compiler.compilation import CheckResult
 from kitrobot.compiler.graph_to_lll import Translation
-from kitrobot.compiler.near_edit import follow_near
+from kitrobot.compiler.lll_to_graph import redraw
 from kitrobot.compiler.preserve_ids import Before, Old
-from kitrobot.compiler.stretch import redraw_edited
 from kitrobot.compiler.target import read_for
 from kitrobot.compiler.team_check import check_program
 from kitrobot.compiler.vertex_places import VertexPlace, vertex_places
@@ -33,25 +34,30 @@ from kitrobot.text.positions import TextPositions
 class Followed:
     """The graph of an edited text (None when there are mistakes in it), and what there is to say about the text.
 
+    `tree` and `source` are the text's.
+
     `team` is what the text of a team's program declares, with its instructions; None for a program of one robot.
 
-    `spans` are the outermost stretches of each vertex in the text, in reading order; none without a graph.
     `translation` is the graph's way back to LLL, for who compiles it next; its tree is not the one of the text, but
-    equal to it where `sound` says so: then there is nothing to say about either. `printed`: the text is the one that
-    the graph prints, so that all that is said of it is what is said of the graph, with its places.
+    equal to it where there is `checked`, what `check` found in the text.
     """
 
     program: Program | None
-    spans: list[VertexPlace] = field(default_factory=list)
+    tree: Seq = field(repr=False)
+    source: Source = field(repr=False)
     diagnostics: list[Diagnostic] = field(default_factory=list)
     translation: Translation | None = field(default=None, repr=False, compare=False)
-    sound: bool = field(default=False, repr=False, compare=False)
+    checked: CheckResult | None = field(default=None, repr=False, compare=False)
     team: TeamProgram | None = field(default=None, repr=False, compare=False)
-    printed: bool = field(default=False, repr=False, compare=False)
+
+    @cached_property
+    def spans(self) -> list[VertexPlace]:
+        """The outermost stretches of each vertex in the text, in reading order; none without a graph."""
+        return [] if self.program is None else vertex_places(self.tree, self.source)
 
 
 def follow_text(before: Translation, text: str, catalogue: Catalogue) -> Followed:
-    """Draws a text anew beside the graph it came from; see `redraw_edited`.
+    """Draws a text anew beside the graph it came from.
 
     Args:
         before: the translation of that graph, by the same catalogue; nothing in it may change any more.
@@ -60,40 +66,22 @@ def follow_text(before: Translation, text: str, catalogue: Catalogue) -> Followe
 
     Raises KitRobotError when the catalogue lacks the constructors to draw with.
     """
-    return _follow_near(before, text, catalogue) or _follow_whole(before, text, catalogue)
-
-
-def _follow_whole(before: Translation, text: str, catalogue: Catalogue) -> Followed:
     program, robot = before.wiring.program, before.wiring.robot
     parsed = read_for(text, robot, f"{program.name}.lll")
     crew = catalogue.crew if parsed.team is None else declaring(catalogue.crew, parsed.team)
+    redrawn = redraw(parsed.seq, robot, catalogue, program.name, Before(before)) if parsed.ok else None
     found = check_program(parsed.seq, robot, crew, parsed.source, program.name)
-    diagnostics = [replace(item, program=program.name) for item in in_reading_order(parsed.diagnostics + found)]
-    if parsed.ok and not _news(found, before, catalogue.crew):
-        drawn, made = redraw_edited(parsed.seq, robot, catalogue, Before(before))
-        sound = not diagnostics and made.program == parsed.seq
-        return Followed(drawn, vertex_places(parsed.seq, parsed.source), diagnostics, made, sound, parsed.team)
+    # Of a text it is not said which vertices it has become.
+    diagnostics = [
+        replace(item, program=program.name, vertices=()) for item in in_reading_order(parsed.diagnostics + found)
+    ]
+    if redrawn is not None and not _news(found, before, catalogue.crew):
+        drawn, made = redrawn
+        checked = CheckResult(text.rstrip("\n"), found) if made.program == parsed.seq else None
+        return Followed(drawn, parsed.seq, parsed.source, diagnostics, made, checked, parsed.team)
     around = _Around(parsed.seq, parsed.source, Old.beside(Before(before), parsed.seq))
-    return Followed(None, [], [around.at_vertex(item) for item in diagnostics], team=parsed.team)
-
-
-def _follow_near(before: Translation, text: str, catalogue: Catalogue) -> Followed | None:
-    """The same where the text is what its graph prints, and differs from that of the one before in some lines."""
-    with before.lineage.lock:
-        near = follow_near(before, text, catalogue)
-        if near is None:
-            return None
-        drawn, made = near
-        lineage = made.lineage
-        source = Source(f"{drawn.name}.lll", lineage.text)
-        found = check_program(made.program, made.wiring.robot, catalogue.crew, source, drawn.name, lineage)
-        if any(item.is_error for item in found):
-            return None
-        # Of a text it is not said which vertices it has become.
-        diagnostics = [replace(item, program=drawn.name, vertices=()) for item in found]
-        return Followed(
-            drawn, vertex_places(made.program, source, lineage), diagnostics, made, sound=not found, printed=True
-        )
+    mistakes = [around.at_vertex(item) for item in diagnostics]
+    return Followed(None, parsed.seq, parsed.source, mistakes, team=parsed.team)
 
 
 def _news(found: list[Diagnostic], before: Translation, crew: Crew) -> bool:

@@ -8,6 +8,8 @@ Cost grows with the number of nodes and with how deep an edit lies, not with the
 
 from __future__ import annotations
 
+from collections.abc import Callable
+from operator import attrgetter
 from typing import Any
 
 from kitrobot.compiler.common_order import common_order
@@ -61,19 +63,26 @@ class _TreeMatcher:
         self.table: dict[tuple[object, ...], int] = {}
         self.same: Same = {}
         self.taken: set[int] = set()
-        for tree in (old, new):
-            self.count(tree)
         self.bodies(old, new)
         self.moved(old, new)
 
+    def key(self, root: Node) -> int:
+        """A number that equal subtrees have in common, comments apart. All in the subtree is numbered with it."""
+        if id(root) not in self.keys:
+            self.count(root)
+        return self.keys[id(root)]
+
     def count(self, root: Node) -> None:
         """Gives equal subtrees equal numbers, from the leaves up."""
+        keys, table = self.keys, self.table
         for node in reversed(nodes(root)):
-            key = (type(node), *_own(node), *(self.keys[id(child)] for child in children(node)))
-            self.keys[id(node)] = self.table.setdefault(key, len(self.table))
+            kind = type(node)
+            own = _OWN.get(kind)
+            key = (kind, own and own(node), *[keys[id(child)] for child in children(node)])
+            keys[id(node)] = table.setdefault(key, len(table))
 
     def is_equal(self, old: Node, new: Node) -> bool:
-        return self.keys[id(old)] == self.keys[id(new)]
+        return self.key(old) == self.key(new)
 
     def pair(self, old: Node, new: Node) -> None:
         self.same[id(new)] = old
@@ -81,8 +90,9 @@ class _TreeMatcher:
 
     def whole(self, old: Node, new: Node) -> None:
         """Pairs two equal subtrees, node by node."""
-        for one, other in zip(nodes(old), nodes(new), strict=True):
-            self.pair(one, other)
+        taken = nodes(old)
+        self.same.update(zip(map(id, nodes(new)), taken, strict=True))
+        self.taken.update(map(id, taken))
 
     # -- bodies
 
@@ -92,7 +102,16 @@ class _TreeMatcher:
 
     def row(self, old: list[Any], new: list[Any]) -> None:
         """Two bodies' instructions, or two parallels' branches."""
-        pairs = common_order([self.keys[id(item)] for item in old], [self.keys[id(item)] for item in new])
+        # Most often one of many differs: the equal ends need no numbers.
+        shorter, start, tail = min(len(old), len(new)), 0, 0
+        while start < shorter and old[start] == new[start]:
+            self.whole(old[start], new[start])
+            start += 1
+        while tail < shorter - start and old[-1 - tail] == new[-1 - tail]:
+            tail += 1
+            self.whole(old[-tail], new[-tail])
+        old, new = old[start : len(old) - tail], new[start : len(new) - tail]
+        pairs = common_order([self.key(item) for item in old], [self.key(item) for item in new])
         for i, j in pairs:
             self.whole(old[i], new[j])
         i = j = 0
@@ -117,8 +136,8 @@ class _TreeMatcher:
 
     def not_within(self, items: list[Any], others: list[Any]) -> list[Any]:
         """Without what stands inside one of the others, unchanged: it was wrapped or unwrapped."""
-        inside = {self.keys[id(node)] for item in others if not isinstance(item, Call) for node in nodes(item)[1:]}
-        return [item for item in items if self.keys[id(item)] not in inside]
+        inside = {self.key(node) for item in others if not isinstance(item, Call) for node in nodes(item)[1:]}
+        return [item for item in items if self.key(item) not in inside]
 
     def inside(self, old: Any, new: Any) -> None:
         """Two nodes of a kind that are one, though not equal: pairs them, and goes on in what they hold."""
@@ -176,14 +195,14 @@ class _TreeMatcher:
         """Equal subtrees that are left on both sides, in reading order."""
         waiting: dict[int, list[Node]] = {}
         for node in reversed(nodes(old)):
-            if not isinstance(node, Seq | Number | Members) and id(node) not in self.taken:
-                waiting.setdefault(self.keys[id(node)], []).append(node)
+            if id(node) not in self.taken and not isinstance(node, Seq | Number | Members):
+                waiting.setdefault(self.key(node), []).append(node)
         if not waiting:
             return
         for node in nodes(new):
             if id(node) in self.same or isinstance(node, Seq | Number | Members):
                 continue
-            candidates = waiting.get(self.keys[id(node)], [])
+            candidates = waiting.get(self.key(node), [])
             while candidates:
                 candidate = candidates.pop()
                 parts = nodes(candidate)
@@ -193,31 +212,20 @@ class _TreeMatcher:
                     break
 
 
-def _own(node: Any) -> tuple[object, ...]:
-    """What a node says itself, besides what is inside it."""
-    match node:
-        case Call():
-            return node.object, node.method
-        case Number():
-            return (node.value,)
-        case Repeat():
-            return (node.count,)
-        case Wait():
-            return (node.duration,)
-        case Conditional() | Where():
-            return (node.orelse is not None,)
-        case While():
-            return (node.condition is not None,)
-        case Members():
-            return (*node.names, node.braced)
-        case Joint():
-            return (node.quantifier,)
-        case ProgramCall():
-            return (node.name,)
-        case Move():
-            return node.count, node.source, node.target
-        case _:
-            return ()
+# What a node says itself, besides what is inside it.
+_OWN: dict[type[Node], Callable[[Any], object]] = {
+    Call: attrgetter("object", "method"),
+    Number: attrgetter("value"),
+    Repeat: attrgetter("count"),
+    Wait: attrgetter("duration"),
+    Conditional: lambda node: node.orelse is not None,
+    Where: lambda node: node.orelse is not None,
+    While: lambda node: node.condition is not None,
+    Members: lambda node: (*node.names, node.braced),
+    Joint: attrgetter("quantifier"),
+    ProgramCall: attrgetter("name"),
+    Move: attrgetter("count", "source", "target"),
+}
 
 
 def _element(node: Any) -> tuple[object, ...]:

@@ -11,9 +11,10 @@ _MOST_DIGITS = 5
 def typed_number(text: str, low: int, high: int) -> int | None:
     """The whole number that a text is, `low`…`high`; None when it is none in this range."""
     digits = text.strip()
-    if digits.isascii() and digits.isdigit() and len(digits.lstrip("0")) <= _MOST_DIGITS and low <= int(digits) <= high:
-        return int(digits)
-    return None
+    if not (digits.isascii() and digits.isdigit()) or len(digits.lstrip("0")) > _MOST_DIGITS:
+        return None
+    number = int(digits)
+    return number if low <= number <= high else None
 
 
 def nearest_number(text: str, low: int, high: int) -> int | None:

@@ -115,17 +115,17 @@ class Wiring:
     def add_arc(self, arc: Arc) -> None:
         """Adds an arc between vertices that were added, or reports why it cannot be."""
         name: ArcName = (arc.source, arc.out, arc.target, arc.at)
-        ends = [vertex for vertex in (arc.source, arc.target) if vertex not in self.vertices]
-        if ends:
+        if arc.source not in self.vertices or arc.target not in self.vertices:
+            end = arc.target if arc.source in self.vertices else arc.source
             self.report(
                 rules.DANGLING_ARC(
                     Sentence(
                         "an arc from `{source}` to `{target}` names `{end}`, which is not there",
                         arc.source,
                         arc.target,
-                        ends[0],
+                        end,
                     ),
-                    help=self.suggestions.did_you_mean(ends[0], self.vertices) or Sentence("delete the arc"),
+                    help=self.suggestions.did_you_mean(end, self.vertices) or Sentence("delete the arc"),
                     program=self.program.name,
                     arcs=(name,),
                 )

@@ -2,7 +2,8 @@
 
 It works on the tables of a run (`sim.tables.state.State`), of which it changes those of the team: points, sets, roles,
 works. Equal logs make equal tables, in every process: nothing here reads a clock or anything else of the process.
-`slot` is how many slots of the log are in them. A robot in no view of the log is silent, as a failed one is in the simulator.
+`slot` is how many slots of the log are in them. A robot in no view of the log is silent, as a failed one is in the
+simulator.
 """
 
 from __future__ import annotations

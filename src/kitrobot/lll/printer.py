@@ -8,8 +8,6 @@ its place in the new text, so that what is found out about the tree can be shown
 
 from __future__ import annotations
 
-from collections.abc import Set
-
 from kitrobot.lll.tokens import MARK, team_name
 from kitrobot.lll.tree import (
     FAILURES,
@@ -27,7 +25,6 @@ from kitrobot.lll.tree import (
     Joint,
     Members,
     Move,
-    Node,
     Not,
     Number,
     Or,
@@ -45,7 +42,6 @@ from kitrobot.lll.tree import (
     While,
     WorkDeclaration,
 )
-from kitrobot.lll.walk import nodes
 
 LINE_WIDTH = 60
 """Characters a line may have for a body to stay on it; the studio shows this many without wrapping."""
@@ -55,21 +51,7 @@ _SIMPLE = (Call, Interrupt, Wait, Break, ProgramCall, Move)
 
 def print_program(program: Seq) -> str:
     """The text of a program. Sets the places of its nodes. Ends with a line break unless the program is empty."""
-    return print_again(program, "", frozenset())
-
-
-def print_lines(body: Seq, level: int) -> str:
-    """The lines of the instructions of a body that stands so many levels deep. Sets the places of its nodes."""
     printer = _Printer()
-    printer.seq(body, level)
-    return "".join(printer.parts)
-
-
-def print_again(program: Seq, before: str, taken: Set[int]) -> str:
-    """As `print_program`, for a tree of which the instructions `taken`, by their `id`, stood in the text `before` and
-    have their places there: these are moved.
-    """
-    printer = _Printer(before, taken)
     printer.seq(program, 0)
     for comment in program.below:
         printer.comment(comment, 0)
@@ -116,11 +98,9 @@ def print_template(template: Seq | Instr | Condition) -> str:
 
 
 class _Printer:
-    def __init__(self, before: str = "", taken: Set[int] = frozenset()) -> None:
+    def __init__(self) -> None:
         self.parts: list[str] = []
         self.at = 0
-        self.before = before
-        self.taken = taken
 
     def write(self, text: str) -> None:
         self.parts.append(text)
@@ -139,27 +119,13 @@ class _Printer:
             for comment in node.above:
                 self.comment(comment, level)
             self.write(indent)
-            if id(node) not in self.taken or not self.take_over(node, indent):
-                self.instruction(node, level)
+            self.instruction(node, level)
             self.write(";" + separator if index == last else ";")
             if node.after is not None:
                 self.write(f"  # {node.after}".rstrip())
             self.write("\n")
         if seq.hole is not None and seq.hole_at > last:
             self.write(f"{indent}{{{seq.hole.name}}};{separator}\n")
-
-    def take_over(self, node: Instr, indent: str) -> bool:
-        """Writes an instruction as it stood on lines of its own before; False where it did not, or is a short one."""
-        if isinstance(node, _SIMPLE):  # they may be tried out within a line, which sets their places
-            return False
-        begin = node.start - len(indent)
-        if begin < 0 or self.before[begin : node.start] != indent or self.before[begin - 1 : begin] not in ("", "\n"):
-            return False
-        moved = self.at - node.start
-        self.write(self.before[node.start : node.end])
-        if moved:
-            _move(node, moved)
-        return True
 
     def instruction(self, node: Instr, level: int) -> None:
         node.start = self.at
@@ -364,15 +330,6 @@ class _Printer:
                 self.param(param)
             self.write(")")
         node.end = self.at
-
-
-def _move(root: Node, by: int) -> None:
-    """Moves the places of a node and of all in it by so many characters."""
-    for node in nodes(root):
-        node.start += by
-        node.end += by
-        if isinstance(node, Call):
-            node.method_start += by
 
 
 def _number(value: int | Hole) -> str:

@@ -83,7 +83,11 @@ class Constructor:
 
     def slot(self, name: str) -> Slot | None:
         """The slot of that name, or None."""
-        return next((slot for slot in self.slots if slot.name == name), None)
+        return self._slots.get(name)
+
+    @cached_property
+    def _slots(self) -> dict[str, Slot]:
+        return {slot.name: slot for slot in self.slots}
 
     @cached_property
     def size(self) -> int:

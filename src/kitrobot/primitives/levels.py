@@ -19,5 +19,7 @@ class Level(StrEnum):
 
     def holds(self, other: Level) -> bool:
         """Whether what is of another level may stand in a program of this one."""
-        order = tuple(Level)
-        return order.index(other) <= order.index(self)
+        return _ORDER[other] <= _ORDER[self]
+
+
+_ORDER = {level: at for at, level in enumerate(Level)}

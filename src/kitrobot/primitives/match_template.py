@@ -10,6 +10,7 @@ from __future__ import annotations
 
 import copy
 from dataclasses import fields, is_dataclass
+from functools import cache
 from typing import Any
 
 from kitrobot.lll.tree import Hole, Instruction, Members, Node, Number, Seq
@@ -91,6 +92,12 @@ def fill_with(template: Any, bound: Bound) -> Any:
     return filled
 
 
+@cache
+def _parts(kind: type[Node]) -> tuple[str, ...]:
+    """The fields of a node that a template speaks of."""
+    return tuple(part.name for part in fields(kind) if part.name not in _PLACES)
+
+
 class _TemplateMatcher:
     """One comparison. `of`: the constructor whose template is the node, which then has holes of its own."""
 
@@ -103,12 +110,8 @@ class _TemplateMatcher:
     def node(self, template: Any, node: Any) -> bool:
         if type(template) is not type(node):
             return False
-        for part in fields(template):
-            if part.name in _PLACES:
-                continue
-            if not self.part(getattr(template, part.name), getattr(node, part.name)):
-                return False
-        return True
+        names = _parts(template.__class__)
+        return all(self.part(getattr(template, name), getattr(node, name)) for name in names)
 
     def part(self, pattern: Any, value: Any) -> bool:
         if isinstance(pattern, Hole):

@@ -25,7 +25,7 @@ def warn_of_shared_variables(name: str, robot: Robot, compiled: Compiled) -> lis
     shared = {variable.name for variable in robot.variables if variable.shared and compiled.ok}
     found: dict[str, Diagnostic] = {}
     vertex = None
-    for node in nodes(compiled.placed) if shared else ():
+    for node in nodes(compiled.program) if shared else ():
         vertex = node.vertex or vertex
         if not isinstance(node, Call) or node.object not in shared or node.object in found:
             continue

@@ -48,7 +48,6 @@ from kitrobot.wire.board import BOARD_MESSAGE_MODELS, BOARD_REQUEST_MODELS
 from kitrobot.wire.drawing_check import DRAWING_CHECK_MESSAGE_MODELS, DRAWING_CHECK_REQUEST_MODELS
 from kitrobot.wire.files import ConflictShape
 from kitrobot.wire.journal import WATCH_MESSAGE_MODELS
-from kitrobot.wire.mission_delta import ForgottenError
 from kitrobot.wire.problem import FailureShape, problem_shapes
 from kitrobot.wire.run import RUN_MESSAGE_MODELS
 from kitrobot.wire.run_requests import REQUEST_MODELS
@@ -180,8 +179,6 @@ def _failed(request: Request, error: Exception) -> Response:
         status = 413
     elif isinstance(error, FileError) and not error.path.exists():
         status = 404
-    elif isinstance(error, ForgottenError):
-        status = 410
     return _failure(error, status)
 
 

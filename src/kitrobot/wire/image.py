@@ -4,13 +4,13 @@ from __future__ import annotations
 
 from pydantic import BaseModel
 
-from kitrobot.wire.mission_delta import SentMissionShape
+from kitrobot.wire.mission import MissionShape
 
 
 class ImageAskShape(BaseModel):
     """Which program of a mission is to become an image; `path` is where the mission lies, "" for nowhere."""
 
-    mission: SentMissionShape
+    mission: MissionShape
     path: str
     program: str
 

@@ -182,14 +182,13 @@ def mission_shape(mission: Mission) -> MissionShape:
     )
 
 
-def mission_from_shape(shape: MissionShape, programs: list[Program] | None = None) -> Mission:
-    """The mission that travelled; `programs` count in the place of those in the shape.
+def mission_from_shape(shape: MissionShape) -> Mission:
+    """The mission that travelled.
 
     Raises:
         OwnPartError: a constructor or a variable that it brings along makes no sense.
     """
-    if programs is None:
-        programs = [_program(program) for program in shape.programs]
+    programs = [_program(program) for program in shape.programs]
     constructors = [own_constructor(constructor) for constructor in shape.constructors]
     variables = [own_variable(variable) for variable in shape.variables]
     breakpoints = [breakpoint_from_shape(one) for one in shape.breakpoints]

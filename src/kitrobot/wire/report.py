@@ -6,7 +6,7 @@ from typing import Annotated
 
 from pydantic import BaseModel, Field
 
-from kitrobot.wire.mission_delta import SentMissionShape
+from kitrobot.wire.mission import MissionShape
 from kitrobot.wire.problem import ProblemShape
 
 
@@ -20,41 +20,12 @@ class SpanEntryShape(BaseModel):
 
 
 class ProgramReportShape(BaseModel):
-    """What a program becomes: LLL with the place of each vertex, and how long its three-address code is.
-
-    `known`: the name by which the next edit may send only what it changed in the program; "" when it must send all.
-    """
+    """What a program becomes: LLL with the place of each vertex, and how long its three-address code is."""
 
     name: str
     lll: str
     spans: list[SpanEntryShape]
     instructions: int
-    known: str
-
-
-class MovedShape(BaseModel):
-    """A stretch [start, end) of places of before, all of them so many characters and lines further on."""
-
-    start: int
-    end: int
-    characters: int
-    lines: int
-
-
-class ProgramReportChangeShape(BaseModel):
-    """As `ProgramReportShape`, told by what is different from the report of the program that was named in the question.
-
-    `of`: that name; `at`, `removed` and `inserted`: so many characters of the text before gave way to others.
-    """
-
-    name: str
-    of: str
-    at: int
-    removed: int
-    inserted: str
-    spans: list[SpanEntryShape | MovedShape]
-    instructions: int
-    known: str
 
 
 class ProjectionSpanShape(SpanEntryShape):
@@ -72,12 +43,12 @@ class ProjectionShape(BaseModel):
 
 
 class ReportShape(BaseModel):
-    """A mission looked through; programs that were named in the question are told by what is different from theirs.
+    """A mission looked through.
 
     `projections`: one for each kind of robot that runs the program of the whole team.
     """
 
-    programs: list[ProgramReportShape | ProgramReportChangeShape]
+    programs: list[ProgramReportShape]
     problems: list[ProblemShape]
     projections: list[ProjectionShape] = []
 
@@ -85,7 +56,7 @@ class ReportShape(BaseModel):
 class CheckShape(BaseModel):
     """A request to look a mission through; `path` is the file it was opened from, "" for a new one."""
 
-    mission: SentMissionShape
+    mission: MissionShape
     path: str
 
 

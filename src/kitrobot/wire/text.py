@@ -4,8 +4,7 @@ from __future__ import annotations
 
 from pydantic import BaseModel
 
-from kitrobot.wire.mission import DeclaredShape
-from kitrobot.wire.mission_delta import DrawnProgramShape, SentMissionShape
+from kitrobot.wire.mission import DeclaredShape, MissionShape, ProgramShape
 from kitrobot.wire.problem import ProblemShape
 from kitrobot.wire.report import ReportShape, SpanEntryShape
 
@@ -13,7 +12,7 @@ from kitrobot.wire.report import ReportShape, SpanEntryShape
 class TextEditShape(BaseModel):
     """The LLL of one program as a person has typed it; `mission` holds the program that it was before."""
 
-    mission: SentMissionShape
+    mission: MissionShape
     path: str
     program: str
     text: str
@@ -27,7 +26,7 @@ class FollowedShape(BaseModel):
     and with what the text of a team's program declares: `declared`.
     """
 
-    program: DrawnProgramShape | None
+    program: ProgramShape | None
     spans: list[SpanEntryShape] | None
     problems: list[ProblemShape] | None
     report: ReportShape | None

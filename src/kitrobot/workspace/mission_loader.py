@@ -190,7 +190,8 @@ class OpenMission:
             found += self._stage_problems()
         made = self.team.kinds if self.team is not None else {}
         projections = tuple(projection_report(robot, compiled) for robot, compiled in made.items())
-        return Report(tuple(self._program_reports()), tuple(found), self.all_sources, projections)
+        programs = tuple(program_report(one.name, self.compiled.get(one.name)) for one in self.mission.programs)
+        return Report(programs, tuple(found), self.all_sources, projections)
 
     @property
     def all_sources(self) -> tuple[Source, ...]:
@@ -222,11 +223,6 @@ class OpenMission:
         except ProblemsError as error:
             return error.diagnostics
         return ()
-
-    def _program_reports(self) -> Iterable[ProgramReport]:
-        if self.kept is None or self._oversize:
-            return [program_report(one.name, self.compiled.get(one.name)) for one in self.mission.programs]
-        return self.kept.reports(self.mission.programs, self.catalogue)
 
     def prepare(self, options: RunOptions | None = None) -> PreparedRun:
         """The mission in its world, set up once: see `PreparedRun`.

@@ -6,24 +6,19 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 
 from kitrobot.compiler.compilation import Compiled
-from kitrobot.compiler.lineage import Lineage
-from kitrobot.compiler.vertex_places import VertexPlace, vertex_places
+from kitrobot.compiler.vertex_places import VertexPlace
 from kitrobot.lll.tree import Instruction
 from kitrobot.lll.walk import nodes
 
 
 @dataclass(frozen=True)
 class ProgramReport:
-    """What a program becomes; `instructions` is 0 when it has errors.
-
-    `known` is the name by which `CompileCache` finds the program again, "" when it is not kept.
-    """
+    """What a program becomes; `instructions` is 0 when it has errors."""
 
     name: str
     lll: str
     spans: tuple[VertexPlace, ...]
     instructions: int
-    known: str = ""
 
 
 @dataclass(frozen=True)
@@ -63,10 +58,9 @@ def _projected(compiled: Compiled) -> Iterable[ProjectionSpan]:
             yield ProjectionSpan(*key, node.start, node.end, compiled.source.position(node.start)[0])
 
 
-def program_report(name: str, compiled: Compiled | None, lineage: Lineage | None = None) -> ProgramReport:
-    """The report of a program; `compiled` is None when its robot is not at hand. `lineage`: as for `check`."""
+def program_report(name: str, compiled: Compiled | None) -> ProgramReport:
+    """The report of a program; `compiled` is None when its robot is not at hand."""
     if compiled is None:
         return ProgramReport(name, "", (), 0)
     instructions = compiled.image.instructions if compiled.image is not None else 0
-    spans = vertex_places(compiled.program, compiled.source, lineage)
-    return ProgramReport(name, compiled.source.text, tuple(spans), instructions)
+    return ProgramReport(name, compiled.source.text, tuple(compiled.places), instructions)

@@ -1,5 +1,7 @@
 import { afterEach, beforeEach, describe, expect, it, vi } from "vitest";
 
+import { CARRIER, missionOf } from "../model/testing/missions";
+import type { Program, Vertex } from "../model/types";
 import { api, ApiError } from "./client";
 import { socketAddress } from "./address";
 import { forgetToken, token } from "./token";
@@ -120,5 +122,45 @@ describe("a pose frame", () => {
     ["is empty", []],
   ])("that %s is dropped", (_, numbers) => {
     expect(decodeFrames(frame(numbers))).toEqual([]);
+  });
+});
+
+describe("a typed text", () => {
+  const { vertices, arcs } = CARRIER;
+  const extra: Vertex = { id: "extra", element: "Wait", settings: { duration: "3" }, notes: [] };
+  const follow = (program: Program | null) => {
+    answer(200, { program: program && { ...program, level: "agent" }, spans: [], problems: [], report: null });
+    return api.follow(missionOf(CARRIER), "a.krt", CARRIER.name, "text");
+  };
+
+  it("gives a program that keeps what did not change", async () => {
+    const { program } = await follow({ ...CARRIER, vertices: [...vertices.slice(0, 2), extra, ...vertices.slice(2)] });
+    expect(program?.vertices[1]).toBe(vertices[1]);
+    expect(program?.vertices[2]).toEqual(extra);
+    expect(program?.vertices[3]).toBe(vertices[2]);
+    expect(program?.arcs).toBe(arcs);
+  });
+
+  it("that is the one which its graph prints has the places and problems of the report", async () => {
+    const spans = [{ vertex: "v1", start: 0, end: 8, line: 1 }];
+    const one = { code: "x", severity: "warning", message: "m", help: "", program: CARRIER.name, vertices: ["v1"] };
+    const place = { file: `${CARRIER.name}.lll`, line: 1, column: 1, end_line: 1, end_column: 3 };
+    const problems = [
+      { ...one, ...place },
+      { ...one, ...place, program: "other" },
+      { ...one, ...place, line: 0 },
+    ];
+    const report = { programs: [{ name: CARRIER.name, lll: "WAIT(1);\n", spans, instructions: 3 }], problems };
+    answer(200, { program: CARRIER, spans: null, problems: null, report });
+    const followed = await api.follow(missionOf(CARRIER), "", CARRIER.name, "WAIT(1);\n");
+    expect(followed.spans).toEqual(spans);
+    expect(followed.problems).toEqual([problems[0]]);
+  });
+
+  it("that says the same gives the very program, and one with mistakes gives none", async () => {
+    const told = (one: Vertex) => ({ ...one, unknown: one.unknown ?? "" });
+    expect((await follow({ ...CARRIER, vertices: vertices.map(told) })).program?.vertices).toBe(vertices);
+    expect((await follow(CARRIER)).program).toBe(missionOf(CARRIER).programs[0]);
+    expect((await follow(null)).program).toBeNull();
   });
 });

@@ -5,20 +5,14 @@
  * to do; 409 keeps the revision that is on disk. Addresses are relative, so the page works under any path.
  */
 import { languageInUse, t } from "../i18n/words";
-import type { Fragment, Mission, MissionFile, Problem, Program, Report, SpanEntry } from "../model/types";
+import type { Arc, Fragment, Mission, MissionFile, Problem, Report, SpanEntry, Vertex } from "../model/types";
 import { meetAgain } from "./again";
 import type * as server from "./generated";
-import { type Bases, bases, drawn, forget, learn, sent, whole } from "./known";
 import { talk } from "./line";
 import { token } from "./token";
 
-/**
- * What became of a typed text: its program, or null and why not; places count in the text that was sent. The server sends
- * what has changed of the program (`known.ts`), the page has the whole.
- */
-export interface Followed extends Omit<server.Followed, "program" | "report" | "spans" | "problems"> {
-  program: Program | null;
-  report: Report | null;
+/** What became of a typed text: its program, or null and why not; places count in the text that was sent. */
+export interface Followed extends server.Followed {
   spans: SpanEntry[];
   problems: Problem[];
 }
@@ -114,57 +108,35 @@ async function request(address: string, { method = "GET", json, bytes, signal }:
   return response;
 }
 
-const FORGOTTEN = 410;
-
-/** A question about a mission of which the server may know most. */
-async function askAbout<T>(
-  address: string,
-  mission: Mission,
-  rest: object,
-  signal?: AbortSignal,
-): Promise<{ answer: T; known: Bases }> {
-  const asked = (): Asked => ({ method: "POST", json: { mission: sent(mission), ...rest }, ...(signal && { signal }) });
-  const known = bases();
-  try {
-    return { answer: await ask<T>(address, asked()), known };
-  } catch (cause) {
-    if (!(cause instanceof ApiError) || cause.status !== FORGOTTEN) throw cause;
-    forget();
-    return { answer: await ask<T>(address, asked()), known: bases() };
-  }
-}
-
-async function check(mission: Mission, path: string, signal?: AbortSignal): Promise<Report> {
-  const { answer, known } = await askAbout<server.Report>("check", mission, { path }, signal);
-  const report = whole(answer, known);
-  learn(mission, report);
-  return report;
-}
-
-async function image(mission: Mission, path: string, program: string): Promise<server.Image> {
-  return (await askAbout<server.Image>("image", mission, { path, program })).answer;
-}
-
 /** The problems of a report that have a place in the LLL of a program. */
 export function problemsIn(report: Report | null, program: string): Problem[] {
   const file = `${program}.lll`;
   return report?.problems.filter((one) => one.program === program && one.file === file && one.line > 0) ?? [];
 }
 
+/** `after` with the very things of `before` where both say the same; `before` itself where all of them do. */
+function reused<Thing>(before: Thing[], after: Thing[], value: (one: Thing) => unknown): Thing[] {
+  const known = new Map(before.map((one) => [JSON.stringify(value(one)), one]));
+  const found = after.map((one) => known.get(JSON.stringify(value(one))) ?? one);
+  return found.length === before.length && found.every((one, at) => one === before[at]) ? before : found;
+}
+
+const vertexValue = (one: Vertex) => [one.id, one.element, one.settings, one.notes, one.unknown ?? ""];
+const arcValue = (one: Arc) => [one.source, one.out, one.target, one.at];
+
 async function follow(mission: Mission, path: string, program: string, text: string): Promise<Followed> {
-  const { answer, known } = await askAbout<server.Followed>("text", mission, { path, program, text });
-  const report = answer.report === null ? null : whole(answer.report, known);
-  const spans = answer.spans ?? report?.programs.find((one) => one.name === program)?.spans ?? [];
-  const problems = answer.problems ?? problemsIn(report, program);
+  const told = await ask<server.Followed>("text", { method: "POST", json: { mission, path, program, text } });
+  const spans = told.spans ?? told.report?.programs.find((one) => one.name === program)?.spans ?? [];
+  const answer = { ...told, spans, problems: told.problems ?? problemsIn(told.report, program) };
   const before = mission.programs.find((one) => one.name === program);
-  if (answer.program === null || before === undefined) return { ...answer, program: null, report, spans, problems };
-  const same = answer.declared == null || declares(mission, answer.declared);
-  const graph = drawn(before, answer.program);
+  if (answer.program === null || before === undefined) return { ...answer, program: null };
+  // What did not change stays the same object: by that the page knows what to draw anew.
+  const vertices = reused(before.vertices, answer.program.vertices, vertexValue);
+  const arcs = reused(before.arcs, answer.program.arcs, arcValue);
   // A text with other declarations is another program, be its graph the same.
-  const after = graph === before && !same ? { ...before } : graph;
-  const programs = mission.programs.map((one) => (one === before ? after : one));
-  if (report !== null) learn({ ...mission, programs }, report);
-  return { ...answer, program: after, report, spans, problems };
+  const same = answer.declared == null || declares(mission, answer.declared);
+  const unchanged = same && vertices === before.vertices && arcs === before.arcs;
+  return { ...answer, program: unchanged ? before : { ...before, vertices, arcs } };
 }
 
 export const api = {
@@ -177,7 +149,8 @@ export const api = {
   saveMission: (path: string, revision: string, mission: Mission) =>
     ask<server.Saved>("mission", { method: "PUT", json: { path, revision, mission } }),
   missionText: (mission: Mission) => ask<{ text: string }>("mission/text", { method: "POST", json: { mission } }),
-  image,
+  image: (mission: Mission, path: string, program: string) =>
+    ask<server.Image>("image", { method: "POST", json: { mission, path, program } }),
   /** `own` is what the mission brings along: the text may speak of it. */
   fragment: (text: string, robot: string, path: string, own: Pick<Mission, "constructors" | "variables"> = {}) =>
     ask<Fragment>("fragment", {
@@ -185,5 +158,6 @@ export const api = {
       json: { text, robot, path, constructors: own.constructors ?? [], variables: own.variables ?? [] },
     }),
   follow,
-  check,
+  check: (mission: Mission, path: string, signal?: AbortSignal) =>
+    ask<Report>("check", { method: "POST", json: { mission, path }, ...(signal && { signal }) }),
 };

@@ -350,7 +350,7 @@ export interface Catalogue {
 
 /** A request to look a mission through; `path` is the file it was opened from, "" for a new one. */
 export interface Check {
-  mission: SentMission;
+  mission: Mission;
   path: string;
 }
 
@@ -630,12 +630,6 @@ export interface DrawingFinding {
   shown: ConfirmingRun | null;
 }
 
-/** What became of the program of a text: rows of the lists of the program that was sent with it. */
-export interface DrawnProgram {
-  vertices: (Vertex | [number, number])[];
-  arcs: (Arc | [number, number])[];
-}
-
 /** A drive that takes firmware; `board` as it names itself, `chip` "" where that says nothing. */
 export interface Drive {
   folder: string;
@@ -700,7 +694,7 @@ export interface Firmware {
 
 /** A request for a program of the whole team, of that name, for a mission that has none. */
 export interface FirstTeam {
-  mission: SentMission;
+  mission: Mission;
   path: string;
   name: string;
 }
@@ -746,7 +740,7 @@ export interface Floor {
  * text of a team's program declares: `declared`.
  */
 export interface Followed {
-  program: DrawnProgram | null;
+  program: Program | null;
   spans: SpanEntry[] | null;
   problems: Problem[] | null;
   report: Report | null;
@@ -871,7 +865,7 @@ export interface Image {
 
 /** Which program of a mission is to become an image; `path` is where the mission lies, "" for nowhere. */
 export interface ImageAsk {
-  mission: SentMission;
+  mission: Mission;
   path: string;
   program: string;
 }
@@ -1122,14 +1116,6 @@ export interface MissionFile {
 /** A mission to be written out, unsaved. */
 export interface MissionText {
   mission: Mission;
-}
-
-/** A stretch [start, end) of places of before, all of them so many characters and lines further on. */
-export interface Moved {
-  start: number;
-  end: number;
-  characters: number;
-  lines: number;
 }
 
 /**
@@ -1495,31 +1481,12 @@ export interface Program {
   arcs: Arc[];
 }
 
-/**
- * What a program becomes: LLL with the place of each vertex, and how long its three-address code is. `known`: the name
- * by which the next edit may send only what it changed in the program; "" when it must send all.
- */
+/** What a program becomes: LLL with the place of each vertex, and how long its three-address code is. */
 export interface ProgramReport {
   name: string;
   lll: string;
   spans: SpanEntry[];
   instructions: number;
-  known: string;
-}
-
-/**
- * As `ProgramReportShape`, told by what is different from the report of the program that was named in the question.
- * `of`: that name; `at`, `removed` and `inserted`: so many characters of the text before gave way to others.
- */
-export interface ProgramReportChange {
-  name: string;
-  of: string;
-  at: number;
-  removed: number;
-  inserted: string;
-  spans: (SpanEntry | Moved)[];
-  instructions: number;
-  known: string;
 }
 
 /** What the program of the whole team is for a kind of robot: LLL that nobody writes. */
@@ -1636,12 +1603,9 @@ export interface ReplayRequest {
   breakpoints?: Breakpoint[];
 }
 
-/**
- * A mission looked through; programs that were named in the question are told by what is different from theirs.
- * `projections`: one for each kind of robot that runs the program of the whole team.
- */
+/** A mission looked through. `projections`: one for each kind of robot that runs the program of the whole team. */
 export interface Report {
-  programs: (ProgramReport | ProgramReportChange)[];
+  programs: ProgramReport[];
   problems: Problem[];
   projections?: Projection[];
 }
@@ -1816,41 +1780,6 @@ export interface Selected {
   path: string;
   program: string;
   vertices: string[];
-}
-
-/** A mission, of whose programs only what changed is sent. */
-export interface SentMission {
-  version: 1;
-  programs: SentProgram[];
-  agents: Agent[];
-  goals: Goal[];
-  world: string;
-  unknown?: string[];
-  label?: Record<string, string>;
-  help?: Record<string, string>;
-  constructors?: Constructor[];
-  variables?: OwnVariable[];
-  breakpoints?: Breakpoint[];
-  failures?: ScheduledFailure[];
-  breakdown?: Breakdown | null;
-  properties?: AskedProperty[];
-  own_world?: OwnWorld | null;
-  radio?: Radio | null;
-  roles?: Role[];
-  groups?: TeamGroup[];
-  works?: Work[];
-  prolog?: string[];
-  attributes?: Record<string, string>;
-}
-
-/** A program as what became of the one that the studio knows as `of`; "" for one that is sent whole. */
-export interface SentProgram {
-  name: string;
-  robot: string;
-  level?: "agent" | "group" | "social";
-  of?: string;
-  vertices: (Vertex | [number, number])[];
-  arcs: (Arc | [number, number])[];
 }
 
 /**
@@ -2238,7 +2167,7 @@ export interface Text {
 
 /** The LLL of one program as a person has typed it; `mission` holds the program that it was before. */
 export interface TextEdit {
-  mission: SentMission;
+  mission: Mission;
   path: string;
   program: string;
   text: string;

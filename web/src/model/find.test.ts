@@ -33,7 +33,7 @@ describe("finding", () => {
       { vertex: "v3", start: 19, end: 22, line: 2 },
     ];
     const report = {
-      programs: [{ name: "carrier", lll, spans, instructions: 0, known: "" }],
+      programs: [{ name: "carrier", lll, spans, instructions: 0 }],
       problems: [],
     };
     expect(ids("//(", undefined, report)).toEqual(["v3"]);

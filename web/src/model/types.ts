@@ -5,7 +5,7 @@
  * Plain data. Nothing is ever changed in place: an edit makes new objects for what it touches and keeps the rest, so
  * that `===` tells what changed.
  */
-import type { Constructor, Floor, ProgramReport, Report as Told, Slot } from "../api/generated";
+import type { Constructor, Floor, Slot } from "../api/generated";
 
 export type {
   Agent,
@@ -31,6 +31,7 @@ export type {
   Program,
   ProgramReport,
   Projection,
+  Report,
   Robot,
   RobotObject,
   AskedProperty,
@@ -46,11 +47,6 @@ export type {
   World,
   WorldEntry,
 } from "../api/generated";
-
-/** A mission looked through, whole: the server may tell of a program only what is different. */
-export interface Report extends Omit<Told, "programs"> {
-  programs: ProgramReport[];
-}
 
 /** Language tag → text; the empty tag is the default (English). */
 export type Texts = Constructor["label"];

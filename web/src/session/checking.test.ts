@@ -16,7 +16,7 @@ describe("the checker", () => {
   afterEach(() => vi.useRealTimers());
 
   const report = (lll: string): Report => ({
-    programs: [{ name: "p", lll, spans: [], instructions: 0, known: "" }],
+    programs: [{ name: "p", lll, spans: [], instructions: 0 }],
     problems: [],
   });
 

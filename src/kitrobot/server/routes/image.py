@@ -10,7 +10,7 @@ from kitrobot.image.listing import disassemble
 from kitrobot.server.routes.api_router import ThisStudio, api_router
 from kitrobot.text.sentences import Sentence
 from kitrobot.wire.image import ImageAskShape, ImageShape
-from kitrobot.wire.mission_delta import mission_from_delta
+from kitrobot.wire.mission import mission_from_shape
 
 image_routes = api_router()
 
@@ -18,7 +18,7 @@ image_routes = api_router()
 @image_routes.post("/image")
 def image(studio: ThisStudio, wanted: ImageAskShape) -> ImageShape:
     """Compiles one program of a mission: its image and the listing of it."""
-    opened = studio.open(mission_from_delta(wanted.mission, studio.programs.named), wanted.path)
+    opened = studio.open(mission_from_shape(wanted.mission), wanted.path)
     program = opened.program(wanted.program)
     if program.level.is_team:
         robot_of(program, opened.catalogue)  # says that it has none

@@ -31,7 +31,6 @@ from kitrobot.wire.files import (
 )
 from kitrobot.wire.gallery import RunPreviewShape
 from kitrobot.wire.mission import MissionShape, mission_from_shape, mission_shape
-from kitrobot.wire.mission_delta import mission_from_delta, reports_from_delta
 from kitrobot.wire.problem import FailureShape, problem_shapes
 from kitrobot.wire.report import CheckShape, FirstTeamShape, ReportShape
 from kitrobot.wire.world import world_shape
@@ -142,9 +141,8 @@ def mission_text(wanted: MissionTextShape) -> TextShape:
 def check(studio: ThisStudio, wanted: CheckShape) -> Response:
     """Looks a mission through: LLL and three-address code of each program, and every problem."""
     with collection_paused():
-        opened = studio.open(mission_from_delta(wanted.mission, studio.programs.named), wanted.path)
-        bases = reports_from_delta(wanted.mission, studio.programs.report_of)
-        answer = report_answer(opened.check(), bases)
+        opened = studio.open(mission_from_shape(wanted.mission), wanted.path)
+        answer = report_answer(opened.check())
     expect_run(len(opened.mission.team.agents))
     return answer
 
@@ -152,7 +150,7 @@ def check(studio: ThisStudio, wanted: CheckShape) -> Response:
 @routes.post("/mission/team")
 def mission_team(studio: ThisStudio, wanted: FirstTeamShape) -> MissionShape:
     """The mission with a first program of the whole team, in which each robot does what it did before."""
-    opened = studio.open(mission_from_delta(wanted.mission, studio.programs.named), wanted.path)
+    opened = studio.open(mission_from_shape(wanted.mission), wanted.path)
     return mission_shape(first_team(opened, name_form(wanted.name)))
 
 

@@ -10,7 +10,7 @@ from kitrobot.server.routes.api_router import ThisStudio, api_router
 from kitrobot.server.routes.fast_json import followed_answer
 from kitrobot.text.collection import collection_paused
 from kitrobot.text.sentences import Sentence
-from kitrobot.wire.mission_delta import mission_from_delta, reports_from_delta
+from kitrobot.wire.mission import mission_from_shape
 from kitrobot.wire.text import FollowedShape, TextEditShape
 from kitrobot.workspace.mission_loader import NoProgramError
 
@@ -38,7 +38,7 @@ def text_follow(studio: ThisStudio, wanted: TextEditShape) -> Response:
             ),
             Sentence("take it apart into programs of several robots"),
         )
-    mission = mission_from_delta(wanted.mission, studio.programs.named)
+    mission = mission_from_shape(wanted.mission)
     program = next((one for one in mission.programs if one.name == wanted.program), None)
     if program is None:
         raise NoProgramError(
@@ -46,7 +46,6 @@ def text_follow(studio: ThisStudio, wanted: TextEditShape) -> Response:
         )
     with collection_paused():
         parts = studio.parts_of(mission, wanted.path)
-        bases = reports_from_delta(wanted.mission, studio.programs.report_of)
         followed = follow_text(studio.programs.of(program, parts).translation, wanted.text, parts)
         report = None
         if followed.program is not None:
@@ -56,6 +55,6 @@ def text_follow(studio: ThisStudio, wanted: TextEditShape) -> Response:
                 team = followed.team
                 mission.team.roles, mission.team.groups, mission.team.works = team.roles, team.groups, team.works
                 parts = studio.parts_of(mission, wanted.path)
-            studio.programs.of(drawn, parts, followed.translation, sound=followed.sound)
+            studio.programs.of(drawn, parts, followed.translation, followed.checked)
             report = studio.open(mission, wanted.path).check()
-        return followed_answer(program, followed, report, bases, MOST_PROBLEMS)
+        return followed_answer(followed, report, MOST_PROBLEMS)

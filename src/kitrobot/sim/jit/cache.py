@@ -53,7 +53,7 @@ _BUSY = 3
 
 MONTH_S = 30 * 24 * 3600
 
-_SOURCES = tuple(Path(__file__).with_name(name) for name in ("jit_cache.py", "table_pointer.py", "numba_tables.py"))
+_SOURCES = tuple(Path(__file__).with_name(name) for name in ("cache.py", "table_pointer.py", "numba_tables.py"))
 """What tells Numba how to compile, and how tables are reached."""
 
 

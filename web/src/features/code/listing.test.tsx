@@ -31,7 +31,7 @@ async function show(name: string, looks = true): Promise<void> {
 beforeEach(() => {
   const mission = missionOf(one);
   useStudio.getState().openMission({ ...fileOf({ ...mission, programs: [one, two] }), problems: [] });
-  const report = (name: string) => ({ name, lll: "", spans: [], instructions: 3, known: "" });
+  const report = (name: string) => ({ name, lll: "", spans: [], instructions: 3 });
   useStudio.getState().setReport({ programs: [report(one.name), report("two")], problems: [] });
   root = createRoot(place);
 });

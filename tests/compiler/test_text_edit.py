@@ -1,4 +1,4 @@
-"""An edit of one stretch of a text: only that is drawn anew, and it is what drawing the whole would have given."""
+"""An edited text beside its graph: what did not change keeps its vertices, and the graph says what the text says."""
 
 from __future__ import annotations
 
@@ -10,9 +10,10 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from kitrobot.compiler import stretch
+from kitrobot.compiler.compilation import compile_program
 from kitrobot.compiler.graph_to_lll import graph_to_lll
 from kitrobot.compiler.lll_to_graph import lll_to_graph
+from kitrobot.compiler.preserve_ids import Old
 from kitrobot.compiler.text_edit import follow_text
 from kitrobot.graph.model import Note, Program
 from kitrobot.lll.parse_results import parse
@@ -55,6 +56,12 @@ def in_order(program: Program) -> object:
     return vertices, [(number[arc.source], arc.out, number[arc.target], arc.at) for arc in program.arcs]
 
 
+def some_program(rng: random.Random) -> Program:
+    robot = rng.choice(list(shipped_robots().values()))
+    seq = parse(print_program(random_program(rng, robot, Shape(comments=True)))).program
+    return lll_to_graph(seq, robot, shipped(), "p")
+
+
 def followed(program: Program, text: str, catalogue: Catalogue) -> Program | None:
     """The graph of a text, which says that very text; None when there are mistakes in it."""
     before = graph_to_lll(program, catalogue)
@@ -73,18 +80,37 @@ def followed(program: Program, text: str, catalogue: Catalogue) -> Program | Non
 
 @settings(max_examples=examples(12))
 @given(st.randoms(use_true_random=True))
-def test_a_stretch_drawn_anew_is_as_the_whole_drawn_anew(rng: random.Random) -> None:
-    robot = rng.choice(list(shipped_robots().values()))
-    seq = parse(print_program(random_program(rng, robot, Shape(comments=True)))).program
-    program = lll_to_graph(seq, robot, shipped(), "p")
+def test_what_is_taken_over_is_as_it_would_be_drawn(rng: random.Random) -> None:
+    program = some_program(rng)
+    robot = shipped().robot(program.target)
     for _ in range(3):
         text = edited(rng, text_of(program, shipped()))
         after = followed(program, text, shipped())
         if after is None:
             continue
-        whole = lll_to_graph(parse(text).program, robot, shipped(), "p", program)
-        assert in_order(after) == in_order(whole)
+        with pytest.MonkeyPatch.context() as patch:
+            patch.setattr(Old, "unchanged", lambda *given: None)
+            drawn = lll_to_graph(parse(text).program, robot, shipped(), "p", program)
+        assert in_order(after) == in_order(drawn)
         program = after
+
+
+@settings(max_examples=examples(12))
+@given(st.randoms(use_true_random=True))
+def test_what_was_checked_as_a_text_is_what_is_checked_as_a_graph(rng: random.Random) -> None:
+    program = some_program(rng)
+    for _ in range(3):
+        text = edited(rng, text_of(program, shipped()))
+        if parse(text).ok and rng.random() < 0.7:
+            text = print_program(parse(text).program)
+        found = follow_text(graph_to_lll(program, shipped()), text, shipped())
+        if found.program is None or found.translation is None:
+            continue
+        program = found.program
+        compiled = compile_program(program, shipped(), found.translation, found.checked)
+        assert compiled == compile_program(program, shipped())
+        if compiled.source.text == text:
+            assert compiled.places == found.spans
 
 
 @settings(max_examples=examples(12))
@@ -118,13 +144,7 @@ PROGRAM = graph(
         (lambda text: text.replace("Wheel.Stop();", "2*( Wheel.Stop(); );"), "start a l b c p v1 d e z stop"),
     ],
 )
-def test_what_stands_around_the_edit_keeps_its_vertices_and_its_order(
-    edit: Callable[[str], str], ids: str, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    def never(*given: object) -> tuple[Program, None]:
-        raise AssertionError("the whole was drawn")
-
-    monkeypatch.setattr(stretch, "redraw", never)
+def test_what_stands_around_the_edit_keeps_its_vertices_and_its_order(edit: Callable[[str], str], ids: str) -> None:
     program = in_reading_order(PROGRAM)
     after = followed(program, edit(text_of(program, shipped())), shipped())
     assert after is not None
