@@ -7,7 +7,7 @@ import random
 import pytest
 
 from kitrobot.mission import Failure, FailureKind, Radio
-from kitrobot.sim import Simulation
+from kitrobot.sim import Simulation, SimulationError
 from tests.effort import cases
 from tests.sim.building import transport
 
@@ -67,7 +67,9 @@ def test_the_time_runs_out_in_a_sentence_and_nothing_goes_on() -> None:
     run = finished(transport(1, seconds=20))
     assert (run.outcome, run.tick) == ("time", 1000)
     assert run.sentence == "The time of 20 s ran out: B holds 3 of 12 boxes."
-    run.step()
+    assert run.advance(1) == 0
+    with pytest.raises(SimulationError, match="the run has ended, so there is no step after 1000"):
+        run.step()
     assert run.tick == 1000
 
 

@@ -1,7 +1,7 @@
 """A `.krt` file as a whole: programs, team and world together."""
 
 from kitrobot.mission.breakdown import Breakdown, BreakdownRule
-from kitrobot.mission.model import ALL, VERSION, Agent, Goal, Mission, Team, image_name
+from kitrobot.mission.model import ALL, DEFAULT_SEED, VERSION, Agent, Goal, Mission, Team, image_name
 from kitrobot.mission.property_xml import AskedProperty, Form
 from kitrobot.mission.radio import Radio
 from kitrobot.mission.reader import read_mission
@@ -12,6 +12,7 @@ from kitrobot.mission.writer import SaveError, save, write_mission
 __all__ = [
     "AGENT_ROBOT",
     "ALL",
+    "DEFAULT_SEED",
     "NO_PROGRAM",
     "PROPERTY",
     "VERSION",

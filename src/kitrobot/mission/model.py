@@ -23,6 +23,9 @@ from kitrobot.world import World
 VERSION = 1
 """The newest version of the `.krt` format."""
 
+DEFAULT_SEED = 1
+"""Where chance begins in a run for which nothing else is said."""
+
 ALL = "all"
 """A goal's stock: every box there is."""
 

@@ -10,6 +10,7 @@ from typing import Any, Literal
 
 from kitrobot.compiler import TeamPlan
 from kitrobot.diagnostics import Diagnostic, Place, ProblemsError, Source, expect_output
+from kitrobot.mission import DEFAULT_SEED
 from kitrobot.primitives import Catalogue, Kit, as_measured
 from kitrobot.sim import Simulation, SimulationError, check_limits, check_mission, pens_of, simulate, strokes_now
 from kitrobot.text import Sentence
@@ -84,7 +85,7 @@ class RunOptions:
         kit: what the robots are built of; they then move as it was measured.
     """
 
-    seed: int = 1
+    seed: int = DEFAULT_SEED
     seconds: float | None = None
     fail_rate: float = 0.0
     trace: Path | None = None
