@@ -78,11 +78,15 @@ class RunOptions:
     """What is chosen for a run of a mission.
 
     Attributes:
-        seed: where chance begins; the same seed gives the same run.
-        seconds: simulated seconds after which it is out of time; None: never.
+        seed: where chance begins, 0 to 2^53; the same seed gives the same run.
+        seconds: simulated seconds (0 to 10^9) after which it is out of time; None: never.
         fail_rate: the probability (0…1) that an agent fails for good within a minute, by chance.
         trace: a file to record the run in.
         kit: what the robots are built of; they then move as it was measured.
+
+    >>> import kitrobot
+    >>> kitrobot.open_mission("transport").prepare(RunOptions(seed=3, seconds=20)).run().outcome
+    'time'
     """
 
     seed: int = DEFAULT_SEED
