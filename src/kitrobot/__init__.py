@@ -36,7 +36,7 @@ if TYPE_CHECKING:
     from kitrobot.mission import Agent, Failure, FailureKind, Goal, Mission, Team
     from kitrobot.primitives import Robot
     from kitrobot.sim import AgentView, Event, Simulation
-    from kitrobot.workspace import Executed, OpenMission, Report, Run, RunOptions, Timing, execute
+    from kitrobot.workspace import Change, Executed, Inputs, OpenMission, Report, Run, RunOptions, Timing, execute
     from kitrobot.world import (
         Ball,
         Box,
@@ -73,7 +73,17 @@ else:
         "mission": ("Agent", "Failure", "FailureKind", "Goal", "Mission", "Team"),
         "primitives": ("Robot",),
         "sim": ("AgentView", "Event", "Simulation"),
-        "workspace": ("Executed", "OpenMission", "Report", "Run", "RunOptions", "Timing", "execute"),
+        "workspace": (
+            "Change",
+            "Executed",
+            "Inputs",
+            "OpenMission",
+            "Report",
+            "Run",
+            "RunOptions",
+            "Timing",
+            "execute",
+        ),
         "world": (
             "Ball",
             "Box",
@@ -106,6 +116,7 @@ __all__ = [
     "Arc",
     "Ball",
     "Box",
+    "Change",
     "ColouredLine",
     "Compiled",
     "Corner",
@@ -117,6 +128,7 @@ __all__ = [
     "FailureKind",
     "Floor",
     "Goal",
+    "Inputs",
     "KitRobotError",
     "Mission",
     "OpenMission",
