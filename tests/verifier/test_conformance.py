@@ -66,7 +66,7 @@ def shown(state: State, model: Model) -> Any:
 
 
 def _sign(number: float) -> int:
-    return (number > 0) - (number < 0)
+    return int(number > 0) - int(number < 0)
 
 
 def follow(
