@@ -2,16 +2,16 @@
 
     import kitrobot
 
-    run = kitrobot.open("transport.krt").run(seed=1)
+    run = kitrobot.open_mission("transport").run(seed=1)
     print(run.outcome, run.delivered)
 
-    compiled = kitrobot.compile("Wheel.Advance(50); WAIT(10); Wheel.Stop();", "mini-robot")
-    for tick in kitrobot.execute(compiled.image, kitrobot.robot("mini-robot"), ticks=60):
-        print(tick.commands)
+    simulation = kitrobot.open_mission("transport").simulation(seed=1)
+    while simulation.outcome is None:
+        simulation.step()
 
-The package is a door like the command line: what it gives is what that gives, as objects. Types: `OpenMission`,
-`Report`, `Run` and `Timing` of missions; `Parsed` and `Compiled` of programs; `Executed` of ticks; `Diagnostic` for
-what is wrong, collected and never raised; `KitRobotError` for what failed. What is not asked for is not imported.
+The package is a door like the command line: what it gives is what that gives, as objects. `docs/python.md` shows how a
+mission is built, stepped, intervened in, snapshotted and saved. What is wrong with a mission is `Diagnostic`s,
+collected and never raised; an operation that failed raises a `KitRobotError`. What is not asked for is not imported.
 """
 
 from __future__ import annotations
@@ -19,129 +19,185 @@ from __future__ import annotations
 TYPE_CHECKING = False
 """As that of `typing`, which takes longer to import than a command may be deaf to Ctrl-C."""
 if TYPE_CHECKING:
-    from os import PathLike
-    from typing import Any
-
+    from kitrobot.api import (
+        compile,
+        compile_program,
+        open,
+        open_mission,
+        parse,
+        read_program,
+        robot,
+        save_mission,
+    )
     from kitrobot.compiler.compilation import Compiled
     from kitrobot.diagnostics.model import Diagnostic, KitRobotError
-    from kitrobot.graph.model import Program
+    from kitrobot.diagnostics.problems import ProblemsError
+    from kitrobot.graph.model import Arc, Program, Vertex
     from kitrobot.lll.parse_results import Parsed
-    from kitrobot.lll.tree import Seq
+    from kitrobot.mission.model import Agent, Goal, Mission, Team
+    from kitrobot.mission.trial import Failure, FailureKind
     from kitrobot.primitives.robot import Robot
+    from kitrobot.sim.agent_views import AgentView
+    from kitrobot.sim.event_text import Event
+    from kitrobot.sim.simulation import Simulation
     from kitrobot.workspace.execution import Executed, execute
+    from kitrobot.workspace.inputs import Change, Inputs
     from kitrobot.workspace.mission_loader import OpenMission, Report
-    from kitrobot.workspace.mission_run import Run, Timing
+    from kitrobot.workspace.mission_run import Run, RunOptions, Timing
+    from kitrobot.world.geometry import Corner, Pose
+    from kitrobot.world.model import (
+        Ball,
+        Box,
+        ColouredLine,
+        Dock,
+        Floor,
+        Road,
+        Section,
+        Start,
+        Storehouse,
+        Wall,
+        World,
+        Zone,
+    )
+else:
+    # Hidden from type checkers, which would take every name for one that there is.
+    _MODULES = {
+        "api": (
+            "compile",
+            "compile_program",
+            "open",
+            "open_mission",
+            "parse",
+            "read_program",
+            "robot",
+            "save_mission",
+        ),
+        "compiler.compilation": ("Compiled",),
+        "diagnostics.model": (
+            "Diagnostic",
+            "KitRobotError",
+        ),
+        "diagnostics.problems": ("ProblemsError",),
+        "graph.model": (
+            "Arc",
+            "Program",
+            "Vertex",
+        ),
+        "lll.parse_results": ("Parsed",),
+        "mission.model": (
+            "Agent",
+            "Goal",
+            "Mission",
+            "Team",
+        ),
+        "mission.trial": (
+            "Failure",
+            "FailureKind",
+        ),
+        "primitives.robot": ("Robot",),
+        "sim.agent_views": ("AgentView",),
+        "sim.event_text": ("Event",),
+        "sim.simulation": ("Simulation",),
+        "workspace.execution": (
+            "Executed",
+            "execute",
+        ),
+        "workspace.inputs": (
+            "Change",
+            "Inputs",
+        ),
+        "workspace.mission_loader": (
+            "OpenMission",
+            "Report",
+        ),
+        "workspace.mission_run": (
+            "Run",
+            "RunOptions",
+            "Timing",
+        ),
+        "world.geometry": (
+            "Corner",
+            "Pose",
+        ),
+        "world.model": (
+            "Ball",
+            "Box",
+            "ColouredLine",
+            "Dock",
+            "Floor",
+            "Road",
+            "Section",
+            "Start",
+            "Storehouse",
+            "Wall",
+            "World",
+            "Zone",
+        ),
+    }
+
+    def __getattr__(name):
+        for module, names in _MODULES.items():
+            if name in names:
+                from importlib import import_module
+
+                return getattr(import_module(f"{__name__}.{module}"), name)
+        raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
 
 
 __version__ = "0.1.0"
 
 __all__ = [
+    "Agent",
+    "AgentView",
+    "Arc",
+    "Ball",
+    "Box",
+    "Change",
+    "ColouredLine",
     "Compiled",
+    "Corner",
     "Diagnostic",
+    "Dock",
+    "Event",
     "Executed",
+    "Failure",
+    "FailureKind",
+    "Floor",
+    "Goal",
+    "Inputs",
     "KitRobotError",
+    "Mission",
     "OpenMission",
     "Parsed",
+    "Pose",
+    "ProblemsError",
+    "Program",
     "Report",
+    "Road",
+    "Robot",
     "Run",
+    "RunOptions",
+    "Section",
+    "Simulation",
+    "Start",
+    "Storehouse",
+    "Team",
     "Timing",
+    "Vertex",
+    "Wall",
+    "World",
+    "Zone",
     "__version__",
     "compile",
+    "compile_program",
     "execute",
     "open",
+    "open_mission",
     "parse",
+    "read_program",
     "robot",
+    "save_mission",
 ]
-
-_HOME = {
-    "Compiled": "compiler.compilation",
-    "Diagnostic": "diagnostics.model",
-    "Executed": "workspace.execution",
-    "KitRobotError": "diagnostics.model",
-    "OpenMission": "workspace.mission_loader",
-    "Parsed": "lll.parse_results",
-    "Report": "workspace.mission_loader",
-    "Run": "workspace.mission_run",
-    "Timing": "workspace.mission_run",
-    "execute": "workspace.execution",
-}
-
-
-def open(path: str | PathLike[str]) -> OpenMission:
-    """Opens a mission, a `.krt` file, with the robots, constructors and the world that lie beside it.
-
-    Then `.check()` gives a `Report` with all that is wrong, `.run(seed=1)` runs it in the simulator and gives a `Run`.
-
-    Raises:
-        KitRobotError: the file cannot be read, or nothing of it can be used; `diagnostics` says why.
-    """
-    from pathlib import Path
-
-    from kitrobot.workspace.mission_loader import open_mission
-
-    return open_mission(Path(path))
-
-
-def parse(text: str, name: str = "program.lll") -> Parsed:
-    """Reads an LLL text: the tree of what could be understood, and the mistakes. `name` is the file that they show."""
-    from kitrobot.lll.parse_results import parse as parse_lll
-
-    return parse_lll(text, name)
-
-
-def compile(program: str | Seq | Program, robot: str | PathLike[str] | Robot, name: str = "program.lll") -> Compiled:
-    """Compiles a program for a robot: LLL, image, debug map, and everything there is to say about it.
-
-    Args:
-        program: an LLL text, a tree as `parse` gives it, or a graph.
-        robot: a robot, the name of one that is at hand, or the path of a `.robot.xml`.
-        name: the file name that the mistakes of a text show.
-
-    Raises:
-        KitRobotError: there is no such robot.
-    """
-    from dataclasses import replace
-
-    from kitrobot.compiler.compilation import compile_lll, compile_program, compile_text
-    from kitrobot.graph.model import Program as Graph
-    from kitrobot.primitives.catalogue import load_catalogue
-
-    meant = _robot(robot)
-    if isinstance(program, str):
-        return compile_text(program, meant, name)
-    if isinstance(program, Graph):
-        catalogue = load_catalogue()
-        catalogue.robots[meant.name] = meant
-        return compile_program(replace(program, target=meant.name), catalogue)
-    return compile_lll(program, meant)
-
-
-def robot(word: str | PathLike[str]) -> Robot:
-    """The robot of that name, or of that `.robot.xml`.
-
-    Raises:
-        KitRobotError: there is none, or its file is wrong; then `diagnostics` says why.
-    """
-    from os import fspath
-
-    from kitrobot.workspace.robots import find_robot
-
-    return find_robot(fspath(word))
-
-
-def _robot(given: str | PathLike[str] | Robot) -> Robot:
-    from kitrobot.primitives.robot import Robot as RobotType
-
-    return given if isinstance(given, RobotType) else robot(given)
-
-
-def __getattr__(name: str) -> Any:
-    home = _HOME.get(name)
-    if home is None:
-        raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
-    from importlib import import_module
-
-    return getattr(import_module(f"{__name__}.{home}"), name)
 
 
 def __dir__() -> list[str]:

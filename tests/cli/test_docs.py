@@ -3,14 +3,11 @@
 from __future__ import annotations
 
 import re
-import subprocess
-import sys
 from pathlib import Path
 
 import pytest
 
 from kitrobot.cli.app import app
-from tests.patience import PATIENCE_S
 from tools.command_outputs import BLOCK, prepared, printed, stale, updated
 
 ROOT = Path(__file__).parents[2]
@@ -23,18 +20,6 @@ def test_every_command_and_every_option_is_on_the_page(kitrobot, command):
     assert f"kitrobot {command}" in PAGE
     for option in set(re.findall(r"--[a-z-]+", kitrobot(command, "--help").out)) - {"--help", "--browser"}:
         assert option in PAGE, f"{command} {option}"
-
-
-def test_the_python_on_the_page_runs(tmp_path):
-    code = "\n".join(re.findall(r"```python\n(.*?)```", PAGE, re.DOTALL))
-    (tmp_path / "mine.krt").write_text('<kitrobot version="1"/>')
-    (tmp_path / "examples").symlink_to(ROOT / "examples")
-    ended = subprocess.run(
-        [sys.executable, "-c", code], cwd=tmp_path, capture_output=True, timeout=PATIENCE_S, check=False
-    )
-    assert ended.returncode == 0, ended.stderr
-    assert b"done" in ended.stdout
-    assert b"Wheel.Advance" in ended.stdout
 
 
 def test_the_outputs_on_the_page_are_those_of_today():

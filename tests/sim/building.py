@@ -119,7 +119,7 @@ def run_of(
 def steps(simulation: Simulation, count: int) -> Simulation:
     """The run after so many steps more."""
     for _ in range(count):
-        simulation.step()
+        simulation.advance(1)
     return simulation
 
 

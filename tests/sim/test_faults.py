@@ -26,7 +26,7 @@ def told(run: Simulation, count: int) -> list[Event]:
     """What happened in so many steps."""
     found = []
     for _ in range(count):
-        run.step()
+        run.advance(1)
         found += run.events
     return found
 

@@ -8,6 +8,7 @@ import pytest
 
 from kitrobot.mission.radio import Radio
 from kitrobot.mission.trial import Failure, FailureKind
+from kitrobot.sim.setup.setup import SimulationError
 from kitrobot.sim.simulation import Simulation
 from tests.effort import cases
 from tests.sim.building import transport
@@ -68,7 +69,9 @@ def test_the_time_runs_out_in_a_sentence_and_nothing_goes_on() -> None:
     run = finished(transport(1, seconds=20))
     assert (run.outcome, run.tick) == ("time", 1000)
     assert run.sentence == "The time of 20 s ran out: B holds 3 of 12 boxes."
-    run.step()
+    assert run.advance(1) == 0
+    with pytest.raises(SimulationError, match="the run has ended, so there is no step after 1000"):
+        run.step()
     assert run.tick == 1000
 
 

@@ -141,7 +141,7 @@ def in_lockstep(run: Simulation) -> Standstill | None:
             run.outcome = None
             for member, value in zip(run.members, pressed, strict=True):
                 run.force(member.name, "Button", value)
-            run.step()
+            run.advance(1)
             yield seen()
 
     found = explored(seen(), after)

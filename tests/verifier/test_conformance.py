@@ -67,7 +67,7 @@ def shown(state: State, model: Model) -> Any:
 
 
 def _sign(number: float) -> int:
-    return (number > 0) - (number < 0)
+    return int(number > 0) - int(number < 0)
 
 
 def follow(
@@ -91,7 +91,7 @@ def follow(
         before = run.tick
         for _, agent, kind in [harm for harm in harms if harm[0] == before]:
             run.inject_fault(agent, kind)
-        run.step()
+        run.advance(1)
         now = seen(run, model)
         different.add(now)
         befallen = {state for one in fitting for state in injected_faults(one, now, model)}

@@ -87,7 +87,7 @@ def follow(run: Simulation, steps: int, faults: Sequence[InjectedFault] = ()) ->
         if bool(model.t.fixed[v.MAY_FAIL]) != bool(now_harmed):
             model.t.fixed[v.MAY_FAIL] = may_fail if now_harmed else 0
             model.place_fields()
-        run.step()
+        run.advance(1)
         now = seen(run, model, failures)
         agreed.add(now[-1])
         fitting = {

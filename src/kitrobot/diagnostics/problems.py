@@ -8,12 +8,21 @@ from dataclasses import dataclass, replace
 from kitrobot.diagnostics.model import Diagnostic, KitRobotError, Source, rules
 from kitrobot.diagnostics.renderer import render
 
+SHOWN = 10
+
 
 @dataclass(eq=False)
 class ProblemsError(KitRobotError):
-    """Something could not be done because of the user's mistakes: `diagnostics`, and the texts they stand in."""
+    """Something could not be done because of the user's mistakes: `diagnostics`, and the texts they stand in.
+
+    As text, which is what a traceback of Python shows, it has the first `SHOWN` of them.
+    """
 
     sources: tuple[Source, ...] = ()
+
+    def __str__(self) -> str:
+        more = f"\n{len(self.diagnostics) - SHOWN} more in `diagnostics`" if len(self.diagnostics) > SHOWN else ""
+        return f"{super().__str__()}\n{written_out(self.diagnostics[:SHOWN], self.sources)}".rstrip() + more
 
 
 def with_help(diagnostics: Iterable[Diagnostic]) -> list[Diagnostic]:

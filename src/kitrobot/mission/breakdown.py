@@ -69,7 +69,7 @@ def write_breakdown(breakdown: Breakdown) -> list[str]:
     if breakdown.rule is BreakdownRule.STAY:
         return []
     seconds = f"{breakdown.after_s:.3f}".rstrip("0").rstrip(".")
-    after = seconds if breakdown.rule is BreakdownRule.TOW and breakdown.after_s > 0 else None
+    after = seconds if breakdown.rule is BreakdownRule.TOW and breakdown.after_s != 0 else None
     return [f"<breakdown{attributes(('rule', breakdown.rule.value), ('after', after))}/>"]
 
 

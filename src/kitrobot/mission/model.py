@@ -27,6 +27,9 @@ from kitrobot.world.model import World
 VERSION = 1
 """The newest version of the `.krt` format."""
 
+DEFAULT_SEED = 1
+"""Where chance begins in a run for which nothing else is said."""
+
 ALL = "all"
 """A goal's stock: every box there is."""
 
@@ -61,7 +64,7 @@ class Agent:
 
 @dataclass(slots=True)
 class Goal:
-    """What must be true in the end: that many boxes (or `ALL`) in a storehouse."""
+    """What must be true in the end: that many boxes (0…65535 in figures, or `ALL`) in a storehouse."""
 
     storehouse: str
     stock: str = ALL
@@ -97,6 +100,15 @@ class Mission:
     and `variables` are the parts that it brings along; `breakpoints` and `failures` say how it is tried out,
     `breakdown` what becomes of robots that fail on a road, `properties` what is demanded of every run. Without a
     `radio`, everybody hears everybody at once.
+
+    Nothing is checked here: whoever opens it (`kitrobot.open_mission`) says what is wrong.
+
+    >>> import kitrobot
+    >>> world = kitrobot.World("yard", 1000, 600, starts=(kitrobot.Start("a", pose=kitrobot.Pose(200, 300, 0)),))
+    >>> drive = kitrobot.read_program("Wheel.Advance(50); WAIT(10); Wheel.Stop();", "mini-robot", "drive")
+    >>> mission = Mission(programs=[drive], team=Team([Agent("a", "drive")]), own_world=world)
+    >>> kitrobot.open_mission(mission).run().sentence
+    'Done after 1.0 s: every program has ended.'
     """
 
     version: int = VERSION

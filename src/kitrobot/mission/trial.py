@@ -10,7 +10,6 @@ Left to others: doing it (sim and whoever steers a run).
 
 from __future__ import annotations
 
-import math
 from dataclasses import dataclass
 from enum import StrEnum
 
@@ -142,7 +141,7 @@ def write_breakpoint(breakpoint: Breakpoint) -> str:
 
 def write_failure(failure: Failure) -> str:
     """One line without its break."""
-    at = f"{failure.at_s:.3f}".rstrip("0").rstrip(".") if math.isfinite(failure.at_s) else "0"
+    at = f"{failure.at_s:.3f}".rstrip("0").rstrip(".")
     return f"<failure{attributes(('agent', failure.agent), ('at', at), ('kind', failure.kind.value))}/>"
 
 

@@ -14,7 +14,7 @@ from __future__ import annotations
 
 import hashlib
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from functools import cached_property
 from typing import Literal
 
@@ -22,7 +22,7 @@ from kitrobot.compiler.compilation import Compiled
 from kitrobot.compiler.team_points import TeamPlan
 from kitrobot.diagnostics.model import KitRobotError
 from kitrobot.image.model import Image
-from kitrobot.mission.model import Mission
+from kitrobot.mission.model import DEFAULT_SEED, Mission
 from kitrobot.mission.trial import FailureKind
 from kitrobot.mission.writer import write_mission
 from kitrobot.primitives.catalogue import Catalogue
@@ -41,8 +41,8 @@ from kitrobot.sim.outcome import (
 )
 from kitrobot.sim.overrides import force_sensor, stop_motors
 from kitrobot.sim.physics.bodies import WorldState
-from kitrobot.sim.setup.limits import check_limits
-from kitrobot.sim.setup.setup import Setup, shared_tables_of
+from kitrobot.sim.setup.limits import check_limits, whole_number
+from kitrobot.sim.setup.setup import Setup, SimulationError, shared_tables_of
 from kitrobot.sim.snapshots import SNAPSHOT_VERSION, damaged, sealed, unsealed
 from kitrobot.sim.step.agents import Agent
 from kitrobot.sim.step.deadlock_detection import mark_activity
@@ -61,7 +61,9 @@ from kitrobot.sim.tables.state_codec import StateCodec
 from kitrobot.sim.tables.team_columns import T_ACTUATOR, T_ROLE, TEAM_OVER
 from kitrobot.sim.team_text import TeamText
 from kitrobot.text.collection import collection_paused
-from kitrobot.text.sentences import Sentence
+from kitrobot.text.phrases import one_of, shown
+from kitrobot.text.sentences import Help, Sentence
+from kitrobot.text.suggestions import did_you_mean
 from kitrobot.trace.drawing import Mark
 from kitrobot.world.model import World
 from kitrobot.world.xml_writer import write_world
@@ -71,6 +73,21 @@ Outcome = Literal["done", "failed", "stuck", "time"]
 
 class Simulation:
     """A run. `collisions` counts contacts, each once; `stock` and `delivered` are by name.
+
+    `outcome` is None as long as it goes on, and `sentence` says then why it ended. `OpenMission.simulation` makes one
+    of a mission, with what that needs.
+
+    >>> import kitrobot
+    >>> run = kitrobot.open_mission("square").simulation(seed=1)
+    >>> run.step()
+    >>> run.tick, run.seconds, run.outcome
+    (1, 0.02, None)
+    >>> kept = run.snapshot()
+    >>> run.advance(99)
+    99
+    >>> run.restore(kept)
+    >>> run.tick
+    1
 
     Args:
         mission: what is run, and by whom.
@@ -93,12 +110,13 @@ class Simulation:
         world: World,
         images: Mapping[str, Compiled],
         catalogue: Catalogue,
-        seed: int = 0,
+        seed: int = DEFAULT_SEED,
         seconds: float | None = None,
         fail_rate: float = 0.0,
         team: TeamPlan | None = None,
     ) -> None:
         check_limits(seconds, seed, fail_rate)
+        seed = whole_number(seed)
         with collection_paused():
             setup = Setup(mission, world, images, catalogue, seed, fail_rate, team=team)
         self.mission = mission
@@ -153,7 +171,16 @@ class Simulation:
         return int(self.state.clock[TICK])
 
     def step(self) -> None:
-        """One step of everything; nothing once the run has ended."""
+        """One step of everything, `tick_ms` of simulated time; then `events` is what happened in it.
+
+        Raises:
+            SimulationError: the run has ended.
+        """
+        if self.outcome is not None:
+            raise SimulationError(
+                Sentence("the run has ended, so there is no step after {tick}", self.tick),
+                Sentence("look at `outcome` before each step, or go back with `restore`"),
+            )
         self.advance(1)
 
     def advance(self, steps: int) -> int:
@@ -252,22 +279,28 @@ class Simulation:
     def force(self, agent: str, sensor: str, value: int | None) -> None:
         """Puts a value in the place of what a sensor measures, from the next step on; None gives it back.
 
-        A run that was stuck goes on.
+        Values are as the sensor gives them, clamped to its range. A run that was stuck goes on.
 
         Raises:
-            KitRobotError: there is no such agent or sensor.
+            KitRobotError: there is no such agent or sensor, or the value is no whole number.
         """
+        value = None if value is None else whole_number(value)
         k = next((self._sensors.get((a.index, sensor)) for a in self.members if a.name == agent), None)
         if k is None:
             raise KitRobotError(
-                Sentence("no agent {agent} with a sensor {sensor} takes part in this run", agent, sensor)
+                Sentence("no agent {agent} with a sensor {sensor} takes part in this run", agent, sensor),
+                self._names(agent, sensor, lambda member: member.machine.layout.sensors),
             )
         force_sensor(k, value, self.state)
         self.update_outcome()
 
     def forced(self, agent: str) -> list[str]:
-        """The sensors of an agent in whose place a value stands."""
-        member = next(one for one in self.members if one.name == agent)
+        """The sensors of an agent in whose place a value stands.
+
+        Raises:
+            KitRobotError: there is no such agent.
+        """
+        member = self._member(agent)
         forced = self.state.sensors.ints[S_FORCED]
         return [name for name in member.machine.layout.sensors if forced[self._sensors[member.index, name]]]
 
@@ -284,12 +317,14 @@ class Simulation:
         A run that was stuck goes on.
 
         Raises:
-            KitRobotError: there is no such agent or variable.
+            KitRobotError: there is no such agent or variable, or the value is no whole number.
         """
+        value = whole_number(value)
         member = next((a for a in self.members if a.name == agent and variable in a.machine.layout.variables), None)
         if member is None:
             raise KitRobotError(
-                Sentence("no agent {agent} with a variable {variable} takes part in this run", agent, variable)
+                Sentence("no agent {agent} with a variable {variable} takes part in this run", agent, variable),
+                self._names(agent, variable, lambda member: member.machine.layout.variables),
             )
         member.machine.set_variable(variable, value)
         self.state.robots.ints[ASLEEP][member.index] = 0
@@ -303,11 +338,14 @@ class Simulation:
         Gives whether that changed anything. `cause`: by hand, or what became of an agent that is elsewhere (faults).
 
         Raises:
-            KitRobotError: there is no such agent, or too much was done to this run between two steps.
+            KitRobotError: there is no such agent or kind, or too much was done to this run between two steps.
         """
-        member = next((one for one in self.members if one.name == agent), None)
-        if member is None:
-            raise KitRobotError(Sentence("no agent {agent} takes part in this run", agent))
+        member = self._member(agent)
+        if kind not in list(FailureKind):
+            raise KitRobotError(
+                Sentence("expected {expected}, found {found}", one_of(FailureKind), shown(kind)),
+                did_you_mean(kind, FailureKind),
+            )
         discard_reported_events(self.state)
         if not has_event_room(self.state, 1 + len(self._variables)):
             raise KitRobotError(
@@ -319,6 +357,22 @@ class Simulation:
             return False
         self.update_outcome()
         return True
+
+    def _member(self, agent: str) -> Agent:
+        member = next((one for one in self.members if one.name == agent), None)
+        if member is None:
+            message = Sentence("no agent {agent} takes part in this run", agent)
+            raise KitRobotError(message, self._names(agent))
+        return member
+
+    def _names(self, agent: str, part: str = "", parts: Callable[[Agent], Iterable[str]] | None = None) -> Help:
+        """The help for a name that there is not: of an agent, or of a part of it."""
+        member = next((one for one in self.members if one.name == agent), None)
+        if member is None or parts is None:
+            names = [one.name for one in self.members]
+            return did_you_mean(agent, names) or Sentence("those who do are {known}", one_of(sorted(names)[:20]))
+        known = list(parts(member))
+        return did_you_mean(part, known) or (Sentence("it has {known}", one_of(known[:20])) if known else "")
 
     def plan_failures(self, failures: Sequence[tuple[int, int]]) -> None:
         """Puts up to two failures, (step, agent's place in the team), on the schedule, as if the mission had them too.
@@ -394,6 +448,12 @@ class Simulation:
         return {house.name: int(self.stage.stock[number]) for number, house in enumerate(self.world.storehouses)}
 
     @property
+    def things(self) -> list[tuple[float, float]]:
+        """(x mm, y mm) of the middle of each thing that can be pushed: the world's boxes, then its balls."""
+        xs, ys = (numbers(column) for column in self.state.pushables.floats[:2])
+        return list(zip(xs, ys, strict=True))
+
+    @property
     def total(self) -> int:
         """All boxes there are, in storehouses and on carriers."""
         return self.stage.total
@@ -410,6 +470,14 @@ class Simulation:
     def view(self, index: int) -> AgentView:
         """An agent as it is now, by its place in the team."""
         return view_of(self.members[index])
+
+    def agent(self, name: str) -> AgentView:
+        """An agent as it is now, by its name.
+
+        Raises:
+            KitRobotError: there is no such agent.
+        """
+        return self.view(self._member(name).index)
 
     @property
     def agents(self) -> list[AgentView]:

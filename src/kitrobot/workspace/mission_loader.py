@@ -10,6 +10,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field, replace
 from functools import cached_property, partial
+from os import PathLike
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -24,7 +25,7 @@ from kitrobot.files.embedded_mission import read_carried
 from kitrobot.files.examples import find_mission
 from kitrobot.files.places import Places
 from kitrobot.graph.model import Program, empty_program
-from kitrobot.mission.model import Agent, Mission, Team, image_name
+from kitrobot.mission.model import DEFAULT_SEED, Agent, Mission, Team, image_name
 from kitrobot.mission.reader import read_mission
 from kitrobot.primitives.catalogue import Catalogue
 from kitrobot.primitives.robot import Robot
@@ -236,17 +237,27 @@ class OpenMission:
 
         return prepare(self, options if options is not None else RunOptions())
 
-    def simulation(self, seed: int = 1, fail_rate: float = 0.0) -> Simulation:
-        """The mission in its world, before its first step, without a time limit; the rest as for `prepare`."""
+    def simulation(self, seed: int = DEFAULT_SEED, fail_rate: float = 0.0, seconds: float | None = None) -> Simulation:
+        """The mission in its world, before its first step, to be stepped by hand.
+
+        Args:
+            seed: where chance begins, 0 to 2^53; the same seed gives the same run.
+            fail_rate: the probability (0…1) that an agent fails for good within a minute, by chance.
+            seconds: simulated seconds after which it is out of time; None: never.
+
+        Raises:
+            ProblemsError: the mission has errors; all are told.
+            SimulationError: one of the numbers makes no sense.
+        """
         from kitrobot.workspace.mission_run import RunOptions
 
-        return self.prepare(RunOptions(seed, fail_rate=fail_rate)).simulation
+        return self.prepare(RunOptions(seed, seconds, fail_rate)).simulation
 
     def run(
         self,
-        seed: int = 1,
+        seed: int = DEFAULT_SEED,
         seconds: float = 600.0,
-        trace: Path | None = None,
+        trace: str | PathLike[str] | None = None,
         progress: Progress | None = None,
         fail_rate: float = 0.0,
     ) -> Run:
@@ -255,17 +266,19 @@ class OpenMission:
         Args:
             seed: where chance begins; the same seed gives the same run.
             seconds: simulated seconds after which it is out of time.
-            trace: a file to record the run in.
+            trace: a file (`.krtrace`) to record the run in.
             progress: is told the simulated seconds so far, now and then.
             fail_rate: the probability (0…1) that an agent fails for good within a minute, by chance.
 
         Raises:
             ProblemsError: the mission has errors.
+            SimulationError: one of the numbers makes no sense.
             TraceError: the trace cannot be written.
         """
         from kitrobot.workspace.mission_run import RunOptions
 
-        return self.prepare(RunOptions(seed, seconds, fail_rate, trace)).run(progress)
+        file = Path(trace) if trace is not None else None
+        return self.prepare(RunOptions(seed, seconds, fail_rate, file)).run(progress)
 
 
 def open_mission(path: Path, *, robot: str | None = None) -> OpenMission:

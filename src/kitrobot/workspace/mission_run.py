@@ -12,6 +12,7 @@ from kitrobot.compiler.team_points import TeamPlan
 from kitrobot.diagnostics.model import Diagnostic, Place, Source
 from kitrobot.diagnostics.problems import ProblemsError
 from kitrobot.diagnostics.read_files import expect_output
+from kitrobot.mission.model import DEFAULT_SEED
 from kitrobot.primitives.catalogue import Catalogue
 from kitrobot.primitives.kit import Kit, as_measured
 from kitrobot.sim.recorder import simulate, strokes_now
@@ -84,14 +85,18 @@ class RunOptions:
     """What is chosen for a run of a mission.
 
     Attributes:
-        seed: where chance begins; the same seed gives the same run.
-        seconds: simulated seconds after which it is out of time; None: never.
+        seed: where chance begins, 0 to 2^53; the same seed gives the same run.
+        seconds: simulated seconds (0 to 10^9) after which it is out of time; None: never.
         fail_rate: the probability (0…1) that an agent fails for good within a minute, by chance.
         trace: a file to record the run in.
         kit: what the robots are built of; they then move as it was measured.
+
+    >>> import kitrobot
+    >>> kitrobot.open_mission("transport").prepare(RunOptions(seed=3, seconds=20)).run().outcome
+    'time'
     """
 
-    seed: int = 1
+    seed: int = DEFAULT_SEED
     seconds: float | None = None
     fail_rate: float = 0.0
     trace: Path | None = None

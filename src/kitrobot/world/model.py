@@ -129,7 +129,10 @@ class Road:
 
 @dataclass(frozen=True)
 class Dock:
-    """Where a carrier stands to be loaded or unloaded: within `reach_mm` of `at_mm` along its road."""
+    """Where a carrier stands to be loaded or unloaded: within `reach_mm` of `at_mm` along its road.
+
+    `kind` is `"load"` or `"unload"`, `side` of the road `"left"` or `"right"`.
+    """
 
     name: str
     road: str
@@ -142,7 +145,9 @@ class Dock:
 
 @dataclass(frozen=True)
 class Storehouse:
-    """A rectangle (x, y: its lower left corner) with room for `capacity` boxes, `stock` of them there at the start."""
+    """A rectangle (x, y: its lower left corner) with room for `capacity` boxes (0…65535), `stock` of them there at the
+    start.
+    """
 
     name: str
     x_mm: float
@@ -155,7 +160,10 @@ class Storehouse:
 
 @dataclass(frozen=True)
 class Start:
-    """Where an agent starts: on a road, at a dock, in a storehouse, or at a pose; exactly one of them."""
+    """Where an agent starts: on a road, at a dock, in a storehouse, or at a pose; exactly one of them.
+
+    An agent takes the start of its own name, unless it names another.
+    """
 
     name: str
     road: str = ""
@@ -207,9 +215,14 @@ class Zone:
 
 @dataclass(frozen=True)
 class World:
-    """A whole world; `unknown` is XML of its file that nobody knows, kept word for word.
+    """A whole world, from 0 to `width_mm` and `height_mm` (to 1 km): x to the right, y up.
 
-    `prolog` is what stands before the first element of its file, `attributes` are those of `<world>` with a prefix.
+    `unknown` is XML of its file that nobody knows, kept word for word. `label` is its title and `help` says in a
+    sentence what it is, each by language, "" for English. `prolog` is what stands
+    before the first element of its file, `attributes` are those of `<world>` with a prefix.
+
+    >>> World("yard", 1000, 600, starts=(Start("a", pose=Pose(200, 300, 0)),)).places
+    {'a': (200, 300, 200, 300)}
     """
 
     name: str

@@ -1,7 +1,10 @@
-"""Which numbers a run can be given: its time limit, its seed, the probability of failures."""
+"""Which numbers a run can be given: its time limit, its seed, the probability of failures; and values put into it."""
 
 from __future__ import annotations
 
+from operator import index
+
+from kitrobot.diagnostics.model import KitRobotError
 from kitrobot.sim.setup.setup import SimulationError
 from kitrobot.text.sentences import Sentence
 
@@ -12,11 +15,25 @@ MAX_SECONDS = 1e9
 """The longest time limit of a run, in simulated seconds: thirty years."""
 
 
+def whole_number(value: int) -> int:
+    """A value that somebody puts into a run, as an `int`; NumPy's whole numbers are taken too.
+
+    Raises:
+        KitRobotError: it is none.
+    """
+    try:
+        return index(value)
+    except TypeError:
+        message = Sentence("expected a whole number, found `{found}`", str(value))
+        raise KitRobotError(message, Sentence("round it first, as in `round(20.5)`")) from None
+
+
 def check_limits(seconds: float | None, seed: int, fail_rate: float) -> None:
     """That a run can be given these numbers.
 
     Raises:
         SimulationError: one of them makes no sense; NaN never does.
+        KitRobotError: the seed is no whole number.
     """
     if seconds is not None and not 0 < seconds <= MAX_SECONDS:
         raise SimulationError(
@@ -27,6 +44,7 @@ def check_limits(seconds: float | None, seed: int, fail_rate: float) -> None:
             ),
             Sentence("the usual one is 600 seconds"),
         )
+    seed = whole_number(seed)
     if not 0 <= seed <= MAX_SEED:
         # Python writes no number of very many digits.
         found = str(seed) if seed.bit_length() < 1000 else Sentence("one of very many digits")

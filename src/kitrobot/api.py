@@ -1,0 +1,162 @@
+"""The functions of `import kitrobot`: from a mission, a file's or one built in Python, to its run.
+
+Missions, worlds and programs are the values that a `.krt` file is read into; there are no others. A mission built in
+Python is opened as the file that it would be saved as, so it is held against the same rules, and its run is number for
+number the run of that file. Left to others: everything else; this is a door like the command line.
+"""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from os import PathLike, fspath
+from pathlib import Path
+
+from kitrobot.compiler.checker import check
+from kitrobot.compiler.compilation import Compiled, compile_lll, compile_text
+from kitrobot.compiler.compilation import compile_program as compile_graph
+from kitrobot.compiler.lll_to_graph import lll_to_graph
+from kitrobot.diagnostics.problems import ProblemsError
+from kitrobot.graph.model import Program
+from kitrobot.lll.parse_results import Parsed
+from kitrobot.lll.parse_results import parse as parse_lll
+from kitrobot.lll.tree import Seq
+from kitrobot.mission.model import Mission
+from kitrobot.mission.writer import save, write_mission
+from kitrobot.primitives.catalogue import load_catalogue
+from kitrobot.primitives.robot import Robot
+from kitrobot.text.sentences import Sentence
+from kitrobot.workspace.mission_loader import OpenMission, read_mission_data
+from kitrobot.workspace.mission_loader import open_mission as open_file
+from kitrobot.workspace.robots import find_robot
+from kitrobot.workspace.search_path import SearchPath
+
+UNSAVED = "mission.krt"
+"""What messages call a mission that is no file."""
+
+
+def open_mission(mission: str | PathLike[str] | Mission, *, folder: str | PathLike[str] = ".") -> OpenMission:
+    """Opens a mission with the robots, constructors and the world that lie beside it.
+
+    Then `.check()` gives a `Report` with all that is wrong, `.run(seed=1)` runs it to its end and gives a `Run`,
+    `.simulation(seed=1)` gives a `Simulation` to step, look at and intervene in. `kitrobot.open` is the same function.
+
+    Args:
+        mission: the path of a `.krt` file, or of a picture that carries a mission; the name of an example; or a
+            mission built in Python. Of that a copy is opened: later changes do not count.
+        folder: where the robots, constructors and the world's file of a mission built in Python are looked for,
+            after those that come with KitRobot. A file has its own folder.
+
+    Raises:
+        KitRobotError: the file cannot be read, or nothing of it can be used; `diagnostics` says why.
+
+    >>> import kitrobot
+    >>> kitrobot.open_mission("transport").run().outcome
+    'done'
+    """
+    if isinstance(mission, Mission):
+        return read_mission_data(write_mission(mission), UNSAVED, SearchPath(Path(folder)))
+    return open_file(Path(mission))
+
+
+def save_mission(mission: Mission, path: str | PathLike[str]) -> None:
+    """Writes a mission as a `.krt` file. A file that was there is kept, with `~` behind its name.
+
+    The same mission gives the same bytes. Robots of your own are not part of it: their `.robot.xml` belongs beside it.
+
+    Raises:
+        KitRobotError: the file cannot be written; what was there is as it was.
+    """
+    save(Path(path), mission)
+
+
+def parse(text: str, name: str = "program.lll") -> Parsed:
+    """Reads an LLL text: the tree of what could be understood, and the mistakes.
+
+    Args:
+        text: the program.
+        name: the file that the mistakes show.
+
+    >>> import kitrobot
+    >>> parsed = kitrobot.parse("WAIT(1); WAIT(;")
+    >>> len(parsed.program.items), [problem.place.column for problem in parsed.diagnostics]
+    (2, [15])
+    """
+    return parse_lll(text, name)
+
+
+def read_program(text: str, robot: str | PathLike[str] | Robot, name: str = "program-1") -> Program:
+    """The graph of an LLL text, for a mission.
+
+    Args:
+        text: the program of one robot.
+        robot: a robot, the name of one that is at hand, or the path of a `.robot.xml`.
+        name: what agents of the mission call it.
+
+    Raises:
+        ProblemsError: the text has mistakes, or the robot has no such part; `diagnostics` says all of them.
+        KitRobotError: there is no such robot.
+
+    >>> import kitrobot
+    >>> program = kitrobot.read_program("Wheel.Advance(50); WAIT(10); Wheel.Stop();", "mini-robot")
+    >>> [vertex.element for vertex in program.vertices]
+    ['Start', 'Wheel.Advance', 'Wait', 'Wheel.Stop', 'Stop']
+    """
+    target = _robot(robot)
+    parsed = parse_lll(text, f"{name}.lll")
+    found = [*parsed.diagnostics, *check(parsed.program, target, parsed.source)]
+    if any(item.is_error for item in found):
+        raise ProblemsError(Sentence("the program `{name}` has errors", name), "", tuple(found), (parsed.source,))
+    return lll_to_graph(parsed.program, target, load_catalogue(), name)
+
+
+def compile_program(
+    program: str | Seq | Program, robot: str | PathLike[str] | Robot, name: str = "program.lll"
+) -> Compiled:
+    """Compiles a program for a robot: LLL, image, debug map, and everything there is to say about it.
+
+    Mistakes are in `diagnostics`, and then `image` is None; none is raised. `kitrobot.compile` is the same function.
+
+    Args:
+        program: an LLL text, a tree as `parse` gives it, or a graph.
+        robot: a robot, the name of one that is at hand, or the path of a `.robot.xml`.
+        name: the file name that the mistakes of a text show.
+
+    Raises:
+        KitRobotError: there is no such robot.
+
+    >>> import kitrobot
+    >>> kitrobot.compile_program("Wheel.Advance(50);", "mini-robot").ok
+    True
+    >>> [problem.code for problem in kitrobot.compile_program("Wheel.Advance(500);", "mini-robot").diagnostics]
+    ['out-of-range']
+    """
+    target = _robot(robot)
+    if isinstance(program, str):
+        return compile_text(program, target, name)
+    if isinstance(program, Program):
+        catalogue = load_catalogue()
+        catalogue.robots[target.name] = target
+        return compile_graph(replace(program, target=target.name), catalogue)
+    return compile_lll(program, target)
+
+
+def robot(word: str | PathLike[str]) -> Robot:
+    """The robot of that name, or of that `.robot.xml`.
+
+    Raises:
+        KitRobotError: there is none, or its file is wrong; then `diagnostics` says why.
+
+    >>> import kitrobot
+    >>> robot = kitrobot.robot("mini-robot")
+    >>> [sensor.name for sensor in robot.sensors], robot.tick_ms
+    (['Captor', 'Light', 'Button'], 20)
+    """
+    return find_robot(fspath(word))
+
+
+def _robot(given: str | PathLike[str] | Robot) -> Robot:
+    return given if isinstance(given, Robot) else robot(given)
+
+
+open = open_mission
+compile = compile_program
