@@ -32,7 +32,7 @@ LINE_WIDTH = 120
 _HEAD = """/**
  * What travels between the server and the page.
  *
- * Written by `python tools/api_types.py` from the models in `src/kitrobot/server/shapes`: change those instead.
+ * Written by `python tools/api_types.py` from the models in `src/kitrobot/wire`: change those instead.
  */
 """
 # What the framework adds for its own errors; ours are a Failure.

@@ -37,7 +37,7 @@ TERMINAL = (
     "workspace/conversion.py",
     "workspace/executables.py",
     "workspace/inputs.py",
-    "workspace/robot_monitor.py",
+    "boards/monitor.py",
 )
 """What speaks only in a terminal, in English."""
 

@@ -30,7 +30,7 @@ _ROOT = Path(__file__).resolve().parent.parent.parent
 _OURS: Final = ("kitrobot", "kitrobot_onboard")
 _ONBOARD: Final = "kitrobot_onboard/"
 _LEFT_OUT: Final = (
-    *("kitrobot/cli/", "kitrobot/server/static/", "kitrobot/examples/", "kitrobot/workspace/site_files/"),
+    *("kitrobot/cli/", "kitrobot/server/static/", "kitrobot/examples/", "kitrobot/packaging/site_files/"),
     "kitrobot/primitives/schemas/",
 )
 _NOT_USED: Final = (

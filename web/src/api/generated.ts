@@ -1,7 +1,7 @@
 /**
  * What travels between the server and the page.
  *
- * Written by `python tools/api_types.py` from the models in `src/kitrobot/server/shapes`: change those instead.
+ * Written by `python tools/api_types.py` from the models in `src/kitrobot/wire`: change those instead.
  */
 
 /** A part of a robot, as it is called, and its picture. */
@@ -778,7 +778,7 @@ export interface FragmentRequest {
   variables?: OwnVariable[];
 }
 
-/** What must be true in the end: that many boxes (or `ALL`) in a storehouse. */
+/** What must be true in the end: that many boxes (0…65535 in figures, or `ALL`) in a storehouse. */
 export interface Goal {
   storehouse: string;
   stock: string;
@@ -1943,7 +1943,10 @@ export interface StopRequest {
   type: "stop";
 }
 
-/** A rectangle (x, y: its lower left corner) with room for `capacity` boxes, `stock` of them there at the start. */
+/**
+ * A rectangle (x, y: its lower left corner) with room for `capacity` boxes (0…65535), `stock` of them there at the
+ * start.
+ */
 export interface Storehouse {
   name: string;
   x_mm: number;

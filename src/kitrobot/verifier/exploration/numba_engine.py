@@ -23,7 +23,7 @@ def compiled_functions() -> dict[str, Callable[..., Any]]:
 
 def cache_folder() -> Path:
     """The cache folder of the functions compiled for this machine."""
-    return folder_of("step-check", Path(__file__).parent.glob("*.py"))
+    return folder_of("step-check", Path(__file__).parents[1].rglob("*.py"))
 
 
 def _build(folder: Path) -> engines.Engine:
