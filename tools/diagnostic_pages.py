@@ -29,6 +29,7 @@ ROOMS = {
     "sim": "Starting a run",
     "files": "Files on disk",
     "workspace": "What is opened and checked",
+    "checking": "What a check finds while you draw",
 }
 
 ONLY_IN_A_PAGE = "kitrobot.server.in_worker"
