@@ -6,7 +6,7 @@ from collections.abc import Callable
 from pathlib import Path
 
 import pytest
-from playwright.sync_api import Page, expect
+from playwright.sync_api import Page, Response, expect
 
 from tests.effort import THOROUGH
 from tests.studio.conftest import LOOKS, Studio
@@ -199,7 +199,12 @@ def another_language_keeps_the_document_and_its_history(studio: Studio) -> None:
 
 
 def what_is_done_in_another_language_is_kept_in_the_journal(studio: Studio) -> None:
-    with studio.page.expect_response(lambda answer: answer.url.partition("?")[0].endswith("/api/journal")) as kept:
+    def is_work_kept(answer: Response) -> bool:
+        """Whether it answers a journal with work in it: what was undone before may still be on its way."""
+        sent = answer.request.post_data_json if answer.request.method != "GET" else None
+        return answer.url.partition("?")[0].endswith("/api/journal") and bool(sent and sent["unsaved"])
+
+    with studio.page.expect_response(is_work_kept) as kept:
         studio.drop("Wait", "arc-start.next")
     assert kept.value.ok
     studio.page.reload()
