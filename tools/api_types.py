@@ -21,7 +21,7 @@ from pydantic.json_schema import models_json_schema
 
 from kitrobot.classroom.messages import PUPIL_MESSAGE_MODELS, PUPIL_REQUEST_MODELS
 from kitrobot.server.app import create_app
-from kitrobot.server.class_app import class_api
+from kitrobot.server.classroom.app import class_api
 from kitrobot.wire.run import RUN_MESSAGE_MODELS
 from kitrobot.wire.run_requests import REQUEST_MODELS
 

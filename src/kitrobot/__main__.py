@@ -28,7 +28,7 @@ def _open_studio(options: StudioOptions) -> None:
 
 
 def _open_class(options: ClassOptions) -> None:
-    from kitrobot.server.class_server import ClassSettings, serve_class
+    from kitrobot.server.classroom.class_server import ClassSettings, serve_class
 
     serve_class(
         ClassSettings(

@@ -35,7 +35,9 @@ run()
 """
 
 
-@pytest.mark.parametrize("module", ["kitrobot.cli.app", "typer", "kitrobot.robots.program", "kitrobot.workspace.mission_loader"])
+@pytest.mark.parametrize(
+    "module", ["kitrobot.cli.app", "typer", "kitrobot.robots.program", "kitrobot.workspace.mission_loader"]
+)
 def test_ctrl_c_while_modules_are_imported_ends_with_one_line(tmp_path: Path, module: str) -> None:
     script = tmp_path / "probe.py"
     script.write_text(IMPORTING.format(module=module))

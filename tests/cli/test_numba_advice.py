@@ -9,7 +9,7 @@ import pytest
 from kitrobot.files.examples import examples_folder
 from kitrobot.sim.jit import cache as jit_cache
 from kitrobot.sim.jit import policy as jit_policy
-from kitrobot.verifier.exploration import engines
+from kitrobot.verifier.exploration import engine_policy
 from tests.cli.conftest import EXAMPLE
 
 SAYS = 'Numba makes this many times as fast: `pip install "kitrobot[fast]"`'
@@ -26,7 +26,7 @@ def without_numba(monkeypatch):
     monkeypatch.setattr("sys.platform", "linux")
     # All of these are long.
     monkeypatch.setattr(jit_policy, "GAIN", 10)
-    monkeypatch.setattr(engines, "WORTH_STATES", 10)
+    monkeypatch.setattr(engine_policy, "WORTH_STATES", 10)
     return monkeypatch
 
 

@@ -12,7 +12,7 @@ from kitrobot.mission.trial import FailureKind
 from kitrobot.sim.simulation import Simulation
 from kitrobot.text.sentences import COMMA, Sentence, Series
 from kitrobot.verifier.exploration.budget import Budget
-from kitrobot.verifier.exploration.engines import would_gain
+from kitrobot.verifier.exploration.engine_policy import would_gain
 from kitrobot.verifier.model.abstraction import Abstraction, abstract_run
 from kitrobot.verifier.model.model import Model
 from kitrobot.verifier.model.table_builder import USUAL_KINDS

@@ -8,19 +8,32 @@ file's name alone: what was copied from an example keeps the example's title ins
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
+from typing import Protocol
 
 from kitrobot.diagnostics.model import KitRobotError
-from kitrobot.files.folder import EXAMPLE
+from kitrobot.files.folder import EXAMPLE, MissionFolder
 from kitrobot.files.listing import MissionEntry
 from kitrobot.mission.model import Mission
 from kitrobot.mission.reader import read_mission
 from kitrobot.wire.files import MissionEntryShape
 from kitrobot.wire.gallery import ExampleShape, RunPreviewShape, TopicShape, run_preview_shape
 from kitrobot.workspace.example_list import shipped_examples
+from kitrobot.workspace.exercises import Exercises
+from kitrobot.workspace.mission_loader import OpenMission
+from kitrobot.workspace.previews import Previews
+from kitrobot.workspace.tutorials import Tutorials
 
-if TYPE_CHECKING:
-    from kitrobot.live.studio import Studio
+
+class GallerySource(Protocol):
+    """A studio, as far as the list of its missions needs it."""
+
+    folder: MissionFolder
+    tutorials: Tutorials
+    exercises: Exercises
+    previews: Previews
+
+    def read(self, data: bytes, name: str, path: str) -> OpenMission:
+        """A mission that was read from bytes, with the parts beside it."""
 
 
 @dataclass(frozen=True)
@@ -37,17 +50,17 @@ class Gallery:
     def __init__(self) -> None:
         self._cache: dict[str, CachedEntry] = {}
 
-    def entries(self, studio: Studio) -> list[MissionEntryShape]:
+    def entries(self, source: GallerySource) -> list[MissionEntryShape]:
         """Every mission that can be opened; what a tutorial or an exercise begins with is no example."""
-        found = studio.folder.missions()
-        starts = studio.tutorials.starts() | studio.exercises.starts()
+        found = source.folder.missions()
+        starts = source.tutorials.starts() | source.exercises.starts()
         own = [_plain_entry(entry) for entry in found if not entry.example]
-        examples = [self._example(studio, entry) for entry in found if entry.example and entry.path not in starts]
+        examples = [self._example(source, entry) for entry in found if entry.example and entry.path not in starts]
         return own + sorted(examples, key=_difficulty)
 
-    def _example(self, studio: Studio, entry: MissionEntry) -> MissionEntryShape:
+    def _example(self, source: GallerySource, entry: MissionEntry) -> MissionEntryShape:
         try:
-            data, revision = studio.folder.read(entry.path)
+            data, revision = source.folder.read(entry.path)
         except KitRobotError:
             return _plain_entry(entry)  # opening it says what is wrong
         kept = self._cache.get(entry.path)
@@ -58,16 +71,16 @@ class Gallery:
             )
         return kept.shape
 
-    def preview(self, studio: Studio, path: str) -> RunPreviewShape:
+    def preview(self, source: GallerySource, path: str) -> RunPreviewShape:
         """What an example does in its first seconds.
 
         Raises:
             KitRobotError: there is no such example, or it cannot be opened.
         """
-        data, _ = studio.folder.read(path)
-        opened = studio.read(data, path, path)
+        data, _ = source.folder.read(path)
+        opened = source.read(data, path, path)
         listed = shipped_examples().examples.get(path.removeprefix(EXAMPLE))
-        preview = studio.previews.of(opened, hands=listed.hands if listed is not None else ())
+        preview = source.previews.of(opened, hands=listed.hands if listed is not None else ())
         return run_preview_shape(opened, preview)
 
 

@@ -288,6 +288,10 @@ class RobotRegistry:
             if subscriber.is_sent_board(address, holder):
                 subscriber.queue_board(address)
 
+    def team_text(self) -> str:
+        """The team's status, as the text of a message."""
+        return self.team.text()
+
     def encode_board(self, address: str) -> str:
         """The status of a robot, or that nobody holds it, encoded in the reader's language."""
         session, language = self._sessions.get(address), reader_language()

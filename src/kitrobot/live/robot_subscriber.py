@@ -18,7 +18,6 @@ from kitrobot.wire.board import BoardsWelcomeMessage
 
 if TYPE_CHECKING:
     from kitrobot.live.page_ports import PagePort
-    from kitrobot.live.robot_registry import RobotRegistry
 
 MOST_BOARDS = 32
 MOST_TOLD = 1000
@@ -35,14 +34,27 @@ class MessageSink(Protocol):
         """Sends a message; comes back when there is room for more."""
 
 
+class StatusSource(Protocol):
+    """What is known of the robots, as the texts of messages."""
+
+    def encode_ports(self, subscriber: RobotSubscriber) -> str:
+        """The ports that a page may use."""
+
+    def encode_board(self, address: str) -> str:
+        """The status of one robot."""
+
+    def team_text(self) -> str:
+        """The status of the team."""
+
+
 class RobotSubscriber:
     """A page that receives the robots' status. Messages are queued until it has taken the earlier ones."""
 
-    def __init__(self, room: RobotRegistry, line: MessageSink, name: str) -> None:
+    def __init__(self, source: StatusSource, line: MessageSink, name: str) -> None:
         self.name = name
         self.shows_ports = False
         """Whether it shows the ports."""
-        self._room = room
+        self._source = source
         self._line = line
         self._due = asyncio.Event()
         self._ports_due = False
@@ -108,11 +120,11 @@ class RobotSubscriber:
                 for message in own:
                     await self._line.send_text(message.model_dump_json())
                 if ports:
-                    await self._line.send_text(self._room.encode_ports(self))
+                    await self._line.send_text(self._source.encode_ports(self))
                 for address in boards:
-                    await self._line.send_text(self._room.encode_board(address))
+                    await self._line.send_text(self._source.encode_board(address))
                 if team:
-                    await self._line.send_text(self._room.team.text())
+                    await self._line.send_text(self._source.team_text())
                 await asyncio.sleep(FRAME_S)
 
     async def end(self) -> None:

@@ -14,7 +14,7 @@ from collections.abc import Callable, Mapping, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, replace
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, Literal, get_args
+from typing import TYPE_CHECKING, Any, Literal, Protocol, get_args
 
 from kitrobot.diagnostics.model import KitRobotError
 from kitrobot.live.background import run_in_background
@@ -31,8 +31,7 @@ from kitrobot.wire.board import (
 )
 
 if TYPE_CHECKING:
-    from kitrobot.live.robot_registry import RobotRegistry
-    from kitrobot.live.watched_fleet import FleetThread
+    from kitrobot.live.robot_gateway import RobotGateway
     from kitrobot.robots.program import BoardProgram
     from kitrobot.workspace.mission_loader import OpenMission
 
@@ -78,23 +77,46 @@ class TeamStatus:
     stopped_ms: int | None = None
 
 
+class TeamHost(Protocol):
+    """Where a team is: the robots of a studio, as far as a team needs them."""
+
+    links: RobotGateway
+    in_page: bool
+
+    def notify_team_changed(self) -> None:
+        """Sends all pages the status of the team."""
+
+    async def release_board(self, holder: str, address: str) -> None:
+        """Releases the robot at an address from any page."""
+
+
+class Fleet(Protocol):
+    """A team that runs as processes."""
+
+    def stop(self) -> None:
+        """The emergency stop, from any thread."""
+
+    def wait(self, within_s: float) -> None:
+        """Waits until it has ended, but not for ever."""
+
+
 class TeamController:
     """The team of a studio.
 
     `pace`: of its world against real time; `lease_ms`: how long an agent may be silent.
     """
 
-    def __init__(self, registry: RobotRegistry) -> None:
+    def __init__(self, host: TeamHost) -> None:
         self.pace = 1.0
         self.lease_ms = 1000
         self.status = TeamStatus()
         self.addresses: frozenset[str] = frozenset()
         """Boards that belong to the team now."""
-        self._registry = registry
+        self._host = host
         self._lock = threading.Lock()
         self._claimed = False
         self._cancelled = False
-        self._fleet: FleetThread | None = None
+        self._fleet: Fleet | None = None
         self._loop: asyncio.AbstractEventLoop | None = None
 
     # -- the status that pages see
@@ -146,7 +168,7 @@ class TeamController:
     def _notify_if_changed(self, before: TeamStatus) -> None:
         if self._loop is not None and self.status != before:
             with contextlib.suppress(RuntimeError):  # the studio has ended meanwhile
-                self._loop.call_soon_threadsafe(self._registry.notify_team_changed)
+                self._loop.call_soon_threadsafe(self._host.notify_team_changed)
 
     # -- claiming and releasing
 
@@ -163,7 +185,7 @@ class TeamController:
         """
         from kitrobot.boards.teams import check_boards
 
-        if self._registry.in_page:
+        if self._host.in_page:
             raise TeamBusyError(
                 Sentence("a team as processes cannot run in a page"),
                 Sentence("run it as a simulation here, or install KitRobot on this computer"),
@@ -187,7 +209,7 @@ class TeamController:
             names = [agent.name for agent in opened.mission.team.agents]
             boards = check_boards(((one.agent, one.address) for one in wanted), names)
             for address in boards.values():
-                await self._registry.release_board(holder, address)
+                await self._host.release_board(holder, address)
             self.addresses = frozenset(boards.values())
         except BaseException:
             self._claimed = False
@@ -269,7 +291,7 @@ class TeamController:
                 self.update_agent(name, progress=BoardProgressShape(step=step, done=done, total=total))
 
         try:
-            self._registry.links.deploy(address, program, progress, way == "replace", way == "fresh")
+            self._host.links.deploy(address, program, progress, way == "replace", way == "fresh")
         except _Cancelled:
             kept = Sentence("the robot still has the program that it had")
             self.update_agent(
@@ -290,7 +312,7 @@ class TeamController:
             progress=None,
             message=said.message,
             help=recovery_hint(said),
-            way=self._registry.links.way(said),
+            way=self._host.links.way(said),
             failed=True,
         )
 
@@ -317,7 +339,7 @@ class TeamController:
 
     # -- the fleet
 
-    def runs(self, fleet: FleetThread) -> None:
+    def runs(self, fleet: Fleet) -> None:
         """Makes this fleet the team until it has ended."""
         self._fleet = fleet
         self.update(phase="starting")

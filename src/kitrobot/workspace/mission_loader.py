@@ -7,7 +7,7 @@ Mistakes in XML files that the mission does not need never prevent opening: they
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Collection, Iterable, Mapping
 from dataclasses import dataclass, field, replace
 from functools import cached_property, partial
 from os import PathLike
@@ -17,7 +17,7 @@ from typing import TYPE_CHECKING
 from kitrobot.compiler.compilation import Compiled, compile_program, not_compiled
 from kitrobot.compiler.expansion_limit import left_out, oversize_in_mission
 from kitrobot.compiler.team_check import program_circles
-from kitrobot.compiler.team_compilation import CompiledTeam
+from kitrobot.compiler.team_compilation import CompiledTeam, compile_team
 from kitrobot.diagnostics.model import Diagnostic, KitRobotError, Place, Severity, Source, rule
 from kitrobot.diagnostics.problems import ProblemsError
 from kitrobot.files.disk import read_bytes
@@ -29,6 +29,7 @@ from kitrobot.mission.model import DEFAULT_SEED, Agent, Mission, Team, image_nam
 from kitrobot.mission.reader import read_mission
 from kitrobot.primitives.catalogue import Catalogue
 from kitrobot.primitives.robot import Robot
+from kitrobot.primitives.team_objects import has_team
 from kitrobot.text.forms import name_form
 from kitrobot.text.sentences import COMMA, Sentence, Series
 from kitrobot.workspace.mission_check import mission_problems
@@ -36,7 +37,6 @@ from kitrobot.workspace.program_report import ProgramReport, ProjectionReport, p
 from kitrobot.workspace.property_check import property_problems
 from kitrobot.workspace.robots import find_robot
 from kitrobot.workspace.search_path import SearchPath
-from kitrobot.workspace.team_programs import team_of
 from kitrobot.world.model import World
 from kitrobot.world.xml_reader import check_plan, read_world
 
@@ -171,7 +171,18 @@ class OpenMission:
         """The program that agents run as a team, for each of their kinds of robots; None where none can be."""
         social = self.mission.social
         kinds = dict.fromkeys(one.robot for one in self.mission.team.agents if one.program == social)
-        return team_of(self, social, kinds) if kinds else None
+        return self.compile_team(social, kinds) if kinds else None
+
+    def compile_team(self, name: str, kinds: Collection[str]) -> CompiledTeam | None:
+        """A team's program for kinds of robots; None where one of them is not at hand or a program has errors."""
+        robots, compiled = self.catalogue.robots, self.compiled
+        if name not in compiled or any(item.is_error for one in compiled.values() for item in one.diagnostics):
+            return None
+        if not all(kind in robots and not has_team(robots[kind], self.mission.team.works) for kind in kinds):
+            return None
+        from kitrobot.sim.setup.settings import moves_boxes
+
+        return compile_team(name, compiled, self.catalogue, kinds, moves_boxes)
 
     @property
     def images(self) -> Mapping[str, Compiled]:

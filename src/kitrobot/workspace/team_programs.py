@@ -2,32 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
 
 from kitrobot.compiler.compilation import Compiled
-from kitrobot.compiler.team_compilation import CompiledTeam, compile_team
 from kitrobot.diagnostics.model import Diagnostic
 from kitrobot.graph.model import Program
 from kitrobot.primitives.robot import Robot
-from kitrobot.primitives.team_objects import has_team, with_team
+from kitrobot.primitives.team_objects import with_team
+from kitrobot.workspace.mission_loader import OpenMission
 from kitrobot.workspace.robots import find_robot
-
-if TYPE_CHECKING:
-    from kitrobot.workspace.mission_loader import OpenMission
-
-
-def team_of(opened: OpenMission, name: str, kinds: Collection[str]) -> CompiledTeam | None:
-    """A team's program for kinds of robots; None where one of them is not at hand or a program has errors."""
-    robots, compiled = opened.catalogue.robots, opened.compiled
-    if name not in compiled or any(item.is_error for one in compiled.values() for item in one.diagnostics):
-        return None
-    if not all(kind in robots and not has_team(robots[kind], opened.mission.team.works) for kind in kinds):
-        return None
-    from kitrobot.sim.setup.settings import moves_boxes
-
-    return compile_team(name, compiled, opened.catalogue, kinds, moves_boxes)
 
 
 @dataclass(frozen=True)
@@ -49,7 +32,7 @@ def for_kind(opened: OpenMission, program: Program, robot: str) -> ForKind:
     known = opened.catalogue.robots.get(robot)
     meant = known if known is not None else find_robot(robot, folder)
     opened.catalogue.robots.setdefault(meant.name, meant)
-    made = team_of(opened, program.name, [meant.name])
+    made = opened.compile_team(program.name, [meant.name])
     if made is None:
         found = [item for one in opened.compiled.values() for item in one.diagnostics]
         return ForKind(meant, None, found)

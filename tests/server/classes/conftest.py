@@ -10,7 +10,7 @@ import pytest
 
 from kitrobot.classroom.class_room import ClassRoom
 from kitrobot.classroom.overview import JoinAddress
-from kitrobot.server.class_app import ClassApp, create_class_app
+from kitrobot.server.classroom.app import ClassApp, create_class_app
 from tests.server.conftest import SHORT, TestClient
 
 KEY = "the-teachers-key"

@@ -8,7 +8,7 @@ import zipfile
 import pytest
 from starlette.websockets import WebSocketDisconnect
 
-from kitrobot.server.class_app import create_class_app
+from kitrobot.server.classroom.app import create_class_app
 from tests.server.classes.conftest import HOST, KEY, REACH, SOCKET, SQUARE, WORLD, hand_in, told
 from tests.server.conftest import TestClient
 

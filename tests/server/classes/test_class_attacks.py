@@ -16,10 +16,11 @@ from starlette.websockets import WebSocketDisconnect
 from kitrobot.classroom.assignments import pack
 from kitrobot.classroom.class_room import ClassRoom
 from kitrobot.files.quota import measured
-from kitrobot.server import class_gateway, class_studios
 from kitrobot.server.app import create_app
-from kitrobot.server.class_app import class_api
-from kitrobot.server.routes import class_sockets
+from kitrobot.server.classroom import gateway as class_gateway
+from kitrobot.server.classroom import sockets as class_sockets
+from kitrobot.server.classroom import studios as class_studios
+from kitrobot.server.classroom.app import class_api
 from tests.server.classes.conftest import KEY, SOCKET, SQUARE, WORLD, hand_in, told
 
 ROBOT = b'<robot name="NAME" version="1"><!--' + b"x" * 600 + b'--><sensor name="Sign"/></robot>'

@@ -12,8 +12,8 @@ from kitrobot.classroom.assignments import MOST_BYTES, MOST_FILES, pack
 from kitrobot.classroom.class_room import ClassRoom
 from kitrobot.packaging.site import SiteError
 from kitrobot.server.app import create_app
-from kitrobot.server.class_app import create_class_app
-from kitrobot.server.class_server import ClassSettings, serve_class
+from kitrobot.server.classroom.app import create_class_app
+from kitrobot.server.classroom.class_server import ClassSettings, serve_class
 from tests.server.classes.conftest import KEY, REACH, Class
 from tests.server.classes.test_class_exercises import put_own_exercise
 from tests.server.conftest import TestClient

@@ -10,7 +10,7 @@ from pathlib import Path
 
 import pytest
 
-from kitrobot.server.class_server import qr_rows, reach_sentence
+from kitrobot.server.classroom.class_server import qr_rows, reach_sentence
 from kitrobot.server.studio_server import ServerError
 from tests.patience import PATIENCE_S
 
@@ -65,7 +65,7 @@ def test_it_is_said_who_can_reach_a_class(address: str, secure: bool, words: str
 
 @pytest.mark.parametrize("host", ["school.example", "", "300.1.1.1", "192.168.4.20:80", "-"])
 def test_an_address_that_is_none_is_a_sentence(tmp_path: Path, host: str) -> None:
-    from kitrobot.server.class_server import ClassSettings, serve_class
+    from kitrobot.server.classroom.class_server import ClassSettings, serve_class
 
     with pytest.raises(ServerError, match="is no address of this machine") as found:
         serve_class(ClassSettings(tmp_path / "Class", host))

@@ -20,7 +20,7 @@ from websockets import Origin
 from websockets.asyncio.client import connect
 
 from kitrobot.diagnostics.model import KitRobotError
-from kitrobot.server.class_certificate import usable_certificate, validity
+from kitrobot.server.classroom.certificate import usable_certificate, validity
 from tests import coroutines
 from tests.certificates import self_signed
 from tests.patience import PATIENCE_S

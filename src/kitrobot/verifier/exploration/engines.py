@@ -8,11 +8,9 @@ from __future__ import annotations
 
 from array import array
 from collections.abc import Callable
-from dataclasses import dataclass
 from functools import cached_property
 from typing import Any, NamedTuple
 
-from kitrobot.sim.jit.cache import is_missed
 from kitrobot.sim.jit.table_pointer import TablePointer
 from kitrobot.verifier.exploration import breadth_first_search as bfs
 from kitrobot.verifier.exploration import fairness, state_marks
@@ -145,41 +143,3 @@ def array_engine(functions: dict[str, Callable[..., Any]]) -> Engine:
         words=lambda size: np.zeros(size, np.int64),
         take=take,
     )
-
-
-WORTH_STATES, WORTH_S = 50_000, 5.0
-"""The compiled functions are made after so many states, or seconds, of plain exploration in this process."""
-LOADED_S = 1.0
-"""Seconds after which they are loaded if this machine has them in its cache."""
-
-
-@dataclass
-class PlainWork:
-    """The states explored by the plain engine, and the seconds that it took."""
-
-    states: int = 0
-    seconds: float = 0.0
-
-
-plain_work = PlainWork()
-"""The finished plain explorations of this process."""
-
-
-def would_gain(states: int) -> bool:
-    """Whether exploring so many states would have been much faster with Numba installed."""
-    return states >= WORTH_STATES and is_missed()
-
-
-def choose_engine(states: int, seconds: float) -> Engine | None:
-    """The compiled engine, if it is available and worth it; None otherwise.
-
-    It is worth it after enough states or seconds of plain exploration, earlier ones (`plain_work`) included.
-    """
-    states, seconds = plain_work.states + states, plain_work.seconds + seconds
-    if states < WORTH_STATES and seconds < LOADED_S:
-        return None
-    from kitrobot.verifier.exploration.numba_engine import engine
-
-    if states >= WORTH_STATES or seconds >= WORTH_S or engine.is_kept():
-        engine.ask()
-    return engine.made

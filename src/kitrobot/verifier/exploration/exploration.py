@@ -8,7 +8,7 @@ from contextlib import suppress
 from dataclasses import dataclass, field
 from typing import Any
 
-from kitrobot.verifier.exploration import engines
+from kitrobot.verifier.exploration import engine_policy, engines
 from kitrobot.verifier.exploration.budget import Budget, CutReason
 from kitrobot.verifier.exploration.engines import Engine
 from kitrobot.verifier.exploration.memory import USUAL, resident
@@ -221,8 +221,8 @@ def explore(
         space.cut = _explore(space, budget, engine is None)
     space.seconds = budget.clock() - began
     if space.engine is engines.PLAIN:
-        engines.plain_work.states += len(space)
-        engines.plain_work.seconds += space.seconds
+        engine_policy.plain_work.states += len(space)
+        engine_policy.plain_work.seconds += space.seconds
     budget.progress(len(space), space.depth)
     return space
 
@@ -274,7 +274,7 @@ def _explore(space: StateSpace, budget: Budget, may_change: bool) -> CutReason |
         if budget.memory is not None and space.process_memory > budget.memory:
             return CutReason.MEMORY
         if may_change and space.engine is engines.PLAIN:
-            better = engines.choose_engine(len(space), budget.clock() - begun)
+            better = engine_policy.choose_engine(len(space), budget.clock() - begun)
             # For a moment both copies exist.
             if better is not None and (budget.memory is None or space.process_memory + space.memory < budget.memory):
                 _use(space, better)

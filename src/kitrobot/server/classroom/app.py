@@ -16,14 +16,14 @@ from kitrobot.classroom.overview import JoinAddress, Overview
 from kitrobot.classroom.pictures import ClassPictures
 from kitrobot.diagnostics.model import KitRobotError
 from kitrobot.server.app import STATIC, create_app, install_failures
-from kitrobot.server.class_gateway import ClassGateway, new_key
-from kitrobot.server.class_pages import serve_pages
-from kitrobot.server.class_studios import PupilStudios
+from kitrobot.server.classroom.gateway import ClassGateway, new_key
+from kitrobot.server.classroom.pages import serve_pages
+from kitrobot.server.classroom.pupil_routes import class_routes
+from kitrobot.server.classroom.sockets import class_socket_routes
+from kitrobot.server.classroom.studios import PupilStudios
+from kitrobot.server.classroom.teacher_routes import teacher_routes
 from kitrobot.server.deadlines import DeadlineMiddleware
 from kitrobot.server.language import LanguageMiddleware
-from kitrobot.server.routes.class_sockets import class_socket_routes
-from kitrobot.server.routes.classroom import class_routes
-from kitrobot.server.routes.teacher import teacher_routes
 from kitrobot.server.security import SecurityMiddleware, refuse
 
 LARGEST_BODY_BYTES: Final = 2 * 1024 * 1024

@@ -34,9 +34,9 @@ from kitrobot.classroom.pictures import ClassPictures
 from kitrobot.classroom.pupil import Pupil
 from kitrobot.classroom.teacher_actions import TeacherActions
 from kitrobot.files.embedded_mission import carried_mission
-from kitrobot.server.class_studios import PupilStudios
+from kitrobot.server.classroom.pupil_routes import ThisRoom, room_of
+from kitrobot.server.classroom.studios import PupilStudios
 from kitrobot.server.routes.api_router import ThisStudio, api_router
-from kitrobot.server.routes.classroom import ThisRoom, room_of
 from kitrobot.text.sentences import Sentence
 
 teacher_routes = api_router("/api/class/teacher")

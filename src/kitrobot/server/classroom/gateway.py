@@ -30,7 +30,7 @@ from kitrobot.classroom.class_room import ClassRoom
 from kitrobot.classroom.pupil import Pupil
 from kitrobot.classroom.rate_limits import RateLimit
 from kitrobot.files.quota import writing_within
-from kitrobot.server.class_studios import PupilStudios
+from kitrobot.server.classroom.studios import PupilStudios
 from kitrobot.server.security import TOKEN_HEADER, add_security_headers, refuse
 from kitrobot.text.sentences import Sentence
 

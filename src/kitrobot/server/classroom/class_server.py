@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING, Final
 from kitrobot.classroom.class_room import SITE, ClassRoom
 from kitrobot.classroom.record import unread_sentence
 from kitrobot.classroom.teacher_actions import TeacherActions
-from kitrobot.server.class_certificate import usable_certificate
+from kitrobot.server.classroom.certificate import usable_certificate
 from kitrobot.server.presence import Presence
 from kitrobot.server.studio_server import ServerError, has_screen, listen, print_address
 from kitrobot.text.sentences import Sentence
@@ -90,8 +90,8 @@ def _serve(room: ClassRoom, address: str, opening: ClassSettings, site: Path | N
         listening.append(listen("127.0.0.1", number))
     # Only now: where it cannot listen, nobody waits for the web server to load.
     from kitrobot.classroom.overview import JoinAddress
-    from kitrobot.server.class_app import create_class_app
-    from kitrobot.server.class_gateway import new_key
+    from kitrobot.server.classroom.app import create_class_app
+    from kitrobot.server.classroom.gateway import new_key
     from kitrobot.server.web_server import run_server
 
     scheme = "http" if tls is None else "https"

@@ -32,8 +32,8 @@ from kitrobot.classroom.rate_limits import RateLimit
 from kitrobot.classroom.teacher_actions import TeacherActions
 from kitrobot.diagnostics.model import KitRobotError
 from kitrobot.live.background import run_in_background
+from kitrobot.server.classroom.pupil_routes import pupil_of, room_of
 from kitrobot.server.routes.api_router import api_router
-from kitrobot.server.routes.classroom import pupil_of, room_of
 from kitrobot.wire.journal import HereMessage
 
 LOOK_S: Final = 1.0
