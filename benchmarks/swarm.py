@@ -11,7 +11,7 @@ import math
 import random
 from functools import cache
 
-from kitrobot.compiler.compilation import Compiled, compile_text
+from kitrobot.compiler.compilation import CompiledProgram, compile_text
 from kitrobot.graph.model import empty_program
 from kitrobot.image.machine import Machine
 from kitrobot.mission.model import Agent, Mission, Team
@@ -66,7 +66,7 @@ def rover(*, talks: bool = False) -> Robot:
 
 
 @cache
-def _compiled(*, talks: bool = False) -> Compiled:
+def _compiled(*, talks: bool = False) -> CompiledProgram:
     text = PROGRAM.replace("Count.Set(0);", "Count.Set(0); Heard.Add(1);") if talks else PROGRAM
     compiled = compile_text(text, rover(talks=talks))
     assert compiled.image is not None, compiled.diagnostics

@@ -17,7 +17,7 @@ from pathlib import Path
 
 from kitrobot.boards.kit_pictures import pin_name, wiring_picture
 from kitrobot.boards.kits import mission_on_kit
-from kitrobot.primitives.kit import Kit, Tried
+from kitrobot.primitives.kit import Kit, KitEvidence
 from kitrobot.workspace.kit_files import kits_at_hand
 from kitrobot.workspace.mission_loader import open_mission
 from tools.kit_texts import WORDS, page_in
@@ -41,9 +41,9 @@ ORDER = (
     "microbit",
 )
 _TRIED = {
-    Tried.DOCUMENTS: "from its documents: nobody has reported yet that it was tried",
-    Tried.EMULATOR: "in an emulator: its drivers on a current MicroPython (WebAssembly) whose pins only remember",
-    Tried.HAND: "in the hand, as reported by {by}",
+    KitEvidence.DOCUMENTS: "from its documents: nobody has reported yet that it was tried",
+    KitEvidence.EMULATOR: "in an emulator: its drivers on a current MicroPython (WebAssembly) whose pins only remember",
+    KitEvidence.HAND: "in the hand, as reported by {by}",
 }
 _FIRMWARE = "in an emulator: its drivers on the firmware of the micro:bit of 2016, in QEMU"
 _HEAD = """# Kits
@@ -205,7 +205,7 @@ def _kit(kit: Kit) -> Iterator[str]:
     yield ""
     yield f"**{kit.label['']}.** {kit.help['']}"
     yield ""
-    firmware = kit.tried is Tried.EMULATOR and kit.family == "microbit"
+    firmware = kit.tried is KitEvidence.EMULATOR and kit.family == "microbit"
     tried = _FIRMWARE if firmware else _TRIED[kit.tried].format(by=kit.tried_by)
     yield f"- Known to work: *{tried}*."
     board = "a micro:bit" if kit.family == "microbit" else "MicroPython with the module `machine`"

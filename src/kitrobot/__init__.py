@@ -29,18 +29,18 @@ if TYPE_CHECKING:
         robot,
         save_mission,
     )
-    from kitrobot.compiler.compilation import Compiled
+    from kitrobot.compiler.compilation import CompiledProgram
     from kitrobot.diagnostics.model import Diagnostic, KitRobotError
     from kitrobot.diagnostics.problems import ProblemsError
     from kitrobot.graph.model import Arc, Program, Vertex
-    from kitrobot.lll.parse_results import Parsed
+    from kitrobot.lll.parse_results import ParseResult
     from kitrobot.mission.model import Agent, Goal, Mission, Team
     from kitrobot.mission.trial import Failure, FailureKind
     from kitrobot.primitives.robot import Robot
     from kitrobot.sim.agent_views import AgentView
     from kitrobot.sim.event_text import Event
     from kitrobot.sim.simulation import Simulation
-    from kitrobot.workspace.execution import Executed, execute
+    from kitrobot.workspace.execution import ExecutionTick, execute
     from kitrobot.workspace.inputs import Change, Inputs
     from kitrobot.workspace.mission_loader import OpenMission, Report
     from kitrobot.workspace.mission_run import Run, RunOptions, Timing
@@ -72,7 +72,7 @@ else:
             "robot",
             "save_mission",
         ),
-        "compiler.compilation": ("Compiled",),
+        "compiler.compilation": ("CompiledProgram",),
         "diagnostics.model": (
             "Diagnostic",
             "KitRobotError",
@@ -83,7 +83,7 @@ else:
             "Program",
             "Vertex",
         ),
-        "lll.parse_results": ("Parsed",),
+        "lll.parse_results": ("ParseResult",),
         "mission.model": (
             "Agent",
             "Goal",
@@ -99,7 +99,7 @@ else:
         "sim.event_text": ("Event",),
         "sim.simulation": ("Simulation",),
         "workspace.execution": (
-            "Executed",
+            "ExecutionTick",
             "execute",
         ),
         "workspace.inputs": (
@@ -154,12 +154,12 @@ __all__ = [
     "Box",
     "Change",
     "ColouredLine",
-    "Compiled",
+    "CompiledProgram",
     "Corner",
     "Diagnostic",
     "Dock",
     "Event",
-    "Executed",
+    "ExecutionTick",
     "Failure",
     "FailureKind",
     "Floor",
@@ -168,7 +168,7 @@ __all__ = [
     "KitRobotError",
     "Mission",
     "OpenMission",
-    "Parsed",
+    "ParseResult",
     "Pose",
     "ProblemsError",
     "Program",

@@ -12,12 +12,12 @@ from os import PathLike, fspath
 from pathlib import Path
 
 from kitrobot.compiler.checker import check
-from kitrobot.compiler.compilation import Compiled, compile_lll, compile_text
+from kitrobot.compiler.compilation import CompiledProgram, compile_lll, compile_text
 from kitrobot.compiler.compilation import compile_program as compile_graph
 from kitrobot.compiler.lll_to_graph import lll_to_graph
 from kitrobot.diagnostics.problems import ProblemsError
 from kitrobot.graph.model import Program
-from kitrobot.lll.parse_results import Parsed
+from kitrobot.lll.parse_results import ParseResult
 from kitrobot.lll.parse_results import parse as parse_lll
 from kitrobot.lll.tree import Seq
 from kitrobot.mission.model import Mission
@@ -69,7 +69,7 @@ def save_mission(mission: Mission, path: str | PathLike[str]) -> None:
     save(Path(path), mission)
 
 
-def parse(text: str, name: str = "program.lll") -> Parsed:
+def parse(text: str, name: str = "program.lll") -> ParseResult:
     """Reads an LLL text: the tree of what could be understood, and the mistakes.
 
     Args:
@@ -111,7 +111,7 @@ def read_program(text: str, robot: str | PathLike[str] | Robot, name: str = "pro
 
 def compile_program(
     program: str | Seq | Program, robot: str | PathLike[str] | Robot, name: str = "program.lll"
-) -> Compiled:
+) -> CompiledProgram:
     """Compiles a program for a robot: LLL, image, debug map, and everything there is to say about it.
 
     Mistakes are in `diagnostics`, and then `image` is None; none is raised. `kitrobot.compile` is the same function.

@@ -79,7 +79,7 @@ def test_opening_what_is_no_mission_raises_with_what_is_wrong(tmp_path):
 
 def test_parse_gives_the_tree_and_the_mistakes():
     parsed = kitrobot.parse("WAIT(1); WAIT(;", "x.lll")
-    assert isinstance(parsed, kitrobot.Parsed)
+    assert isinstance(parsed, kitrobot.ParseResult)
     assert parsed.program.items
     assert [item.place.file for item in parsed.diagnostics if item.place] == ["x.lll"]
 
@@ -89,7 +89,7 @@ def test_compile_takes_a_text_a_tree_or_a_graph(kind):
     tree = kitrobot.parse("WAIT(1);").program
     programs: dict[str, Any] = {"text": "WAIT(1);", "tree": tree, "graph": empty_program("p", "any")}
     compiled = kitrobot.compile(programs[kind], "mini-robot")
-    assert isinstance(compiled, kitrobot.Compiled)
+    assert isinstance(compiled, kitrobot.CompiledProgram)
     assert compiled.ok
 
 
@@ -116,6 +116,6 @@ def test_execute_gives_a_tick_at_a_time():
     assert image is not None
     ticks = kitrobot.execute(image, robot, ticks=3)
     first = next(ticks)
-    assert isinstance(first, kitrobot.Executed)
+    assert isinstance(first, kitrobot.ExecutionTick)
     assert (first.tick, first.variables["Count"], first.ended) == (0, 2, False)
     assert [tick.ended for tick in ticks] == [True, True]

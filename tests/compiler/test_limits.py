@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from kitrobot.compiler.compilation import Compiled, compile_lll, compile_program, compile_text
+from kitrobot.compiler.compilation import CompiledProgram, compile_lll, compile_program, compile_text
 from kitrobot.image.listing import disassemble
 from kitrobot.image.machine import Machine
 from kitrobot.image.model import MOST_CELLS, MOST_COMMANDS, MOST_INSTRUCTIONS, MOST_SLOTS, MOST_STOPS, Image
@@ -53,7 +53,7 @@ def variables(count: int) -> Robot:
     return robot(f'<actuator name="A" device="drive"><procedure name="Do"/></actuator>{inside}')
 
 
-def only(compiled: Compiled, message: str) -> None:
+def only(compiled: CompiledProgram, message: str) -> None:
     assert compiled.image is None
     assert [(item.code, item.is_error) for item in compiled.diagnostics if item.is_error] == [("too-large", True)]
     (told,) = [item for item in compiled.diagnostics if item.is_error]
@@ -61,7 +61,7 @@ def only(compiled: Compiled, message: str) -> None:
     assert told.help == "split it, or use fewer of them"
 
 
-def runs(compiled: Compiled, on: Robot) -> Image:
+def runs(compiled: CompiledProgram, on: Robot) -> Image:
     assert compiled.image is not None, compiled.diagnostics
     machine = Machine(Image.from_bytes(compiled.image.to_bytes()), on)
     for _ in range(3):

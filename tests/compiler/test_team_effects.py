@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 
 import kitrobot
-from kitrobot.compiler.compilation import Compiled
+from kitrobot.compiler.compilation import CompiledProgram
 from kitrobot.compiler.team_compilation import compile_team
 from kitrobot.diagnostics.model import Diagnostic
 from kitrobot.image.debug import DebugMap
@@ -40,7 +40,7 @@ def found_in(text: str, declared: str = DECLARED, programs: dict[str, str] | Non
     for name, one in {"team": text, **(programs or {})}.items():
         parsed = parse_team(one)
         assert parsed.ok, parsed.diagnostics
-        compiled[name] = Compiled(parsed.program.seq, parsed.source, None, DebugMap())
+        compiled[name] = CompiledProgram(parsed.program.seq, parsed.source, None, DebugMap())
     made = compile_team("team", compiled, catalogue, ["loader"], moves_boxes)
     assert not any(item.is_error for item in made.diagnostics), made.diagnostics
     return made.diagnostics

@@ -6,7 +6,7 @@ import random
 
 import pytest
 
-from kitrobot.compiler.compilation import Compiled
+from kitrobot.compiler.compilation import CompiledProgram
 from kitrobot.compiler.inlining import inlined
 from kitrobot.compiler.team_check import check_program
 from kitrobot.compiler.team_compilation import compile_team
@@ -160,7 +160,7 @@ def test_it_is_told_of_the_program_in_which_the_move_stands() -> None:
     crew = crew_declaring(CREW, NESTED)
     texts = {"day": "WAIT(1);\nPROGRAM meet;\n", "meet": "WAIT(1);\n\nMOVE 2 movers -> rest;\n"}
     parsed = {name: parse_team(text) for name, text in texts.items()}
-    programs = {name: Compiled(one.program.seq, one.source, None, DebugMap()) for name, one in parsed.items()}
+    programs = {name: CompiledProgram(one.program.seq, one.source, None, DebugMap()) for name, one in parsed.items()}
     made = compile_team("day", programs, PARTS.extended([], [], crew), ["carrier", "loader"])
     assert {item.code for item in made.diagnostics} == {"team-group-empty"}
     assert {(item.program, item.place.line) for item in made.diagnostics if item.place} == {("meet", 3)}

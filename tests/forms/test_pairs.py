@@ -53,7 +53,7 @@ from kitrobot.mission.trial import Breakpoint, Failure, FailureKind
 from kitrobot.mission.writer import SaveError, save, write_mission
 from kitrobot.primitives.constructors import Constructor
 from kitrobot.primitives.constructors_xml import read_constructors
-from kitrobot.primitives.kit import Kit, Source, Tried
+from kitrobot.primitives.kit import Kit, Source, KitEvidence
 from kitrobot.primitives.kit_xml import read_kit, write_kit
 from kitrobot.primitives.own_xml import write_constructors
 from kitrobot.robots.names import BoardNames
@@ -245,7 +245,7 @@ kits = st.builds(
     st.just("machine"),
     pins=st.lists(st.sampled_from(["LED", "A0", *map(str, range(20))]), max_size=8, unique=True).map(tuple),
     micropython=st.sampled_from(["", "1.20", "1.9.4"]),
-    tried=st.just(Tried.HAND),
+    tried=st.just(KitEvidence.HAND),
     tried_by=NAMES,
     sources=st.lists(st.builds(Source, st.just("https://example.org/a"), WORDS), max_size=2).map(tuple),
     supplies=st.lists(st.builds(lambda en, fr: {"": en, "fr": fr}, WORDS, WORDS), max_size=2).map(tuple),

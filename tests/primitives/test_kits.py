@@ -10,7 +10,7 @@ import pytest
 import xmlschema
 
 from kitrobot.primitives.catalogue import SHIPPED, load_catalogue
-from kitrobot.primitives.kit import Kit, Tried, lacks, on_kit
+from kitrobot.primitives.kit import Kit, KitEvidence, lacks, on_kit
 from kitrobot.primitives.kit_xml import LONGEST_LABEL, LONGEST_TEXT, read_kit, write_kit
 from kitrobot.primitives.robot import Category
 from tools import schemas
@@ -50,7 +50,7 @@ def test_a_kit_says_how_parts_are_wired_and_what_is_missing() -> None:
     kit = good()
     assert (kit.name, kit.family, kit.micropython) == ("mine", "machine", "1.20")
     assert kit.pins == ("0", "1", "2", "3", "4", "7", "LED", "9")
-    assert (kit.tried, kit.tried_by) == (Tried.HAND, "class 7b")
+    assert (kit.tried, kit.tried_by) == (KitEvidence.HAND, "class 7b")
     assert kit.supplies == ({"": "two motors", "fr": "deux moteurs"}, {"": "glue"})
     robots = load_catalogue().robots
     mini = on_kit(robots["mini-robot"], kit)

@@ -7,7 +7,7 @@ from dataclasses import replace
 from functools import cache
 from pathlib import Path
 
-from kitrobot.compiler.compilation import Compiled, compile_program, compile_text
+from kitrobot.compiler.compilation import CompiledProgram, compile_program, compile_text
 from kitrobot.graph.model import empty_program
 from kitrobot.mission.model import Agent, Goal, Mission, Team
 from kitrobot.mission.radio import Radio
@@ -105,7 +105,7 @@ def run_of(
 ) -> Simulation:
     """A run in which each agent has its own robot and LLL text."""
     mission = Mission(team=Team(goals=list(goals)), failures=list(failures), radio=radio)
-    images: dict[str, Compiled] = {}
+    images: dict[str, CompiledProgram] = {}
     robots = Catalogue(robots={})
     for name, (robot, text) in agents.items():
         mission.programs.append(empty_program(f"program of {name}", robot.name))
@@ -124,7 +124,7 @@ def steps(simulation: Simulation, count: int) -> Simulation:
 
 
 @cache
-def _example() -> tuple[bytes, dict[str, Compiled]]:
+def _example() -> tuple[bytes, dict[str, CompiledProgram]]:
     data = EXAMPLE.read_bytes()
     mission, problems = read_mission(data, EXAMPLE.name)
     assert mission is not None
@@ -134,7 +134,7 @@ def _example() -> tuple[bytes, dict[str, Compiled]]:
     return data, images
 
 
-def example_images() -> dict[str, Compiled]:
+def example_images() -> dict[str, CompiledProgram]:
     """The compiled programs of the transport example."""
     return _example()[1]
 

@@ -7,7 +7,7 @@ import random
 from collections.abc import Sequence
 from functools import cache
 
-from kitrobot.compiler.compilation import Compiled, compile_text
+from kitrobot.compiler.compilation import CompiledProgram, compile_text
 from kitrobot.graph.model import empty_program
 from kitrobot.mission.model import Agent, Mission, Team
 from kitrobot.mission.radio import Radio
@@ -231,7 +231,7 @@ def random_team(
         walls.append(Wall(x + spacing / 2, y, x + spacing / 2, y + 70))
     mission, images, catalogue = (
         Mission(team=Team(), failures=list(failures), radio=radio),
-        dict[str, Compiled](),
+        dict[str, CompiledProgram](),
         Catalogue(robots={}),
     )
     kinds = [robot(rng.randrange(30)) for _ in range(min(robots, 6))]

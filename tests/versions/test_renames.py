@@ -16,7 +16,7 @@ from kitrobot.mission.reader import read_mission
 from kitrobot.mission.trial import Breakpoint, Failure, FailureKind
 from kitrobot.mission.writer import write_mission
 from kitrobot.versions.mission_merge import merge_missions
-from kitrobot.versions.references import Named
+from kitrobot.versions.references import NameKind
 from kitrobot.workspace.file_merge import merge_checked
 from kitrobot.workspace.mission_loader import read_mission_data
 from kitrobot.workspace.search_path import SearchPath
@@ -102,7 +102,7 @@ def condition(name: str, text: str) -> str:
 
 TRIAL = "  <world version"
 USES = {
-    Named.VARIABLE: (
+    NameKind.VARIABLE: (
         "Trips",
         "Laps",
         [
@@ -117,17 +117,17 @@ USES = {
             ),
         ],
     ),
-    Named.PART: (
+    NameKind.PART: (
         "Hop",
         "Jump",
         [lambda text: in_program(text, "alone", "Hop", {"times": "4"})],
     ),
-    Named.ROAD: (
+    NameKind.ROAD: (
         "way",
         "street",
         [lambda text: put(text, '    <start name="west"', '    <start name="curb" road="way" at="900"/>')],
     ),
-    Named.STOREHOUSE: (
+    NameKind.STOREHOUSE: (
         "depot",
         "barn",
         [
@@ -140,12 +140,12 @@ USES = {
             lambda text: put(text, "    <start", '    <start name="inside" storehouse="depot"/>'),
         ],
     ),
-    Named.DOCK: (
+    NameKind.DOCK: (
         "gate",
         "door",
         [lambda text: put(text, "    <start", '    <start name="docked" dock="gate"/>')],
     ),
-    Named.START: (
+    NameKind.START: (
         "north",
         "top",
         [
@@ -156,7 +156,7 @@ USES = {
             lambda text: text.replace('start="west"', 'start="north"'),
         ],
     ),
-    Named.PROGRAM: (
+    NameKind.PROGRAM: (
         "search",
         "look-round",
         [
@@ -166,7 +166,7 @@ USES = {
             ),
         ],
     ),
-    Named.AGENT: (
+    NameKind.AGENT: (
         "bob",
         "eve",
         [
@@ -179,7 +179,7 @@ USES = {
             lambda text: in_block(text, "{bob}", '<vertex id="v8" element="Light.LightOn"/>'),
         ],
     ),
-    Named.ROLE: (
+    NameKind.ROLE: (
         "walkers",
         "runners",
         [
@@ -187,7 +187,7 @@ USES = {
             lambda text: put(text, TRIAL, condition("bump", "all {walkers} (Collision.IsPressed())")),
         ],
     ),
-    Named.GROUP: (
+    NameKind.GROUP: (
         "crowd",
         "fast movers",
         [
@@ -195,7 +195,7 @@ USES = {
             lambda text: put(text, TRIAL, condition("bump", "most crowd (Collision.IsPressed())")),
         ],
     ),
-    Named.WORK: (
+    NameKind.WORK: (
         "rooms",
         "halls",
         [
@@ -222,7 +222,7 @@ def errors(one: Mission) -> list[str]:
     return [str(item.message) for item in opened(one).check().problems if item.is_error]
 
 
-def renamed(kind: Named, text: str) -> str:
+def renamed(kind: NameKind, text: str) -> str:
     """The text with another name for what is of a kind, as a person changes it."""
     old, new, _ = USES[kind]
     text = re.sub(rf"(?<![\w-]){old}(?![\w-])", new, text)
@@ -242,7 +242,7 @@ def test_a_rename_is_followed_in_what_the_other_side_did(kind, use):
         assert (merged.mission, merged.conflicts) == (expected, ())
 
 
-@pytest.mark.parametrize("kind", list(Named))
+@pytest.mark.parametrize("kind", list(NameKind))
 def test_two_new_names_for_one_thing_are_a_conflict_that_can_be_decided(kind):
     old, new, _ = USES[kind]
     after = renamed(kind, TEXT)

@@ -11,7 +11,7 @@ import pytest
 from kitrobot.boards.calibration import (
     Answers,
     MeasureError,
-    Turned,
+    WheelTurn,
     calibrated,
     left_out,
     measuring_steps,
@@ -20,7 +20,7 @@ from kitrobot.boards.calibration import (
 )
 from kitrobot.files.disk import read_text
 from kitrobot.primitives.catalogue import SHIPPED
-from kitrobot.primitives.kit import Kit, Measured
+from kitrobot.primitives.kit import Kit, Measurement
 from kitrobot.primitives.kit_xml import read_kit, write_kit
 from kitrobot.workspace.conversion import convert
 from kitrobot.workspace.mission_loader import open_mission
@@ -51,20 +51,22 @@ def measured(kit: Kit) -> dict[str, dict[str, str]]:
 
 def test_a_motor_that_is_wired_backward_is_flipped_and_once_more_is_as_it_was() -> None:
     kit = kit_named("pico")
-    seen = {"left": Turned("left", False), "right": Turned("right", True)}
+    seen = {"left": WheelTurn("left", False), "right": WheelTurn("right", True)}
     made = calibrated(kit, Answers(seen))
     assert settings(made, "drive")["left-flipped"] == "yes"
     assert "right-flipped" not in settings(made, "drive")
     roads = [part.board.settings for part in made.parts if part.board.driver == "road"]
     assert [one["left-flipped"] for one in roads] == ["yes"]
     assert calibrated(made, Answers(seen)) == kit
-    assert calibrated(kit, Answers({"left": Turned("left", True)})) == kit
+    assert calibrated(kit, Answers({"left": WheelTurn("left", True)})) == kit
 
 
 def test_wheels_that_are_each_other_s_are_exchanged_with_what_belongs_to_a_motor() -> None:
     kit = kit_named("cardboard")
     was = settings(kit, "drive")
-    made = settings(calibrated(kit, Answers({"left": Turned("right", True), "right": Turned("left", False)})), "drive")
+    made = settings(
+        calibrated(kit, Answers({"left": WheelTurn("right", True), "right": WheelTurn("left", False)})), "drive"
+    )
     for name in ("forward", "backward", "power"):
         assert (made[f"left-{name}"], made[f"right-{name}"]) == (was[f"right-{name}"], was[f"left-{name}"])
     assert made["left-flipped"] == "yes"
@@ -74,7 +76,7 @@ def test_wheels_that_are_each_other_s_are_exchanged_with_what_belongs_to_a_motor
 def test_what_cannot_be_is_refused_with_a_way_out() -> None:
     pico = kit_named("pico")
     for answers, says in (
-        (Answers({"left": Turned("left", True), "right": Turned("left", True)}), "both times the left wheel"),
+        (Answers({"left": WheelTurn("left", True), "right": WheelTurn("left", True)}), "both times the left wheel"),
         (Answers(distances=[0.0]), "1 to 20000 millimetres"),
         (Answers(distances=[math.nan]), "found nan"),
         (Answers(turns=[1e9]), "1 to 3600 degrees"),
@@ -84,7 +86,7 @@ def test_what_cannot_be_is_refused_with_a_way_out() -> None:
             calibrated(pico, answers)
         assert refused.value.help
     with pytest.raises(MeasureError, match="has no word for that"):
-        calibrated(kit_named("maqueen"), Answers({"left": Turned("left", False)}))
+        calibrated(kit_named("maqueen"), Answers({"left": WheelTurn("left", False)}))
     with pytest.raises(MeasureError, match="no wheels"):
         measuring_steps(kit_named("microbit"))
 
@@ -135,7 +137,7 @@ def test_a_kit_of_ones_own_keeps_its_comments_and_what_it_loses_is_told(tmp_path
     assert kit is not None
     found, _ = left_out(path)
     assert [one.message for one in found] == ["<tried> has no attribute “to”; it is left out"]
-    write_kit_file(calibrated(kit, Answers({"left": Turned("left", False)})), path)
+    write_kit_file(calibrated(kit, Answers({"left": WheelTurn("left", False)})), path)
     for words in ("<!-- Red wire to the left. -->", "<!-- by Ada -->", "left-flipped"):
         assert words in path.read_text()
     assert left_out(path)[0] == left_out(tmp_path / "none")[0] == ()
@@ -159,7 +161,7 @@ def floor() -> Kit:
     return Kit(
         "floor",
         "machine",
-        measured=(Measured(("drive",), {"speed": str(SPEED)}), Measured(("turn",), {"rate": str(RATE)})),
+        measured=(Measurement(("drive",), {"speed": str(SPEED)}), Measurement(("turn",), {"rate": str(RATE)})),
     )
 
 
@@ -195,7 +197,7 @@ def test_the_simulator_takes_speed_and_noise_from_what_was_measured(tmp_path: Pa
 
     def distance(noise: str) -> float:
         values = {"speed": "300", "noise": noise}
-        kit = Kit("k", "machine", measured=(Measured(("drive",), values),))
+        kit = Kit("k", "machine", measured=(Measurement(("drive",), values),))
         return end_of(tmp_path, drives, kit)[0]
 
     assert distance("0") == distance("0") == pytest.approx(300, rel=0.05)

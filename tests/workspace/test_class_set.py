@@ -9,7 +9,7 @@ from pathlib import Path
 import pytest
 from serial.tools import list_ports
 
-from kitrobot.boards.class_set import MOST_BOARDS, SetError, Wanted, prepare_set, read_set
+from kitrobot.boards.class_set import MOST_BOARDS, BoardOrder, SetError, prepare_set, read_set
 from kitrobot.boards.labels import LabelError, labels_of, store_label
 from kitrobot.diagnostics.model import KitRobotError
 from kitrobot.files.examples import examples_folder
@@ -94,8 +94,8 @@ def test_damaged_labels_are_none(plugged, tmp_path, kept):
 )
 def test_a_list_is_read_as_spreadsheets_write_it(tmp_path, text):
     assert read_set(written(tmp_path, text)) == [
-        Wanted("A1", tmp_path / "heart.krt"),
-        Wanted("B 2", tmp_path / "sub" / "h.krt", port="COM7"),
+        BoardOrder("A1", tmp_path / "heart.krt"),
+        BoardOrder("B 2", tmp_path / "sub" / "h.krt", port="COM7"),
     ]
 
 
@@ -130,7 +130,7 @@ def test_a_folder_names_a_board_by_each_mission_in_it(tmp_path):
         read_set(tmp_path)
     for name in ("B2.krt", "A1.KRT", "notes.txt"):
         (tmp_path / name).write_bytes(HEART.read_bytes())
-    assert read_set(tmp_path) == [Wanted("A1", tmp_path / "A1.KRT"), Wanted("B2", tmp_path / "B2.krt")]
+    assert read_set(tmp_path) == [BoardOrder("A1", tmp_path / "A1.KRT"), BoardOrder("B2", tmp_path / "B2.krt")]
 
 
 def test_each_board_gets_its_own_and_what_is_wrong_with_one_holds_up_no_other(plugged, tmp_path):
@@ -143,14 +143,14 @@ def test_each_board_gets_its_own_and_what_is_wrong_with_one_holds_up_no_other(pl
         store_label(f"/dev/ttyACM{port}", label)
     (tmp_path / "bad.krt").write_text("<kitrobot")
     wanted = [
-        Wanted("a", HEART),
-        Wanted("B", tmp_path / "bad.krt"),
-        Wanted("C", HEART, kit="no-such-kit"),
-        Wanted("gone", HEART),
-        Wanted("T", HEART),
-        Wanted("again", HEART, port="/dev/ttyACM0"),
-        Wanted("far", HEART, port="socket://h:1"),
-        Wanted("nul", tmp_path / "\0.krt", port="socket://h:2"),
+        BoardOrder("a", HEART),
+        BoardOrder("B", tmp_path / "bad.krt"),
+        BoardOrder("C", HEART, kit="no-such-kit"),
+        BoardOrder("gone", HEART),
+        BoardOrder("T", HEART),
+        BoardOrder("again", HEART, port="/dev/ttyACM0"),
+        BoardOrder("far", HEART, port="socket://h:1"),
+        BoardOrder("nul", tmp_path / "\0.krt", port="socket://h:2"),
     ]
     found = prepare_set(wanted)
     assert found.addresses == ["/dev/ttyACM0", "socket://h:1"]

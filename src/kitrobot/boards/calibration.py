@@ -21,7 +21,7 @@ from kitrobot.diagnostics.model import Diagnostic, KitRobotError, Source
 from kitrobot.diagnostics.read_files import expect_output
 from kitrobot.files.disk import FileError, read_bytes, replace_file, saving_in
 from kitrobot.primitives.catalogue import SHIPPED
-from kitrobot.primitives.kit import Kit, KitPart, Measured
+from kitrobot.primitives.kit import Kit, KitPart, Measurement
 from kitrobot.primitives.kit_xml import read_kit, write_kit
 from kitrobot.primitives.robot import Category, Robot
 from kitrobot.primitives.robot_xml import read_robot
@@ -55,7 +55,7 @@ def bench_robot() -> Robot:
 
 
 @dataclass(frozen=True)
-class Turned:
+class WheelTurn:
     """Which wheel turned, and which way."""
 
     side: str
@@ -68,7 +68,7 @@ class Answers:
     each time.
     """
 
-    wheels: Mapping[str, Turned] = field(default_factory=dict)
+    wheels: Mapping[str, WheelTurn] = field(default_factory=dict)
     distances: Sequence[float] = ()
     turns: Sequence[float] = ()
 
@@ -118,7 +118,7 @@ def calibrated(kit: Kit, answers: Answers) -> Kit:
         made, rate = _turning(made, fmean(answers.turns) / (note.arguments[0] * 3.6))
         measured["turn"] = {**rate, **_noise(answers.turns)}
     kept = [one for one in made.measured if not set(one.devices) & measured.keys()]
-    new = [Measured((device,), settings) for device, settings in measured.items() if settings]
+    new = [Measurement((device,), settings) for device, settings in measured.items() if settings]
     return replace(made, measured=(*kept, *new))
 
 
@@ -142,7 +142,7 @@ def _written(value: float) -> str:
     return f"{value:.1f}".removesuffix(".0")
 
 
-def _wheels(kit: Kit, turned: Mapping[str, Turned]) -> Kit:
+def _wheels(kit: Kit, turned: Mapping[str, WheelTurn]) -> Kit:
     """The kit with wheels that are each other's exchanged, and flipped where they turned backward."""
     swapped = [side for side, one in turned.items() if one.side != side]
     backward = {one.side for one in turned.values() if not one.forward}

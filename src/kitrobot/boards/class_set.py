@@ -46,7 +46,7 @@ class NoLabelError(KitRobotError):
 
 
 @dataclass(frozen=True)
-class Wanted:
+class BoardOrder:
     """What a board is to get; "" where the list says nothing."""
 
     label: str
@@ -60,7 +60,7 @@ class Wanted:
 class Member:
     """A board of the set: where it is ("" if nowhere), and its program or the error that keeps it from it."""
 
-    wanted: Wanted
+    wanted: BoardOrder
     address: str
     program: BoardProgram | None
     error: KitRobotError | None
@@ -104,7 +104,7 @@ class BoardSet:
         return [SetResult(one, sent[one.address] if one.program is not None else None) for one in self.members]
 
 
-def read_set(path: Path) -> list[Wanted]:
+def read_set(path: Path) -> list[BoardOrder]:
     """What a list says: a table, or a folder of missions.
 
     Raises:
@@ -112,7 +112,9 @@ def read_set(path: Path) -> list[Wanted]:
         FileError: it cannot be read.
     """
     if path.is_dir():
-        found = [Wanted(_label(one.stem, None), one) for one in sorted(path.iterdir()) if one.suffix.lower() == _ENDING]
+        found = [
+            BoardOrder(_label(one.stem, None), one) for one in sorted(path.iterdir()) if one.suffix.lower() == _ENDING
+        ]
         if not found:
             raise SetError(
                 Sentence("there is no mission in the folder `{folder}`", path),
@@ -127,7 +129,7 @@ def read_set(path: Path) -> list[Wanted]:
     return found
 
 
-def prepare_set(wanted: Sequence[Wanted]) -> BoardSet:
+def prepare_set(wanted: Sequence[BoardOrder]) -> BoardSet:
     """Finds the board of each label and makes its program ready; nothing is sent yet."""
     there = [port.address for port in list_ports()]
     places: dict[str, list[str]] = defaultdict(list)
@@ -155,7 +157,7 @@ def prepare_set(wanted: Sequence[Wanted]) -> BoardSet:
 
 
 def _program(
-    one: Wanted, ready: dict[tuple[Path, str, str], BoardProgram | KitRobotError]
+    one: BoardOrder, ready: dict[tuple[Path, str, str], BoardProgram | KitRobotError]
 ) -> BoardProgram | KitRobotError:
     """Its program, made once for all boards that get the same; or why there is none."""
     key = (one.mission, one.program, one.kit)
@@ -167,7 +169,7 @@ def _program(
     return ready[key]
 
 
-def _address(one: Wanted, places: Mapping[str, Sequence[str]]) -> tuple[str, KitRobotError | None]:
+def _address(one: BoardOrder, places: Mapping[str, Sequence[str]]) -> tuple[str, KitRobotError | None]:
     """Where the board is, or why nobody knows."""
     if one.port:
         return one.port, None
@@ -185,7 +187,7 @@ def _address(one: Wanted, places: Mapping[str, Sequence[str]]) -> tuple[str, Kit
     )
 
 
-def _table(path: Path) -> tuple[list[Wanted], list[Place | None]]:
+def _table(path: Path) -> tuple[list[BoardOrder], list[Place | None]]:
     """The rows of a table, with their places; cells may be parted by commas or semicolons."""
     text = read_text(path)
     first = text.partition("\n")[0]
@@ -209,7 +211,7 @@ def _table(path: Path) -> tuple[list[Wanted], list[Place | None]]:
         )
     if len(rows) == 1:
         raise SetError(Sentence("`{file}` names no board", path), _example())
-    found: list[Wanted] = []
+    found: list[BoardOrder] = []
     places: list[Place | None] = []
     for line, cells in rows[1:]:
         at = Place(str(path), line)
@@ -220,7 +222,9 @@ def _table(path: Path) -> tuple[list[Wanted], list[Place | None]]:
             raise SetError(Sentence("this line names no mission"), _example(), place=at)
         mission = path.parent / said["mission"]
         label = _label(said.get("label", ""), at)
-        found.append(Wanted(label, mission, *(name_form(said.get(name, "")) for name in ("program", "kit", "port"))))
+        found.append(
+            BoardOrder(label, mission, *(name_form(said.get(name, "")) for name in ("program", "kit", "port")))
+        )
         places.append(at)
     return found, places
 
@@ -244,7 +248,7 @@ def _example() -> Sentence:
     return Sentence("write it as {first} and then lines such as {second}", "`label,mission`", "`A1,heart.krt`")
 
 
-def _expect_once(found: Sequence[Wanted], places: Sequence[Place | None]) -> None:
+def _expect_once(found: Sequence[BoardOrder], places: Sequence[Place | None]) -> None:
     labels: set[str] = set()
     ports: set[str] = set()
     for one, place in zip(found, places, strict=True):

@@ -9,7 +9,7 @@ from pathlib import Path
 
 from kitrobot.boards.programs import board_program, load_board_program
 from kitrobot.boards.teams import agent_program
-from kitrobot.compiler.compilation import Compiled, compile_program, compile_text
+from kitrobot.compiler.compilation import CompiledProgram, compile_program, compile_text
 from kitrobot.compiler.target import robot_of
 from kitrobot.deploy.kits import PartOnKit, parts_on_kit
 from kitrobot.deploy.package import Package
@@ -107,7 +107,7 @@ def _why_not(make: Callable[[], object]) -> KitRobotError | None:
 
 
 def _program_on_kit(
-    name: str, robot: Robot, compiled: Compiled | None, kit: Kit, package: Package, problem: KitRobotError | None
+    name: str, robot: Robot, compiled: CompiledProgram | None, kit: Kit, package: Package, problem: KitRobotError | None
 ) -> ProgramOnKit:
     image = compiled.image if compiled is not None else None
     return ProgramOnKit(name, robot.name, tuple(parts_on_kit(robot, kit, package, image)), problem)

@@ -8,7 +8,7 @@ from pathlib import Path
 
 from kitrobot.boards.sent_firmware import load_firmware_version, store_firmware_version
 from kitrobot.boards.sent_programs import load_names, store_sent_program
-from kitrobot.compiler.compilation import Compiled, compile_program, compile_text
+from kitrobot.compiler.compilation import CompiledProgram, compile_program, compile_text
 from kitrobot.compiler.target import robot_of
 from kitrobot.diagnostics.model import Diagnostic, KitRobotError, Source
 from kitrobot.diagnostics.problems import ProblemsError
@@ -117,7 +117,7 @@ def board_program(
 def ready_program(
     name: str,
     robot: Robot,
-    compiled: Compiled | None,
+    compiled: CompiledProgram | None,
     found: tuple[Diagnostic, ...],
     sources: tuple[Source, ...],
     folder: Path | None,

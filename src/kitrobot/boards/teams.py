@@ -8,7 +8,7 @@ from pathlib import Path
 
 from kitrobot.boards.programs import ready_program
 from kitrobot.boards.sent_programs import store_sent_program
-from kitrobot.compiler.compilation import Compiled
+from kitrobot.compiler.compilation import CompiledProgram
 from kitrobot.compiler.target import robot_of
 from kitrobot.diagnostics.model import KitRobotError
 from kitrobot.diagnostics.problems import ProblemsError
@@ -54,7 +54,7 @@ def agent_program(opened: OpenMission, name: str, folder: Path | None = None, ki
         raise ProblemsError(
             Sentence("`{mission}` has errors, so it was not run", opened.name), "", found, opened.all_sources
         )
-    compiled: Compiled | None
+    compiled: CompiledProgram | None
     if agent.program == opened.mission.social:
         robot: Robot = with_team(opened.catalogue.robots[agent.robot], opened.mission.team.works)
         compiled = opened.team.kinds.get(agent.robot) if opened.team is not None else None

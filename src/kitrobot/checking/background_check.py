@@ -46,7 +46,7 @@ _PATIENCE_S = 5.0
 
 
 @dataclass(frozen=True)
-class Explored:
+class ExplorationProgress:
     """How far a check is.
 
     Attributes:
@@ -65,7 +65,7 @@ class Explored:
 
 
 @dataclass(frozen=True)
-class Answered:
+class PropertyAnswer:
     """What came of one property under one assumption.
 
     Attributes:
@@ -106,7 +106,7 @@ class CheckedColumn:
     depth: int
     cut: CutReason | None
     seconds: float
-    properties: tuple[Answered, ...]
+    properties: tuple[PropertyAnswer, ...]
 
 
 @dataclass(frozen=True)
@@ -123,7 +123,7 @@ class _Refusal:
     help: Any
 
 
-ReportProgress = Callable[[Explored | CheckedColumn], None]
+ReportProgress = Callable[[ExplorationProgress | CheckedColumn], None]
 
 
 def verify_apart(prepared: PreparedRun, options: VerificationOptions, report: ReportProgress) -> CheckEnd | None:
@@ -216,7 +216,7 @@ def _whole_check(parts: tuple[Any, ...], seed: int, options: VerificationOptions
             began = now
         if now >= last + _EACH_S:
             last = now
-            send(Explored(timing, failures, states, depth, now - began, memory_taken()))
+            send(ExplorationProgress(timing, failures, states, depth, now - began, memory_taken()))
 
     try:
         made = verify_runs(runs_of(parts), seed, options, progress, lambda column: send(_plain(column)))
@@ -242,15 +242,15 @@ def _plain(column: Column) -> CheckedColumn:
     )
 
 
-def _answered(finding: Finding) -> Answered:
+def _answered(finding: Finding) -> PropertyAnswer:
     verdict, run, story = finding.verdict, finding.verdict.counterexample, finding.story
     one = verdict.property
     if run is None:
-        return Answered(one.name, one.sentence, verdict.answer)
+        return PropertyAnswer(one.name, one.sentence, verdict.answer)
     left_out = max(0, len(story) - MOST_EVENTS)
     if left_out:
         story = (*story[: MOST_EVENTS // 2], *story[left_out + MOST_EVENTS // 2 :])
-    return Answered(
+    return PropertyAnswer(
         one.name,
         one.sentence,
         verdict.answer,

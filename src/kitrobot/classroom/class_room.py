@@ -1,6 +1,6 @@
 """A running class: its folder, its pupils, what their pages report and the status that is sent to them.
 
-Its folder holds `class.toml` (record), `log.txt`, a folder for each pupil with what was handed in, and `Handed out`.
+Its folder holds `class.toml` (record), `log.txt`, a folder for each pupil with what was handed in, and `HandOut out`.
 A value that is returned to a caller is on the disk by then. Safe to use from many threads. Left to others: letting
 pupils in (admission), the actions of the teacher (teacher_actions), HTTP, pictures, evaluation of exercises.
 """
@@ -21,7 +21,7 @@ from kitrobot.classroom.log import NAME as LOG
 from kitrobot.classroom.log import Log
 from kitrobot.classroom.names import as_file_name, free_name, key_of, new_code, same_name
 from kitrobot.classroom.pupil import Pupil, Report
-from kitrobot.classroom.pupil_status import Handed, HandIn, PupilStatus
+from kitrobot.classroom.pupil_status import HandIn, HandOut, PupilStatus
 from kitrobot.classroom.rate_limits import RateLimits
 from kitrobot.classroom.record import NAME as RECORD
 from kitrobot.classroom.record import ClassRecord, PupilRecord, read_record, unread_sentence, write_record
@@ -244,7 +244,7 @@ class ClassRoom:
                 record.word,
                 self.record.frozen or record.frozen,
                 self.record.exercise,
-                Handed(record.handed, record.handed_file),
+                HandOut(record.handed, record.handed_file),
                 (record.note, record.note_text),
                 self.looked == pupil.folder,
                 pupil.asked is not None,

@@ -10,7 +10,7 @@ Turn = Literal["pupil", "asked", "teacher"]
 
 
 @dataclass(frozen=True)
-class Handed:
+class HandOut:
     """A mission that was handed out: its number, which grows, its name, "" for none."""
 
     number: int = 0
@@ -47,7 +47,7 @@ class PupilStatus:
     word: str
     frozen: bool
     exercise: str
-    handed: Handed
+    handed: HandOut
     note: tuple[int, str]
     looked: bool
     hand: bool

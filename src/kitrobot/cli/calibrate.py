@@ -16,7 +16,7 @@ from kitrobot.text.forms import number_form
 if TYPE_CHECKING:
     from kitrobot.boards.bench import BenchStep
     from kitrobot.boards.bench_run import BenchRun
-    from kitrobot.boards.calibration import Answers, Turned
+    from kitrobot.boards.calibration import Answers, WheelTurn
     from kitrobot.primitives.kit import Kit
 
 _LONGEST_S = 30.0
@@ -92,7 +92,7 @@ def _answers(run: BenchRun, steps: dict[str, BenchStep], times: int) -> Answers:
     from kitrobot.boards.calibration import Answers
 
     dialogue = Dialogue(run.keep_alive)
-    wheels: dict[str, Turned] = {}
+    wheels: dict[str, WheelTurn] = {}
     numbers: dict[str, list[float]] = {"distance": [], "turn": []}
     for measure, step in steps.items():
         for _ in range(times if measure in numbers else 1):
@@ -109,15 +109,15 @@ def _answers(run: BenchRun, steps: dict[str, BenchStep], times: int) -> Answers:
     return Answers(wheels, numbers["distance"], numbers["turn"])
 
 
-def _which_wheel(dialogue: Dialogue, step: BenchStep) -> Turned | None:
-    from kitrobot.boards.calibration import Turned
+def _which_wheel(dialogue: Dialogue, step: BenchStep) -> WheelTurn | None:
+    from kitrobot.boards.calibration import WheelTurn
 
     while True:
         words = dialogue.ask(f"{step.seen.get('', '')}: ").lower().split()
         if not words:
             return None
         if len(words) == 2 and words[0] in _SIDES and words[1] in _WAYS:
-            return Turned(_SIDES[words[0]], _WAYS[words[1]])
+            return WheelTurn(_SIDES[words[0]], _WAYS[words[1]])
         print_message(
             "say for example: left forward; an empty line leaves it out, and `kitrobot bench` says what to look for"
         )

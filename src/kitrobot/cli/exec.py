@@ -13,7 +13,7 @@ from kitrobot.cli.output import print_data, print_diagnostics
 from kitrobot.text.sentences import Sentence
 
 if TYPE_CHECKING:
-    from kitrobot.workspace.execution import Executed
+    from kitrobot.workspace.execution import ExecutionTick
 
 _AT_ONCE = 500
 """Lines written together."""
@@ -71,11 +71,11 @@ def execute_program(
     print_data("".join(held))
 
 
-def _json_line(tick: Executed) -> str:
+def _json_line(tick: ExecutionTick) -> str:
     return json.dumps(tick.to_json(), ensure_ascii=False, separators=(",", ":")) + "\n"
 
 
-def _table(made: Iterable[Executed], ticks: int, names: list[str]) -> Iterable[str]:
+def _table(made: Iterable[ExecutionTick], ticks: int, names: list[str]) -> Iterable[str]:
     """Columns: tick, variables, fault, commands; the last is as long as it needs to be."""
     first = max(len("tick"), len(str(max(ticks - 1, 0))))
     widths = [max(len(name), 4) for name in names]

@@ -25,7 +25,7 @@ from kitrobot.text.collection import collection_paused
 
 
 @dataclass(frozen=True)
-class Compiled:
+class CompiledProgram:
     """What became of a program: its LLL (tree and text), its image (None when there are errors), its debug map."""
 
     program: Seq
@@ -63,7 +63,7 @@ def compile_lll(
     source: Source | None = None,
     name: str = "",
     checked: CheckResult | None = None,
-) -> Compiled:
+) -> CompiledProgram:
     """Checks a tree for a target and lowers it. Without a `source` the tree is printed first, to have a text.
 
     `name` is the program's name in its mission, set on the diagnostics; `checked`: of an equal
@@ -76,20 +76,20 @@ def compile_lll(
     else:
         diagnostics = check(program, target, source, name)
     if any(item.is_error for item in diagnostics):
-        return Compiled(program, source, None, DebugMap(), diagnostics)
+        return CompiledProgram(program, source, None, DebugMap(), diagnostics)
     image, debug, too_large = lower(program, target, name)
     diagnostics += [replace(item, place=source.place(0, 0), program=name) for item in too_large]
-    return Compiled(program, source, image, debug, diagnostics)
+    return CompiledProgram(program, source, image, debug, diagnostics)
 
 
-def compile_text(text: str, target: Target, name: str = "program.lll") -> Compiled:
+def compile_text(text: str, target: Target, name: str = "program.lll") -> CompiledProgram:
     """Reads an LLL text and compiles it; `name` is the file name that diagnostics show."""
     parsed = parse(text, name)
     if parsed.ok:
         compiled = compile_lll(parsed.program, target, parsed.source)
     else:
         found = check(parsed.program, target, parsed.source)
-        compiled = Compiled(parsed.program, parsed.source, None, DebugMap(), found)
+        compiled = CompiledProgram(parsed.program, parsed.source, None, DebugMap(), found)
     return replace(compiled, diagnostics=in_reading_order(parsed.diagnostics + compiled.diagnostics))
 
 
@@ -98,7 +98,7 @@ def compile_program(
     catalogue: Catalogue,
     translation: Translation | None = None,
     checked: CheckResult | None = None,
-) -> Compiled:
+) -> CompiledProgram:
     """Translates a graph to LLL and compiles it for its target. Vertices are named in the diagnostics and debug map.
 
     `translation`: the graph's, where it was made already; `checked`: of a tree equal to its own.
@@ -109,14 +109,14 @@ def compile_program(
         return _compile_program(program, catalogue, translation, checked)
 
 
-def not_compiled(program: Program, why: Diagnostic) -> Compiled:
+def not_compiled(program: Program, why: Diagnostic) -> CompiledProgram:
     """What stands for a program that is not even translated."""
-    return Compiled(Seq(), Source(f"{program.name}.lll", ""), None, DebugMap(), [why])
+    return CompiledProgram(Seq(), Source(f"{program.name}.lll", ""), None, DebugMap(), [why])
 
 
 def _compile_program(
     program: Program, catalogue: Catalogue, translation: Translation | None, checked: CheckResult | None
-) -> Compiled:
+) -> CompiledProgram:
     target = target_of(program, catalogue)
     if translation is None:
         translation = graph_to_lll(program, catalogue)
@@ -124,9 +124,9 @@ def _compile_program(
     if not translation.ok or target.level.is_team:  # what a team's program becomes is each robot's own
         found = check_program(translation.program, target, catalogue.crew, source, program.name)
         diagnostics = translation.diagnostics + _news(found, translation.diagnostics)
-        return Compiled(translation.program, source, None, DebugMap(), diagnostics)
+        return CompiledProgram(translation.program, source, None, DebugMap(), diagnostics)
     compiled = compile_lll(translation.program, target, source, program.name, checked)
-    return Compiled(
+    return CompiledProgram(
         compiled.program, source, compiled.image, compiled.debug, translation.diagnostics + compiled.diagnostics
     )
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
 
-from kitrobot.compiler.compilation import Compiled, compile_lll
+from kitrobot.compiler.compilation import CompiledProgram, compile_lll
 from kitrobot.compiler.projection import project
 from kitrobot.compiler.team_effects import MovesBoxes, report_effects_done_twice
 from kitrobot.compiler.team_moves import report_emptied
@@ -24,14 +24,14 @@ from kitrobot.text.sentences import Help, Sentence
 class CompiledTeam:
     """What became of a team's program: of each kind of robot its program, the points, and what is wrong with it."""
 
-    kinds: Mapping[str, Compiled]
+    kinds: Mapping[str, CompiledProgram]
     plan: TeamPlan
     diagnostics: list[Diagnostic] = field(default_factory=list)
 
 
 def compile_team(
     name: str,
-    programs: Mapping[str, Compiled],
+    programs: Mapping[str, CompiledProgram],
     catalogue: Catalogue,
     kinds: Iterable[str],
     moves_boxes: MovesBoxes = lambda part: False,
@@ -55,7 +55,7 @@ def compile_team(
 
     projection = project(whole.program, catalogue.crew, others, whole.source, name, shared)
     found = list(projection.diagnostics)
-    made: dict[str, Compiled] = {}
+    made: dict[str, CompiledProgram] = {}
     if not any(item.is_error for item in found):
         for kind in kinds:
             seq = projection.programs.get(kind, Seq([]))

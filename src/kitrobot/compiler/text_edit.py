@@ -31,7 +31,7 @@ from kitrobot.text.positions import TextPositions
 
 
 @dataclass(frozen=True)
-class Followed:
+class TextEdit:
     """The graph of an edited text (None when there are mistakes in it), and what there is to say about the text.
 
     `tree` and `source` are the text's.
@@ -56,7 +56,7 @@ class Followed:
         return [] if self.program is None else vertex_places(self.tree, self.source)
 
 
-def follow_text(before: Translation, text: str, catalogue: Catalogue) -> Followed:
+def follow_text(before: Translation, text: str, catalogue: Catalogue) -> TextEdit:
     """Draws a text anew beside the graph it came from.
 
     Args:
@@ -78,10 +78,10 @@ def follow_text(before: Translation, text: str, catalogue: Catalogue) -> Followe
     if redrawn is not None and not _news(found, before, catalogue.crew):
         drawn, made = redrawn
         checked = CheckResult(text.rstrip("\n"), found) if made.program == parsed.seq else None
-        return Followed(drawn, parsed.seq, parsed.source, diagnostics, made, checked, parsed.team)
+        return TextEdit(drawn, parsed.seq, parsed.source, diagnostics, made, checked, parsed.team)
     around = _Around(parsed.seq, parsed.source, Old.beside(Before(before), parsed.seq))
     mistakes = [around.at_vertex(item) for item in diagnostics]
-    return Followed(None, parsed.seq, parsed.source, mistakes, team=parsed.team)
+    return TextEdit(None, parsed.seq, parsed.source, mistakes, team=parsed.team)
 
 
 def _news(found: list[Diagnostic], before: Translation, crew: Crew) -> bool:

@@ -47,7 +47,7 @@ class OrphanedJournal:
 
 
 @dataclass(frozen=True)
-class Claimed:
+class ClaimedJournal:
     """The journal that a tab writes from now on, and what is in it: nothing when `records` is empty."""
 
     journal: str
@@ -107,7 +107,7 @@ class Journals:
         with self._lock:
             return [one for file in self._files() if (one := _orphan(file)) is not None]
 
-    def claim(self, tab: str, path: str, journal: str = "") -> Claimed:
+    def claim(self, tab: str, path: str, journal: str = "") -> ClaimedJournal:
         """The journal for the mission that a tab has opened: the given one if it is free, else one that was left behind
         on that mission, else a new one. A mission without a file gets a new one unless it names one.
 
@@ -118,7 +118,7 @@ class Journals:
             mine = self._tab(tab)
             if journal and journal == mine.journal:
                 mine.path = path
-                return Claimed(journal, path, "", (), False)
+                return ClaimedJournal(journal, path, "", (), False)
             _release(mine)
             mine.path, mine.stamp = path, None
             for file, found in self._free():
@@ -130,9 +130,9 @@ class Journals:
                         self._mend(file, found)
                     mine.journal, mine.lock, mine.count = file.stem, lock, len(found.records)
                     mine.path, mine.name = found.path, found.name
-                    return Claimed(file.stem, found.path, found.name, found.records, found.damaged)
+                    return ClaimedJournal(file.stem, found.path, found.name, found.records, found.damaged)
             mine.journal, mine.count = secrets.token_hex(8), 0
-            return Claimed(mine.journal, path, "", (), False)
+            return ClaimedJournal(mine.journal, path, "", (), False)
 
     def replace(self, tab: str, journal: Journal) -> int:
         """Puts a whole journal in the place of the tab's; without records there is none any more. Gives its length.

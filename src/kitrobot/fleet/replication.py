@@ -12,7 +12,7 @@ from collections.abc import Callable
 from kitrobot.fleet.body_messages import ReplicaSnapshot
 from kitrobot.fleet.replica import Effect, Replica
 from kitrobot.sim.event_text import Event
-from kitrobot.sim.tables.state import Shared
+from kitrobot.sim.tables.state import SharedVariables
 
 MOST_RECENT_SLOTS = 512
 """Slots that are stored for the world and for members that request them."""
@@ -21,7 +21,7 @@ MOST_RECENT_SLOTS = 512
 class LogReplication:
     """A replica and the slots that are known behind it. `adopted`: whether another's was taken over last."""
 
-    def __init__(self, replica: Replica, shared: Shared) -> None:
+    def __init__(self, replica: Replica, shared: SharedVariables) -> None:
         self.replica = replica
         self.adopted = False
         self._shared = shared

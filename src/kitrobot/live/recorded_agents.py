@@ -14,7 +14,7 @@ from collections import Counter
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import replace
 
-from kitrobot.compiler.compilation import Compiled
+from kitrobot.compiler.compilation import CompiledProgram
 from kitrobot.image.instructions import ACT
 from kitrobot.image.machine import Layout
 from kitrobot.lll.tree import WorkDeclaration
@@ -66,7 +66,7 @@ class RecordedAgent:
 def recorded_agents(
     header: TraceHeader,
     robots: Mapping[str, Robot],
-    programs: Mapping[str, Compiled],
+    programs: Mapping[str, CompiledProgram],
     works: Sequence[WorkDeclaration] = (),
 ) -> list[RecordedAgent]:
     """The agents of a recording whose robots are known, with their programs as they compile now."""
@@ -135,7 +135,9 @@ def _is_as_recorded(header: TraceHeader, agent: str, robot: Robot | None) -> boo
     return expected == [(kind, name) for kind, _, name in words if kind in _CELLS]
 
 
-def _givers(compiled: Compiled, robot: Robot, places: Sequence[Place], program: str) -> dict[tuple[str, str], Place]:
+def _givers(
+    compiled: CompiledProgram, robot: Robot, places: Sequence[Place], program: str
+) -> dict[tuple[str, str], Place]:
     """The commands that only one vertex of a program can give, and that vertex.
 
     Those that end a marked action are given by no instruction. Nothing is known of a program that compiles to something

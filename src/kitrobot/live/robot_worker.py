@@ -52,7 +52,7 @@ class BusyError(KitRobotError):
     """The robot was sent more requests than it can handle."""
 
 
-class _Cancelled(Exception):
+class _CancelledError(Exception):
     """The sending was broken off by the person."""
 
 
@@ -264,7 +264,7 @@ class RobotWorker:
             program = put()
             self._update_status(progress=None)
             self._greet(program)
-        except _Cancelled:
+        except _CancelledError:
             self._update_status(
                 phase="closed", progress=None, message=Sentence("the sending was broken off"), help=_KEPT
             )
@@ -300,7 +300,7 @@ class RobotWorker:
 
     def _progress(self, step: Any, done: int, total: int) -> None:
         if self._cancelled:
-            raise _Cancelled
+            raise _CancelledError
         if step in STEPS:
             self._update_status(progress=BoardProgressShape(step=step, done=done, total=total))
 

@@ -46,7 +46,7 @@ class TeamBusyError(KitRobotError):
     """The studio has a team already."""
 
 
-class _Cancelled(Exception):
+class _CancelledError(Exception):
     """The sending was broken off by the person."""
 
 
@@ -286,13 +286,13 @@ class TeamController:
     def _send_to(self, name: str, address: str, program: BoardProgram, way: BoardWay) -> None:
         def progress(step: str, done: int, total: int) -> None:
             if self._cancelled:
-                raise _Cancelled
+                raise _CancelledError
             if step in STEPS:
                 self.update_agent(name, progress=BoardProgressShape(step=step, done=done, total=total))
 
         try:
             self._host.links.deploy(address, program, progress, way == "replace", way == "fresh")
-        except _Cancelled:
+        except _CancelledError:
             kept = Sentence("the robot still has the program that it had")
             self.update_agent(
                 name, state="idle", progress=None, message=Sentence("the sending was broken off"), help=kept

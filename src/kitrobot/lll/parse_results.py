@@ -31,7 +31,7 @@ class _ParseResult(Generic[ProgramRead]):
         return not any(item.is_error for item in self.diagnostics)
 
 
-class Parsed(_ParseResult[Seq]):
+class ParseResult(_ParseResult[Seq]):
     """The program of one robot as it was read, its mistakes, and the text they point into."""
 
 
@@ -39,11 +39,11 @@ class ParsedTeam(_ParseResult[TeamProgram]):
     """The program of a team as it was read, its mistakes, and the text they point into."""
 
 
-def parse(text: str, name: str = "program.lll") -> Parsed:
+def parse(text: str, name: str = "program.lll") -> ParseResult:
     """Reads an LLL program. `name` is the file name that diagnostics show. Never raises for a mistake in the text."""
     with collection_paused():
         parser = Parser(text, name, template=False)
-        return Parsed(parser.program(), _mistakes(parser), parser.source)
+        return ParseResult(parser.program(), _mistakes(parser), parser.source)
 
 
 def parse_team(text: str, name: str = "team.lll") -> ParsedTeam:
@@ -66,7 +66,7 @@ def _mistakes(parser: Parser) -> list[Diagnostic]:
     return [rules.SYNTAX(UNFINISHED_MERGE, parser.source.place(mark, mark + 7), help=FINISH_MERGE)]
 
 
-def parse_any(text: str, name: str = "program.lll") -> Parsed | ParsedTeam:
+def parse_any(text: str, name: str = "program.lll") -> ParseResult | ParsedTeam:
     """Reads a program of one robot; one with forms of a team as a team's."""
     parsed = parse(text, name)
     if any(item.code == rules.TEAM_FORM.code for item in parsed.diagnostics):

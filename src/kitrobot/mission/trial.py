@@ -66,14 +66,14 @@ class Failure:
     kind: FailureKind = FailureKind.FAIL
 
 
-class _Watched(str):
+class _WatchedAgent(str):
     """An agent that a breakpoint watches."""
 
     __slots__ = ()
 
 
-def _watched(element: Element) -> _Watched:
-    return _Watched(element.required("name"))
+def _watched(element: Element) -> _WatchedAgent:
+    return _WatchedAgent(element.required("name"))
 
 
 def _breakpoint(element: Element) -> Breakpoint | None:
@@ -86,7 +86,7 @@ def _breakpoint(element: Element) -> Breakpoint | None:
     enabled = not element.flag("off")
     if element.faulty:
         return None
-    return Breakpoint(program, vertex, tuple(element.found(_Watched)), every, when, hits, enabled)
+    return Breakpoint(program, vertex, tuple(element.found(_WatchedAgent)), every, when, hits, enabled)
 
 
 def _failure(element: Element) -> Failure | None:

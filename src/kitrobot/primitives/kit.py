@@ -26,7 +26,7 @@ LARGEST_PIN = 127
 """The largest number of a pin."""
 
 
-class Tried(StrEnum):
+class KitEvidence(StrEnum):
     """How it is known that a kit works as its file says."""
 
     DOCUMENTS = "documents"
@@ -67,7 +67,7 @@ class Source:
 
 
 @dataclass(frozen=True)
-class Measured:
+class Measurement:
     """How parts of these devices were measured on the floor: settings of the devices of the simulator."""
 
     devices: tuple[str, ...]
@@ -121,13 +121,13 @@ class Kit:
     pins: tuple[str, ...] = ()
     micropython: str = ""
     parts: tuple[KitPart, ...] = ()
-    tried: Tried = Tried.DOCUMENTS
+    tried: KitEvidence = KitEvidence.DOCUMENTS
     tried_by: str = ""
     sources: tuple[Source, ...] = ()
     supplies: tuple[Texts, ...] = ()
     steps: tuple[Texts, ...] = ()
     modules: tuple[Module, ...] = ()
-    measured: tuple[Measured, ...] = ()
+    measured: tuple[Measurement, ...] = ()
     firmware: str = ""
     chip: str = ""
     label: Texts = field(default_factory=dict)

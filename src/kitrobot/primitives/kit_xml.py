@@ -18,10 +18,10 @@ from kitrobot.primitives.kit import (
     LARGEST_PIN,
     Kit,
     KitPart,
-    Measured,
+    Measurement,
     Module,
     Source,
-    Tried,
+    KitEvidence,
     Wire,
 )
 from kitrobot.primitives.robot import Category, Texts
@@ -90,7 +90,7 @@ class _Unknown(str):
 
 @dataclass(frozen=True)
 class _Trial:
-    tried: Tried
+    tried: KitEvidence
     by: str
 
 
@@ -133,12 +133,12 @@ def _source(element: Element) -> Source:
     return Source(element.required("href"), element.words)
 
 
-def _measured(element: Element) -> Measured:
+def _measured(element: Element) -> Measurement:
     settings = {name: value for name, value in element.attributes.items() if name not in element.tag.attributes}
     for name, value in settings.items():
         if not _NUMBER.fullmatch(value):
             element.bad_value(name, Sentence("a number such as 310 or 2.5,"))
-    return Measured(_devices(element), settings)
+    return Measurement(_devices(element), settings)
 
 
 def _wire(element: Element) -> Wire:
@@ -169,8 +169,8 @@ def _lines(element: Element, kind: str) -> tuple[Texts, ...]:
 
 
 def _trial(element: Element) -> _Trial:
-    tried, by = Tried(element.choice("how")), element.optional("by")
-    if tried is Tried.HAND and not by:
+    tried, by = KitEvidence(element.choice("how")), element.optional("by")
+    if tried is KitEvidence.HAND and not by:
         element.report(
             xml_rules.MISSING,
             Sentence('expected by="…" beside how="hand", found none'),
@@ -210,7 +210,7 @@ def _kit(element: Element) -> Kit:
                 message = Sentence("what stands for {device} is there already", " ".join(key[1:]).strip())
                 around.report(rules.BOARD, message, "device")
             seen.add(key)
-    trials = element.found(_Trial) or [_Trial(Tried.DOCUMENTS, "")]
+    trials = element.found(_Trial) or [_Trial(KitEvidence.DOCUMENTS, "")]
     return Kit(
         element.matching("name"),
         element.choice("family"),
@@ -223,7 +223,7 @@ def _kit(element: Element) -> Kit:
         _lines(element, "supply"),
         _lines(element, "step"),
         tuple(element.distinct(Module, lambda module: module.name, Sentence("module"))),
-        tuple(element.found(Measured)),
+        tuple(element.found(Measurement)),
         element.matching("firmware", ""),
         element.choice("chip", ""),
         element.texts.get("label", {}),
@@ -287,7 +287,7 @@ KIT = {
             "source": Tag(_source, {"href": needed()}, text=True, about="A document that the file is made from."),
             "tried": Tag(
                 _trial,
-                {"how": optional(one(*Tried), "documents"), "by": optional(about="Who reported it.")},
+                {"how": optional(one(*KitEvidence), "documents"), "by": optional(about="Who reported it.")},
                 about="How it is known that the kit works as the file says.",
             ),
             "measured": Tag(

@@ -74,7 +74,7 @@ def _device(element: Element, category: Category) -> RobotObject:
     for _, around in more[:-1]:
         around.report(xml_rules.DUPLICATE, Sentence("<{element}> holds a <board> already", element.name))
     settings = {name: value for name, value in element.attributes.items() if name not in element.tag.attributes}
-    simulated = element.found_at(Simulated)
+    simulated = element.found_at(SimulatedDevice)
     for _, around in simulated[1:]:
         around.report(xml_rules.DUPLICATE, Sentence("<{element}> holds a <simulate> already", element.name))
     return RobotObject(
@@ -93,16 +93,16 @@ def _device(element: Element, category: Category) -> RobotObject:
 
 
 @dataclass(frozen=True)
-class Simulated:
+class SimulatedDevice:
     """Which device of the simulator stands for a part, and its settings."""
 
     model: str
     settings: Mapping[str, str]
 
 
-def _simulated(element: Element) -> Simulated:
+def _simulated(element: Element) -> SimulatedDevice:
     settings = {name: value for name, value in element.attributes.items() if name != "as"}
-    return Simulated(element.required("as"), settings)
+    return SimulatedDevice(element.required("as"), settings)
 
 
 def _object_name(element: Element) -> str:

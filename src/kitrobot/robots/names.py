@@ -10,7 +10,7 @@ import re
 from collections.abc import Mapping
 from dataclasses import dataclass
 
-from kitrobot.compiler.compilation import Compiled
+from kitrobot.compiler.compilation import CompiledProgram
 from kitrobot.diagnostics.model import KitRobotError
 from kitrobot.image.machine import Layout
 from kitrobot.primitives.robot import Robot
@@ -98,7 +98,7 @@ class BoardNames:
         return self.places[instruction]
 
 
-def names_of(program: str, robot: Robot, compiled: Compiled) -> BoardNames:
+def names_of(program: str, robot: Robot, compiled: CompiledProgram) -> BoardNames:
     """The names of a program that was compiled without errors."""
     layout = Layout(robot)
     source = compiled.source

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from functools import cached_property
 from pathlib import Path
 
-from kitrobot.compiler.compilation import Compiled
+from kitrobot.compiler.compilation import CompiledProgram
 from kitrobot.deploy.driver_fit import refuse_misfits, refuse_what_fits_no_board
 from kitrobot.deploy.errors import PackageError
 from kitrobot.deploy.firmware import FirmwareRequirements
@@ -72,7 +72,7 @@ class BoardProgram:
 def program_of(
     name: str,
     robot: Robot,
-    compiled: Compiled,
+    compiled: CompiledProgram,
     diagnostics: tuple[Diagnostic, ...] = (),
     sources: tuple[Source, ...] = (),
     folder: Path | None = None,

@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass
 
-from kitrobot.compiler.compilation import Compiled
+from kitrobot.compiler.compilation import CompiledProgram
 from kitrobot.image.instructions import ACT
 from kitrobot.image.machine import Layout
 from kitrobot.image.model import Image
@@ -46,7 +46,7 @@ class RecordingContext:
 
 
 def recording_context_of(
-    mission: Mission, world: World, parts: tuple[TracePart, ...], robot: Robot, compiled: Compiled
+    mission: Mission, world: World, parts: tuple[TracePart, ...], robot: Robot, compiled: CompiledProgram
 ) -> RecordingContext | None:
     """What recordings of a program of that mission embed; None for one with errors."""
     if compiled.image is None:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from kitrobot.compiler.compilation import Compiled
+from kitrobot.compiler.compilation import CompiledProgram
 from kitrobot.diagnostics.model import Diagnostic, Severity, rule
 from kitrobot.lll.tree import Call
 from kitrobot.lll.walk import nodes
@@ -18,7 +18,7 @@ SHARED_ON_BOARD = rule(
 )
 
 
-def warn_of_shared_variables(name: str, robot: Robot, compiled: Compiled) -> list[Diagnostic]:
+def warn_of_shared_variables(name: str, robot: Robot, compiled: CompiledProgram) -> list[Diagnostic]:
     """A warning for each shared variable that a program uses, at the first place; `name` is the program's. None for one
     with errors: it is not sent, and its tree is not that of its text.
     """

@@ -18,7 +18,7 @@ from collections.abc import Callable, Iterable, Mapping, Sequence
 from functools import cached_property
 from typing import Literal
 
-from kitrobot.compiler.compilation import Compiled
+from kitrobot.compiler.compilation import CompiledProgram
 from kitrobot.compiler.team_points import TeamPlan
 from kitrobot.diagnostics.model import KitRobotError
 from kitrobot.image.model import Image
@@ -108,7 +108,7 @@ class Simulation:
         self,
         mission: Mission,
         world: World,
-        images: Mapping[str, Compiled],
+        images: Mapping[str, CompiledProgram],
         catalogue: Catalogue,
         seed: int = DEFAULT_SEED,
         seconds: float | None = None,

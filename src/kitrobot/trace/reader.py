@@ -28,7 +28,7 @@ MOST_EVENTS = 100_000
 """Events that are kept of a trace: those that happened last."""
 
 
-class _Packed(NamedTuple):
+class _CompressedChunk(NamedTuple):
     """A stretch of the file that zlib packed."""
 
     offset: int
@@ -43,8 +43,8 @@ class _Chunk(NamedTuple):
     first_tick: int
     last_tick: int
     records: int
-    body: _Packed
-    events: _Packed
+    body: _CompressedChunk
+    events: _CompressedChunk
 
     @property
     def ticks(self) -> Sentence:
@@ -104,7 +104,7 @@ class TraceReader:
         raw, packed, crc = layout.HEAD.unpack(head)
         if raw > layout.MOST_HEADER_BYTES or packed > layout.MOST_HEADER_BYTES:
             raise self._damaged(Sentence("its header is not what was written"))
-        text = self._unpacked(_Packed(self._file.tell(), raw, packed, crc), lambda: Sentence("its header"))
+        text = self._unpacked(_CompressedChunk(self._file.tell(), raw, packed, crc), lambda: Sentence("its header"))
         # A list of nothing is two bytes in a file and many in memory.
         if text.count(b"[") + text.count(b"{") > layout.MOST_HEADER_LISTS:
             raise self._damaged(Sentence("its header is not what was written"))
@@ -171,8 +171,8 @@ class TraceReader:
         if not whole or not sensible or max(raw, packed, events_raw, events_packed) > layout.MOST_CHUNK_BYTES:
             raise self._damaged(Sentence("byte {offset} does not begin a chunk", offset))
         at = offset + layout.CHUNK.size
-        body = _Packed(at, raw, packed, crc)
-        return _Chunk(first, final, records, body, _Packed(at + packed, events_raw, events_packed, events_crc))
+        body = _CompressedChunk(at, raw, packed, crc)
+        return _Chunk(first, final, records, body, _CompressedChunk(at + packed, events_raw, events_packed, events_crc))
 
     def _read_outcome(self, head: bytes, offset: int) -> None:
         if len(head) < layout.END.size:
@@ -192,7 +192,7 @@ class TraceReader:
         self.outcome = outcome
         self.cut = False
 
-    def _unpacked(self, packed: _Packed, what: Callable[[], Sentence]) -> bytes:
+    def _unpacked(self, packed: _CompressedChunk, what: Callable[[], Sentence]) -> bytes:
         """A packed stretch of the file, never more than it says; `what` is its name in a sentence."""
         self._file.seek(packed.offset)
         data = self._file.read(packed.packed_bytes)

@@ -11,7 +11,7 @@ from collections.abc import Callable, Sequence
 from dataclasses import fields, replace
 from typing import Any
 
-from kitrobot.primitives.kit import Kit, KitPart, Measured
+from kitrobot.primitives.kit import Kit, KitPart, Measurement
 from kitrobot.primitives.kit_xml import read_kit, write_kit
 from kitrobot.primitives.robot import Board, Texts
 from kitrobot.text.sentences import Sentence, Word
@@ -117,12 +117,12 @@ def _lines(
 
 
 def _measured(
-    base: Sequence[Measured], ours: Sequence[Measured], theirs: Sequence[Measured], choose: Choose
-) -> list[Measured]:
+    base: Sequence[Measurement], ours: Sequence[Measurement], theirs: Sequence[Measurement], choose: Choose
+) -> list[Measurement]:
     old, mine, other = ({one.devices: one.settings for one in side} for side in (base, ours, theirs))
     found = []
     for devices in merged_order(old, mine, other):
         one, two, three = (side.get(devices, {}) for side in (old, mine, other))
         if settings := merged_values(" ".join(devices), one, two, three, choose):
-            found.append(Measured(devices, settings))
+            found.append(Measurement(devices, settings))
     return found

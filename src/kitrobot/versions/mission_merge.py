@@ -27,7 +27,7 @@ from kitrobot.versions.renames import with_one_name
 
 
 @dataclass(frozen=True)
-class Merged:
+class MergeResult:
     """What became of it, and what both changed differently."""
 
     mission: Mission
@@ -39,12 +39,12 @@ class Merged:
         return tuple(one.sentence for one in self.clashes)
 
 
-def merge_missions(base: Mission, ours: Mission, theirs: Mission, taken: Collection[str] = ()) -> Merged:
+def merge_missions(base: Mission, ours: Mission, theirs: Mission, taken: Collection[str] = ()) -> MergeResult:
     """The mission with both sides' edits of `base`; `taken` are the names of conflicts in which theirs is taken."""
     if theirs in (base, ours):
-        return Merged(ours)
+        return MergeResult(ours)
     if ours == base:
-        return Merged(theirs)
+        return MergeResult(theirs)
     decisions = Decisions(taken)
     choose = decisions.choose
     base, ours, theirs = with_one_name(base, ours, theirs, decisions)
@@ -113,7 +113,7 @@ def merge_missions(base: Mission, ours: Mission, theirs: Mission, taken: Collect
         setattr(team, what, merged_by_name(old, mine, other, _declared, word, choose))
     mission = Mission(programs=programs, team=team, world_href=href, **own, **rest)
     _report_lost_breakpoints(mission, (ours, theirs), decisions)
-    return Merged(mission, tuple(decisions.found))
+    return MergeResult(mission, tuple(decisions.found))
 
 
 def _at_fresh(breakpoint: Breakpoint, fresh: Mapping[tuple[str, str], str]) -> Breakpoint:

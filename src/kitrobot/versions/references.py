@@ -29,7 +29,7 @@ Names = Mapping[str, str]
 NOTHING: Names = {}
 
 
-class Named(StrEnum):
+class NameKind(StrEnum):
     """What has a name in a mission that other parts of it use, in the order in which renames are looked for."""
 
     VARIABLE = "variable"
@@ -45,7 +45,7 @@ class Named(StrEnum):
     WORK = "work"
 
 
-def with_names(mission: Mission, kind: Named, names: Names, robot: str = "") -> Mission:
+def with_names(mission: Mission, kind: NameKind, names: Names, robot: str = "") -> Mission:
     """The mission in which what is of a kind goes by new names.
 
     Args:
@@ -58,15 +58,15 @@ def with_names(mission: Mission, kind: Named, names: Names, robot: str = "") -> 
     if not names:
         return mission
     match kind:
-        case Named.VARIABLE:
+        case NameKind.VARIABLE:
             return _variables(mission, names, robot)
-        case Named.PART:
+        case NameKind.PART:
             return _own_parts(mission, names)
-        case Named.ROAD | Named.STOREHOUSE | Named.DOCK | Named.START:
+        case NameKind.ROAD | NameKind.STOREHOUSE | NameKind.DOCK | NameKind.START:
             return _world(mission, kind, names)
-        case Named.PROGRAM:
+        case NameKind.PROGRAM:
             return _programs(mission, names)
-        case Named.WORK:
+        case NameKind.WORK:
             return _works(mission, names)
         case _:
             return _members(mission, kind, names)
@@ -184,21 +184,21 @@ def _own_parts(mission: Mission, names: Names) -> Mission:
 # -- places
 
 
-def _world(mission: Mission, kind: Named, names: Names) -> Mission:
+def _world(mission: Mission, kind: NameKind, names: Names) -> Mission:
     world, team = mission.own_world, mission.team
     if world is None:
         return mission
-    if kind is Named.START:
+    if kind is NameKind.START:
         agents = [_at_start(one, names.get(one.start_name, one.start_name)) for one in team.agents]
         world = replace(world, starts=tuple(_renamed(names, world.starts, "name")))
         return replace(mission, own_world=world, team=replace(team, agents=agents))
-    lists = {Named.ROAD: "roads", Named.DOCK: "docks", Named.STOREHOUSE: "storehouses"}
+    lists = {NameKind.ROAD: "roads", NameKind.DOCK: "docks", NameKind.STOREHOUSE: "storehouses"}
     own = {lists[kind]: tuple(_renamed(names, getattr(world, lists[kind]), "name"))}
     after: World = replace(world, **own)  # type: ignore[arg-type]
     after = replace(after, starts=tuple(_renamed(names, after.starts, kind.value)))
-    if kind is not Named.DOCK:
+    if kind is not NameKind.DOCK:
         after = replace(after, docks=tuple(_renamed(names, after.docks, kind.value)))
-    if kind is Named.STOREHOUSE:
+    if kind is NameKind.STOREHOUSE:
         team = replace(team, goals=_renamed(names, team.goals, "storehouse"))
     return replace(mission, own_world=after, team=team)
 
@@ -240,10 +240,10 @@ def _works(mission: Mission, names: Names) -> Mission:
     )
 
 
-def _members(mission: Mission, kind: Named, names: Names) -> Mission:
+def _members(mission: Mission, kind: NameKind, names: Names) -> Mission:
     """Roles, groups and agents, which sets name; a role or a group of a name is meant before an agent."""
     team = mission.team
-    if kind is Named.AGENT:
+    if kind is NameKind.AGENT:
         members = {old: new for old, new in names.items() if old not in _declared(team)}
         agents = [_at_start(replace(one, name=names.get(one.name, one.name)), one.start_name) for one in team.agents]
         changed: Team = replace(team, agents=agents)
@@ -253,7 +253,7 @@ def _members(mission: Mission, kind: Named, names: Names) -> Mission:
         failures = _renamed(names, mission.failures, "agent")
     else:
         members = dict(names)
-        rows = "roles" if kind is Named.ROLE else "groups"
+        rows = "roles" if kind is NameKind.ROLE else "groups"
         changed = replace(team, **{rows: _renamed(names, getattr(team, rows), "name")})
         breakpoints, failures = mission.breakpoints, mission.failures
     groups = [

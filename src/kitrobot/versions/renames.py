@@ -16,7 +16,7 @@ from kitrobot.mission.model import Mission
 from kitrobot.text.sentences import Sentence, Word
 from kitrobot.versions.comparison import renamed_programs
 from kitrobot.versions.conflicts import Decisions
-from kitrobot.versions.references import Named, with_names
+from kitrobot.versions.references import NameKind, with_names
 
 Sides = tuple[Mission, Mission, Mission]
 """What both began with, ours, theirs."""
@@ -33,12 +33,12 @@ class _NamedPart(NamedTuple):
 def with_one_name(base: Mission, ours: Mission, theirs: Mission, decisions: Decisions) -> Sides:
     """The three, each thing by one name in all of them, and so wherever it is named."""
     sides = base, ours, theirs
-    for kind in Named:
+    for kind in NameKind:
         sides = _of_kind(sides, kind, decisions)
     return sides
 
 
-def _of_kind(sides: Sides, kind: Named, decisions: Decisions) -> Sides:
+def _of_kind(sides: Sides, kind: NameKind, decisions: Decisions) -> Sides:
     base, ours, theirs = sides
     mine, other = _renamed(kind, base, ours), _renamed(kind, base, theirs)
     there = [{(one.owner, one.name) for one in _things(kind, side)} for side in sides]
@@ -58,7 +58,7 @@ def _of_kind(sides: Sides, kind: Named, decisions: Decisions) -> Sides:
     return found[0], found[1], found[2]
 
 
-def _one_of(kind: Named, names: tuple[str, str, str], decisions: Decisions) -> str:
+def _one_of(kind: NameKind, names: tuple[str, str, str], decisions: Decisions) -> str:
     old, mine, other = names
     if other in (old, mine):
         return mine
@@ -75,9 +75,9 @@ def _one_of(kind: Named, names: tuple[str, str, str], decisions: Decisions) -> s
     return other if takes else mine
 
 
-def _renamed(kind: Named, before: Mission, after: Mission) -> Mapping[tuple[str, str], str]:
+def _renamed(kind: NameKind, before: Mission, after: Mission) -> Mapping[tuple[str, str], str]:
     """Owner and old name → new name."""
-    if kind is Named.PROGRAM:
+    if kind is NameKind.PROGRAM:
         return {("", old): new for old, new in renamed_programs(before, after).items()}
     old, new = _things(kind, before), _things(kind, after)
     had, has = {(one.owner, one.name) for one in old}, {(one.owner, one.name) for one in new}
@@ -100,25 +100,25 @@ def _by_rest(things: Iterable[_NamedPart], known: set[tuple[str, str]]) -> Mappi
     return found
 
 
-def _things(kind: Named, mission: Mission) -> list[_NamedPart]:
+def _things(kind: NameKind, mission: Mission) -> list[_NamedPart]:
     world, team = mission.own_world, mission.team
     match kind:
-        case Named.VARIABLE:
+        case NameKind.VARIABLE:
             # Its label and its methods say what it is called.
             bare = [(one.robot, one.variable) for one in mission.variables]
             rests = [replace(one, name="", label={}, methods=()) for _, one in bare]
             return [_NamedPart(robot, one.name, repr(rest)) for (robot, one), rest in zip(bare, rests, strict=True)]
-        case Named.PART:
+        case NameKind.PART:
             return _alike(mission.constructors, lambda one: replace(one, name="", label={}, template=None, reads=()))
-        case Named.PROGRAM:
+        case NameKind.PROGRAM:
             return [_NamedPart("", one.name, "") for one in mission.programs]
-        case Named.AGENT:
+        case NameKind.AGENT:
             return _alike(team.agents, lambda one: (one.program, one.robot, one.start_name))
-        case Named.ROLE:
+        case NameKind.ROLE:
             return _alike(team.roles, lambda one: (one.robot, one.least, one.most))
-        case Named.GROUP:
+        case NameKind.GROUP:
             return _alike(team.groups, lambda one: (one.members.names, one.failure))
-        case Named.WORK:
+        case NameKind.WORK:
             return _alike(team.works, lambda one: (one.units, one.lease))
         case _:
             rows: Sequence[Any] = getattr(world, f"{kind.value}s") if world is not None else ()

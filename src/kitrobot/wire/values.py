@@ -11,7 +11,7 @@ from pydantic import AfterValidator, AliasChoices, BaseModel, ConfigDict, Field,
 from pydantic.json_schema import JsonSchemaValue
 from pydantic_core import CoreSchema
 
-from kitrobot.files.recovery import Claimed
+from kitrobot.files.recovery import ClaimedJournal
 from kitrobot.graph.model import Arc, Vertex
 from kitrobot.mission.model import Agent, Goal
 from kitrobot.mission.reader import describe_goal_stock, is_goal_stock
@@ -33,7 +33,7 @@ Most = Annotated[T, Field(validation_alias=AliasChoices("max", "maximum"))]
 """The ends of a range: the page says `min` and `max`, for `minimum` and `maximum`."""
 
 
-class Sent:
+class WireFields:
     """Says in the schema of a dataclass that all fields travel, but the `optional` ones; also of those in its lists.
 
     A default of a dataclass is for Python: the page always sends and gets the field.
@@ -60,12 +60,12 @@ def _goal(goal: Goal) -> Goal:
     return goal
 
 
-VertexValue = Annotated[Vertex, Sent("unknown")]
-ArcValue = Annotated[Arc, Sent()]
-AgentValue = Annotated[Agent, Sent("robot")]
-GoalValue = Annotated[Goal, Sent(), AfterValidator(_goal)]
-HitValue = Annotated[Hit, Sent()]
-ClaimedValue = Annotated[Claimed, Sent()]
-PointValue = Annotated[Point, Sent()]
-SectionValue = Annotated[Section, Sent()]
-StorehouseValue = Annotated[Storehouse, Sent()]
+VertexValue = Annotated[Vertex, WireFields("unknown")]
+ArcValue = Annotated[Arc, WireFields()]
+AgentValue = Annotated[Agent, WireFields("robot")]
+GoalValue = Annotated[Goal, WireFields(), AfterValidator(_goal)]
+HitValue = Annotated[Hit, WireFields()]
+ClaimedValue = Annotated[ClaimedJournal, WireFields()]
+PointValue = Annotated[Point, WireFields()]
+SectionValue = Annotated[Section, WireFields()]
+StorehouseValue = Annotated[Storehouse, WireFields()]

@@ -6,7 +6,7 @@ from typing import Annotated, Literal
 
 from pydantic import BaseModel, Field, TypeAdapter
 
-from kitrobot.checking.background_check import Answered, CheckedColumn, Explored
+from kitrobot.checking.background_check import CheckedColumn, ExplorationProgress, PropertyAnswer
 from kitrobot.checking.verification import MOST_FAILURES
 from kitrobot.verifier.model.table_builder import KINDS
 from kitrobot.verifier.report.replay import ConfirmedRun
@@ -149,9 +149,11 @@ VERIFY_REQUEST_MODELS: tuple[type[BaseModel], ...] = (VerifyStartRequest, Verify
 VERIFY_MESSAGE_MODELS: tuple[type[BaseModel], ...] = (VerifyProgressMessage, VerifyColumnMessage, VerifyEndMessage)
 
 
-def verify_message(told: Explored | CheckedColumn, tick_ms: int) -> VerifyProgressMessage | VerifyColumnMessage:
+def verify_message(
+    told: ExplorationProgress | CheckedColumn, tick_ms: int
+) -> VerifyProgressMessage | VerifyColumnMessage:
     """What a check tells, as the page gets it."""
-    if isinstance(told, Explored):
+    if isinstance(told, ExplorationProgress):
         return VerifyProgressMessage(
             timing=told.timing.value,
             failures=told.failures,
@@ -171,7 +173,7 @@ def verify_message(told: Explored | CheckedColumn, tick_ms: int) -> VerifyProgre
     )
 
 
-def _answer(one: Answered, tick_ms: int) -> CheckedPropertyShape:
+def _answer(one: PropertyAnswer, tick_ms: int) -> CheckedPropertyShape:
     run = one.confirmed
     return CheckedPropertyShape(
         name=one.name,

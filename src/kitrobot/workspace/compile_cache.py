@@ -13,7 +13,7 @@ from collections import OrderedDict
 from collections.abc import Hashable, Sequence
 from dataclasses import dataclass
 
-from kitrobot.compiler.compilation import CheckResult, Compiled, compile_program
+from kitrobot.compiler.compilation import CheckResult, CompiledProgram, compile_program
 from kitrobot.compiler.graph_to_lll import Translation, graph_to_lll
 from kitrobot.graph.model import Program
 from kitrobot.primitives.catalogue import Catalogue
@@ -39,7 +39,7 @@ class CachedProgram:
         self._checked = checked
         self._lock = threading.RLock()
         self._translation = translation
-        self._compiled: Compiled | None = None
+        self._compiled: CompiledProgram | None = None
 
     @property
     def translation(self) -> Translation:
@@ -50,7 +50,7 @@ class CachedProgram:
             return self._translation
 
     @property
-    def compiled(self) -> Compiled:
+    def compiled(self) -> CompiledProgram:
         """The program compiled. Raises KitRobotError when its robot is not at hand."""
         with self._lock:
             if self._compiled is None:
@@ -59,7 +59,7 @@ class CachedProgram:
 
 
 @dataclass(frozen=True)
-class _Extended:
+class _CatalogueExtension:
     common: Catalogue
     constructors: tuple[Constructor, ...]
     variables: tuple[OwnVariable, ...]
@@ -85,7 +85,7 @@ class CompileCache:
         self._lock = threading.Lock()
         self._programs: OrderedDict[Hashable, CachedProgram] = OrderedDict()
         self._vertices = 0
-        self._catalogues: list[_Extended] = []
+        self._catalogues: list[_CatalogueExtension] = []
 
     def catalogue(
         self,
@@ -102,7 +102,7 @@ class CompileCache:
         made = common.extended(constructors, variables, crew)
         with self._lock:
             del self._catalogues[: -MOST_CATALOGUES + 1]
-            self._catalogues.append(_Extended(common, tuple(constructors), tuple(variables), crew, made))
+            self._catalogues.append(_CatalogueExtension(common, tuple(constructors), tuple(variables), crew, made))
         return made
 
     def of(

@@ -66,7 +66,7 @@ class ConversionError(KitRobotError):
 
 
 @dataclass(frozen=True)
-class Converted:
+class ConversionResult:
     """What became of a conversion: whether the file was written, and what there is to say, with the texts it points
     into.
     """
@@ -78,7 +78,7 @@ class Converted:
 
 
 @dataclass(frozen=True)
-class _Made:
+class _ConvertedProgram:
     """The bytes of the new form, or a mission; None when there are errors."""
 
     data: bytes | None
@@ -87,7 +87,7 @@ class _Made:
     mission: Mission | None = None
 
 
-def convert(source: Path, target: Path, *, program: str | None = None, robot: str | None = None) -> Converted:
+def convert(source: Path, target: Path, *, program: str | None = None, robot: str | None = None) -> ConversionResult:
     """Turns the program in `source` into the form that the name of `target` tells, and writes it there.
 
     Args:
@@ -137,20 +137,20 @@ def convert(source: Path, target: Path, *, program: str | None = None, robot: st
     elif made.data is not None:
         write_atomic(target, made.data)
     written = made.mission is not None or made.data is not None
-    return Converted(target, written, tuple(made.diagnostics), made.sources)
+    return ConversionResult(target, written, tuple(made.diagnostics), made.sources)
 
 
-def _out_of_picture(source: Path) -> _Made:
+def _out_of_picture(source: Path) -> _ConvertedProgram:
     """The mission as it is, mistakes and all: a picture must not be the only place that has it."""
     opened = open_mission(source)
-    return _Made(None, list(opened.diagnostics), opened.sources, opened.mission)
+    return _ConvertedProgram(None, list(opened.diagnostics), opened.sources, opened.mission)
 
 
-def _from_mission(source: Path, wanted: Form, name: str | None, robot: str | None) -> _Made:
+def _from_mission(source: Path, wanted: Form, name: str | None, robot: str | None) -> _ConvertedProgram:
     opened = open_mission(source)
     found = list(opened.diagnostics)
     if any(item.is_error for item in found):
-        return _Made(None, found, opened.sources)
+        return _ConvertedProgram(None, found, opened.sources)
     program = opened.program(name)
     if program.level.is_team and robot is not None:
         return _for_kind(opened, program, robot, wanted)
@@ -167,21 +167,21 @@ def _from_mission(source: Path, wanted: Form, name: str | None, robot: str | Non
         compiled = compile_program(program, opened.catalogue)
         found += compiled.diagnostics
         data = _image_data(compiled.image, wanted)
-    return _Made(data, opened.placed(found), opened.sources)
+    return _ConvertedProgram(data, opened.placed(found), opened.sources)
 
 
-def _for_kind(opened: OpenMission, program: Program, robot: str, wanted: Form) -> _Made:
+def _for_kind(opened: OpenMission, program: Program, robot: str, wanted: Form) -> _ConvertedProgram:
     """What a team's program is for a kind of robot."""
     made = for_kind(opened, program, robot)
     found = [*opened.diagnostics, *opened.placed(made.diagnostics)]
     if made.compiled is None:
-        return _Made(None, found, opened.sources)
+        return _ConvertedProgram(None, found, opened.sources)
     if wanted is Form.TEXT:
-        return _Made(made.compiled.source.text.encode(), found, opened.sources)
-    return _Made(_image_data(made.compiled.image, wanted), found, opened.sources)
+        return _ConvertedProgram(made.compiled.source.text.encode(), found, opened.sources)
+    return _ConvertedProgram(_image_data(made.compiled.image, wanted), found, opened.sources)
 
 
-def _from_text(source: Path, target: Path, wanted: Form, name: str | None, word: str | None) -> _Made:
+def _from_text(source: Path, target: Path, wanted: Form, name: str | None, word: str | None) -> _ConvertedProgram:
     if word is None:
         raise ConversionError(
             Sentence("an LLL text does not say which robot it is for"),
@@ -191,23 +191,23 @@ def _from_text(source: Path, target: Path, wanted: Form, name: str | None, word:
     text = Source(str(source), read_text(source))
     if wanted is not Form.MISSION:
         compiled = compile_text(text.text, robot, text.name)
-        return _Made(_image_data(compiled.image, wanted), compiled.diagnostics, (text,))
+        return _ConvertedProgram(_image_data(compiled.image, wanted), compiled.diagnostics, (text,))
     parsed = parse(text.text, text.name)
     found = parsed.diagnostics + check(parsed.program, robot, text)
     if any(item.is_error for item in found):
-        return _Made(None, found, (text,))
+        return _ConvertedProgram(None, found, (text,))
     catalogue = load_catalogue([source.parent])
     program = lll_to_graph(parsed.program, robot, catalogue, name or _program_name(target))
-    return _Made(None, found + _robot_elsewhere(robot, target), (text,), mission_of(program))
+    return _ConvertedProgram(None, found + _robot_elsewhere(robot, target), (text,), mission_of(program))
 
 
-def _from_image(source: Path, form: Form) -> _Made:
+def _from_image(source: Path, form: Form) -> _ConvertedProgram:
     if form is Form.IMAGE:
-        return _Made(disassemble(read_image(source)).encode(), [])
+        return _ConvertedProgram(disassemble(read_image(source)).encode(), [])
     image = read_listing(source)
     unsafe = why_unsafe(image)
     found = [UNSAFE(unsafe.message, Place(str(source)))] if unsafe is not None else []
-    return _Made(image.to_bytes(), found)
+    return _ConvertedProgram(image.to_bytes(), found)
 
 
 def _image_data(image: Image | None, wanted: Form) -> bytes | None:

@@ -40,7 +40,7 @@ class Executable:
 
 
 @dataclass(frozen=True)
-class _Loaded:
+class _LoadedProgram:
     robot: Robot
     image: Image | None
     diagnostics: list[Diagnostic]
@@ -78,7 +78,7 @@ def load_executable(
     return Executable(loaded.robot, loaded.image, script, (*loaded.diagnostics, *found), (*loaded.sources, *sources))
 
 
-def _mission(path: Path, robot: str | None, name: str | None) -> _Loaded:
+def _mission(path: Path, robot: str | None, name: str | None) -> _LoadedProgram:
     opened = open_mission(path)
     program = opened.program(name)
     if program.level.is_team and robot is not None:
@@ -86,26 +86,26 @@ def _mission(path: Path, robot: str | None, name: str | None) -> _Loaded:
         found = [*opened.diagnostics, *opened.placed(made.diagnostics)]
         sound = made.compiled is not None and not any(item.is_error for item in opened.diagnostics)
         image = made.compiled.image if sound and made.compiled is not None else None
-        return _Loaded(made.robot, image, found, opened.sources)
+        return _LoadedProgram(made.robot, image, found, opened.sources)
     if robot is not None:
         retarget(opened, find_robot(robot, path.parent))
     runs = robot_of(program, opened.catalogue)
     compiled = compile_program(program, opened.catalogue)
     found = opened.placed([*opened.diagnostics, *compiled.diagnostics])
     image = None if any(item.is_error for item in opened.diagnostics) else compiled.image
-    return _Loaded(runs, image, found, opened.sources)
+    return _LoadedProgram(runs, image, found, opened.sources)
 
 
-def _text(path: Path, robot: Robot) -> _Loaded:
+def _text(path: Path, robot: Robot) -> _LoadedProgram:
     source = Source(str(path), read_text(path))
     compiled = compile_text(source.text, robot, source.name)
-    return _Loaded(robot, compiled.image, compiled.diagnostics, (source,))
+    return _LoadedProgram(robot, compiled.image, compiled.diagnostics, (source,))
 
 
-def _image(path: Path, robot: Robot) -> _Loaded:
+def _image(path: Path, robot: Robot) -> _LoadedProgram:
     image = read_image(path)
     Machine(image, robot)  # refuses an image for another robot, and one that cannot be run safely
-    return _Loaded(robot, image, [])
+    return _LoadedProgram(robot, image, [])
 
 
 def _inputs(path: Path | None, robot: Robot) -> tuple[Inputs | None, list[Diagnostic], tuple[Source, ...]]:

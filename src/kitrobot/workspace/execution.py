@@ -21,7 +21,7 @@ NO_INPUTS = Inputs()
 
 
 @dataclass(frozen=True)
-class Executed:
+class ExecutionTick:
     """One tick: the commands handed to the devices, in their order, and what holds after it.
 
     `variables` is in the order of the robot's file, a boolean as 0 or 1; `fault` is 1 once a value was clamped;
@@ -45,7 +45,7 @@ class Executed:
         }
 
 
-def execute(image: Image, robot: Robot, ticks: int, inputs: Inputs = NO_INPUTS) -> Iterator[Executed]:
+def execute(image: Image, robot: Robot, ticks: int, inputs: Inputs = NO_INPUTS) -> Iterator[ExecutionTick]:
     """Runs an image for exactly `ticks` ticks.
 
     Raises:
@@ -77,9 +77,9 @@ class ScriptedDevices:
         self.tick += 1
 
 
-def _ticks(machine: Machine, ticks: int, inputs: Inputs) -> Iterator[Executed]:
+def _ticks(machine: Machine, ticks: int, inputs: Inputs) -> Iterator[ExecutionTick]:
     devices = ScriptedDevices(inputs)
     for tick in range(ticks):
         machine.react(devices)
         commands = tuple((f"{one.actuator}.{one.procedure}", tuple(one.arguments)) for one in devices.applied)
-        yield Executed(tick, commands, machine.variables(), machine.fault, machine.ended)
+        yield ExecutionTick(tick, commands, machine.variables(), machine.fault, machine.ended)

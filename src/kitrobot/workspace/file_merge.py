@@ -24,7 +24,7 @@ from kitrobot.text.sentences import Sentence
 from kitrobot.versions.comparison import CompareError, kit_whole, mission_whole
 from kitrobot.versions.conflicts import Conflict
 from kitrobot.versions.kit_merge import merge_kits
-from kitrobot.versions.mission_merge import Merged, merge_missions
+from kitrobot.versions.mission_merge import MergeResult, merge_missions
 from kitrobot.workspace.mission_loader import OpenMission, read_mission_data
 from kitrobot.workspace.search_path import SearchPath
 
@@ -38,7 +38,7 @@ def merge_checked(
     theirs: Mission,
     opened: Callable[[Mission], OpenMission],
     taken: Collection[str] = (),
-) -> Merged:
+) -> MergeResult:
     """The mission with both sides' edits, and what is wrong with it that is wrong with neither side as a conflict.
 
     Args:

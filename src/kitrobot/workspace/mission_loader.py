@@ -14,7 +14,7 @@ from os import PathLike
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from kitrobot.compiler.compilation import Compiled, compile_program, not_compiled
+from kitrobot.compiler.compilation import CompiledProgram, compile_program, not_compiled
 from kitrobot.compiler.expansion_limit import left_out, oversize_in_mission
 from kitrobot.compiler.team_check import program_circles
 from kitrobot.compiler.team_compilation import CompiledTeam, compile_team
@@ -147,9 +147,9 @@ class OpenMission:
         return found
 
     @cached_property
-    def compiled(self) -> Mapping[str, Compiled]:
+    def compiled(self) -> Mapping[str, CompiledProgram]:
         """Each program compiled, by name, as far as its robot is at hand."""
-        made: dict[str, Compiled] = {}
+        made: dict[str, CompiledProgram] = {}
         for program in self.mission.programs:
             if program.name in self._oversize:
                 made[program.name] = not_compiled(program, oversize_in_mission(program))
@@ -185,7 +185,7 @@ class OpenMission:
         return compile_team(name, compiled, self.catalogue, kinds, moves_boxes)
 
     @property
-    def images(self) -> Mapping[str, Compiled]:
+    def images(self) -> Mapping[str, CompiledProgram]:
         """What agents run, by `Agent.image_name`."""
         team = self.team.kinds if self.team is not None else {}
         return {**self.compiled, **{image_name(self.mission.social, kind): one for kind, one in team.items()}}

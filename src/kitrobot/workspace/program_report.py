@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 from dataclasses import dataclass
 
-from kitrobot.compiler.compilation import Compiled
+from kitrobot.compiler.compilation import CompiledProgram
 from kitrobot.compiler.vertex_places import VertexPlace
 from kitrobot.lll.tree import Instruction
 from kitrobot.lll.walk import nodes
@@ -41,12 +41,12 @@ class ProjectionReport:
     spans: tuple[ProjectionSpan, ...]
 
 
-def projection_report(robot: str, compiled: Compiled) -> ProjectionReport:
+def projection_report(robot: str, compiled: CompiledProgram) -> ProjectionReport:
     """The report of what a team's program is for a kind of robot."""
     return ProjectionReport(robot, compiled.source.text, tuple(_projected(compiled)))
 
 
-def _projected(compiled: Compiled) -> Iterable[ProjectionSpan]:
+def _projected(compiled: CompiledProgram) -> Iterable[ProjectionSpan]:
     """The outermost stretches of each vertex, in reading order; one of several lines may have many."""
     ends: dict[tuple[str, str], int] = {}
     for node in nodes(compiled.program):
@@ -58,7 +58,7 @@ def _projected(compiled: Compiled) -> Iterable[ProjectionSpan]:
             yield ProjectionSpan(*key, node.start, node.end, compiled.source.position(node.start)[0])
 
 
-def program_report(name: str, compiled: Compiled | None) -> ProgramReport:
+def program_report(name: str, compiled: CompiledProgram | None) -> ProgramReport:
     """The report of a program; `compiled` is None when its robot is not at hand."""
     if compiled is None:
         return ProgramReport(name, "", (), 0)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from kitrobot.compiler.compilation import Compiled
+from kitrobot.compiler.compilation import CompiledProgram
 from kitrobot.diagnostics.model import Diagnostic
 from kitrobot.graph.model import Program
 from kitrobot.primitives.robot import Robot
@@ -18,7 +18,7 @@ class ForKind:
     """A team's program for one kind of robot: `compiled` is None when there are errors, which `diagnostics` tell."""
 
     robot: Robot
-    compiled: Compiled | None
+    compiled: CompiledProgram | None
     diagnostics: list[Diagnostic]
 
 

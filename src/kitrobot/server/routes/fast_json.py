@@ -12,7 +12,7 @@ from typing import Any
 
 from fastapi import Response
 
-from kitrobot.compiler.text_edit import Followed
+from kitrobot.compiler.text_edit import TextEdit
 from kitrobot.compiler.vertex_places import VertexPlace
 from kitrobot.diagnostics.model import Diagnostic
 from kitrobot.graph.model import Arc, Program, Vertex
@@ -28,7 +28,7 @@ def report_answer(report: Report) -> Response:
     return _answer(_report(report))
 
 
-def followed_answer(followed: Followed, report: Report | None, most_problems: int) -> Response:
+def followed_answer(followed: TextEdit, report: Report | None, most_problems: int) -> Response:
     """A text typed over a program as `FollowedShape`, with the report of its mission, if there is one."""
     drawn = followed.program
     printed = {one.name: one.lll for one in report.programs} if report is not None else {}

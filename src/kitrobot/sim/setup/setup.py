@@ -12,7 +12,7 @@ from collections.abc import Collection, Mapping, Sequence
 from dataclasses import replace
 from functools import reduce
 
-from kitrobot.compiler.compilation import Compiled
+from kitrobot.compiler.compilation import CompiledProgram
 from kitrobot.compiler.team_points import TeamPlan
 from kitrobot.diagnostics.model import Diagnostic, KitRobotError
 from kitrobot.image.machine import Machine
@@ -74,7 +74,7 @@ class Setup:
         self,
         mission: Mission,
         world: World,
-        images: Mapping[str, Compiled],
+        images: Mapping[str, CompiledProgram],
         catalogue: Catalogue,
         seed: int,
         fail_rate: float = 0.0,
@@ -401,7 +401,7 @@ def shared_tables_of(agents: Sequence[Agent]) -> SharedTables:
 def check_mission(
     mission: Mission,
     world: World,
-    images: Mapping[str, Compiled],
+    images: Mapping[str, CompiledProgram],
     catalogue: Catalogue,
     team: TeamPlan | None = None,
 ) -> None:

@@ -8,7 +8,7 @@ from kitrobot.diagnostics.model import Diagnostic
 from kitrobot.primitives.robot import RobotObject
 from kitrobot.sim.setup import rules
 from kitrobot.sim.step.agents import Agent
-from kitrobot.sim.tables.state import Shared
+from kitrobot.sim.tables.state import SharedVariables
 from kitrobot.sim.team.shared_variables import (
     APART_ROWS,
     COPIES_FIRST,
@@ -66,7 +66,7 @@ class SharedTables:
             rows[COPIES_FIRST][number] = at
             at += len(found)
             rows[COPIES_LAST][number] = at
-        self.tables = Shared(
+        self.tables = SharedVariables(
             ints=rows,
             apart=[[0] * len(mine) for _ in range(APART_ROWS)],
             mine_first=mine_first,

@@ -93,7 +93,7 @@ class Actuators:
 
 
 @dataclass(frozen=True, slots=True)
-class Shared:
+class SharedVariables:
     """Shared variables (see `shared_variables`)."""
 
     ints: IntRows
@@ -250,7 +250,7 @@ class State:
     machines: Machines
     sensors: Sensors
     actuators: Actuators
-    shared: Shared
+    shared: SharedVariables
     team: Team
     radio: Radio
     faults: Faults

@@ -17,7 +17,7 @@ long as it is apart: value, clock and writer.
 from __future__ import annotations
 
 from kitrobot.sim.tables.columns import ASLEEP, DOWN, FAILED, MUTED, PERIOD, WRITTEN, record_event
-from kitrobot.sim.tables.state import IntRows, Robots, Shared, State
+from kitrobot.sim.tables.state import IntRows, Robots, SharedVariables, State
 
 SHARED_VALUE, SHARED_CLOCK, SHARED_WRITER, COPIES_FIRST, COPIES_LAST, WRITING = range(6)
 SHARED_ROWS = 6
@@ -71,7 +71,7 @@ def exchange(step: int, state: State) -> None:
         record_event(state.events, state.clock, WRITTEN, i, v, values[v])
 
 
-def spread(v: int, robots: Robots, cells: IntRows, shared: Shared) -> None:
+def spread(v: int, robots: Robots, cells: IntRows, shared: SharedVariables) -> None:
     """Gives the value of variable v to all who hear."""
     ints = robots.ints
     copy_robot = shared.copy_robot
@@ -105,7 +105,7 @@ def note(i: int, tells: bool, state: State) -> bool:
     return wrote
 
 
-def leave(i: int, shared: Shared) -> None:
+def leave(i: int, shared: SharedVariables) -> None:
     """Robot i loses its radio: it knows what held until now."""
     apart = shared.apart
     for k in range(shared.mine_first[i], shared.mine_first[i + 1]):

@@ -27,7 +27,7 @@ from kitrobot.verifier.tables.key_layout import Layout, Widths
 State = tuple[int, ...]
 """The numbers of a state's components: the shared state, each agent, each road; under *prompt* the due agents."""
 
-Shared = tuple[int, ...]
+SharedState = tuple[int, ...]
 """The remaining failures, the boxes in each storehouse, the shared variables, the team's state."""
 
 
@@ -78,8 +78,8 @@ class Components:
         self.place_fields()
         self._insides: list[list[Inside]] = [[] for _ in self.parts]
         self._inside_numbers: list[dict[Inside, int]] = [{} for _ in self.parts]
-        self._shareds: list[Shared] = []
-        self._shared_numbers: dict[Shared, int] = {}
+        self._shareds: list[SharedState] = []
+        self._shared_numbers: dict[SharedState, int] = {}
         self._writes: list[reactions.Change] = []
         self._write_numbers: dict[reactions.Change, int] = {}
         self._first_watched = 3 + 2 * self.houses
@@ -113,7 +113,7 @@ class Components:
         """All known states of an agent except its motion, by number."""
         return self._insides[i]
 
-    def shareds(self) -> list[Shared]:
+    def shareds(self) -> list[SharedState]:
         """All known shared states, by number."""
         return self._shareds
 
@@ -122,11 +122,11 @@ class Components:
         part = self.parts[i]
         return inside.is_over or part.table.has_ended(inside.local) or (part.is_spare and self.absence is None)
 
-    def agreed(self, shared: Shared) -> TeamState:
+    def agreed(self, shared: SharedState) -> TeamState:
         """The team's state; empty without a team."""
         return shared[self._agreed_at :]
 
-    def goals_hold(self, shared: Shared) -> bool:
+    def goals_hold(self, shared: SharedState) -> bool:
         """Whether every storehouse of a goal holds what it is to hold."""
         return all(shared[1 + house] == wanted for house, wanted in self.goals)
 
@@ -167,7 +167,7 @@ class Components:
             insides[row + v.I_ACT + 2 * n] = inside.busy[act.busy] if act.busy >= 0 else 0
         return number
 
-    def shared_number(self, shared: Shared) -> int:
+    def shared_number(self, shared: SharedState) -> int:
         """The number of a shared state; assigns one if it is new."""
         if (number := self._shared_numbers.get(shared)) is not None:
             return number
@@ -183,7 +183,7 @@ class Components:
         self._shareds.append(shared)
         return number
 
-    def _seen_number(self, i: int, shared: Shared) -> int:
+    def _seen_number(self, i: int, shared: SharedState) -> int:
         """The number of agent i's view of the shared state.
 
         The view is its variables, the storehouses and answers that it senses, and whether its team ended its program.

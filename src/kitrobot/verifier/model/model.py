@@ -15,7 +15,7 @@ from collections.abc import Collection
 from kitrobot.sim.tables import columns as c
 from kitrobot.verifier.model import reactions
 from kitrobot.verifier.model.absence import ENDS
-from kitrobot.verifier.model.components import Components, Shared, State
+from kitrobot.verifier.model.components import Components, SharedState, State
 from kitrobot.verifier.model.programs import Reaction
 from kitrobot.verifier.model.team_agreement import TeamCommand, TeamState
 from kitrobot.verifier.model.timing import Timing
@@ -27,7 +27,7 @@ from kitrobot.verifier.tables.state_decoding import decode, sense_key
 from kitrobot.verifier.tables.traffic import intern_conf
 from kitrobot.verifier.transitions.interleaved_successors import due_in
 
-__all__ = ["Model", "Shared", "State"]
+__all__ = ["Model", "SharedState", "State"]
 
 
 class Model(Components):

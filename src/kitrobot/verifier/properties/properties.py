@@ -14,7 +14,7 @@ from kitrobot.sim.simulation import Simulation
 from kitrobot.sim.tables import columns as c
 from kitrobot.sim.tables.team_columns import HAS_UNIT
 from kitrobot.text.sentences import Sentence
-from kitrobot.verifier.model.model import Model, Shared
+from kitrobot.verifier.model.model import Model, SharedState
 from kitrobot.verifier.properties.run_monitors import RunMonitor, loose_action_monitor, loss_monitor, meeting_monitor
 from kitrobot.verifier.tables.bodies import FAILED, RUNS, Inside
 from kitrobot.verifier.tables.events import SWINGS, EventKind
@@ -25,7 +25,7 @@ from kitrobot.verifier.tables.motion import Move
 class SharedFact:
     """A condition on the shared state: boxes, shared variables and failures."""
 
-    test: Callable[[Shared], bool]
+    test: Callable[[SharedState], bool]
 
 
 @dataclass(frozen=True)
