@@ -53,7 +53,7 @@ from kitrobot.mission.trial import Breakpoint, Failure, FailureKind
 from kitrobot.mission.writer import SaveError, save, write_mission
 from kitrobot.primitives.constructors import Constructor
 from kitrobot.primitives.constructors_xml import read_constructors
-from kitrobot.primitives.kit import Kit, Source, KitEvidence
+from kitrobot.primitives.kit import Kit, KitEvidence, Source
 from kitrobot.primitives.kit_xml import read_kit, write_kit
 from kitrobot.primitives.own_xml import write_constructors
 from kitrobot.robots.names import BoardNames

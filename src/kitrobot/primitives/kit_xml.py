@@ -17,11 +17,11 @@ from kitrobot.primitives.kit import (
     FAMILIES_OF_BOARDS,
     LARGEST_PIN,
     Kit,
+    KitEvidence,
     KitPart,
     Measurement,
     Module,
     Source,
-    KitEvidence,
     Wire,
 )
 from kitrobot.primitives.robot import Category, Texts
