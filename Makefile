@@ -50,6 +50,7 @@ check: install ## format, lint, types, the stairs; changes nothing
 	$(BIN)/ruff check $(SOURCES)
 	$(BIN)/mypy $(SOURCES)
 	$(BIN)/lint-imports
+	$(PY) tools/names.py
 	$(PAGE) npm run check
 
 format: install ## lay out every file, mend what can be mended by rule

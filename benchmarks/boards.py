@@ -64,7 +64,7 @@ LOOP = """*[Clock.LessThan(32767)](
 
 
 @dataclass(frozen=True)
-class Measured:
+class TickMeasurement:
     """How long after one another ticks began, in µs, in their order; what the deployment told."""
 
     intervals_us: list[int]
@@ -84,7 +84,7 @@ def program(folder: Path, tick_ms: int, keep: int, text: str = LOOP) -> BoardPro
 
 def measure(
     address: str, *, tick_ms: int, ticks: int, watched_ms: int = 0, asked_s: float = 0.5, limit_s: float = 300
-) -> Measured:
+) -> TickMeasurement:
     """Runs the loop for so many ticks.
 
     Args:
@@ -117,7 +117,7 @@ def measure(
                 _hurry(until)
                 time.sleep(asked_s)  # nobody speaks to it meanwhile
         board.quit()
-    return Measured(read_log(address), deployed)
+    return TickMeasurement(read_log(address), deployed)
 
 
 def _hurry(until: float) -> None:
@@ -161,13 +161,13 @@ def allocated(address: str) -> int:
         line.close()
 
 
-def shown(measured: Measured, tick_ms: int) -> str:
+def shown(measured: TickMeasurement, tick_ms: int) -> str:
     """How far ticks were from where they should be: the middle, nineteen of twenty, the worst; in ms."""
     off = sorted(abs(interval - 1000 * tick_ms) / 1000 for interval in measured.intervals_us)
     return f"{off[len(off) // 2]:.1f} · {off[len(off) * 19 // 20]:.1f} · {off[-1]:.1f}"
 
 
-def rate(measured: Measured) -> float:
+def rate(measured: TickMeasurement) -> float:
     """Ticks a second."""
     return 1e6 * len(measured.intervals_us) / sum(measured.intervals_us)
 
@@ -180,7 +180,7 @@ def main() -> None:
     given = parser.parse_args()
     ticks = given.ticks or (500 if given.board == "modern" else 300)
 
-    def once(tick_ms: int, watched_ms: int) -> Measured:
+    def once(tick_ms: int, watched_ms: int) -> TickMeasurement:
         with _board(given.board) as board:
             asked_s = 0.5 if given.board == "modern" else 5
             return measure(board.address, tick_ms=tick_ms, ticks=ticks, watched_ms=watched_ms, asked_s=asked_s)

@@ -90,7 +90,7 @@ def boards_of(opened: OpenMission) -> Iterator[dict[str, str]]:
         }
 
 
-class Measured:
+class FleetMeasurement:
     """A run of a fleet that is looked at after each step, and stopped when what is wanted is known."""
 
     def __init__(self, what: str, count: int, seconds: float) -> None:
@@ -182,4 +182,4 @@ def memory_mb(pid: int, kind: str) -> float:
 
 
 if __name__ == "__main__":
-    print(json.dumps(Measured(sys.argv[1], int(sys.argv[2]), float(sys.argv[3])).run()))
+    print(json.dumps(FleetMeasurement(sys.argv[1], int(sys.argv[2]), float(sys.argv[3])).run()))

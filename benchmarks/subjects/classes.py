@@ -62,7 +62,7 @@ TINY = Size(2, 1, 0, False)
 
 
 @dataclass
-class Found:
+class ClassMeasurement:
     """What was measured: times in ms, seconds of processor and of the clock, memory in MB."""
 
     waits: list[float] = field(default_factory=list)
@@ -76,7 +76,7 @@ class Found:
 class Class:
     """The process of the class, which can be killed and started again at the same port."""
 
-    def __init__(self, folder: Path, site: Path | None, found: Found) -> None:
+    def __init__(self, folder: Path, site: Path | None, found: ClassMeasurement) -> None:
         self.folder = folder
         self._site = site
         self._port = "0"
@@ -125,7 +125,7 @@ class Class:
 
 
 def run(size: Size, *, peers: bool) -> list[Row]:
-    found = Found()
+    found = ClassMeasurement()
     with tempfile.TemporaryDirectory() as folder:
         site = None
         if size.pages and chromium.find() is not None and fetch():
@@ -149,11 +149,11 @@ def run(size: Size, *, peers: bool) -> list[Row]:
     ]
 
 
-def _percent(found: Found) -> float:
+def _percent(found: ClassMeasurement) -> float:
     return max(100 * found.used / found.took, LEAST)
 
 
-async def _measured(size: Size, there: Class, found: Found) -> None:
+async def _measured(size: Size, there: Class, found: ClassMeasurement) -> None:
     limits = httpx.Limits(max_connections=2 * size.pupils)
     async with httpx.AsyncClient(limits=limits, timeout=60) as client, _pages(size, there) as pages:
         keys = []
@@ -182,7 +182,7 @@ async def _kill(size: Size, there: Class) -> None:
 
 
 async def _pupil(
-    client: httpx.AsyncClient, there: Class, key: str, at: int, size: Size, until: float, found: Found
+    client: httpx.AsyncClient, there: Class, key: str, at: int, size: Size, until: float, found: ClassMeasurement
 ) -> None:
     """Begins anew where the class went away; what it was told to be kept must be in the folder at the end."""
     await asyncio.sleep(HAND_IN_S * at / size.pupils if size.seconds > HAND_IN_S else 0)
@@ -209,7 +209,9 @@ async def _pupil(
             await asyncio.sleep(REPORT_S)
 
 
-async def _hand_in(client: httpx.AsyncClient, there: Class, key: str, edits: int, base: str, found: Found) -> str:
+async def _hand_in(
+    client: httpx.AsyncClient, there: Class, key: str, edits: int, base: str, found: ClassMeasurement
+) -> str:
     """The revision that is kept."""
     wanted = {"name": "square.krt" if base else "square", "base": base, "mission": _mission(edits)}
     begun = time.perf_counter()
@@ -271,7 +273,7 @@ async def _joined(browser: Browser, there: Class, name: str) -> Page:
     return page
 
 
-async def _page(page: Page, until: float, found: Found) -> None:
+async def _page(page: Page, until: float, found: ClassMeasurement) -> None:
     """Puts a part in, takes it out, and runs now and then; waits at the end until all is handed in."""
     edits = 0
     while time.perf_counter() < until:

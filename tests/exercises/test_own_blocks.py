@@ -6,7 +6,7 @@ import pytest
 
 from kitrobot.checking.exercise_evaluation import collect_program_evidence
 from kitrobot.compiler.lll_to_graph import lll_to_graph
-from kitrobot.exercise.goals import Avoids, Parts, Uses
+from kitrobot.exercise.goals import AvoidanceGoal, Parts, UseGoal
 from kitrobot.graph.model import Arc, Vertex
 from kitrobot.lll.parse_results import parse
 from kitrobot.mission.model import Mission
@@ -44,12 +44,12 @@ def seen(mission: Mission, given: tuple[Constructor, ...] = ()):
     return collect_program_evidence(with_mission(mission, "x.krt", SearchPath(FOLDER)), given)
 
 
-def uses(part: str, times: int = 1) -> Uses:
-    return Uses({}, 1, False, "", part, times)
+def uses(part: str, times: int = 1) -> UseGoal:
+    return UseGoal({}, 1, False, "", part, times)
 
 
-def avoids(part: str) -> Avoids:
-    return Avoids({}, 1, False, "", part)
+def avoids(part: str) -> AvoidanceGoal:
+    return AvoidanceGoal({}, 1, False, "", part)
 
 
 LOOP = block("Thrice", "3*(Wheel.Advance(50); WAIT(5);)")

@@ -10,7 +10,7 @@ import xmlschema
 
 import kitrobot.primitives
 from kitrobot.exercise.exercise_xml import KINDS, MOST_GOALS, MOST_SEEDS, read_exercise
-from kitrobot.exercise.goals import CheckGoal, Done, Draws, Parts
+from kitrobot.exercise.goals import CheckGoal, DoneGoal, DrawingGoal, Parts
 from kitrobot.exercise.model import Seed
 from tests.primitives.samples import EXERCISE, messages
 
@@ -34,8 +34,8 @@ def test_an_exercise_is_read_with_everything_in_it_and_fits_its_schema() -> None
     assert found.label == {"": "A square ✓"}
     assert found.seeds == (Seed(1), Seed(7, hidden=True))
     done, draws, parts, holds = found.goals
-    assert done == Done({"": "It ends", "fr": "Il finit"}, 2, False)
-    assert draws == Draws({"": "A square"}, 1, False, 4, 150.0, 30.0, "")
+    assert done == DoneGoal({"": "It ends", "fr": "Il finit"}, 2, False)
+    assert draws == DrawingGoal({"": "A square"}, 1, False, 4, 150.0, 30.0, "")
     assert parts == Parts({"": "At most 12 parts"}, 1, True, "", 12)
     assert holds == CheckGoal({"": "Never stuck"}, 1, False, "deadlock", "lockstep", 0, 100_000)
     assert found.goals_for(hidden=False) == (done, draws, holds)

@@ -10,13 +10,13 @@ from kitrobot.fleet.bundles import FULL, SMALL, bundle, unbundle
 from kitrobot.fleet.envelopes import EVERYBODY, EnvelopeError
 from kitrobot.team.codec import decode
 from kitrobot.team.commands import Seat
-from kitrobot.team.messages import EVERYONE, Behind, Echo, Heartbeat, Message, Sending
+from kitrobot.team.messages import EVERYONE, Behind, Echo, Heartbeat, Message, OutgoingMessage
 
 RUN, MEMBERS = 7, 5
 SAID = [Behind(Seat(0, 0), slot) for slot in range(4)]
 LARGE = Heartbeat(Seat(0, 0), 1, 0, 0, True, 0, (Echo(1, 2, 3),) * SMALL)
 ADDRESSEES = st.sampled_from([EVERYONE, *range(MEMBERS)])
-SENDINGS = st.lists(st.builds(Sending, ADDRESSEES, st.sampled_from([*SAID, LARGE])), max_size=12)
+SENDINGS = st.lists(st.builds(OutgoingMessage, ADDRESSEES, st.sampled_from([*SAID, LARGE])), max_size=12)
 
 
 def heard(envelopes: list[tuple[int, bytes]], me: int) -> list[Message]:
@@ -25,15 +25,17 @@ def heard(envelopes: list[tuple[int, bytes]], me: int) -> list[Message]:
 
 
 @given(SENDINGS)
-def test_each_member_hears_what_is_for_it_and_nothing_else(sendings: list[Sending]) -> None:
+def test_each_member_hears_what_is_for_it_and_nothing_else(sendings: list[OutgoingMessage]) -> None:
     envelopes = bundle(sendings, RUN)
     for me in range(MEMBERS):
         meant = [message for to, message in sendings if to in (me, EVERYONE)]
         assert sorted(map(str, heard(envelopes, me))) == sorted(map(str, meant))
 
 
-@given(st.lists(st.builds(Sending, ADDRESSEES, st.sampled_from(SAID)), max_size=12))
-def test_small_messages_come_in_the_order_of_sending_in_one_envelope_for_each_member(sendings: list[Sending]) -> None:
+@given(st.lists(st.builds(OutgoingMessage, ADDRESSEES, st.sampled_from(SAID)), max_size=12))
+def test_small_messages_come_in_the_order_of_sending_in_one_envelope_for_each_member(
+    sendings: list[OutgoingMessage],
+) -> None:
     envelopes = bundle(sendings, RUN)
     for me in range(MEMBERS):
         assert heard(envelopes, me) == [message for to, message in sendings if to in (me, EVERYONE)]
@@ -41,13 +43,15 @@ def test_small_messages_come_in_the_order_of_sending_in_one_envelope_for_each_me
 
 
 def test_what_is_large_and_for_one_goes_to_that_one_alone() -> None:
-    envelopes = dict(bundle([Sending(EVERYONE, SAID[0]), Sending(3, LARGE), Sending(2, SAID[1])], RUN))
+    envelopes = dict(
+        bundle([OutgoingMessage(EVERYONE, SAID[0]), OutgoingMessage(3, LARGE), OutgoingMessage(2, SAID[1])], RUN)
+    )
     assert set(envelopes) == {EVERYBODY, 3}
     assert len(envelopes[EVERYBODY]) < SMALL
 
 
 def test_a_body_that_is_full_is_not_made_longer() -> None:
-    sendings = [Sending(EVERYONE, SAID[n % 4]) for n in range(FULL // 10)]
+    sendings = [OutgoingMessage(EVERYONE, SAID[n % 4]) for n in range(FULL // 10)]
     envelopes = bundle(sendings, RUN)
     assert len(envelopes) > 1
     assert max(len(body) for _, body in envelopes) < FULL + SMALL
@@ -55,7 +59,7 @@ def test_a_body_that_is_full_is_not_made_longer() -> None:
 
 
 @given(SENDINGS.filter(bool), st.data())
-def test_a_body_that_is_cut_off_is_refused(sendings: list[Sending], data: st.DataObject) -> None:
+def test_a_body_that_is_cut_off_is_refused(sendings: list[OutgoingMessage], data: st.DataObject) -> None:
     _, body = data.draw(st.sampled_from(bundle(sendings, RUN)))
     ends = {0}
     while max(ends) < len(body):

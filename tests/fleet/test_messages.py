@@ -28,7 +28,7 @@ from kitrobot.fleet.charter import FleetError
 from kitrobot.fleet.envelopes import Envelope, EnvelopeError, seal, unseal
 from kitrobot.fleet.keys import VARIABLE, find_key, key_of, new_key
 from kitrobot.fleet.replica import Replica
-from kitrobot.sim.hosted import TickResult, fits
+from kitrobot.sim.host_step import TickResult, fits
 from kitrobot.team.changes import AppliedNote, NewView
 from kitrobot.team.commands import Seat
 from kitrobot.team.messages import Heartbeat

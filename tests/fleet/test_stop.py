@@ -28,7 +28,7 @@ from kitrobot.fleet.team_process import FleetCallbacks, TeamProcess
 from kitrobot.fleet.transport import MOST_OF_ONE, Channel, Network
 from kitrobot.sim.tables.team_columns import T_AT
 from kitrobot.team.commands import Seat
-from kitrobot.team.messages import EVERYONE, Heartbeat, Sending
+from kitrobot.team.messages import EVERYONE, Heartbeat, OutgoingMessage
 from kitrobot_onboard.state import STATE
 from tests.fleet.bench_boards import bench_boards
 from tests.fleet.network import LEASE
@@ -84,7 +84,7 @@ def opened() -> Iterator[Callable[[int], Heard]]:
 
 
 def heartbeat(member: int, stamp: int) -> bytes:
-    [(_, body)] = bundle([Sending(EVERYONE, Heartbeat(Seat(member, 0), stamp, 0, 0, True, 0, ()))], RUN)
+    [(_, body)] = bundle([OutgoingMessage(EVERYONE, Heartbeat(Seat(member, 0), stamp, 0, 0, True, 0, ()))], RUN)
     return body
 
 

@@ -28,7 +28,7 @@ from kitrobot.sim.simulation import Simulation
 from kitrobot.sim.tables.team_columns import T_ROLE, T_SEAT
 from kitrobot.sim.team.meetings import find_members
 from kitrobot.team.commands import Batch, Command, Note
-from kitrobot.team.messages import EVERYONE, Ballot, Heartbeat, Message, Sending
+from kitrobot.team.messages import EVERYONE, Ballot, Heartbeat, Message, OutgoingMessage
 from kitrobot.team.state import Member
 from kitrobot.team.table_transitions import apply_batch
 from kitrobot.team.tables import View, initial_tables
@@ -287,7 +287,7 @@ class ThreeAgents:
             found = self.reactions[key] = Reaction(after, letters, bench.slots > 0, broken)
         return found
 
-    def sent(self, member: int, messages: Sequence[Sending]) -> Iterator[int]:
+    def sent(self, member: int, messages: Sequence[OutgoingMessage]) -> Iterator[int]:
         for to, message in messages:
             for other in MEMBERS if to == EVERYONE else (to,):
                 if other != member:

@@ -8,7 +8,7 @@ import pytest
 
 from kitrobot.mission.breakdown import Breakdown, BreakdownRule
 from kitrobot.mission.trial import Failure, FailureKind
-from kitrobot.sim.hosted import begin_hosted_step, finish_hosted_step
+from kitrobot.sim.host_step import begin_hosted_step, finish_hosted_step
 from kitrobot.sim.simulation import Simulation
 from kitrobot.sim.sweep import Fault, Task, run_task, snapshots_at
 from tests.effort import cases

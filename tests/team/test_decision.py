@@ -13,7 +13,7 @@ import pytest
 
 from kitrobot.team.commands import Batch, Command, Note, Seat
 from kitrobot.team.decision import Decision, SynodMessage, attempt, is_quorum, receive
-from kitrobot.team.messages import EVERYONE, Ballot, Chosen, Propose, Sending
+from kitrobot.team.messages import EVERYONE, Ballot, Chosen, OutgoingMessage, Propose
 from tests.effort import cases
 
 _State = tuple[tuple[int, ...], tuple[int, ...], int]
@@ -91,7 +91,7 @@ class _Runs:
             self.voters.append(voter)
         return self.numbers[voter]
 
-    def sent(self, sender: int, sent: tuple[Sending, ...]) -> int:
+    def sent(self, sender: int, sent: tuple[OutgoingMessage, ...]) -> int:
         """The bits of messages; what was chosen is compared, not told, which could only hide a difference."""
         bits = 0
         for to, message in sent:

@@ -11,7 +11,18 @@ from dataclasses import replace
 
 from kitrobot.diagnostics.model import Diagnostic
 from kitrobot.exercise import rules
-from kitrobot.exercise.goals import Avoids, CheckGoal, Done, Draws, Goal, NoContact, Parts, Uses, Visits, Within
+from kitrobot.exercise.goals import (
+    AvoidanceGoal,
+    CheckGoal,
+    DoneGoal,
+    DrawingGoal,
+    Goal,
+    NoContactGoal,
+    Parts,
+    TimeLimitGoal,
+    UseGoal,
+    VisitGoal,
+)
 from kitrobot.exercise.model import Exercise, Seed
 from kitrobot.text.sentences import Sentence
 from kitrobot.xml.attributes import NAME, YES_NO, Attribute, decimal, needed, one, optional, whole
@@ -57,7 +68,7 @@ def read_exercise(data: bytes, name: str) -> tuple[Exercise | None, list[Diagnos
         root.report(rules.START, Sentence("expected a seed that is not hidden, found none"))
     if len(seeds) > MOST_SEEDS:
         root.report(rules.START, Sentence("expected at most {most} seeds, found {found}", MOST_SEEDS, len(seeds)))
-    for goal, element in root.found_at(Within):
+    for goal, element in root.found_at(TimeLimitGoal):
         if goal.seconds > seconds:
             words = Sentence("expected at most the {seconds} seconds of a run, found more", f"{seconds:g}")
             element.report(rules.GOAL, words, "seconds")
@@ -116,11 +127,11 @@ _AGENT = optional(NAME, about="The agent that is meant.")
 _PROGRAM = optional(NAME, about="The program that is meant; all together, when left out.")
 _PART = needed(NAME, about="A constructor, such as Parallelism, or a part's method, such as Wheel.Advance.")
 KINDS = {
-    "done": _tag(Done, "Every run ends as done: the mission's goals are reached, or all programs ended."),
-    "within": _tag(Within, "Every run is done after that time.", {"seconds": needed(decimal(0.1, LONGEST_S))}),
-    "no-contact": _tag(NoContact, "Nothing is touched.", {"agent": _AGENT}),
+    "done": _tag(DoneGoal, "Every run ends as done: the mission's goals are reached, or all programs ended."),
+    "within": _tag(TimeLimitGoal, "Every run is done after that time.", {"seconds": needed(decimal(0.1, LONGEST_S))}),
+    "no-contact": _tag(NoContactGoal, "Nothing is touched.", {"agent": _AGENT}),
     "visits": _tag(
-        Visits,
+        VisitGoal,
         "The agent comes near that place of the world, in mm.",
         {
             "x": needed(_PLACE),
@@ -131,7 +142,7 @@ KINDS = {
         },
     ),
     "draws": _tag(
-        Draws,
+        DrawingGoal,
         "The driven way is a regular figure, once around, back to where it began.",
         {
             "corners": needed(whole(3, 12)),
@@ -142,11 +153,11 @@ KINDS = {
         },
     ),
     "uses": _tag(
-        Uses,
+        UseGoal,
         "A part is used.",
         {"part": _PART, "times": optional(whole(1, 100), "1", about="How often, at least."), "program": _PROGRAM},
     ),
-    "avoids": _tag(Avoids, "A part is not used.", {"part": _PART, "program": _PROGRAM}),
+    "avoids": _tag(AvoidanceGoal, "A part is not used.", {"part": _PART, "program": _PROGRAM}),
     "parts": _tag(Parts, "There are not more parts.", {"most": needed(whole(1, 1000)), "program": _PROGRAM}),
     "holds": _tag(
         CheckGoal,

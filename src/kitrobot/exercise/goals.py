@@ -98,7 +98,7 @@ class CheckGoal(Goal):
 
 
 @dataclass(frozen=True)
-class Done(RunGoal):
+class DoneGoal(RunGoal):
     """`<done>`: the run ends as done. The mission's own goals are reached, or without any every program has ended."""
 
     def fault(self, run: RunEvidence) -> Fault | None:
@@ -106,7 +106,7 @@ class Done(RunGoal):
 
 
 @dataclass(frozen=True)
-class NoContact(RunGoal):
+class NoContactGoal(RunGoal):
     """`<no-contact>`: the agent, "" none, never touches a wall, a thing or another robot."""
 
     agent: str
@@ -119,7 +119,7 @@ class NoContact(RunGoal):
 
 
 @dataclass(frozen=True)
-class Within(RunGoal):
+class TimeLimitGoal(RunGoal):
     """`<within>`: the run is done after at most so many seconds."""
 
     seconds: float
@@ -135,7 +135,7 @@ class Within(RunGoal):
 
 
 @dataclass(frozen=True)
-class Visits(RunGoal):
+class VisitGoal(RunGoal):
     """`<visits>`: the agent, "" any, comes at most `radius` mm near the place x, y of the world, in mm.
 
     `when` is `ever`, or `end`: it is there when the run ends.
@@ -171,7 +171,7 @@ class Visits(RunGoal):
 
 
 @dataclass(frozen=True)
-class Draws(RunGoal):
+class DrawingGoal(RunGoal):
     """`<draws>`: the way of the agent, "" the first, is a regular figure (see `figures`).
 
     `by` is `way`, or `pen`: what its pen drew is the figure, in one line.
@@ -203,7 +203,7 @@ class Draws(RunGoal):
 
 
 @dataclass(frozen=True)
-class Uses(ProgramGoal):
+class UseGoal(ProgramGoal):
     """`<uses>`: a constructor or an object's method is used at least so many times."""
 
     part: str
@@ -221,7 +221,7 @@ class Uses(ProgramGoal):
 
 
 @dataclass(frozen=True)
-class Avoids(ProgramGoal):
+class AvoidanceGoal(ProgramGoal):
     """`<avoids>`: a constructor or an object's method is not used."""
 
     part: str

@@ -14,7 +14,7 @@ from dataclasses import dataclass, field
 from typing import Any, TypeVar
 
 from kitrobot.fleet.replica import Effect
-from kitrobot.sim.hosted import TickResult
+from kitrobot.sim.host_step import TickResult
 from kitrobot.team.changes import AppliedNote, NewView
 from kitrobot.team.commands import Seat
 from kitrobot.team.tables import View

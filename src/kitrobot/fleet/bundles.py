@@ -12,7 +12,7 @@ from collections.abc import Iterable
 
 from kitrobot.fleet.envelopes import EVERYBODY, EnvelopeError
 from kitrobot.team.codec import encode
-from kitrobot.team.messages import EVERYONE, Message, Sending
+from kitrobot.team.messages import EVERYONE, Message, OutgoingMessage
 from kitrobot.text.sentences import Sentence
 
 SMALL = 1024
@@ -23,7 +23,7 @@ FULL = 1 << 16
 _HEAD = struct.Struct("<HI")
 
 
-def bundle(sendings: Iterable[Sending], run: int) -> list[tuple[int, bytes]]:
+def bundle(sendings: Iterable[OutgoingMessage], run: int) -> list[tuple[int, bytes]]:
     """The addressee, a member or `EVERYBODY`, and the body of each envelope: at most `FULL` bytes and one message."""
     parts: list[tuple[list[int], Message]] = []
     for to, message in sendings:

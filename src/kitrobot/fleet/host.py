@@ -29,7 +29,7 @@ from kitrobot.team.commands import Note, Seat
 from kitrobot.team.events import Event as Input
 from kitrobot.team.events import IncomingMessage, Time, Write
 from kitrobot.team.member import step
-from kitrobot.team.messages import Message, Sending
+from kitrobot.team.messages import Message, OutgoingMessage
 from kitrobot.team.shared_store import FIRST_STAMP
 from kitrobot.team.state import Member, initial_state, may_act
 from kitrobot.text.sentences import Sentence
@@ -72,7 +72,7 @@ class AgentHost:
         self.team_devices = TeamDevices(self.replica, me)
         self.state: Member = initial_state(charter, Seat(me, life), now)
         self.replication = LogReplication(self.replica, simulation.state.shared)
-        self.sendings: list[Sending] = []
+        self.sendings: list[OutgoingMessage] = []
         self.log: list[Event | Sentence] = []
         self.replies: list[Reply] = []
         self.needs_snapshot = False

@@ -9,7 +9,7 @@ from kitrobot.fleet.body_messages import Frame
 from kitrobot.fleet.recurrence import Recurrence, Snapshot
 from kitrobot.fleet.replication import LogReplication
 from kitrobot.fleet.team_devices import NoteRequest, TeamDevices
-from kitrobot.sim.hosted import TickResult
+from kitrobot.sim.host_step import TickResult
 from kitrobot.sim.step.actuation import COMMAND
 from kitrobot.sim.tables.columns import A_CELL, ACTUATOR_INDEX, PROGRAM, S_CELL, S_ROBOT
 from kitrobot.sim.team.shared_variables import SHARED_VALUE

@@ -18,7 +18,7 @@ from kitrobot.fleet.replica import Replica
 from kitrobot.fleet.replication import LogReplication
 from kitrobot.mission.trial import FailureKind
 from kitrobot.sim.event_text import Event
-from kitrobot.sim.hosted import TickResult, begin_hosted_step, finish_hosted_step, fits, report_write
+from kitrobot.sim.host_step import TickResult, begin_hosted_step, finish_hosted_step, fits, report_write
 from kitrobot.sim.simulation import Simulation
 from kitrobot.sim.step.faults import AWAY, HELD
 from kitrobot.sim.tables.columns import (

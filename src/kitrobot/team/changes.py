@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from kitrobot.team.commands import Seat
-from kitrobot.team.messages import Sending
+from kitrobot.team.messages import OutgoingMessage
 from kitrobot.team.tables import View
 from kitrobot.text.sentences import Sentence
 
@@ -64,5 +64,5 @@ class Refusal:
 
 Change = AppliedNote | SlotDecision | LogGap | NewView | QuorumChange | VariableChange | Refusal
 
-Sendings = tuple[Sending, ...]
+OutgoingMessages = tuple[OutgoingMessage, ...]
 Changes = tuple[Change, ...]

@@ -16,7 +16,17 @@ from collections.abc import Collection, Sequence
 from typing import NamedTuple
 
 from kitrobot.team.commands import Batch, Seat
-from kitrobot.team.messages import EVERYONE, Accepted, Ballot, Chosen, Denied, Prepare, Promise, Propose, Sending
+from kitrobot.team.messages import (
+    EVERYONE,
+    Accepted,
+    Ballot,
+    Chosen,
+    Denied,
+    OutgoingMessage,
+    Prepare,
+    Promise,
+    Propose,
+)
 from kitrobot.text.sentences import Sentence
 
 FIRST = Ballot(0, 0)
@@ -71,11 +81,11 @@ class Decision(NamedTuple):
         return self.voters.index(self.seat) if self.seat in self.voters else -1
 
 
-Answer = tuple[Decision, tuple[Sending, ...], Sentence | None]
+Answer = tuple[Decision, tuple[OutgoingMessage, ...], Sentence | None]
 """The state after a step, what is sent, and why the message was refused, if it was."""
 
 
-def attempt(state: Decision, wanted: Batch) -> tuple[Decision, tuple[Sending, ...]]:
+def attempt(state: Decision, wanted: Batch) -> tuple[Decision, tuple[OutgoingMessage, ...]]:
     """Begins a ballot of its own, or repeats the request of the running one; nothing for an onlooker."""
     if state.rank < 0 or state.chosen is not None:
         return state, ()
@@ -134,7 +144,9 @@ def _vote(state: Decision, message: Prepare | Propose, rank: int) -> Answer:
     return state, _to(message.sender, Accepted(state.seat, state.slot, ballot)), None
 
 
-def _count_promise(state: Decision, rank: int, accepted: Ballot, value: Batch) -> tuple[Decision, tuple[Sending, ...]]:
+def _count_promise(
+    state: Decision, rank: int, accepted: Ballot, value: Batch
+) -> tuple[Decision, tuple[OutgoingMessage, ...]]:
     """Counts a promise; with a quorum, proposes the value of the highest vote among them, else the one wanted."""
     if state.proposal is not None or state.ballot != state.promised:
         return state, ()
@@ -146,7 +158,7 @@ def _count_promise(state: Decision, rank: int, accepted: Ballot, value: Batch) -
     return _propose(state, state.wanted if highest == NO_BALLOT else voted)
 
 
-def _propose(state: Decision, value: Batch) -> tuple[Decision, tuple[Sending, ...]]:
+def _propose(state: Decision, value: Batch) -> tuple[Decision, tuple[OutgoingMessage, ...]]:
     """Asks for votes, and votes itself."""
     state = state._replace(proposal=value, promises=(), accepted=state.ballot, value=value)
     state, sent = _count_vote(state, state.rank)
@@ -159,7 +171,7 @@ def _propose(state: Decision, value: Batch) -> tuple[Decision, tuple[Sending, ..
     )
 
 
-def _count_vote(state: Decision, rank: int) -> tuple[Decision, tuple[Sending, ...]]:
+def _count_vote(state: Decision, rank: int) -> tuple[Decision, tuple[OutgoingMessage, ...]]:
     """Counts a vote; with a quorum the value is chosen."""
     if state.proposal is None:
         return state, ()
@@ -167,21 +179,21 @@ def _count_vote(state: Decision, rank: int) -> tuple[Decision, tuple[Sending, ..
     if not is_quorum(state.votes, len(state.voters)):
         return state, ()
     return state._replace(chosen=state.proposal), (
-        Sending(EVERYONE, Chosen(state.seat, state.slot, state.proposal or ())),
+        OutgoingMessage(EVERYONE, Chosen(state.seat, state.slot, state.proposal or ())),
     )
 
 
-def open_requests(state: Decision, to: int = EVERYONE) -> tuple[Sending, ...]:
+def open_requests(state: Decision, to: int = EVERYONE) -> tuple[OutgoingMessage, ...]:
     """Returns the open request of the running ballot to the others, if one runs."""
     if state.ballot == NO_BALLOT or state.ballot != state.promised or state.chosen is not None:
         return ()
     if state.proposal is None:
-        return (Sending(to, Prepare(state.seat, state.slot, state.ballot)),)
-    return (Sending(to, Propose(state.seat, state.slot, state.ballot, state.proposal)),)
+        return (OutgoingMessage(to, Prepare(state.seat, state.slot, state.ballot)),)
+    return (OutgoingMessage(to, Propose(state.seat, state.slot, state.ballot, state.proposal)),)
 
 
-def _to(seat: Seat, message: SynodMessage) -> tuple[Sending, ...]:
-    return (Sending(seat.member, message),)
+def _to(seat: Seat, message: SynodMessage) -> tuple[OutgoingMessage, ...]:
+    return (OutgoingMessage(seat.member, message),)
 
 
 def contradiction(sender: Seat) -> Sentence:

@@ -24,11 +24,11 @@ from kitrobot.team.messages import (
     Behind,
     Chosen,
     History,
+    OutgoingMessage,
     Prepare,
     Promise,
     Propose,
     Request,
-    Sending,
     Snapshot,
 )
 from kitrobot.team.table_transitions import apply_batch
@@ -50,7 +50,7 @@ LogMessage = SynodMessage | Request | Behind | History | Snapshot
 class StepOutput:
     """What a step sends and reports, while it is made."""
 
-    messages: list[Sending] = field(default_factory=list)
+    messages: list[OutgoingMessage] = field(default_factory=list)
     changes: list[Change] = field(default_factory=list)
 
     def refuse(self, member: int, why: Sentence) -> None:
@@ -109,9 +109,9 @@ def is_firm(log: Log) -> bool:
     return apply_batch(log.tables, value)[0].view == log.tables.view
 
 
-def request(log: Log, to: int) -> Sending:
+def request(log: Log, to: int) -> OutgoingMessage:
     """Asks for the own commands to be decided."""
-    return Sending(to, Request(log.decision.seat, log.pending))
+    return OutgoingMessage(to, Request(log.decision.seat, log.pending))
 
 
 def receive(charter: Charter, log: Log, message: LogMessage, now: int, out: StepOutput) -> Log:
@@ -129,7 +129,7 @@ def receive(charter: Charter, log: Log, message: LogMessage, now: int, out: Step
         return log._replace(requested=requested)
     if isinstance(message, Behind):
         if message.slot < log.slot:
-            out.messages.append(Sending(sender.member, _history_from(log, message.slot)))
+            out.messages.append(OutgoingMessage(sender.member, _history_from(log, message.slot)))
             out.messages.extend(synod.open_requests(log.decision, sender.member))
         return log
     if isinstance(message, Snapshot):
@@ -140,7 +140,7 @@ def receive(charter: Charter, log: Log, message: LogMessage, now: int, out: Step
         return log
     if message.slot > log.slot:
         if not isinstance(message, Chosen):
-            out.messages.append(Sending(sender.member, Behind(seat, log.slot)))
+            out.messages.append(OutgoingMessage(sender.member, Behind(seat, log.slot)))
         return log
     if message.slot < log.slot:
         index = len(log.recent) - (log.slot - message.slot)
@@ -149,7 +149,7 @@ def receive(charter: Charter, log: Log, message: LogMessage, now: int, out: Step
         if isinstance(message, Chosen) and message.value != log.recent[index]:
             out.refuse(sender.member, synod.contradiction(sender))
         if isinstance(message, Prepare | Propose):
-            out.messages.append(Sending(sender.member, Chosen(seat, message.slot, log.recent[index])))
+            out.messages.append(OutgoingMessage(sender.member, Chosen(seat, message.slot, log.recent[index])))
         return log
     if isinstance(message, Propose | Chosen | Promise) and len(message.value) > MOST_COMMANDS:
         out.refuse(sender.member, Sentence("member {member} asked for what it may not ask for", sender.member))

@@ -21,7 +21,7 @@ from kitrobot.team.charter import Charter
 from kitrobot.team.commands import Body, ViewChange
 from kitrobot.team.events import Event, IncomingMessage, Leave, Time, Write
 from kitrobot.team.log import StepOutput
-from kitrobot.team.messages import EVERYONE, Behind, Compare, Heartbeat, Message, Sending, Writes
+from kitrobot.team.messages import EVERYONE, Behind, Compare, Heartbeat, Message, OutgoingMessage, Writes
 from kitrobot.team.state import Member, StepResult
 from kitrobot.text.sentences import Sentence
 
@@ -81,7 +81,7 @@ def _receive(charter: Charter, state: Member, now: int, message: Message, out: S
         state = _receive_heartbeat(state, now, message, out)
     elif isinstance(message, Compare):
         if entries := shared_store.later_entries(state.store, message.stamps):
-            out.messages.append(Sending(member, Writes(state.seat, entries)))
+            out.messages.append(OutgoingMessage(member, Writes(state.seat, entries)))
     elif isinstance(message, Writes):
         store, news, refused = shared_store.merge(state.store, message.entries)
         out.changes.extend(VariableChange(entry.variable, entry.value) for entry in news)
@@ -100,9 +100,9 @@ def _receive_heartbeat(state: Member, now: int, message: Heartbeat, out: StepOut
     member = message.sender.member
     known = membership.hear(state.membership, state.tables.view, state.seat, message, now)
     if message.slot > state.log.slot:
-        out.messages.append(Sending(member, Behind(state.seat, state.log.slot)))
+        out.messages.append(OutgoingMessage(member, Behind(state.seat, state.log.slot)))
     elif message.digest != shared_store.digest(state.store):
-        out.messages.append(Sending(member, Compare(state.seat, state.store.stamps)))
+        out.messages.append(OutgoingMessage(member, Compare(state.seat, state.store.stamps)))
     return state._replace(membership=known)
 
 
@@ -111,7 +111,7 @@ def _write(charter: Charter, state: Member, event: Write, out: StepOutput) -> Me
         out.refuse(state.seat.member, Sentence("there is no shared variable {number}", event.variable))
         return state
     store, entry = shared_store.write(state.store, state.seat, event.variable, event.value)
-    out.messages.append(Sending(EVERYONE, Writes(state.seat, (entry,))))
+    out.messages.append(OutgoingMessage(EVERYONE, Writes(state.seat, (entry,))))
     out.changes.append(VariableChange(entry.variable, entry.value))
     return state._replace(store=store)
 
@@ -149,7 +149,7 @@ def _time(charter: Charter, state: Member, now: int, out: StepOutput) -> Member:
         digest=shared_store.digest(state.store),
         echoes=(),
     )
-    out.messages.append(Sending(EVERYONE, membership.heartbeat(known, charter, now, beat)))
+    out.messages.append(OutgoingMessage(EVERYONE, membership.heartbeat(known, charter, now, beat)))
     if state.log.pending and state.seat != view.seats[0]:
         out.messages.append(logs.request(state.log, EVERYONE))
     state = state._replace(

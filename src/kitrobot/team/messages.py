@@ -188,7 +188,7 @@ Message = (
 )
 
 
-class Sending(NamedTuple):
+class OutgoingMessage(NamedTuple):
     """A message and its addressee, a member or `EVERYONE`."""
 
     to: int

@@ -6,7 +6,7 @@ from typing import NamedTuple
 
 from kitrobot.team import log as logs
 from kitrobot.team import membership, shared_store
-from kitrobot.team.changes import Changes, Sendings
+from kitrobot.team.changes import Changes, OutgoingMessages
 from kitrobot.team.charter import Charter
 from kitrobot.team.commands import Seat
 from kitrobot.team.log import Log
@@ -44,7 +44,7 @@ class StepResult(NamedTuple):
     """A state, the messages to send, and the changes to report to the host."""
 
     state: Member
-    messages: Sendings
+    messages: OutgoingMessages
     changes: Changes
 
 

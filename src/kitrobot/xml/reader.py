@@ -47,7 +47,7 @@ _DOCTYPE = b"<!DOCTYPE"
 COMMENT_END, INSTRUCTION_END = b"-->", b"?>"
 
 
-class _ReadingStopped(Exception):
+class _ReadingEndError(Exception):
     """Reading cannot go on; the diagnostic is in the reader."""
 
 
@@ -96,7 +96,7 @@ class Reader:
     def stop(self, diagnostic: Diagnostic) -> NoReturn:
         """Ends the reading with the one diagnostic that matters."""
         self._problems, self._left_out = [diagnostic], 0
-        raise _ReadingStopped
+        raise _ReadingEndError
 
     def read(self, roots: Mapping[str, Tag]) -> Element | None:
         """The file's first element, which must be one of `roots`; None when the file cannot be used at all."""
@@ -110,7 +110,7 @@ class Reader:
             events = _Events(self, roots)
             with collection_paused():
                 events.parse(self._data)
-        except _ReadingStopped:
+        except _ReadingEndError:
             return None
         return events.root
 
