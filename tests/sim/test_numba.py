@@ -369,7 +369,12 @@ def test_what_is_kept_is_only_for_these_very_sources(tmp_path: Path, monkeypatch
 
 def test_every_loop_of_the_step_is_told_to_numba() -> None:
     names = {name.removeprefix("kitrobot.sim.") for name in jit_compiler.loops()}
-    assert {"devices.range.sense", "execution.react", "physics.move_robots", "random_numbers.gauss"} <= names
+    assert {
+        "devices.range.sense",
+        "step.execution.react",
+        "physics.step.move_robots",
+        "tables.random_numbers.gauss",
+    } <= names
 
 
 def test_a_machine_where_compiling_fails_goes_on_plain(tmp_path: Path) -> None:
