@@ -19,11 +19,11 @@ from pathlib import Path
 from typing import Any
 
 from kitrobot.boards.programs import load_board_program
-from kitrobot.deploy.handshake import connect
-from kitrobot.deploy.installation import DeployResult, deploy
-from kitrobot.deploy.line import Line
-from kitrobot.deploy.receiver import Receiver
-from kitrobot.deploy.repl import RawRepl
+from kitrobot.deploy.installation.installation import DeployResult, deploy
+from kitrobot.deploy.line.handshake import connect
+from kitrobot.deploy.line.line import Line
+from kitrobot.deploy.line.receiver import Receiver
+from kitrobot.deploy.line.repl import RawRepl
 from kitrobot.robots.program import BoardProgram
 from kitrobot.robots.session import LOOK_S
 

@@ -20,8 +20,8 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
-from kitrobot.deploy.line import Line
-from kitrobot.deploy.repl import RawRepl
+from kitrobot.deploy.line.line import Line
+from kitrobot.deploy.line.repl import RawRepl
 from tests.boards.qemu import Emulated, running
 from tests.patience import PATIENCE_S
 

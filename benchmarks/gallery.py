@@ -21,10 +21,10 @@ from kitrobot.boards.programs import board_program, ready_program
 from kitrobot.compiler.compilation import compile_text
 from kitrobot.compiler.target import robot_of
 from kitrobot.deploy.errors import BoardError
-from kitrobot.deploy.handshake import connect
-from kitrobot.deploy.installation import deploy
-from kitrobot.deploy.kits import fit_to_kit
-from kitrobot.deploy.package import Package
+from kitrobot.deploy.installation.installation import deploy
+from kitrobot.deploy.kits.kits import fit_to_kit
+from kitrobot.deploy.line.handshake import connect
+from kitrobot.deploy.package.package import Package
 from kitrobot.diagnostics.model import KitRobotError
 from kitrobot.primitives.kit import Kit
 from kitrobot.primitives.robot import Robot

@@ -12,10 +12,10 @@ import ast
 from importlib.resources import files
 
 from benchmarks.subjects import interpreting
-from kitrobot.deploy.line import Line
-from kitrobot.deploy.minifier import parsed, shortened
-from kitrobot.deploy.receiver import Receiver
-from kitrobot.deploy.repl import RawRepl
+from kitrobot.deploy.line.line import Line
+from kitrobot.deploy.line.receiver import Receiver
+from kitrobot.deploy.line.repl import RawRepl
+from kitrobot.deploy.minification.minifier import parsed, shortened
 
 TICKS = 500
 BY_TICK = """

@@ -20,12 +20,12 @@ from dataclasses import asdict, dataclass
 from itertools import pairwise
 
 from benchmarks.firmware_probe import FirmwareProbe, ProbedCall, open_probe
-from kitrobot.deploy.flash import Flash
-from kitrobot.deploy.handshake import connect
-from kitrobot.deploy.installation import deploy
-from kitrobot.deploy.line import Line
-from kitrobot.deploy.receiver import Receiver
-from kitrobot.deploy.repl import RawRepl
+from kitrobot.deploy.installation.installation import deploy
+from kitrobot.deploy.line.handshake import connect
+from kitrobot.deploy.line.line import Line
+from kitrobot.deploy.line.receiver import Receiver
+from kitrobot.deploy.line.repl import RawRepl
+from kitrobot.deploy.microbit_2016.flash import Flash
 from kitrobot.primitives.kit import Kit
 from kitrobot.robots.program import BoardProgram
 from kitrobot.workspace.mission_loader import open_mission

@@ -9,7 +9,7 @@ from __future__ import annotations
 import random
 from functools import cache
 
-from kitrobot.compiler.lll_to_graph import lll_to_graph
+from kitrobot.compiler.text.lll_to_graph import lll_to_graph
 from kitrobot.graph.model import Program
 from kitrobot.lll.printer import print_program
 from kitrobot.lll.tree import (

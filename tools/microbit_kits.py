@@ -23,10 +23,10 @@ from typing import Any
 
 from kitrobot.boards.programs import board_program
 from kitrobot.boards.teams import agent_program
-from kitrobot.deploy.board import Board
 from kitrobot.deploy.errors import BoardError, FullError, NoMemoryError
-from kitrobot.deploy.handshake import connect
-from kitrobot.deploy.installation import deploy
+from kitrobot.deploy.installation.installation import deploy
+from kitrobot.deploy.line.board import Board
+from kitrobot.deploy.line.handshake import connect
 from kitrobot.diagnostics.model import KitRobotError
 from kitrobot.primitives.kit import Kit
 from kitrobot.robots.program import BoardProgram

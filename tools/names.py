@@ -18,8 +18,27 @@ ROOT = Path(__file__).resolve().parents[1]
 ROOMS = ("src", "tools", "benchmarks")
 
 NOUNS = frozenset(
-    "drawing encoding decoding finding grading inlining led listing lowering meaning meeting recording sampling seed "
-    "setting shaking string timing wiring".split()
+    {
+        "drawing",
+        "encoding",
+        "decoding",
+        "finding",
+        "grading",
+        "inlining",
+        "led",
+        "listing",
+        "lowering",
+        "meaning",
+        "meeting",
+        "recording",
+        "sampling",
+        "seed",
+        "setting",
+        "shaking",
+        "string",
+        "timing",
+        "wiring",
+    }
 )
 """What a compiler, a trace or a lamp is called."""
 
@@ -39,7 +58,24 @@ EXCEPTIONS = {
 
 _WORD = re.compile(r"[A-Z]+(?![a-z])|[A-Z]?[a-z0-9]+")
 _PARTICIPLE = re.compile(r".{2,}(?:ed|ing)$")
-_IRREGULAR = frozenset("told kept left begun sent seen made done given taken found held shown asked".split())
+_IRREGULAR = frozenset(
+    {
+        "told",
+        "kept",
+        "left",
+        "begun",
+        "sent",
+        "seen",
+        "made",
+        "done",
+        "given",
+        "taken",
+        "found",
+        "held",
+        "shown",
+        "asked",
+    }
+)
 
 
 def is_noun(name: str) -> bool:

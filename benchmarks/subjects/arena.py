@@ -20,7 +20,7 @@ from playwright.sync_api import Browser, Page
 from benchmarks import browser as web
 from benchmarks.measurement import Rate, Row
 from benchmarks.swarm import PROGRAM, ROBOT, arena, rover
-from kitrobot.compiler.lll_to_graph import lll_to_graph
+from kitrobot.compiler.text.lll_to_graph import lll_to_graph
 from kitrobot.lll.parse_results import parse
 from kitrobot.mission.model import Agent, Mission, Team
 from kitrobot.mission.writer import write_mission

@@ -11,10 +11,10 @@ from dataclasses import replace
 from os import PathLike, fspath
 from pathlib import Path
 
-from kitrobot.compiler.checker import check
 from kitrobot.compiler.compilation import CompiledProgram, compile_lll, compile_text
 from kitrobot.compiler.compilation import compile_program as compile_graph
-from kitrobot.compiler.lll_to_graph import lll_to_graph
+from kitrobot.compiler.program.checker import check
+from kitrobot.compiler.text.lll_to_graph import lll_to_graph
 from kitrobot.diagnostics.problems import ProblemsError
 from kitrobot.graph.model import Program
 from kitrobot.lll.parse_results import ParseResult

@@ -12,12 +12,12 @@ from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
-from kitrobot.deploy.boot_records import StartLine
-from kitrobot.deploy.onboard_bundle import module_names, requests_file
-from kitrobot.deploy.package import MODULE, TEAM_DRIVER, BoardPackage, Package, name_of
-from kitrobot.deploy.program_file import program_name, read_program_file
-from kitrobot.deploy.script import board_file
-from kitrobot.deploy.start_script import start_file
+from kitrobot.deploy.installation.boot_records import StartLine
+from kitrobot.deploy.package.onboard_bundle import module_names, requests_file
+from kitrobot.deploy.package.package import MODULE, TEAM_DRIVER, BoardPackage, Package, name_of
+from kitrobot.deploy.package.program_file import program_name, read_program_file
+from kitrobot.deploy.package.script import board_file
+from kitrobot.deploy.package.start_script import start_file
 from kitrobot_onboard.link import checksum
 from tests.boards.started import START, started
 

@@ -46,7 +46,7 @@ class Pico(NodeBoard):
     def on_its_clock(self) -> Iterator[None]:
         """Whatever of `kitrobot.deploy` looks at the clock, or mpremote for it, looks at that of the board."""
         theirs = SimpleNamespace(**{**vars(time), "monotonic": self.seconds})
-        names = [f"kitrobot.deploy.{found.name}" for found in pkgutil.iter_modules(kitrobot.deploy.__path__)]
+        names = [found.name for found in pkgutil.walk_packages(kitrobot.deploy.__path__, "kitrobot.deploy.")]
         modules: list[Any] = [transport_serial, *(sys.modules[name] for name in names if name in sys.modules)]
         with pytest.MonkeyPatch.context() as patch:
             for module in modules:

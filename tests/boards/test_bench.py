@@ -24,10 +24,10 @@ from kitrobot.boards.bench_loader import PartError, load_parts
 from kitrobot.boards.bench_run import BenchRun
 from kitrobot.boards.calibration import bench_robot
 from kitrobot.cli.app import main
-from kitrobot.deploy.board import Board
 from kitrobot.deploy.errors import FullError, LineError, NoMemoryError
-from kitrobot.deploy.handshake import connect
-from kitrobot.deploy.news import Fault
+from kitrobot.deploy.line.board import Board
+from kitrobot.deploy.line.handshake import connect
+from kitrobot.deploy.line.news import Fault
 from kitrobot.primitives.catalogue import SHIPPED, load_catalogue
 from kitrobot.primitives.kit_xml import read_kit
 from kitrobot.robots.program import BoardProgram

@@ -10,11 +10,11 @@ from typing import Any
 import pytest
 
 from kitrobot.deploy.errors import BoardError, LineError
-from kitrobot.deploy.handshake import connect
-from kitrobot.deploy.installation import DeployResult, deploy
-from kitrobot.deploy.line import Line
-from kitrobot.deploy.receiver import Receiver
-from kitrobot.deploy.repl import RawRepl
+from kitrobot.deploy.installation.installation import DeployResult, deploy
+from kitrobot.deploy.line.handshake import connect
+from kitrobot.deploy.line.line import Line
+from kitrobot.deploy.line.receiver import Receiver
+from kitrobot.deploy.line.repl import RawRepl
 from kitrobot.robots.program import BoardProgram
 from tests.boards.bench import ONE, OTHER, bench_program
 from tests.boards.proxy import Proxy, noise

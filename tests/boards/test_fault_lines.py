@@ -7,8 +7,8 @@ from pathlib import Path
 import pytest
 
 from kitrobot.deploy.errors import BoardError
-from kitrobot.deploy.handshake import connect
-from kitrobot.deploy.package import Package
+from kitrobot.deploy.line.handshake import connect
+from kitrobot.deploy.package.package import Package
 from tests.boards.bench import ONE, bench_program
 from tests.boards.modern import ModernBoard
 from tests.boards.test_deploy import put

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from kitrobot.deploy.board import Board
-from kitrobot.deploy.handshake import connect
+from kitrobot.deploy.line.board import Board
+from kitrobot.deploy.line.handshake import connect
 from tests.boards.alvik import HEARD, NOTHING, STANDING, TURNED, frame
 from tests.boards.modern import ModernBoard, onboard_files
 from tests.boards.test_modern_robot import deploy_by_command, pins_told

@@ -8,11 +8,11 @@ import sys
 from collections.abc import Callable
 from pathlib import Path
 
-from kitrobot.deploy.board import Board
-from kitrobot.deploy.handshake import connect
-from kitrobot.deploy.installation import deploy
-from kitrobot.deploy.line import Line
-from kitrobot.deploy.news import read_news
+from kitrobot.deploy.installation.installation import deploy
+from kitrobot.deploy.line.board import Board
+from kitrobot.deploy.line.handshake import connect
+from kitrobot.deploy.line.line import Line
+from kitrobot.deploy.line.news import read_news
 from kitrobot.image.machine import Layout
 from kitrobot_onboard.link import unwrap, wrap
 from tests.boards.bench import bench_program, bench_robot

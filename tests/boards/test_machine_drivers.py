@@ -12,7 +12,7 @@ from typing import Any
 import pytest
 
 import kitrobot_onboard
-from kitrobot.deploy.line import Line
+from kitrobot.deploy.line.line import Line
 from tests.boards.modern import ModernBoard, onboard_files
 from tests.patience import PATIENCE_S
 

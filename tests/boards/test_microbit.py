@@ -19,15 +19,15 @@ from pathlib import Path
 import pytest
 
 from kitrobot.boards.programs import load_board_program
-from kitrobot.deploy import package
 from kitrobot.deploy.errors import BoardError, FullError, LineError, SilentError
-from kitrobot.deploy.handshake import connect
-from kitrobot.deploy.installation import deploy
-from kitrobot.deploy.line import Line
-from kitrobot.deploy.minifier import parsed, shortened
-from kitrobot.deploy.onboard_bundle import loop_block
-from kitrobot.deploy.receiver import Receiver
-from kitrobot.deploy.repl import RawRepl
+from kitrobot.deploy.installation.installation import deploy
+from kitrobot.deploy.line.handshake import connect
+from kitrobot.deploy.line.line import Line
+from kitrobot.deploy.line.receiver import Receiver
+from kitrobot.deploy.line.repl import RawRepl
+from kitrobot.deploy.minification.minifier import parsed, shortened
+from kitrobot.deploy.package import package
+from kitrobot.deploy.package.onboard_bundle import loop_block
 from kitrobot.diagnostics.model import KitRobotError
 from kitrobot.image.machine import Machine
 from kitrobot.image.model import Image

@@ -5,10 +5,10 @@ from __future__ import annotations
 import pytest
 
 from kitrobot.deploy.errors import NoMemoryError
-from kitrobot.deploy.installation import deploy
-from kitrobot.deploy.line import Line
-from kitrobot.deploy.receiver import Receiver
-from kitrobot.deploy.repl import RawRepl
+from kitrobot.deploy.installation.installation import deploy
+from kitrobot.deploy.line.line import Line
+from kitrobot.deploy.line.receiver import Receiver
+from kitrobot.deploy.line.repl import RawRepl
 from kitrobot.workspace.mission_loader import open_mission
 from tests.boards.qemu import Emulated
 from tests.effort import cases

@@ -8,7 +8,7 @@ from typing import Any
 
 import pytest
 
-from kitrobot.deploy.handshake import connect
+from kitrobot.deploy.line.handshake import connect
 from tests.boards.kit_steps import results_of
 from tests.boards.modern import ModernBoard
 from tests.boards.test_microbit_v2 import board, goes_on

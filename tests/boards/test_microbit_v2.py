@@ -11,13 +11,13 @@ from time import monotonic
 
 import pytest
 
-from kitrobot.deploy.board import Board
 from kitrobot.deploy.errors import SilentError
-from kitrobot.deploy.handshake import connect
-from kitrobot.deploy.installation import deploy
-from kitrobot.deploy.line import Line
-from kitrobot.deploy.receiver import Receiver
-from kitrobot.deploy.repl import RawRepl
+from kitrobot.deploy.installation.installation import deploy
+from kitrobot.deploy.line.board import Board
+from kitrobot.deploy.line.handshake import connect
+from kitrobot.deploy.line.line import Line
+from kitrobot.deploy.line.receiver import Receiver
+from kitrobot.deploy.line.repl import RawRepl
 from kitrobot.workspace.mission_loader import open_mission
 from tests.boards.modern import ModernBoard, onboard_files
 from tests.patience import PATIENCE_S

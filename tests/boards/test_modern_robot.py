@@ -15,10 +15,10 @@ import pytest
 import kitrobot
 from kitrobot.cli.app import main
 from kitrobot.compiler.compilation import compile_text
-from kitrobot.deploy.board import Board
-from kitrobot.deploy.handshake import connect
-from kitrobot.deploy.line import Line
-from kitrobot.deploy.repl import RawRepl
+from kitrobot.deploy.line.board import Board
+from kitrobot.deploy.line.handshake import connect
+from kitrobot.deploy.line.line import Line
+from kitrobot.deploy.line.repl import RawRepl
 from kitrobot.image.machine import Layout, Machine
 from kitrobot.lll.printer import print_program
 from kitrobot.primitives.catalogue import load_catalogue

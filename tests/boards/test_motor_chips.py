@@ -8,10 +8,10 @@ from typing import Any
 
 import pytest
 
-from kitrobot.deploy.board import Board
 from kitrobot.deploy.errors import BoardError
-from kitrobot.deploy.handshake import connect
-from kitrobot.deploy.news import Fault
+from kitrobot.deploy.line.board import Board
+from kitrobot.deploy.line.handshake import connect
+from kitrobot.deploy.line.news import Fault
 from tests.boards.kit_steps import results_of
 from tests.boards.modern import ModernBoard, onboard_files
 from tests.boards.test_modern_robot import deploy_by_command, pins_told

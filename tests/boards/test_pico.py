@@ -14,9 +14,9 @@ import pytest
 import serial
 
 from kitrobot.boards.programs import load_board_program
-from kitrobot.deploy.handshake import connect
-from kitrobot.deploy.installation import deploy
-from kitrobot.deploy.news import News
+from kitrobot.deploy.installation.installation import deploy
+from kitrobot.deploy.line.handshake import connect
+from kitrobot.deploy.line.news import News
 from kitrobot.diagnostics.model import KitRobotError
 from kitrobot.primitives.catalogue import load_catalogue
 from kitrobot.robots.program import BoardProgram

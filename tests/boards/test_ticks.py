@@ -8,8 +8,8 @@ from typing import Any
 
 import pytest
 
-from kitrobot.deploy.handshake import connect
-from kitrobot.deploy.installation import deploy
+from kitrobot.deploy.installation.installation import deploy
+from kitrobot.deploy.line.handshake import connect
 from kitrobot.image.machine import Machine
 from kitrobot.image.model import Image
 from kitrobot.primitives.robot import Robot

@@ -8,11 +8,12 @@ from typing import Any
 
 import pytest
 
-from kitrobot.deploy import installation, repl
-from kitrobot.deploy.boot_records import TRIAL
 from kitrobot.deploy.errors import SilentError
-from kitrobot.deploy.handshake import connect
-from kitrobot.deploy.installation import DeployResult, deploy
+from kitrobot.deploy.installation import installation
+from kitrobot.deploy.installation.boot_records import TRIAL
+from kitrobot.deploy.installation.installation import DeployResult, deploy
+from kitrobot.deploy.line import repl
+from kitrobot.deploy.line.handshake import connect
 from kitrobot.robots.program import BoardProgram
 from tests.boards.bench import ONE, OTHER, bench_program
 from tests.boards.qemu import Emulated

@@ -22,7 +22,7 @@ from tests.patience import PATIENCE_S
 def _looked_at_all_the_time(monkeypatch: pytest.MonkeyPatch) -> None:
     """However slow this machine is."""
     monkeypatch.setattr("kitrobot.robots.session.LOOK_S", 0.0)
-    monkeypatch.setattr("kitrobot.deploy.board._FRESH_S", 1e9)
+    monkeypatch.setattr("kitrobot.deploy.line.board._FRESH_S", 1e9)
 
 
 @pytest.fixture

@@ -18,8 +18,8 @@ import pytest
 
 from kitrobot.boards.programs import load_board_program
 from kitrobot.cli import output
-from kitrobot.deploy import repl
-from kitrobot.deploy.line import Line
+from kitrobot.deploy.line import repl
+from kitrobot.deploy.line.line import Line
 from tests.boards.host import ROOT, host_board, write_pulse
 from tests.boards.watching import LONG_S
 

@@ -10,7 +10,7 @@ from __future__ import annotations
 
 from functools import cache
 
-from kitrobot.compiler.graph_to_lll import Translation, graph_to_lll
+from kitrobot.compiler.graph.graph_to_lll import Translation, graph_to_lll
 from kitrobot.graph.model import IN, NEXT, START, STOP, Arc, Note, Program, Vertex
 from kitrobot.lll.printer import print_program
 from kitrobot.primitives.catalogue import Catalogue, load_catalogue

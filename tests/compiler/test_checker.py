@@ -6,8 +6,8 @@ from functools import cache
 
 import pytest
 
-from kitrobot.compiler.checker import check
 from kitrobot.compiler.compilation import compile_text
+from kitrobot.compiler.program.checker import check
 from kitrobot.lll.parse_results import parse
 from kitrobot.primitives.catalogue import load_catalogue
 from kitrobot.primitives.robot import Robot

@@ -9,8 +9,8 @@ from xml.sax.saxutils import escape
 
 import pytest
 
-from kitrobot.compiler import expansion_limit
-from kitrobot.compiler.graph_to_lll import graph_to_lll
+from kitrobot.compiler.graph import expansion_limit
+from kitrobot.compiler.graph.graph_to_lll import graph_to_lll
 from kitrobot.graph.model import IN, NEXT, RETURN, START, STOP, Arc, Program, Vertex
 from kitrobot.image.model import MOST_INSTRUCTIONS
 from kitrobot.workspace.mission_loader import OpenMission, read_mission_data
@@ -61,7 +61,7 @@ def test_nothing_of_it_is_expanded(monkeypatch: pytest.MonkeyPatch) -> None:
     def fill(*given: object) -> None:
         raise AssertionError("a part was put in its place")
 
-    monkeypatch.setattr(sys.modules["kitrobot.compiler.graph_to_lll"], "fill", fill)
+    monkeypatch.setattr(sys.modules["kitrobot.compiler.graph.graph_to_lll"], "fill", fill)
     opened = mission_of(11)
     assert opened.report.programs[0].lll == ""
     assert opened.compiled["p0"].image is None

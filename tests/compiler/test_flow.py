@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from kitrobot.compiler.compilation import compile_text
-from kitrobot.compiler.flow import FlowAnalysis
+from kitrobot.compiler.program.flow import FlowAnalysis
 from kitrobot.image.listing import disassemble
 from kitrobot.image.verification import verify
 from kitrobot.lll.parse_results import parse

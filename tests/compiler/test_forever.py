@@ -5,9 +5,9 @@ from __future__ import annotations
 import pytest
 
 from kitrobot.compiler.compilation import compile_text
-from kitrobot.compiler.graph_to_lll import graph_to_lll
-from kitrobot.compiler.lll_to_graph import lll_to_graph
-from kitrobot.compiler.text_edit import follow_text
+from kitrobot.compiler.graph.graph_to_lll import graph_to_lll
+from kitrobot.compiler.text.lll_to_graph import lll_to_graph
+from kitrobot.compiler.text.text_edit import follow_text
 from kitrobot.lll.formatter import format_text
 from kitrobot.lll.parse_results import parse
 from kitrobot.lll.printer import print_program

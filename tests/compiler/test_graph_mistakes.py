@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from kitrobot.compiler.compilation import compile_program
-from kitrobot.compiler.graph_to_lll import graph_to_lll
+from kitrobot.compiler.graph.graph_to_lll import graph_to_lll
 from kitrobot.diagnostics.model import KitRobotError
 from kitrobot.graph.model import Arc, Program, Vertex
 from tests.compiler.graphs import graph, lines_of, shipped, told, translated

@@ -8,8 +8,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from kitrobot.compiler.graph_to_lll import graph_to_lll
-from kitrobot.compiler.lll_to_graph import lll_to_graph
+from kitrobot.compiler.graph.graph_to_lll import graph_to_lll
+from kitrobot.compiler.text.lll_to_graph import lll_to_graph
 from kitrobot.diagnostics.model import KitRobotError
 from kitrobot.graph.model import Arc, Note, Program, Vertex
 from kitrobot.lll.parse_results import parse

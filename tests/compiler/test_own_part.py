@@ -11,11 +11,11 @@ from hypothesis import example, given
 from hypothesis import strategies as st
 
 from kitrobot.compiler.compilation import compile_program
-from kitrobot.compiler.graph_to_lll import graph_to_lll
-from kitrobot.compiler.lll_to_graph import lll_to_graph
-from kitrobot.compiler.own_part import Appearance, ChosenSlot, Part, PartError, make_part, offer_part
-from kitrobot.compiler.part_offers import Offer
-from kitrobot.compiler.selection import SelectionError, chain_behind
+from kitrobot.compiler.graph.graph_to_lll import graph_to_lll
+from kitrobot.compiler.graph.own_part import Appearance, ChosenSlot, Part, PartError, make_part, offer_part
+from kitrobot.compiler.graph.part_offers import Offer
+from kitrobot.compiler.graph.selection import SelectionError, chain_behind
+from kitrobot.compiler.text.lll_to_graph import lll_to_graph
 from kitrobot.graph.model import NEXT, Note, Program
 from kitrobot.lll.parse_results import parse
 from kitrobot.lll.printer import print_program

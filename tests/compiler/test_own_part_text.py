@@ -9,9 +9,9 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from kitrobot.compiler.graph_to_lll import graph_to_lll
-from kitrobot.compiler.lll_to_graph import lll_to_graph
-from kitrobot.compiler.own_part import Appearance, ChosenSlot, PartError, make_part, offer_part
+from kitrobot.compiler.graph.graph_to_lll import graph_to_lll
+from kitrobot.compiler.graph.own_part import Appearance, ChosenSlot, PartError, make_part, offer_part
+from kitrobot.compiler.text.lll_to_graph import lll_to_graph
 from kitrobot.graph.model import Arc, Note, Program, Vertex
 from kitrobot.lll.parse_results import parse
 from kitrobot.lll.printer import print_program

@@ -8,9 +8,9 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from kitrobot.compiler.lll_to_graph import lll_to_graph
-from kitrobot.compiler.own_part import Appearance, ChosenSlot, PartError, make_part, offer_part
-from kitrobot.compiler.part_text import draw_template, read_part
+from kitrobot.compiler.graph.own_part import Appearance, ChosenSlot, PartError, make_part, offer_part
+from kitrobot.compiler.text.lll_to_graph import lll_to_graph
+from kitrobot.compiler.text.part_text import draw_template, read_part
 from kitrobot.primitives.constructors import Constructor, Role, Slot, SlotKind
 from tests.compiler.graphs import shipped
 from tests.strategies import Shape, random_program, shipped_robots

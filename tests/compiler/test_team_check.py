@@ -7,8 +7,8 @@ from collections.abc import Iterator
 
 import pytest
 
-from kitrobot.compiler.team_check import check_program, program_circles
-from kitrobot.compiler.team_names import check_declarations
+from kitrobot.compiler.program.team_check import check_program, program_circles
+from kitrobot.compiler.team.names import check_declarations
 from kitrobot.lll.parse_results import parse_team
 from kitrobot.lll.printer import print_team_program
 from kitrobot.primitives.catalogue import load_catalogue

@@ -8,14 +8,14 @@ import random
 from hypothesis import given
 from hypothesis import strategies as st
 
-from kitrobot.compiler.accepted_forms import normalise
-from kitrobot.compiler.graph_to_lll import graph_to_lll
-from kitrobot.compiler.lll_to_graph import lll_to_graph, redraw
-from kitrobot.compiler.own_part import Appearance, ChosenSlot, make_part
-from kitrobot.compiler.part_text import draw_template
-from kitrobot.compiler.preserve_ids import Before
+from kitrobot.compiler.graph.graph_to_lll import graph_to_lll
+from kitrobot.compiler.graph.own_part import Appearance, ChosenSlot, make_part
 from kitrobot.compiler.target import print_for
-from kitrobot.compiler.text_edit import follow_text
+from kitrobot.compiler.text.accepted_forms import normalise
+from kitrobot.compiler.text.lll_to_graph import lll_to_graph, redraw
+from kitrobot.compiler.text.part_text import draw_template
+from kitrobot.compiler.text.preserve_ids import Before
+from kitrobot.compiler.text.text_edit import follow_text
 from kitrobot.graph.model import Program, empty_program
 from kitrobot.lll.parse_results import parse_team
 from kitrobot.lll.printer import print_team_program

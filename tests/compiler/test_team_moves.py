@@ -7,12 +7,12 @@ import random
 import pytest
 
 from kitrobot.compiler.compilation import CompiledProgram
-from kitrobot.compiler.inlining import inlined
-from kitrobot.compiler.team_check import check_program
+from kitrobot.compiler.program.team_check import check_program
+from kitrobot.compiler.team.inlining import inlined
+from kitrobot.compiler.team.moves import report_emptied
+from kitrobot.compiler.team.names import Names, check_declarations
+from kitrobot.compiler.team.sets import TeamSets
 from kitrobot.compiler.team_compilation import compile_team
-from kitrobot.compiler.team_moves import report_emptied
-from kitrobot.compiler.team_names import Names, check_declarations
-from kitrobot.compiler.team_sets import TeamSets
 from kitrobot.diagnostics.model import Diagnostic, Rule
 from kitrobot.image.debug import DebugMap
 from kitrobot.lll.parse_results import parse_team

@@ -5,7 +5,7 @@ from __future__ import annotations
 from hypothesis import given
 from hypothesis import strategies as st
 
-from kitrobot.compiler.team_names import Names
+from kitrobot.compiler.team.names import Names
 from kitrobot.lll.parse_results import parse_team
 from kitrobot.primitives.crew import Crew, declaring
 

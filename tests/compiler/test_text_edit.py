@@ -11,10 +11,10 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from kitrobot.compiler.compilation import compile_program
-from kitrobot.compiler.graph_to_lll import graph_to_lll
-from kitrobot.compiler.lll_to_graph import lll_to_graph
-from kitrobot.compiler.preserve_ids import Old
-from kitrobot.compiler.text_edit import follow_text
+from kitrobot.compiler.graph.graph_to_lll import graph_to_lll
+from kitrobot.compiler.text.lll_to_graph import lll_to_graph
+from kitrobot.compiler.text.preserve_ids import Old
+from kitrobot.compiler.text.text_edit import follow_text
 from kitrobot.graph.model import Note, Program
 from kitrobot.lll.parse_results import parse
 from kitrobot.lll.printer import print_program

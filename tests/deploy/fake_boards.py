@@ -10,7 +10,7 @@ import heapq
 import itertools
 from collections.abc import Callable, Iterable
 
-from kitrobot.deploy.line import Line
+from kitrobot.deploy.line.line import Line
 from kitrobot_onboard.link import unwrap, wrap
 
 Answers = Iterable[tuple[float, bytes]]

@@ -9,11 +9,11 @@ from pathlib import Path
 import pytest
 
 import kitrobot_onboard
-from kitrobot.deploy.declarations import Setting, read_declaration, without_declarations
-from kitrobot.deploy.driver_fit import refuse_misfits
 from kitrobot.deploy.errors import PackageError
-from kitrobot.deploy.package import FAMILIES, Package
-from kitrobot.deploy.program_file import Device, ProgramFile
+from kitrobot.deploy.package.declarations import Setting, read_declaration, without_declarations
+from kitrobot.deploy.package.driver_fit import refuse_misfits
+from kitrobot.deploy.package.package import FAMILIES, Package
+from kitrobot.deploy.package.program_file import Device, ProgramFile
 from kitrobot.primitives.catalogue import load_catalogue
 
 DRIVERS = Path(kitrobot_onboard.__file__).parent / "drivers"

@@ -8,7 +8,7 @@ from pathlib import Path
 
 import pytest
 
-from kitrobot.deploy.onboard_bundle import ONBOARD
+from kitrobot.deploy.package.onboard_bundle import ONBOARD
 from kitrobot.primitives.kit import Kit, KitPart
 from tools.microbit_kits import small_kits
 

@@ -9,8 +9,8 @@ from pathlib import Path
 import pytest
 
 from kitrobot.deploy.errors import BoardError, FirmwareError
-from kitrobot.deploy.firmware import FirmwareRequirements
-from kitrobot.deploy.uf2 import (
+from kitrobot.deploy.firmware.requirements import FirmwareRequirements
+from kitrobot.deploy.firmware.uf2 import (
     BLOCK,
     LARGEST_BYTES,
     Drive,

@@ -11,8 +11,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from kitrobot.deploy.errors import FullError
-from kitrobot.deploy.flash import Flash
-from kitrobot.deploy.flash_code import HEAD
+from kitrobot.deploy.microbit_2016.flash import Flash
+from kitrobot.deploy.microbit_2016.flash_code import HEAD
 from tests.deploy.small_flash import CHUNK, END, PAGE, SPARE, START, FlashFull, SmallFlash
 
 

@@ -11,10 +11,19 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from kitrobot.deploy.builtin_names import GLOBALS, LOCALS
 from kitrobot.deploy.errors import BoardError
-from kitrobot.deploy.flash_code import CHUNK, HEAD, OF_OTHERS, FlashBlock, Function, build_block, lay_out, literals_of
-from kitrobot.deploy.onboard_bundle import IN_FLASH, loop_block
+from kitrobot.deploy.microbit_2016.flash_code import (
+    CHUNK,
+    HEAD,
+    OF_OTHERS,
+    FlashBlock,
+    Function,
+    build_block,
+    lay_out,
+    literals_of,
+)
+from kitrobot.deploy.minification.builtin_names import GLOBALS, LOCALS
+from kitrobot.deploy.package.onboard_bundle import IN_FLASH, loop_block
 
 BEHIND = bytes((0x14, 0xAA, 0xF9, 0x5E, 0x5B))
 

@@ -11,15 +11,15 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from kitrobot.deploy.board import Board
-from kitrobot.deploy.boot_records import read_line
 from kitrobot.deploy.errors import ResetError
-from kitrobot.deploy.flash import Flash
-from kitrobot.deploy.handshake import greet
-from kitrobot.deploy.line import MOST, Line
-from kitrobot.deploy.raw_paste import run_by_raw_paste
-from kitrobot.deploy.receiver import Receiver
-from kitrobot.deploy.repl import GarbledError, RawRepl
+from kitrobot.deploy.installation.boot_records import read_line
+from kitrobot.deploy.line.board import Board
+from kitrobot.deploy.line.handshake import greet
+from kitrobot.deploy.line.line import MOST, Line
+from kitrobot.deploy.line.raw_paste import run_by_raw_paste
+from kitrobot.deploy.line.receiver import Receiver
+from kitrobot.deploy.line.repl import GarbledError, RawRepl
+from kitrobot.deploy.microbit_2016.flash import Flash
 from kitrobot.diagnostics.model import KitRobotError
 from kitrobot_onboard.link import unwrap, wrap
 from tests.deploy.fake_boards import Answers, FakeLine, FakeRobot

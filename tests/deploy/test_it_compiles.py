@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 
 import kitrobot_onboard
-from kitrobot.deploy.package import FAMILIES, Package
+from kitrobot.deploy.package.package import FAMILIES, Package
 from tests.boards.modern import run
 from tests.onboard.test_board_syntax import mpy_cross
 

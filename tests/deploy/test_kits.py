@@ -8,8 +8,8 @@ import pytest
 
 from kitrobot.compiler.compilation import compile_text
 from kitrobot.deploy.errors import PackageError
-from kitrobot.deploy.kits import fit_to_kit, kit_problems, parts_on_kit, refuse_what_is_missing
-from kitrobot.deploy.package import Package
+from kitrobot.deploy.kits.kits import fit_to_kit, kit_problems, parts_on_kit, refuse_what_is_missing
+from kitrobot.deploy.package.package import Package
 from kitrobot.primitives.catalogue import SHIPPED, load_catalogue
 from kitrobot.primitives.kit import Kit
 from kitrobot.primitives.kit_xml import read_kit

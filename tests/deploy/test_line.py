@@ -9,7 +9,7 @@ import pytest
 from serial.urlhandler import protocol_socket
 
 from kitrobot.deploy.errors import LineError
-from kitrobot.deploy.line import Line
+from kitrobot.deploy.line.line import Line
 from tests.patience import PATIENCE_S
 
 

@@ -8,8 +8,8 @@ from typing import Any
 
 import pytest
 
-from kitrobot.deploy.board import Board
-from kitrobot.deploy.news import Fault, News, Text, read_news
+from kitrobot.deploy.line.board import Board
+from kitrobot.deploy.line.news import Fault, News, Text, read_news
 from kitrobot_onboard.link import unwrap, wrap
 
 RUNNING, ENDED = 2, 3

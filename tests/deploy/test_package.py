@@ -8,11 +8,11 @@ from pathlib import Path
 import pytest
 
 from kitrobot.compiler.compilation import compile_text
-from kitrobot.deploy.boot_records import StartLine, is_ours, needed, newest, read_line
 from kitrobot.deploy.errors import PackageError
-from kitrobot.deploy.package import FAMILIES, Package, name_of
-from kitrobot.deploy.program_file import Device, ProgramFile
-from kitrobot.deploy.script import board_file
+from kitrobot.deploy.installation.boot_records import StartLine, is_ours, needed, newest, read_line
+from kitrobot.deploy.package.package import FAMILIES, Package, name_of
+from kitrobot.deploy.package.program_file import Device, ProgramFile
+from kitrobot.deploy.package.script import board_file
 from kitrobot.primitives.catalogue import load_catalogue
 
 _COMPILED = compile_text("Display.Image(0);", load_catalogue().robots["microbit"]).image

@@ -9,11 +9,11 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from kitrobot.deploy.errors import BoardError, DeployError
-from kitrobot.deploy.memory import image_bytes, refuse_what_does_not_fit
-from kitrobot.deploy.package import Package
-from kitrobot.deploy.program_file import ProgramFile, read_program_file
-from kitrobot.deploy.script import board_file
-from kitrobot.deploy.tree_shaking import UsedParts
+from kitrobot.deploy.minification.tree_shaking import UsedParts
+from kitrobot.deploy.package.memory import image_bytes, refuse_what_does_not_fit
+from kitrobot.deploy.package.package import Package
+from kitrobot.deploy.package.program_file import ProgramFile, read_program_file
+from kitrobot.deploy.package.script import board_file
 from kitrobot_onboard.link import checksum
 from kitrobot_onboard.state import ACTUATORS
 from tests.boards.bench import OTHER, bench_program

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import pytest
 
-from kitrobot.deploy.raw_paste import run_by_raw_paste
-from kitrobot.deploy.repl import GarbledError
+from kitrobot.deploy.line.raw_paste import run_by_raw_paste
+from kitrobot.deploy.line.repl import GarbledError
 from tests.deploy.fake_boards import FakeLine
 
 PROMPT = {b"\r\x03\x01": [(0.0, b">")]}

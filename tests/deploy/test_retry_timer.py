@@ -6,12 +6,12 @@ import itertools
 
 import pytest
 
-from kitrobot.deploy.board import Board
 from kitrobot.deploy.errors import BoardError, SilentError
-from kitrobot.deploy.handshake import STARTS, greet
-from kitrobot.deploy.news import News
-from kitrobot.deploy.repl import RawRepl
-from kitrobot.deploy.retry_timer import LONGEST_S, SILENT_S, RetryTimer
+from kitrobot.deploy.line.board import Board
+from kitrobot.deploy.line.handshake import STARTS, greet
+from kitrobot.deploy.line.news import News
+from kitrobot.deploy.line.repl import RawRepl
+from kitrobot.deploy.line.retry_timer import LONGEST_S, SILENT_S, RetryTimer
 from kitrobot_onboard.link import unwrap, wrap
 from tests.deploy.fake_boards import Answers, FakeLine, FakePrompt, FakeRobot
 

@@ -7,10 +7,10 @@ import re
 import pytest
 
 from kitrobot.deploy.errors import BoardError, FullError, NoMemoryError
-from kitrobot.deploy.flash_room import least_pieces, refuse_what_has_no_room
-from kitrobot.deploy.memory import refuse_what_does_not_fit
-from kitrobot.deploy.onboard_bundle import loop_block
-from kitrobot.deploy.script import board_file
+from kitrobot.deploy.microbit_2016.flash_room import least_pieces, refuse_what_has_no_room
+from kitrobot.deploy.package.memory import refuse_what_does_not_fit
+from kitrobot.deploy.package.onboard_bundle import loop_block
+from kitrobot.deploy.package.script import board_file
 from kitrobot.robots.program import BoardProgram
 from kitrobot.workspace.mission_loader import open_mission
 from tests.deploy.small_flash import CHUNK, SmallFlash

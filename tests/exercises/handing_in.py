@@ -6,8 +6,8 @@ from collections.abc import Mapping
 from dataclasses import replace
 from pathlib import Path
 
-from kitrobot.compiler.lll_to_graph import lll_to_graph
 from kitrobot.compiler.target import read_for, target_of
+from kitrobot.compiler.text.lll_to_graph import lll_to_graph
 from kitrobot.mission.model import Mission
 from kitrobot.mission.writer import write_mission
 from kitrobot.workspace.mission_loader import OpenMission, open_mission

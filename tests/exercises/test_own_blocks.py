@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from kitrobot.checking.exercise_evaluation import collect_program_evidence
-from kitrobot.compiler.lll_to_graph import lll_to_graph
+from kitrobot.compiler.text.lll_to_graph import lll_to_graph
 from kitrobot.exercise.goals import AvoidanceGoal, Parts, UseGoal
 from kitrobot.graph.model import Arc, Vertex
 from kitrobot.lll.parse_results import parse

@@ -8,8 +8,8 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
-from kitrobot.deploy.board import Board
-from kitrobot.deploy.program_file import make_program_file
+from kitrobot.deploy.line.board import Board
+from kitrobot.deploy.package.program_file import make_program_file
 from kitrobot.fleet.board_body import Order
 from kitrobot.fleet.board_line import OrderExecutor
 from kitrobot.sim.simulation import Simulation

@@ -8,8 +8,8 @@ from typing import Any
 
 import pytest
 
-from kitrobot.deploy.board import Board
 from kitrobot.deploy.errors import BoardError
+from kitrobot.deploy.line.board import Board
 from kitrobot.fleet.board_body import REST_MS, Order
 from kitrobot.fleet.board_line import LEAST_SILENT_S, BoardLine
 from kitrobot.sim.simulation import Simulation

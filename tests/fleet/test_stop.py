@@ -14,7 +14,7 @@ from typing import Any
 
 import pytest
 
-from kitrobot.deploy.board import Board
+from kitrobot.deploy.line.board import Board
 from kitrobot.fleet import envelopes as kinds
 from kitrobot.fleet.agent_process import AgentBoard, AgentProcess
 from kitrobot.fleet.board_body import Order

@@ -7,7 +7,7 @@ from functools import cache
 import pytest
 
 from kitrobot.compiler.compilation import compile_program
-from kitrobot.compiler.graph_to_lll import graph_to_lll
+from kitrobot.compiler.graph.graph_to_lll import graph_to_lll
 from kitrobot.graph.model import Program
 from kitrobot.image.machine import Machine
 from kitrobot.image.model import Image

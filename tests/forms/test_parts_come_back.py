@@ -12,9 +12,9 @@ from typing import Any, NamedTuple
 
 import pytest
 
-from kitrobot.compiler.graph_to_lll import graph_to_lll
-from kitrobot.compiler.lll_to_graph import lll_to_graph
-from kitrobot.compiler.wiring import Wiring
+from kitrobot.compiler.graph.graph_to_lll import graph_to_lll
+from kitrobot.compiler.graph.wiring import Wiring
+from kitrobot.compiler.text.lll_to_graph import lll_to_graph
 from kitrobot.graph.model import IN, NEXT, RETURN, START, STOP, Arc, Program, Vertex
 from kitrobot.lll.parse_results import parse
 from kitrobot.lll.printer import print_program

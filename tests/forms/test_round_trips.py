@@ -12,8 +12,8 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from kitrobot.compiler.compilation import compile_lll
-from kitrobot.compiler.graph_to_lll import graph_to_lll
-from kitrobot.compiler.lll_to_graph import lll_to_graph
+from kitrobot.compiler.graph.graph_to_lll import graph_to_lll
+from kitrobot.compiler.text.lll_to_graph import lll_to_graph
 from kitrobot.graph.model import Program
 from kitrobot.image.listing import assemble, disassemble
 from kitrobot.image.model import Image

@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 
-from kitrobot.compiler.checker import check
+from kitrobot.compiler.program.checker import check
 from kitrobot.image import model as images
 from kitrobot.image.instructions import OPS
 from kitrobot.lll.parse_results import parse, parse_team

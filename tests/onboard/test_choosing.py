@@ -10,9 +10,9 @@ from typing import IO, Any
 
 import pytest
 
-from kitrobot.deploy.boot_records import TRIAL, UNTRIED, StartLine, tried_generation
-from kitrobot.deploy.onboard_bundle import module_names
-from kitrobot.deploy.package import Package
+from kitrobot.deploy.installation.boot_records import TRIAL, UNTRIED, StartLine, tried_generation
+from kitrobot.deploy.package.onboard_bundle import module_names
+from kitrobot.deploy.package.package import Package
 from kitrobot_onboard.link import checksum
 
 OLD = b"0003a=1the old program"

@@ -22,7 +22,9 @@ def test_participles_are_found(name: str) -> None:
     assert not is_noun(name)
 
 
-@pytest.mark.parametrize("name", ["RetryTimer", "Drawing", "class_room", "Seed", "led", "WatchedRun", "__init__", "XML"])
+@pytest.mark.parametrize(
+    "name", ["RetryTimer", "Drawing", "class_room", "Seed", "led", "WatchedRun", "__init__", "XML"]
+)
 def test_nouns_pass(name: str) -> None:
     assert is_noun(name)
 

@@ -11,7 +11,7 @@ import pytest
 
 from kitrobot.boards.programs import load_board_program
 from kitrobot.boards.sent_programs import load_recording_context, store_names, store_recording_context
-from kitrobot.deploy.news import Fault, News, Text
+from kitrobot.deploy.line.news import Fault, News, Text
 from kitrobot.robots.recording import MOST_FILLED, RobotRecorder
 from kitrobot.robots.records import NoRecordingError, RecordedBoard
 from kitrobot.robots.session import InstalledProgram, RobotSession

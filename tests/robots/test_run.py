@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 
 from kitrobot.boards.programs import load_board_program
-from kitrobot.deploy.news import Fault, News
+from kitrobot.deploy.line.news import Fault, News
 from kitrobot.diagnostics.model import KitRobotError
 from kitrobot.live.run_encoder import RunEncoder
 from kitrobot.robots.records import RecordedBoard

@@ -7,9 +7,9 @@ from typing import Any
 
 import pytest
 
-from kitrobot.deploy.board import is_slow
 from kitrobot.deploy.errors import LineError
-from kitrobot.deploy.news import Fault, News, Text
+from kitrobot.deploy.line.board import is_slow
+from kitrobot.deploy.line.news import Fault, News, Text
 from kitrobot.primitives.catalogue import load_catalogue
 from kitrobot.robots.names import BoardNames, NoNameError
 from kitrobot.robots.session import LOOK_S, InstalledProgram, NotConnectedError, RobotSession

@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections import deque
 from dataclasses import replace
 
-from kitrobot.deploy.board import Hello
 from kitrobot.deploy.errors import LineError
-from kitrobot.deploy.news import Fault, News, Text
+from kitrobot.deploy.line.board import Hello
+from kitrobot.deploy.line.news import Fault, News, Text
 from kitrobot.robots.state import ACTIVITIES, Activity
 from kitrobot.text.sentences import Sentence
 

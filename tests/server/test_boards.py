@@ -11,9 +11,9 @@ from typing import Any
 import pytest
 from pydantic import TypeAdapter
 
-from kitrobot.deploy.board import Hello
-from kitrobot.deploy.news import News
-from kitrobot.deploy.ports import BOARDS_VARIABLE
+from kitrobot.deploy.firmware.ports import BOARDS_VARIABLE
+from kitrobot.deploy.line.board import Hello
+from kitrobot.deploy.line.news import News
 from kitrobot.live.robot_gateway import SerialGateway
 from kitrobot.live.robot_registry import RobotRegistry
 from kitrobot.wire.board import BoardsMessage

@@ -8,7 +8,7 @@ from typing import Any
 
 import pytest
 
-from kitrobot.deploy import uf2
+from kitrobot.deploy.firmware import uf2
 from tests.deploy.test_firmware import INFO, RP2350, whole
 from tests.server.conftest import HOST, TOKEN, TestClient
 

@@ -13,7 +13,7 @@ import pytest
 from starlette.websockets import WebSocketDisconnect
 
 from kitrobot.deploy.errors import LineError
-from kitrobot.deploy.line import Line
+from kitrobot.deploy.line.line import Line
 from kitrobot.live.page_ports import MOST_WAITING
 from kitrobot.server.routes.page_port import MOST_PIECE
 from tests.patience import PATIENCE_S

@@ -6,7 +6,7 @@ import random
 from dataclasses import replace
 
 from kitrobot.compiler.compilation import compile_lll
-from kitrobot.compiler.projection import project
+from kitrobot.compiler.team.projection import project
 from kitrobot.diagnostics.model import Source
 from kitrobot.graph.model import Program, empty_program
 from kitrobot.lll.printer import print_team_program

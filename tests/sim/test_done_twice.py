@@ -6,7 +6,7 @@ import random
 
 import pytest
 
-from kitrobot.compiler.team_effects import report_effects_done_twice
+from kitrobot.compiler.team.effects import report_effects_done_twice
 from kitrobot.diagnostics.model import Rule
 from kitrobot.lll.parse_results import parse_team
 from kitrobot.lll.tree import Node

@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 from playwright.sync_api import expect
 
-from kitrobot.deploy import uf2
+from kitrobot.deploy.firmware import uf2
 from tests.deploy.test_firmware import INFO, RP2350, whole
 from tests.studio.conftest import Studio
 from tests.studio.test_reach import find_nothing

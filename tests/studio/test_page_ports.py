@@ -11,8 +11,8 @@ from contextlib import contextmanager
 import pytest
 from playwright.sync_api import Locator, expect
 
-from kitrobot.deploy.handshake import connect
-from kitrobot.deploy.line import Line
+from kitrobot.deploy.line.handshake import connect
+from kitrobot.deploy.line.line import Line
 from tests.boards import qemu
 from tests.boards.modern import ModernBoard, onboard_files
 from tests.studio.conftest import Studio

@@ -1,6 +1,6 @@
 """A team that runs: every robot its projected program on a real `Machine`, and a host that sees them all.
 
-The host is the plain meaning of `compiler.team_points`: it knows at once who failed, and nothing is ever on its way.
+The host is the plain meaning of `compiler.team.points`: it knows at once who failed, and nothing is ever on its way.
 """
 
 from __future__ import annotations
@@ -10,8 +10,8 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 
 from kitrobot.compiler.compilation import compile_lll
-from kitrobot.compiler.projection import Projection, project
-from kitrobot.compiler.team_points import ALL, ONE, Point, PointKind
+from kitrobot.compiler.team.points import ALL, ONE, Point, PointKind
+from kitrobot.compiler.team.projection import Projection, project
 from kitrobot.diagnostics.model import Source
 from kitrobot.image.machine import Machine
 from kitrobot.image.model import Image

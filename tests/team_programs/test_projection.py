@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import pytest
 
-from kitrobot.compiler.projection import Projection, project
-from kitrobot.compiler.team_points import PointKind
+from kitrobot.compiler.team.points import PointKind
+from kitrobot.compiler.team.projection import Projection, project
 from kitrobot.lll.parse_results import parse_team
 from kitrobot.lll.printer import print_program
 from kitrobot.lll.tree import Call

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from kitrobot.compiler.lll_to_graph import lll_to_graph
+from kitrobot.compiler.text.lll_to_graph import lll_to_graph
 from kitrobot.lll.parse_results import parse_team
 from kitrobot.mission.model import Agent, Mission, Team
 from kitrobot.mission.writer import write_mission

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 
 from kitrobot.compiler.compilation import compile_program
-from kitrobot.compiler.graph_to_lll import graph_to_lll
+from kitrobot.compiler.graph.graph_to_lll import graph_to_lll
 from kitrobot.graph.model import Note, Program
 from kitrobot.primitives.catalogue import Catalogue, load_catalogue
 from kitrobot.primitives.own_xml import OwnVariable, read_own

@@ -17,8 +17,8 @@ from kitrobot.boards.bench_notes import BenchNote, notes_for
 from kitrobot.boards.programs import ready_program
 from kitrobot.compiler.compilation import compile_text
 from kitrobot.deploy.errors import PackageError
-from kitrobot.deploy.kits import parts_on_kit
-from kitrobot.deploy.package import Package
+from kitrobot.deploy.kits.kits import parts_on_kit
+from kitrobot.deploy.package.package import Package
 from kitrobot.diagnostics.model import KitRobotError, Source
 from kitrobot.primitives.automatic import number_variable
 from kitrobot.primitives.kit import Kit

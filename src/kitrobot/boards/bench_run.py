@@ -18,8 +18,8 @@ from kitrobot.boards.bench import Bench, BenchStep, PartKey
 from kitrobot.boards.bench_loader import WIRES, PartError, blamed_part, load_parts, reason_of
 from kitrobot.boards.programs import send_program
 from kitrobot.deploy.errors import DeployError, FirmwareError, ForeignError, LineError, SilentError
-from kitrobot.deploy.handshake import connect
-from kitrobot.deploy.news import News
+from kitrobot.deploy.line.handshake import connect
+from kitrobot.deploy.line.news import News
 from kitrobot.diagnostics.model import KitRobotError
 from kitrobot.primitives.robot import Category
 from kitrobot.robots.program import BoardProgram

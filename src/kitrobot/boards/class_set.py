@@ -18,7 +18,7 @@ from kitrobot.boards.labels import LabelError, clean_label, label_key, labels_of
 from kitrobot.boards.programs import load_board_program
 from kitrobot.boards.sent_firmware import store_firmware_version
 from kitrobot.boards.sent_programs import store_sent_program
-from kitrobot.deploy.ports import list_ports
+from kitrobot.deploy.firmware.ports import list_ports
 from kitrobot.diagnostics.model import KitRobotError, Place
 from kitrobot.files.disk import read_text
 from kitrobot.robots import board_operations

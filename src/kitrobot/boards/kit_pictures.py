@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 
-from kitrobot.deploy.package import Package
+from kitrobot.deploy.package.package import Package
 from kitrobot.primitives.kit import Kit, KitPart, Module, Wire
 from kitrobot.xml.writer import escape_text
 

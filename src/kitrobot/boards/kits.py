@@ -11,8 +11,8 @@ from kitrobot.boards.programs import board_program, load_board_program
 from kitrobot.boards.teams import agent_program
 from kitrobot.compiler.compilation import CompiledProgram, compile_program, compile_text
 from kitrobot.compiler.target import robot_of
-from kitrobot.deploy.kits import PartOnKit, parts_on_kit
-from kitrobot.deploy.package import Package
+from kitrobot.deploy.kits.kits import PartOnKit, parts_on_kit
+from kitrobot.deploy.package.package import Package
 from kitrobot.diagnostics.model import KitRobotError
 from kitrobot.files.disk import read_text
 from kitrobot.graph.model import Program

@@ -12,7 +12,7 @@ import unicodedata
 from collections.abc import Iterable
 
 from kitrobot.boards.json_store import read_entries, write_entries
-from kitrobot.deploy.ports import list_ports
+from kitrobot.deploy.firmware.ports import list_ports
 from kitrobot.diagnostics.model import KitRobotError
 from kitrobot.text.sentences import Sentence
 

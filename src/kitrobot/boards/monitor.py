@@ -9,8 +9,8 @@ from pathlib import Path
 
 from kitrobot.boards.programs import load_board_program
 from kitrobot.boards.sent_programs import load_sent_program
-from kitrobot.deploy.board import Hello
-from kitrobot.deploy.handshake import connect
+from kitrobot.deploy.line.board import Hello
+from kitrobot.deploy.line.handshake import connect
 from kitrobot.diagnostics.read_files import expect_output
 from kitrobot.robots.board_operations import NoBoardError
 from kitrobot.robots.recording import RobotRecorder

@@ -9,8 +9,8 @@ from __future__ import annotations
 from contextlib import suppress
 
 from kitrobot.boards.json_store import read_entries, write_entries
-from kitrobot.deploy.board import Hello
-from kitrobot.deploy.installation import DeployResult
+from kitrobot.deploy.installation.installation import DeployResult
+from kitrobot.deploy.line.board import Hello
 from kitrobot.files.disk import FileError
 
 _NAME = "firmware"

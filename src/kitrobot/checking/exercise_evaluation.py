@@ -14,8 +14,8 @@ from dataclasses import dataclass, replace
 from typing import Final, Literal
 
 from kitrobot.checking.verification import Finding, VerificationError, VerificationOptions, verify
-from kitrobot.compiler.part_text import draw_template
 from kitrobot.compiler.target import target_of
+from kitrobot.compiler.text.part_text import draw_template
 from kitrobot.diagnostics.model import Diagnostic, KitRobotError
 from kitrobot.diagnostics.problems import ProblemsError
 from kitrobot.exercise.evidence import CheckEvidence, Contact, PathPoint, ProgramEvidence, RunEvidence

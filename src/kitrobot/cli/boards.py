@@ -47,7 +47,7 @@ def list_boards(
     They are looked for on USB, and at the addresses that KITROBOT_BOARDS names, with spaces between them.
     """
     if identify is not None:
-        from kitrobot.deploy.handshake import connect
+        from kitrobot.deploy.line.handshake import connect
 
         with connect(identify, waits=lambda: print_no_answer(identify)) as board:
             board.identify()
@@ -60,7 +60,7 @@ def list_boards(
         return
     from kitrobot.boards.labels import labels_of
     from kitrobot.boards.programs import scan_boards
-    from kitrobot.deploy.board import is_slow
+    from kitrobot.deploy.line.board import is_slow
 
     seen = scan_boards(to or [], print_no_answer)
     labels = labels_of(one.port.address for one in seen)

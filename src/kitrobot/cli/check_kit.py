@@ -13,7 +13,7 @@ from kitrobot.cli.output import error_object, json_text, print_data, print_diagn
 
 if TYPE_CHECKING:
     from kitrobot.boards.kits import ProgramOnKit
-    from kitrobot.deploy.kits import PartOnKit
+    from kitrobot.deploy.kits.kits import PartOnKit
     from kitrobot.primitives.kit import Kit
 
 

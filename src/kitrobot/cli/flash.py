@@ -28,7 +28,7 @@ def flash_board(
     is looked through first; one that is damaged, cut off, or for another chip is not copied. Nothing is fetched from
     the network: `kitrobot boards` says where a board's maker has it.
     """
-    from kitrobot.deploy.uf2 import chosen_drive, flash, read_firmware
+    from kitrobot.deploy.firmware.uf2 import chosen_drive, flash, read_firmware
 
     firmware = read_firmware(file)
     target = chosen_drive(drive)

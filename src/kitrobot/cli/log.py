@@ -25,8 +25,8 @@ def show_log(
     """Show the last fault of a robot, with the place in the program, and the text that the robot prints."""
     from kitrobot.boards.monitor import known_program
     from kitrobot.deploy.errors import SilentError
-    from kitrobot.deploy.handshake import connect
-    from kitrobot.deploy.news import Fault, Text
+    from kitrobot.deploy.line.handshake import connect
+    from kitrobot.deploy.line.news import Fault, Text
     from kitrobot.robots.board_operations import choose_boards
     from kitrobot.robots.view import fault_object, fault_sentence
 

@@ -12,7 +12,7 @@ from kitrobot.cli.output import json_text, print_data, print_error, print_messag
 from kitrobot.cli.result_json import AsJson, board_result
 
 if TYPE_CHECKING:
-    from kitrobot.deploy.board import Board
+    from kitrobot.deploy.line.board import Board
 
 Everyone = Annotated[bool, typer.Option("--all", help="Every robot that is there.")]
 
@@ -28,7 +28,7 @@ def stop_boards(to: Addresses = None, everyone: Everyone = False, as_json: AsJso
 
 
 def _each(to: Sequence[str], everyone: bool, as_json: bool, act: Callable[[Board], None], word: str) -> None:
-    from kitrobot.deploy.ports import list_ports
+    from kitrobot.deploy.firmware.ports import list_ports
     from kitrobot.robots.board_operations import choose_boards, run_on_boards
 
     if everyone and to:

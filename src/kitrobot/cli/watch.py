@@ -28,7 +28,7 @@ from kitrobot.cli.output import (
 if TYPE_CHECKING:
     from rich.console import Group
 
-    from kitrobot.deploy.news import Fault, News, Text
+    from kitrobot.deploy.line.news import Fault, News, Text
     from kitrobot.robots.view import WatchedRobot
 
 Boards = Annotated[

@@ -5,14 +5,14 @@ from __future__ import annotations
 from dataclasses import dataclass, field, replace
 from functools import cached_property
 
-from kitrobot.compiler.checker import check
-from kitrobot.compiler.graph_rules import NOT_A_NUMBER, UNKNOWN_ELEMENT
-from kitrobot.compiler.graph_to_lll import Translation, graph_to_lll
-from kitrobot.compiler.lowering import lower
+from kitrobot.compiler.graph.graph_to_lll import Translation, graph_to_lll
+from kitrobot.compiler.graph.rules import NOT_A_NUMBER, UNKNOWN_ELEMENT
+from kitrobot.compiler.graph.vertex_places import VertexPlace, vertex_places
+from kitrobot.compiler.program.checker import check
+from kitrobot.compiler.program.lowering import lower
+from kitrobot.compiler.program.team_check import check_program
 from kitrobot.compiler.rules import UNKNOWN_METHOD, UNKNOWN_OBJECT
 from kitrobot.compiler.target import Target, print_for, target_of
-from kitrobot.compiler.team_check import check_program
-from kitrobot.compiler.vertex_places import VertexPlace, vertex_places
 from kitrobot.diagnostics.model import Diagnostic, Source, in_reading_order
 from kitrobot.graph.model import Program
 from kitrobot.image.debug import DebugMap

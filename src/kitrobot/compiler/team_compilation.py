@@ -6,11 +6,11 @@ from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
 
 from kitrobot.compiler.compilation import CompiledProgram, compile_lll
-from kitrobot.compiler.projection import project
-from kitrobot.compiler.team_effects import MovesBoxes, report_effects_done_twice
-from kitrobot.compiler.team_moves import report_emptied
-from kitrobot.compiler.team_names import Names
-from kitrobot.compiler.team_points import TeamPlan
+from kitrobot.compiler.team.effects import MovesBoxes, report_effects_done_twice
+from kitrobot.compiler.team.moves import report_emptied
+from kitrobot.compiler.team.names import Names
+from kitrobot.compiler.team.points import TeamPlan
+from kitrobot.compiler.team.projection import project
 from kitrobot.diagnostics.model import Diagnostic, Rule, Source
 from kitrobot.lll.printer import print_program
 from kitrobot.lll.tree import Call, Instruction, Node, Seq

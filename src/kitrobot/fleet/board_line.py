@@ -8,9 +8,9 @@ from dataclasses import dataclass
 from queue import Empty, SimpleQueue
 from threading import Thread
 
-from kitrobot.deploy.board import Board
 from kitrobot.deploy.errors import LineError, SilentError
-from kitrobot.deploy.handshake import connect
+from kitrobot.deploy.line.board import Board
+from kitrobot.deploy.line.handshake import connect
 from kitrobot.diagnostics.model import KitRobotError
 from kitrobot.fleet.board_body import Order
 from kitrobot.fleet.charter import FleetError

@@ -14,8 +14,8 @@ from contextlib import suppress
 from typing import Final, Literal
 
 from kitrobot.deploy.errors import LineError
-from kitrobot.deploy.line import open_with
-from kitrobot.deploy.ports import Port, port_of
+from kitrobot.deploy.firmware.ports import Port, port_of
+from kitrobot.deploy.line.line import open_with
 from kitrobot.live.background import WakeCondition
 from kitrobot.text.sentences import Sentence
 

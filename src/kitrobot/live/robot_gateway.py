@@ -14,7 +14,7 @@ from kitrobot.live.robot_subscriber import AT_PAGE
 from kitrobot.wire.board import BoardWay
 
 if TYPE_CHECKING:
-    from kitrobot.deploy.ports import Port
+    from kitrobot.deploy.firmware.ports import Port
     from kitrobot.robots.link import Link
     from kitrobot.robots.program import BoardProgram
 
@@ -47,13 +47,13 @@ class SerialGateway:
 
     def list_ports(self) -> list[Port]:
         """As `deploy.list_ports`."""
-        from kitrobot.deploy.ports import list_ports
+        from kitrobot.deploy.firmware.ports import list_ports
 
         return list_ports()
 
     def connect(self, address: str) -> Link:
         """As `deploy.connect`."""
-        from kitrobot.deploy.handshake import connect
+        from kitrobot.deploy.line.handshake import connect
 
         return connect(address)
 
@@ -61,7 +61,7 @@ class SerialGateway:
         """As `deploy.deploy`."""
         from kitrobot.boards.sent_firmware import store_firmware_version
         from kitrobot.boards.sent_programs import store_sent_program
-        from kitrobot.deploy.installation import RobotContext, deploy
+        from kitrobot.deploy.installation.installation import RobotContext, deploy
 
         robot = RobotContext(program.needs, program.names.fault_text)
         file = program.file.to_bytes()

@@ -30,7 +30,7 @@ from kitrobot.translation.languages import reader_language
 from kitrobot.wire.board import BoardGoneMessage, BoardPortShape, BoardPortsMessage
 
 if TYPE_CHECKING:
-    from kitrobot.deploy.ports import Port
+    from kitrobot.deploy.firmware.ports import Port
     from kitrobot.live.last_run_recorder import LastRunRecorder
     from kitrobot.live.robot_worker import RobotWorker
 

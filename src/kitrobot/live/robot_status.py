@@ -8,7 +8,7 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 
 from kitrobot.deploy.errors import ForeignError, FullError, LineError, SilentError
-from kitrobot.deploy.news import Fault
+from kitrobot.deploy.line.news import Fault
 from kitrobot.diagnostics.model import KitRobotError
 from kitrobot.robots.names import BoardNames
 from kitrobot.robots.state import RobotState

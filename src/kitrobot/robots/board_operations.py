@@ -9,11 +9,11 @@ from threading import Event, Thread
 from time import monotonic
 from typing import TypeVar
 
-from kitrobot.deploy.board import Board, Hello
 from kitrobot.deploy.errors import DeployError
-from kitrobot.deploy.handshake import connect
-from kitrobot.deploy.installation import DeployResult, RobotContext, deploy
-from kitrobot.deploy.ports import Port, list_ports
+from kitrobot.deploy.firmware.ports import Port, list_ports
+from kitrobot.deploy.installation.installation import DeployResult, RobotContext, deploy
+from kitrobot.deploy.line.board import Board, Hello
+from kitrobot.deploy.line.handshake import connect
 from kitrobot.diagnostics.model import KitRobotError
 from kitrobot.robots.program import BoardProgram
 from kitrobot.text.sentences import COMMA, Sentence, Series

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from kitrobot.deploy.news import Fault
+from kitrobot.deploy.line.news import Fault
 from kitrobot.robots.names import BoardNames
 from kitrobot.robots.state import RobotEvent
 from kitrobot.text.sentences import Recorded

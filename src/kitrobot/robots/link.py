@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from typing import Protocol
 
-from kitrobot.deploy.board import Hello
-from kitrobot.deploy.news import Fault, News, Text
+from kitrobot.deploy.line.board import Hello
+from kitrobot.deploy.line.news import Fault, News, Text
 
 
 class Link(Protocol):

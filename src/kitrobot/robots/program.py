@@ -7,13 +7,13 @@ from functools import cached_property
 from pathlib import Path
 
 from kitrobot.compiler.compilation import CompiledProgram
-from kitrobot.deploy.driver_fit import refuse_misfits, refuse_what_fits_no_board
 from kitrobot.deploy.errors import PackageError
-from kitrobot.deploy.firmware import FirmwareRequirements
-from kitrobot.deploy.kits import fit_to_kit, parts_used, refuse_what_is_missing
-from kitrobot.deploy.package import FAMILIES, Package
-from kitrobot.deploy.program_file import ProgramFile, make_program_file, program_name
-from kitrobot.deploy.script import board_file
+from kitrobot.deploy.firmware.requirements import FirmwareRequirements
+from kitrobot.deploy.kits.kits import fit_to_kit, parts_used, refuse_what_is_missing
+from kitrobot.deploy.package.driver_fit import refuse_misfits, refuse_what_fits_no_board
+from kitrobot.deploy.package.package import FAMILIES, Package
+from kitrobot.deploy.package.program_file import ProgramFile, make_program_file, program_name
+from kitrobot.deploy.package.script import board_file
 from kitrobot.diagnostics.model import Diagnostic, Source
 from kitrobot.image.model import Image
 from kitrobot.image.verification import verify

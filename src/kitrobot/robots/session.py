@@ -13,8 +13,8 @@ from collections.abc import Callable
 from contextlib import suppress
 from dataclasses import dataclass, replace
 
-from kitrobot.deploy.board import Hello
-from kitrobot.deploy.news import Fault, News, Text
+from kitrobot.deploy.line.board import Hello
+from kitrobot.deploy.line.news import Fault, News, Text
 from kitrobot.diagnostics.model import KitRobotError
 from kitrobot.primitives.value_format import held_by_hand, set_by_hand
 from kitrobot.robots.faults import fault_event

@@ -11,8 +11,8 @@ from dataclasses import dataclass, field, replace
 from enum import Enum
 from typing import Literal, get_args
 
-from kitrobot.deploy.board import Hello
-from kitrobot.deploy.news import Fault, News
+from kitrobot.deploy.line.board import Hello
+from kitrobot.deploy.line.news import Fault, News
 
 Activity = Literal["none", "ready", "running", "ended", "fault"]
 ACTIVITIES: tuple[Activity, ...] = get_args(Activity)

@@ -6,9 +6,9 @@ from collections.abc import Mapping
 from contextlib import suppress
 from typing import Any
 
-from kitrobot.deploy.board import Hello, is_slow
 from kitrobot.deploy.errors import LineError, SilentError
-from kitrobot.deploy.news import Fault, News, Text
+from kitrobot.deploy.line.board import Hello, is_slow
+from kitrobot.deploy.line.news import Fault, News, Text
 from kitrobot.diagnostics.model import KitRobotError
 from kitrobot.robots.link import Link
 from kitrobot.robots.names import BoardNames

@@ -19,7 +19,7 @@ from functools import cached_property
 from typing import Literal
 
 from kitrobot.compiler.compilation import CompiledProgram
-from kitrobot.compiler.team_points import TeamPlan
+from kitrobot.compiler.team.points import TeamPlan
 from kitrobot.diagnostics.model import KitRobotError
 from kitrobot.image.model import Image
 from kitrobot.mission.model import DEFAULT_SEED, Mission

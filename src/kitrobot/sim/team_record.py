@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from kitrobot.compiler.team_points import PointKind, TeamPlan
+from kitrobot.compiler.team.points import PointKind, TeamPlan
 from kitrobot.sim.step.agents import Agent
 from kitrobot.sim.tables import team_columns as c
 from kitrobot.sim.tables.state import State, numbers

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from kitrobot.compiler.team_points import PointKind, TeamPlan
+from kitrobot.compiler.team.points import PointKind, TeamPlan
 from kitrobot.sim.outcome import list_names
 from kitrobot.sim.step.agents import Agent
 from kitrobot.sim.tables import team_columns as c

@@ -6,7 +6,7 @@ from typing import Annotated, Any, Literal
 
 from pydantic import BaseModel, Field, model_validator
 
-from kitrobot.compiler.own_part import ChosenSlot
+from kitrobot.compiler.graph.own_part import ChosenSlot
 from kitrobot.wire.catalogue import Colour, ConstructorShape, MeaningShape, Texts
 from kitrobot.wire.mission import MOST_VERTICES, MissionShape, ProgramShape
 from kitrobot.wire.problem import FailureShape, ProblemShape

@@ -14,7 +14,7 @@ from collections.abc import Hashable, Sequence
 from dataclasses import dataclass
 
 from kitrobot.compiler.compilation import CheckResult, CompiledProgram, compile_program
-from kitrobot.compiler.graph_to_lll import Translation, graph_to_lll
+from kitrobot.compiler.graph.graph_to_lll import Translation, graph_to_lll
 from kitrobot.graph.model import Program
 from kitrobot.primitives.catalogue import Catalogue
 from kitrobot.primitives.constructors import Constructor

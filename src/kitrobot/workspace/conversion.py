@@ -15,12 +15,12 @@ from __future__ import annotations
 from dataclasses import dataclass
 from pathlib import Path
 
-from kitrobot.compiler.checker import check
 from kitrobot.compiler.compilation import compile_program, compile_text
-from kitrobot.compiler.graph_to_lll import graph_to_lll
-from kitrobot.compiler.lll_to_graph import lll_to_graph
+from kitrobot.compiler.graph.graph_to_lll import graph_to_lll
+from kitrobot.compiler.program.checker import check
+from kitrobot.compiler.program.team_check import check_program
 from kitrobot.compiler.target import print_for, robot_of, target_of
-from kitrobot.compiler.team_check import check_program
+from kitrobot.compiler.text.lll_to_graph import lll_to_graph
 from kitrobot.diagnostics.model import Diagnostic, KitRobotError, Place, Severity, Source, rule
 from kitrobot.diagnostics.read_files import expect_output
 from kitrobot.files.disk import read_text, saving_in, write_atomic

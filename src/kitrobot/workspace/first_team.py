@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Collection
 from dataclasses import replace
 
-from kitrobot.compiler.lll_to_graph import lll_to_graph
+from kitrobot.compiler.text.lll_to_graph import lll_to_graph
 from kitrobot.diagnostics.model import KitRobotError
 from kitrobot.graph.model import Program
 from kitrobot.lll.tree import Instr, Members, Parallel, ParOfSeq, ProgramCall, RoleDeclaration, Seq

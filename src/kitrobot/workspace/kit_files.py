@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterator
 from pathlib import Path
 
-from kitrobot.deploy.kits import kit_problems
-from kitrobot.deploy.package import Package
+from kitrobot.deploy.kits.kits import kit_problems
+from kitrobot.deploy.package.package import Package
 from kitrobot.diagnostics.model import Diagnostic, KitRobotError, Place, Severity, Source, rule
 from kitrobot.diagnostics.problems import ProblemsError
 from kitrobot.diagnostics.regular import open_regular

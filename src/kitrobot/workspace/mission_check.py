@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Iterable
 
-from kitrobot.compiler.team_names import check_declarations
+from kitrobot.compiler.team.names import check_declarations
 from kitrobot.diagnostics.model import Diagnostic, Place, Severity, rule
 from kitrobot.files.places import Places
 from kitrobot.lll.tree import AnyDeclaration

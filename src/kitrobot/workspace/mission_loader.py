@@ -15,8 +15,8 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from kitrobot.compiler.compilation import CompiledProgram, compile_program, not_compiled
-from kitrobot.compiler.expansion_limit import left_out, oversize_in_mission
-from kitrobot.compiler.team_check import program_circles
+from kitrobot.compiler.graph.expansion_limit import left_out, oversize_in_mission
+from kitrobot.compiler.program.team_check import program_circles
 from kitrobot.compiler.team_compilation import CompiledTeam, compile_team
 from kitrobot.diagnostics.model import Diagnostic, KitRobotError, Place, Severity, Source, rule
 from kitrobot.diagnostics.problems import ProblemsError

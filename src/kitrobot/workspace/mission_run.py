@@ -8,7 +8,7 @@ from dataclasses import asdict, dataclass, replace
 from pathlib import Path
 from typing import Any, Literal
 
-from kitrobot.compiler.team_points import TeamPlan
+from kitrobot.compiler.team.points import TeamPlan
 from kitrobot.diagnostics.model import Diagnostic, Place, Source
 from kitrobot.diagnostics.problems import ProblemsError
 from kitrobot.diagnostics.read_files import expect_output

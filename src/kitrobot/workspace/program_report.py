@@ -6,7 +6,7 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 
 from kitrobot.compiler.compilation import CompiledProgram
-from kitrobot.compiler.vertex_places import VertexPlace
+from kitrobot.compiler.graph.vertex_places import VertexPlace
 from kitrobot.lll.tree import Instruction
 from kitrobot.lll.walk import nodes
 

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from kitrobot.deploy.package import Package
+from kitrobot.deploy.package.package import Package
 from kitrobot.diagnostics.model import Diagnostic, Severity, in_reading_order, rule
 from kitrobot.primitives.robot import Robot, RobotObject
 from kitrobot.sim.setup.settings import device_problems, simulated_devices

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from kitrobot.compiler.lll_to_graph import lll_to_graph
+from kitrobot.compiler.text.lll_to_graph import lll_to_graph
 from kitrobot.diagnostics.model import Diagnostic, Fix, FixKind, KitRobotError
 from kitrobot.graph.model import START, STOP
 from kitrobot.lll.parse_results import parse

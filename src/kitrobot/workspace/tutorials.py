@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from kitrobot.compiler.graph_to_lll import graph_to_lll
+from kitrobot.compiler.graph.graph_to_lll import graph_to_lll
 from kitrobot.files.folder import EXAMPLE, TUTORIAL_ENDING, MissionFolder
 from kitrobot.mission.model import Mission
 from kitrobot.primitives.catalogue import Catalogue

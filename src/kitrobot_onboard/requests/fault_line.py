@@ -1,4 +1,5 @@
-# What the last fault says, behind the line of a user's own driver in which it came up (`kitrobot.deploy.package`).
+# What the last fault says, behind the line of a user's own driver in which it came up
+# (`kitrobot.deploy.package.package`).
 
 import io
 import sys

@@ -12,8 +12,8 @@ from typing import Any
 
 from fastapi import Response
 
-from kitrobot.compiler.text_edit import TextEdit
-from kitrobot.compiler.vertex_places import VertexPlace
+from kitrobot.compiler.graph.vertex_places import VertexPlace
+from kitrobot.compiler.text.text_edit import TextEdit
 from kitrobot.diagnostics.model import Diagnostic
 from kitrobot.graph.model import Arc, Program, Vertex
 from kitrobot.lll.tree import TeamProgram

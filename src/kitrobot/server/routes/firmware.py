@@ -1,7 +1,7 @@
 """`/api/firmware`: boards that show a drive for new firmware, and MicroPython copied to one of them.
 
-A file is whole and for that chip before its first byte is copied (`kitrobot.deploy.uf2`). Only drives that this machine
-shows as boards are written to, and only for who sits at it.
+A file is whole and for that chip before its first byte is copied (`kitrobot.deploy.firmware.uf2`). Only drives that
+this machine shows as boards are written to, and only for who sits at it.
 """
 
 from __future__ import annotations
@@ -24,8 +24,8 @@ async def _body(request: Request) -> bytes:
 def firmware(request: Request) -> FirmwareShape:
     """The drives of boards that there are now, and the page where MicroPython is to be had."""
     refuse_visitors(request)
-    from kitrobot.deploy.firmware import EVERYWHERE
-    from kitrobot.deploy.uf2 import drives
+    from kitrobot.deploy.firmware.requirements import EVERYWHERE
+    from kitrobot.deploy.firmware.uf2 import drives
 
     found = [DriveShape(folder=str(one.folder), board=one.board, chip=one.chip) for one in drives()]
     return FirmwareShape(page=EVERYWHERE, drives=found)
@@ -40,7 +40,7 @@ def flash_firmware(
 ) -> FlashedShape:
     """Copies a UF2 file to a board; the board restarts with it."""
     refuse_visitors(request)
-    from kitrobot.deploy.uf2 import drive_shown, firmware_of, flash
+    from kitrobot.deploy.firmware.uf2 import drive_shown, firmware_of, flash
 
     found = firmware_of(data, file)
     target = drive_shown(drive)

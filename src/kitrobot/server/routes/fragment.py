@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from kitrobot.compiler.lll_to_graph import lll_to_graph
+from kitrobot.compiler.text.lll_to_graph import lll_to_graph
 from kitrobot.diagnostics.model import Diagnostic, KitRobotError
 from kitrobot.graph.model import IN, START, STOP, Program
 from kitrobot.lll.parse_results import parse

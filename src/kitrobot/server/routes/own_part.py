@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from kitrobot.compiler.own_part import Appearance, PartError, make_part, offer_part
-from kitrobot.compiler.part_text import draw_template, read_part
-from kitrobot.compiler.selection import SelectionError
+from kitrobot.compiler.graph.own_part import Appearance, PartError, make_part, offer_part
+from kitrobot.compiler.graph.selection import SelectionError
+from kitrobot.compiler.text.part_text import draw_template, read_part
 from kitrobot.diagnostics.model import KitRobotError
 from kitrobot.graph.model import Program
 from kitrobot.live.studio import Studio

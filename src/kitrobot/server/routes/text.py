@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from fastapi import Response
 
-from kitrobot.compiler.text_edit import follow_text
+from kitrobot.compiler.text.text_edit import follow_text
 from kitrobot.diagnostics.model import KitRobotError
 from kitrobot.server.routes.api_router import ThisStudio, api_router
 from kitrobot.server.routes.fast_json import followed_answer

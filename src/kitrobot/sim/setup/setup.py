@@ -13,7 +13,7 @@ from dataclasses import replace
 from functools import reduce
 
 from kitrobot.compiler.compilation import CompiledProgram
-from kitrobot.compiler.team_points import TeamPlan
+from kitrobot.compiler.team.points import TeamPlan
 from kitrobot.diagnostics.model import Diagnostic, KitRobotError
 from kitrobot.image.machine import Machine
 from kitrobot.mission.model import ALL, Mission

@@ -6,7 +6,7 @@ import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 
-from kitrobot.compiler.team_points import ALL, ONE, Point, PointKind, TeamPlan
+from kitrobot.compiler.team.points import ALL, ONE, Point, PointKind, TeamPlan
 from kitrobot.lll.tree import FAILURES, QUANTIFIERS, RoleDeclaration
 from kitrobot.mission.model import Team as DeclaredTeam
 from kitrobot.sim.tables import team_columns as c

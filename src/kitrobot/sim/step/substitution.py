@@ -3,7 +3,7 @@
 Such a robot is silent: until it is missed, a second later, meetings wait for it. What happens then, the groups say that
 it is in, in this order: *abort*: the team cannot go on. *substitute*: the first spare robot of its kind that is well,
 and stands at the same storehouse if that one stood at one, takes its role and groups over; its program, which waits in
-its first line, is led to where the role was lost (`compiler.team_points`). *drop*, which also holds where no spare one
+its first line, is led to where the role was lost (`compiler.team.points`). *drop*, which also holds where no spare one
 is left: the others go on without it.
 
 A role that was to be taken over and was not is vacant (`vacancies`).

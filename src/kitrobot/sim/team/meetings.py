@@ -1,6 +1,6 @@
 """What the robots of a team agree on in a step: who is in which set, and who goes on from which point.
 
-The meaning of points is in `compiler.team_points`. A robot comes to a point by a command of its program to the device
+The meaning of points is in `compiler.team.points`. A robot comes to a point by a command of its program to the device
 `team`, and waits until all who come there are there; then all of them go on with the same answer. Points are looked at
 in their order, once in a step in which somebody came or a set has changed.
 

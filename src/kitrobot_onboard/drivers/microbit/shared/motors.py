@@ -3,7 +3,7 @@
 # each say what they want, and the wheels turn by the sum; `tend` tells the chip what has changed. On the micro:bit of
 # 2016 nothing here may call a function that calls another one: its stack would end (docs/reference/boards.md). What is
 # not of the kit that a program is sent to, and what it does not call, is left out of what is sent
-# (kitrobot.deploy.tree_shaking).
+# (kitrobot.deploy.minification.tree_shaking).
 
 from microbit import i2c, running_time
 

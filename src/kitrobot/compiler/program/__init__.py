@@ -1,0 +1,1 @@
+"""One program: its names checked, its tree lowered to three-address code."""

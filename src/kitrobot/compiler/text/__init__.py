@@ -1,0 +1,1 @@
+"""LLL → graph: drawn anew, with the ids of what stayed, and edits of a text."""

@@ -1,0 +1,1 @@
+"""Firmware: what a program requires of it, chips, ports and `.uf2` files."""

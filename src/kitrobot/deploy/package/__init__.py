@@ -1,0 +1,1 @@
+"""What is put onto a board: drivers and their settings, the interpreter, the program file, the start."""

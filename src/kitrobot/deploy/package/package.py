@@ -1,0 +1,363 @@
+"""The files of a board: the modules of `kitrobot_onboard` that it needs, and the drivers of a program's devices.
+
+A small board has a flat folder, so every module becomes one file, minified, named by the start of the SHA-256 of its
+content; its imports of other modules of ours are rewritten to such names first. So the name of the first module
+identifies all of them, an unchanged module keeps its name, and two installations can exist side by side.
+
+Drivers are found by the name in a robot's XML: shipped ones by family of boards, then those for any; a user's own
+`NAME.driver.py` in the configuration folder and then in the mission's, of which the later one wins.
+"""
+
+from __future__ import annotations
+
+import ast
+import copy
+import hashlib
+import re
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, field, replace
+from functools import lru_cache
+from pathlib import Path
+from threading import Lock
+
+from kitrobot.deploy.errors import PackageError
+from kitrobot.deploy.microbit_2016.flash_code import FlashBlock
+from kitrobot.deploy.minification.minifier import parsed
+from kitrobot.deploy.minification.short_names import own_names, renamed
+from kitrobot.deploy.minification.tree_shaking import UsedParts, trim_driver, trim_shared_module
+from kitrobot.deploy.package.declarations import DriverDeclaration, read_declaration, without_declarations
+from kitrobot.deploy.package.onboard_bundle import (
+    IN_FLASH,
+    ONBOARD,
+    ROOT,
+    loop_block,
+    loop_files,
+    minified_module,
+    read_source,
+    requests_file,
+    short_text,
+)
+from kitrobot.deploy.package.start_script import start_file, start_from_flash
+from kitrobot.text.sentences import COMMA, Sentence, Series
+
+MODULE, PROGRAM, DIGITS = "kr", "kp", 8
+OWN_SUFFIX = ".driver.py"
+_BUILDING = Lock()
+"""Trees of Python are shared, and written to while they are made short."""
+
+WITH_LINES = frozenset({"machine"})
+"""Kinds of boards with room for drivers as their users wrote them, so that a fault names the line."""
+
+TRIMMED = "drivers.microbit.shared"
+"""The package of modules with what several drivers of the smallest board are, which are trimmed as a driver is."""
+
+_REMEMBERED = 200
+"""Drivers whose declarations are remembered."""
+
+TEAM_DRIVER = "team"
+"""The driver of what a robot has of its team; the code of a member comes with it."""
+FAMILIES: Mapping[str, Sequence[str]] = {"microbit": ("microbit", "any"), "machine": ("machine", "any")}
+"""Kinds of boards, with the folders of shipped drivers that they look into; each has its module in `ports`."""
+
+
+def name_of(content: bytes, kind: str = MODULE) -> str:
+    """The name of something by its content."""
+    return kind + hashlib.sha256(content).hexdigest()[:DIGITS]
+
+
+@dataclass(frozen=True)
+class BoardPackage:
+    """A package for one kind of board.
+
+    Args:
+        family: of boards.
+        files: by name, without `main`, which is `main.py`.
+        module: what the whole is called.
+        interpreter: the name of its module, or of the block of flash in which it is (`flash_code`).
+        start: the name of the file that a program's begins with.
+        loop: names of files that it compiles: the port and the loop; none when they are in flash.
+        drivers: names of files by names of drivers.
+        wants_range: of each driver, whether it reads the settings `min` and `max`, which every sensor has.
+        tends: names of drivers that do something at each tick.
+        bases: of a driver, the file that is executed in its space before it.
+        block: what the board runs from its flash.
+        in_lines: of a user's own driver whose lines and names are those of its file, the name of that file.
+        member: the name of the file with the code of a member of a team; "" where no program of a team is meant.
+    """
+
+    family: str
+    files: Mapping[str, bytes]
+    module: str
+    interpreter: str
+    start: str
+    loop: Sequence[str]
+    drivers: Mapping[str, str]
+    wants_range: Mapping[str, bool]
+    main: bytes
+    block: FlashBlock | None = None
+    member: str = ""
+    tends: frozenset[str] = frozenset()
+    bases: Mapping[str, str] = field(default_factory=dict)
+    in_lines: Mapping[str, str] = field(default_factory=dict)
+
+
+@lru_cache(_REMEMBERED)
+def _cached_declaration(text: str, path: str) -> DriverDeclaration:
+    return read_declaration(parsed(text, path), path)
+
+
+@dataclass(frozen=True)
+class Package:
+    """The package, with the folders in which drivers of the user are looked for, the one that wins last."""
+
+    folders: Sequence[Path] = ()
+
+    def candidates(self, driver: str, family: str) -> list[Path]:
+        """Where a driver may be, the one that wins first."""
+        plain = driver.replace("-", "_")
+        own = [folder / f"{name}{OWN_SUFFIX}" for folder in self.folders for name in dict.fromkeys((plain, driver))]
+        shipped = [ONBOARD / "drivers" / folder / f"{plain}.py" for folder in FAMILIES[family]]
+        return [*reversed(own), *shipped]
+
+    def driver_file(self, driver: str, family: str) -> Path | None:
+        """The file of a driver, or None. A name that could lead elsewhere has none."""
+        if not driver.replace("-", "_").isidentifier():
+            return None
+        return next((path for path in self.candidates(driver, family) if path.is_file()), None)
+
+    def missing(self, drivers: Iterable[str], family: str | None = None) -> list[str]:
+        """Those drivers that are there for no board, or not for this family."""
+        families = (family,) if family is not None else tuple(FAMILIES)
+        return [one for one in dict.fromkeys(drivers) if all(self.driver_file(one, each) is None for each in families)]
+
+    def declared(self, driver: str, family: str) -> DriverDeclaration:
+        """The declaration of a driver; an empty one when there is none.
+
+        Raises:
+            PackageError: its declaration is malformed, or it is no Python.
+        """
+        path = self.driver_file(driver, family)
+        return _cached_declaration(read_source(path), str(path)) if path is not None else DriverDeclaration()
+
+    def build(self, family: str, drivers: Mapping[str, UsedParts | None], *, in_flash: bool = True) -> BoardPackage:
+        """The package for a kind of board, with these drivers, each with its used parts; None: everything. From
+        any thread. `in_flash`: whether a family that runs the loop from flash does so; a micro:bit V2 does not.
+
+        Raises:
+            PackageError: a driver is missing, or is no Python.
+        """
+        with _BUILDING:
+            return self._build(family, drivers, in_flash and family in IN_FLASH)
+
+    def build_for_all(self, drivers: Mapping[str, UsedParts | None]) -> Iterator[BoardPackage]:
+        """The packages for all kinds of boards that have these drivers; of micro:bits that of 2016 and the V2."""
+        for family in FAMILIES:
+            if not self.missing(drivers, family):
+                for in_flash in (True, False) if family in IN_FLASH else (False,):
+                    yield self.build(family, drivers, in_flash=in_flash)
+
+    def _build(self, family: str, drivers: Mapping[str, UsedParts | None], in_flash: bool) -> BoardPackage:
+        builder = _PackageBuilder(shared=self._shared(family, drivers))
+        modules = {}
+        wants_range = {}
+        in_lines = {}
+        for driver, used in drivers.items():
+            path = self.driver_file(driver, family)
+            if path is None:
+                raise missing_driver(driver, self, family)
+            text = builder.in_lines(path) if family in WITH_LINES and path.name.endswith(OWN_SUFFIX) else None
+            if text is not None:
+                modules[driver], in_lines[driver] = builder.store(text), path.name
+            else:
+                modules[driver] = builder.add(path, used) + ".py"
+            wants_range[driver] = re.search(rb"""["']m(in|ax)["']""", builder.files[modules[driver]]) is not None
+        tends = frozenset(driver for driver in drivers if self._tends(driver, family))
+        bases = {
+            driver: builder.bases[path]
+            for driver in drivers
+            if (path := self.driver_file(driver, family)) in builder.bases
+        }
+        built = replace(
+            _built(family, builder, modules, wants_range, in_flash), tends=tends, bases=bases, in_lines=in_lines
+        )
+        if TEAM_DRIVER not in drivers:
+            return built
+        member = minified_module(ONBOARD / "member.py")
+        name = name_of(member) + ".py"
+        return replace(built, files={name: member, **built.files}, member=name)
+
+    def _shared(self, family: str, drivers: Mapping[str, UsedParts | None]) -> dict[Path, UsedParts]:
+        """The used parts of the modules that only drivers import."""
+        found: dict[Path, UsedParts] = {}
+        whole: set[Path] = set()
+        for driver, used in drivers.items():
+            for path in self._shared_by(driver, family):
+                if used is None:
+                    whole.add(path)
+                else:
+                    found[path] = found.get(path, UsedParts()) | used
+        return {path: used for path, used in found.items() if path not in whole}
+
+    def _shared_by(self, driver: str, family: str) -> list[Path]:
+        """The shared modules with whole devices that a driver imports (see `TRIMMED`)."""
+        path = self.driver_file(driver, family)
+        if path is None:
+            return []
+        text = read_source(path)
+        folder = ONBOARD.joinpath(*TRIMMED.split("."))
+        named = dict.fromkeys(re.findall(rf"{re.escape(f'{ROOT}.{TRIMMED}.')}(\w+) ", text))
+        return [folder / f"{name}.py" for name in named if (folder / f"{name}.py").is_file()]
+
+    def _tends(self, driver: str, family: str) -> bool:
+        path = self.driver_file(driver, family)
+        return any(
+            "def tend(" in read_source(one) for one in [*self._shared_by(driver, family), *([path] if path else [])]
+        )
+
+
+def _built(
+    family: str, builder: _PackageBuilder, drivers: Mapping[str, str], wants_range: Mapping[str, bool], in_flash: bool
+) -> BoardPackage:
+    package = _PackageBuilder()
+    requests = package.store(requests_file(family))
+    loop: list[str] = []
+    block = loop_block(family) if in_flash else None
+    if block is not None:
+        interpreter = block.name
+        start = package.store(start_from_flash(block, family, requests))
+    else:
+        interpreter = package.store(minified_module(ONBOARD / "interpreter.py"))[: -len(".py")]
+        loop = [package.store(minified_module(path)) for path in (ONBOARD / "ports" / f"{family}.py", *loop_files())]
+        sizes = [len(package.files[name]) for name in loop]
+        start = package.store(start_file(interpreter, list(zip(loop, sizes, strict=True)), requests))
+    main = package.files["main.py"] = minified_module(ONBOARD / "boot.py")
+    package.files["krboot.py"] = minified_module(ONBOARD / "krboot.py")
+    module = name_of(b"".join(sorted(package.files.values())))
+    del package.files["main.py"]
+    files = {**builder.files, **package.files}
+    return BoardPackage(family, files, module, interpreter, start, loop, drivers, wants_range, main, block)
+
+
+def missing_driver(driver: str, package: Package, family: str) -> PackageError:
+    """The error that names the files which were looked for."""
+    files = [path for path in package.candidates(driver, family) if ".." not in driver and "/" not in driver]
+    own = driver.replace("-", "_") + OWN_SUFFIX
+    where = Series(COMMA, dict.fromkeys(str(path.parent) for path in files if path.name.endswith(OWN_SUFFIX)))
+    shipped = f"drivers/{family}/{driver.replace('-', '_')}.py"
+    return PackageError(
+        Sentence(
+            "there is no driver `{driver}` for this kind of board: neither `{own}` in {where} nor "
+            "`{shipped}` of KitRobot",
+            driver,
+            own,
+            where or Sentence("the mission’s folder"),
+            shipped,
+        ),
+        Sentence("write `{own}` beside the mission, or name another driver in the robot's XML", own),
+    )
+
+
+@dataclass
+class _PackageBuilder:
+    """Files by name, and the names of the modules that were made already: as drivers (True), and to be imported."""
+
+    files: dict[str, bytes] = field(default_factory=dict)
+    names: dict[tuple[Path, bool], str] = field(default_factory=dict)
+    open: list[Path] = field(default_factory=list)
+    shared: Mapping[Path, UsedParts] = field(default_factory=dict)
+    bases: dict[Path, str] = field(default_factory=dict)
+
+    def add(self, path: Path, used: UsedParts | None = None) -> str:
+        """Adds a module and those that it imports; its name. `used`: its used parts, when it is a driver."""
+        made = path, used is not None  # what is trimmed for being a driver, nobody can import names of
+        if made in self.names:
+            return self.names[made]
+        if path in self.open:
+            raise PackageError(
+                Sentence("`{path}` imports itself through others", path.name), Sentence("undo the circle of imports")
+            )
+        self.open.append(path)
+        tree = parsed(read_source(path), str(path))
+        tree = without_declarations(tree)
+        if used is None and path in self.shared:
+            tree = trim_shared_module(tree, self.shared[path])
+        tree = _Imports(self, path).visit(tree if used is None else trim_driver(tree, used))
+        self.open.pop()
+        if used is not None:
+            tree = renamed(tree, own_names(tree))
+        name = self.store(short_text(ast.unparse(ast.fix_missing_locations(tree))).encode())[: -len(".py")]
+        self.names[made] = name
+        return name
+
+    def in_lines(self, path: Path) -> bytes | None:
+        """A driver with every line where it is in its file; its imports of ours, which it adds, have the board's names.
+        None when that cannot be said so: MicroPython knows no annotations of variables, and a line has one import.
+        """
+        text = read_source(path)
+        tree = parsed(text, str(path))
+        lines = text.split("\n")
+        for node in ast.walk(tree):
+            if isinstance(node, ast.AnnAssign):
+                return None
+            if isinstance(node, ast.Import | ast.ImportFrom):
+                if isinstance(node, ast.ImportFrom) and node.module in ("__future__", "typing"):
+                    return None
+                made = _Imports(self, path).visit(copy.deepcopy(node))
+                end = node.end_lineno or node.lineno
+                there = "\n".join(lines[node.lineno - 1 : end])
+                if there.strip() != (ast.get_source_segment(text, node) or ""):
+                    return None
+                words = ";".join(ast.unparse(one) for one in (made if isinstance(made, list) else [made]))
+                lines[node.lineno - 1 : end] = [" " * node.col_offset + words, *[""] * (end - node.lineno)]
+        return "\n".join(lines).encode()
+
+    def store(self, content: bytes) -> str:
+        """Adds a file; its name."""
+        name = name_of(content) + ".py"
+        self.files[name] = content
+        return name
+
+
+class _Imports(ast.NodeTransformer):
+    """Rewrites imports of modules of ours to the names that these have on the board."""
+
+    def __init__(self, builder: _PackageBuilder, path: Path) -> None:
+        self.builder = builder
+        self.path = path
+
+    def visit_ImportFrom(self, node: ast.ImportFrom) -> ast.AST | list[ast.stmt]:
+        words = (node.module or "").split(".")
+        if node.level or words[0] != ROOT:
+            return node
+        place = ONBOARD.joinpath(*words[1:])
+        if place.with_suffix(".py").is_file() and place != ONBOARD:
+            node.module = self.builder.add(place.with_suffix(".py"))
+            if ".".join(words[1:-1]) == TRIMMED:
+                self.builder.bases[self.path] = f"{node.module}.py"
+                return []  # its names are in the driver's space already
+            return node
+        found: list[ast.stmt] = []
+        for alias in node.names:
+            path = place / f"{alias.name}.py"
+            if not path.is_file():
+                raise self._unknown(f"{node.module}.{alias.name}", node)
+            name = self.builder.add(path)
+            found.append(ast.Import([ast.alias(name, alias.asname or alias.name)]))
+        return found
+
+    def visit_Import(self, node: ast.Import) -> ast.AST:
+        for alias in node.names:
+            if alias.name.split(".")[0] == ROOT:
+                raise self._unknown(alias.name, node)
+        return node
+
+    def _unknown(self, name: str, node: ast.stmt) -> PackageError:
+        return PackageError(
+            Sentence(
+                "`{path}` line {line} imports `{module}`, which cannot be brought onto a board so",
+                self.path,
+                node.lineno,
+                name,
+            ),
+            Sentence("import it as `from kitrobot_onboard.MODULE import NAME`, from a module that is there"),
+        )
