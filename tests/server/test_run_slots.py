@@ -9,6 +9,7 @@ from typing import Any
 import pytest
 
 from kitrobot.live import runs
+from kitrobot.live.feed import ChannelClosedError
 from kitrobot.live.runs import MOST_RUNS, RunSession
 from tests import coroutines
 from tests.server.test_run import FOREVER
@@ -21,15 +22,18 @@ class Socket:
 
     def __init__(self, app: Any) -> None:
         self.app = app
-        self._asked: asyncio.Queue[dict[str, Any]] = asyncio.Queue()
+        self._asked: asyncio.Queue[str | None] = asyncio.Queue()
         self.said: asyncio.Queue[dict[str, Any]] = asyncio.Queue()
-        self._session = asyncio.create_task(RunSession(self, app.state.studio).serve())  # type: ignore[arg-type]
+        self._session = asyncio.create_task(RunSession(self, app.state.studio).serve())
 
     def ask(self, **request: Any) -> None:
-        self._asked.put_nowait({"type": "websocket.receive", "text": json.dumps(request)})
+        self._asked.put_nowait(json.dumps(request))
 
-    async def receive(self) -> dict[str, Any]:
-        return await self._asked.get()
+    async def receive(self) -> str:
+        asked = await self._asked.get()
+        if asked is None:
+            raise ChannelClosedError
+        return asked
 
     async def send_text(self, text: str) -> None:
         self.said.put_nowait(json.loads(text))
@@ -44,7 +48,7 @@ class Socket:
                 return said
 
     async def leave(self) -> None:
-        self._asked.put_nowait({"type": "websocket.disconnect"})
+        self._asked.put_nowait(None)
         await self._session
 
 

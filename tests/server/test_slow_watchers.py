@@ -9,6 +9,7 @@ from typing import Any
 import orjson
 
 from kitrobot.live.broadcast import RunUpdate, Watcher
+from kitrobot.live.feed import ChannelClosedError, Feed
 from kitrobot.translation.languages import override_language
 from kitrobot.wire.run import ErrorMessage, StateMessage
 from tests import coroutines
@@ -20,6 +21,9 @@ class SlowLine:
     def __init__(self) -> None:
         self.sent: list[Any] = []
         self.room = asyncio.Event()
+
+    async def receive(self) -> str:
+        raise ChannelClosedError
 
     async def send_bytes(self, data: bytes) -> None:
         await self.room.wait()
@@ -39,8 +43,8 @@ def told_late(told: list[Any]) -> list[Any]:
 
     async def scene() -> list[Any]:
         line = SlowLine()
-        watcher = Watcher(line)
-        task = asyncio.create_task(watcher.serve())
+        feed = Feed(line)
+        watcher = Watcher(feed)
         for one in told:
             if isinstance(one, RunUpdate):
                 watcher.send_update(one)
@@ -50,7 +54,7 @@ def told_late(told: list[Any]) -> list[Any]:
                 watcher.end(one)
             await asyncio.sleep(0)
         line.room.set()
-        await task
+        await feed.wait()
         return line.sent
 
     return coroutines.run(scene())

@@ -1,7 +1,7 @@
 """Sends a run to the pages that watch it while another page steers it.
 
 Each update goes to all watchers and is encoded once: the frame as it is, the JSON once for each language that has
-words in it. Each watcher has a task of its own that sends the newest update; while it is still sending, later updates
+words in it. Each watcher has a feed of its own that sends the newest update; while it is still sending, later updates
 are merged (the frames, all that changed, all events), so a slow page gets fewer and larger messages, misses nothing
 that lasts, and never holds up the run or the others.
 
@@ -11,14 +11,11 @@ anything here. Other modules encode the updates (run_encoder) and steer the run 
 
 from __future__ import annotations
 
-import asyncio
-import contextlib
 from collections.abc import Callable, Iterable
 from dataclasses import replace
 from typing import Any, Protocol
 
-from fastapi import WebSocketDisconnect
-
+from kitrobot.live.feed import Channel, Feed
 from kitrobot.live.run_encoder import MOST_EVENTS_SENT
 from kitrobot.mission.model import Mission
 from kitrobot.text.json_text import to_json
@@ -31,16 +28,6 @@ MOST_WATCHERS = 200
 
 _MOST_FRAMES = 64_000
 """Bytes of frames that wait for a slow page; of more only the newest are sent."""
-
-
-class MessageSink(Protocol):
-    """The receiver of a watcher's messages: a WebSocket, or its twin in a test."""
-
-    async def send_bytes(self, data: bytes) -> None:
-        """Sends a frame; comes back when there is room for more."""
-
-    async def send_text(self, data: str) -> None:
-        """Sends a message; comes back when there is room for more."""
 
 
 class RunSnapshotSource(Protocol):
@@ -93,73 +80,51 @@ def _merge_drawings(missed: dict[str, Any] | None, news: dict[str, Any] | None) 
 
 
 class Watcher:
-    """One page that watches; `another`: its own mission is not the one that runs.
+    """One page that watches, over a feed; `another`: its own mission is not the one that runs.
 
-    `serve` is its task. Messages arrive in the order in which they were sent, except that an update may overtake a
-    state that was sent before it: of both only the newest waits.
+    Messages arrive in the order in which they were sent, except that an update may overtake a state that was sent
+    before it: of both only the newest waits.
     """
 
-    def __init__(self, sink: MessageSink, another: bool = False) -> None:
-        self._sink = sink
+    def __init__(self, feed: Feed, another: bool = False) -> None:
+        self._feed = feed
         self._another = another
-        self._started: StartedMessage | None = None
         self._update: RunUpdate | None = None
-        self._state: StateMessage | None = None
-        self._last: ErrorMessage | None = None
-        self._due = asyncio.Event()
         self.selected_agents: tuple[str, ...] = ()
         """Agents that the page has selected."""
 
     def begin(self, started: StartedMessage) -> None:
         """Queues the first message."""
-        self._started = started.model_copy(update={"watching": True, "abilities": [], "another": self._another})
-        self._due.set()
+        first = started.model_copy(update={"watching": True, "abilities": [], "another": self._another})
+        self._feed.put((0, "started"), lambda: [first.model_dump_json()])
 
     def send_update(self, update: RunUpdate) -> None:
         """Queues an update, merged with the one that still waits."""
         self._update = update.after(self._update)
-        self._due.set()
+        self._feed.put((1, "update"), self._take_update)
+
+    def _take_update(self) -> list[str | bytes]:
+        update, self._update = self._update, None
+        return [] if update is None else [update.frame, update.text()]
 
     def send_state(self, state: StateMessage) -> None:
         """Queues the state of the run."""
-        self._state = state
-        self._due.set()
+        self._feed.put((2, "state"), lambda: [state.model_dump_json()])
 
     def end(self, message: ErrorMessage) -> None:
         """Queues the last message."""
-        self._last = message
-        self._due.set()
-
-    async def serve(self) -> None:
-        """Sends what is queued, until it is cancelled, the page is gone, or the last message is sent."""
-        with contextlib.suppress(WebSocketDisconnect, RuntimeError, OSError):
-            while True:
-                await self._due.wait()
-                self._due.clear()
-                started, self._started = self._started, None
-                update, self._update = self._update, None
-                state, self._state = self._state, None
-                last = self._last
-                if started is not None:
-                    await self._sink.send_text(started.model_dump_json())
-                if update is not None:
-                    await self._sink.send_bytes(update.frame)
-                    await self._sink.send_text(update.text())
-                if state is not None:
-                    await self._sink.send_text(state.model_dump_json())
-                if last is not None:
-                    await self._sink.send_text(last.model_dump_json())
-                    return
+        self._feed.put((3, "end"), lambda: [message.model_dump_json()])
+        self._feed.finish()
 
 
 class Subscription:
     """The place of one watcher in a broadcast, from when it joins until it leaves."""
 
-    def __init__(self, broadcast: Broadcast, sink: MessageSink, another: bool) -> None:
+    def __init__(self, broadcast: Broadcast, channel: Channel, another: bool) -> None:
         self._broadcast = broadcast
-        self._watcher = Watcher(sink, another)
+        self._feed = Feed(channel)
+        self._watcher = Watcher(self._feed, another)
         broadcast.join(self._watcher)
-        self._task = asyncio.create_task(self._watcher.serve())
 
     def select_agents(self, agents: Iterable[str]) -> None:
         """As `Broadcast.select_agents`."""
@@ -168,8 +133,7 @@ class Subscription:
     async def leave(self) -> None:
         """Watches no more."""
         self._broadcast.leave(self._watcher)
-        self._task.cancel()
-        await asyncio.gather(self._task, return_exceptions=True)
+        await self._feed.close()
 
 
 class Broadcast:

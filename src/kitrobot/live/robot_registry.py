@@ -23,7 +23,7 @@ from typing import TYPE_CHECKING
 from kitrobot.diagnostics.model import KitRobotError
 from kitrobot.live.background import run_in_background
 from kitrobot.live.robot_gateway import RobotGateway
-from kitrobot.live.robot_subscriber import AT_PAGE, MOST_BOARDS, MessageSink, RobotSubscriber
+from kitrobot.live.robot_subscriber import AT_PAGE, MOST_BOARDS, RobotSubscriber
 from kitrobot.live.team_controller import TeamController
 from kitrobot.text.sentences import Sentence
 from kitrobot.translation.languages import reader_language
@@ -31,6 +31,7 @@ from kitrobot.wire.board import BoardGoneMessage, BoardPortShape, BoardPortsMess
 
 if TYPE_CHECKING:
     from kitrobot.deploy.firmware.ports import Port
+    from kitrobot.live.feed import Channel
     from kitrobot.live.last_run_recorder import LastRunRecorder
     from kitrobot.live.robot_worker import RobotWorker
 
@@ -70,9 +71,9 @@ class RobotRegistry:
 
     # -- pages
 
-    def subscribe(self, line: MessageSink) -> RobotSubscriber:
+    def subscribe(self, channel: Channel) -> RobotSubscriber:
         """Adds a page, and sends it all robots."""
-        subscriber = RobotSubscriber(self, line, f"page-{next(self._names)}")
+        subscriber = RobotSubscriber(self, channel, f"page-{next(self._names)}")
         self._subscribers.append(subscriber)
         for address, session in self._sessions.items():
             if subscriber.is_sent_board(address, session.holder):

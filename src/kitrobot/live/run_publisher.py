@@ -5,20 +5,20 @@ from __future__ import annotations
 from collections.abc import Collection
 from typing import Any
 
-from fastapi import WebSocket
 from pydantic import BaseModel
 
 from kitrobot.live.broadcast import Broadcast, RunUpdate
+from kitrobot.live.feed import Channel
 from kitrobot.live.watched_run import WatchedRun
 from kitrobot.wire.problem import problem_shapes
 from kitrobot.wire.run import ErrorMessage, StateMessage
 
 
 class RunPublisher:
-    """Publishes the run on one socket. `broadcast`: to its watchers; None while there is no run."""
+    """Publishes the run on one channel. `broadcast`: to its watchers; None while there is no run."""
 
-    def __init__(self, socket: WebSocket) -> None:
-        self._socket = socket
+    def __init__(self, channel: Channel) -> None:
+        self._channel = channel
         self.reset()
 
     def reset(self) -> None:
@@ -36,8 +36,8 @@ class RunPublisher:
         update = RunUpdate(*watch.encode_update())
         if self.broadcast is not None:
             self.broadcast.send_update(update)
-        await self._socket.send_bytes(update.frame)
-        await self._socket.send_text(update.text())
+        await self._channel.send_bytes(update.frame)
+        await self._channel.send_text(update.text())
 
     async def publish_state(self, watch: WatchedRun, status: Any) -> None:
         """Sends the state of the run, when it has changed."""
@@ -74,7 +74,7 @@ class RunPublisher:
 
     async def send(self, message: BaseModel) -> None:
         """Sends the page a message."""
-        await self._socket.send_text(message.model_dump_json())
+        await self._channel.send_text(message.model_dump_json())
 
     async def send_error(self, message: str, help: str, ended: bool = False) -> None:
         """Sends what was refused, or why the run has ended."""

@@ -19,12 +19,12 @@ import os
 import time
 from collections.abc import Callable
 
-from fastapi import WebSocket, WebSocketDisconnect
 from pydantic import ValidationError
 
 from kitrobot.diagnostics.model import KitRobotError
 from kitrobot.live.background import run_in_background
 from kitrobot.live.broadcast import MOST_WATCHERS, Broadcast, Subscription
+from kitrobot.live.feed import Channel, ChannelClosedError
 from kitrobot.live.realtime_pacer import RealtimePacer, clamp_speed
 from kitrobot.live.run_jobs import Job, job_for_request, run_job_until, single_step_job, steps_back
 from kitrobot.live.run_publisher import RunPublisher
@@ -65,13 +65,13 @@ class RunSession:
 
     def __init__(
         self,
-        socket: WebSocket,
+        channel: Channel,
         studio: Studio,
         refuse_visitors: Callable[[], None] = lambda: None,
         clock: Callable[[], float] = time.monotonic,
     ) -> None:
-        self._socket = socket
-        self._publisher = RunPublisher(socket)
+        self._channel = channel
+        self._publisher = RunPublisher(channel)
         self._studio = studio
         self._refuse_visitors = refuse_visitors
         self._clock = clock
@@ -98,10 +98,9 @@ class RunSession:
         """Reads requests until the socket closes, then ends the run."""
         try:
             while True:
-                message = await self._socket.receive()
-                if message["type"] == "websocket.disconnect":
-                    return
-                await self._handle_message(message.get("text") or message.get("bytes") or "")
+                await self._handle_message(await self._channel.receive())
+        except ChannelClosedError:
+            return
         finally:
             # Watchers are notified before anything is awaited: a cancellation ends the awaiting too.
             self._close_run()
@@ -188,7 +187,7 @@ class RunSession:
             message = Sentence("{most} pages watch this run already", MOST_WATCHERS)
             await self._publisher.send_error(message, Sentence("try again later"), ended=True)
         else:
-            self._subscription = Subscription(broadcast, self._socket, another=not broadcast.runs_mission(mission))
+            self._subscription = Subscription(broadcast, self._channel, another=not broadcast.runs_mission(mission))
 
     async def _stop_watching(self) -> None:
         """Ends this socket's watching."""
@@ -249,7 +248,7 @@ class RunSession:
                 )
         except KitRobotError as error:
             await self._publisher.end_for_all(error.message, error.help)
-        except (RuntimeError, OSError, WebSocketDisconnect):
+        except ChannelClosedError:
             # The page is gone in the middle of a message; `serve` notices it too.
             _log.debug("the page left during a run", exc_info=True)
         except Exception as error:

@@ -19,11 +19,13 @@ from starlette.background import BackgroundTask
 
 from kitrobot.diagnostics.model import KitRobotError
 from kitrobot.live.background import run_in_background
+from kitrobot.live.feed import Channel, ChannelClosedError
 from kitrobot.live.robot_registry import AddressError, RobotRegistry
 from kitrobot.live.robot_subscriber import RobotSubscriber
 from kitrobot.live.studio import Studio
 from kitrobot.live.team_controller import TEAM
 from kitrobot.server.routes.api_router import refuse_visitors, studio_of
+from kitrobot.server.sockets import SocketChannel
 from kitrobot.text.sentences import Sentence
 from kitrobot.trace.layout import ENDING
 from kitrobot.wire.board import (
@@ -67,7 +69,7 @@ async def boards(socket: WebSocket) -> None:
         await socket.send_text(_refusal("", error).model_dump_json())
         await socket.close(1008)
         return
-    await BoardSession(socket, studio, studio.boards).serve()
+    await BoardSession(SocketChannel(socket), studio, studio.boards).serve()
 
 
 @board_routes.get("/api/board/trace", response_class=FileResponse)
@@ -98,20 +100,19 @@ def _refusal(address: str, error: KitRobotError) -> BoardRefusedMessage:
 class BoardSession:
     """One page and the robots it holds."""
 
-    def __init__(self, socket: WebSocket, studio: Studio, room: RobotRegistry) -> None:
-        self._socket = socket
+    def __init__(self, channel: Channel, studio: Studio, room: RobotRegistry) -> None:
+        self._channel = channel
         self._studio = studio
         self._room = room
 
     async def serve(self) -> None:
         """Reads requests until the socket closes, then lets go of the page's robots."""
-        subscriber = self._room.subscribe(self._socket)
+        subscriber = self._room.subscribe(self._channel)
         try:
             while True:
-                message = await self._socket.receive()
-                if message["type"] == "websocket.disconnect":
-                    return
-                await self._handle_message(subscriber, message.get("text") or message.get("bytes") or "")
+                await self._handle_message(subscriber, await self._channel.receive())
+        except ChannelClosedError:
+            return
         finally:
             await self._room.unsubscribe(subscriber)
 

@@ -8,6 +8,7 @@ from fastapi import APIRouter, WebSocket
 
 from kitrobot.live.runs import RunSession
 from kitrobot.server.routes.api_router import refuse_visitors, studio_of
+from kitrobot.server.sockets import SocketChannel
 
 run_routes = APIRouter()
 
@@ -16,4 +17,4 @@ run_routes = APIRouter()
 async def run(socket: WebSocket) -> None:
     """Serves one socket until it closes."""
     await socket.accept()
-    await RunSession(socket, studio_of(socket), partial(refuse_visitors, socket)).serve()
+    await RunSession(SocketChannel(socket), studio_of(socket), partial(refuse_visitors, socket)).serve()
