@@ -8,7 +8,7 @@ team's part of the tables; all that belongs to bodies is done here, by the funct
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from typing import NamedTuple
 
 from kitrobot.sim.actuation import deliver_commands, issue_command
 from kitrobot.sim.columns import (
@@ -28,8 +28,7 @@ from kitrobot.sim.simulation import Simulation
 from kitrobot.sim.step_loop import inject_faults, sample_sensors
 
 
-@dataclass(frozen=True, slots=True)
-class TickResult:
+class TickResult(NamedTuple):
     """What came of a robot's tick.
 
     Attributes:
@@ -38,9 +37,9 @@ class TickResult:
             before it.
     """
 
-    cells: Sequence[int]
-    threads: Sequence[int]
-    out: Sequence[Sequence[int]] = ()
+    cells: tuple[int, ...]
+    threads: tuple[int, ...]
+    out: tuple[tuple[int, ...], ...] = ()
 
 
 def begin_hosted_step(simulation: Simulation) -> None:
