@@ -21,6 +21,7 @@ NOUNS = frozenset(
     {
         "drawing",
         "encoding",
+        "feed",
         "decoding",
         "finding",
         "grading",

@@ -7,7 +7,7 @@ from collections.abc import Callable
 from dataclasses import dataclass, field
 from functools import partial
 
-from kitrobot.fleet.body_messages import decode_frame, decode_reply, encode_frame, encode_reply
+from kitrobot.fleet.body_messages import Frame, Reply, decode_record, encode_record
 from kitrobot.fleet.charter import charter_of
 from kitrobot.fleet.host import AgentHost
 from kitrobot.fleet.world import WorldHost
@@ -114,7 +114,7 @@ class Fleet:
         self.world.time(self.now)
         frames, self.world.frames = self.world.frames, []
         for i, frame in frames:
-            data = encode_frame(frame)
+            data = encode_record(frame)
             self.send(-1, i, partial(self.framed, i, data))
 
     def check_seats(self) -> None:
@@ -130,10 +130,10 @@ class Fleet:
         if i not in self.hosts:
             return
         host = self.hosts[i]
-        replies = host.frame(self.now, decode_frame(data))
+        replies = host.frame(self.now, decode_record(data, Frame))
         self.post(i, host)
         for reply in replies:
-            self.send(i, -1, partial(self.answered, i, encode_reply(reply)))
+            self.send(i, -1, partial(self.answered, i, encode_record(reply)))
 
     def obeyed(self, i: int, host: AgentHost, board: BenchBoard) -> None:
         """The board of an agent does what it was told; what came of a tick is known when it has taken its time."""
@@ -151,12 +151,12 @@ class Fleet:
         self.post(i, host)
 
     def answered(self, i: int, data: bytes) -> None:
-        self.world.answer(self.now, i, decode_reply(data))
+        self.world.answer(self.now, i, decode_record(data, Reply))
 
     def post(self, i: int, host: AgentHost) -> None:
         replies, host.replies = host.replies, []
         for reply in replies:
-            self.send(i, -1, partial(self.answered, i, encode_reply(reply)))
+            self.send(i, -1, partial(self.answered, i, encode_record(reply)))
         sendings, host.sendings = host.sendings, []
         for to, message in sendings:
             for other in range(self.charter.members) if to == EVERYONE else (to,):

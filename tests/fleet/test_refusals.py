@@ -62,7 +62,7 @@ def test_an_agent_of_another_version_is_told_of_and_hears_something_that_it_can_
     bus.put(None, "kitrobot/here/t", HELLO_OF_VERSION_3)
     bus.meanwhile(lambda: turns(5))
     team.gather(None)
-    assert "refused: a message of version 3, this is version 4" in bus.said
+    assert "refused: a message of version 3, this is version 5" in bus.said
     answers = [data for name, data in bus.recorded if name == "kitrobot/here/m/2"]
     assert answers
-    assert answers[0][:3] == b"KF\x04", "an older agent says: a message of version 4"
+    assert answers[0][:3] == b"KF\x05", "an older agent says: a message of version 5"

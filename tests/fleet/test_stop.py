@@ -19,7 +19,7 @@ from kitrobot.fleet import envelopes as kinds
 from kitrobot.fleet.agent_process import AgentBoard, AgentProcess
 from kitrobot.fleet.board_body import Order
 from kitrobot.fleet.board_line import BoardLine
-from kitrobot.fleet.body_messages import Frame, encode_frame
+from kitrobot.fleet.body_messages import Frame, encode_record
 from kitrobot.fleet.bundles import bundle
 from kitrobot.fleet.envelopes import EVERYBODY, TEAM_PROCESS, Envelope, seal
 from kitrobot.fleet.identity import identity_of
@@ -92,7 +92,7 @@ INPUTS = anew().members[0].machine.layout.inputs
 
 
 def frame(serial: int) -> bytes:
-    return encode_frame(Frame(serial, 0, False, False, (0,) * INPUTS))
+    return encode_record(Frame(serial, 0, False, False, (0,) * INPUTS))
 
 
 def begun(channel: Heard, said: list[str], over: Event, board: AgentBoard | None = None) -> AgentProcess:

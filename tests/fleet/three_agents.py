@@ -451,7 +451,7 @@ class ThreeAgents:
             return words
         to, message = self.letters[letter]
         rest = ", ".join(
-            f"{name} {_plain(getattr(message, name))}" for name in type(message).__slots__ if name != "sender"
+            f"{name} {_plain(getattr(message, name))}" for name in message.__struct_fields__ if name != "sender"
         )
         return f"{type(message).__name__} of {message.sender.member} to {to} ({rest}) {words}"
 

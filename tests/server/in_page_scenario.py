@@ -13,13 +13,20 @@ from pathlib import Path
 from kitrobot_onboard import link
 from tests.server.sleeping_loop import SleepingLoop, sleep
 
+ROOT = Path(__file__).parents[2]
 BANNED = frozenset(
     {"numpy", "numba", "llvmlite", "orjson", "uvicorn", "uvloop", "websockets", "h11", "serial", "mpremote", "zenoh"}
     | {"rich", "typer", "python_minifier", "multiprocessing", "_multiprocessing", "concurrent.futures.process"}
     # What is not sent (`packaging.site_sources`, `packaging.site_packages`).
-    | {"idna", "argparse", "configparser", "tomllib", "tracemalloc", "http.server", "http.cookiejar"}
+    | {"idna", "platformdirs", "argparse", "configparser", "tomllib", "tracemalloc", "http.server", "http.cookiejar"}
     | {"logging.handlers", "logging.config", "anyio._backends._trio", "starlette.testclient"}
 )
+
+
+def environment(home: Path) -> dict[str, str]:
+    """That of a process that stands for a page, as `web/src/site/worker.ts` makes it."""
+    folders = {"KITROBOT_CONFIG": str(home / "config"), "KITROBOT_STATE": str(home / "state")}
+    return {"HOME": str(home), **folders, "PATH": "", "PYTHONPATH": f"{ROOT}:{ROOT / 'src'}"}
 
 
 class Ban:

@@ -12,9 +12,9 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from kitrobot.text.json_text import from_json, plain_from_json, plain_to_json, to_json
+from tests.server.in_page_scenario import environment
 
 SCENARIO = Path(__file__).with_name("in_page_scenario.py")
-ROOT = SCENARIO.parents[2]
 
 
 def test_a_page_opens_checks_runs_and_saves_where_only_is_what_a_browser_has(tmp_path: Path) -> None:
@@ -24,7 +24,7 @@ def test_a_page_opens_checks_runs_and_saves_where_only_is_what_a_browser_has(tmp
         capture_output=True,
         text=True,
         check=False,
-        env={"HOME": str(tmp_path), "KITROBOT_STATE": str(tmp_path / "state"), "PATH": "", "PYTHONPATH": str(ROOT)},
+        env=environment(tmp_path),
     )
     assert ran.returncode == 0, ran.stderr
     told = json.loads(ran.stdout.splitlines()[-1])

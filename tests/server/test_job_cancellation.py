@@ -22,13 +22,13 @@ from kitrobot.live import watched_run
 from kitrobot.server.routes import exercise as exercise_routes
 from kitrobot.text.sentences import Sentence
 from tests.server.conftest import HOST, SOCKET, TOKEN
+from tests.server.in_page_scenario import environment
 from tests.server.test_run import connect  # noqa: F401
 
 # The fixture is that of test_run.
 # ruff: noqa: F811
 
 SCENARIO = Path(__file__).with_name("long_work_in_page.py")
-ROOT = SCENARIO.parents[2]
 HOURS = 10**7
 WAITS_BESIDE = """<kitrobot version="1">
   <program name="waits" robot="mini-robot">
@@ -264,7 +264,7 @@ def test_each_long_work_is_broken_off_where_there_are_no_threads(tmp_path: Path)
         capture_output=True,
         text=True,
         check=False,
-        env={"HOME": str(tmp_path), "KITROBOT_STATE": str(tmp_path / "state"), "PATH": "", "PYTHONPATH": str(ROOT)},
+        env=environment(tmp_path),
     )
     assert ran.returncode == 0, ran.stderr
     told = json.loads(ran.stdout.splitlines()[-1])

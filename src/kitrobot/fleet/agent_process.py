@@ -13,7 +13,7 @@ from dataclasses import dataclass
 
 from kitrobot.fleet import envelopes as kinds
 from kitrobot.fleet.board_line import BoardLine
-from kitrobot.fleet.body_messages import FrameError, Reply, decode_frame, decode_snapshot, encode_reply, encode_snapshot
+from kitrobot.fleet.body_messages import Frame, FrameError, ReplicaSnapshot, Reply, decode_record, encode_record
 from kitrobot.fleet.bundles import bundle, unbundle
 from kitrobot.fleet.charter import LEAST_LEASE_MS, MOST_LEASE_MS, FleetError, charter_of
 from kitrobot.fleet.envelopes import EVERYBODY, TEAM_PROCESS, Envelope, EnvelopeError
@@ -187,7 +187,7 @@ class AgentProcess:
             self._begin(now, envelope)
         elif envelope.kind == kinds.FRAME and self.host is not None:
             try:
-                replies = self.host.frame(now, decode_frame(envelope.body))
+                replies = self.host.frame(now, decode_record(envelope.body, Frame))
             except FrameError as error:
                 self._refuse(envelope, error.args[0])
                 return
@@ -234,7 +234,7 @@ class AgentProcess:
     def _reply(self, replies: Sequence[Reply]) -> None:
         for reply in replies:
             self.spoke_at = milliseconds()
-            self.channel.send(TEAM_PROCESS, kinds.REPLY, encode_reply(reply))
+            self.channel.send(TEAM_PROCESS, kinds.REPLY, encode_record(reply))
 
     def _welcome(self, envelope: Envelope) -> None:
         """The answer to hello: the run, the lease and who is missing yet; or why this agent is not wanted."""
@@ -284,9 +284,9 @@ class AgentProcess:
             elif envelope.kind == kinds.SNAPSHOT_REQUEST:
                 snapshot = host.snapshot()
                 if snapshot is not None:
-                    self.channel.send(envelope.sender, kinds.SNAPSHOT, encode_snapshot(snapshot))
+                    self.channel.send(envelope.sender, kinds.SNAPSHOT, encode_record(snapshot))
             elif envelope.kind == kinds.SNAPSHOT:
-                host.adopt(now, decode_snapshot(envelope.body))
+                host.adopt(now, decode_record(envelope.body, ReplicaSnapshot))
         except (MessageError, EnvelopeError, FrameError) as error:
             self._refuse(envelope, error.args[0])
 

@@ -9,36 +9,32 @@ missed.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
-from dataclasses import dataclass, field
-from typing import Any, TypeVar
+from typing import Annotated, TypeVar
+
+import msgspec
 
 from kitrobot.fleet.replica import Effect
-from kitrobot.sim.host_step import TickResult
-from kitrobot.team.changes import AppliedNote, NewView
-from kitrobot.team.commands import Seat
-from kitrobot.team.tables import View
-from kitrobot.text.json_text import from_json, to_json
+from kitrobot.team.records import Number, Numbers, Record
 from kitrobot.text.sentences import Sentence
 
-Decoded = TypeVar("Decoded")
+Kind = TypeVar("Kind", bound=Record)
 
-LARGEST = 1 << 53
 MOST_SLOTS = 32
 """Slots of the log in one answer."""
 
 WINDOW = 32
 """Frames of one robot that may be without an answer."""
 
-Slots = tuple[tuple[Effect, ...], ...]
+Slots = Annotated[tuple[tuple[Effect, ...], ...], msgspec.Meta(max_length=MOST_SLOTS)]
+Ticked = tuple[Numbers, Numbers, tuple[Numbers, ...]]
+"""The fields of a `sim.TickResult`."""
 
 
 class FrameError(ValueError):
     """Bytes that are not what was expected; its one argument is a `Sentence`."""
 
 
-@dataclass(frozen=True, slots=True)
-class Frame:
+class Frame(Record, frozen=True):
     """The readings of a tick.
 
     Attributes:
@@ -52,25 +48,23 @@ class Frame:
         first: the oldest frame without an answer, with which a new process begins.
     """
 
-    serial: int
-    known: int
+    serial: Number
+    known: Number
     muted: bool
     down: bool
-    inputs: tuple[int, ...]
-    taken: int = 0
-    first: int = 1
+    inputs: Numbers
+    taken: Number = 0
+    first: Number = 1
 
 
-@dataclass(frozen=True, slots=True)
-class ReplicaSnapshot:
+class ReplicaSnapshot(Record, frozen=True):
     """A replica after so many slots, as rows of numbers."""
 
-    slot: int
-    rows: tuple[tuple[int, ...], ...]
+    slot: Number
+    rows: tuple[Numbers, ...]
 
 
-@dataclass(frozen=True, slots=True)
-class Reply:
+class Reply(Record, frozen=True):
     """The answer to a frame.
 
     Attributes:
@@ -85,142 +79,29 @@ class Reply:
         snapshot: instead of slots that are forgotten.
     """
 
-    serial: int
-    epoch: int
+    serial: Number
+    epoch: Number
     held: bool = False
     quiet: bool = False
-    ticked: TickResult | None = None
-    writes: tuple[tuple[int, int], ...] = ()
-    first: int = 0
-    slots: Slots = field(default=())
+    ticked: Ticked | None = None
+    writes: tuple[tuple[Number, Number], ...] = ()
+    first: Number = 0
+    slots: Slots = ()
     snapshot: ReplicaSnapshot | None = None
 
 
-def encode_frame(frame: Frame) -> bytes:
-    """A frame as bytes."""
-    return to_json(
-        [frame.serial, frame.known, int(frame.muted), int(frame.down), frame.inputs, frame.taken, frame.first]
-    )
+def encode_record(record: Record) -> bytes:
+    """A frame, an answer or a replica as bytes."""
+    return msgspec.json.encode(record)
 
 
-def decode_frame(data: bytes) -> Frame:
-    """The frame that the bytes are.
+def decode_record(data: bytes, kind: type[Kind]) -> Kind:
+    """The record of that kind that the bytes are.
 
     Raises:
         FrameError: they are none.
     """
-
-    def build(rows: list[Any]) -> Frame:
-        serial, known, muted, down, inputs, taken, first = rows
-        return Frame(
-            _number(serial),
-            _number(known),
-            _number(muted) != 0,
-            _number(down) != 0,
-            _numbers(inputs),
-            _number(taken),
-            _number(first),
-        )
-
-    return _decode(data, build)
-
-
-def encode_snapshot(snapshot: ReplicaSnapshot) -> bytes:
-    """A replica as bytes."""
-    return to_json([snapshot.slot, snapshot.rows])
-
-
-def decode_snapshot(data: bytes) -> ReplicaSnapshot:
-    """The replica that the bytes are.
-
-    Raises:
-        FrameError: they are none.
-    """
-    return _decode(data, _snapshot)
-
-
-def encode_reply(reply: Reply) -> bytes:
-    """An answer as bytes."""
-    ticked, snapshot = reply.ticked, reply.snapshot
-    return to_json(
-        [
-            reply.serial,
-            reply.epoch,
-            int(reply.held),
-            int(reply.quiet),
-            None if ticked is None else [ticked.cells, ticked.threads, ticked.out],
-            reply.writes,
-            reply.first,
-            [[_plain(effect) for effect in slot] for slot in reply.slots],
-            None if snapshot is None else [snapshot.slot, snapshot.rows],
-        ]
-    )
-
-
-def decode_reply(data: bytes) -> Reply:
-    """The answer that the bytes are.
-
-    Raises:
-        FrameError: they are none.
-    """
-
-    def build(rows: list[Any]) -> Reply:
-        serial, epoch, held, quiet, ticked, writes, first, slots, snapshot = rows
-        return Reply(
-            _number(serial),
-            _number(epoch),
-            _number(held) != 0,
-            _number(quiet) != 0,
-            None if ticked is None else _ticked(ticked),
-            tuple((_number(variable), _number(value)) for variable, value in writes),
-            _number(first),
-            tuple(tuple(_effect(one) for one in slot) for slot in slots[:MOST_SLOTS]),
-            None if snapshot is None else _snapshot(snapshot),
-        )
-
-    return _decode(data, build)
-
-
-def _decode(data: bytes, build: Callable[[list[Any]], Decoded]) -> Decoded:
     try:
-        rows = from_json(data)
-        if isinstance(rows, list):
-            return build(rows)
-    except (ValueError, TypeError, RecursionError):
-        pass
-    raise FrameError(Sentence("this is no message between an agent and its body"))
-
-
-def _number(value: object) -> int:
-    if type(value) is not int or not -LARGEST <= value <= LARGEST:
-        raise ValueError
-    return value
-
-
-def _numbers(value: Sequence[object]) -> tuple[int, ...]:
-    if not isinstance(value, list):
-        raise ValueError
-    return tuple(map(_number, value))
-
-
-def _ticked(rows: list[Any]) -> TickResult:
-    cells, threads, out = rows
-    return TickResult(_numbers(cells), _numbers(threads), tuple(map(_numbers, out)))
-
-
-def _snapshot(rows: list[Any]) -> ReplicaSnapshot:
-    slot, table = rows
-    return ReplicaSnapshot(_number(slot), tuple(map(_numbers, table)))
-
-
-def _plain(effect: Effect) -> list[Any]:
-    if isinstance(effect, AppliedNote):
-        return [0, *effect.seat, *effect.numbers]
-    return [1, effect.view.number, *(number for seat in effect.view.seats for number in seat)]
-
-
-def _effect(numbers: list[Any]) -> Effect:
-    kind, first, *rest = _numbers(numbers)
-    if kind == 0:
-        return AppliedNote(Seat(first, rest[0]), tuple(rest[1:]))
-    return NewView(View(first, tuple(Seat(*pair) for pair in zip(rest[::2], rest[1::2], strict=True))))
+        return msgspec.json.decode(data, type=kind)
+    except (msgspec.DecodeError, RecursionError):
+        raise FrameError(Sentence("this is no message between an agent and its body")) from None

@@ -15,7 +15,7 @@ from hashlib import blake2b
 
 from kitrobot.text.sentences import Sentence
 
-VERSION = 4
+VERSION = 5
 SEAL = 16
 MOST_BYTES = 1 << 20
 LEAST_KEY, MOST_KEY = 16, 64

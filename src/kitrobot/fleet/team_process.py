@@ -15,7 +15,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from kitrobot.fleet import envelopes as kinds
-from kitrobot.fleet.body_messages import FrameError, decode_reply, encode_frame
+from kitrobot.fleet.body_messages import FrameError, Reply, decode_record, encode_record
 from kitrobot.fleet.charter import FleetError, charter_of
 from kitrobot.fleet.envelopes import EVERYBODY, Envelope
 from kitrobot.fleet.identity import identity_of
@@ -218,7 +218,7 @@ class TeamProcess:
             for i, frame in frames:
                 if i not in self.begun:
                     self._send_to(i, kinds.BEGIN, json.dumps(self.roster.places[i].life).encode())
-                self._send_to(i, kinds.FRAME, encode_frame(frame))
+                self._send_to(i, kinds.FRAME, encode_record(frame))
             self._watch_processes()
             self._report_log()
         outcome = simulation.outcome or STOPPED
@@ -238,7 +238,7 @@ class TeamProcess:
         elif envelope.kind == kinds.REPLY and self.world is not None:
             self.begun.add(i)
             try:
-                self.world.answer(now, i, decode_reply(envelope.body))
+                self.world.answer(now, i, decode_record(envelope.body, Reply))
             except FrameError as error:
                 if (message := self._refusals.count(i, error.args[0])) is not None:
                     self.callbacks.on_message(self.names[i], message)

@@ -10,7 +10,9 @@ A step is made when every agent has answered, or when the time of the step, or t
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field
+
+from msgspec.structs import replace
 
 from kitrobot.fleet.body_messages import WINDOW, Frame, Reply
 from kitrobot.fleet.quiescence import QuiescenceDetector
@@ -168,10 +170,11 @@ class WorldHost:
             return True
         self._restart_body(robot)
         if reply.ticked is not None:
-            if not fits(self.simulation, robot, reply.ticked):
+            ticked = TickResult(*reply.ticked)
+            if not fits(self.simulation, robot, ticked):
                 self.log.append(Sentence("{agent} sent what cannot be of its machine", self._name(robot)))
                 return True
-            link.ticked.append((reply.serial, reply.ticked))
+            link.ticked.append((reply.serial, ticked))
         shared = len(self.simulation.state.shared.ints[0])
         for variable, value in reply.writes[:shared]:
             if 0 <= variable < shared:

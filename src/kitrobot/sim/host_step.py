@@ -8,7 +8,7 @@ team's part of the tables; all that belongs to bodies is done here, by the funct
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from typing import NamedTuple
 
 from kitrobot.sim.physics.step import move
 from kitrobot.sim.simulation import Simulation
@@ -19,8 +19,7 @@ from kitrobot.sim.tables.columns import A_FRESH, A_KIND, ACTUATOR_INDEX, DT, PRO
 from kitrobot.sim.team.shared_variables import SHARED_VALUE
 
 
-@dataclass(frozen=True, slots=True)
-class TickResult:
+class TickResult(NamedTuple):
     """What came of a robot's tick.
 
     Attributes:
@@ -29,9 +28,9 @@ class TickResult:
             before it.
     """
 
-    cells: Sequence[int]
-    threads: Sequence[int]
-    out: Sequence[Sequence[int]] = ()
+    cells: tuple[int, ...]
+    threads: tuple[int, ...]
+    out: tuple[tuple[int, ...], ...] = ()
 
 
 def begin_hosted_step(simulation: Simulation) -> None:

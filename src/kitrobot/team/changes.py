@@ -6,16 +6,16 @@ from dataclasses import dataclass
 
 from kitrobot.team.commands import Seat
 from kitrobot.team.messages import OutgoingMessage
+from kitrobot.team.records import Numbers, TaggedRecord
 from kitrobot.team.tables import View
 from kitrobot.text.sentences import Sentence
 
 
-@dataclass(frozen=True, slots=True)
-class AppliedNote:
+class AppliedNote(TaggedRecord, frozen=True):
     """A `Note` of this seat took effect."""
 
     seat: Seat
-    numbers: tuple[int, ...]
+    numbers: Numbers
 
 
 @dataclass(frozen=True, slots=True)
@@ -32,8 +32,7 @@ class LogGap:
     slot: int
 
 
-@dataclass(frozen=True, slots=True)
-class NewView:
+class NewView(TaggedRecord, frozen=True):
     """There is a new view."""
 
     view: View

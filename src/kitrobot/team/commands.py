@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import NamedTuple
+
+from kitrobot.team.records import Number, Numbers, Record, TaggedRecord
 
 
 class Seat(NamedTuple):
@@ -12,35 +13,32 @@ class Seat(NamedTuple):
     A process that lost its memory comes back with a larger life, as somebody new, so that no promise is broken.
     """
 
-    member: int
-    life: int
+    member: Number
+    life: Number
 
 
-@dataclass(frozen=True, slots=True)
-class ViewChange:
+class ViewChange(TaggedRecord, frozen=True):
     """The view after the one with this number: who leaves it, who joins it."""
 
-    view: int
-    leaves: tuple[int, ...]
+    view: Number
+    leaves: Numbers
     joins: tuple[Seat, ...]
 
 
-@dataclass(frozen=True, slots=True)
-class Note:
+class Note(TaggedRecord, frozen=True):
     """Numbers of the host's own, which the log puts in order and the tables do not read; reported as `AppliedNote`."""
 
-    numbers: tuple[int, ...]
+    numbers: Numbers
 
 
 Body = ViewChange | Note
 
 
-@dataclass(frozen=True, slots=True)
-class Command:
+class Command(Record, frozen=True):
     """A command; those of one seat are numbered from 1 and take effect once each, in this order."""
 
     seat: Seat
-    number: int
+    number: Number
     body: Body
 
 

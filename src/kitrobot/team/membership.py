@@ -13,9 +13,10 @@ more.
 
 from __future__ import annotations
 
-from dataclasses import replace
 from operator import itemgetter
 from typing import NamedTuple
+
+from msgspec.structs import replace
 
 from kitrobot.team.charter import Charter
 from kitrobot.team.commands import Seat, ViewChange

@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import NamedTuple
 
 from kitrobot.team.commands import Batch, Seat
+from kitrobot.team.records import Number, TaggedRecord
 from kitrobot.team.tables import Tables
 
 EVERYONE = -1
@@ -15,118 +15,108 @@ EVERYONE = -1
 class Ballot(NamedTuple):
     """An attempt to decide a slot: its round, and the rank among the voters of who makes it."""
 
-    round: int
-    rank: int
+    round: Number
+    rank: Number
 
 
 class Stamp(NamedTuple):
     """When a variable was written, and by whom: the larger one is the later."""
 
-    clock: int
-    member: int
-    life: int
+    clock: Number
+    member: Number
+    life: Number
 
 
 class Entry(NamedTuple):
     """A shared variable as one write left it."""
 
-    variable: int
+    variable: Number
     stamp: Stamp
-    value: int
+    value: Number
 
 
 class Echo(NamedTuple):
     """The latest time stamp that was heard of a seat."""
 
-    member: int
-    life: int
-    stamp: int
+    member: Number
+    life: Number
+    stamp: Number
 
 
-@dataclass(frozen=True, slots=True)
-class Prepare:
+class Prepare(TaggedRecord, frozen=True):
     """Asks the voters of a slot to promise this ballot (synod, phase 1a)."""
 
     sender: Seat
-    slot: int
+    slot: Number
     ballot: Ballot
 
 
-@dataclass(frozen=True, slots=True)
-class Promise:
+class Promise(TaggedRecord, frozen=True):
     """Promises to vote in no lower ballot; `accepted` and `value` are the last vote (phase 1b)."""
 
     sender: Seat
-    slot: int
+    slot: Number
     ballot: Ballot
     accepted: Ballot
     value: Batch
 
 
-@dataclass(frozen=True, slots=True)
-class Propose:
+class Propose(TaggedRecord, frozen=True):
     """Asks for votes for a value (phase 2a)."""
 
     sender: Seat
-    slot: int
+    slot: Number
     ballot: Ballot
     value: Batch
 
 
-@dataclass(frozen=True, slots=True)
-class Accepted:
+class Accepted(TaggedRecord, frozen=True):
     """A vote (phase 2b)."""
 
     sender: Seat
-    slot: int
+    slot: Number
     ballot: Ballot
 
 
-@dataclass(frozen=True, slots=True)
-class Denied:
+class Denied(TaggedRecord, frozen=True):
     """A higher ballot was promised."""
 
     sender: Seat
-    slot: int
+    slot: Number
     ballot: Ballot
 
 
-@dataclass(frozen=True, slots=True)
-class Chosen:
+class Chosen(TaggedRecord, frozen=True):
     """What a slot decided."""
 
     sender: Seat
-    slot: int
+    slot: Number
     value: Batch
 
 
-@dataclass(frozen=True, slots=True)
-class Request:
+class Request(TaggedRecord, frozen=True):
     """Commands of the sender that are not decided yet."""
 
     sender: Seat
     commands: Batch
 
 
-@dataclass(frozen=True, slots=True)
-class Behind:
+class Behind(TaggedRecord, frozen=True):
     """The sender knows this many slots and asks for those after them."""
 
     sender: Seat
-    slot: int
+    slot: Number
 
 
-@dataclass(frozen=True, slots=True)
-class History:
+class History(TaggedRecord, frozen=True):
     """What `slot` and the slots after it decided."""
 
     sender: Seat
-    slot: int
+    slot: Number
     values: tuple[Batch, ...]
 
 
-@dataclass(frozen=True, slots=True)
-class Heartbeat:
+class Heartbeat(TaggedRecord, frozen=True):
     """The sender lives.
 
     Attributes:
@@ -138,36 +128,33 @@ class Heartbeat:
     """
 
     sender: Seat
-    stamp: int
-    view: int
-    slot: int
+    stamp: Number
+    view: Number
+    slot: Number
     firm: bool
-    digest: int
+    digest: Number
     echoes: tuple[Echo, ...]
 
 
-@dataclass(frozen=True, slots=True)
-class Writes:
+class Writes(TaggedRecord, frozen=True):
     """Shared variables as the sender knows them."""
 
     sender: Seat
     entries: tuple[Entry, ...]
 
 
-@dataclass(frozen=True, slots=True)
-class Compare:
+class Compare(TaggedRecord, frozen=True):
     """The stamps of the sender's copies; who knows later writes answers with them."""
 
     sender: Seat
     stamps: tuple[Stamp, ...]
 
 
-@dataclass(frozen=True, slots=True)
-class Snapshot:
+class Snapshot(TaggedRecord, frozen=True):
     """The tables after so many slots, for a member that is too far behind to be sent each."""
 
     sender: Seat
-    slot: int
+    slot: Number
     tables: Tables
 
 

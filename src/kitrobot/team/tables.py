@@ -10,19 +10,20 @@ from typing import NamedTuple
 
 from kitrobot.team.charter import Charter
 from kitrobot.team.commands import Seat
+from kitrobot.team.records import Number
 
 
 class LastCommand(NamedTuple):
     """Which life of a member the view knows, and its last command that took effect."""
 
-    life: int
-    last: int
+    life: Number
+    last: Number
 
 
 class View(NamedTuple):
     """Who decides: the seats of a numbered view."""
 
-    number: int
+    number: Number
     seats: tuple[Seat, ...]
 
 

@@ -48,7 +48,8 @@ async function load({ base, parts, unpacker, pupil }: Beginning): Promise<Studio
   const started = () => tell({ kind: "starting" });
   void fetching.bytes(parts.packages).then(started, () => undefined);
   const home = homeOf(base, pupil);
-  const env = { HOME: home, KITROBOT_STATE: `${home}/state`, KITROBOT_COMPILE: "no", PYTHONDONTWRITEBYTECODE: "1" };
+  const folders = { HOME: home, KITROBOT_CONFIG: `${home}/.config/kitrobot`, KITROBOT_STATE: `${home}/state` };
+  const env = { ...folders, KITROBOT_COMPILE: "no", PYTHONDONTWRITEBYTECODE: "1" };
   const kept = new KeptMemory(base, parts.version);
   const enter = async (memory: Memory | null) => {
     try {
