@@ -1,6 +1,6 @@
 """A running class: its folder, its pupils, what their pages report and the status that is sent to them.
 
-Its folder holds `class.toml` (record), `log.txt`, a folder for each pupil with what was handed in, and `HandOut out`.
+Its folder holds `class.toml` (record), `log.txt`, a folder for each pupil with what was handed in, and `Handed out`.
 A value that is returned to a caller is on the disk by then. Safe to use from many threads. Left to others: letting
 pupils in (admission), the actions of the teacher (teacher_actions), HTTP, pictures, evaluation of exercises.
 """

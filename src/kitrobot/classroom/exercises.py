@@ -1,6 +1,6 @@
 """Exercises of the teacher's own: files of the class's folder, put where the pages of pupils find them.
 
-An exercise that is chosen is copied into `HandOut out`, in a folder of its own: the file, the mission that it begins
+An exercise that is chosen is copied into `Handed out`, in a folder of its own: the file, the mission that it begins
 with, and the XML files beside them (worlds, robots). So pupils and grading have the same one, also while the teacher
 goes on writing. Pupils' studios get a copy under the same name, which they read and do not write.
 """

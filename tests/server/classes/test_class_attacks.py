@@ -290,7 +290,7 @@ def quota_left(school, monkeypatch, size: int, files: int = 1000):
 
 
 def handed_out(pupil, name: str, files: dict[str, bytes]):
-    return pupil.put(f"/api/handed-out?exercise=HandOut out/{name}/a.exercise.xml", content=pack(files))
+    return pupil.put(f"/api/handed-out?exercise=Handed out/{name}/a.exercise.xml", content=pack(files))
 
 
 def test_every_way_to_write_is_counted_before_it_is_written(school, mission, monkeypatch):

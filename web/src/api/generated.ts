@@ -403,7 +403,7 @@ export interface Claim {
 }
 
 /** The journal that a tab writes from now on, and what is in it: nothing when `records` is empty. */
-export interface Claimed {
+export interface ClaimedJournal {
   journal: string;
   path: string;
   name: string;
