@@ -19,7 +19,7 @@ from pathlib import Path
 from typing import Any
 
 from kitrobot.boards.programs import load_board_program
-from kitrobot.deploy.installation.installation import DeployResult, deploy
+from kitrobot.deploy.installation.deployment import DeployResult, deploy
 from kitrobot.deploy.line.handshake import connect
 from kitrobot.deploy.line.line import Line
 from kitrobot.deploy.line.receiver import Receiver

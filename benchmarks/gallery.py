@@ -21,7 +21,7 @@ from kitrobot.boards.programs import board_program, ready_program
 from kitrobot.compiler.compilation import compile_text
 from kitrobot.compiler.target import robot_of
 from kitrobot.deploy.errors import BoardError
-from kitrobot.deploy.installation.installation import deploy
+from kitrobot.deploy.installation.deployment import deploy
 from kitrobot.deploy.kits.kits import fit_to_kit
 from kitrobot.deploy.line.handshake import connect
 from kitrobot.deploy.package.package import Package

@@ -17,7 +17,7 @@ from pathlib import Path
 
 from benchmarks.firmware_probe import open_probe
 from benchmarks.microbit_ticks import largest_program
-from kitrobot.deploy.installation.installation import deploy
+from kitrobot.deploy.installation.deployment import deploy
 from tools import qemu
 from tools.microbit_kits import small_kits
 

@@ -20,7 +20,7 @@ from dataclasses import asdict, dataclass
 from itertools import pairwise
 
 from benchmarks.firmware_probe import FirmwareProbe, ProbedCall, open_probe
-from kitrobot.deploy.installation.installation import deploy
+from kitrobot.deploy.installation.deployment import deploy
 from kitrobot.deploy.line.handshake import connect
 from kitrobot.deploy.line.line import Line
 from kitrobot.deploy.line.receiver import Receiver

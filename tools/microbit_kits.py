@@ -24,7 +24,7 @@ from typing import Any
 from kitrobot.boards.programs import board_program
 from kitrobot.boards.teams import agent_program
 from kitrobot.deploy.errors import BoardError, FullError, NoMemoryError
-from kitrobot.deploy.installation.installation import deploy
+from kitrobot.deploy.installation.deployment import deploy
 from kitrobot.deploy.line.board import Board
 from kitrobot.deploy.line.handshake import connect
 from kitrobot.diagnostics.model import KitRobotError

@@ -10,7 +10,7 @@ from typing import Any
 import pytest
 
 from kitrobot.deploy.errors import BoardError, LineError
-from kitrobot.deploy.installation.installation import DeployResult, deploy
+from kitrobot.deploy.installation.deployment import DeployResult, deploy
 from kitrobot.deploy.line.handshake import connect
 from kitrobot.deploy.line.line import Line
 from kitrobot.deploy.line.receiver import Receiver

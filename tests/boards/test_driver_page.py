@@ -10,7 +10,7 @@ from pathlib import Path
 import pytest
 
 from kitrobot.boards.programs import load_board_program
-from kitrobot.deploy.installation.installation import deploy
+from kitrobot.deploy.installation.deployment import deploy
 from kitrobot.deploy.line.handshake import connect
 from tests.boards.modern import ModernBoard
 from tests.boards.test_modern_robot import pins_told

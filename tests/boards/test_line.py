@@ -8,7 +8,7 @@ import sys
 from collections.abc import Callable
 from pathlib import Path
 
-from kitrobot.deploy.installation.installation import deploy
+from kitrobot.deploy.installation.deployment import deploy
 from kitrobot.deploy.line.board import Board
 from kitrobot.deploy.line.handshake import connect
 from kitrobot.deploy.line.line import Line

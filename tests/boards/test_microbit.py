@@ -20,7 +20,7 @@ import pytest
 
 from kitrobot.boards.programs import load_board_program
 from kitrobot.deploy.errors import BoardError, FullError, LineError, SilentError
-from kitrobot.deploy.installation.installation import deploy
+from kitrobot.deploy.installation.deployment import deploy
 from kitrobot.deploy.line.handshake import connect
 from kitrobot.deploy.line.line import Line
 from kitrobot.deploy.line.receiver import Receiver

@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from kitrobot.deploy.errors import NoMemoryError
-from kitrobot.deploy.installation.installation import deploy
+from kitrobot.deploy.installation.deployment import deploy
 from kitrobot.deploy.line.line import Line
 from kitrobot.deploy.line.receiver import Receiver
 from kitrobot.deploy.line.repl import RawRepl

@@ -12,7 +12,7 @@ from time import monotonic
 import pytest
 
 from kitrobot.deploy.errors import SilentError
-from kitrobot.deploy.installation.installation import deploy
+from kitrobot.deploy.installation.deployment import deploy
 from kitrobot.deploy.line.board import Board
 from kitrobot.deploy.line.handshake import connect
 from kitrobot.deploy.line.line import Line

@@ -14,7 +14,7 @@ import pytest
 import serial
 
 from kitrobot.boards.programs import load_board_program
-from kitrobot.deploy.installation.installation import deploy
+from kitrobot.deploy.installation.deployment import deploy
 from kitrobot.deploy.line.handshake import connect
 from kitrobot.deploy.line.news import News
 from kitrobot.diagnostics.model import KitRobotError

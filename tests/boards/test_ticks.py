@@ -8,7 +8,7 @@ from typing import Any
 
 import pytest
 
-from kitrobot.deploy.installation.installation import deploy
+from kitrobot.deploy.installation.deployment import deploy
 from kitrobot.deploy.line.handshake import connect
 from kitrobot.image.machine import Machine
 from kitrobot.image.model import Image

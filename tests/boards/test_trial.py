@@ -9,9 +9,9 @@ from typing import Any
 import pytest
 
 from kitrobot.deploy.errors import SilentError
-from kitrobot.deploy.installation import installation
+from kitrobot.deploy.installation import program_start
 from kitrobot.deploy.installation.boot_records import TRIAL
-from kitrobot.deploy.installation.installation import DeployResult, deploy
+from kitrobot.deploy.installation.deployment import DeployResult, deploy
 from kitrobot.deploy.line import repl
 from kitrobot.deploy.line.handshake import connect
 from kitrobot.robots.program import BoardProgram
@@ -45,7 +45,7 @@ def hanging_program(folder: Path, where: str) -> BoardProgram:
 def hangs(address: str, program: BoardProgram, monkeypatch: pytest.MonkeyPatch) -> str:
     """Puts a program onto a board that hangs then; what is said of that."""
     with monkeypatch.context() as patch:
-        patch.setattr(installation, "STARTING_S", 2.0)  # it never starts, however long it is waited for
+        patch.setattr(program_start, "STARTING_S", 2.0)  # it never starts, however long it is waited for
         patch.setattr(repl, "RESET_S", 2.0)  # nobody presses its button
         with pytest.raises(SilentError) as error:
             put(address, program)

@@ -9,7 +9,7 @@ from __future__ import annotations
 from contextlib import suppress
 
 from kitrobot.boards.json_store import read_entries, write_entries
-from kitrobot.deploy.installation.installation import DeployResult
+from kitrobot.deploy.installation.deployment import DeployResult
 from kitrobot.deploy.line.board import Hello
 from kitrobot.files.disk import FileError
 

@@ -10,7 +10,7 @@ from kitrobot.cli.output import error_object
 from kitrobot.diagnostics.model import KitRobotError
 
 if TYPE_CHECKING:
-    from kitrobot.deploy.installation.installation import DeployResult
+    from kitrobot.deploy.installation.deployment import DeployResult
 
 AsJson = Annotated[bool, typer.Option("--json", help="Give a list of JSON objects.")]
 

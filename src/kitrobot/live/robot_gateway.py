@@ -61,7 +61,8 @@ class SerialGateway:
         """As `deploy.deploy`."""
         from kitrobot.boards.sent_firmware import store_firmware_version
         from kitrobot.boards.sent_programs import store_sent_program
-        from kitrobot.deploy.installation.installation import RobotContext, deploy
+        from kitrobot.deploy.installation.deployment import deploy
+        from kitrobot.deploy.installation.installation import RobotContext
 
         robot = RobotContext(program.needs, program.names.fault_text)
         file = program.file.to_bytes()

@@ -11,7 +11,8 @@ from typing import TypeVar
 
 from kitrobot.deploy.errors import DeployError
 from kitrobot.deploy.firmware.ports import Port, list_ports
-from kitrobot.deploy.installation.installation import DeployResult, RobotContext, deploy
+from kitrobot.deploy.installation.deployment import DeployResult, deploy
+from kitrobot.deploy.installation.installation import RobotContext
 from kitrobot.deploy.line.board import Board, Hello
 from kitrobot.deploy.line.handshake import connect
 from kitrobot.diagnostics.model import KitRobotError

@@ -11,20 +11,14 @@ A board that never comes so far, because a driver does not return, starts what i
 
 from __future__ import annotations
 
-import time
 from collections.abc import Callable, Mapping
-from contextlib import suppress
 from dataclasses import dataclass, field
-from threading import Event
 
 from kitrobot.deploy.errors import (
     BoardError,
     CrampedError,
-    DeployError,
     ForeignError,
     FullError,
-    LineError,
-    NoMemoryError,
     SilentError,
 )
 from kitrobot.deploy.firmware.requirements import FirmwareRequirements
@@ -41,21 +35,18 @@ from kitrobot.deploy.installation.boot_records import (
     read_line,
     tried_generation,
 )
-from kitrobot.deploy.line.board import Board, Hello
-from kitrobot.deploy.line.handshake import STARTS, greet
 from kitrobot.deploy.line.line import Line
 from kitrobot.deploy.line.receiver import MICROBIT, Receiver, too_much_lost
 from kitrobot.deploy.line.repl import GarbledError, RawRepl
-from kitrobot.deploy.line.retry_timer import STARTING_S
 from kitrobot.deploy.microbit_2016.flash_code import FlashBlock, sign_of
 from kitrobot.deploy.microbit_2016.flash_install import freeze
 from kitrobot.deploy.microbit_2016.flash_room import refuse_what_has_no_room
 from kitrobot.deploy.package.driver_fit import refuse_misfits
-from kitrobot.deploy.package.memory import WORKING, refuse_what_does_not_fit
-from kitrobot.deploy.package.package import MODULE, PROGRAM, BoardPackage, Package
-from kitrobot.deploy.package.program_file import ProgramFile, program_name, read_program_file
+from kitrobot.deploy.package.memory import refuse_what_does_not_fit
+from kitrobot.deploy.package.package import BoardPackage, Package
+from kitrobot.deploy.package.program_file import ProgramFile, program_name
 from kitrobot.deploy.package.script import board_file
-from kitrobot.text.sentences import Sentence, Series
+from kitrobot.text.sentences import Sentence
 from kitrobot_onboard.link import checksum
 
 Progress = Callable[[str, int, int], None]
@@ -64,37 +55,6 @@ press its reset button), and of how many bytes how many are done."""
 
 _TRIES = 3
 _WRITES = 3
-_PACES = 20
-"""A board starts its program within so many times what a reset takes it."""
-
-_LONGEST_S = 300.0
-_MEMORY, _DAMAGED, _NO_DRIVER = 3, 4, 5
-_TRIAL_TICKS = 3
-"""After so many ticks a program is confirmed."""
-_TRIAL_STEP_S = 0.05
-_TRIAL_S = 5.0
-"""Or after so long, when it answers meanwhile: its ticks are long then."""
-
-
-@dataclass(frozen=True)
-class DeployResult:
-    """The result of a deploy: `free` bytes of memory are left while the program runs.
-
-    `program` and `package` by eight digits, as in `Hello`; files by their names on the board; `micropython` is the
-    version that the board has.
-    """
-
-    name: str
-    program: str
-    package: str
-    free: int
-    generation: int
-    sent_files: tuple[str, ...]
-    kept_files: tuple[str, ...]
-    bytes_sent: int
-    seconds: float
-    hello: Hello
-    micropython: str = ""
 
 
 @dataclass(frozen=True)
@@ -107,70 +67,10 @@ class RobotContext:
     fault_text: Callable[[str], str] = str
 
 
-def deploy(
-    address: str,
-    program: bytes,
-    package: Package,
-    progress: Progress = lambda stage, done, total: None,
-    *,
-    replace: bool = False,
-    fresh: bool = False,
-    robot: RobotContext | None = None,
-    over: Event | None = None,
-) -> DeployResult:
-    """Puts a program onto a board and starts it.
-
-    Args:
-        address: a port or URL.
-        program: a program file in which drivers have the names that robots' XML gives them.
-        package: where drivers are looked for.
-        progress: called with how far it is.
-        replace: whether a `main.py` of somebody else may be overwritten.
-        fresh: whether to remove what KitRobot put there first; for boards that have no room for two.
-        robot: what is known of the robot that the program is for.
-        over: once it is set, the board is left with what it had.
-
-    Raises:
-        BrokenOffError: `over` was set.
-        LineError, SilentError: the board cannot be reached.
-        PackageError: a driver is missing or is no Python.
-        BoardError: the board refuses, is full, or did not start it; then it starts what it had before.
-    """
-    meant = read_program_file(program)
-    began = time.monotonic()
-    progress("connect", 0, 0)
-    line = Line(address, over)
-    try:
-        job = _Installation(line, meant, package, progress, replace, fresh, robot or RobotContext())
-        job.insist(job.install)
-        hello = job.started()
-    except DeployError:
-        raise
-    except BaseException:  # somebody wants no more of it
-        line.over = None
-        with suppress(LineError):
-            RawRepl(line).release()
-        raise
-    finally:
-        line.close()
-    sent = job.sent
-    return DeployResult(
-        job.line.address,
-        job.name[len(PROGRAM) :],
-        job.built.module[len(MODULE) :],
-        hello.free,
-        hello.generation,
-        tuple(sent),
-        tuple(name for name in job.wanted if name not in sent),
-        sum(sent.values()),
-        time.monotonic() - began,
-        hello,
-        job.board.micropython,
-    )
-
-
 @dataclass
-class _Installation:
+class Installation:
+    """The way of a program onto a board: what differs is sent, last of all the line that names what starts."""
+
     line: Line
     program: ProgramFile
     package: Package
@@ -268,116 +168,6 @@ class _Installation:
         board.count = lambda count: None
         board.end()
 
-    def started(self) -> Hello:
-        """Restarts the board; how it greets.
-
-        Raises:
-            BoardError: it does not run what was sent. What it had before is what it starts again.
-        """
-        self.progress("start", self.total, self.total)
-        try:
-            hello = self._greeting()
-        except SilentError as error:
-            said = self._said
-            try:
-                self._undo()
-            except (SilentError, LineError):
-                raise self._hanging() from error
-            raise BoardError(
-                Sentence("the board did not start what was sent: {reason}", said)
-                if said
-                else Sentence("the board did not start what was sent"),
-                Sentence("send it once more; if that does not help, reset the board")
-                if self.old is None
-                else Sentence("it starts again what it had before; send the program once more, or reset the board"),
-            ) from error
-        said = self._said
-        if hello is not None and hello.free < WORKING:
-            hello = None
-        if hello is not None and hello.state != 0 and hello.fault not in (_MEMORY, _DAMAGED, _NO_DRIVER):
-            return hello
-        self._undo()
-        if hello is None or hello.fault == _MEMORY:
-            raise NoMemoryError(
-                Sentence("the program needs more memory than the board has"),
-                Sentence("make the program smaller, use fewer devices in it, or take a board with more memory"),
-            )
-        refused = BoardError(
-            Sentence("the board cannot run the program: {reason}", said),
-            Sentence("look at the settings in the robot's XML"),
-        )
-        refused.said = self._fault
-        raise refused
-
-    def _hanging(self) -> SilentError:
-        return SilentError(
-            Sentence("the board answers no more since it started what was sent: a driver may never return"),
-            Sentence("take its power away for a moment, or press its reset button: it starts what it had before then")
-            if self.old is not None
-            else Sentence("take its power away for a moment, or press its reset button: its prompt is free then"),
-        )
-
-    def _greeting(self) -> Hello | None:
-        """How it greets; None when it has no memory for that."""
-        assert self.new is not None
-        board = Board(self.line)
-        self._said = self._fault = ""
-        try:
-            hello = greet(board, self._patience_s, sequence=STARTS, starting_s=self._patience_s)
-        except NoMemoryError:
-            return None
-        except SilentError as error:
-            self._said = _last_line(error.printed)  # Python has said why, and gave up
-            if self._said.startswith("MemoryError"):
-                return None
-            raise
-        if hello.generation != self.new.generation or hello.program != self.name[2:]:
-            raise SilentError(Sentence("the board starts something else"))
-        fault = board.last_fault() if hello.free >= WORKING else None
-        self._fault = fault.text.strip() if fault is not None else ""
-        self._said = (
-            ""
-            if fault is None
-            else Series(Sentence(": "), filter(None, (fault.meaning, self.robot.fault_text(self._fault))))
-        )
-        if self.on_trial and hello.free >= WORKING:
-            self._confirm(board, hello)
-        return hello
-
-    @property
-    def _patience_s(self) -> float:
-        return max(STARTING_S, min(_PACES * self.board.repl.pace_s, _LONGEST_S))
-
-    def _undo(self) -> None:
-        """Takes the new line away, so that what was there before starts."""
-        if self.new is None or self.new == self.old:
-            return
-        self.insist(self._take_away)
-        self.board.repl.leave()
-        self.line.drain(0.2, 1)
-
-    def _take_away(self) -> None:
-        self.board.remove(self.slot)
-        self.board.remove(TRIAL)
-        self.board.end()
-
-    def _confirm(self, board: Board, hello: Hello) -> None:
-        """Waits for the first ticks of what is on trial, and has the board start it from now on."""
-        until = self.line.now() + _TRIAL_S
-        while hello.state_name == "running" and hello.tick < _TRIAL_TICKS and self.line.now() < until:
-            board.news(_TRIAL_STEP_S)
-            hello = board.greet()
-        try:
-            board.keep()
-        except BoardError:  # it has no memory for that while its program runs
-            self.insist(self._end_trial)
-            self.board.repl.leave()
-            greet(Board(self.line), self._patience_s, sequence=STARTS, starting_s=self._patience_s)
-
-    def _end_trial(self) -> None:
-        self.board.remove(TRIAL)
-        self.board.end()
-
     def _lines(self, names: list[str]) -> dict[str, StartLine]:
         """The lines that may start, by their slots: not one that was tried and never confirmed."""
         found = {slot: read_line(self.board.read(slot)) for slot in SLOTS if slot in names}
@@ -460,11 +250,3 @@ class _Installation:
     def _count(self, count: int) -> None:
         self.done = min(self.done + count, self.total)
         self.progress("send", self.done, self.total)
-
-
-def _last_line(text: str) -> str:
-    """The error, when Python reported one: the last line of a traceback."""
-    if "Traceback" not in text:
-        return ""
-    lines = text[text.index("Traceback") :].splitlines()
-    return next((line.strip() for line in lines[1:] if line and not line.startswith(" ")), "")[:120]
