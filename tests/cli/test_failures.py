@@ -81,7 +81,7 @@ def test_a_mistake_of_ours_is_an_object_too(kitrobot, here, monkeypatch):
     def broken(*arguments: object) -> None:
         raise ZeroDivisionError("x")
 
-    monkeypatch.setattr("kitrobot.versions.comparison.compare_files", broken)
+    monkeypatch.setattr("kitrobot.versions.file_comparison.compare_files", broken)
     said = kitrobot("diff", "a.krt", "b.krt", "--json")
     assert said.status == 70
     assert "ZeroDivisionError" in said.json["error"]["message"]

@@ -18,7 +18,7 @@ from kitrobot.files.layout import lay_out_file
 from kitrobot.primitives.catalogue import Catalogue, load_catalogue
 from kitrobot.primitives.robot import Robot
 from kitrobot.text.suggestions import MOST_COMPARISONS, Suggestions
-from kitrobot.versions.comparison import compare_files
+from kitrobot.versions.file_comparison import compare_files
 from kitrobot.workspace.conversion import convert
 from kitrobot.workspace.file_check import check_file
 from kitrobot.workspace.file_merge import merge_files

@@ -8,7 +8,7 @@ from dataclasses import replace
 
 import pytest
 
-from kitrobot.sim.physics.pushable import PUSH_HALF_HEIGHT, PUSH_HALF_WIDTH, PUSH_IS_BALL, PUSH_X, PUSH_Y
+from kitrobot.sim.physics.pushable_grid import PUSH_HALF_HEIGHT, PUSH_HALF_WIDTH, PUSH_IS_BALL, PUSH_X, PUSH_Y
 from kitrobot.sim.recorder import Recorder
 from kitrobot.sim.simulation import Simulation
 from kitrobot.sim.tables.columns import RADIUS

@@ -10,7 +10,7 @@ import pytest
 
 from kitrobot.primitives.robot import Robot
 from kitrobot.primitives.robot_xml import read_robot
-from kitrobot.sim.physics.pushable import PUSH_X, PUSH_Y
+from kitrobot.sim.physics.pushable_grid import PUSH_X, PUSH_Y
 from kitrobot.sim.simulation import Simulation
 from kitrobot.sim.tables.columns import AT, HEADING, SPEED, X, Y
 from kitrobot.world.model import Ball, Box, Wall, World

@@ -9,7 +9,7 @@ import pytest
 from kitrobot.diagnostics.problems import ProblemsError
 from kitrobot.primitives.kit import Kit
 from kitrobot.primitives.kit_xml import read_kit, write_kit
-from kitrobot.versions.comparison import CompareError
+from kitrobot.versions.file_comparison import CompareError
 from kitrobot.versions.kit_merge import merge_kits
 from kitrobot.workspace.file_merge import merge_files
 

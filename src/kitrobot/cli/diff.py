@@ -23,7 +23,7 @@ def diff_files(
     The layout of the files does not count. The exit status is that of `diff`: 0 when they are equal, 1 when they
     differ, 2 when one of them cannot be read.
     """
-    from kitrobot.versions.comparison import compare_files
+    from kitrobot.versions.file_comparison import compare_files
 
     found = compare_files(before, after)
     if as_json:

@@ -12,37 +12,17 @@ from bisect import bisect_left
 from collections import deque
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, fields, replace
-from pathlib import Path
 
 from kitrobot.compiler.common_order import common_order
-from kitrobot.diagnostics.model import KitRobotError, Source
-from kitrobot.diagnostics.problems import ProblemsError
-from kitrobot.files.disk import read_bytes
-from kitrobot.files.embedded_mission import read_carried
-from kitrobot.files.layout import lay_out_file
-from kitrobot.graph.model import START, STOP, Note, Program, Vertex
+from kitrobot.graph.model import Note, Program, Vertex
 from kitrobot.mission.model import Mission
-from kitrobot.mission.reader import read_mission
-from kitrobot.mission.rules import NO_PROGRAM
-from kitrobot.primitives.kit import Kit
-from kitrobot.primitives.kit_xml import KIT_SUFFIX, read_kit
 from kitrobot.text.sentences import Sentence, Word
-from kitrobot.versions.kits import kit_differences
 from kitrobot.versions.outline import PARKED, Outline
 from kitrobot.versions.own_parts import TOLD_HERE, own_part_differences
 from kitrobot.versions.own_worlds import world_differences
 from kitrobot.versions.phrases import named, quoted, short, value, where
+from kitrobot.versions.program_renames import renamed_programs
 from kitrobot.versions.team import team_differences
-
-_ALIKE = 0.6
-"""So much of two programs' vertices must be the same for one to be the other renamed."""
-
-_MOST_COMPARED = 1_000_000
-"""Vertices that are held against others to find renamed programs; where it would be more, only equal ones are found."""
-
-
-class CompareError(KitRobotError):
-    """Two files that cannot be held against each other."""
 
 
 @dataclass(frozen=True)
@@ -102,58 +82,6 @@ def text_differences(before: str, after: str) -> list[Difference]:
         ]
         i, k = j + 1, m + 1
     return found
-
-
-def renamed_programs(before: Mission, after: Mission) -> dict[str, str]:
-    """Old name → new name of the programs that only go by another name, as far as what they hold tells."""
-    old_names = {program.name for program in before.programs}
-    new_names = {program.name for program in after.programs}
-    gone = [_marks(program) for program in before.programs if program.name not in new_names]
-    free = [_marks(program) for program in after.programs if program.name not in old_names]
-    if sum(len(one.marks) for one in gone) * len(free) + len(gone) * len(free) > _MOST_COMPARED:
-        return _renamed_as_they_are(gone, free)
-    found: dict[str, str] = {}
-    for one in gone:
-        if not free:
-            break
-        best = max(free, key=one.likeness)
-        if one.likeness(best) >= _ALIKE:
-            found[one.name] = best.name
-            free.remove(best)
-    return found
-
-
-def _renamed_as_they_are(gone: Sequence[_Marks], free: Sequence[_Marks]) -> dict[str, str]:
-    """Of very many programs only those that hold the very same."""
-    names: dict[object, deque[str]] = {}
-    for one in free:
-        names.setdefault(one.key, deque()).append(one.name)
-    return {one.name: names[one.key].popleft() for one in gone if names.get(one.key)}
-
-
-@dataclass(frozen=True, eq=False)
-class _Marks:
-    """A program by what it holds: the ids and elements of its vertices."""
-
-    name: str
-    robot: str
-    marks: frozenset[tuple[str, str]]
-
-    @property
-    def key(self) -> object:
-        """Equal for programs that are wholly alike."""
-        return self.marks or self.robot
-
-    def likeness(self, other: _Marks) -> float:
-        """How alike two programs are, 0 to 1."""
-        if not self.marks and not other.marks:
-            return float(self.robot == other.robot)
-        return len(self.marks & other.marks) / max(len(self.marks), len(other.marks))
-
-
-def _marks(program: Program) -> _Marks:
-    marks = ((vertex.id, vertex.element) for vertex in program.vertices if vertex.element not in (START, STOP))
-    return _Marks(program.name, program.target, frozenset(marks))
 
 
 def _programs(before: Mission, after: Mission) -> Iterator[Difference]:
@@ -340,66 +268,3 @@ def _longest_rising(places: Sequence[int]) -> set[int]:
         found.add(at)
         at = before[at]
     return found
-
-
-def compare_files(before: Path, after: Path) -> list[Difference]:
-    """What is different between two `.krt` (or pictures that carry one), two `.board.xml`, or two `.lll` by their true
-    layout.
-
-    Raises:
-        CompareError: they are not two of a kind.
-        ProblemsError: what one of them says cannot be used.
-        FileError: one of them cannot be read.
-    """
-    kits = [path for path in (before, after) if path.name.lower().endswith(KIT_SUFFIX)]
-    if len(kits) == 1:
-        raise CompareError(
-            Sentence("expected two kits, found one and something else"),
-            Sentence("name two files that end in .board.xml"),
-        )
-    if kits:
-        one, other = (kit_whole(read_bytes(path), path) for path in (before, after))
-        return [Difference(kind, words) for kind, words in kit_differences(one, other)]
-    kinds = {before.suffix.lower(), after.suffix.lower()}
-    if kinds == {".lll"}:
-        return text_differences(_laid_out(before), _laid_out(after))
-    if ".lll" in kinds:
-        raise CompareError(
-            Sentence("expected two missions or two LLL texts, found one of each"), Sentence("convert one of them first")
-        )
-    return differences(mission_whole(read_carried(before), before), mission_whole(read_carried(after), after))
-
-
-def mission_whole(data: bytes, path: Path) -> Mission:
-    """The mission in the bytes of a file, all of which can be used.
-
-    Raises:
-        ProblemsError: some of it cannot.
-    """
-    mission, diagnostics = read_mission(data, str(path))
-    if mission is None or any(item.is_error and item.code != NO_PROGRAM.code for item in diagnostics):
-        source = Source(str(path), data.decode("utf-8-sig", errors="replace"))
-        raise ProblemsError(
-            Sentence("`{path}` cannot be used", path), Sentence("mend it first"), tuple(diagnostics), (source,)
-        )
-    return mission
-
-
-def kit_whole(data: bytes, path: Path) -> Kit:
-    """The kit in the bytes of a file, as `mission_whole`."""
-    kit, diagnostics = read_kit(data, str(path))
-    if kit is None:
-        source = Source(str(path), data.decode("utf-8-sig", errors="replace"))
-        raise ProblemsError(
-            Sentence("`{path}` cannot be used", path), Sentence("mend it first"), tuple(diagnostics), (source,)
-        )
-    return kit
-
-
-def _laid_out(path: Path) -> str:
-    layout = lay_out_file(path)
-    if layout.text is None:
-        raise ProblemsError(
-            Sentence("`{path}` cannot be used", path), Sentence("mend it first"), layout.diagnostics, (layout.source,)
-        )
-    return layout.text

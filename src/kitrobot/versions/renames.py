@@ -14,8 +14,8 @@ from typing import Any, NamedTuple
 
 from kitrobot.mission.model import Mission
 from kitrobot.text.sentences import Sentence, Word
-from kitrobot.versions.comparison import renamed_programs
 from kitrobot.versions.conflicts import Decisions
+from kitrobot.versions.program_renames import renamed_programs
 from kitrobot.versions.references import NameKind, with_names
 
 Sides = tuple[Mission, Mission, Mission]

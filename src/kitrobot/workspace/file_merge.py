@@ -21,8 +21,8 @@ from kitrobot.mission.reader import read_mission
 from kitrobot.mission.writer import save, write_mission
 from kitrobot.primitives.kit_xml import read_kit, write_kit
 from kitrobot.text.sentences import Sentence
-from kitrobot.versions.comparison import CompareError, kit_whole, mission_whole
 from kitrobot.versions.conflicts import Conflict
+from kitrobot.versions.file_comparison import CompareError, kit_whole, mission_whole
 from kitrobot.versions.kit_merge import merge_kits
 from kitrobot.versions.mission_merge import MergeResult, merge_missions
 from kitrobot.workspace.mission_loader import OpenMission, read_mission_data

@@ -19,15 +19,8 @@ from kitrobot.sim.physics.contacts import (
 )
 from kitrobot.sim.physics.grids import fill
 from kitrobot.sim.physics.motion import move_along_roads, move_freely, place, roll
-from kitrobot.sim.physics.pushable import (
-    PUSH_HALF_HEIGHT,
-    PUSH_HALF_WIDTH,
-    PUSH_X,
-    PUSH_Y,
-    separate_pushables,
-    slide_pushables,
-    update_pushable_speeds,
-)
+from kitrobot.sim.physics.pushable import separate_pushables, slide_pushables, update_pushable_speeds
+from kitrobot.sim.physics.pushable_grid import PUSH_HALF_HEIGHT, PUSH_HALF_WIDTH, PUSH_X, PUSH_Y
 from kitrobot.sim.tables.columns import (
     COLLISION,
     COLLISIONS,
