@@ -198,6 +198,37 @@ def test_the_raw_repl_is_entered_however_late_it_answers(takes_s: float) -> None
     assert [repl.run(command) for command in ("a", "b", "c")] == ["a", "b", "c"]
 
 
+@pytest.mark.parametrize("words", [b"", b"MicroPython v1.9.2\r\n"])
+def test_a_board_that_hangs_is_called_until_somebody_has_pressed_its_button(words: bytes) -> None:
+    """It hears for 0.3 s, 20 s after the person was asked; `words`: what it says when it is switched on."""
+    pressed: list[float] = []
+    is_free = False
+
+    def board(data: bytes) -> Answers:
+        nonlocal is_free
+        since = line.time - pressed[0] if pressed else -1.0
+        if line.time < 0.01 or 20.0 <= since < 20.1:
+            yield 0.001, words
+        is_free = is_free or (20.2 <= since < 20.5 and b"\x03" in data)
+        if is_free and data.endswith(b"\x01"):
+            yield 0.01, b"raw REPL; CTRL-B to exit\r\n>"
+        elif is_free and data == b"\x04":
+            yield 0.01, b"OK\r\nMPY: soft reboot\r\nraw REPL; CTRL-B to exit\r\n>"
+
+    line = FakeLine(board)
+    repl = RawRepl(line, lambda: pressed.append(line.time))
+    repl.enter()
+    assert repl.answered
+    assert len(pressed) == 1
+
+
+def test_a_board_whose_button_nobody_presses_is_silent() -> None:
+    line = FakeLine(lambda data: ())
+    with pytest.raises(SilentError, match="no MicroPython answers"):
+        RawRepl(line).enter()
+    assert 30.0 < line.time < 40.0
+
+
 def test_patience_grows_and_begins_anew_with_each_sign_of_life() -> None:
     time = 0.0
     patience = RetryTimer(lambda: time, 1.0, 10.0, 60.0, 4.0)

@@ -64,19 +64,20 @@ class RawRepl:
         """
         patience = RetryTimer(self.line.now, _ENTERING_S, _SILENT_S, most_s=_SILENT_S)
         quiet_s = 0.1
-        heard = b""
+        heard_at = self.line.now()
         while wait := patience.wait():
             self.line.write(b"\r\x03\x03")
-            heard = heard or self.line.drain(quiet_s)
+            heard = self.line.drain(quiet_s)
             self.line.write(b"\r\x01")
             quiet_s = min(2 * quiet_s, 0.5)
-            if not heard and self.line.now() - patience.began > _MUTE_S:
+            if not heard and self.line.now() - heard_at > _MUTE_S:
                 self.resets()
                 patience = RetryTimer(self.line.now, _ENTERING_S, RESET_S, most_s=_SILENT_S)
                 found = self._call(patience)
             else:
                 found = self.line.read_until(_BANNER, wait)
-            heard = heard or found
+            if heard or found:
+                heard_at = self.line.now()
             if not found.endswith(_BANNER):
                 continue
             self.answered = True
