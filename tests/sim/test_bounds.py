@@ -6,7 +6,7 @@ from dataclasses import replace
 
 import pytest
 
-from kitrobot.sim.setup.setup import MAX_AGENTS, SimulationError
+from kitrobot.sim.setup.limits import MAX_AGENTS, SimulationError
 from kitrobot.world.model import Wall
 from kitrobot.world.xml_reader import read_world
 from tests.sim.building import WHEEL, avatar, catalogue, empty_world, run_of, transport

@@ -17,8 +17,8 @@ from kitrobot.sim.devices import Actuator, Sensor, actuators, sensors
 from kitrobot.sim.physics.angles import direction
 from kitrobot.sim.physics.grids import fill, fixed
 from kitrobot.sim.physics.sight import ray_to_discs, ray_to_walls
+from kitrobot.sim.setup.limits import SimulationError
 from kitrobot.sim.setup.settings import find_device, read_settings
-from kitrobot.sim.setup.setup import SimulationError
 from kitrobot.sim.simulation import Simulation
 from kitrobot.sim.tables.columns import RADIUS, X, Y
 from kitrobot.sim.tables.random_numbers import drawn, gauss, keys

@@ -9,8 +9,8 @@ import pytest
 from kitrobot.primitives.robot import Robot
 from kitrobot.primitives.robot_xml import read_robot
 from kitrobot.sim.recorder import Recorder
+from kitrobot.sim.setup.limits import SimulationError
 from kitrobot.sim.setup.settings import device_problems
-from kitrobot.sim.setup.setup import SimulationError
 from kitrobot.sim.simulation import Simulation
 from tests.sim.building import WHEEL, avatar, empty_world, run_of, shipped_world, steps
 

@@ -12,7 +12,7 @@ from hypothesis import strategies as st
 from kitrobot.mission.radio import Radio
 from kitrobot.mission.trial import Failure, FailureKind
 from kitrobot.primitives.robot import Robot
-from kitrobot.sim.setup.setup import SimulationError
+from kitrobot.sim.setup.limits import SimulationError
 from kitrobot.sim.simulation import Simulation
 from kitrobot.sim.tables.columns import X, Y
 from kitrobot.sim.team.radio import BEAT, is_in_reach, is_on, neighbours

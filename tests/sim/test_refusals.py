@@ -11,7 +11,8 @@ from kitrobot.compiler.compilation import compile_program, compile_text
 from kitrobot.graph.model import empty_program
 from kitrobot.mission.model import Agent, Goal, Mission, Team
 from kitrobot.primitives.catalogue import Catalogue
-from kitrobot.sim.setup.setup import MAX_AGENTS, SimulationError, check_mission
+from kitrobot.sim.setup.limits import MAX_AGENTS, SimulationError
+from kitrobot.sim.setup.setup import check_mission
 from kitrobot.sim.simulation import Simulation
 from kitrobot.world.geometry import Pose
 from kitrobot.world.model import Start, World

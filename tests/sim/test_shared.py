@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from kitrobot.primitives.robot import Robot
-from kitrobot.sim.setup.setup import SimulationError
+from kitrobot.sim.setup.limits import SimulationError
 from kitrobot.sim.simulation import Simulation
 from tests.sim.building import avatar, empty_world, run_of, steps
 

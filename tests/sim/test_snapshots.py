@@ -12,7 +12,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from kitrobot.sim.recorder import Recorder
-from kitrobot.sim.setup.setup import SimulationError
+from kitrobot.sim.setup.limits import SimulationError
 from tests.effort import cases, examples
 from tests.patience import PATIENCE_S
 from tests.sim.building import catalogue, empty_world, run_of, transport

@@ -8,7 +8,7 @@ import pytest
 
 from kitrobot.mission.radio import Radio
 from kitrobot.mission.trial import Failure, FailureKind
-from kitrobot.sim.setup.setup import SimulationError
+from kitrobot.sim.setup.limits import SimulationError
 from kitrobot.sim.simulation import Simulation
 from tests.effort import cases
 from tests.sim.building import transport

@@ -41,8 +41,8 @@ from kitrobot.sim.outcome import (
 )
 from kitrobot.sim.overrides import force_sensor, stop_motors
 from kitrobot.sim.physics.bodies import WorldState
-from kitrobot.sim.setup.limits import check_limits, whole_number
-from kitrobot.sim.setup.setup import Setup, SimulationError, shared_tables_of
+from kitrobot.sim.setup.limits import SimulationError, check_limits, whole_number
+from kitrobot.sim.setup.setup import Setup, shared_tables_of
 from kitrobot.sim.snapshots import SNAPSHOT_VERSION, damaged, sealed, unsealed
 from kitrobot.sim.step.agents import Agent
 from kitrobot.sim.step.deadlock_detection import mark_activity

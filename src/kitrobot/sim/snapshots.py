@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import zlib
 
-from kitrobot.sim.setup.setup import SimulationError
+from kitrobot.sim.setup.limits import SimulationError
 from kitrobot.text.sentences import Sentence
 
 SNAPSHOT_VERSION = 7

@@ -16,8 +16,8 @@ from kitrobot.mission.model import DEFAULT_SEED
 from kitrobot.primitives.catalogue import Catalogue
 from kitrobot.primitives.kit import Kit, as_measured
 from kitrobot.sim.recorder import simulate, strokes_now
-from kitrobot.sim.setup.limits import check_limits
-from kitrobot.sim.setup.setup import SimulationError, check_mission
+from kitrobot.sim.setup.limits import SimulationError, check_limits
+from kitrobot.sim.setup.setup import check_mission
 from kitrobot.sim.simulation import Simulation
 from kitrobot.sim.step.pens import pens_of
 from kitrobot.text.sentences import Sentence

@@ -1,18 +1,24 @@
-"""Which numbers a run can be given: its time limit, its seed, the probability of failures; and values put into it."""
+"""Limits of a run: its agents, its time, its seed, the probability of failures; and values put into it."""
 
 from __future__ import annotations
 
 from operator import index
 
 from kitrobot.diagnostics.model import KitRobotError
-from kitrobot.sim.setup.setup import SimulationError
 from kitrobot.text.sentences import Sentence
+
+MAX_AGENTS = 100_000
+"""Agents in one run at most."""
 
 MAX_SEED = 2**53
 """Larger whole numbers do not reach the page as they are."""
 
 MAX_SECONDS = 1e9
 """The longest time limit of a run, in simulated seconds: thirty years."""
+
+
+class SimulationError(KitRobotError):
+    """A mission cannot be run in its world; `diagnostics` says everything that is in the way."""
 
 
 def whole_number(value: int) -> int:

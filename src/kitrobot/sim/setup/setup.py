@@ -14,7 +14,7 @@ from functools import reduce
 
 from kitrobot.compiler.compilation import CompiledProgram
 from kitrobot.compiler.team.points import TeamPlan
-from kitrobot.diagnostics.model import Diagnostic, KitRobotError
+from kitrobot.diagnostics.model import Diagnostic
 from kitrobot.image.machine import Machine
 from kitrobot.mission.model import ALL, Mission
 from kitrobot.mission.model import Agent as Member
@@ -26,6 +26,7 @@ from kitrobot.sim.devices.base import COUNTS_BOXES, MOVES_BOXES
 from kitrobot.sim.physics.grids import cell_at, fixed
 from kitrobot.sim.setup import rules
 from kitrobot.sim.setup.initial_state import Tables
+from kitrobot.sim.setup.limits import MAX_AGENTS, SimulationError
 from kitrobot.sim.setup.settings import find_device, name_problems, read_conflicts, read_settings
 from kitrobot.sim.setup.shared_tables import SharedTables
 from kitrobot.sim.setup.team_tables import TeamMember, TeamSetup, assign_roles
@@ -39,9 +40,6 @@ from kitrobot.text.sentences import COMMA, Help, Sentence, Series, Word
 from kitrobot.text.suggestions import Suggestions, did_you_mean
 from kitrobot.world.geometry import distance_to_stretch
 from kitrobot.world.model import LOAD, Start, World
-
-MAX_AGENTS = 100_000
-"""Agents in one run at most."""
 
 MOST_STEP_MS = 20
 """A step is not longer than this, and divides it: so a robot that ticks as ours changes no run of others."""
@@ -57,10 +55,6 @@ def free_start(name: str, free: Sequence[str], suggestions: Suggestions) -> Help
             "starts that are free there: {free}", Series(COMMA, free[:20])
         )
     return Sentence("no start of this world is free: add one to it, or take an agent out of the team")
-
-
-class SimulationError(KitRobotError):
-    """A mission cannot be run in its world; `diagnostics` says everything that is in the way."""
 
 
 class Setup:
