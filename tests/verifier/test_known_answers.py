@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 
-from kitrobot.checking.verification import VerificationOptions, runs_of, verify
+from kitrobot.checking.verification import VerificationOptions, verify
 from kitrobot.mission.property_xml import AskedProperty, Form
 from kitrobot.verifier.exploration.budget import Budget
 from kitrobot.verifier.model.abstraction import abstract_run
@@ -136,7 +136,7 @@ def test_the_narrow_way_of_merge_needs_its_gate(tmp_path: Path, minded: bool) ->
         text = text if minded else text.replace(old, '<vertex id="v12" element="Run.IsTrue"/>')
     path = tmp_path / "merge.krt"
     path.write_text(text, encoding="utf-8")
-    fresh = runs_of(prepared(path).parts())
+    fresh = prepared(path).spec.simulation
     run = fresh(1)
     model = Model(run, abstract_run(run, property_variables(run, [ALONE])))
     [alone], left_out = build_custom_properties(model, [ALONE])

@@ -9,7 +9,6 @@ from pathlib import Path
 import pytest
 
 from kitrobot.checking.drawing_check import RUN_S, check_drawing, explore_drawing
-from kitrobot.checking.verification import runs_of
 from kitrobot.sim.simulation import Simulation
 from kitrobot.verifier.exploration.budget import Budget
 from kitrobot.verifier.exploration.engines import PLAIN
@@ -117,7 +116,7 @@ def test_where_there_are_no_processes_the_same_is_found_here(tmp_path: Path, mon
 
 
 def test_a_loop_that_never_lets_go_is_another_thing(tmp_path: Path) -> None:
-    found = explore_drawing(runs_of(of(LOOP, tmp_path).parts()), 1, None)
+    found = explore_drawing(of(LOOP, tmp_path).spec.simulation, 1, None)
     assert [(one.vertex, one.waits) for one in found.traps] == [("first", False)]
 
 
@@ -126,7 +125,7 @@ def test_carriers_that_block_each_other_before_the_goal_are_told_and_nothing_whe
 ) -> None:
     old = '<vertex id="v25" element="Cargo.IsPressed"/>'
     prepared = mutant(tmp_path, (old, old.replace("Pressed", "Released")), carriers=1, stock=1)
-    found = explore_drawing(runs_of(prepared.parts()), 1, None)
+    found = explore_drawing(prepared.spec.simulation, 1, None)
     assert {one.agent for one in found.traps} >= {"carrier-1", "loader", "unloader"}
     assert check_drawing(prepared, lambda: True) == []
 
@@ -140,12 +139,12 @@ def test_carriers_that_block_each_other_before_the_goal_are_told_and_nothing_whe
 )
 def test_nothing_is_said_of_missions_that_are_right_and_of_loops_that_are_meant_to_go_on(name: str) -> None:
     prepared = opened(EXAMPLES / name / f"{name}.krt")
-    assert explore_drawing(runs_of(prepared.parts()), 1, None) == ((), ())
+    assert explore_drawing(prepared.spec.simulation, 1, None) == ((), ())
 
 
 def test_parts_for_another_stock_are_none_that_never_run(tmp_path: Path) -> None:
     """A's manager ends the work where there is no box."""
-    assert explore_drawing(runs_of(mutant(tmp_path, carriers=2, stock=1).parts()), 1, None) == ((), ())
+    assert explore_drawing(mutant(tmp_path, carriers=2, stock=1).spec.simulation, 1, None) == ((), ())
 
 
 def meeting(folder: Path, test: str) -> PreparedRun:
@@ -164,7 +163,7 @@ def test_who_waits_in_vain_in_a_team_is_told_and_so_is_who_waits_for_it_at_a_mee
 
 
 def test_what_one_kind_of_robot_does_in_a_team_is_no_part_that_never_runs(tmp_path: Path) -> None:
-    assert explore_drawing(runs_of(meeting(tmp_path, "Flag.IsFalse").parts()), 1, None) == ((), ())
+    assert explore_drawing(meeting(tmp_path, "Flag.IsFalse").spec.simulation, 1, None) == ((), ())
 
 
 @pytest.mark.parametrize("seed", cases([2, 4], [0, 1, 3, 5, 6, 7, *range(8, 200)]))

@@ -17,10 +17,10 @@ from kitrobot.checking.verification import (
     Verification,
     VerificationError,
     VerificationOptions,
-    runs_of,
     verify_runs,
 )
 from kitrobot.diagnostics.model import KitRobotError
+from kitrobot.sim.run_spec import RunSpec
 from kitrobot.text.sentences import Sentence
 from kitrobot.verifier.exploration.budget import CutReason
 from kitrobot.verifier.model.timing import Timing
@@ -142,7 +142,7 @@ def verify_apart(prepared: PreparedRun, options: VerificationOptions, report: Re
     leave_off = context.Event()
     chosen = replace(options, stop=VerificationOptions.stop)
     process = context.Process(
-        target=_check, args=(prepared.parts(), prepared.options.seed, chosen, leave_off, its), daemon=True
+        target=_check, args=(prepared.spec, prepared.options.seed, chosen, leave_off, its), daemon=True
     )
     process.start()
     its.close()
@@ -177,10 +177,10 @@ def _follow(mine: Connection, stop: Callable[[], bool], leave_off: Any, report: 
         report(message)
 
 
-def _check(parts: tuple[Any, ...], seed: int, chosen: VerificationOptions, leave_off: Any, out: Connection) -> None:
+def _check(spec: RunSpec, seed: int, chosen: VerificationOptions, leave_off: Any, out: Connection) -> None:
     """In the process of the check."""
     end_with_parent()
-    _whole_check(parts, seed, replace(chosen, stop=leave_off.is_set, draws=True), out.send)
+    _whole_check(spec, seed, replace(chosen, stop=leave_off.is_set, draws=True), out.send)
     out.close()
 
 
@@ -195,14 +195,14 @@ def _verify_here(prepared: PreparedRun, options: VerificationOptions, report: Re
             report(message)
 
     chosen = replace(options, draws=True, memory=_MEMORY_HERE)
-    _whole_check(prepared.parts(), prepared.options.seed, chosen, send)
+    _whole_check(prepared.spec, prepared.options.seed, chosen, send)
     end = last[-1]
     if isinstance(end, _Refusal):
         raise KitRobotError(end.message, end.help)
     return end
 
 
-def _whole_check(parts: tuple[Any, ...], seed: int, options: VerificationOptions, send: Callable[[Any], None]) -> None:
+def _whole_check(spec: RunSpec, seed: int, options: VerificationOptions, send: Callable[[Any], None]) -> None:
     """Sends the progress, each explored column, and finally a `CheckEnd` or a `_Refusal`."""
     began = time.monotonic()
     assumption: list[tuple[Timing, int]] = []
@@ -219,7 +219,7 @@ def _whole_check(parts: tuple[Any, ...], seed: int, options: VerificationOptions
             send(ExplorationProgress(timing, failures, states, depth, now - began, memory_taken()))
 
     try:
-        made = verify_runs(runs_of(parts), seed, options, progress, lambda column: send(_plain(column)))
+        made = verify_runs(spec.simulation, seed, options, progress, lambda column: send(_plain(column)))
         send(_end(made))
     except KitRobotError as error:
         send(_Refusal(error.message, error.help))

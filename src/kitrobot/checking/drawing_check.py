@@ -14,12 +14,13 @@ import time
 from collections.abc import Callable, Sequence
 from contextlib import suppress
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, NamedTuple
 
-from kitrobot.checking.verification import VerificationError, runs_of
+from kitrobot.checking.verification import VerificationError
 from kitrobot.diagnostics.model import Diagnostic, KitRobotError, Severity, rule
 from kitrobot.mission.breakdown import BreakdownRule
 from kitrobot.mission.model import Mission
+from kitrobot.sim.run_spec import RunSpec
 from kitrobot.sim.simulation import Simulation
 from kitrobot.text.sentences import Sentence
 from kitrobot.verifier.exploration.budget import Budget
@@ -119,7 +120,7 @@ def _explore_here(prepared: PreparedRun, stop: Callable[[], bool], explore_s: fl
     """Where there are no processes: shorter."""
     short = None if explore_s is None else explore_s * _SHARE_HERE
     try:
-        return explore_drawing(runs_of(prepared.parts()), prepared.options.seed, short, stop)
+        return explore_drawing(prepared.spec.simulation, prepared.options.seed, short, stop)
     except KitRobotError:
         return _DrawingResult()
 
@@ -130,7 +131,7 @@ def _explore_in_process(prepared: PreparedRun, stop: Callable[[], bool], explore
     context = multiprocessing.get_context("spawn")
     mine, its = context.Pipe(duplex=False)
     process = context.Process(
-        target=_serve_exploration, args=(prepared.parts(), prepared.options.seed, explore_s, its), daemon=True
+        target=_serve_exploration, args=(prepared.spec, prepared.options.seed, explore_s, its), daemon=True
     )
     process.start()
     its.close()
@@ -174,13 +175,13 @@ def _idle(mission: Mission, name: str, vertices: tuple[str, ...], known: set[tup
     return [DrawingFinding(NEVER_REACHED(message, help=help, program=name, vertices=told))]
 
 
-def _serve_exploration(parts: tuple[Any, ...], seed: int, explore_s: float | None, out: Connection) -> None:
+def _serve_exploration(spec: RunSpec, seed: int, explore_s: float | None, out: Connection) -> None:
     """In the process."""
     end_with_parent()
     with suppress(OSError, AttributeError):  # Windows has no nice
         os.nice(19)
     try:
-        found = explore_drawing(runs_of(parts), seed, explore_s)
+        found = explore_drawing(spec.simulation, seed, explore_s)
     except KitRobotError:
         found = _DrawingResult()
     with suppress(OSError):

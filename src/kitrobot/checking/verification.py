@@ -175,16 +175,6 @@ def _finding_json(finding: Finding, tick_ms: int) -> dict[str, Any]:
     return made
 
 
-def runs_of(parts: tuple[Any, ...]) -> Runs:
-    """The runs of a mission with any seed, from `PreparedRun.parts`."""
-
-    def run(seed: int) -> Simulation:
-        mission, world, images, catalogue, _, *more = parts
-        return Simulation(mission, world, images, catalogue, seed, *more)
-
-    return run
-
-
 def verify(
     prepared: PreparedRun,
     options: VerificationOptions,
@@ -197,7 +187,7 @@ def verify(
         VerificationError: there is no such property, or a number makes no sense.
         AbstractionError: the mission cannot be checked.
     """
-    return verify_runs(runs_of(prepared.parts()), prepared.options.seed, options, progress, column_done)
+    return verify_runs(prepared.spec.simulation, prepared.options.seed, options, progress, column_done)
 
 
 def verify_runs(

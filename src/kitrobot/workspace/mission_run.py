@@ -16,6 +16,7 @@ from kitrobot.mission.model import DEFAULT_SEED
 from kitrobot.primitives.catalogue import Catalogue
 from kitrobot.primitives.kit import Kit, as_measured
 from kitrobot.sim.recorder import simulate, strokes_now
+from kitrobot.sim.run_spec import RunSpec
 from kitrobot.sim.setup.limits import SimulationError, check_limits
 from kitrobot.sim.setup.setup import check_mission
 from kitrobot.sim.simulation import Simulation
@@ -149,9 +150,10 @@ class PreparedRun:
             tuple(strokes_now(made, drawn)),
         )
 
-    def parts(self) -> tuple[Any, ...]:
-        """What `Simulation` makes this run of, compiled already; other processes can be given it."""
-        return _parts(self.opened, self.options)
+    @property
+    def spec(self) -> RunSpec:
+        """What this run is made of, compiled already; other processes can be given it."""
+        return _spec(self.opened, self.options)
 
     def again(self) -> Simulation:
         """The same run before its first step, by itself.
@@ -183,17 +185,25 @@ def prepare(opened: OpenMission, options: RunOptions) -> PreparedRun:
 
 
 def _set_up(opened: OpenMission, options: RunOptions) -> Simulation:
-    assert opened.world is not None, "a mission without its world has an error"
     check_limits(options.seconds, options.seed, options.fail_rate)
     try:
-        return Simulation(*_parts(opened, options))
+        return _spec(opened, options).simulation()
     except SimulationError as error:
         raise _refused(opened, error) from None
 
 
-def _parts(opened: OpenMission, options: RunOptions) -> tuple[Any, ...]:
-    chosen = (options.seed, options.seconds, options.fail_rate)
-    return (opened.mission, opened.world, opened.images, _catalogue(opened, options.kit), *chosen, _plan(opened))
+def _spec(opened: OpenMission, options: RunOptions) -> RunSpec:
+    assert opened.world is not None, "a mission without its world has an error"
+    return RunSpec(
+        opened.mission,
+        opened.world,
+        opened.images,
+        _catalogue(opened, options.kit),
+        options.seed,
+        options.seconds,
+        options.fail_rate,
+        _plan(opened),
+    )
 
 
 def _catalogue(opened: OpenMission, kit: Kit | None) -> Catalogue:

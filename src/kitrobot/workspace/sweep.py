@@ -17,6 +17,7 @@ from typing import Any, Final
 
 from kitrobot.diagnostics.model import KitRobotError
 from kitrobot.sim.jit.policy import expect_many_runs, would_gain
+from kitrobot.sim.run_spec import RunSpec
 from kitrobot.sim.simulation import Outcome, Simulation
 from kitrobot.sim.sweep import (
     MOST_MOMENTS,
@@ -232,7 +233,7 @@ def _run(
     # Not forked: the threads of this process would be missing in its copies.
     context = multiprocessing.get_context("spawn")
     leave_off = context.Event()
-    pool = ProcessPoolExecutor(jobs, context, _begin, (prepared.parts(), is_plain, leave_off))
+    pool = ProcessPoolExecutor(jobs, context, _begin, (prepared.spec, is_plain, leave_off))
     over: queue.SimpleQueue[Future[list[Field]]] = queue.SimpleQueue()
     try:
         for task in tasks:
@@ -259,10 +260,10 @@ _here: list[Any] = []
 """Of a process of the pool: its simulation, and the event at which it is to leave off."""
 
 
-def _begin(parts: tuple[Any, ...], is_plain: bool, stop: Any) -> None:
+def _begin(spec: RunSpec, is_plain: bool, stop: Any) -> None:
     """In a process of the pool, once. Ctrl-C is the parent's, which says so to all; it ends when the parent is gone."""
     end_with_parent()
-    _here[:] = [Simulation(*parts), stop]
+    _here[:] = [spec.simulation(), stop]
     _here[0].stays_plain = is_plain
 
 
