@@ -45,12 +45,13 @@ thorough: export KITROBOT_THOROUGH := 1
 thorough: export HYPOTHESIS_PROFILE := thorough
 thorough: test ## all that `make test` tries on few cases, on all of them (docs/thorough-tests.md); takes hours
 
-check: install ## format, lint, types, the stairs; changes nothing
+check: install ## format, lint, types, the stairs, names, sizes; changes nothing
 	$(BIN)/ruff format --check $(SOURCES)
 	$(BIN)/ruff check $(SOURCES)
 	$(BIN)/mypy $(SOURCES)
 	$(BIN)/lint-imports
 	$(PY) tools/names.py
+	$(PY) tools/sizes.py
 	$(PAGE) npm run check
 
 format: install ## lay out every file, mend what can be mended by rule
