@@ -15,7 +15,7 @@ _tick = njit(nogil=True)(tick)
 
 @njit(nogil=True)
 def drive(code, cells, threads, pars, out, seen, first, ticks):
-    """Runs every robot for so many ticks; how many programs came to their end. `first`: cells and threads to begin with."""
+    """Runs every robot for so many ticks; gives how many programs ended. `first`: cells and threads at the start."""
     ended = 0
     first_cells, first_threads = first
     for robot in range(cells.shape[0]):

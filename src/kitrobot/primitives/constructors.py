@@ -6,7 +6,6 @@ constructor's slots. Left to others: reading the XML (constructors_xml), filling
 
 from __future__ import annotations
 
-from collections.abc import Mapping
 from dataclasses import dataclass, field
 from enum import StrEnum
 from functools import cached_property
@@ -110,6 +109,3 @@ class Group:
     colour: str
     constructors: tuple[Constructor, ...]
     label: Texts = field(default_factory=dict)
-
-
-ConstructorTable = Mapping[str, Constructor]

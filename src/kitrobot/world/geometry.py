@@ -122,17 +122,6 @@ class Polyline:
                 best_at = self.along[stretch] + part * (self.along[stretch + 1] - self.along[stretch])
         return self.wrapped(best_at), best
 
-    def signed_distance(self, from_mm: float, to_mm: float) -> float:
-        """How far to go along, negative for backwards; on a closed line the shorter way, forwards in a tie."""
-        distance = self.wrapped(to_mm) - self.wrapped(from_mm)
-        if self.closed:
-            half = self.length_mm / 2
-            if distance > half:
-                distance -= self.length_mm
-            elif distance <= -half:
-                distance += self.length_mm
-        return distance
-
 
 def polyline(corners: Sequence[Corner], closed: bool) -> Polyline:
     """The sampled line through `corners`.

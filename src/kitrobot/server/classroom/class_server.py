@@ -10,7 +10,7 @@ import threading
 import webbrowser
 from dataclasses import dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING, Final
+from typing import TYPE_CHECKING
 
 from kitrobot.classroom.class_room import SITE, ClassRoom
 from kitrobot.classroom.record import unread_sentence
@@ -23,8 +23,6 @@ from kitrobot.translation.languages import translate
 
 if TYPE_CHECKING:
     from kitrobot.classroom.overview import JoinAddress
-
-USUAL_FOLDER: Final = "Class"
 
 
 @dataclass(frozen=True)
