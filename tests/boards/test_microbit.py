@@ -20,11 +20,13 @@ import pytest
 
 from kitrobot.boards.programs import load_board_program
 from kitrobot.deploy.errors import BoardError, FullError, LineError, SilentError
+from kitrobot.deploy.installation import boot_records
 from kitrobot.deploy.installation.deployment import deploy
 from kitrobot.deploy.line.handshake import connect
 from kitrobot.deploy.line.line import Line
 from kitrobot.deploy.line.receiver import Receiver
 from kitrobot.deploy.line.repl import RawRepl
+from kitrobot.deploy.microbit_2016.flash import Flash
 from kitrobot.deploy.minification.minifier import parsed, shortened
 from kitrobot.deploy.package import package
 from kitrobot.deploy.package.onboard_bundle import loop_block
@@ -250,6 +252,29 @@ def test_all_devices_of_it_work_there(used_microbit: Emulated, tmp_path: Path, t
     compared(used_microbit.address, program, find_robot("microbit"), seed=14, ticks=STEPS)
     with connect(used_microbit.address, PATIENCE_S) as board:
         assert board.last_fault() is None
+
+
+def test_a_program_that_fills_the_flash_is_sent_afresh_whatever_lies_freed_beside_its_loop(
+    used_microbit: Emulated, tmp_path: Path
+) -> None:
+    path = tmp_path / "devices.lll"
+    path.write_text(f"*[Run.IsTrue()]({PINS + KEYS_AND_SHAKING} WAIT(1); );\n", encoding="utf-8")
+    program = load_board_program(path, robot="microbit")
+
+    def send() -> None:
+        deploy(used_microbit.address, program.file.to_bytes(), program.package, fresh=True)
+
+    send()
+    with receiving(used_microbit.address) as receiver:
+        for name in receiver.names():
+            if name != boot_records.MAIN:
+                receiver.remove(name)
+        flash = Flash.of(receiver)
+        assert flash is not None
+        for place, first in enumerate(flash.area.firsts):
+            if first == 255:  # unused; now as if a file had been there and was removed
+                receiver.write_words(flash.area.address(place), bytes((0, 255, 255, 255)))
+    send()
 
 
 PARTS = 4 if THOROUGH else 1

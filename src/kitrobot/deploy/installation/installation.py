@@ -234,7 +234,7 @@ class Installation:
         """Puts into flash what runs from there; what the line that counts needs of that stays."""
         if (one := self.built.block) is not None:
             kept = {sign_of(self.old.module)} if self.old is not None and is_ours(f"{self.old.module}.py") else set()
-            if sent := freeze(self.board, one, kept):
+            if sent := freeze(self.board, one, kept, fresh=self.fresh):
                 self.sent[one.name] = sent
 
     def _look_again(self) -> None:
