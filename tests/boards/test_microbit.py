@@ -26,10 +26,10 @@ from kitrobot.deploy.line.handshake import connect
 from kitrobot.deploy.line.line import Line
 from kitrobot.deploy.line.receiver import Receiver
 from kitrobot.deploy.line.repl import RawRepl
+from kitrobot.deploy.microbit_2016 import flash_loop
 from kitrobot.deploy.microbit_2016.flash import Flash
+from kitrobot.deploy.microbit_2016.flash_loop import loop_block
 from kitrobot.deploy.minification.minifier import parsed, shortened
-from kitrobot.deploy.package import package
-from kitrobot.deploy.package.onboard_bundle import loop_block
 from kitrobot.diagnostics.model import KitRobotError
 from kitrobot.image.machine import Machine
 from kitrobot.image.model import Image
@@ -424,8 +424,8 @@ def test_another_kitrobot_finds_no_room_beside_the_old_one_and_takes_its_place_w
     old, new = bench_program(tmp_path / "old", PROGRAMS[0]), bench_program(tmp_path / "new", PROGRAMS[1])
     place(microbit, old)
     there = runs(microbit.address)
-    other = replace(loop_block("microbit"), name="kr01234567")
-    monkeypatch.setattr(package, "loop_block", lambda family: other)
+    other = replace(loop_block(), name="kr01234567")
+    monkeypatch.setattr(flash_loop, "loop_block", lambda: other)
     with pytest.raises(FullError, match="flash"):
         put_program(microbit.address, new)
     assert runs(microbit.address) == there
