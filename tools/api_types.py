@@ -3,8 +3,8 @@
     python tools/api_types.py            write the file
     python tools/api_types.py --check    exit with 1 when it is not what the models say
 
-The names are those of the models without `Shape`. One interface a model, in the order of their names, so the file
-changes only where a model did. What is not required is optional: the page may leave it out.
+The names are those of the models without `Shape`. One interface a model, or one union an enumeration, in the order of their
+names, so the file changes only where a model did. What is not required is optional: the page may leave it out.
 """
 
 from __future__ import annotations
@@ -67,6 +67,8 @@ def _name(model: str) -> str:
 
 
 def _interface(name: str, schema: Mapping[str, Any]) -> str:
+    if "enum" in schema:
+        return "\n".join([*_comment(schema.get("description", "")), _alias(name, _members(schema))])
     required = set(schema.get("required", ()))
     lines = [*_comment(schema.get("description", "")), f"export interface {name} {{"]
     for field, inner in schema.get("properties", {}).items():
@@ -92,7 +94,7 @@ def _alias(name: str, members: list[str]) -> str:
 
 
 def _comment(text: str) -> list[str]:
-    words = " ".join(text.split())
+    words = " ".join(text.partition(">>>")[0].split())
     if not words:
         return []
     line = f"/** {words} */"

@@ -17,6 +17,7 @@ from kitrobot.primitives.robot import Robot
 from kitrobot.sim.simulation import Simulation
 from kitrobot.world.geometry import Corner, Pose
 from kitrobot.world.model import (
+    COLOURS,
     WARM,
     ZONE_KINDS,
     ColouredLine,
@@ -261,11 +262,11 @@ def random_team(
         mission.team.agents.append(Agent(f"r{n}", f"p{number}"))
     lines = tuple(
         ColouredLine(colour, 40, (Corner(rng.uniform(50, 900), 50), Corner(rng.uniform(900, 2500), 2500)))
-        for colour in rng.sample(("red", "green", "blue"), rng.randrange(4))
+        for colour in rng.sample(tuple(COLOURS), rng.randrange(4))
     )
     floors = tuple(
         Floor(colour, tuple(Corner(x + dx, y + dy, 90) for dx, dy in ((0, 0), (300, 0), (300, 300), (0, 300))))
-        for colour, (x, y) in zip(("red", "blue"), places[: rng.randrange(3)], strict=False)
+        for colour, (x, y) in zip((*COLOURS,)[::2], places[: rng.randrange(3)], strict=False)
     )
     houses = (Storehouse("A", 0, 0, 100, 100, 9, 4), Storehouse("B", 500, 0, 100, 100, 9, 1))
     zones = tuple(

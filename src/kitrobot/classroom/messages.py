@@ -8,8 +8,9 @@ from pydantic import BaseModel, Field
 
 from kitrobot.classroom.pupil import State
 from kitrobot.classroom.pupil_status import Turn
-from kitrobot.wire.mission import MissionShape, ProgramShape
+from kitrobot.wire.mission import MissionShape, ProgramValue
 from kitrobot.wire.sentences import Clause
+from kitrobot.wire.values import View
 from kitrobot.wire.world import WorldShape
 
 MOST_GOALS = 100
@@ -259,11 +260,11 @@ class LookMessage(BaseModel):
     folder: Folder
 
 
-class ClassPictureShape(BaseModel):
+class ClassPictureShape(View):
     """What a card's picture is drawn from: the first program that an agent runs."""
 
     version: int
-    program: ProgramShape
+    program: ProgramValue
 
 
 class TeacherCodeShape(BaseModel):

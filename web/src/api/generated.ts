@@ -80,12 +80,21 @@ export interface ArenaMessage {
   arena: ClassArena | null;
 }
 
-/** What is demanded of every run: see `kitrobot.mission.AskedProperty`. */
+/** One property: `second` is the condition behind *eventually* or *until*, "" where the form has one only. */
 export interface AskedProperty {
   name: string;
-  form: "never" | "after" | "eventually" | "stays";
+  form: Form;
   first: string;
   second?: string;
+}
+
+/** A ball that can be pushed, around its middle; friction is what slows it down (0: it rolls for ever). */
+export interface Ball {
+  x_mm: number;
+  y_mm: number;
+  radius_mm: number;
+  mass_g: number;
+  friction: number;
 }
 
 /** A world to begin in. */
@@ -317,13 +326,30 @@ export interface BoardsWelcomeMessage {
   key: string;
 }
 
-/** What becomes of a robot that fails for good on a road, and after how many seconds it is towed. */
+/** A box that can be pushed, around its middle; friction is that of its underside (0: it slides for ever). */
+export interface Box {
+  x_mm: number;
+  y_mm: number;
+  width_mm: number;
+  height_mm: number;
+  mass_g: number;
+  friction: number;
+}
+
+/** The rule, and after how many simulated seconds a robot is towed. */
 export interface Breakdown {
-  rule: "stay" | "tow" | "pass";
+  rule: BreakdownRule;
   after_s?: number;
 }
 
-/** Where a run pauses: see `kitrobot.mission.Breakpoint`. */
+/** It stays where it is; it is towed away, and its box goes back; the others drive round it. */
+export type BreakdownRule = "stay" | "tow" | "pass";
+
+/**
+ * Where a run pauses. `agents` are those it watches, all that run the program when empty; with `every` it pauses only
+ * when all of them stand there. `when` is a condition of LLL, tested with what that agent knows; it pauses at the visit
+ * number `hits` and at each one after it.
+ */
 export interface Breakpoint {
   program: string;
   vertex: string;
@@ -347,6 +373,9 @@ export interface Catalogue {
   problems: Problem[];
   work?: RobotObject | null;
 }
+
+/** What part of a robot an object is. */
+export type Category = "actuator" | "sensor" | "variable" | "system";
 
 /** A request to look a mission through; `path` is the file it was opened from, "" for a new one. */
 export interface Check {
@@ -375,7 +404,7 @@ export interface CheckedProperty {
   guilty: Guilty[];
 }
 
-/** A value with a name, and one picture at most: an icon, lights (digits, five by five) or a `#rrggbb`. */
+/** A value with a name, and one picture at most: an icon, five by five lights (digits 0 to 9), or a `#rrggbb`. */
 export interface Choice {
   value: number;
   label: Record<string, string>;
@@ -384,8 +413,8 @@ export interface Choice {
   colour?: string;
 }
 
-/** An offer that becomes a slot under that name; numbers with one name become one slot. */
-export interface Chosen {
+/** An offer that is to be a slot, under a name for people. Numbers with one name become one slot. */
+export interface ChosenSlot {
   vertex: string;
   slot: string;
   name: string;
@@ -503,6 +532,14 @@ export interface ClassWork {
   modified: string;
 }
 
+/** A line on the floor; `colour` is a key of `COLOURS`. */
+export interface ColouredLine {
+  colour: "red" | "green" | "blue";
+  width_mm: number;
+  points: Corner[];
+  closed: boolean;
+}
+
 /** What befell an agent in a run of the simulator. */
 export interface ConfirmingFailure {
   agent: string;
@@ -551,13 +588,13 @@ export interface Constructor {
   label: Record<string, string>;
   help: Record<string, string>;
   slots: Slot[];
-  role: "instruction" | "condition" | "branch";
+  role: Role;
   adds: Adds | null;
   code: string;
-  level?: "agent" | "group" | "social";
+  level?: Level;
 }
 
-/** A corner of a line; a radius rounds it off. */
+/** A point of a line as people give it; a radius rounds it off. */
 export interface Corner {
   x: number;
   y: number;
@@ -583,8 +620,22 @@ export interface DifferenceAsk {
   mission: Mission;
 }
 
-/** Where stock goes from a storehouse onto a carrier, or back. */
+/**
+ * Where a carrier stands to be loaded or unloaded: within `reach_mm` of `at_mm` along its road. `side` is that of the
+ * road.
+ */
 export interface Dock {
+  name: string;
+  road: string;
+  at_mm: number;
+  reach_mm: number;
+  storehouse: string;
+  kind: "load" | "unload";
+  side: "left" | "right";
+}
+
+/** Where stock goes from a storehouse onto a carrier, or back. */
+export interface DockPose {
   name: string;
   road: string;
   at_mm: number;
@@ -679,12 +730,18 @@ export interface ExerciseGoal {
   kind: "program" | "run" | "check";
 }
 
-/** Why a request could not be done: a sentence and a way out; `problems` where a file was the reason. */
+/** What happens to an agent, and when, in simulated seconds. */
 export interface Failure {
-  message: string;
-  help: string;
-  problems?: Problem[];
+  agent: string;
+  at_s: number;
+  kind: FailureKind;
 }
+
+/**
+ * What happens to an agent: it stops for good, misses its ticks, loses its radio, is well again, or is cut off: it
+ * hears, and is heard by, only those that are cut off too.
+ */
+export type FailureKind = "fail" | "stall" | "mute" | "revive" | "apart";
 
 /** The drives that there are now; `page`: where MicroPython for most boards is to be had. */
 export interface Firmware {
@@ -727,8 +784,17 @@ export interface FleetRequest {
   breakpoints?: Breakpoint[];
 }
 
-/** A coloured part of the floor, by the points of its border, sampled like a road. */
+/**
+ * A coloured part of the floor inside `corners`, rounded where they have a radius; `colour` is a key of `COLOURS`.
+ * Where its border crosses itself, what is enclosed twice is not coloured.
+ */
 export interface Floor {
+  colour: "red" | "green" | "blue";
+  points: Corner[];
+}
+
+/** A coloured part of the floor, by the points of its border, sampled like a road. */
+export interface FloorOutline {
   colour: "red" | "green" | "blue";
   points: [number, number][];
 }
@@ -759,6 +825,9 @@ export interface ForceRequest {
 export interface Forget {
   journal: string;
 }
+
+/** How a property speaks of its one or two conditions; the value names the first attribute of its form. */
+export type Form = "never" | "after" | "eventually" | "stays";
 
 /** What the text became: a chain from Start to Stop, or a condition on its own; None when it is no LLL. */
 export interface Fragment {
@@ -924,6 +993,9 @@ export interface Judged {
   mission: Mission;
 }
 
+/** What a method gives: an instruction, true or false, or a number. */
+export type Kind = "procedure" | "test" | "value";
+
 /**
  * What a robot can be built of; `micropython` is the least version that it needs, "" for any, and `firmware` the page
  * where its file says that it is to be had. `picture` is an SVG of it, drawn from its file.
@@ -969,8 +1041,11 @@ export interface Left {
   problem: string;
 }
 
+/** Of whom a program speaks. What a level can say the ones behind it can say too. */
+export type Level = "agent" | "group" | "social";
+
 /** A coloured line on the floor, sampled like a road. */
-export interface Line {
+export interface LineOutline {
   colour: "red" | "green" | "blue";
   width_mm: number;
   closed: boolean;
@@ -989,7 +1064,10 @@ export interface LookRequest {
   agents: string[];
 }
 
-/** What a number means. `scale`: how many units one is, or `wait-unit`; `units`: other languages than English. */
+/**
+ * What a number means. `scale`: how many units one is, a decimal number above 0 or `WAIT_UNIT`. `units`: the unit in
+ * other languages than English, whose word stands beside the number.
+ */
 export interface Meaning {
   scale?: string;
   units?: Record<string, string>;
@@ -1039,7 +1117,7 @@ export interface Merged {
 /** What a robot object can do or tell. `phrase`: words for chips, with holes, `{object} = {value}`. */
 export interface Method {
   name: string;
-  kind: "procedure" | "test" | "value";
+  kind: Kind;
   label: Record<string, string>;
   help: Record<string, string>;
   icon: string;
@@ -1070,7 +1148,7 @@ export interface Mission {
   constructors?: Constructor[];
   variables?: OwnVariable[];
   breakpoints?: Breakpoint[];
-  failures?: ScheduledFailure[];
+  failures?: Failure[];
   breakdown?: Breakdown | null;
   properties?: AskedProperty[];
   own_world?: OwnWorld | null;
@@ -1146,7 +1224,7 @@ export interface Note {
 export interface Offer {
   vertex: string;
   slot: string;
-  kind: "flow" | "condition" | "value" | "number" | "text" | "action";
+  kind: SlotKind;
   name: string;
   label: Record<string, string>;
   inside: Place | null;
@@ -1161,59 +1239,15 @@ export interface Offer {
 /** What a selection offers, or why it cannot be a part. */
 export interface OfferAnswer {
   offered: Offered | null;
-  refused: Failure | null;
+  refused: RequestFailure | null;
 }
 
 /** What a selection offers; `problems` are in it while nothing is left open. */
 export interface Offered {
-  role: "instruction" | "condition" | "branch";
+  role: Role;
   vertices: string[];
   offers: Offer[];
   problems: Problem[];
-}
-
-/** A ball that can be pushed, around its middle. */
-export interface OwnBall {
-  x_mm: number;
-  y_mm: number;
-  radius_mm: number;
-  mass_g: number;
-  friction: number;
-}
-
-/** A box that can be pushed, around its middle. */
-export interface OwnBox {
-  x_mm: number;
-  y_mm: number;
-  width_mm: number;
-  height_mm: number;
-  mass_g: number;
-  friction: number;
-}
-
-/** Where stock goes from a storehouse onto a carrier, or back. */
-export interface OwnDock {
-  name: string;
-  road: string;
-  at_mm: number;
-  reach_mm: number;
-  storehouse: string;
-  kind: "load" | "unload";
-  side: "left" | "right";
-}
-
-/** A coloured part of the floor. */
-export interface OwnFloor {
-  colour: "red" | "green" | "blue";
-  points: Corner[];
-}
-
-/** A coloured line on the floor. */
-export interface OwnLine {
-  colour: "red" | "green" | "blue";
-  width_mm: number;
-  closed: boolean;
-  points: Corner[];
 }
 
 /** A road by its corners. */
@@ -1245,29 +1279,10 @@ export interface OwnStart {
   heading_deg: number;
 }
 
-/** A place for stock; `x_mm`, `y_mm` is its lower left corner. */
-export interface OwnStorehouse {
-  name: string;
-  x_mm: number;
-  y_mm: number;
-  width_mm: number;
-  height_mm: number;
-  capacity: number;
-  stock: number;
-}
-
 /** A variable that the mission adds to every robot of a kind. */
 export interface OwnVariable {
   robot: string;
   variable: RobotObject;
-}
-
-/** A straight wall. */
-export interface OwnWall {
-  x1: number;
-  y1: number;
-  x2: number;
-  y2: number;
 }
 
 /** All of a world; `unknown` is XML that nobody knows, kept; `attributes` are those with a prefix. */
@@ -1275,41 +1290,29 @@ export interface OwnWorld {
   name: string;
   width_mm: number;
   height_mm: number;
-  walls: OwnWall[];
-  floors: OwnFloor[];
-  lines: OwnLine[];
+  walls: Wall[];
+  floors: Floor[];
+  lines: ColouredLine[];
   roads: OwnRoad[];
-  storehouses: OwnStorehouse[];
-  docks: OwnDock[];
+  storehouses: Storehouse[];
+  docks: Dock[];
   starts: OwnStart[];
-  boxes?: OwnBox[];
-  balls?: OwnBall[];
-  zones?: OwnZone[];
+  boxes?: Box[];
+  balls?: Ball[];
+  zones?: Zone[];
   unknown: string[];
   label: Record<string, string>;
   help: Record<string, string>;
   attributes?: Record<string, string>;
 }
 
-/** Where it is warm, loud or bright, around its middle: a circle, or a rectangle where its radius is 0. */
-export interface OwnZone {
-  kind: "warm" | "loud" | "bright";
-  x_mm: number;
-  y_mm: number;
-  radius_mm: number;
-  width_mm: number;
-  height_mm: number;
-  value: number;
-  falloff_mm: number;
-}
-
-/** A parameter of a method; `min` and `max` are included. */
+/** One parameter of a method: whole numbers `minimum`…`maximum` (both included). */
 export interface Parameter {
   name: string;
-  kind: "integer" | "boolean";
   min: number;
   max: number;
   default: number;
+  kind: ValueType;
   unit: string;
   label: Record<string, string>;
   help: Record<string, string>;
@@ -1327,7 +1330,7 @@ export interface Part {
 /** What a wish became, or why it cannot be. */
 export interface PartAnswer {
   part: Part | null;
-  refused: Failure | null;
+  refused: RequestFailure | null;
 }
 
 /** The parts of a mission as a constructors file. */
@@ -1366,7 +1369,7 @@ export interface PartWish {
   colour?: "loop" | "choice" | "parallel" | "action" | "test" | "team";
   label?: Record<string, string>;
   help?: Record<string, string>;
-  chosen: Chosen[];
+  chosen: ChosenSlot[];
 }
 
 /** What the files around a mission hold; `stamp` names their state, as `parts` of `NewsMessage` does. */
@@ -1472,13 +1475,13 @@ export interface ProblemsMessage {
   problems: Problem[];
 }
 
-/** A graph and the robot it is for, "" in one of a team. */
+/** A graph, and what it is for: `target` names the kind of robot of the agents that run it, "" for a team's. */
 export interface Program {
   name: string;
   robot: string;
-  level?: "agent" | "group" | "social";
   vertices: Vertex[];
   arcs: Arc[];
+  level?: Level;
 }
 
 /** What a program becomes: LLL with the place of each vertex, and how long its three-address code is. */
@@ -1553,7 +1556,10 @@ export interface PupilsMessage {
   kept_s: number | null;
 }
 
-/** How the robots hear each other: how far (null: everywhere), how late, how many messages of a hundred get lost. */
+/**
+ * `range_mm`: how far a robot is heard, from middle to middle, None for everywhere; `delay_ms`: how long a message
+ * takes; `loss`: the part of all messages that gets lost, in %.
+ */
 export interface Radio {
   range_mm?: number | null;
   delay_ms?: number;
@@ -1568,7 +1574,7 @@ export interface Ray {
 
 /** What the value of a part means. */
 export interface Reading {
-  type: "integer" | "boolean";
+  type: ValueType;
   unit: string;
   meaning: Meaning | null;
 }
@@ -1621,6 +1627,13 @@ export interface ReportMessage {
   goals: ClassGoal[];
 }
 
+/** Why a request could not be done: a sentence and a way out; `problems` where a file was the reason. */
+export interface RequestFailure {
+  message: string;
+  help: string;
+  problems?: Problem[];
+}
+
 /** Go on; with `latest` from the latest tick, which with real robots is now. */
 export interface ResumeRequest {
   type: "resume";
@@ -1651,7 +1664,7 @@ export interface Robot {
 /** A part of a robot. In the arena, `look` is how an actuator is drawn, and `hand` how a person works a sensor. */
 export interface RobotObject {
   name: string;
-  category: "actuator" | "sensor" | "variable" | "system";
+  category: Category;
   look?: "" | "wheels" | "lights" | "melody" | "pin" | "lamp" | "bar" | "sound" | "number" | "pen";
   hand?: "" | "button" | "gesture" | "slider";
   ray?: Ray | null;
@@ -1659,7 +1672,7 @@ export interface RobotObject {
   label: Record<string, string>;
   help: Record<string, string>;
   methods: Method[];
-  type: "integer" | "boolean";
+  type: ValueType;
   min: number;
   max: number;
   initial: number;
@@ -1754,13 +1767,6 @@ export interface Scene {
   robots: Stand[];
 }
 
-/** What happens to an agent at so many simulated seconds. */
-export interface ScheduledFailure {
-  agent: string;
-  at_s: number;
-  kind: "fail" | "stall" | "mute" | "revive" | "apart";
-}
-
 /** A stretch of a road with the number its signs show. */
 export interface Section {
   sign: number;
@@ -1807,11 +1813,13 @@ export interface ShowArenaMessage {
   arena: ClassArena;
 }
 
-/** A hole of a constructor. */
+/**
+ * A hole of a constructor. A `repeat` slot holds any number of bodies; `least` of them come with a new vertex. `names`
+ * says what a text slot names: "set" (roles, groups and agents) or "program"; "" for anything else.
+ */
 export interface Slot {
   name: string;
-  kind: "flow" | "condition" | "value" | "number" | "text" | "action";
-  label: Record<string, string>;
+  kind: SlotKind;
   loop: boolean;
   repeat: boolean;
   least: number;
@@ -1819,9 +1827,13 @@ export interface Slot {
   max: number | null;
   default: string;
   unit: string;
+  label: Record<string, string>;
   names?: "" | "set" | "program";
   meaning?: Meaning | null;
 }
+
+/** What fills a slot: a chain of vertices, one test, a number or value vertex, typed text, one procedure call. */
+export type SlotKind = "flow" | "condition" | "value" | "number" | "text" | "action";
 
 /** The stretch of LLL that a vertex became: character offsets, the end exclusive, and the line from 1. */
 export interface SpanEntry {
@@ -1943,10 +1955,7 @@ export interface StopRequest {
   type: "stop";
 }
 
-/**
- * A rectangle (x, y: its lower left corner) with room for `capacity` boxes (0…65535), `stock` of them there at the
- * start.
- */
+/** A rectangle (x, y: its lower left corner) with room for `capacity` boxes, `stock` of them there at the start. */
 export interface Storehouse {
   name: string;
   x_mm: number;
@@ -2252,6 +2261,9 @@ export interface TutorialWatch {
   path: string;
 }
 
+/** What a variable holds or a parameter takes. */
+export type ValueType = "integer" | "boolean";
+
 /**
  * A variable that a person wants for a kind of robot; `was` is the name of the one that it takes the place of.
  * `variables` are those of the mission already; min, max and initial of a truth are not looked at but `initial` != 0.
@@ -2327,7 +2339,7 @@ export interface Vertex {
   unknown?: string;
 }
 
-/** A straight wall. */
+/** A straight wall without thickness. */
 export interface Wall {
   x1: number;
   y1: number;
@@ -2365,10 +2377,10 @@ export interface World {
   width_mm: number;
   height_mm: number;
   walls: Wall[];
-  floors: Floor[];
-  lines: Line[];
+  floors: FloorOutline[];
+  lines: LineOutline[];
   roads: Road[];
-  docks: Dock[];
+  docks: DockPose[];
   storehouses: Storehouse[];
   starts: StartPose[];
   things?: Thing[];
@@ -2390,7 +2402,10 @@ export interface WorldFile {
   world: World | null;
 }
 
-/** Where it is warm, loud or bright, around its middle: a circle, or a rectangle where its radius is 0. */
+/**
+ * Where it is warm, loud or bright, around its middle: a circle, or a rectangle where `radius_mm` is 0. Inside it has
+ * its value, in °C (warm) or percent; beyond its edge that fades evenly, to nothing at `falloff_mm`.
+ */
 export interface Zone {
   kind: "warm" | "loud" | "bright";
   x_mm: number;

@@ -38,7 +38,7 @@ export type {
   Breakdown,
   Radio,
   Role,
-  ScheduledFailure,
+  Failure as ScheduledFailure,
   Slot,
   SpanEntry,
   TeamGroup,

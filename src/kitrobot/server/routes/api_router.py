@@ -13,10 +13,10 @@ from kitrobot.live.robot_registry import AddressError
 from kitrobot.live.studio import Studio
 from kitrobot.server.routes.json_bodies import JsonRoute
 from kitrobot.text.sentences import Sentence
-from kitrobot.wire.problem import FailureShape
+from kitrobot.wire.problem import RequestFailureShape
 
 FAILURES: dict[int | str, dict[str, Any]] = {
-    "4XX": {"model": FailureShape, "description": "Why it could not be done, and a way out."}
+    "4XX": {"model": RequestFailureShape, "description": "Why it could not be done, and a way out."}
 }
 
 
