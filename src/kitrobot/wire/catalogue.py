@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from typing import Annotated, Any, Literal
+from typing import Annotated, Literal
 
-from pydantic import BaseModel, model_validator
+from pydantic import BaseModel
 
 from kitrobot.primitives.automatic import work_object
 from kitrobot.primitives.catalogue import Catalogue
@@ -15,7 +15,7 @@ from kitrobot.primitives.robot import Category, Kind, Parameter, Robot, Texts, V
 from kitrobot.sim.devices import DisplayKind, ManualControl
 from kitrobot.sim.setup.settings import appearance_of, length_of
 from kitrobot.wire.problem import ProblemShape, problem_shapes
-from kitrobot.wire.values import Least, Most, View, WireFields
+from kitrobot.wire.values import Least, Most, Row, View, WireFields
 
 Colour = Literal["loop", "choice", "parallel", "action", "test", "team"]
 
@@ -24,16 +24,11 @@ SlotValue = Annotated[Slot, WireFields("names", "meaning", deep=False)]
 ParameterValue = Annotated[Parameter, WireFields("meaning", deep=False)]
 
 
-class AddsShape(View):
+class AddsShape(Row):
     """The constructor, and its slot, that a branch adds itself to."""
 
     constructor: str
     slot: str
-
-    @model_validator(mode="before")
-    @classmethod
-    def _pair(cls, given: Any) -> Any:
-        return {"constructor": given[0], "slot": given[1]} if isinstance(given, tuple) else given
 
 
 class ConstructorShape(View):

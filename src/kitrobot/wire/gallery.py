@@ -5,7 +5,7 @@ from __future__ import annotations
 from pydantic import BaseModel
 
 from kitrobot.wire.mission import ProgramValue
-from kitrobot.wire.values import View
+from kitrobot.wire.values import Row, View
 from kitrobot.wire.world import WorldShape, world_shape
 from kitrobot.workspace.mission_loader import OpenMission
 from kitrobot.workspace.previews import Preview
@@ -40,7 +40,7 @@ class PreviewAgentShape(BaseModel):
     start: str
 
 
-class PreviewShownShape(BaseModel):
+class PreviewShownShape(Row):
     """From that frame on an agent's actuator shows these numbers."""
 
     frame: int
@@ -49,7 +49,7 @@ class PreviewShownShape(BaseModel):
     numbers: list[int]
 
 
-class PreviewStockShape(BaseModel):
+class PreviewStockShape(Row):
     """From that frame on so many boxes lie in a storehouse."""
 
     frame: int

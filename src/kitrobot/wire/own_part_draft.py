@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from typing import Annotated, Any
+from typing import Annotated
 
-from pydantic import BaseModel, Field, model_validator
+from pydantic import BaseModel, Field
 
 from kitrobot.compiler.graph.own_part import ChosenSlot
 from kitrobot.graph.model import MOST_VERTICES
@@ -14,7 +14,7 @@ from kitrobot.primitives.robot import Texts
 from kitrobot.wire.catalogue import Colour, ConstructorShape
 from kitrobot.wire.mission import MissionShape, ProgramValue
 from kitrobot.wire.problem import ProblemShape, RequestFailureShape
-from kitrobot.wire.values import Least, Most, View
+from kitrobot.wire.values import Least, Most, Row, View
 
 LONGEST_PART = 20_000
 """Characters of a part's LLL as it is typed; what can be kept is shorter."""
@@ -29,16 +29,11 @@ class SelectedShape(BaseModel):
     vertices: Annotated[list[str], Field(max_length=MOST_VERTICES)]
 
 
-class PlaceShape(BaseModel):
+class PlaceShape(Row):
     """A slot or parameter of a vertex; the slot "" is the vertex itself."""
 
     vertex: str
     slot: str
-
-    @model_validator(mode="before")
-    @classmethod
-    def _pair(cls, given: Any) -> Any:
-        return {"vertex": given[0], "slot": given[1]} if isinstance(given, tuple) else given
 
 
 class OfferShape(View):

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from typing import Annotated, Any, TypeVar
 
-from pydantic import AfterValidator, AliasChoices, BaseModel, ConfigDict, Field, GetJsonSchemaHandler
+from pydantic import AfterValidator, AliasChoices, BaseModel, ConfigDict, Field, GetJsonSchemaHandler, model_validator
 from pydantic.json_schema import JsonSchemaValue
 from pydantic_core import CoreSchema
 
@@ -24,6 +24,15 @@ class View(BaseModel):
     """What the page sees of a value of ours: `model_validate` takes that value as it is."""
 
     model_config = ConfigDict(from_attributes=True, serialize_by_alias=True)
+
+
+class Row(View):
+    """A view of a tuple: its fields are the numbers and names of that, in order."""
+
+    @model_validator(mode="before")
+    @classmethod
+    def _fields(cls, given: Any) -> Any:
+        return dict(zip(cls.model_fields, given, strict=True)) if isinstance(given, tuple) else given
 
 
 Least = Annotated[T, Field(validation_alias=AliasChoices("min", "minimum"))]

@@ -65,6 +65,9 @@ export interface AgentReport {
   forced: string[];
 }
 
+/** The result of checking one property. */
+export type Answer = "holds" | "broken" | "not finished" | "vacuous";
+
 /** From a port of one vertex to a port of another. */
 export interface Arc {
   source: string;
@@ -393,7 +396,7 @@ export interface CheckedEvent {
 export interface CheckedProperty {
   name: string;
   sentence: string;
-  answer: "holds" | "broken" | "not finished" | "vacuous";
+  answer: Answer;
   steps: number;
   repeats_from: number;
   events: CheckedEvent[];
@@ -482,22 +485,16 @@ export interface ClassAsking {
   name: string;
 }
 
-/** A goal as the pupil's page judged it; null: not yet. */
-export interface ClassGoal {
-  reached: boolean | null;
-  why?: string;
-}
-
 /** A goal of the exercise of the class, by language. */
 export interface ClassGoalName {
   label: Record<string, string>;
 }
 
-/** How far grading is; `page` names what it wrote, "" until then. */
-export interface ClassGrading {
-  done: number;
-  total: number;
-  page: string;
+/** A mission to be kept: `name` is what the page calls it, `base` what was kept under that name before, or "". */
+export interface ClassHandIn {
+  name: string;
+  base?: string;
+  mission: Mission;
 }
 
 /** The class as a whole; each time something of it changed. `kept_s`: how long ago work came in last. */
@@ -515,7 +512,7 @@ export interface ClassNewsMessage {
   exercise_label: Record<string, string>;
   goals: ClassGoalName[];
   asking: ClassAsking[];
-  grading: ClassGrading | null;
+  grading: GradingState | null;
   bytes: number;
 }
 
@@ -523,13 +520,6 @@ export interface ClassNewsMessage {
 export interface ClassPicture {
   version: number;
   program: Program;
-}
-
-/** A file that the pupil handed in; `modified` is a moment in UTC (ISO 8601). */
-export interface ClassWork {
-  name: string;
-  bytes: number;
-  modified: string;
 }
 
 /** A line on the floor; `colour` is a key of `COLOURS`. */
@@ -600,6 +590,9 @@ export interface Corner {
   y: number;
   radius: number;
 }
+
+/** Why the exploration, or a later search of the state space, ended early. */
+export type CutReason = "states" | "memory" | "time" | "stopped" | "size";
 
 /** What the text of a team's program declares before its instructions. */
 export interface Declared {
@@ -853,6 +846,12 @@ export interface Goal {
   stock: string;
 }
 
+/** A goal of the exercise as the pupil's page judged it; None: not yet. */
+export interface GoalReport {
+  reached: boolean | null;
+  why?: string;
+}
+
 /**
  * What came of a goal; `reached` is null where this piece says nothing of it. `seed` and `seconds` are the run and the
  * moment that show what went wrong.
@@ -862,6 +861,13 @@ export interface GoalVerdict {
   why: string;
   seed: number | null;
   seconds: number | null;
+}
+
+/** How far grading is; `page` names what it wrote, "" until then. */
+export interface GradingState {
+  done: number;
+  total: number;
+  page: string;
 }
 
 /** A heading of the palette. */
@@ -881,23 +887,16 @@ export interface Guilty {
   repeats: boolean;
 }
 
-/** A mission to be kept: `name` is what the page calls it, `base` what was kept under that name before, or "". */
+/** A stored submission: its name, which may differ from the requested one, and its revision. */
 export interface HandIn {
   name: string;
-  base?: string;
-  mission: Mission;
+  revision: string;
 }
 
 /** The pupil asks for help, or does not any more. */
 export interface HandMessage {
   type: "hand";
   up: boolean;
-}
-
-/** It is kept; the name is another one where that was taken. */
-export interface HandedIn {
-  name: string;
-  revision: string;
 }
 
 /** Let an agent fail for good, miss its ticks or lose its radio, or make it well again. */
@@ -1492,20 +1491,20 @@ export interface ProgramReport {
   instructions: number;
 }
 
-/** What the program of the whole team is for a kind of robot: LLL that nobody writes. */
-export interface Projection {
+/** What a team's program is for a kind of robot. */
+export interface ProjectionReport {
   robot: string;
   lll: string;
   spans: ProjectionSpan[];
 }
 
-/** The same in a projected program; `program` is the team's program in which the vertex stands. */
+/** A stretch of a projected program, as `VertexPlace`, and the team's program in which its vertex stands. */
 export interface ProjectionSpan {
+  program: string;
   vertex: string;
   start: number;
   end: number;
   line: number;
-  program: string;
 }
 
 /**
@@ -1522,7 +1521,7 @@ export interface Pupil {
   file: string;
   version: number;
   exercise: string;
-  goals: ClassGoal[];
+  goals: GoalReport[];
   pages: number;
   frozen: boolean;
   turn: "pupil" | "asked" | "teacher";
@@ -1613,7 +1612,7 @@ export interface ReplayRequest {
 export interface Report {
   programs: ProgramReport[];
   problems: Problem[];
-  projections?: Projection[];
+  projections?: ProjectionReport[];
 }
 
 /** What the page says of itself. `edits` and `runs` count: another number is something that moved. */
@@ -1624,7 +1623,7 @@ export interface ReportMessage {
   runs: number;
   file: string;
   exercise: string;
-  goals: ClassGoal[];
+  goals: GoalReport[];
 }
 
 /** Why a request could not be done: a sentence and a way out; `problems` where a file was the reason. */
@@ -1761,10 +1760,18 @@ export interface Saved {
   locked?: boolean;
 }
 
-/** What a run of the model looks like before a step; the robots are in the order of the mission's agents. */
+/** The picture before a step (the last one: after all steps). Robots are in the order of the team. */
 export interface Scene {
   step: number;
-  robots: Stand[];
+  robots: SceneRobot[];
+}
+
+/** One robot in a scene: its pose (mm, radians; rounded), and the vertices at which its program is. */
+export interface SceneRobot {
+  x_mm: number;
+  y_mm: number;
+  heading_rad: number;
+  at: [string, string][];
 }
 
 /** A stretch of a road with the number its signs show. */
@@ -1847,14 +1854,6 @@ export interface SpanEntry {
 export interface SpeedRequest {
   type: "speed";
   value: number;
-}
-
-/** A robot in a scene; `at` are the vertices at which its program stands, each with the name of its program. */
-export interface Stand {
-  x_mm: number;
-  y_mm: number;
-  heading_rad: number;
-  at: [string, string][];
 }
 
 /** Where an agent may start. */
@@ -1966,6 +1965,13 @@ export interface Storehouse {
   stock: number;
 }
 
+/** A file that was handed in; `modified` is a moment in UTC. */
+export interface Submission {
+  name: string;
+  bytes: number;
+  modified: string;
+}
+
 /** One run: who failed, by the place in `agents`, and when, by that in `moments`; how it ended, when and why. */
 export interface SweepField {
   agent: number;
@@ -2070,7 +2076,7 @@ export interface TeacherNote {
   text: string;
 }
 
-/** What a teacher wants to know of a tutorial; each text by language. */
+/** What a teacher wants to know of a tutorial: its aim, how long it takes, what goes wrong, what to ask after it. */
 export interface TeacherPage {
   minutes: number;
   aim: Record<string, string>;
@@ -2215,6 +2221,9 @@ export interface TickMessage {
   drawing: Drawing | null;
 }
 
+/** An assumption about when agents tick. */
+export type Timing = "lockstep" | "prompt" | "free";
+
 /** What an example is about. */
 export interface Topic {
   name: string;
@@ -2284,11 +2293,11 @@ export interface VariableAsk {
 /** The answers under one assumption. They come once more when the simulator was searched for what is broken. */
 export interface VerifyColumnMessage {
   type: "column";
-  timing: "lockstep" | "prompt" | "free";
+  timing: Timing;
   failures: number;
   states: number;
   depth: number;
-  cut: "states" | "memory" | "time" | "stopped" | "size" | null;
+  cut: CutReason | null;
   seconds: number;
   properties: CheckedProperty[];
 }
@@ -2302,7 +2311,7 @@ export interface VerifyEndMessage {
 /** How far the check is under one assumption: see `kitrobot.checking.background_check.Explored`. */
 export interface VerifyProgressMessage {
   type: "progress";
-  timing: "lockstep" | "prompt" | "free";
+  timing: Timing;
   failures: number;
   states: number;
   depth: number;

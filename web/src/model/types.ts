@@ -30,7 +30,7 @@ export type {
   Problem,
   Program,
   ProgramReport,
-  Projection,
+  ProjectionReport as Projection,
   Report,
   Robot,
   RobotObject,
