@@ -13,6 +13,7 @@ from kitrobot.mission.model import Agent, Mission, Team
 from kitrobot.mission.radio import Radio
 from kitrobot.mission.trial import Failure
 from kitrobot.primitives.catalogue import Catalogue
+from kitrobot.primitives.image_name import ImageName
 from kitrobot.primitives.robot import Robot
 from kitrobot.sim.simulation import Simulation
 from kitrobot.world.geometry import Corner, Pose
@@ -232,13 +233,13 @@ def random_team(
         walls.append(Wall(x + spacing / 2, y, x + spacing / 2, y + 70))
     mission, images, catalogue = (
         Mission(team=Team(), failures=list(failures), radio=radio),
-        dict[str, CompiledProgram](),
+        dict[ImageName, CompiledProgram](),
         Catalogue(robots={}),
     )
     kinds = [robot(rng.randrange(30)) for _ in range(min(robots, 6))]
     for number, kind in enumerate(kinds):
         mission.programs.append(empty_program(f"p{number}", kind.name))
-        images[f"p{number}"] = compiled = compile_text(program(rng, kind), kind)
+        images[ImageName(f"p{number}")] = compiled = compile_text(program(rng, kind), kind)
         assert compiled.ok, compiled.diagnostics
         catalogue.robots[kind.name] = kind
     starts: list[Start] = []

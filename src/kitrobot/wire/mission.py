@@ -42,7 +42,7 @@ class DeclarationShape(View):
     after: str | None = None
 
 
-class RoleShape(DeclarationShape):
+class TeamRoleShape(DeclarationShape):
     """A role, the kind of robot that can play it, and how many are wanted."""
 
     robot: str
@@ -72,7 +72,7 @@ class WorkShape(DeclarationShape):
 class DeclaredShape(View):
     """What the text of a team's program declares before its instructions."""
 
-    roles: list[RoleShape]
+    roles: list[TeamRoleShape]
     groups: list[TeamGroupShape]
     works: list[WorkShape]
 
@@ -101,7 +101,7 @@ class MissionShape(View):
     properties: Many[AskedProperty] = Field(default_factory=list)
     own_world: OwnWorldShape | None = None
     radio: Radio | None = None
-    roles: Many[RoleShape] = Field(default_factory=list)
+    roles: Many[TeamRoleShape] = Field(default_factory=list)
     groups: Many[TeamGroupShape] = Field(default_factory=list)
     works: Many[WorkShape] = Field(default_factory=list)
     prolog: list[str] = Field(default_factory=list)
@@ -126,7 +126,7 @@ def mission_shape(mission: Mission) -> MissionShape:
         variables=[OwnVariableShape.model_validate(one) for one in mission.variables],
         breakdown=None if mission.breakdown == Breakdown() else mission.breakdown,
         own_world=None if mission.own_world is None else own_world_shape(mission.own_world),
-        roles=[RoleShape.model_validate(one) for one in team.roles],
+        roles=[TeamRoleShape.model_validate(one) for one in team.roles],
         groups=[TeamGroupShape.model_validate(one) for one in team.groups],
         works=[WorkShape.model_validate(one) for one in team.works],
         **{name: getattr(mission, name) for name in _AS_THEY_ARE},

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 from typing import Annotated, Literal
 
-from pydantic import BaseModel, Field, TypeAdapter
+from pydantic import AliasChoices, BaseModel, Field, TypeAdapter
 
 from kitrobot.checking.background_check import CheckedColumn, ExplorationProgress
 from kitrobot.checking.verification import MOST_FAILURES
@@ -100,7 +100,7 @@ class CheckedPropertyShape(View):
     answer: Answer
     steps: int
     repeats_from: int
-    events: Annotated[list[CheckedEventShape], Field(validation_alias="story")]
+    events: Annotated[list[CheckedEventShape], Field(validation_alias=AliasChoices("events", "story"))]
     left_out: int
     confirmed: ConfirmingRunShape | None
     searched: bool

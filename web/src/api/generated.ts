@@ -596,7 +596,7 @@ export type CutReason = "states" | "memory" | "time" | "stopped" | "size";
 
 /** What the text of a team's program declares before its instructions. */
 export interface Declared {
-  roles: Role[];
+  roles: TeamRole[];
   groups: TeamGroup[];
   works: Work[];
 }
@@ -1152,7 +1152,7 @@ export interface Mission {
   properties?: AskedProperty[];
   own_world?: OwnWorld | null;
   radio?: Radio | null;
-  roles?: Role[];
+  roles?: TeamRole[];
   groups?: TeamGroup[];
   works?: Work[];
   prolog?: string[];
@@ -1707,15 +1707,8 @@ export interface RobotsRequest {
   breakpoints?: Breakpoint[];
 }
 
-/** A role, the kind of robot that can play it, and how many are wanted. */
-export interface Role {
-  name: string;
-  above?: string[];
-  after?: string | null;
-  robot: string;
-  least: number;
-  most: number;
-}
+/** Where a constructor stands: as an instruction, as a condition, or as one more branch of another. */
+export type Role = "instruction" | "condition" | "branch";
 
 /** Something worth a mark on the timeline. */
 export interface RunEvent {
@@ -2159,6 +2152,16 @@ export interface TeamNow {
   members: Member[];
   groups: string[];
   meetings: Meeting[];
+}
+
+/** A role, the kind of robot that can play it, and how many are wanted. */
+export interface TeamRole {
+  name: string;
+  above?: string[];
+  after?: string | null;
+  robot: string;
+  least: number;
+  most: number;
 }
 
 /**

@@ -37,7 +37,7 @@ export type {
   AskedProperty,
   Breakdown,
   Radio,
-  Role,
+  TeamRole as Role,
   Failure as ScheduledFailure,
   Slot,
   SpanEntry,
