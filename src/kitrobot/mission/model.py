@@ -19,6 +19,7 @@ from kitrobot.mission.radio import Radio
 from kitrobot.mission.trial import Breakpoint, Failure
 from kitrobot.primitives.constructors import Constructor
 from kitrobot.primitives.crew import Crew, CrewProgram
+from kitrobot.primitives.image_name import ImageName
 from kitrobot.primitives.levels import Level
 from kitrobot.primitives.own_xml import OwnVariable
 from kitrobot.primitives.robot import Texts
@@ -32,11 +33,6 @@ DEFAULT_SEED = 1
 
 ALL = "all"
 """A goal's stock: every box there is."""
-
-
-def image_name(program: str, robot: str) -> str:
-    """The name of what a program of the team is for a kind of robot; of a program of one robot, its own."""
-    return f"{program}\n{robot}" if robot else program
 
 
 @dataclass(slots=True)
@@ -57,9 +53,9 @@ class Agent:
         return self.start or self.name
 
     @property
-    def image_name(self) -> str:
-        """By which the image that it runs is known: its program's, or that of its kind of robot."""
-        return image_name(self.program, self.robot)
+    def image_name(self) -> ImageName:
+        """By which the image that it runs is known."""
+        return ImageName(self.program, self.robot)
 
 
 @dataclass(slots=True)

@@ -49,8 +49,8 @@ class Slot:
     loop: bool = False
     repeat: bool = False
     least: int = 0
-    minimum: int | None = None
-    maximum: int | None = None
+    minimum: int | None = field(default=None, metadata={"alias": "min"})
+    maximum: int | None = field(default=None, metadata={"alias": "max"})
     default: str = ""
     unit: str = ""
     label: Texts = field(default_factory=dict)

@@ -26,6 +26,7 @@ from kitrobot.mission.model import DEFAULT_SEED, Mission
 from kitrobot.mission.trial import FailureKind
 from kitrobot.mission.writer import write_mission
 from kitrobot.primitives.catalogue import Catalogue
+from kitrobot.primitives.image_name import ImageName
 from kitrobot.sim.event_text import Event, EventText
 from kitrobot.sim.jit.arrays import as_arrays
 from kitrobot.sim.jit.policy import JitPolicy
@@ -89,12 +90,12 @@ class Simulation(RunView):
     Args:
         mission: what is run, and by whom.
         world: where; it must have been read without errors.
-        images: the compiled programs by name.
+        images: the compiled programs, by `Agent.image_name`.
         catalogue: the robots.
         seed: decides all chance; 0 to `MAX_SEED`.
         seconds: simulated time after which the run ends with the outcome "time", to `MAX_SECONDS`; None for no limit.
         fail_rate: the probability (0…1) that an agent fails for good within a minute, by chance.
-        team: the points of the program that agents run as a team; its images have the names `Agent.image_name`.
+        team: the points of the program that agents run as a team.
 
     Raises:
         SimulationError: the mission cannot be run in this world; its diagnostics say everything that is in the way.
@@ -105,7 +106,7 @@ class Simulation(RunView):
         self,
         mission: Mission,
         world: World,
-        images: Mapping[str, CompiledProgram],
+        images: Mapping[ImageName, CompiledProgram],
         catalogue: Catalogue,
         seed: int = DEFAULT_SEED,
         seconds: float | None = None,
@@ -238,7 +239,7 @@ class Simulation(RunView):
         return self.outcome is not None and is_at_once(self.seconds, self.members)
 
     @property
-    def images(self) -> dict[str, Image]:
+    def images(self) -> dict[ImageName, Image]:
         """The programs by the names of `Agent.image_name`."""
         return {name: image for name, image in self._images.items() if image is not None}
 
@@ -350,7 +351,7 @@ class Simulation(RunView):
         digest.update(f"{self.seed}/{self.seconds_limit}/{self.fail_rate}/{SNAPSHOT_VERSION}".encode())
         for name, image in sorted(self._images.items()):
             assert image is not None, "staged before"
-            digest.update(name.encode() + image.to_bytes())
+            digest.update(name.text.encode() + image.to_bytes())
         return digest.digest()
 
     def snapshot(self) -> bytes:

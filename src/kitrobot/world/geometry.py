@@ -13,9 +13,10 @@ from __future__ import annotations
 import math
 from bisect import bisect_right
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 from kitrobot.text.sentences import Sentence
+from kitrobot.world.limits import Coordinate, Length
 
 SAGITTA_MM = 0.05
 """How far a sampled chord may leave its arc."""
@@ -37,9 +38,9 @@ class Pose:
 class Corner:
     """A point of a line as people give it; a radius rounds it off."""
 
-    x_mm: float
-    y_mm: float
-    radius_mm: float = 0.0
+    x_mm: Coordinate = field(metadata={"alias": "x"})
+    y_mm: Coordinate = field(metadata={"alias": "y"})
+    radius_mm: Length = field(default=0.0, metadata={"alias": "radius"})
 
 
 def normalised(angle_rad: float) -> float:

@@ -9,7 +9,7 @@
 import { create } from "zustand";
 
 import { ApiError } from "../api/client";
-import type { Claimed } from "../api/generated";
+import type { ClaimedJournal } from "../api/generated";
 import { journalApi } from "../api/journal";
 import { type News, openWatch, type Watcher } from "../api/watch";
 import { type History, isUnsaved } from "../model/history";
@@ -104,7 +104,7 @@ export function isKept(): boolean {
 }
 
 /** Claims the journal for a mission that is about to be opened; null without a server that keeps one. */
-export async function claim(path: string, wanted = ""): Promise<Claimed | null> {
+export async function claim(path: string, wanted = ""): Promise<ClaimedJournal | null> {
   if (keeping === null) return null;
   await flush();
   if (tab === "") await hello();

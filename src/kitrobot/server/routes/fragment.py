@@ -17,7 +17,6 @@ from kitrobot.primitives.catalogue import Catalogue
 from kitrobot.primitives.robot import Robot
 from kitrobot.server.routes.api_router import ThisStudio, api_router
 from kitrobot.wire.fragment import FragmentRequestShape, FragmentShape
-from kitrobot.wire.mission import mission_shape
 from kitrobot.wire.own_parts import own_constructor, own_variable
 from kitrobot.wire.problem import problem_shapes
 
@@ -37,8 +36,7 @@ def fragment(studio: ThisStudio, wanted: FragmentRequestShape) -> FragmentShape:
     catalogue = studio.parts_of(own, wanted.path)
     robot = catalogue.robot(wanted.robot)
     program, problems = read_fragment(wanted.text, robot, catalogue)
-    shape = None if program is None else mission_shape(Mission(programs=[program])).programs[0]
-    return FragmentShape(program=shape, problems=problem_shapes(problems))
+    return FragmentShape(program=program, problems=problem_shapes(problems))
 
 
 def read_fragment(text: str, robot: Robot, catalogue: Catalogue) -> tuple[Program | None, list[Diagnostic]]:

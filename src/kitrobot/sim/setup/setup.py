@@ -18,6 +18,7 @@ from kitrobot.image.machine import Machine
 from kitrobot.mission.model import ALL, Mission
 from kitrobot.mission.model import Agent as Member
 from kitrobot.primitives.catalogue import Catalogue
+from kitrobot.primitives.image_name import ImageName
 from kitrobot.primitives.robot import Robot, RobotObject
 from kitrobot.primitives.team_objects import with_team
 from kitrobot.sim.devices import Device, Placement, Values
@@ -62,7 +63,7 @@ class Setup:
         self,
         mission: Mission,
         world: World,
-        images: Mapping[str, CompiledProgram],
+        images: Mapping[ImageName, CompiledProgram],
         catalogue: Catalogue,
         seed: int,
         fail_rate: float = 0.0,
@@ -81,7 +82,7 @@ class Setup:
         self.problems: list[Diagnostic] = []
         self.step_ms = 1
         self.tables = Tables(world, 1, seed)
-        self._machines: dict[str, Machine] = {}
+        self._machines: dict[ImageName, Machine] = {}
         self._placements: dict[tuple[str, str, str], Placement] = {}
         self._checked: dict[tuple[str, str, str], tuple[type[Device] | None, Values | None]] = {}
         self._starts = {start.name: start for start in world.starts}
@@ -161,9 +162,9 @@ class Setup:
                 self.problems.append(rules.ROLE(message, help=help))
 
     def _robot(self, member: Member) -> Robot | None:
-        program_name, image_name = member.program, member.image_name
+        program_name = member.program
         program = self.mission.program(program_name)
-        compiled = self.images.get(image_name)
+        compiled = self.images.get(member.image_name)
         if program is None or compiled is None or compiled.image is None:
             what = Sentence("is not in this mission") if program is None else Sentence("has errors")
             self.problems.append(
@@ -233,7 +234,7 @@ class Setup:
         key = placement.storehouse, placement.road if MOVES_BOXES in handles else -1
         return self._places.setdefault(key, len(self._places))
 
-    def _machine(self, image_name: str, robot: Robot) -> Machine:
+    def _machine(self, image_name: ImageName, robot: Robot) -> Machine:
         """A machine at the beginning of a program; those of one program share what does not change."""
         first = self._machines.get(image_name)
         if first is None:
@@ -320,7 +321,7 @@ def shared_tables_of(agents: Sequence[Agent]) -> SharedTables:
 def check_mission(
     mission: Mission,
     world: World,
-    images: Mapping[str, CompiledProgram],
+    images: Mapping[ImageName, CompiledProgram],
     catalogue: Catalogue,
     team: TeamPlan | None = None,
 ) -> None:
