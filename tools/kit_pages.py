@@ -91,7 +91,7 @@ sensor of a kit that has one.
 The kits of a micro:bit are for a V2, which has not been tried, and for the one of 2016, whose firmware runs in QEMU in
 the tests: it has 16 kB of memory. KitRobot says before sending what certainly does not fit there, and after the board
 has tried it what nearly fits; in both cases the board keeps what it had, except with `--fresh`
-([figures](benchmarks.md#the-gallery-on-boards)).
+([figures](benchmarks.md)).
 """
 
 
@@ -262,7 +262,7 @@ def _ticks(kit: Kit) -> Iterator[str]:
             yield ""
         return
     yield "On the slowest board, the micro:bit of 2016 in an emulator that is faster than the board"
-    yield "([what that is worth](benchmarks.md#the-slowest-board)):"
+    yield "([what that is worth](benchmarks.md)):"
     yield ""
     yield "| program | late ticks | by, ms | a tick takes, ms | off the tick, ms | memory left, B | flash left, B |"
     yield "|---|---|---|---|---|---|---|"

@@ -6,12 +6,14 @@ reached.
 
 from __future__ import annotations
 
+import io
 import os
 import re
 from collections.abc import Callable
 from pathlib import Path
 
 import pytest
+from PIL import Image
 from playwright.sync_api import expect
 
 from tests.studio.conftest import Studio
@@ -22,7 +24,10 @@ pytestmark = [
     *([] if TAKEN else [pytest.mark.thorough("tests/studio/test_canvas.py, test_keys.py::test_a_program_is_drawn…")]),
 ]
 
-OpenStudio = Callable[[str | None], Studio]
+OpenStudio = Callable[..., Studio]
+
+SECONDS, TICKS_A_SECOND = 36, 50
+"""How much of the run the moving picture shows, a frame a second, before its end."""
 
 
 @pytest.fixture
@@ -41,11 +46,42 @@ def take(studio: Studio, path: Path) -> None:
     assert path.stat().st_size > 20_000
 
 
-def test_the_studio_in_the_middle_of_the_transport_in_two_themes(open_studio: OpenStudio, pictures: Path) -> None:
-    studio = open_studio("transport/transport.krt")
+def run_to_the_end(studio: Studio) -> None:
+    """Runs the mission at full speed until it is done."""
     studio.full_speed()
     studio.at("run-button").click()
     studio.wait_until_done()
+
+
+def frame(studio: Studio) -> Image.Image:
+    """The window as a frame of the moving picture."""
+    taken = Image.open(io.BytesIO(studio.page.screenshot(animations="disabled")))
+    return taken.convert("RGB").resize((960, 600), Image.Resampling.LANCZOS)
+
+
+def test_the_first_run_as_a_moving_picture(open_studio: OpenStudio, pictures: Path) -> None:
+    """Its frames are moments of a run that has ended, so a slow machine takes the same picture."""
+    studio = open_studio("transport/transport.krt", viewport={"width": 1440, "height": 900})
+    frames = [frame(studio)]
+    run_to_the_end(studio)
+    done = frame(studio)
+    strip, status = studio.at("event-strip"), studio.at("status")
+    strip.press("Home")
+    expect(status).to_contain_text("Paused")
+    for tick in range(0, SECONDS * TICKS_A_SECOND, TICKS_A_SECOND):
+        strip.press("PageUp")
+        expect(strip).to_have_attribute("aria-valuenow", str(tick + TICKS_A_SECOND))
+        strip.evaluate("strip => strip.blur()")
+        frames.append(frame(studio))
+    path = pictures / "first-run.webp"
+    durations = [1200, *[120] * (len(frames) - 1), 2500]
+    frames[0].save(path, save_all=True, append_images=[*frames[1:], done], duration=durations, quality=50, loop=0)
+    assert 100_000 < path.stat().st_size < 1_000_000
+
+
+def test_the_studio_in_the_middle_of_the_transport_in_two_themes(open_studio: OpenStudio, pictures: Path) -> None:
+    studio = open_studio("transport/transport.krt")
+    run_to_the_end(studio)
     # Back to the middle: who pauses a run on the way may come too late.
     strip = studio.at("event-strip")
     handle, box = studio.at("strip-handle").bounding_box(), strip.bounding_box()
