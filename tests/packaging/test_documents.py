@@ -2,15 +2,23 @@
 
 from __future__ import annotations
 
+import re
 from pathlib import Path
 
 import pytest
 
-from tools.documents import anchors, broken_links, left_out, problems, wrong_code
+import kitrobot
+from tools.documents import ROOT, anchors, broken_links, left_out, problems, wrong_code
 
 
 def test_the_documents_are_right() -> None:
     assert list(problems()) == []
+
+
+def test_every_name_of_the_package_is_on_the_page_of_the_api() -> None:
+    page = (ROOT / "docs" / "reference" / "api.md").read_text(encoding="utf-8")
+    shown = set(re.findall(r"^::: [\w.]+\.(\w+)$", page, flags=re.MULTILINE)) | set(re.findall(r"`(\w+)`", page))
+    assert set(kitrobot.__all__) - shown == {"__version__"}
 
 
 def test_links_that_lead_nowhere_are_found(tmp_path: Path) -> None:
