@@ -72,6 +72,8 @@ def wrong_code(page: Path) -> Iterator[str]:
                 ElementTree.fromstring(f"<block>{re.sub(r'<[?!].*?[?>]>', '', code)}</block>")
         except (SyntaxError, ValueError, ElementTree.ParseError) as error:
             yield f"the block that begins with {first!r} is no {language}: {error}"
+        if ROOT / "docs" in page.parents and block["indent"] in (" ", "  ", "   "):
+            yield f"the block that begins with {first!r} has less than the four spaces of a block in a list"
         if not language:
             for tool, word in re.findall(r"^(kitrobot|make) ([a-z]+)(?=\s|$)", code, flags=re.MULTILINE):
                 if word not in (commands() if tool == "kitrobot" else tasks()) and not _is_mission(word):
