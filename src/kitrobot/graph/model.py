@@ -74,12 +74,13 @@ class Arc:
 class Program:
     """A graph, and what it is for: `target` names the kind of robot of the agents that run it, "" for a team's.
 
-    >>> import kitrobot
-    >>> drive = Program("drive", "mini-robot")
-    >>> drive.vertices = [Vertex("a", "Start"), Vertex("b", "Wheel.Advance", {"speed": "50"}), Vertex("c", "Stop")]
-    >>> drive.arcs = [Arc("a", "b"), Arc("b", "c")]
-    >>> kitrobot.compile_program(drive, "mini-robot").source.text.strip()
-    'Wheel.Advance(50);'
+    Examples:
+        >>> import kitrobot
+        >>> drive = Program("drive", "mini-robot")
+        >>> drive.vertices = [Vertex("a", "Start"), Vertex("b", "Wheel.Advance", {"speed": "50"}), Vertex("c", "Stop")]
+        >>> drive.arcs = [Arc("a", "b"), Arc("b", "c")]
+        >>> kitrobot.compile_program(drive, "mini-robot").source.text.strip()
+        'Wheel.Advance(50);'
     """
 
     name: str

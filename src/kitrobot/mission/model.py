@@ -99,12 +99,13 @@ class Mission:
 
     Nothing is checked here: whoever opens it (`kitrobot.open_mission`) says what is wrong.
 
-    >>> import kitrobot
-    >>> world = kitrobot.World("yard", 1000, 600, starts=(kitrobot.Start("a", pose=kitrobot.Pose(200, 300, 0)),))
-    >>> drive = kitrobot.read_program("Wheel.Advance(50); WAIT(10); Wheel.Stop();", "mini-robot", "drive")
-    >>> mission = Mission(programs=[drive], team=Team([Agent("a", "drive")]), own_world=world)
-    >>> kitrobot.open_mission(mission).run().sentence
-    'Done after 1.0 s: every program has ended.'
+    Examples:
+        >>> import kitrobot
+        >>> world = kitrobot.World("yard", 1000, 600, starts=(kitrobot.Start("a", pose=kitrobot.Pose(200, 300, 0)),))
+        >>> drive = kitrobot.read_program("Wheel.Advance(50); WAIT(10); Wheel.Stop();", "mini-robot", "drive")
+        >>> mission = Mission(programs=[drive], team=Team([Agent("a", "drive")]), own_world=world)
+        >>> kitrobot.open_mission(mission).run().sentence
+        'Done after 1.0 s: every program has ended.'
     """
 
     version: int = VERSION

@@ -75,17 +75,18 @@ class Simulation(RunView):
     `outcome` is None as long as it goes on, and `sentence` says then why it ended. `OpenMission.simulation` makes one
     of a mission, with what that needs.
 
-    >>> import kitrobot
-    >>> run = kitrobot.open_mission("square").simulation(seed=1)
-    >>> run.step()
-    >>> run.tick, run.seconds, run.outcome
-    (1, 0.02, None)
-    >>> kept = run.snapshot()
-    >>> run.advance(99)
-    99
-    >>> run.restore(kept)
-    >>> run.tick
-    1
+    Examples:
+        >>> import kitrobot
+        >>> run = kitrobot.open_mission("square").simulation(seed=1)
+        >>> run.step()
+        >>> run.tick, run.seconds, run.outcome
+        (1, 0.02, None)
+        >>> kept = run.snapshot()
+        >>> run.advance(99)
+        99
+        >>> run.restore(kept)
+        >>> run.tick
+        1
 
     Args:
         mission: what is run, and by whom.

@@ -249,8 +249,9 @@ class World:
     sentence what it is, each by language, "" for English. `prolog` is what stands
     before the first element of its file, `attributes` are those of `<world>` with a prefix.
 
-    >>> World("yard", 1000, 600, starts=(Start("a", pose=Pose(200, 300, 0)),)).places
-    {'a': (200, 300, 200, 300)}
+    Examples:
+        >>> World("yard", 1000, 600, starts=(Start("a", pose=Pose(200, 300, 0)),)).places
+        {'a': (200, 300, 200, 300)}
     """
 
     name: str
