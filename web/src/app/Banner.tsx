@@ -18,7 +18,7 @@ function Strip({ said, onClose }: { said: Notice; onClose: () => void }) {
   return (
     <div
       ref={strip}
-      className={`banner banner-${said.kind}`}
+      className={`banner row rigid banner-${said.kind}`}
       role={said.kind === "note" ? "status" : "alert"}
       data-testid="banner"
       onKeyDown={asks ? (event) => event.key === "Escape" && onClose() : undefined}
@@ -47,7 +47,7 @@ function CutOff() {
   const silent = useLink((link) => link.silent);
   const name = silent ? "link.silent" : "error.offline";
   return (
-    <div className="banner banner-error" role="alert" data-testid="cut-off">
+    <div className="banner banner-error row rigid" role="alert" data-testid="cut-off">
       <Icon name="triangle-alert" size={18} />
       <p>
         <strong>

@@ -161,7 +161,7 @@ function MissionDifference() {
             ))}
           </ul>
           {base === null ? (
-            <p className="sheet-note">{t("merge.no-base")}</p>
+            <p className="sheet-note muted small-text">{t("merge.no-base")}</p>
           ) : (
             <div className="sheet-foot">
               <button

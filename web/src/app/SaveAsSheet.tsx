@@ -46,7 +46,7 @@ export function SaveAsSheet() {
   return (
     <Sheet title={t("save.title")} testId="save-dialog" onClose={closeOverlay}>
       <form onSubmit={onSubmit}>
-        <label className="field-label" htmlFor="save-name">
+        <label className="field-label muted small-text rigid" htmlFor="save-name">
           {t("save.name")}
         </label>
         <input
@@ -61,7 +61,7 @@ export function SaveAsSheet() {
           onFocus={(event) => event.target.setSelectionRange(0, text.replace(/\.krt$/, "").length)}
           onChange={(event) => setText(event.target.value)}
         />
-        <p className="sheet-note" id="save-note" role="status">
+        <p className="sheet-note muted small-text" id="save-note" role="status">
           {shown === null ? (
             t("save.where", { folder: workspace })
           ) : (

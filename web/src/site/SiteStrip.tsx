@@ -62,7 +62,11 @@ export function SiteStrip() {
   if (told === null) return null;
   const [label, act] = told.action ?? [null, () => undefined];
   return (
-    <div className={`site-strip site-${told.kind}`} data-testid="site" role={told.kind === "note" ? "status" : "alert"}>
+    <div
+      className={`site-strip row site-${told.kind}`}
+      data-testid="site"
+      role={told.kind === "note" ? "status" : "alert"}
+    >
       <Icon name={told.kind === "error" ? "triangle-alert" : "info"} size={18} />
       <p title={reason}>
         <strong>{told.message}</strong> {told.help === null ? null : t(told.help)}

@@ -5,4 +5,5 @@ import "@fontsource-variable/jetbrains-mono/wght.css";
 import "./tokens.css";
 import "./tokens-contrast.css";
 import "./base.css";
+import "./shared.css";
 import "./mirror.css";

@@ -38,7 +38,7 @@ function Card({ shape }: { shape: Shape | null }) {
       }}
     >
       <div className="sheet-body">
-        <div className="sheet-head">
+        <div className="sheet-head row">
           {shape === null ? null : <Tile icon={shape.method?.icon || shape.icon} colour={shape.colour} />}
           <h2 id="part-help-title">{shape === null ? t("part-help.title") : title(shape)}</h2>
           <Tool small icon="x" label={t("help.close")} titled={false} ref={close} onClick={closeHelp} />

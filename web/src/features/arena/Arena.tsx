@@ -68,9 +68,9 @@ function Heading({ scene, painter, stage }: HeadingProps) {
     ["maximize", t("arena.fit"), () => painter?.showAll()],
   ];
   return (
-    <header className="side-head">
+    <header className="side-head row rigid">
       <h2>{t("arena.title")}</h2>
-      <span className="side-note" title={what}>
+      <span className="side-note ellipsis muted small-text" title={what}>
         {what}
       </span>
       {world === undefined ? null : <Seed />}

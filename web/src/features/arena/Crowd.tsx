@@ -23,7 +23,7 @@ export function Crowd({ scene }: { scene: Scene | null }) {
   const poses = scene.running ? (posesAt(0, false)?.poses ?? []) : [];
   const failed = poses.reduce((sum, pose) => sum + ((pose.flags & FAILED) !== 0 ? 1 : 0), 0);
   return (
-    <div className="arena-crowd" data-testid="crowd">
+    <div className="arena-crowd row rigid" data-testid="crowd">
       <select
         className="field"
         data-testid="crowd-program"
@@ -38,7 +38,11 @@ export function Crowd({ scene }: { scene: Scene | null }) {
           </option>
         ))}
       </select>
-      {failed === 0 ? null : <span className="side-note">{t("arena.crowd-failed", { count: grouped(failed) })}</span>}
+      {failed === 0 ? null : (
+        <span className="side-note ellipsis muted small-text">
+          {t("arena.crowd-failed", { count: grouped(failed) })}
+        </span>
+      )}
     </div>
   );
 }

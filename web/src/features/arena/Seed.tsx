@@ -41,7 +41,7 @@ export function Seed() {
       />
       {failRate > 0 ? (
         <span
-          className="seed-chance"
+          className="seed-chance small-text"
           data-testid="chance-on"
           title={t("team.chance-on", { percent: decimal(failRate * 100) })}
         >

@@ -50,8 +50,8 @@ export function BrokenRun({ cell }: { cell: Cell }) {
   if (shown === null || mission === undefined) return null;
   const { answer, column } = shown;
   return (
-    <section className="check-run" ref={place} data-testid="check-run" aria-label={t("check.run")}>
-      <header className="check-run-head">
+    <section className="check-run column" ref={place} data-testid="check-run" aria-label={t("check.run")}>
+      <header className="check-run-head row">
         <h3>{t("check.broken-under", { assumption: assumptionWords(column) })}</h3>
         <Tool
           small
@@ -96,7 +96,7 @@ function Seen({ answer }: { answer: CheckedProperty }) {
     const words = searched ? t("check.not-reproduced") : busy ? t("check.searching") : t("check.not-searched");
     return (
       <p className="check-seen" data-testid="check-seen" data-confirmed="false">
-        <span className="check-dashed" aria-hidden="true" />
+        <span className="check-dashed rigid" aria-hidden="true" />
         {words}
       </p>
     );
@@ -112,13 +112,13 @@ function Seen({ answer }: { answer: CheckedProperty }) {
           ))}
         </span>
       </p>
-      <p className="check-play">
+      <p className="check-play row wrap">
         <button type="button" className="button" data-testid="check-play" disabled={held} onClick={() => play(run)}>
           <Icon name="play" size={16} />
           {t("check.play")}
         </button>
-        {played ? <span className="check-note">{t("check.plays", { time: clock(run.seconds) })}</span> : null}
-        {held ? <span className="check-note check-warning">{t("check.real")}</span> : null}
+        {played ? <span className="check-note muted">{t("check.plays", { time: clock(run.seconds) })}</span> : null}
+        {held ? <span className="check-note check-warning muted">{t("check.real")}</span> : null}
       </p>
     </>
   );
@@ -142,7 +142,7 @@ function Story({ answer }: { answer: CheckedProperty }) {
         </div>
       ))}
       {last !== undefined && !last.repeats && last.events.length === 0 ? (
-        <p className="check-note">{t("check.at-once")}</p>
+        <p className="check-note muted">{t("check.at-once")}</p>
       ) : null}
     </div>
   );
@@ -155,8 +155,10 @@ function Events({ events, leftOut }: { events: readonly CheckedEvent[]; leftOut:
     <ol>
       {events.map(({ step, text }, index) => (
         <li key={index}>
-          {index === gap ? <span className="check-left-out">{t("check.left-out", { count: leftOut })}</span> : null}
-          <span className="check-step">{events[index - 1]?.step === step ? "" : grouped(step + 1)}</span>
+          {index === gap ? (
+            <span className="check-left-out muted">{t("check.left-out", { count: leftOut })}</span>
+          ) : null}
+          <span className="check-step muted">{events[index - 1]?.step === step ? "" : grouped(step + 1)}</span>
           <span>
             <Said text={text} />
           </span>

@@ -28,16 +28,21 @@ export function CheckPanel() {
   const open = useCheck((check) => check.open);
   const shown = useCheck((check) => answerAt(check, check.open) !== null);
   return (
-    <section className="dock-panel check-panel" id="check-panel" data-testid="check" aria-label={t("check.title")}>
-      <header className="dock-head check-head">
+    <section
+      className="dock-panel check-panel column rigid"
+      id="check-panel"
+      data-testid="check"
+      aria-label={t("check.title")}
+    >
+      <header className="dock-head check-head row rigid">
         <h2>{t("check.title")}</h2>
         <Asking />
         <Tool small icon="x" label={t("check.close")} titled={false} onClick={closeBelow} />
       </header>
       <div className="check-body" data-run={shown}>
-        <div className="check-answers">
+        <div className="check-answers column">
           <Refused refused={refused} />
-          {asked === null ? <p className="check-note check-what">{t("check.what")}</p> : <Answers />}
+          {asked === null ? <p className="check-note check-what muted">{t("check.what")}</p> : <Answers />}
           <Properties />
         </div>
         {shown && open !== null ? <BrokenRun key={`${String(open.row)} ${String(open.column)}`} cell={open} /> : null}
@@ -50,11 +55,11 @@ function Answers() {
   const columns = useCheck((check) => check.columns.length);
   const busy = useCheck((check) => check.busy);
   const changed = useStudio(({ mission }) => mission !== useCheck.getState().asked?.mission);
-  if (columns === 0) return busy ? <p className="check-note check-what">{t("check.begins")}</p> : null;
+  if (columns === 0) return busy ? <p className="check-note check-what muted">{t("check.begins")}</p> : null;
   return (
     <>
       <Verdict />
-      {changed ? <p className="check-note check-warning">{t("check.changed")}</p> : null}
+      {changed ? <p className="check-note check-warning muted">{t("check.changed")}</p> : null}
       <AnswerTable />
       <Limits />
     </>
@@ -72,7 +77,7 @@ function Asking() {
   if (busy) return <Progress />;
   return (
     <form
-      className="check-asking"
+      className="check-asking row wrap small-text"
       onSubmit={(event) => {
         event.preventDefault();
         begin(readWhole(failures) ?? 0, kindsOf(kinds), readWhole(seconds) ?? 0);
@@ -108,7 +113,7 @@ function Asking() {
         <Icon name="clipboard-check" size={16} />
         {asked === null ? t("check.begin") : t("check.again")}
       </button>
-      {agents === 0 ? <span className="check-note">{t("check.nobody")}</span> : null}
+      {agents === 0 ? <span className="check-note muted">{t("check.nobody")}</span> : null}
     </form>
   );
 }
@@ -117,7 +122,7 @@ function Progress() {
   const progress = useCheck((check) => check.progress);
   const stopping = useCheck((check) => check.stopping);
   return (
-    <div className="check-asking" data-testid="check-progress">
+    <div className="check-asking row wrap small-text" data-testid="check-progress">
       <span className="check-count">{progress === null ? t("check.preparing") : said(progress)}</span>
       <button type="button" className="button" data-testid="check-stop" disabled={stopping} onClick={breakOff}>
         <Icon name="square" size={16} />

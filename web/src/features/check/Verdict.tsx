@@ -41,7 +41,7 @@ export function Verdict() {
   const words = broken > 0 ? t("check.broken-count", { count: broken }) : cut ? cutWords(columns) : t("check.all-hold");
   const most = asked.failures ?? 0;
   return (
-    <p className="check-verdict" role="status" data-testid="check-verdict">
+    <p className="check-verdict row wrap" role="status" data-testid="check-verdict">
       <strong>{words}</strong>
       {broken === 0 && !cut && most < MOST_FAILURES ? (
         <button
@@ -62,7 +62,7 @@ export function Limits() {
   const limits = useCheck((check) => check.limits);
   if (limits === null || limits.length === 0) return null;
   return (
-    <details className="check-limits" data-testid="check-limits">
+    <details className="check-limits muted small-text" data-testid="check-limits">
       <summary>{t("check.limits", { count: limits.length })}</summary>
       <ul>
         {limits.map((limit) => (

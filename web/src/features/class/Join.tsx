@@ -105,7 +105,7 @@ export function Join() {
 
   return (
     <main className="join" aria-label={t("class.join-title", { name: about?.name ?? "" })}>
-      <form className="join-card" onSubmit={join} data-testid="join">
+      <form className="join-card surface" onSubmit={join} data-testid="join">
         <h1>{t("class.join-title", { name: `\u2068${about?.name ?? "…"}\u2069` })}</h1>
         {about?.joining === false ? <p>{t("class.no-joining")}</p> : null}
         <Field label={t("class.code")} help={t("class.code-help")}>
@@ -168,11 +168,11 @@ export function Join() {
           )}
         </p>
         {asked === "" ? null : (
-          <p role="status" className="join-asking">
+          <p role="status" className="join-asking row">
             <Icon name="hourglass" size={18} /> {t("class.asking")}
           </p>
         )}
-        <div className="join-foot">
+        <div className="join-foot wrap">
           <button type="submit" className="button button-ink" disabled={busy} data-testid="join-go">
             {t(taken === "" ? "class.join" : "class.come-back")}
           </button>

@@ -56,7 +56,7 @@ export function DeleteSheet({ name }: { name: string }) {
           <li key={program}>
             <button
               type="button"
-              className="open-entry"
+              className="open-entry row"
               data-testid={`own-use-${program}`}
               onClick={() => {
                 closeSheet();
@@ -69,8 +69,8 @@ export function DeleteSheet({ name }: { name: string }) {
           </li>
         ))}
       </ul>
-      <p className="sheet-note">{t("own.delete-how")}</p>
-      <p className="own-failure" role="status">
+      <p className="sheet-note muted small-text">{t("own.delete-how")}</p>
+      <p className="own-failure row small-text" role="status">
         {failure}
       </p>
       <div className="sheet-foot">

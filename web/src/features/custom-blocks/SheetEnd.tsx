@@ -15,7 +15,7 @@ interface SheetEndProps {
 export function SheetEnd({ why, keep, disabled }: SheetEndProps) {
   return (
     <>
-      <p className="own-failure" role="status" data-testid="own-failure">
+      <p className="own-failure row small-text" role="status" data-testid="own-failure">
         {why === "" ? null : (
           <>
             <Icon name="triangle-alert" size={16} /> <Said text={why} />

@@ -28,12 +28,17 @@ export function WatchPanel() {
   const chosen = useRun((run) => watchedAgent(run, program));
   const agent = chosen ?? agents[0];
   return (
-    <section className="dock-panel watch-panel" id="watch-panel" data-testid="watch" aria-label={t("debug.watch")}>
-      <header className="dock-head">
+    <section
+      className="dock-panel watch-panel column rigid"
+      id="watch-panel"
+      data-testid="watch"
+      aria-label={t("debug.watch")}
+    >
+      <header className="dock-head row rigid">
         <h2>{t("debug.watch")}</h2>
         {agents.length < 2 || agent === undefined ? null : (
           <select
-            className="watched"
+            className="watched small-text"
             aria-label={t("debug.agent")}
             data-testid="watch-agent"
             value={agent.name}
@@ -58,7 +63,7 @@ export function WatchPanel() {
           onClick={() => useWatch.getState().show(false)}
         />
       </header>
-      {agent === undefined ? <p className="dock-none">{t("debug.watch-nothing")}</p> : <Values agent={agent} />}
+      {agent === undefined ? <p className="dock-none muted">{t("debug.watch-nothing")}</p> : <Values agent={agent} />}
     </section>
   );
 }
@@ -69,7 +74,7 @@ function Values({ agent }: { agent: RunAgent }) {
   const sensors = objects.filter((object) => object.category === "sensor" && object.name in agent.inputs);
   const variables = objects.filter((object) => object.category === "variable" && object.name in agent.values);
   return (
-    <div className="watch-columns">
+    <div className="watch-columns wrap">
       <Column title={t("parts.variables")} objects={variables} agent={agent} sensors={false} />
       <Column title={t("parts.sensors")} objects={sensors} agent={agent} sensors />
       <EventList />

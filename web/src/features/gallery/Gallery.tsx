@@ -22,7 +22,13 @@ interface ChipProps {
 
 function Chip({ label, pressed, testId, choose }: ChipProps) {
   return (
-    <button type="button" className="gallery-chip" aria-pressed={pressed} data-testid={testId} onClick={choose}>
+    <button
+      type="button"
+      className="gallery-chip small-text"
+      aria-pressed={pressed}
+      data-testid={testId}
+      onClick={choose}
+    >
       {label}
     </button>
   );
@@ -57,7 +63,7 @@ export function Gallery({ examples, open }: GalleryProps) {
 
   return (
     <section className="gallery-room" aria-label={t("open.examples")} ref={room} data-testid="gallery">
-      <div className="gallery-tools">
+      <div className="gallery-tools row wrap">
         <label className="gallery-find">
           <Icon name="search" size={16} />
           <span className="only-spoken">{t("gallery.find")}</span>
@@ -98,7 +104,7 @@ export function Gallery({ examples, open }: GalleryProps) {
             </option>
           ))}
         </select>
-        <label className="gallery-plays">
+        <label className="gallery-plays row">
           <input
             type="checkbox"
             data-testid="gallery-plays"
@@ -108,7 +114,7 @@ export function Gallery({ examples, open }: GalleryProps) {
           {t("gallery.move")}
         </label>
       </div>
-      <div className="gallery-chips" role="group" aria-label={t("gallery.level")}>
+      <div className="gallery-chips row wrap" role="group" aria-label={t("gallery.level")}>
         <Chip
           label={t("gallery.level-all")}
           pressed={wish.level === 0}
@@ -125,7 +131,7 @@ export function Gallery({ examples, open }: GalleryProps) {
           />
         ))}
       </div>
-      <div className="gallery-chips" role="group" aria-label={t("gallery.topic")}>
+      <div className="gallery-chips row wrap" role="group" aria-label={t("gallery.topic")}>
         <Chip
           label={t("gallery.topic-all")}
           pressed={wish.topic === ""}
@@ -142,7 +148,7 @@ export function Gallery({ examples, open }: GalleryProps) {
           />
         ))}
       </div>
-      <p className="gallery-count" role="status" data-testid="gallery-count">
+      <p className="gallery-count muted small-text" role="status" data-testid="gallery-count">
         {found.length === 0 ? t("gallery.none") : t("gallery.count", { count: found.length })}
       </p>
       {found.length === 0 ? (

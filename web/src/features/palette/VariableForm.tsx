@@ -72,7 +72,7 @@ export function VariableForm({ robot, was, name }: { robot: string; was: string;
   const title = was === "" ? t("variable.new") : t("variable.change", { name: was });
   const number = (part: "min" | "max" | "initial", words: string) => (
     <label>
-      <span className="field-label">{words}</span>
+      <span className="field-label muted small-text rigid">{words}</span>
       <input
         className="field"
         inputMode="numeric"
@@ -86,7 +86,7 @@ export function VariableForm({ robot, was, name }: { robot: string; was: string;
 
   return (
     <form
-      className="variable-form"
+      className="variable-form column"
       data-testid="variable-form"
       aria-labelledby={`${id}-title`}
       onSubmit={(event: FormEvent) => {
@@ -103,7 +103,7 @@ export function VariableForm({ robot, was, name }: { robot: string; was: string;
       <h2 id={`${id}-title`}>{title}</h2>
       <p>{t("variable.of", { robot: text(label ?? {}, robot) })}</p>
       <label>
-        <span className="field-label">{t("variable.name")}</span>
+        <span className="field-label muted small-text rigid">{t("variable.name")}</span>
         <input
           className="field"
           ref={first}
@@ -118,7 +118,7 @@ export function VariableForm({ robot, was, name }: { robot: string; was: string;
         />
       </label>
       <label>
-        <span className="field-label">{t("variable.type")}</span>
+        <span className="field-label muted small-text rigid">{t("variable.type")}</span>
         <select
           className="field"
           data-testid="variable-type"
@@ -138,7 +138,7 @@ export function VariableForm({ robot, was, name }: { robot: string; was: string;
           </>
         ) : (
           <label>
-            <span className="field-label">{t("variable.initial")}</span>
+            <span className="field-label muted small-text rigid">{t("variable.initial")}</span>
             <select
               className="field"
               data-testid="variable-initial"
@@ -151,7 +151,7 @@ export function VariableForm({ robot, was, name }: { robot: string; was: string;
           </label>
         )}
       </div>
-      <label className="variable-shared">
+      <label className="variable-shared row">
         <input
           type="checkbox"
           data-testid="variable-shared"
@@ -160,18 +160,18 @@ export function VariableForm({ robot, was, name }: { robot: string; was: string;
         />
         {t("variable.shared")}
       </label>
-      <p className="variable-why" id={`${id}-why`} role="alert" data-testid="variable-why">
+      <p className="variable-why small-text" id={`${id}-why`} role="alert" data-testid="variable-why">
         {why === "" ? null : (
           <>
             <Icon name="triangle-alert" size={14} /> <Said text={why} />
           </>
         )}
       </p>
-      <div className="variable-foot">
+      <div className="variable-foot wrap">
         <button type="button" className="button" data-testid="variable-cancel" onClick={close}>
           {t("variable.cancel")}
         </button>
-        <button type="submit" className="button variable-keep" data-testid="variable-keep">
+        <button type="submit" className="button variable-keep bold" data-testid="variable-keep">
           {t(was === "" ? "variable.add" : "variable.keep")}
         </button>
       </div>

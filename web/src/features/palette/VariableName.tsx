@@ -42,7 +42,7 @@ export function VariableName({ of, done }: { of: Named; done: (name: string) => 
     busy.current = false;
   };
   return (
-    <span className="variable-rename">
+    <span className="variable-rename column">
       <input
         ref={input}
         dir="auto"
@@ -70,7 +70,7 @@ export function VariableName({ of, done }: { of: Named; done: (name: string) => 
         }}
       />
       {why === "" ? null : (
-        <span className="variable-why" id={id} role="alert" ref={said}>
+        <span className="variable-why small-text" id={id} role="alert" ref={said}>
           <Said text={why} />
         </span>
       )}

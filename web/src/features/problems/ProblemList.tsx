@@ -28,7 +28,7 @@ function Row({ problem, index, at }: { problem: Problem; index: number; at: numb
   const held = useRun(isHeldByRobots);
   const place = problem.program !== "" ? problem.program : (problem.file.split(/[\\/]/).at(-1) ?? "");
   return (
-    <li className="problem-row">
+    <li className="problem-row row">
       <button
         type="button"
         ref={button}
@@ -51,21 +51,21 @@ function Row({ problem, index, at }: { problem: Problem; index: number; at: numb
             <Said text={sentence(problem.message)} />
           </span>
           {problem.help === "" ? null : (
-            <span className="problem-help">
+            <span className="problem-help muted small-text">
               <Said text={sentence(problem.help)} />
             </span>
           )}
         </span>
-        <span className="problem-place">
+        <span className="problem-place muted small-text">
           {place}
           {problem.line > 0 ? `:${String(problem.line)}` : ""}
         </span>
-        <code className="problem-code">{problem.code}</code>
+        <code className="problem-code muted">{problem.code}</code>
       </button>
       {play === null ? null : (
         <button
           type="button"
-          className="problem-fix"
+          className="problem-fix rigid"
           data-testid={`show-${String(index + 1)}`}
           disabled={held}
           title={held ? t("check.real") : undefined}
@@ -82,7 +82,7 @@ function Row({ problem, index, at }: { problem: Problem; index: number; at: numb
       {canFix(problem) ? (
         <button
           type="button"
-          className="problem-fix"
+          className="problem-fix rigid"
           data-testid={`fix-${String(index + 1)}`}
           title={`${t("problems.fix")} (${FIX_KEY})`}
           aria-label={t("problems.fix-this", { message: sentence(problem.message) })}
@@ -104,7 +104,7 @@ export function ProblemList() {
   const left = problems.length - count;
   return (
     <>
-      <header className="dock-head">
+      <header className="dock-head row rigid">
         <h2>{problems.length === 0 ? t("problems.title") : t("problems.count", { count: problems.length })}</h2>
         <Tool
           small
@@ -115,7 +115,7 @@ export function ProblemList() {
         />
       </header>
       {problems.length === 0 ? (
-        <p className="dock-none">{t("problems.none")}</p>
+        <p className="dock-none muted">{t("problems.none")}</p>
       ) : (
         <ol>
           {problems.slice(0, count).map((problem, index) => (

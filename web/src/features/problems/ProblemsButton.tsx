@@ -13,7 +13,7 @@ export function ProblemList() {
   const open = useProblemList((list) => list.open);
   if (!open) return null;
   return (
-    <section className="dock-panel" id="problem-list" aria-label={t("problems.title")}>
+    <section className="dock-panel column rigid" id="problem-list" aria-label={t("problems.title")}>
       <Open />
     </section>
   );
@@ -35,7 +35,7 @@ export function ProblemsButton() {
       onPress={() => useProblemList.setState({ open: !open })}
     >
       {t("problems.title")}
-      <span className="problems-count">{problems.length}</span>
+      <span className="muted small-text">{problems.length}</span>
     </DockButton>
   );
 }

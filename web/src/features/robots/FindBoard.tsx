@@ -10,18 +10,18 @@ export function FindBoard() {
   const now = reach();
   if (now !== "there") {
     return (
-      <p className="robots-note" data-testid="find-board-not">
+      <p className="robots-note muted" data-testid="find-board-not">
         {t(now === "none" ? "boards.find-none" : "boards.find-unsafe")}
       </p>
     );
   }
   return (
-    <div className="robots-find">
+    <div className="robots-find row wrap">
       <button type="button" className="button" data-testid="find-board" onClick={() => void findBoard()}>
         <Icon name="radio" size={16} />
         {t("boards.find")}
       </button>
-      <span className="robots-note">{t("boards.find-help")}</span>
+      <span className="robots-note muted">{t("boards.find-help")}</span>
     </div>
   );
 }

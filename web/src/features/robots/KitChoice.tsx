@@ -24,7 +24,7 @@ export function KitChoice({ address, disabled, has, page }: KitProps) {
   const name = chosen === "" ? own : text(kit?.label ?? {}, chosen);
   return (
     <>
-      <p className="robot-program">
+      <p className="robot-program row muted">
         <span>{t("boards.kit")}</span>
         <strong title={text(kit?.help ?? {})}>{name}</strong>
         <button

@@ -89,7 +89,7 @@ function Network() {
         {t("boards.connect")}
       </button>
       {wrong ? (
-        <p className="robots-wrong" id="robots-address-wrong" role="alert">
+        <p className="robots-wrong muted small-text" id="robots-address-wrong" role="alert">
           {t("boards.network-wrong")}
         </p>
       ) : null}
@@ -146,7 +146,7 @@ function Places() {
       )}
       <FindBoard />
       {inPage() ? (
-        <p className="robots-note" data-testid="robots-in-page">
+        <p className="robots-note muted" data-testid="robots-in-page">
           {t("boards.in-page")}
         </p>
       ) : (
@@ -164,7 +164,7 @@ export function Robots() {
   const looking = useBoards((state) => state.ports === null && state.barred === null && placesOf(state).length === 0);
   return (
     <section className="robots" data-testid="robots" aria-label={t("boards.title")}>
-      <header className="robots-head">
+      <header className="robots-head row rigid">
         <h2>{t("boards.title")}</h2>
         <span className="robots-space" />
         <Together />
@@ -174,7 +174,7 @@ export function Robots() {
       <div className="robots-body">
         <Barred />
         {inPage() ? null : <TeamPart />}
-        {looking ? <p className="robots-note">{t("boards.looking")}</p> : <Places />}
+        {looking ? <p className="robots-note muted">{t("boards.looking")}</p> : <Places />}
       </div>
     </section>
   );

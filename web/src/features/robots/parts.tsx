@@ -45,7 +45,7 @@ export function Sending({
   const label = useId();
   const { step, done, total } = progress ?? { step: "connect" as const, done: 0, total: 0 };
   return (
-    <div className="robot-progress" data-testid={testId}>
+    <div className="robot-progress small-text" data-testid={testId}>
       <span id={label}>{t(`boards.step-${step}`)}</span>
       <progress aria-labelledby={label} value={total > 0 ? done : undefined} max={Math.max(total, 1)} />
       {children}

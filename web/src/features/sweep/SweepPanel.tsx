@@ -23,12 +23,17 @@ export function SweepPanel() {
   const swept = useSweep((sweep) => sweep.swept);
   const refused = useSweep((sweep) => sweep.refused);
   return (
-    <section className="dock-panel sweep-panel" id="sweep-panel" data-testid="sweep" aria-label={t("sweep.title")}>
-      <header className="dock-head">
+    <section
+      className="dock-panel sweep-panel column rigid"
+      id="sweep-panel"
+      data-testid="sweep"
+      aria-label={t("sweep.title")}
+    >
+      <header className="dock-head row rigid">
         <h2>{t("sweep.title")}</h2>
         <Tool small icon="x" label={t("sweep.close")} titled={false} onClick={closeBelow} />
       </header>
-      <div className="sweep-body">
+      <div className="sweep-body column">
         <Asking />
         <Refused refused={refused} />
         {swept === null ? null : <SweepMap swept={swept} />}
@@ -46,17 +51,17 @@ function Asking() {
   const [typed, setTyped] = useState(() => String(swept?.asked.seconds ?? 600));
   const seconds = readNumber(typed) ?? 0;
   const wrong = !(seconds > 0 && seconds <= LONGEST_S);
-  if (agents === 0 && swept === null) return <p className="sweep-note">{t("sweep.nobody")}</p>;
+  if (agents === 0 && swept === null) return <p className="sweep-note muted">{t("sweep.nobody")}</p>;
   if (busy !== null) return <Progress {...busy} />;
   return (
     <>
       {swept === null ? (
-        <p className="sweep-note">
+        <p className="sweep-note muted">
           {t("sweep.what")} <Said text={t("sweep.pairs", { command: `\`${PAIRS}\`` })} />
         </p>
       ) : null}
       <form
-        className="sweep-asking"
+        className="sweep-asking row wrap"
         onSubmit={(event) => {
           event.preventDefault();
           if (!wrong) begin(readWhole(moments) ?? 0, seconds);
@@ -103,7 +108,7 @@ function Asking() {
 function Progress({ done, total }: { done: number; total: number }) {
   const said = total === 0 ? t("sweep.preparing") : t("sweep.progress", { done: grouped(done), total: grouped(total) });
   return (
-    <div className="sweep-asking" data-testid="sweep-progress">
+    <div className="sweep-asking row wrap" data-testid="sweep-progress">
       <progress aria-label={t("sweep.title")} max={Math.max(total, 1)} {...(total === 0 ? {} : { value: done })} />
       <span className="sweep-count">{said}</span>
       <button type="button" className="button" data-testid="sweep-break-off" onClick={breakOff}>

@@ -30,7 +30,7 @@ export function Chance() {
         />
         <span aria-hidden="true">%</span>
       </label>
-      <p className="team-note" id="team-chance-help">
+      <p className="team-note muted" id="team-chance-help">
         {t("team.chance-help")}
       </p>
     </div>

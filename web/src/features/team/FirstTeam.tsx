@@ -8,10 +8,10 @@ export function FirstTeam() {
   const there = useStudio((studio) => studio.mission.programs.some((one) => one.level === "social"));
   if (there) return null;
   return (
-    <section className="team-part" aria-labelledby="first-team" data-testid="first-team">
+    <section className="team-part surface" aria-labelledby="first-team" data-testid="first-team">
       <h2 id="first-team">{t("first-team.title")}</h2>
-      <p className="team-note">{t("first-team.what")}</p>
-      <p className="team-hint">
+      <p className="team-note muted">{t("first-team.what")}</p>
+      <p className="team-hint row wrap">
         <button type="button" className="button" data-testid="start-team" onClick={() => void startTeam()}>
           <Icon name="users" size={16} /> {t("first-team.start")}
         </button>

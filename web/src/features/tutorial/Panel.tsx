@@ -35,7 +35,7 @@ interface StepProps {
 function Steps({ tutorial, done, page }: StepProps) {
   const { at, skipped } = useTutorial((state) => state.progress);
   return (
-    <ol className="tutorial-steps" aria-label={t("tutorial.steps")}>
+    <ol className="tutorial-steps plain-list wrap" aria-label={t("tutorial.steps")}>
       {done.map((is, step) => {
         const state = is ? "done" : skipped.includes(step) ? "skipped" : "open";
         const words = { number: step + 1, name: nameOf(tutorial, step, page) };
@@ -47,7 +47,7 @@ function Steps({ tutorial, done, page }: StepProps) {
           <li key={step}>
             <button
               type="button"
-              className="tutorial-dot"
+              className="tutorial-dot muted"
               data-state={state}
               data-testid={`tutorial-step-${String(step + 1)}`}
               aria-label={label}
@@ -104,7 +104,7 @@ function StepView({ tutorial, done, page }: StepProps) {
           </p>
         ) : null}
         {hinted ? (
-          <ul className="tutorial-points">
+          <ul className="tutorial-points wrap">
             {points.map((point) => (
               <li key={`${point.kind} ${point.name}`}>
                 <button
@@ -123,7 +123,7 @@ function StepView({ tutorial, done, page }: StepProps) {
           </ul>
         ) : null}
       </div>
-      <div className="tutorial-ways">
+      <div className="tutorial-ways rigid">
         {is || hinted || (hint === "" && points.length === 0) ? null : (
           <button type="button" className="button" data-testid="tutorial-show" onClick={showHint}>
             <Icon name="lightbulb" size={16} />
@@ -164,7 +164,7 @@ function End({ tutorial, done, page }: StepProps) {
         <h3>{whole ? t("tutorial.finished", { name: text(tutorial.label) }) : t("tutorial.left-over")}</h3>
         <p>{whole ? t("tutorial.finished-help") : t("tutorial.open-again", { number: open + 1 })}</p>
       </div>
-      <div className="tutorial-ways">
+      <div className="tutorial-ways rigid">
         {next === null ? null : (
           <button
             ref={button}
@@ -240,17 +240,17 @@ export function TutorialPanel() {
       data-step={progress.at + 1}
       aria-label={t("tutorial.of", { name: text(tutorial.label) })}
     >
-      <header className="tutorial-head">
+      <header className="tutorial-head row wrap">
         <Icon name={tutorial.icon} size={18} />
         <h2>{text(tutorial.label)}</h2>
         <Steps tutorial={tutorial} done={done} page={page} />
-        <span className="tutorial-count" data-testid="tutorial-count">
+        <span className="muted small-text" data-testid="tutorial-count">
           {t("tutorial.done-of", { done: count, total: done.length })}
         </span>
         {progress.at < done.length && undone >= 0 ? (
           <button
             type="button"
-            className="tutorial-undone"
+            className="tutorial-undone small-text"
             data-testid="tutorial-undone"
             onClick={() => {
               goTo(undone);
@@ -269,7 +269,7 @@ export function TutorialPanel() {
           onClick={leave}
         />
       </header>
-      <div className="tutorial-body">
+      <div className="tutorial-body wrap">
         {progress.at < done.length ? (
           <StepView tutorial={tutorial} done={done} page={page} />
         ) : (

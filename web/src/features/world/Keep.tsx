@@ -10,7 +10,7 @@ export function Keep({ templates }: { templates: ReactNode }) {
   const [why, setWhy] = useState("");
   if (name === null) {
     return (
-      <div className="world-keep">
+      <div className="world-keep column">
         <button
           type="button"
           className="button"
@@ -25,7 +25,7 @@ export function Keep({ templates }: { templates: ReactNode }) {
   }
   return (
     <form
-      className="world-keep"
+      className="world-keep column"
       onSubmit={(event) => {
         event.preventDefault();
         void saveWorldFile(name).then((wrong) => {
@@ -34,10 +34,10 @@ export function Keep({ templates }: { templates: ReactNode }) {
         });
       }}
     >
-      <label className="field-label" htmlFor="world-file">
+      <label className="field-label muted small-text rigid" htmlFor="world-file">
         {t("world.file-name")}
       </label>
-      <span className="world-file">
+      <span className="world-file row">
         <input
           id="world-file"
           className="field"
@@ -57,7 +57,7 @@ export function Keep({ templates }: { templates: ReactNode }) {
         <span dir="ltr">.world.xml</span>
       </span>
       {why === "" ? null : (
-        <p className="field-wrong" id="world-file-why" role="alert">
+        <p className="field-wrong muted small-text" id="world-file-why" role="alert">
           {why}
         </p>
       )}

@@ -289,7 +289,7 @@ export function Stage() {
         <Overlay world={now} camera={camera} chosen={chosenIn(now, chosen)} mission={mission} />
       )}
       {tool === null ? null : (
-        <p className="world-tip" aria-hidden="true">
+        <p className="world-tip row small-text" aria-hidden="true">
           <Icon name={KIND_ICONS[tool]} size={14} /> {t("world.draw", { kind: kindName(tool) })}
         </p>
       )}

@@ -21,7 +21,7 @@ export function Tools() {
   const tool = useWorld((state) => state.tool);
   const take = (wanted: Kind | null) => useWorld.setState({ tool: wanted });
   return (
-    <div className="world-tools" role="toolbar" aria-label={t("world.tools")}>
+    <div className="world-tools row wrap rigid" role="toolbar" aria-label={t("world.tools")}>
       <Tool
         icon="mouse-pointer-2"
         label={t("world.choose")}
@@ -35,7 +35,7 @@ export function Tools() {
           <button
             key={kind}
             type="button"
-            className="tool world-tool"
+            className="tool world-tool rigid"
             data-testid={`world-tool-${kind}`}
             aria-pressed={tool === kind}
             aria-label={label}

@@ -29,7 +29,7 @@ function FromFile({ templates }: { templates: () => void }) {
       <h2 id="world-from-file">{world?.name ?? t("world.tab")}</h2>
       <p>{href === "" ? t("world.of-empty") : t("world.of-file", { file: href })}</p>
       <p>{t("world.copy-help")}</p>
-      <div className="world-choices">
+      <div className="world-choices wrap">
         <button type="button" className="button" data-testid="edit-world" onClick={() => void editWorld()}>
           {t("world.edit")}
         </button>
@@ -68,11 +68,11 @@ export default function World() {
   }, [own]);
   return (
     <div className="world" id="world-panel" role="tabpanel" aria-label={t("world.tab")} data-testid="world">
-      <div className="world-place">
+      <div className="world-place column">
         {own === null ? null : <Tools />}
         <Stage />
       </div>
-      <div className="world-side">
+      <div className="world-side column">
         {templates ? (
           <Templates done={() => setTemplates(false)} />
         ) : own === null ? (

@@ -29,7 +29,7 @@ export function Ending() {
   const seeks = can("seek", run);
   const Sign = well ? CircleCheck : CircleX;
   return (
-    <section className="stage-ending" data-large={large} data-testid="ending" aria-label={t("arena.result")}>
+    <section className="stage-ending rigid" data-large={large} data-testid="ending" aria-label={t("arena.result")}>
       <Sign size={20} aria-hidden="true" />
       <div className="stage-ending-words">
         <p>
@@ -44,7 +44,7 @@ export function Ending() {
           </p>
         )}
         {seeks ? (
-          <span className="stage-ending-ways">
+          <span className="stage-ending-ways wrap">
             {cause === null || cause.tick >= tick ? null : (
               <button
                 type="button"
@@ -80,7 +80,7 @@ export function Ending() {
       </div>
       <button
         type="button"
-        className="tool small"
+        className="tool small rigid"
         aria-label={t("arena.close-result")}
         data-testid="ending-close"
         onClick={() => setClosed(name)}

@@ -58,7 +58,7 @@ function Section({ what, title, none, empty, add, can, children }: SectionProps)
           }}
         />
       </header>
-      {empty ? <p className="roster-none">{none}</p> : null}
+      {empty ? <p className="roster-none muted small-text">{none}</p> : null}
       <ul ref={list}>{children}</ul>
     </section>
   );
@@ -113,7 +113,7 @@ export default function Roster() {
       >
         <Works />
       </Section>
-      <p className="roster-said" role="status" data-testid="roster-said">
+      <p className="roster-said small-text" role="status" data-testid="roster-said">
         {said}
       </p>
       <DragGhost />
