@@ -5,7 +5,7 @@
  */
 import { type CSSProperties, type DragEvent, useEffect } from "react";
 
-import { PanelSlot, Slot } from "../components/Slot";
+import { Dock, PanelSlot, Slot } from "../components/Slot";
 import { t } from "../i18n/words";
 import { useStudio } from "../model/studio";
 import { checkAgain, keepChecking } from "../session/checking";
@@ -224,6 +224,7 @@ function Studio() {
             {ready ? FEATURES.map(({ name, tab }) => (tab === undefined ? null : <tab.Panel key={name} />)) : null}
           </div>
           <Slot name="below" />
+          <Dock />
         </main>
         {side ? (
           <aside className="side-frame rigid" aria-label={t("app.side")}>

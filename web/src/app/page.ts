@@ -130,6 +130,15 @@ const inSheets = <Name extends keyof typeof sheetsModule>(name: Name, typing = f
     typing,
   );
 
+declare module "../session/document" {
+  interface Overlays {
+    "save-as": true;
+    shortcuts: true;
+    about: true;
+    difference: true;
+  }
+}
+
 export const page: Feature = {
   name: "page",
   commands: {

@@ -26,7 +26,11 @@ export interface Banner {
   takesFocus?: boolean;
 }
 
-export type Overlay = "new" | "open" | "save-as" | "shortcuts" | "about" | "difference" | null;
+/** Names of the sheets that can lie over the page: who draws a sheet (`sheets` of `Feature`) adds its name here. */
+// eslint-disable-next-line @typescript-eslint/no-empty-object-type -- others give it its members
+export interface Overlays {}
+
+export type Overlay = keyof Overlays | null;
 
 interface DocumentState {
   session: Session | null;

@@ -5,7 +5,7 @@ import { Refused } from "../../components/Refused";
 import { decimal, grouped, readWhole } from "../../i18n/numbers";
 import { t } from "../../i18n/words";
 import { useStudio } from "../../model/studio";
-import { closeBelow, useAlone } from "../../session/below-alone";
+import { closeDock } from "../../session/dock";
 import { Icon } from "../../theme";
 import { Select } from "../../ui/Select";
 import { Tool } from "../../ui/Tool";
@@ -22,7 +22,6 @@ const SECONDS = ["10", "60", "300", "1800"];
 const MEGA = 1_000_000;
 
 export function CheckPanel() {
-  useAlone();
   const refused = useCheck((check) => check.refused);
   const asked = useCheck((check) => check.asked);
   const open = useCheck((check) => check.open);
@@ -37,7 +36,7 @@ export function CheckPanel() {
       <header className="dock-head check-head row rigid">
         <h2>{t("check.title")}</h2>
         <Asking />
-        <Tool small icon="x" label={t("check.close")} titled={false} onClick={closeBelow} />
+        <Tool small icon="x" label={t("check.close")} titled={false} onClick={closeDock} />
       </header>
       <div className="check-body" data-run={shown}>
         <div className="check-answers column">

@@ -15,8 +15,8 @@ import { useStudio } from "../../model/studio";
 import { text } from "../../model/texts";
 import type { RobotObject } from "../../model/types";
 import { valueWords } from "../../model/words";
+import { closeDock } from "../../session/dock";
 import { can, type RunAgent, useRun, watchedAgent } from "../../session/run";
-import { useWatch } from "../../session/watching";
 import { Icon } from "../../theme";
 import { Tool } from "../../ui/Tool";
 import { EventList } from "./EventList";
@@ -55,13 +55,7 @@ export function WatchPanel() {
           </select>
         )}
         <span className="watch-space" />
-        <Tool
-          small
-          icon="x"
-          label={t("debug.watch-close")}
-          titled={false}
-          onClick={() => useWatch.getState().show(false)}
-        />
+        <Tool small icon="x" label={t("debug.watch-close")} titled={false} onClick={closeDock} />
       </header>
       {agent === undefined ? <p className="dock-none muted">{t("debug.watch-nothing")}</p> : <Values agent={agent} />}
     </section>

@@ -13,7 +13,8 @@ import { useStudio } from "../../model/studio";
 import { addProgramFor } from "../../session/actions";
 import { type Banner, type BannerAction, dismissBanner, question, useDocument } from "../../session/document";
 import { openFromComputer } from "../../session/open-requests";
-import { useProblemList } from "../../session/problem-walk";
+import { openDock } from "../../session/dock";
+import { PROBLEMS } from "../../session/problem-walk";
 import { showDifference } from "../../session/saving";
 import { openTeam } from "../../session/team-view";
 import { readParts } from "../../session/world-files";
@@ -139,7 +140,7 @@ function nextFor({ file, kind, names }: PartsFile): BannerAction[] {
     },
   });
   if (name === undefined) {
-    return [action(t("parts.see-problems"), () => useProblemList.setState({ open: true }))];
+    return [action(t("parts.see-problems"), () => openDock(PROBLEMS))];
   }
   if (kind === "robot" && !mission.programs.some((program) => program.robot === name)) {
     return [action(t("parts.write-program"), () => addProgramFor(name))];

@@ -7,7 +7,8 @@ import { sentence, t } from "../../i18n/words";
 import type { Problem } from "../../model/types";
 import { isHeldByRobots, runOf } from "../../session/confirming-run";
 import { applyFix, canFix } from "../../session/fixes";
-import { goTo, useProblemList, useProblems } from "../../session/problem-walk";
+import { closeDock } from "../../session/dock";
+import { goTo, standAt, useProblems, useProblemWalk } from "../../session/problem-walk";
 import { useRun } from "../../session/run";
 import { Icon } from "../../theme";
 import { Tool } from "../../ui/Tool";
@@ -36,7 +37,7 @@ function Row({ problem, index, at }: { problem: Problem; index: number; at: numb
         data-testid={`problem-${String(index + 1)}`}
         aria-current={current}
         onClick={() => {
-          useProblemList.setState({ at: index });
+          standAt(index);
           goTo(problem);
         }}
       >
@@ -98,7 +99,7 @@ function Row({ problem, index, at }: { problem: Problem; index: number; at: numb
 
 export function ProblemList() {
   const problems = useProblems();
-  const at = useProblemList((list) => list.at);
+  const at = useProblemWalk((walk) => walk.at);
   const [shown, setShown] = useState(ROWS);
   const count = Math.max(shown, Math.ceil((at + 1) / ROWS) * ROWS);
   const left = problems.length - count;
@@ -106,13 +107,7 @@ export function ProblemList() {
     <>
       <header className="dock-head row rigid">
         <h2>{problems.length === 0 ? t("problems.title") : t("problems.count", { count: problems.length })}</h2>
-        <Tool
-          small
-          icon="x"
-          label={t("problems.close")}
-          titled={false}
-          onClick={() => useProblemList.setState({ open: false })}
-        />
+        <Tool small icon="x" label={t("problems.close")} titled={false} onClick={closeDock} />
       </header>
       {problems.length === 0 ? (
         <p className="dock-none muted">{t("problems.none")}</p>

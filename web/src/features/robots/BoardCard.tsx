@@ -3,7 +3,7 @@ import { useId } from "react";
 
 import { StateShape } from "../../components/StateShape";
 import { useStudio } from "../../model/studio";
-import { useProblemList } from "../../session/problem-walk";
+import { showFirstProblem } from "../../session/problem-walk";
 import { Icon } from "../../theme";
 import { Said } from "../../i18n/Said";
 import { grouped } from "../../i18n/numbers";
@@ -145,7 +145,7 @@ function Trouble({ place: { address, board, firmware } }: { place: Place }) {
           type="button"
           className="robot-link"
           data-testid="robot-problems"
-          onClick={() => useProblemList.setState({ open: true, at: 0 })}
+          onClick={showFirstProblem}
         >
           {t("boards.problems", { count: said.problems.length })}
         </button>

@@ -2,7 +2,7 @@
 import { useStudio } from "../../model/studio";
 import { useRun } from "../../session/run";
 import { reveal } from "../../session/actions";
-import { useWatch } from "../../session/watching";
+import { openDock } from "../../session/dock";
 import { type Given, isMine, kitFor, networkAddress, placesOf, programFor, useBoards, without } from "./boards";
 import { withKit } from "./kits";
 import { send } from "./socket";
@@ -126,7 +126,7 @@ export function watchBoard(address: string): void {
     useStudio.getState().setActiveProgram(agent.program);
     useRun.getState().selectAgent(agent.name, agent.program);
   }
-  useWatch.getState().show(true);
+  openDock("watch-panel");
 }
 
 export function cancelSending(address: string): void {

@@ -6,7 +6,7 @@ import { grouped, readNumber, readWhole } from "../../i18n/numbers";
 import { Said } from "../../i18n/Said";
 import { t } from "../../i18n/words";
 import { useStudio } from "../../model/studio";
-import { closeBelow, useAlone } from "../../session/below-alone";
+import { closeDock } from "../../session/dock";
 import { Icon } from "../../theme";
 import { Tool } from "../../ui/Tool";
 import { Select } from "../../ui/Select";
@@ -19,7 +19,6 @@ const LONGEST_S = 36_000;
 const PAIRS = "kitrobot run … --fail-sweep --pairs";
 
 export function SweepPanel() {
-  useAlone();
   const swept = useSweep((sweep) => sweep.swept);
   const refused = useSweep((sweep) => sweep.refused);
   return (
@@ -31,7 +30,7 @@ export function SweepPanel() {
     >
       <header className="dock-head row rigid">
         <h2>{t("sweep.title")}</h2>
-        <Tool small icon="x" label={t("sweep.close")} titled={false} onClick={closeBelow} />
+        <Tool small icon="x" label={t("sweep.close")} titled={false} onClick={closeDock} />
       </header>
       <div className="sweep-body column">
         <Asking />

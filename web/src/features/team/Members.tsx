@@ -8,7 +8,8 @@ import { StateShape } from "../../components/StateShape";
 import { clock } from "../../i18n/numbers";
 import { Said } from "../../i18n/Said";
 import { t } from "../../i18n/words";
-import { changesOf, showMembers } from "../../session/members";
+import { closeDock } from "../../session/dock";
+import { changesOf, MEMBERS } from "../../session/members";
 import { meetingSaid } from "../../session/meetings";
 import { can, useRun } from "../../session/run";
 import { Tool } from "../../ui/Tool";
@@ -44,13 +45,13 @@ export function Members() {
   return (
     <section
       className="dock-panel members-panel column rigid"
-      id="members-panel"
+      id={MEMBERS}
       data-testid="members"
       aria-label={t("members.title")}
     >
       <header className="dock-head row rigid">
         <h2>{t("members.title")}</h2>
-        <Tool small icon="x" label={t("members.close")} titled={false} onClick={() => showMembers(false)} />
+        <Tool small icon="x" label={t("members.close")} titled={false} onClick={closeDock} />
       </header>
       <div className="members-columns wrap">
         <table className="members-table" data-testid="members-table">
