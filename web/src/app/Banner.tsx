@@ -8,6 +8,7 @@ import { type Banner as Notice, dismissBanner, useDocument } from "../session/do
 import { isCutOff, useLink } from "../session/journal";
 import { useRun } from "../session/run";
 import { Icon } from "../theme";
+import { Button } from "../ui/Button";
 import { borrowFocus } from "../ui/borrow-focus";
 import { Tool } from "../ui/Tool";
 
@@ -31,9 +32,9 @@ function Strip({ said, onClose }: { said: Notice; onClose: () => void }) {
         <Said text={said.help} />
       </p>
       {said.actions.map((action) => (
-        <button type="button" key={action.label} className="button" onClick={action.run}>
+        <Button key={action.label} onClick={action.run}>
           {action.label}
-        </button>
+        </Button>
       ))}
       {said.kind !== "question" ? (
         <Tool small icon="x" label={t("banner.close")} titled={false} onClick={onClose} />

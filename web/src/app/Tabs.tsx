@@ -26,7 +26,7 @@ import { useInView } from "../ui/in-view";
 import { later } from "../ui/later";
 import { AddProgram } from "./AddProgram";
 import { FEATURES } from "./features";
-import { useRenaming } from "./renaming";
+import { renameInTab, useRenaming } from "./renaming";
 
 const TABS = FEATURES.flatMap(({ tab }) => tab ?? []);
 
@@ -36,7 +36,7 @@ const ProgramList = later(() => import("./ProgramList").then((chunk) => chunk.Pr
 function NameField({ name }: { name: string }) {
   const [text, setText] = useState(name);
   const [left] = useState(() => document.getElementById(`tab-${name}`)?.offsetLeft ?? 0);
-  const stop = () => useRenaming.setState({ program: null });
+  const stop = () => renameInTab(null);
   const { mission, catalogue, execute } = useStudio.getState();
   const wanted = typedName(text);
   const command = wanted === name ? null : renameProgram(mission, name, wanted, catalogue);
@@ -130,7 +130,7 @@ function Tab({ name, onKey }: TabProps & { name: string }) {
         closeTeam();
         useStudio.getState().setActiveProgram(name);
       }}
-      onDoubleClick={() => useRenaming.setState({ program: name })}
+      onDoubleClick={() => renameInTab(name)}
       onKeyDown={onKey}
     >
       <StateShape state={state} label={t(`tabs.state-${state}`)} />

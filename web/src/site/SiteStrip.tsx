@@ -4,6 +4,7 @@ import { type Key, t } from "../i18n/words";
 import { useRun } from "../session/run";
 import { Icon } from "../theme";
 import { useSite } from "./state";
+import { Button } from "../ui/Button";
 import "./site.css";
 
 interface Told {
@@ -72,11 +73,7 @@ export function SiteStrip() {
         <strong>{told.message}</strong> {told.help === null ? null : t(told.help)}
       </p>
       {told.share === undefined ? null : <progress value={told.share} aria-label={told.message} />}
-      {label === null ? null : (
-        <button type="button" className="button" onClick={act}>
-          {t(label)}
-        </button>
-      )}
+      {label === null ? null : <Button onClick={act}>{t(label)}</Button>}
     </div>
   );
 }

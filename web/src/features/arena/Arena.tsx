@@ -25,7 +25,7 @@ import { toWorld } from "../../components/scene/camera";
 import { CROWD } from "../../components/scene/crowd-size";
 import { Painter } from "../../components/scene/painter";
 import { openShown, toggleStage, useStageParts } from "./parts";
-import { choose, follow, openRobotMenu, useRobots } from "./robots";
+import { choose, follow, openRobotMenu, stopFollowing, useRobots } from "./robots";
 import type { Scene } from "../../components/scene/scene";
 import { complain } from "../../session/document";
 import { later } from "../../ui/later";
@@ -108,7 +108,7 @@ function Heading({ scene, painter, stage }: HeadingProps) {
 
 /** Who takes the world into the hand follows nobody any more. */
 function letRobotGo(): void {
-  if (useRobots.getState().followed !== "") useRobots.setState({ followed: "" });
+  if (useRobots.getState().followed !== "") stopFollowing();
 }
 
 export function Arena() {

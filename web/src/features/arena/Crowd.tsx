@@ -9,7 +9,7 @@ import type { Scene } from "../../components/scene/scene";
 import { grouped } from "../../i18n/numbers";
 import { t } from "../../i18n/words";
 import { posesAt } from "../../session/poses";
-import { useRobots } from "./robots";
+import { highlightProgram, useRobots } from "./robots";
 
 export function Crowd({ scene }: { scene: Scene | null }) {
   const program = useRobots((state) => state.program);
@@ -29,7 +29,7 @@ export function Crowd({ scene }: { scene: Scene | null }) {
         data-testid="crowd-program"
         aria-label={t("arena.crowd-filter")}
         value={program}
-        onChange={(event) => useRobots.setState({ program: event.target.value })}
+        onChange={(event) => highlightProgram(event.target.value)}
       >
         <option value="">{t("arena.crowd-all", { count: grouped(count) })}</option>
         {programs.map(([name, of]) => (

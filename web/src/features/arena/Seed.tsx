@@ -8,14 +8,14 @@ import "./seed.css";
 import { NumberInput } from "../../components/fields/NumberInput";
 import { decimal } from "../../i18n/numbers";
 import { t } from "../../i18n/words";
-import { areReal, isLive, useRun } from "../../session/run";
+import { areReal, isLive, setSeed, useRun } from "../../session/run";
 import { Icon } from "../../theme";
 import { Tool } from "../../ui/Tool";
 
 const LARGEST = 999_999;
 
 function put(seed: number): void {
-  useRun.setState({ seed });
+  setSeed(seed);
 }
 
 export function Seed() {

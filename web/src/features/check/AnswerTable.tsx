@@ -8,7 +8,7 @@ import { Said } from "../../i18n/Said";
 import { cellName, useGridWalk } from "../../ui/use-grid-walk";
 import { USUAL, withKinds } from "./kinds";
 import { type Assumption, type Cell, columnAt, sameAssumption, type Shape, shapeOf } from "./table";
-import { useCheck } from "./verifying";
+import { openAnswer, useCheck } from "./verifying";
 
 function stepsWords({ steps, repeats_from: from }: CheckedProperty): string {
   const words = t("check.steps", { count: from < 0 ? steps : from });
@@ -67,7 +67,7 @@ export function AnswerTable() {
 
   const choose = (cell: Cell) => {
     const answer = found[cell.column]?.properties[cell.row];
-    useCheck.setState({ open: answer?.answer === "broken" ? cell : null });
+    openAnswer(answer?.answer === "broken" ? cell : null);
   };
   const { at, table } = useGridWalk({ row: rows.length, column: plan.length }, choose);
 

@@ -7,16 +7,17 @@ import { Said } from "../../i18n/Said";
 import { t } from "../../i18n/words";
 import { useStudio } from "../../model/studio";
 import { isHeldByRobots } from "../../session/confirming-run";
-import { useGuilty } from "../../session/guilty";
+import { markVertices } from "../../session/guilty";
 import { useRun } from "../../session/run";
 import { closeTeam } from "../../session/team-view";
 import { useView } from "../../session/view";
 import { Icon } from "../../theme";
+import { Button } from "../../ui/Button";
 import { Tool } from "../../ui/Tool";
 import { StepArena } from "./StepArena";
 import { type Cell, guiltyMarks, stretches } from "./table";
 import { assumptionWords } from "./Verdict";
-import { answerAt, play, useCheck } from "./verifying";
+import { answerAt, openAnswer, play, useCheck } from "./verifying";
 import "./broken-run.css";
 
 export function BrokenRun({ cell }: { cell: Cell }) {
@@ -40,8 +41,8 @@ export function BrokenRun({ cell }: { cell: Cell }) {
       wrong,
       mission.agents.map(({ name }) => name),
     );
-    useGuilty.setState({ marks });
-    return () => useGuilty.setState({ marks: [] });
+    markVertices(marks);
+    return () => markVertices([]);
   }, [wrong, mission]);
   const first = wrong?.guilty[0];
   useEffect(() => {
@@ -53,13 +54,7 @@ export function BrokenRun({ cell }: { cell: Cell }) {
     <section className="check-run column" ref={place} data-testid="check-run" aria-label={t("check.run")}>
       <header className="check-run-head row">
         <h3>{t("check.broken-under", { assumption: assumptionWords(column) })}</h3>
-        <Tool
-          small
-          icon="x"
-          label={t("check.run-close")}
-          titled={false}
-          onClick={() => useCheck.setState({ open: null })}
-        />
+        <Tool small icon="x" label={t("check.run-close")} titled={false} onClick={() => openAnswer(null)} />
       </header>
       <p className="check-sentence">
         <Said text={answer.sentence} />
@@ -113,10 +108,9 @@ function Seen({ answer }: { answer: CheckedProperty }) {
         </span>
       </p>
       <p className="check-play row wrap">
-        <button type="button" className="button" data-testid="check-play" disabled={held} onClick={() => play(run)}>
-          <Icon name="play" size={16} />
+        <Button icon="play" testId="check-play" disabled={held} onClick={() => play(run)}>
           {t("check.play")}
-        </button>
+        </Button>
         {played ? <span className="check-note muted">{t("check.plays", { time: clock(run.seconds) })}</span> : null}
         {held ? <span className="check-note check-warning muted">{t("check.real")}</span> : null}
       </p>

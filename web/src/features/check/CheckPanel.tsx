@@ -6,7 +6,7 @@ import { decimal, grouped, readWhole } from "../../i18n/numbers";
 import { t } from "../../i18n/words";
 import { useStudio } from "../../model/studio";
 import { closeDock } from "../../session/dock";
-import { Icon } from "../../theme";
+import { Button } from "../../ui/Button";
 import { Select } from "../../ui/Select";
 import { Tool } from "../../ui/Tool";
 import { AnswerTable } from "./AnswerTable";
@@ -108,10 +108,9 @@ function Asking() {
           keep={setSeconds}
         />
       </label>
-      <button type="submit" className="button" data-testid="check-begin" disabled={agents === 0}>
-        <Icon name="clipboard-check" size={16} />
+      <Button icon="clipboard-check" type="submit" testId="check-begin" disabled={agents === 0}>
         {asked === null ? t("check.begin") : t("check.again")}
-      </button>
+      </Button>
       {agents === 0 ? <span className="check-note muted">{t("check.nobody")}</span> : null}
     </form>
   );
@@ -123,10 +122,9 @@ function Progress() {
   return (
     <div className="check-asking row wrap small-text" data-testid="check-progress">
       <span className="check-count">{progress === null ? t("check.preparing") : said(progress)}</span>
-      <button type="button" className="button" data-testid="check-stop" disabled={stopping} onClick={breakOff}>
-        <Icon name="square" size={16} />
+      <Button icon="square" testId="check-stop" disabled={stopping} onClick={breakOff}>
         {t("check.stop")}
-      </button>
+      </Button>
     </div>
   );
 }

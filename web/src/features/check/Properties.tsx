@@ -5,7 +5,7 @@ import { freePropertyName, setProperties } from "../../model/commands/changeProp
 import { useStudio } from "../../model/studio";
 import { typedName } from "../../model/typed-name";
 import type { AskedProperty } from "../../model/types";
-import { Icon } from "../../theme";
+import { Button } from "../../ui/Button";
 import { Tool } from "../../ui/Tool";
 import { ConditionField } from "./ConditionField";
 
@@ -100,16 +100,17 @@ export function Properties() {
       <p className="check-add row wrap small-text">
         <span className="check-note muted">{t("check.add")}</span>
         {FORMS.map((form) => (
-          <button
+          <Button
+            icon="plus"
+            iconSize={14}
+            className="check-form"
             key={form}
-            type="button"
-            className="button check-form"
-            data-testid={`property-add-${form}`}
+
+            testId={`property-add-${form}`}
             onClick={() => add(form)}
           >
-            <Icon name="plus" size={14} />
             {t(`check.form-${form}`)}
-          </button>
+          </Button>
         ))}
       </p>
     </section>

@@ -2,10 +2,10 @@
 import type { VerifyColumnMessage } from "../../api/generated";
 import { t } from "../../i18n/words";
 import { Said } from "../../i18n/Said";
-import { Icon } from "../../theme";
 import { USUAL, withKinds } from "./kinds";
 import type { Assumption } from "./table";
 import { begin, useCheck } from "./verifying";
+import { Button } from "../../ui/Button";
 
 const MOST_FAILURES = 3;
 
@@ -44,15 +44,14 @@ export function Verdict() {
     <p className="check-verdict row wrap" role="status" data-testid="check-verdict">
       <strong>{words}</strong>
       {broken === 0 && !cut && most < MOST_FAILURES ? (
-        <button
-          type="button"
-          className="button"
-          data-testid="check-more-failures"
+        <Button
+          icon="plus"
+
+          testId="check-more-failures"
           onClick={() => begin(most + 1, asked.kinds ?? USUAL, asked.seconds)}
         >
-          <Icon name="plus" size={16} />
           {t("check.let-fail", { count: most + 1 })}
-        </button>
+        </Button>
       ) : null}
     </p>
   );

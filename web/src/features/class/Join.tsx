@@ -9,6 +9,7 @@ import { t } from "../../i18n/words";
 import { Icon } from "../../theme";
 import { fetchAhead } from "./ahead";
 import { forgetLeft } from "./left";
+import { Button } from "../../ui/Button";
 import "./class.css";
 
 const ASK_MS = 2000;
@@ -173,23 +174,15 @@ export function Join() {
           </p>
         )}
         <div className="join-foot wrap">
-          <button type="submit" className="button button-ink" disabled={busy} data-testid="join-go">
+          <Button ink type="submit" disabled={busy} testId="join-go">
             {t(taken === "" ? "class.join" : "class.come-back")}
-          </button>
+          </Button>
           {taken === "" ? null : (
             <>
-              <button
-                type="button"
-                className="button"
-                onClick={askTeacher}
-                disabled={asked !== ""}
-                data-testid="join-ask"
-              >
+              <Button onClick={askTeacher} disabled={asked !== ""} testId="join-ask">
                 {t("class.ask-teacher")}
-              </button>
-              <button type="button" className="button" onClick={again}>
-                {t("class.other-name")}
-              </button>
+              </Button>
+              <Button onClick={again}>{t("class.other-name")}</Button>
             </>
           )}
         </div>

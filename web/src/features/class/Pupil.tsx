@@ -5,6 +5,7 @@ import { createPortal } from "react-dom";
 import { Said } from "../../i18n/Said";
 import { type Key, t } from "../../i18n/words";
 import { Icon } from "../../theme";
+import { Button } from "../../ui/Button";
 import type { MenuEntry } from "../../ui/menu-model";
 import { menuItem } from "../../ui/menu-model";
 import { MenuButton } from "../../ui/MenuButton";
@@ -24,20 +25,16 @@ function OfferRow({ offer }: { offer: Offer }) {
       <Icon name={offer.kind === "note" ? "message-circle" : "send"} size={18} />
       <p dir="auto">{WORDS[offer.kind](offer.words)}</p>
       {open === null ? null : (
-        <button
-          type="button"
-          className="button"
+        <Button
           onClick={() => {
             done(offer);
             open();
           }}
         >
           {t("class.open")}
-        </button>
+        </Button>
       )}
-      <button type="button" className="button" onClick={() => done(offer)}>
-        {t(open === null ? "class.read" : "class.later")}
-      </button>
+      <Button onClick={() => done(offer)}>{t(open === null ? "class.read" : "class.later")}</Button>
     </div>
   );
 }
@@ -89,20 +86,18 @@ export function PupilBar() {
         <div className="banner banner-question row rigid" role="alert" data-testid="class-turn">
           <Icon name="pencil" size={18} />
           <p>{t("class.asks-to-edit")}</p>
-          <button type="button" className="button" data-testid="class-let-edit" onClick={() => letEdit(true)}>
+          <Button testId="class-let-edit" onClick={() => letEdit(true)}>
             {t("class.let-edit")}
-          </button>
-          <button type="button" className="button" onClick={() => letEdit(false)}>
-            {t("class.not-edit")}
-          </button>
+          </Button>
+          <Button onClick={() => letEdit(false)}>{t("class.not-edit")}</Button>
         </div>
       ) : null}
       {frozen ? <Held icon="snowflake" title={t("class.frozen")} help={t("class.frozen-help")} /> : null}
       {!frozen && connected && news?.turn === "teacher" ? (
         <Held icon="pencil" title={t("class.edits")} help={t("class.edits-help")}>
-          <button type="button" className="button" data-testid="class-take-back" onClick={() => letEdit(false)}>
+          <Button testId="class-take-back" onClick={() => letEdit(false)}>
             {t("class.take-back")}
-          </button>
+          </Button>
         </Held>
       ) : null}
     </>

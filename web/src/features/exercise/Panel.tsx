@@ -7,6 +7,7 @@ import { t } from "../../i18n/words";
 import { useStudio } from "../../model/studio";
 import { text } from "../../model/texts";
 import { Icon } from "../../theme";
+import { Button } from "../../ui/Button";
 import { Tool } from "../../ui/Tool";
 import {
   begin,
@@ -45,17 +46,18 @@ function Goal({ label, mark, at }: { label: string; mark: Mark; at: number }) {
         )}
       </span>
       {mark.seed === null ? null : (
-        <button
-          type="button"
-          className="button small"
+        <Button
+          icon="play"
+          iconSize={14}
+          className="small"
+
           disabled={isHeldByRobots()}
           onClick={() => {
             play(mark);
           }}
         >
-          <Icon name="play" size={14} />
           {seconds === null ? t("exercise.play") : t("exercise.play-at", { seconds })}
-        </button>
+        </Button>
       )}
     </li>
   );
@@ -104,15 +106,13 @@ export function ExercisePanel() {
           {t("exercise.reached", { done, total: shown.goals.length })}
         </span>
         {busy === null ? (
-          <button type="button" className="button small" data-testid="exercise-judge" onClick={judgeAll}>
-            <Icon name="list-checks" size={16} />
+          <Button icon="list-checks" className="small" testId="exercise-judge" onClick={judgeAll}>
             {t("exercise.judge")}
-          </button>
+          </Button>
         ) : (
-          <button type="button" className="button small" data-testid="exercise-stop" onClick={stopJudging}>
-            <Icon name="square" size={16} />
+          <Button icon="square" className="small" testId="exercise-stop" onClick={stopJudging}>
             {t("exercise.stop")}
-          </button>
+          </Button>
         )}
         <Tool
           small

@@ -8,6 +8,7 @@ import { text } from "../../model/texts";
 import { Icon } from "../../theme";
 import { Card } from "./Card";
 import { ALL, byLevel, fitting, robotsOf, topicsOf, type Wish } from "./filter";
+import { Button } from "../../ui/Button";
 import { nextCard } from "../../ui/grid";
 import { playsAlways, usePlays } from "./plays";
 
@@ -152,9 +153,9 @@ export function Gallery({ examples, open }: GalleryProps) {
         {found.length === 0 ? t("gallery.none") : t("gallery.count", { count: found.length })}
       </p>
       {found.length === 0 ? (
-        <button type="button" className="button" data-testid="gallery-show-all" onClick={() => setWish(ALL)}>
+        <Button testId="gallery-show-all" onClick={() => setWish(ALL)}>
           {t("gallery.show-all")}
-        </button>
+        </Button>
       ) : null}
       {byLevel(found).map(({ level, entries }) => (
         <div key={level} className="gallery-level">

@@ -10,6 +10,7 @@ import { languageInUse, t } from "../../i18n/words";
 import { closeOverlay, show, shownName, useDocument } from "../../session/document";
 import { openFromComputer, openLeft, openPath } from "../../session/open-requests";
 import { useOpenable } from "./missions";
+import { Button } from "../../ui/Button";
 import { Sheet } from "../../ui/Sheet";
 
 // One chunk: an empty program shows a few of what the sheet shows all of.
@@ -132,13 +133,10 @@ export function OpenSheet() {
             openFromComputer(file);
           }}
         />
-        <button type="button" className="button" onClick={() => chooser.current?.click()}>
-          <Icon name="upload" size={16} />
+        <Button icon="upload" onClick={() => chooser.current?.click()}>
           {t("open.computer")}
-        </button>
-        <button type="button" className="button" onClick={() => show(null)}>
-          {t("open.cancel")}
-        </button>
+        </Button>
+        <Button onClick={() => show(null)}>{t("open.cancel")}</Button>
       </div>
     </Sheet>
   );

@@ -11,7 +11,15 @@ import { type Key, languageInUse, t } from "../../i18n/words";
 import { changeWorld, sameWorld } from "../../model/commands/changeWorld";
 import { useStudio } from "../../model/studio";
 import { addProgramFor } from "../../session/actions";
-import { type Banner, type BannerAction, dismissBanner, question, useDocument } from "../../session/document";
+import {
+  type Banner,
+  type BannerAction,
+  dismissBanner,
+  note,
+  putBanner,
+  question,
+  useDocument,
+} from "../../session/document";
 import { openFromComputer } from "../../session/open-requests";
 import { openDock } from "../../session/dock";
 import { PROBLEMS } from "../../session/problem-walk";
@@ -163,10 +171,10 @@ function tell(added: readonly PartsFile[], refused: readonly { message: string; 
   const [only] = added;
   const actions = added.length === 1 && only !== undefined ? nextFor(only) : [];
   if (refused.length === 0) {
-    useDocument.setState({ banner: { kind: "note", message: good, help: "", actions } });
+    note(good, "", actions);
     return;
   }
   const message = refused.map((one) => one.message).join(" ");
   const help = [refused[0]?.help ?? "", good].filter((words) => words !== "").join(" ");
-  useDocument.setState({ banner: { kind: "error", message, help, actions } });
+  putBanner({ kind: "error", message, help, actions });
 }

@@ -7,8 +7,9 @@ import { Said } from "../../i18n/Said";
 import { t } from "../../i18n/words";
 import { useStudio } from "../../model/studio";
 import { text } from "../../model/texts";
-import { keepVariable, ownVariable, useVariables } from "../../session/variables";
+import { closeForm, keepVariable, ownVariable } from "../../session/variables";
 import { Icon } from "../../theme";
+import { Button } from "../../ui/Button";
 
 const USUAL = { type: "integer", min: "0", max: "100", initial: "0", shared: false } as const;
 
@@ -45,7 +46,7 @@ export function VariableForm({ robot, was, name }: { robot: string; was: string;
   }, []);
 
   const close = () => {
-    useVariables.setState({ form: null });
+    closeForm();
     if (back instanceof HTMLElement && back.isConnected) back.focus();
   };
   const change = (part: Partial<Typed>) => {
@@ -63,7 +64,7 @@ export function VariableForm({ robot, was, name }: { robot: string; was: string;
       : [0, 1, typed.initial === "0" ? 0 : 1];
     try {
       await keepVariable({ robot, was, name: typed.name, type: typed.type, min, max, initial, shared: typed.shared });
-      if (was === "") useVariables.setState({ form: null });
+      if (was === "") closeForm();
       else close();
     } catch (cause) {
       setWhy(cause instanceof ApiError ? `${cause.message} ${cause.help}` : String(cause));
@@ -168,12 +169,12 @@ export function VariableForm({ robot, was, name }: { robot: string; was: string;
         )}
       </p>
       <div className="variable-foot wrap">
-        <button type="button" className="button" data-testid="variable-cancel" onClick={close}>
+        <Button testId="variable-cancel" onClick={close}>
           {t("variable.cancel")}
-        </button>
-        <button type="submit" className="button variable-keep bold" data-testid="variable-keep">
+        </Button>
+        <Button className="variable-keep bold" type="submit" testId="variable-keep">
           {t(was === "" ? "variable.add" : "variable.keep")}
-        </button>
+        </Button>
       </div>
     </form>
   );

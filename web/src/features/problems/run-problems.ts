@@ -5,7 +5,7 @@
  */
 import { useStudio } from "../../model/studio";
 import { showFirstProblem } from "../../session/problem-walk";
-import { useRun } from "../../session/run";
+import { forgetRunProblems, useRun } from "../../session/run";
 
 /** Watches for it; the returned function ends that. */
 export function showRunProblems(): () => void {
@@ -13,7 +13,7 @@ export function showRunProblems(): () => void {
     if (run.problems !== before.problems && run.problems.length > 0) showFirstProblem();
   });
   const offMission = useStudio.subscribe((state, before) => {
-    if (state.mission !== before.mission && useRun.getState().problems.length > 0) useRun.setState({ problems: [] });
+    if (state.mission !== before.mission) forgetRunProblems();
   });
   return () => {
     offRun();

@@ -11,7 +11,6 @@ import { t } from "../../i18n/words";
 import {
   beginBench,
   cancelSending,
-  chooseProgram,
   connectBoard,
   disconnectBoard,
   goToFault,
@@ -23,7 +22,7 @@ import {
   stopBoard,
   watchBoard,
 } from "./actions";
-import { isMine, type Place, programFor, useBoards } from "./boards";
+import { chooseProgram, isMine, type Place, programFor, useBoards } from "./boards";
 import { dropBoard } from "./serial";
 import { Act, Sending, TroubleBox, WayOut } from "./parts";
 import { KitChoice } from "./KitChoice";

@@ -1,8 +1,8 @@
 /** A button with which the reader lets the page use a board of this computer; where it cannot, why, and what can. */
 import { t } from "../../i18n/words";
-import { Icon } from "../../theme";
 import { useBoards } from "./boards";
 import { findBoard, reach } from "./serial";
+import { Button } from "../../ui/Button";
 
 export function FindBoard() {
   const you = useBoards((state) => state.you);
@@ -17,10 +17,9 @@ export function FindBoard() {
   }
   return (
     <div className="robots-find row wrap">
-      <button type="button" className="button" data-testid="find-board" onClick={() => void findBoard()}>
-        <Icon name="radio" size={16} />
+      <Button icon="radio" testId="find-board" onClick={() => void findBoard()}>
         {t("boards.find")}
-      </button>
+      </Button>
       <span className="robots-note muted">{t("boards.find-help")}</span>
     </div>
   );

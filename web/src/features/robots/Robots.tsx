@@ -9,7 +9,6 @@ import "./boards.css";
 import { type FormEvent, useEffect, useState } from "react";
 
 import { inPage } from "../../api/line";
-import { Icon } from "../../theme";
 import { Said } from "../../i18n/Said";
 import { t } from "../../i18n/words";
 import { addAddress, runOnAll } from "./actions";
@@ -24,6 +23,7 @@ import { connect, send } from "./socket";
 import { TeamPart } from "./Team";
 import { stopEverything } from "../../session/features";
 import { showRobots } from "./state";
+import { Button } from "../../ui/Button";
 import { Tool } from "../../ui/Tool";
 
 function useLooking(): void {
@@ -49,10 +49,9 @@ function Barred() {
         </strong>{" "}
         <Said text={barred.help} />
       </p>
-      <button type="button" className="button" onClick={connect}>
-        <Icon name="refresh-cw" size={16} />
+      <Button icon="refresh-cw" onClick={connect}>
         {t("boards.again")}
-      </button>
+      </Button>
     </div>
   );
 }
@@ -85,9 +84,9 @@ function Network() {
           setWrong(false);
         }}
       />
-      <button type="submit" className="button" data-testid="robots-add" disabled={text.trim() === ""}>
+      <Button type="submit" testId="robots-add" disabled={text.trim() === ""}>
         {t("boards.connect")}
-      </button>
+      </Button>
       {wrong ? (
         <p className="robots-wrong muted small-text" id="robots-address-wrong" role="alert">
           {t("boards.network-wrong")}
@@ -105,26 +104,26 @@ function Together() {
   if (Object.keys(state.boards).length < 2) return null;
   return (
     <>
-      <button
-        type="button"
-        className="button"
-        data-testid="robots-run-all"
+      <Button
+        icon="play"
+        iconSize={14}
+
+        testId="robots-run-all"
         disabled={mine.length < 2}
         onClick={runOnAll}
       >
-        <Icon name="play" size={14} />
         {t("boards.run-all")}
-      </button>
-      <button
-        type="button"
-        className="button"
-        data-testid="robots-stop-all"
+      </Button>
+      <Button
+        icon="square"
+        iconSize={14}
+
+        testId="robots-stop-all"
         disabled={!running}
         onClick={stopEverything}
       >
-        <Icon name="square" size={14} />
         {t("boards.stop-all")}
-      </button>
+      </Button>
     </>
   );
 }

@@ -6,6 +6,7 @@ import { shownName } from "../../session/document";
 import { type OpenRecording, playAgain, runRecorded } from "../../session/recordings";
 import { isLive, useRun } from "../../session/run";
 import { Icon } from "../../theme";
+import { Button } from "../../ui/Button";
 
 export function RecordingBar({ open }: { open: OpenRecording }) {
   const playing = useRun((run) => run.recording);
@@ -24,15 +25,14 @@ export function RecordingBar({ open }: { open: OpenRecording }) {
         {playing && stops ? t("recording.breakpoints") : null}
       </p>
       {playing && live ? null : (
-        <button type="button" className="button" data-testid="play-recording" onClick={playAgain}>
+        <Button testId="play-recording" onClick={playAgain}>
           {t(playing ? "recording.again" : "recording.play")}
-        </button>
+        </Button>
       )}
       {playing ? (
-        <button type="button" className="button" data-testid="run-recorded" onClick={runRecorded}>
-          <Icon name="play" size={16} />
+        <Button icon="play" testId="run-recorded" onClick={runRecorded}>
           {t("recording.run")}
-        </button>
+        </Button>
       ) : null}
     </div>
   );

@@ -3,6 +3,7 @@ import { t } from "../../i18n/words";
 import { useStudio } from "../../model/studio";
 import { useRun } from "../../session/run";
 import { Icon } from "../../theme";
+import { Button } from "../../ui/Button";
 
 export function WatchingBar({ run }: { run: string }) {
   const watching = useRun((state) => state.watching);
@@ -15,18 +16,16 @@ export function WatchingBar({ run }: { run: string }) {
         {watching && another ? t("watching.another") : null}
       </p>
       {watching ? (
-        <button type="button" className="button" data-testid="watch-leave" onClick={useRun.getState().reset}>
+        <Button testId="watch-leave" onClick={useRun.getState().reset}>
           {t("watching.leave")}
-        </button>
+        </Button>
       ) : (
-        <button
-          type="button"
-          className="button"
-          data-testid="watch-run"
+        <Button
+          testId="watch-run"
           onClick={() => useRun.getState().watch({ mission: useStudio.getState().mission, run })}
         >
           {t("watching.watch")}
-        </button>
+        </Button>
       )}
     </div>
   );

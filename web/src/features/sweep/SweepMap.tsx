@@ -7,7 +7,7 @@ import { Said } from "../../i18n/Said";
 import { t } from "../../i18n/words";
 import { useStudio } from "../../model/studio";
 import { useRun } from "../../session/run";
-import { Icon } from "../../theme";
+import { Button } from "../../ui/Button";
 import { cellName, useGridWalk } from "../../ui/use-grid-walk";
 import { countsOf, ENDINGS, rowsOf, SIGNS } from "./map";
 import { isHeldByRobots, play, type Swept, useSweep } from "./sweeping";
@@ -136,10 +136,9 @@ export function SweepMap({ swept }: { swept: Swept }) {
         </table>
       </div>
       <div className="sweep-chosen row wrap" data-testid="sweep-chosen">
-        <button type="button" className="button" data-testid="sweep-play" disabled={held} onClick={() => play(at)}>
-          <Icon name="play" size={16} />
+        <Button icon="play" testId="sweep-play" disabled={held} onClick={() => play(at)}>
           {t("sweep.play")}
-        </button>
+        </Button>
         <p>
           {played?.agent === at.agent && played.moment === at.moment ? <strong>{t("sweep.plays")} </strong> : null}
           <bdi>{said(map.agents[at.agent] ?? "", map.moments[at.moment] ?? 0, field)}</bdi>

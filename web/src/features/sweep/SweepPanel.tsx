@@ -7,7 +7,7 @@ import { Said } from "../../i18n/Said";
 import { t } from "../../i18n/words";
 import { useStudio } from "../../model/studio";
 import { closeDock } from "../../session/dock";
-import { Icon } from "../../theme";
+import { Button } from "../../ui/Button";
 import { Tool } from "../../ui/Tool";
 import { Select } from "../../ui/Select";
 import { SweepMap } from "./SweepMap";
@@ -90,10 +90,9 @@ function Asking() {
             onChange={(event) => setTyped(event.target.value)}
           />
         </label>
-        <button type="submit" className="button" data-testid="sweep-begin" disabled={wrong || agents === 0}>
-          <Icon name="play" size={16} />
+        <Button icon="play" type="submit" testId="sweep-begin" disabled={wrong || agents === 0}>
           {t("sweep.begin", { count: agents * (readWhole(moments) ?? 0) })}
-        </button>
+        </Button>
         {wrong ? (
           <p className="sweep-wrong" id="sweep-seconds-wrong" role="alert">
             {t("sweep.seconds-wrong", { most: grouped(LONGEST_S) })}
@@ -110,10 +109,9 @@ function Progress({ done, total }: { done: number; total: number }) {
     <div className="sweep-asking row wrap" data-testid="sweep-progress">
       <progress aria-label={t("sweep.title")} max={Math.max(total, 1)} {...(total === 0 ? {} : { value: done })} />
       <span className="sweep-count">{said}</span>
-      <button type="button" className="button" data-testid="sweep-break-off" onClick={breakOff}>
-        <Icon name="square" size={16} />
+      <Button icon="square" testId="sweep-break-off" onClick={breakOff}>
         {t("sweep.break-off")}
-      </button>
+      </Button>
     </div>
   );
 }

@@ -22,6 +22,7 @@ import { text } from "../../model/texts";
 import type { Agent } from "../../model/types";
 import type { addStarting } from "../../session/world-edits";
 import { Icon } from "../../theme";
+import { Button } from "../../ui/Button";
 import { Select } from "../../ui/Select";
 import { Tool } from "../../ui/Tool";
 import { nameLike, withoutStart } from "./starts";
@@ -214,17 +215,17 @@ export function Agents() {
         <p className="team-note team-hint muted row wrap" role="status">
           <Icon name="triangle-alert" size={16} /> {t("team.place-help", { count: lost })}{" "}
           {place === null ? null : (
-            <button type="button" className="button" data-testid="place-agents" onClick={() => execute(place)}>
+            <Button testId="place-agents" onClick={() => execute(place)}>
               {t("team.place")}
-            </button>
+            </Button>
           )}
         </p>
       ) : null}
-      <button
-        type="button"
-        className="button"
+      <Button
+        icon="plus"
+
         ref={button}
-        data-testid="add-agent"
+        testId="add-agent"
         onClick={() => {
           void newAgent().then(() =>
             requestAnimationFrame(() => {
@@ -235,8 +236,9 @@ export function Agents() {
           );
         }}
       >
-        <Icon name="plus" size={16} /> {t("team.add-agent")}
-      </button>
+        {" "}
+        {t("team.add-agent")}
+      </Button>
     </section>
   );
 }

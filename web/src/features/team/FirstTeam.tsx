@@ -2,7 +2,7 @@
 import { t } from "../../i18n/words";
 import { useStudio } from "../../model/studio";
 import { startTeam } from "../../session/first-team";
-import { Icon } from "../../theme";
+import { Button } from "../../ui/Button";
 
 export function FirstTeam() {
   const there = useStudio((studio) => studio.mission.programs.some((one) => one.level === "social"));
@@ -12,9 +12,10 @@ export function FirstTeam() {
       <h2 id="first-team">{t("first-team.title")}</h2>
       <p className="team-note muted">{t("first-team.what")}</p>
       <p className="team-hint row wrap">
-        <button type="button" className="button" data-testid="start-team" onClick={() => void startTeam()}>
-          <Icon name="users" size={16} /> {t("first-team.start")}
-        </button>
+        <Button icon="users" testId="start-team" onClick={() => void startTeam()}>
+          {" "}
+          {t("first-team.start")}
+        </Button>
         <span>{t("first-team.start-help")}</span>
       </p>
     </section>

@@ -13,6 +13,7 @@ import { foreseeWorld, useFiles } from "../../session/world-files";
 import { editWorld } from "../../session/world-edits";
 import { openWorld } from "../../session/world-view";
 import { Icon } from "../../theme";
+import { Button } from "../../ui/Button";
 import { later } from "../../ui/later";
 
 const WorldPicture = later(() => import("../../components/WorldPicture").then((chunk) => chunk.WorldPicture), complain);
@@ -91,17 +92,18 @@ export function Worlds() {
       <h2 id="team-world">{t("team.world")}</h2>
       <p className="team-note muted">
         {own === null ? null : `${t("world.mine")} `}
-        <button
-          type="button"
-          className="button"
-          data-testid="team-open-world"
+        <Button
+          icon="pencil"
+
+          testId="team-open-world"
           onClick={() => {
             openWorld();
             void editWorld();
           }}
         >
-          <Icon name="pencil" size={16} /> {t("world.edit")}
-        </button>
+          {" "}
+          {t("world.edit")}
+        </Button>
       </p>
       {missing ? (
         <p className="team-note team-hint muted row wrap" role="status">

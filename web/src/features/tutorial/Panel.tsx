@@ -7,6 +7,7 @@ import { partsOf } from "../../model/parts";
 import { programInView, useStudio } from "../../model/studio";
 import { text } from "../../model/texts";
 import { Icon } from "../../theme";
+import { Button } from "../../ui/Button";
 import { Tool } from "../../ui/Tool";
 import { begin, beginAnew } from "./opening";
 import { goToPoint, type Page, selectorOf, told, wordsOf } from "./points";
@@ -107,17 +108,18 @@ function StepView({ tutorial, done, page }: StepProps) {
           <ul className="tutorial-points wrap">
             {points.map((point) => (
               <li key={`${point.kind} ${point.name}`}>
-                <button
-                  type="button"
-                  className="button small"
-                  data-testid={`tutorial-go-${point.kind}-${point.name}`}
+                <Button
+                  icon="crosshair"
+                  iconSize={14}
+                  className="small"
+
+                  testId={`tutorial-go-${point.kind}-${point.name}`}
                   onClick={() => {
                     goToPoint(point, page);
                   }}
                 >
-                  <Icon name="crosshair" size={14} />
                   {t("tutorial.go", { what: wordsOf(point, page) })}
-                </button>
+                </Button>
               </li>
             ))}
           </ul>
@@ -125,23 +127,16 @@ function StepView({ tutorial, done, page }: StepProps) {
       </div>
       <div className="tutorial-ways rigid">
         {is || hinted || (hint === "" && points.length === 0) ? null : (
-          <button type="button" className="button" data-testid="tutorial-show" onClick={showHint}>
-            <Icon name="lightbulb" size={16} />
+          <Button icon="lightbulb" testId="tutorial-show" onClick={showHint}>
             {t("tutorial.show-me")}
-          </button>
+          </Button>
         )}
-        <button
-          type="button"
-          className="button"
-          data-testid="tutorial-back"
-          disabled={progress.at === 0}
-          onClick={goBack}
-        >
+        <Button testId="tutorial-back" disabled={progress.at === 0} onClick={goBack}>
           {t("tutorial.back")}
-        </button>
-        <button type="button" className="button" data-testid="tutorial-next" onClick={goForward}>
+        </Button>
+        <Button testId="tutorial-next" onClick={goForward}>
           {t(is || read ? "tutorial.next" : "tutorial.skip")}
-        </button>
+        </Button>
       </div>
     </>
   );
@@ -166,43 +161,39 @@ function End({ tutorial, done, page }: StepProps) {
       </div>
       <div className="tutorial-ways rigid">
         {next === null ? null : (
-          <button
+          <Button
+            ink
             ref={button}
-            type="button"
-            className="button button-ink"
+
             onClick={() => void begin(next)}
-            data-testid="tutorial-next-one"
+            testId="tutorial-next-one"
           >
             {t("tutorial.next-one", { name: text(next.label) })}
             <Icon name="arrow-right" size={16} />
-          </button>
+          </Button>
         )}
         {whole ? (
-          <button
-            type="button"
-            className="button"
+          <Button
             onClick={() => {
               beginAnew(tutorial);
             }}
-            data-testid="tutorial-again"
+            testId="tutorial-again"
           >
             {t("tutorial.again")}
-          </button>
+          </Button>
         ) : (
-          <button
-            type="button"
-            className="button"
+          <Button
             onClick={() => {
               goTo(open);
             }}
-            data-testid="tutorial-open-step"
+            testId="tutorial-open-step"
           >
             {t("tutorial.step", { number: open + 1, name: nameOf(tutorial, open, page) })}
-          </button>
+          </Button>
         )}
-        <button type="button" className="button" onClick={leave} data-testid="tutorial-close">
+        <Button onClick={leave} testId="tutorial-close">
           {t("tutorial.leave")}
-        </button>
+        </Button>
       </div>
     </>
   );

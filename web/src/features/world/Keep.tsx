@@ -4,6 +4,7 @@ import { type ReactNode, useState } from "react";
 import { t } from "../../i18n/words";
 import { saveWorldFile } from "../../session/world-edits";
 import { ownWorld } from "../../session/world-view";
+import { Button } from "../../ui/Button";
 
 export function Keep({ templates }: { templates: ReactNode }) {
   const [name, setName] = useState<string | null>(null);
@@ -11,14 +12,9 @@ export function Keep({ templates }: { templates: ReactNode }) {
   if (name === null) {
     return (
       <div className="world-keep column">
-        <button
-          type="button"
-          className="button"
-          data-testid="save-world"
-          onClick={() => setName(ownWorld()?.name ?? "")}
-        >
+        <Button testId="save-world" onClick={() => setName(ownWorld()?.name ?? "")}>
           {t("world.save-file")}
-        </button>
+        </Button>
         {templates}
       </div>
     );
@@ -61,9 +57,9 @@ export function Keep({ templates }: { templates: ReactNode }) {
           {why}
         </p>
       )}
-      <button type="submit" className="button" data-testid="world-file-save">
+      <Button type="submit" testId="world-file-save">
         {t("world.file-keep")}
-      </button>
+      </Button>
     </form>
   );
 }

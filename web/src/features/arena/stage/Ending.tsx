@@ -17,6 +17,7 @@ import { useStage } from "../../../session/stage";
 import { Icon } from "../../../theme";
 import { reachedGoal } from "./confetti";
 import { causeOf } from "./cause";
+import { Button } from "../../../ui/Button";
 
 export function Ending() {
   const run = useRun();
@@ -46,10 +47,8 @@ export function Ending() {
         {seeks ? (
           <span className="stage-ending-ways wrap">
             {cause === null || cause.tick >= tick ? null : (
-              <button
-                type="button"
-                className="button"
-                data-testid="go-to-cause"
+              <Button
+                testId="go-to-cause"
                 onClick={() => {
                   const program = run.agents.find((agent) => agent.name === cause.agent)?.program;
                   if (program !== undefined) {
@@ -61,12 +60,10 @@ export function Ending() {
               >
                 <Locate size={16} aria-hidden="true" />
                 {t("arena.go-to-cause")}
-              </button>
+              </Button>
             )}
-            <button
-              type="button"
-              className="button"
-              data-testid="watch-again"
+            <Button
+              testId="watch-again"
               onClick={() => {
                 run.seek(0);
                 run.resume();
@@ -74,7 +71,7 @@ export function Ending() {
             >
               <Play size={16} aria-hidden="true" />
               {t("arena.watch-again")}
-            </button>
+            </Button>
           </span>
         ) : null}
       </div>

@@ -15,6 +15,7 @@ import { useStudio } from "../../../model/studio";
 import { text } from "../../../model/texts";
 import type { Program } from "../../../model/types";
 import { Icon, useTheme } from "../../../theme";
+import { Button } from "../../../ui/Button";
 import { Tool } from "../../../ui/Tool";
 import { codeWords } from "./JoinCard";
 import { stateWords } from "./order";
@@ -60,10 +61,9 @@ function Write({ folder, name }: { folder: string; name: string }) {
         aria-label={t("teacher.write", { name })}
         onChange={(event) => setWords(event.target.value)}
       />
-      <button type="submit" className="button">
-        <Icon name="send" size={16} />
+      <Button icon="send" type="submit">
         {t("teacher.write-send")}
-      </button>
+      </Button>
     </form>
   );
 }
@@ -164,14 +164,9 @@ function Turn({ folder, copy }: { folder: string; copy: string }) {
           {t("teacher.edit")}
         </a>
       )}
-      <button
-        type="button"
-        className="button"
-        data-testid="give-back"
-        onClick={() => act(classApi.turn(folder, false))}
-      >
+      <Button testId="give-back" onClick={() => act(classApi.turn(folder, false))}>
         {t(turn === "asked" ? "teacher.ask-no-more" : "teacher.give-back")}
-      </button>
+      </Button>
     </p>
   );
 }
@@ -221,20 +216,17 @@ export function Look({ now }: { now: number }) {
           {words}
         </span>
         {state === "asks" ? (
-          <button type="button" className="button" onClick={() => act(classApi.handDown(folder))}>
-            {t("teacher.was-there")}
-          </button>
+          <Button onClick={() => act(classApi.handDown(folder))}>{t("teacher.was-there")}</Button>
         ) : null}
-        <button
-          type="button"
-          className="button"
+        <Button
+          icon="snowflake"
+
           aria-pressed={frozen}
-          data-testid="look-freeze"
+          testId="look-freeze"
           onClick={() => freeze(!frozen, [folder])}
         >
-          <Icon name="snowflake" size={16} />
           {t(frozen ? "teacher.go-on" : "teacher.freeze-one")}
-        </button>
+        </Button>
         <Tool small icon="x" label={t("help.close")} titled={false} onClick={() => look("")} />
       </header>
       {turn === "teacher" ? null : (
@@ -262,9 +254,9 @@ export function Look({ now }: { now: number }) {
         {removing === folder ? (
           <p role="alert" className="class-look-sure">
             {t("teacher.remove-sure", { name })}{" "}
-            <button type="button" className="button" data-removes="" onClick={() => act(classApi.remove(folder))}>
+            <Button data-removes="" onClick={() => act(classApi.remove(folder))}>
               {t("teacher.remove-yes")}
-            </button>
+            </Button>
           </p>
         ) : (
           <button type="button" className="class-plain" onClick={() => setRemoving(folder)}>

@@ -8,6 +8,7 @@ import type { Exercise, MissionEntry } from "../../../api/generated";
 import { t } from "../../../i18n/words";
 import { text } from "../../../model/texts";
 import { Icon } from "../../../theme";
+import { Button } from "../../../ui/Button";
 import { Sheet } from "../../../ui/Sheet";
 import { act, fail, look, say, useDesk } from "./store";
 
@@ -137,9 +138,9 @@ function Add({ onClose }: SheetProps) {
           />
         </label>
         <div className="sheet-foot">
-          <button type="submit" className="button button-ink">
+          <Button ink type="submit">
             {t("teacher.add")}
-          </button>
+          </Button>
         </div>
       </form>
     </Sheet>

@@ -9,6 +9,7 @@ import { type Key, t } from "../../../i18n/words";
 import { useStudio } from "../../../model/studio";
 import { text } from "../../../model/texts";
 import { Icon } from "../../../theme";
+import { Button } from "../../../ui/Button";
 import { Select } from "../../../ui/Select";
 import { Tool } from "../../../ui/Tool";
 import { Cards } from "./Cards";
@@ -17,7 +18,7 @@ import { JoinCard, LargeJoin } from "./JoinCard";
 import { Look } from "./Look";
 import { counts, type Filter, FILTERS, met, type Order, ORDERS, shown } from "./order";
 import { type SheetName, SHEETS } from "./Sheets";
-import { act, fail, keepDesk, look, pupilsOf, sortBy, useDesk } from "./store";
+import { act, dismissNotice, fail, filterCards, findPupils, keepDesk, look, pupilsOf, sortBy, useDesk } from "./store";
 import "./teacher.css";
 
 const TICK_MS = 5000;
@@ -48,9 +49,9 @@ function Bars({ change }: { change: () => void }) {
         <span className="class-muted muted small-text">
           {news.exercise === "" ? t("teacher.no-exercise-help") : t("teacher.all-met", { done: whole, count })}
         </span>
-        <button type="button" className="button" data-testid="change-exercise" onClick={change}>
+        <Button testId="change-exercise" onClick={change}>
           {t(news.exercise === "" ? "teacher.choose-exercise" : "teacher.change-exercise")}
-        </button>
+        </Button>
       </header>
       {news.goals.length === 0 ? null : (
         <ol>
@@ -92,7 +93,7 @@ function Choice({ field }: { field: RefObject<HTMLInputElement | null> }) {
             className="tool tool-named rigid"
             aria-pressed={filter === one}
             data-testid={`filter-${one}`}
-            onClick={() => useDesk.setState({ filter: one })}
+            onClick={() => filterCards(one)}
           >
             {FILTER_ICONS[one] === "" ? null : <Icon name={FILTER_ICONS[one]} size={16} />}
             {t(`teacher.filter-${one}` satisfies Key)}
@@ -120,7 +121,7 @@ function Choice({ field }: { field: RefObject<HTMLInputElement | null> }) {
           dir="auto"
           placeholder={t("teacher.find")}
           aria-label={t("teacher.find")}
-          onChange={(event) => useDesk.setState({ find: event.target.value })}
+          onChange={(event) => findPupils(event.target.value)}
         />
       </label>
     </div>
@@ -147,25 +148,15 @@ function Notices() {
           <p>
             <Said text={said.words} /> <Said text={said.help} />
           </p>
-          <Tool
-            small
-            icon="x"
-            label={t("banner.close")}
-            titled={false}
-            onClick={() => useDesk.setState({ said: null })}
-          />
+          <Tool small icon="x" label={t("banner.close")} titled={false} onClick={dismissNotice} />
         </div>
       )}
       {news?.asking.map(({ asked, name }) => (
         <div key={asked} className="banner banner-question row rigid" role="alert" data-testid="class-asks-in">
           <Icon name="door-open" size={18} />
           <p dir="auto">{t("teacher.asks-in", { name })}</p>
-          <button type="button" className="button" onClick={() => act(classApi.answer(asked, true))}>
-            {t("teacher.let-in")}
-          </button>
-          <button type="button" className="button" onClick={() => act(classApi.answer(asked, false))}>
-            {t("teacher.not-in")}
-          </button>
+          <Button onClick={() => act(classApi.answer(asked, true))}>{t("teacher.let-in")}</Button>
+          <Button onClick={() => act(classApi.answer(asked, false))}>{t("teacher.not-in")}</Button>
         </div>
       ))}
     </>

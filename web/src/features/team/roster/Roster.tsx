@@ -10,7 +10,7 @@ import { useStudio } from "../../../model/studio";
 import { Tool } from "../../../ui/Tool";
 import { DragGhost } from "./Chip";
 import { addedGroup, Groups } from "./Groups";
-import { usePut } from "./moving";
+import { forgetSaid, usePut } from "./moving";
 import { addedRole, Roles, Spare } from "./Roles";
 import { addedWork, Works } from "./Works";
 import "./roster.css";
@@ -70,7 +70,7 @@ function useSaid(): string {
   useEffect(() => {
     if (said === "") return;
     return useStudio.subscribe((state, before) => {
-      if (state.mission !== before.mission) usePut.setState({ said: "" });
+      if (state.mission !== before.mission) forgetSaid();
     });
   }, [said]);
   return said;
