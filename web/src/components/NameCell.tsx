@@ -59,7 +59,7 @@ export function NameCell({ name, label, testId, wrong, keep }: NameCellProps) {
         }}
       />
       {why === "" ? null : (
-        <span className="field-wrong muted small-text" id={said} role="alert">
+        <span className="field-wrong" id={said} role="alert">
           <Icon name="triangle-alert" size={14} /> {why}
         </span>
       )}

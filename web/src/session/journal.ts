@@ -9,7 +9,7 @@
 import { create } from "zustand";
 
 import { ApiError } from "../api/client";
-import type { Claimed } from "../api/generated";
+import type { ClaimedJournal } from "../api/generated";
 import { journalApi } from "../api/journal";
 import { type News, openWatch, type Watcher } from "../api/watch";
 import { type History, isUnsaved } from "../model/history";
@@ -109,7 +109,7 @@ class Journal {
   }
 
   /** Claims the journal for a mission that is about to be opened; null without a server that keeps one. */
-  async claim(path: string, wanted = ""): Promise<Claimed | null> {
+  async claim(path: string, wanted = ""): Promise<ClaimedJournal | null> {
     await this.flush();
     if (this.#tab === "") await this.#hello();
     if (this.#tab === "") return null;
@@ -269,7 +269,7 @@ export function isKept(): boolean {
 }
 
 /** Claims the journal for a mission that is about to be opened; null without a server that keeps one. */
-export async function claim(path: string, wanted = ""): Promise<Claimed | null> {
+export async function claim(path: string, wanted = ""): Promise<ClaimedJournal | null> {
   return (await current?.claim(path, wanted)) ?? null;
 }
 

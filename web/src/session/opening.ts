@@ -1,6 +1,6 @@
 /** How a mission becomes the open one: from a file, a recording, or the work that was left on it. */
 import { api } from "../api/client";
-import type { Claimed, Recording } from "../api/generated";
+import type { ClaimedJournal, Recording } from "../api/generated";
 import { t } from "../i18n/words";
 import { isUnsaved } from "../model/history";
 import { useStudio } from "../model/studio";
@@ -26,7 +26,7 @@ export function drawAhead(file: MissionFile): void {
 }
 
 /** Opens a mission with what its journal holds, as far as that is still of use. */
-function resume(file: MissionFile, claimed: Claimed | null): void {
+function resume(file: MissionFile, claimed: ClaimedJournal | null): void {
   const found = recover(claimed?.records ?? []);
   const unsaved = found !== null && isUnsaved(found.history);
   const back = found !== null && (unsaved || found.revision === file.revision) ? found : null;

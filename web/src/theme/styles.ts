@@ -5,5 +5,4 @@ import "@fontsource-variable/jetbrains-mono/wght.css";
 import "./tokens.css";
 import "./tokens-contrast.css";
 import "./base.css";
-import "./shared.css";
 import "./mirror.css";

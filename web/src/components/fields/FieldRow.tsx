@@ -208,7 +208,7 @@ function Says({ id, field, typed, meant, isDraft, help }: SaysProps) {
           : "";
   if (wrong !== "")
     return (
-      <p className="field-wrong muted small-text" id={id} role="alert">
+      <p className="field-wrong" id={id} role="alert">
         {wrong}
       </p>
     );

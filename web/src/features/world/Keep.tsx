@@ -53,7 +53,7 @@ export function Keep({ templates }: { templates: ReactNode }) {
         <span dir="ltr">.world.xml</span>
       </span>
       {why === "" ? null : (
-        <p className="field-wrong muted small-text" id="world-file-why" role="alert">
+        <p className="field-wrong" id="world-file-why" role="alert">
           {why}
         </p>
       )}
