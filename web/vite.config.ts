@@ -45,7 +45,7 @@ export default defineConfig({
     maxWorkers: 2,
     // One jsdom for each worker: making one takes longer than most files of tests.
     isolate: false,
-    // Colours are measured by a test; other styles are left out of it.
-    css: { include: /theme\/tokens/ },
+    // What tests read as text; other styles are left out.
+    css: { include: [/theme\/tokens/, /\?raw$/] },
   },
 });

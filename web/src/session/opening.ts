@@ -5,7 +5,7 @@ import { t } from "../i18n/words";
 import { isUnsaved } from "../model/history";
 import { useStudio } from "../model/studio";
 import type { MissionFile } from "../model/types";
-import { complain, fileName, question, useDocument } from "./document";
+import { complain, drawnAhead, fileName, missionOpened, question, setOpening, useDocument } from "./document";
 import { claim, openWith } from "./journal";
 import { recover } from "./journal-records";
 import { begin as play } from "./recordings";
@@ -22,7 +22,7 @@ export function drawAhead(file: MissionFile): void {
   if (useDocument.getState().ready) return;
   useStudio.getState().openMission(file);
   holdParts(file.parts ?? "");
-  useDocument.setState({ ahead: true });
+  drawnAhead();
 }
 
 /** Opens a mission with what its journal holds, as far as that is still of use. */
@@ -34,7 +34,7 @@ function resume(file: MissionFile, claimed: ClaimedJournal | null): void {
   useRun.getState().reset();
   useStudio.getState().openMission(back === null ? file : { ...file, revision: back.revision }, back?.history);
   holdParts(file.parts ?? "");
-  useDocument.setState({ ready: true, ahead: false, banner: null, overlay: null, fileProblems: file.problems });
+  missionOpened(file.problems);
   if (!unsaved) return;
   const help = t(
     found.lost === "steps"
@@ -80,12 +80,12 @@ let underWay = 0;
 
 export async function whileOpening<T>(work: Promise<T>): Promise<T> {
   underWay++;
-  useDocument.setState({ opening: true });
+  setOpening(true);
   try {
     return await work;
   } finally {
     underWay--;
-    useDocument.setState({ opening: underWay > 0 });
+    setOpening(underWay > 0);
   }
 }
 

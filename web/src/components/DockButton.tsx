@@ -1,23 +1,22 @@
-/** A button of the bottom bar, which opens and closes a panel above. */
+/** A button of the bottom bar, which opens and closes a panel below the graph. */
 import type { ReactNode } from "react";
 
+import { toggleDock, useDock } from "../session/dock";
 import { Icon } from "../theme";
-
-import "./dock.css";
+import "../ui/dock.css";
 
 interface DockButtonProps {
   icon: string;
   testId: string;
-  open: boolean;
-  /** The id of the panel. */
+  /** Its name in `session/dock`, and the element's id. */
   panel: string;
-  onPress: () => void;
   title?: string;
   busy?: boolean;
   children: ReactNode;
 }
 
-export function DockButton({ icon, testId, open, panel, onPress, title, busy, children }: DockButtonProps) {
+export function DockButton({ icon, testId, panel, title, busy, children }: DockButtonProps) {
+  const open = useDock((dock) => dock.open === panel);
   return (
     <button
       type="button"
@@ -27,7 +26,7 @@ export function DockButton({ icon, testId, open, panel, onPress, title, busy, ch
       aria-controls={panel}
       aria-busy={busy}
       title={title}
-      onClick={onPress}
+      onClick={() => toggleDock(panel)}
     >
       <Icon name={icon} size={16} />
       {children}
