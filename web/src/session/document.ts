@@ -26,7 +26,7 @@ export interface Banner {
   takesFocus?: boolean;
 }
 
-export type Overlay = "new" | "open" | "save-as" | "shortcuts" | "about" | "difference" | null;
+export type Overlay = "new" | "open" | "save-as" | "shortcuts" | "about" | "difference" | "pdf" | null;
 
 interface DocumentState {
   session: Session | null;
