@@ -7,7 +7,6 @@ import { closeOverlay } from "../../session/document";
 import { Sheet } from "../../ui/Sheet";
 import { choosePrint, usePrintChoice } from "./choice";
 import { printSheet } from "./print";
-import "./pdf-sheet.css";
 
 interface ChoiceProps {
   legend: string;
@@ -21,7 +20,7 @@ interface ChoiceProps {
 function Choice({ legend, words, testIds, chosen, choose }: ChoiceProps) {
   const name = useId();
   return (
-    <fieldset className="pdf-choice">
+    <fieldset className="sheet-choice">
       <legend>{legend}</legend>
       {[false, true].map((value) => (
         <label key={String(value)}>
