@@ -67,7 +67,7 @@ export default defineConfig([
     files: ["src/model/**/*.ts"],
     ignores: ["src/model/studio.ts", "src/model/**/*.test.ts"],
     rules: {
-      "no-restricted-imports": ["error", { patterns: ["react", "react-dom", "@xyflow/*", "zustand", "**/*.tsx"] }],
+      "no-restricted-imports": ["error", { patterns: ["react", "react-dom", "zustand", "**/*.tsx"] }],
     },
   },
   {

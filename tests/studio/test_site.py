@@ -232,7 +232,7 @@ def test_the_first_mission_is_drawn_before_python_is_there_and_nothing_is_done_t
     page = visit().context.new_page()
     try:
         page.goto(server.address)
-        nodes = page.locator(".react-flow__node")
+        nodes = page.locator(".canvas-node")
         expect(nodes).to_have_count(19)
         expect(page.get_by_test_id("site")).to_contain_text("KitRobot is coming")
         expect(page.locator(".studio")).to_have_attribute("aria-busy", "true")

@@ -49,7 +49,7 @@ function Conflict({ conflict: { name, what, sentence, ours, theirs, taken, open 
     );
   return (
     <li>
-      <fieldset className="merge-choice">
+      <fieldset className="sheet-choice">
         <legend>
           <Said text={what} />
         </legend>
