@@ -56,8 +56,8 @@ export default defineConfig([
   },
   {
     files: ["src/**/*.{ts,tsx}"],
-    // Tests put stores into the state that they begin with. The canvas still changes `useView` in a score of places.
-    ignores: ["src/**/*.test.{ts,tsx}", "src/testing/**", "src/features/canvas/**"],
+    // Tests put stores into the state that they begin with.
+    ignores: ["src/**/*.test.{ts,tsx}", "src/testing/**"],
     plugins: { kitrobot: { rules: { "own-store": ownStore } } },
     rules: { "kitrobot/own-store": "error" },
   },

@@ -94,6 +94,45 @@ export function sayOnCanvas(said: string): void {
   useView.setState({ said });
 }
 
+export function setViewport(viewport: Viewport | null): void {
+  useView.setState({ viewport });
+}
+
+/** Opens the menu of the canvas, at a point of the window. */
+export function openCanvasMenu(menu: Point): void {
+  useView.setState({ menu, adding: null });
+}
+
+export function closeCanvasMenu(): void {
+  useView.setState({ menu: null });
+}
+
+export function openNote(vertex: string): void {
+  useView.setState({ noting: vertex, adding: null });
+}
+
+export function closeNote(): void {
+  useView.setState({ noting: null });
+}
+
+export function closeField(): void {
+  useView.setState({ editing: null });
+}
+
+export function closeFind(): void {
+  useView.setState({ finding: false });
+}
+
+/** No arc is selected, and nothing is being added. */
+export function dropArc(): void {
+  useView.setState({ arc: null, adding: null });
+}
+
+/** A run begins: the canvas may move along again. */
+export function resumeFollowing(): void {
+  useView.setState({ resting: false });
+}
+
 /** Opens the find panel; what was typed in an open one is there to be typed over. */
 export function openFind(): void {
   useView.setState({ finding: true });

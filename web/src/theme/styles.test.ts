@@ -9,7 +9,9 @@ const SOURCES = import.meta.glob<string>(["../**/*.{ts,tsx}", "!../**/*.test.*",
   eager: true,
 }) as Texts;
 
-const css = Object.values(SHEETS).join("\n").replaceAll(/\/\*.*?\*\//gs, "");
+const css = Object.values(SHEETS)
+  .join("\n")
+  .replaceAll(/\/\*.*?\*\//gs, "");
 const source = Object.values(SOURCES).join("\n");
 
 function found(text: string, pattern: RegExp): Set<string> {
@@ -30,6 +32,8 @@ it("every class that has a rule stands in the source, whole or as `beginning-${â
   expect(classes.length).toBeGreaterThan(500);
   const ofOthers = /^(cm|react-flow|lucide)-/;
   expect(
-    classes.filter((name) => !words.has(name) && !ofOthers.test(name) && !beginnings.some((one) => name.startsWith(one))),
+    classes.filter(
+      (name) => !words.has(name) && !ofOthers.test(name) && !beginnings.some((one) => name.startsWith(one)),
+    ),
   ).toEqual([]);
 });

@@ -15,7 +15,7 @@ import { complain } from "../../session/document";
 import { setResolver, useDrag } from "../../session/drag";
 import { currentDrawing, type Drawing, nodeOf, useDrawing } from "../../session/drawing";
 import { insideOf, REACH, slotOnScreen, type Target, targetInLayout, wrapTarget } from "../../session/targets";
-import { useView } from "../../session/view";
+import { dropArc, useView } from "../../session/view";
 import { later } from "../../ui/later";
 import { ActiveVertices } from "./active";
 import { AddPopup } from "./AddPopup";
@@ -107,7 +107,7 @@ function Graph({ drawing }: { drawing: Drawing }) {
         dots={!plain}
         onPress={() => {
           useStudio.getState().select([]);
-          useView.setState({ arc: null, adding: null });
+          dropArc();
         }}
       >
         <Nodes layout={layout} part={part} plain={plain} />

@@ -3,7 +3,7 @@ import { useState } from "react";
 
 import { t } from "../../i18n/words";
 import type { Point } from "../../model/layout";
-import { useView } from "../../session/view";
+import { closeCanvasMenu, useView } from "../../session/view";
 import { FloatingMenu } from "../../ui/FloatingMenu";
 import { contextEntries } from "./context-entries";
 
@@ -20,9 +20,9 @@ function Open({ at }: { at: Point }) {
       label={t("context.title")}
       at={at}
       entries={entries}
-      onLeave={() => useView.setState({ menu: null })}
+      onLeave={closeCanvasMenu}
       onClose={() => {
-        useView.setState({ menu: null });
+        closeCanvasMenu();
         useView.getState().viewport?.focus();
       }}
     />

@@ -7,7 +7,7 @@ import { t } from "../../i18n/words";
 import { findIn, type Hit } from "../../model/find";
 import { partsOf } from "../../model/parts";
 import { useStudio } from "../../model/studio";
-import { useView } from "../../session/view";
+import { closeFind, useView } from "../../session/view";
 import { Icon, Tile } from "../../theme";
 
 /** Opens the program and selects what was found; the canvas brings it into view. */
@@ -40,7 +40,7 @@ export function Find() {
   }, [current]);
 
   const close = () => {
-    useView.setState({ finding: false });
+    closeFind();
     useView.getState().viewport?.focus();
   };
   const go = (index: number) => {

@@ -10,7 +10,7 @@ import type { Block } from "../../model/structure";
 import { useStudio } from "../../model/studio";
 import { findSpot } from "../../model/tree";
 import { type Drawing, nodeOf } from "../../session/drawing";
-import { useView } from "../../session/view";
+import { closeField, useView } from "../../session/view";
 
 const GAP = 10;
 const EDGE = 8;
@@ -60,12 +60,12 @@ export function InPlace({ drawing, vertex, slot, typed }: InPlaceProps) {
   });
   const none = found === null;
   useEffect(() => {
-    if (none) useView.setState({ editing: null });
+    if (none) closeField();
     else useStudio.getState().select([vertex]);
   }, [none, vertex]);
   if (found === null) return null;
   const close = () => {
-    useView.setState({ editing: null });
+    closeField();
     useView.getState().viewport?.focus();
   };
   return (
@@ -78,8 +78,7 @@ export function InPlace({ drawing, vertex, slot, typed }: InPlaceProps) {
       style={{ "--x": `${String(at.x)}px` } as React.CSSProperties}
       onBlur={(event) => {
         // Another window or a button of its own may take the focus; another place of the page ends it.
-        if (event.relatedTarget !== null && !event.currentTarget.contains(event.relatedTarget))
-          useView.setState({ editing: null });
+        if (event.relatedTarget !== null && !event.currentTarget.contains(event.relatedTarget)) closeField();
       }}
       onKeyDown={(event) => {
         if (event.key !== "Escape") return;

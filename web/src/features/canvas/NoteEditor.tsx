@@ -7,7 +7,7 @@ import { t } from "../../i18n/words";
 import { noteText } from "../../model/notes";
 import { programInView, useStudio } from "../../model/studio";
 import { currentDrawing, nodeOf } from "../../session/drawing";
-import { useView } from "../../session/view";
+import { closeNote, useView } from "../../session/view";
 import { notesOf, write } from "./Notes";
 
 const WIDTH = 336;
@@ -40,7 +40,7 @@ export function NoteEditor({ id, program }: { id: string; program: string }) {
   }, [text]);
 
   const close = () => {
-    useView.setState({ noting: null });
+    closeNote();
     useView.getState().viewport?.focus();
   };
   return (
@@ -61,7 +61,7 @@ export function NoteEditor({ id, program }: { id: string; program: string }) {
           setText(event.target.value);
         }}
         onBlur={() => {
-          useView.setState({ noting: null });
+          closeNote();
         }}
         onKeyDown={(event) => {
           if (event.nativeEvent.isComposing) return;

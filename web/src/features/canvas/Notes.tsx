@@ -9,7 +9,7 @@ import { noteText } from "../../model/notes";
 import { programInView, useStudio } from "../../model/studio";
 import type { Program } from "../../model/types";
 import { currentDrawing, nodeOf } from "../../session/drawing";
-import { holdingStill, useView } from "../../session/view";
+import { holdingStill, openNote, useView } from "../../session/view";
 import { Icon } from "../../theme";
 
 /** The vertex whose note is meant: the mark around an action where that one has the note, else what is shown. */
@@ -27,7 +27,7 @@ export function openNote(id: string | undefined = useStudio.getState().selection
   const start = currentDrawing()?.structure.start?.id;
   if (id === undefined || id === start) return false;
   useView.getState().viewport?.reveal(id);
-  useView.setState({ noting: ownerOf(id), adding: null });
+  openNote(ownerOf(id));
   return true;
 }
 

@@ -3,7 +3,7 @@ import { useEffect } from "react";
 
 import { t } from "../../i18n/words";
 import { useStudio } from "../../model/studio";
-import { useView } from "../../session/view";
+import { sayOnCanvas, useView } from "../../session/view";
 import { Icon } from "../../theme";
 
 export function Said() {
@@ -11,8 +11,7 @@ export function Said() {
   useEffect(
     () =>
       useStudio.subscribe((state, before) => {
-        if (state.mission !== before.mission || state.activeProgram !== before.activeProgram)
-          useView.setState({ said: "" });
+        if (state.mission !== before.mission || state.activeProgram !== before.activeProgram) sayOnCanvas("");
       }),
     [],
   );
@@ -20,12 +19,7 @@ export function Said() {
     <div className="said" role="status" data-testid="said" hidden={said === ""}>
       <Icon name="info" size={16} />
       <span>{said}</span>
-      <button
-        type="button"
-        aria-label={t("graph.close")}
-        title={t("graph.close")}
-        onClick={() => useView.setState({ said: "" })}
-      >
+      <button type="button" aria-label={t("graph.close")} title={t("graph.close")} onClick={() => sayOnCanvas("")}>
         <Icon name="x" size={14} />
       </button>
     </div>

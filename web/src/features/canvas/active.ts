@@ -6,7 +6,7 @@ import { useStudio } from "../../model/studio";
 import { onlyCalls } from "../../model/team-names";
 import { useDrag } from "../../session/drag";
 import { standingIn, useActiveVertices, useRun } from "../../session/run";
-import { follows, useView } from "../../session/view";
+import { follows, resumeFollowing, useView } from "../../session/view";
 
 /** Threads by their numbers; of a team its members, as `@PLACE`. */
 type Slots = ReadonlyMap<string, readonly (number | string)[]>;
@@ -42,7 +42,7 @@ export function ActiveVertices({ program }: { program: string }): null {
 
 // What was put by hand during one run does not hold for the next.
 useRun.subscribe(({ status }, before) => {
-  if (status === "running" && before.status === "connecting") useView.setState({ resting: false });
+  if (status === "running" && before.status === "connecting") resumeFollowing();
 });
 
 /** Whether somebody writes or chooses something at a vertex, or drags: the canvas does not move away under that. */

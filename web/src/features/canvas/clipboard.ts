@@ -16,7 +16,7 @@ import { useStudio } from "../../model/studio";
 import type { Program } from "../../model/types";
 import { currentDrawing } from "../../session/drawing";
 import { deleteSelection, edit } from "../../session/edits";
-import { useView } from "../../session/view";
+import { sayOnCanvas, useView } from "../../session/view";
 
 const PIECE = "application/x-kitrobot-piece";
 
@@ -24,7 +24,7 @@ const PIECE = "application/x-kitrobot-piece";
 let last: { lll: string; piece: Program } | null = null;
 
 function say(words: string): void {
-  useView.setState({ said: words });
+  sayOnCanvas(words);
 }
 
 function copiedNow(): Copied | null {

@@ -10,7 +10,7 @@ import type { Point } from "../../model/layout";
 import { useStudio } from "../../model/studio";
 import { cancelDrag } from "../../session/drag";
 import { currentDrawing } from "../../session/drawing";
-import { holdingStill, useView } from "../../session/view";
+import { holdingStill, openCanvasMenu, useView } from "../../session/view";
 import { anchorOf } from "./viewport";
 
 const REST_MS = 550;
@@ -43,7 +43,7 @@ function openAt(element: Element, at: Point): void {
     select([]);
     useView.getState().selectArc(arc);
   }
-  useView.setState({ menu: at, adding: null });
+  openCanvasMenu(at);
 }
 
 /** Opens the menu of the selection, from the keyboard. */
@@ -55,7 +55,7 @@ export function openContextMenu(): boolean {
   if (last !== null) viewport.reveal(last);
   const anchor = last === null && arc === null ? { x: box.width / 2, y: box.height / 3 } : anchorOf(last, arc);
   const { x, y } = anchor ?? { x: box.width / 2, y: box.height / 3 };
-  useView.setState({ menu: { x: x + box.left, y: y + box.top }, adding: null });
+  openCanvasMenu({ x: x + box.left, y: y + box.top });
   return true;
 }
 

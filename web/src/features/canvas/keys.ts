@@ -13,7 +13,16 @@ import {
   unwrapSelection,
 } from "../../session/edits";
 import { GRAPH_KEYS, keyIn } from "../../session/key-table";
-import { editSelected, openAdding, openField, toggleFollowing, toggleMinimap, useView } from "../../session/view";
+import {
+  dropArc,
+  editSelected,
+  openAdding,
+  openField,
+  openNote,
+  toggleFollowing,
+  toggleMinimap,
+  useView,
+} from "../../session/view";
 import { openContextMenu } from "./context";
 import { toggleFoldOfSelection } from "./folded";
 import { openNote } from "./Notes";
@@ -72,7 +81,7 @@ export function selectAll(): void {
 function escape(): boolean {
   const { arc, adding } = useView.getState();
   if (adding === null && arc === null && useStudio.getState().selection.length === 0) return false;
-  useView.setState({ arc: null, adding: null });
+  dropArc();
   useStudio.getState().select([]);
   return true;
 }

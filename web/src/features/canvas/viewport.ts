@@ -5,7 +5,7 @@ import { create } from "zustand";
 import { useStudio } from "../../model/studio";
 import type { Drawing } from "../../session/drawing";
 import { currentDrawing, nodeOf } from "../../session/drawing";
-import { restFollowing, standsStill, useView } from "../../session/view";
+import { restFollowing, setViewport, standsStill, useView } from "../../session/view";
 import { type Camera, type CanvasCamera, createCamera, type Size, useCamera, zoomed } from "./camera";
 import { afterResize, homeOf, LEAST_READABLE, type Whole, wholeOf } from "./home";
 import { spotOfArc } from "./Lines";
@@ -101,76 +101,74 @@ export function useViewport(root: RefObject<HTMLDivElement | null>, drawing: Dra
       const next = Math.min(MOST_ZOOM, Math.max(least, zoom * factor));
       camera.glide(zoomed(camera.now(), next, { x: width / 2, y: height / 2 }));
     };
-    useView.setState({
-      viewport: {
-        zoomIn: () => {
-          zoomBy(STEP);
-        },
-        zoomOut: () => {
-          zoomBy(1 / STEP);
-        },
-        home: () => {
-          restFollowing();
-          const now = currentDrawing();
-          if (now !== null) camera.glide(homeOf(size(), now));
-        },
-        fit: () => {
-          const now = currentDrawing();
-          if (now === null) return;
-          const { bounds } = now.layout;
-          const { width, height } = size();
-          const zoom = (1 - 2 * AROUND) * Math.min(width / bounds.w, height / bounds.h);
-          camera.glide(cameraOn(bounds, size(), Math.min(MOST_ZOOM, Math.max(leastZoom(bounds), zoom))));
-        },
-        whole: () => {
-          const before = camera.now();
-          const whole = stood.current?.whole ?? null;
-          const now = currentDrawing();
-          if (now !== null) {
-            const all = wholeOf(size(), now, 0.5);
-            stood.current = { width: size().width, whole: { camera: all, least: 0.5 } };
-            camera.jump(all);
-          }
-          return () => {
-            stood.current = { width: size().width, whole };
-            camera.jump(before);
-          };
-        },
-        zoomToSelection: () => {
-          restFollowing();
-          const now = currentDrawing();
-          const box = now === null ? null : boundsOf(now, useStudio.getState().selection);
-          if (box === null) {
-            useView.getState().viewport?.fit();
-            return;
-          }
-          const { width, height } = size();
-          const room = 2 * MARGIN;
-          const zoom = Math.min(CLOSEST, Math.max(0.1, Math.min((width - room) / box.w, (height - room) / box.h)));
-          camera.glide(cameraOn(box, size(), zoom));
-        },
-        reveal: (id) => {
-          const now = currentDrawing();
-          const node = now === null ? undefined : nodeOf(now, id);
-          if (node === undefined) return;
-          const { width: all, height } = size();
-          // The find panel covers the right side.
-          const width = useView.getState().finding && all > 840 ? all - 412 : all;
-          const { x, y, zoom } = camera.now();
-          const nudge = (from: number, long: number, room: number) => {
-            if (from < MARGIN) return MARGIN - from;
-            return from + long > room - MARGIN ? Math.max(room - MARGIN - from - long, MARGIN - from) : 0;
-          };
-          const dx = nudge(node.x * zoom + x, node.w * zoom, width);
-          const dy = nudge(node.y * zoom + y, node.h * zoom, height);
-          if (dx !== 0 || dy !== 0) camera.glide({ x: x + dx, y: y + dy, zoom });
-        },
-        place: camera.place,
-        focus: () => root.current?.focus({ preventScroll: true }),
+    setViewport({
+      zoomIn: () => {
+        zoomBy(STEP);
       },
+      zoomOut: () => {
+        zoomBy(1 / STEP);
+      },
+      home: () => {
+        restFollowing();
+        const now = currentDrawing();
+        if (now !== null) camera.glide(homeOf(size(), now));
+      },
+      fit: () => {
+        const now = currentDrawing();
+        if (now === null) return;
+        const { bounds } = now.layout;
+        const { width, height } = size();
+        const zoom = (1 - 2 * AROUND) * Math.min(width / bounds.w, height / bounds.h);
+        camera.glide(cameraOn(bounds, size(), Math.min(MOST_ZOOM, Math.max(leastZoom(bounds), zoom))));
+      },
+      whole: () => {
+        const before = camera.now();
+        const whole = stood.current?.whole ?? null;
+        const now = currentDrawing();
+        if (now !== null) {
+          const all = wholeOf(size(), now, 0.5);
+          stood.current = { width: size().width, whole: { camera: all, least: 0.5 } };
+          camera.jump(all);
+        }
+        return () => {
+          stood.current = { width: size().width, whole };
+          camera.jump(before);
+        };
+      },
+      zoomToSelection: () => {
+        restFollowing();
+        const now = currentDrawing();
+        const box = now === null ? null : boundsOf(now, useStudio.getState().selection);
+        if (box === null) {
+          useView.getState().viewport?.fit();
+          return;
+        }
+        const { width, height } = size();
+        const room = 2 * MARGIN;
+        const zoom = Math.min(CLOSEST, Math.max(0.1, Math.min((width - room) / box.w, (height - room) / box.h)));
+        camera.glide(cameraOn(box, size(), zoom));
+      },
+      reveal: (id) => {
+        const now = currentDrawing();
+        const node = now === null ? undefined : nodeOf(now, id);
+        if (node === undefined) return;
+        const { width: all, height } = size();
+        // The find panel covers the right side.
+        const width = useView.getState().finding && all > 840 ? all - 412 : all;
+        const { x, y, zoom } = camera.now();
+        const nudge = (from: number, long: number, room: number) => {
+          if (from < MARGIN) return MARGIN - from;
+          return from + long > room - MARGIN ? Math.max(room - MARGIN - from - long, MARGIN - from) : 0;
+        };
+        const dx = nudge(node.x * zoom + x, node.w * zoom, width);
+        const dy = nudge(node.y * zoom + y, node.h * zoom, height);
+        if (dx !== 0 || dy !== 0) camera.glide({ x: x + dx, y: y + dy, zoom });
+      },
+      place: camera.place,
+      focus: () => root.current?.focus({ preventScroll: true }),
     });
     return () => {
-      useView.setState({ viewport: null });
+      setViewport(null);
     };
   }, [camera, root]);
 

@@ -140,12 +140,7 @@ function Trouble({ place: { address, board, firmware } }: { place: Place }) {
   return (
     <TroubleBox said={said} testId="robot-trouble">
       {first === undefined ? null : (
-        <button
-          type="button"
-          className="robot-link"
-          data-testid="robot-problems"
-          onClick={showFirstProblem}
-        >
+        <button type="button" className="robot-link" data-testid="robot-problems" onClick={showFirstProblem}>
           {t("boards.problems", { count: said.problems.length })}
         </button>
       )}
