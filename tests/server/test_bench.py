@@ -8,7 +8,7 @@ from pathlib import Path
 from kitrobot.boards.bench import bench_of
 from kitrobot.boards.bench_run import BenchRun
 from kitrobot.live.robot_bench import RobotBench, steps_message
-from kitrobot.translation.languages import override_language, translate
+from kitrobot.translation.reader_language import override_language, translate
 from kitrobot.workspace.kit_files import find_kit
 from kitrobot.workspace.robots import find_robot
 from tests.boards.modern import ModernBoard
