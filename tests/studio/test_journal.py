@@ -125,6 +125,10 @@ def test_work_that_is_discarded_is_gone_for_good(studio: Studio) -> None:
     expect(page.get_by_test_id("banner")).to_have_count(0)
 
 
+@pytest.mark.thorough(
+    "web/src/session/journal.test.ts: a mission is brought back with its undo; loaded again: "
+    "test_a_page_goes_on_with_the_studio_that_started_after_a_kill"
+)
 def test_a_page_that_is_loaded_again_goes_on(studio: Studio) -> None:
     page = studio.page
     edit_and_keep(page, 9)
@@ -155,6 +159,10 @@ def test_a_new_mission_that_was_never_saved_comes_back(start: Start, mission: Pa
     expect(page.get_by_test_id("title")).to_contain_text("not saved")
 
 
+@pytest.mark.thorough(
+    "web/src/session/disk.test.ts asks; document.test.ts takes the one on disk; tests/server/test_journal.py: a "
+    "page hears that its file changed"
+)
 def test_a_file_changed_on_disk_is_offered_when_nothing_is_unsaved(studio: Studio) -> None:
     page, mission = studio.page, studio.folder / "blink.krt"
     expect_wait(page, 2)
@@ -228,6 +236,10 @@ def test_two_windows_know_of_each_other_and_overwrite_nothing_silently(studio: S
     assert first.get_by_test_id("banner").count() == 0
 
 
+@pytest.mark.thorough(
+    "tests/files/test_recovery.py: a damaged journal gives what is whole and is kept aside; "
+    "web/src/session/journal.test.ts: what is missing is said"
+)
 def test_a_damaged_journal_opens_what_is_whole_of_it(start: Start, mission: Path, context: BrowserContext) -> None:
     server = start(mission)
     page = server.open(context)

@@ -236,6 +236,10 @@ def test_together_with_two_branches_and_two_programs(open_studio: OpenStudio) ->
     done(studio, *range(1, 9))
 
 
+@pytest.mark.thorough(
+    "web/src/features/tutorial/state.test.ts: it jumps over what was done before its time; "
+    "tests/server/test_tutorials.py: another right way; more than asked: tests/tutorial/test_matching.py"
+)
 def test_later_steps_first_another_right_way_and_more_than_was_asked(open_studio: OpenStudio) -> None:
     studio = open_studio(BLINK)
     begin(studio, "first-steps")
