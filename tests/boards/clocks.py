@@ -40,7 +40,7 @@ class WallClock:
 
 GRANTED_S = 0.5
 """A board that holds on to its host gives it up after 0.8 s; so much of that passes as on the wall."""
-SLOW_PACE = 0.05
+SLOW_PACE = 0.03
 """What is left of it passes so slowly, for on a busy machine a host is silent for seconds."""
 
 

@@ -44,9 +44,9 @@ def test_it_waits_for_a_host_that_is_busy_for_seconds_and_gives_up_one_that_is_g
     wall: Wall, clock: TrafficClock
 ) -> None:
     clock.heard()
-    wall.at += 5
+    wall.at += 9
     assert clock.ms() < HOLD_MS
-    wall.at += 5
+    wall.at += 3
     assert clock.ms() > HOLD_MS
 
 

@@ -16,7 +16,7 @@ from kitrobot.wire.run import RunMessage
 with warnings.catch_warnings():
     # It asks for a successor of httpx that is not needed yet.
     warnings.simplefilter("ignore")
-    from starlette.testclient import TestClient
+    from starlette.testclient import TestClient as TestClient
 
 TOKEN = "the-right-token"
 HOST = "http://127.0.0.1:8765"
