@@ -10,8 +10,8 @@ from playwright.sync_api import Locator, expect
 
 from tests.boards.host import HostBoard
 from tests.studio.conftest import Studio
+from tests.studio.looks import choose, find_nothing
 from tests.studio.robot_rows import ACTIVE, OpenStudio, again, connect, expect_robot, run_anew
-from tests.studio.test_reach import choose, find_nothing
 from tests.studio.test_watching import another_window
 
 pytestmark = pytest.mark.browser

@@ -11,8 +11,8 @@ from playwright.sync_api import Locator, expect
 from kitrobot.workspace.traces import open_trace
 from tests.boards.host import HostBoard
 from tests.studio.conftest import Studio
+from tests.studio.looks import find_nothing
 from tests.studio.robot_rows import ACTIVE, OpenStudio, connect, expect_robot, run_anew
-from tests.studio.test_reach import find_nothing
 
 pytestmark = pytest.mark.browser
 
