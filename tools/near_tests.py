@@ -151,6 +151,8 @@ def main(arguments: list[str]) -> int:
         [*pytest, "-m", NEARBY, *direct] if direct else [],
         [*pytest, "-n", "auto", "-m", NEARBY, *others] if others else [],
     ]
+    if not any(commands):
+        print(f"nothing that has changed since {since} is reached by a test")
     for command in filter(None, commands):
         status = subprocess.run(command, cwd=ROOT, check=False).returncode
         if status not in (0, NONE_COLLECTED):
