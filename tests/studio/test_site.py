@@ -1,7 +1,8 @@
 """The static site from a plain file server, under a path: nothing but files is asked for, and Python runs in the page.
 
 One visit with two starts of Python, because a page with Python in it takes seconds to begin; the second start has no
-server any more, and a board behind a port of the page. More of it is tried in the thorough profile (`test_site_whole`,
+server any more, a mission in its address, and a board behind a port of the page. When a mission is drawn before Python
+is there, and when not: `web/src/site/first.test.ts`. More of it is tried in the thorough profile (`test_site_whole`,
 `test_site_boards`). Building the folder has tests of its own (`tests/workspace/test_site.py`), the same Python without
 a page (`tests/server/test_in_page_server.py`), and so have the sentences of each state, storage and links
 (`web/src/site`).
@@ -14,19 +15,41 @@ from collections.abc import Callable
 from pathlib import Path
 
 import pytest
-from playwright.sync_api import expect
+from playwright.sync_api import Page, expect
 
 from tests.boards.modern import ModernBoard, onboard_files
 from tests.studio.conftest import IS_OPEN, Studio
 from tests.studio.robot_rows import expect_robot
 from tests.studio.serial_ports import PICO, Bridge
-from tests.studio.sites import BLINK, MEMORY, FileServer, Visit, example, follow_link, link, opened
+from tests.studio.sites import BLINK, MEMORY, FileServer, Visit, example, follow_link, link
 
 pytestmark = [pytest.mark.browser, pytest.mark.site]
 
 
 TAKES_OVER_MS = 400_000
 """Chromium lets a service worker take over when the one before has nothing to do; after five minutes at the latest."""
+
+
+def the_first_mission_is_drawn_before_python_is_there_and_nothing_is_done_to_it(
+    page: Page, server: FileServer
+) -> Studio:
+    server.gate.clear()
+    try:
+        page.goto(server.address)
+        nodes = page.locator(".react-flow__node")
+        expect(nodes).to_have_count(19)
+        expect(page.get_by_test_id("site")).to_contain_text("KitRobot is coming")
+        expect(page.locator(".studio")).to_have_attribute("aria-busy", "true")
+        # No key and no click reaches it.
+        page.keyboard.press("Control+a")
+        page.keyboard.press("Delete")
+        assert page.locator(".middle").get_attribute("inert") is not None
+    finally:
+        server.gate.set()
+    page.wait_for_function(IS_OPEN)
+    expect(page.locator(".studio")).to_have_attribute("aria-busy", "false")
+    expect(nodes).to_have_count(19)
+    return Studio(page, Path(), [])
 
 
 def a_mission_runs_is_edited_and_saved_under_a_name_of_its_own(studio: Studio) -> None:
@@ -54,7 +77,7 @@ def a_second_tab_waits_and_goes_on_once_the_first_goes_to_the_new_version(studio
     second = first.context.new_page()
     # Only here: in the first tab Python began under the policy of the site. A board's stand-in is at another address.
     first.context.new_cdp_session(second).send("Page.setBypassCSP", {"enabled": True})
-    second.goto(address)
+    second.goto(f"{address}#{link(BLINK, 'linked')}")
     expect(second.get_by_test_id("site")).to_contain_text("open in another tab")
     second.wait_for_load_state("networkidle")
     with first.expect_navigation(timeout=TAKES_OVER_MS):
@@ -63,6 +86,7 @@ def a_second_tab_waits_and_goes_on_once_the_first_goes_to_the_new_version(studio
     expect(first.get_by_test_id("site")).to_contain_text("open in another tab")
     assert "newer-" in second.evaluate("caches.keys().then((names) => names.join())")
     first.close()
+    expect(second).to_have_title(re.compile("linked"))
     return Studio(second, Path(), [])
 
 
@@ -87,44 +111,14 @@ def a_board_is_chosen_sent_to_glows_and_is_stopped(studio: Studio, bridge: Bridg
     expect_robot(robot, phase="lost")
 
 
-def test_the_first_mission_is_drawn_before_python_is_there_and_nothing_is_done_to_it(
-    server: FileServer, visit: Callable[..., Visit]
-) -> None:
-    """Later the same one is open; once something was done, a page that is loaded again waits for what that was."""
-    server.gate.clear()
-    page = visit().context.new_page()
-    try:
-        page.goto(server.address)
-        nodes = page.locator(".react-flow__node")
-        expect(nodes).to_have_count(19)
-        expect(page.get_by_test_id("site")).to_contain_text("KitRobot is coming")
-        expect(page.locator(".studio")).to_have_attribute("aria-busy", "true")
-        # No key and no click reaches it.
-        page.keyboard.press("Control+a")
-        page.keyboard.press("Delete")
-        assert page.locator(".middle").get_attribute("inert") is not None
-        server.gate.set()
-        page.wait_for_function(IS_OPEN)
-        studio = Studio(page, Path(), [])
-        expect(page.locator(".studio")).to_have_attribute("aria-busy", "false")
-        expect(nodes).to_have_count(19)
-        studio.drop("Wait", "arc-start.next")
-        expect(nodes).to_have_count(20)
-        server.gate.clear()
-        page.evaluate("caches.keys().then((names) => Promise.all(names.map((name) => caches.delete(name))))")
-        page.goto(server.address)
-        expect(page.get_by_test_id("site")).to_contain_text("KitRobot is coming")
-        expect(nodes).to_have_count(0)
-    finally:
-        server.gate.set()
-
-
 def test_a_site_opens_a_link_keeps_what_is_saved_works_without_its_server_and_sends_to_a_board(
     server: FileServer, visit: Callable[..., Visit]
 ) -> None:
     made = visit()
-    studio = opened(made.context.new_page(), f"{server.address}#{link(BLINK, 'linked')}")
-    expect(studio.page).to_have_title(re.compile("linked"))
+    studio = the_first_mission_is_drawn_before_python_is_there_and_nothing_is_done_to_it(
+        made.context.new_page(), server
+    )
+    follow_link(studio, BLINK, "linked")
     studio.expect_code("WAIT(17);")
     a_mission_runs_is_edited_and_saved_under_a_name_of_its_own(studio)
     # Python's memory of this start is kept, and the next one goes on from it.

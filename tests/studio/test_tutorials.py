@@ -166,6 +166,10 @@ def test_first_steps_by_keyboard_alone_in_urdu(open_studio: OpenStudio) -> None:
     done(studio, *range(1, 10))
 
 
+@pytest.mark.thorough(
+    "tests/tutorial/test_shipped.py: each step of sensing, and a wrong way; web/src/features/tutorial/Panel.test.tsx: "
+    "what is undone is open again; progress.test.ts: what was run, was run"
+)
 def test_sensing_with_a_wrong_way_and_undo(open_studio: OpenStudio) -> None:
     studio = open_studio(BLINK)
     begin(studio, "sensing")
