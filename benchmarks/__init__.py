@@ -6,5 +6,5 @@
     python -m benchmarks --json           the same as JSON
 
 A subject is a file in `benchmarks/subjects`, a peer one in `benchmarks/peers`; what the numbers mean and how they came
-out is in docs/benchmarks.md. Nothing here decides a test.
+out is in docs/benchmarks.md, and each measurement with its day in benchmarks/diary.md. Nothing here decides a test.
 """

@@ -14,9 +14,10 @@ _tick = njit(nogil=True)(tick)
 
 
 @njit(nogil=True)
-def drive(code, cells, threads, pars, out, seen, first_cells, first_threads, ticks):
-    """Runs every robot for so many ticks; how many programs came to their end."""
+def drive(code, cells, threads, pars, out, seen, first, ticks):
+    """Runs every robot for so many ticks; gives how many programs ended. `first`: cells and threads at the start."""
     ended = 0
+    first_cells, first_threads = first
     for robot in range(cells.shape[0]):
         its_cells = cells[robot]
         its_threads = threads[robot]

@@ -13,7 +13,10 @@ import sys
 import threading
 import time
 from collections import defaultdict
-from typing import Any
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from kitrobot.fleet.transport import Channel
 
 KEY = "a key for the benchmark alone"
 FLEET = "benchmark"
@@ -21,7 +24,7 @@ FLEET = "benchmark"
 
 def kitrobot(me: int, count: int, rounds: int, where: str) -> list[float]:
     from kitrobot.fleet.bundles import bundle, unbundle
-    from kitrobot.fleet.envelopes import BEGIN, HELLO, MEMBER, TEAM_PROCESS, WELCOME, Envelope
+    from kitrobot.fleet.envelopes import MEMBER, Envelope
     from kitrobot.fleet.keys import key_of
     from kitrobot.fleet.transport import Channel, Network
     from kitrobot.team.changes import AppliedNote
@@ -33,14 +36,8 @@ def kitrobot(me: int, count: int, rounds: int, where: str) -> list[float]:
     from kitrobot.team.state import initial_state
 
     channel = Channel(Network(FLEET, ("tcp/127.0.0.1:0",), (where,)), me, key_of(KEY, "here"))
+    join_run(channel)
     charter = Charter(count, lease=1000)
-    has_begun = False
-    while not has_begun:
-        channel.send(TEAM_PROCESS, HELLO)
-        for envelope in channel.receive(0.1):
-            if envelope.kind == WELCOME:
-                channel.run = envelope.run
-            has_begun |= envelope.kind == BEGIN
     arrived: defaultdict[int, int] = defaultdict(int)
 
     def now() -> int:
@@ -81,6 +78,19 @@ def kitrobot(me: int, count: int, rounds: int, where: str) -> list[float]:
         take(Time())
     channel.close()
     return taken
+
+
+def join_run(channel: Channel) -> None:
+    """Says that it is there until the run begins."""
+    from kitrobot.fleet.envelopes import BEGIN, HELLO, TEAM_PROCESS, WELCOME
+
+    has_begun = False
+    while not has_begun:
+        channel.send(TEAM_PROCESS, HELLO)
+        for envelope in channel.receive(0.1):
+            if envelope.kind == WELCOME:
+                channel.run = envelope.run
+            has_begun |= envelope.kind == BEGIN
 
 
 def mqtt(me: int, count: int, rounds: int, where: str) -> list[float]:

@@ -17,6 +17,7 @@ from kitrobot.image.machine import Machine
 from kitrobot.mission.model import Agent, Mission, Team
 from kitrobot.mission.radio import Radio
 from kitrobot.primitives.catalogue import Catalogue
+from kitrobot.primitives.image_name import ImageName
 from kitrobot.primitives.robot import Robot
 from kitrobot.primitives.robot_xml import read_robot
 from kitrobot.sim.simulation import Simulation
@@ -110,4 +111,4 @@ def swarm(robots: int, *, talks: bool = False, radio: Radio | None = None) -> Si
     mission = Mission(programs=[empty_program("roam", "rover")], radio=radio)
     mission.team = Team([Agent(f"r{n}", "roam") for n in range(robots)])
     catalogue = Catalogue(robots={"rover": rover(talks=talks)})
-    return Simulation(mission, arena(robots), {"roam": _compiled(talks=talks)}, catalogue, 1)
+    return Simulation(mission, arena(robots), {ImageName("roam"): _compiled(talks=talks)}, catalogue, 1)

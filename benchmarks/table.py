@@ -9,6 +9,7 @@ from kitrobot.compiler.compilation import compile_text
 from kitrobot.graph.model import empty_program
 from kitrobot.mission.model import Agent, Mission, Team
 from kitrobot.primitives.catalogue import Catalogue
+from kitrobot.primitives.image_name import ImageName
 from kitrobot.primitives.robot_xml import read_robot
 from kitrobot.sim.simulation import Simulation
 from kitrobot.world.geometry import Pose
@@ -69,4 +70,4 @@ def table(box_count: int, robot_count: int) -> Simulation:
     )
     mission = Mission(programs=[empty_program("push", "pusher")])
     mission.team = Team([Agent(f"r{n}", "push") for n in range(robot_count)])
-    return Simulation(mission, world, {"push": compiled}, Catalogue(robots={"pusher": robot}), 1)
+    return Simulation(mission, world, {ImageName("push"): compiled}, Catalogue(robots={"pusher": robot}), 1)

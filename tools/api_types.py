@@ -3,8 +3,8 @@
     python tools/api_types.py            write the file
     python tools/api_types.py --check    exit with 1 when it is not what the models say
 
-The names are those of the models without `Shape`. One interface a model, in the order of their names, so the file
-changes only where a model did. What is not required is optional: the page may leave it out.
+The names are those of the models without `Shape`. One interface a model, or one union an enumeration, in the order of
+their names, so the file changes only where a model did. What is not required is optional: the page may leave it out.
 """
 
 from __future__ import annotations
@@ -44,7 +44,9 @@ def types() -> str:
     """The file as it should be."""
     with tempfile.TemporaryDirectory() as folder:
         schemas = create_app(Path(folder), None, "").openapi()["components"]["schemas"] | _of_class()
-    named = {_name(name): schema for name, schema in schemas.items() if name not in _NOT_OURS}
+    ours = sorted(schemas.keys() - _NOT_OURS)
+    named = {_name(name): schemas[name] for name in ours}
+    assert len(named) == len(ours), f"two models have one name: {ours}"
     parts = [_HEAD]
     parts += [_interface(name, schema) for name, schema in sorted(named.items())]
     for union, models in (("RunMessage", RUN_MESSAGE_MODELS), ("RunRequest", REQUEST_MODELS)):
@@ -67,6 +69,8 @@ def _name(model: str) -> str:
 
 
 def _interface(name: str, schema: Mapping[str, Any]) -> str:
+    if "enum" in schema:
+        return "\n".join([*_comment(schema.get("description", "")), _alias(name, _members(schema))])
     required = set(schema.get("required", ()))
     lines = [*_comment(schema.get("description", "")), f"export interface {name} {{"]
     for field, inner in schema.get("properties", {}).items():
@@ -92,7 +96,7 @@ def _alias(name: str, members: list[str]) -> str:
 
 
 def _comment(text: str) -> list[str]:
-    words = " ".join(text.split())
+    words = " ".join(text.partition(">>>")[0].split())
     if not words:
         return []
     line = f"/** {words} */"

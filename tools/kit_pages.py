@@ -50,10 +50,10 @@ _HEAD = """# Kits
 
 One robot definition runs on many kits: `NAME.board.xml` says how the parts of robots are wired on one. `kitrobot
 deploy MISSION --board NAME` sends a program to it, `kitrobot check MISSION --board NAME` says part by part what it has.
-[Robots' XML](xml.md#kits) explains how to write such a file. `python -m tools.kit_pages` makes this page. What the kits
-say of themselves is also there [in French](kits.fr.md) and [in Urdu](kits.ur.md).
+[Robots' XML](xml.md#kits) explains how to write such a file. `python -m tools.kit_pages` makes this page. The texts of
+the kits are also [in French](kits.fr.md) and [in Urdu](kits.ur.md).
 
-Each kit says how it is known to work. None of them has been tried on a physical board yet. Pins, addresses and
+Each kit says how it is tested. None of them is tested on a physical board yet. Pins, addresses and
 protocols come from the documents that the kit names. These figures have no document; they are **guesses** until you
 look at your own robot with *Try the parts* or [`kitrobot calibrate`](boards.md#measured):
 
@@ -61,7 +61,7 @@ look at your own robot with *Try the parts* or [`kitrobot calibrate`](boards.md#
 |---|---|---|
 | `rate`, degrees a second of a turn by the clock at full speed | all without a gyroscope or encoders | 150 or 180 |
 | `open`, `closed`, `time` of a servo | all with a servo | 90°, 0°, 1000 to 2000 ms (pen: 300 ms) |
-| `threshold` of an eye for the ground | alvik, pololu-3pi, move-motor, xrp, xrp-beta | the middle of what it reads |
+| `threshold` of an eye for the ground | alvik, pololu-3pi, move-motor, xrp, xrp-beta | the middle of its readings |
 | `dark="high"` of eyes for the ground that you choose yourself | pico, esp32 | high on a dark line |
 | pins that the builder is free to choose | pico, cardboard, esp32, microbit | as listed |
 
@@ -82,16 +82,16 @@ edges, computed from the figures of its sources. The encoders of a 3pi+ are not 
 but not how far apart its wheels are. The STM32 of an Alvik keeps its wheels at their rates by its own encoders.
 
 None of these kits has its motors behind an I²C chip at a board with `machine`; a file of your own may, with
-`motors="pca9685"` in the place of pins, as for the motor boards of Adafruit and Waveshare
+`motors="pca9685"` instead of pins, as for the motor boards of Adafruit and Waveshare
 ([how](drivers.md#another-chip-for-motors)).
 
-A `sign` may be read from patches of colour (`patches`) in the place of bars beside the road (`marks`), by the colour
-sensor of a kit that has one.
+A kit with a colour sensor may read a `sign` from patches of colour (`patches`) instead of bars beside the road
+(`marks`).
 
-The kits of a micro:bit are for a V2, which has not been tried, and for the one of 2016, whose firmware runs in QEMU in
-the tests: it has 16 kB of memory. KitRobot says before sending what certainly does not fit there, and after the board
-has tried it what nearly fits; in both cases the board keeps what it had, except with `--fresh`
-([figures](benchmarks.md#the-gallery-on-boards)).
+The kits of a micro:bit are for a V2, which is not yet tested, and for the one of 2016, whose firmware runs in QEMU in
+the tests: it has 16 kB of memory. KitRobot refuses a program that certainly does not fit before it sends it, and one
+that nearly fits after the board has tried it; in both cases the board keeps its earlier program, except with `--fresh`
+([figures](benchmarks.md)).
 """
 
 
@@ -258,11 +258,11 @@ def _ticks(kit: Kit) -> Iterator[str]:
     rows = ticks_2016().get(kit.name, {})
     if not rows:
         if kit.family != "microbit":
-            yield "On its board: *not measured*, neither ticks nor the memory that is left; none was at hand."
+            yield "Ticks and free memory on its board: *not yet measured*."
             yield ""
         return
-    yield "On the slowest board, the micro:bit of 2016 in an emulator that is faster than the board"
-    yield "([what that is worth](benchmarks.md#the-slowest-board)):"
+    yield "The slowest board is the micro:bit of 2016, here in an emulator that is faster than the board"
+    yield "([figures](benchmarks.md)):"
     yield ""
     yield "| program | late ticks | by, ms | a tick takes, ms | off the tick, ms | memory left, B | flash left, B |"
     yield "|---|---|---|---|---|---|---|"

@@ -1,5 +1,3 @@
-import { fileURLToPath } from "node:url";
-
 import react from "@vitejs/plugin-react";
 import { defineConfig } from "vitest/config";
 
@@ -14,7 +12,6 @@ export default defineConfig({
   // Relative addresses: the page works under any path that a server gives it.
   base: "./",
   plugins: [react(), catalogues(), smallFonts(), packFiles()],
-  resolve: { alias: { "d3-color": fileURLToPath(new URL("build/no-colours.ts", import.meta.url)) } },
   worker: { format: "es" },
   build: {
     target: "es2022",
@@ -24,8 +21,6 @@ export default defineConfig({
     // What the first load needs is one chunk, also where a later one shares parts of it: it compresses better than eight.
     rolldownOptions: {
       output: { codeSplitting: { groups: [{ name: "page", tags: ["$initial"] }] } },
-      // Components of libraries that nothing shows are left out: only their `memo` made them look used.
-      treeshake: { manualPureFunctions: ["memo", "forwardRef", "createContext"] },
     },
     // The licences of everything that the page carries travel with it.
     license: { fileName: "licenses.md" },
@@ -45,7 +40,7 @@ export default defineConfig({
     maxWorkers: 2,
     // One jsdom for each worker: making one takes longer than most files of tests.
     isolate: false,
-    // Colours are measured by a test; other styles are left out of it.
-    css: { include: /theme\/tokens/ },
+    // What tests read as text; other styles are left out.
+    css: { include: [/theme\/tokens/, /\?raw$/] },
   },
 });

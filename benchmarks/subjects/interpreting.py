@@ -100,7 +100,7 @@ def compiled(of: Machine, robots: int, laps: int) -> Callable[[], object]:
 
     def work() -> None:
         # The tick after the last trip finds the loop done and ends the program.
-        ended = drive(code, cells, threads, pars, out, nobody, first_cells, first_threads, laps * (UNTIL + 1))
+        ended = drive(code, cells, threads, pars, out, nobody, (first_cells, first_threads), laps * (UNTIL + 1))
         assert ended == robots * laps
 
     return work

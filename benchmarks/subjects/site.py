@@ -36,7 +36,7 @@ from tools.site_parts import PARTS, ROOT, fetch
 
 TITLE = "site"
 PATIENCE_MS = 120_000
-GRAPH = "document.querySelector('.react-flow__node .vertex')"
+GRAPH = "document.querySelector('.canvas-node .vertex')"
 USABLE = "!document.querySelector('.studio[aria-busy=true]')"
 DONE = "document.querySelector('[data-testid=status]')?.textContent.includes('Done')"
 

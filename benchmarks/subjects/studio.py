@@ -32,7 +32,7 @@ TITLE = "studio"
 FRAMES = "frames/s"
 WORKING = "document.querySelector('[data-testid=problems]').getAttribute('aria-busy') !== 'false'"
 
-CAMERA = "document.querySelector('.react-flow__viewport')"
+CAMERA = "document.querySelector('.canvas-graph')"
 
 
 @dataclass(frozen=True)
@@ -145,7 +145,7 @@ def _blockly(vertices: int, *, wanted: bool) -> Iterator[str | None]:
 
 
 def _measure_studio(browser: Browser, address: str, size: Size, found: Found) -> None:
-    with web.opened(browser, address, "document.querySelector('.react-flow__node .vertex')") as (page, first):
+    with web.opened(browser, address, "document.querySelector('.canvas-node .vertex')") as (page, first):
         found["first picture"].append(first)
         page.wait_for_selector("[data-testid=code-editor][data-writable=true] .cm-line")
         web.wait(page, f"!({WORKING})")
@@ -165,7 +165,7 @@ def _measure_studio(browser: Browser, address: str, size: Size, found: Found) ->
 
 
 def _pan(page: Page, size: Size) -> float:
-    return web.frames_while_dragging(page, *web.place_on(page, ".react-flow__pane", ".canvas"), size.steps)
+    return web.frames_while_dragging(page, *web.place_on(page, ".canvas-pane", ".canvas"), size.steps)
 
 
 def _insert(page: Page, also: str) -> float:

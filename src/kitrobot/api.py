@@ -49,9 +49,10 @@ def open_mission(mission: str | PathLike[str] | Mission, *, folder: str | PathLi
     Raises:
         KitRobotError: the file cannot be read, or nothing of it can be used; `diagnostics` says why.
 
-    >>> import kitrobot
-    >>> kitrobot.open_mission("transport").run().outcome
-    'done'
+    Examples:
+        >>> import kitrobot
+        >>> kitrobot.open_mission("transport").run().outcome
+        'done'
     """
     if isinstance(mission, Mission):
         return read_mission_data(write_mission(mission), UNSAVED, SearchPath(Path(folder)))
@@ -76,10 +77,11 @@ def parse(text: str, name: str = "program.lll") -> ParseResult:
         text: the program.
         name: the file that the mistakes show.
 
-    >>> import kitrobot
-    >>> parsed = kitrobot.parse("WAIT(1); WAIT(;")
-    >>> len(parsed.program.items), [problem.place.column for problem in parsed.diagnostics]
-    (2, [15])
+    Examples:
+        >>> import kitrobot
+        >>> parsed = kitrobot.parse("WAIT(1); WAIT(;")
+        >>> len(parsed.program.items), [problem.place.column for problem in parsed.diagnostics]
+        (2, [15])
     """
     return parse_lll(text, name)
 
@@ -96,10 +98,11 @@ def read_program(text: str, robot: str | PathLike[str] | Robot, name: str = "pro
         ProblemsError: the text has mistakes, or the robot has no such part; `diagnostics` says all of them.
         KitRobotError: there is no such robot.
 
-    >>> import kitrobot
-    >>> program = kitrobot.read_program("Wheel.Advance(50); WAIT(10); Wheel.Stop();", "mini-robot")
-    >>> [vertex.element for vertex in program.vertices]
-    ['Start', 'Wheel.Advance', 'Wait', 'Wheel.Stop', 'Stop']
+    Examples:
+        >>> import kitrobot
+        >>> program = kitrobot.read_program("Wheel.Advance(50); WAIT(10); Wheel.Stop();", "mini-robot")
+        >>> [vertex.element for vertex in program.vertices]
+        ['Start', 'Wheel.Advance', 'Wait', 'Wheel.Stop', 'Stop']
     """
     target = _robot(robot)
     parsed = parse_lll(text, f"{name}.lll")
@@ -124,11 +127,12 @@ def compile_program(
     Raises:
         KitRobotError: there is no such robot.
 
-    >>> import kitrobot
-    >>> kitrobot.compile_program("Wheel.Advance(50);", "mini-robot").ok
-    True
-    >>> [problem.code for problem in kitrobot.compile_program("Wheel.Advance(500);", "mini-robot").diagnostics]
-    ['out-of-range']
+    Examples:
+        >>> import kitrobot
+        >>> kitrobot.compile_program("Wheel.Advance(50);", "mini-robot").ok
+        True
+        >>> [problem.code for problem in kitrobot.compile_program("Wheel.Advance(500);", "mini-robot").diagnostics]
+        ['out-of-range']
     """
     target = _robot(robot)
     if isinstance(program, str):
@@ -146,10 +150,11 @@ def robot(word: str | PathLike[str]) -> Robot:
     Raises:
         KitRobotError: there is none, or its file is wrong; then `diagnostics` says why.
 
-    >>> import kitrobot
-    >>> robot = kitrobot.robot("mini-robot")
-    >>> [sensor.name for sensor in robot.sensors], robot.tick_ms
-    (['Captor', 'Light', 'Button'], 20)
+    Examples:
+        >>> import kitrobot
+        >>> robot = kitrobot.robot("mini-robot")
+        >>> [sensor.name for sensor in robot.sensors], robot.tick_ms
+        (['Captor', 'Light', 'Button'], 20)
     """
     return find_robot(fspath(word))
 

@@ -13,8 +13,11 @@ from pathlib import Path
 from typing import Any
 
 from kitrobot.deploy.installation.boot_records import StartLine
+from kitrobot.deploy.package.board_package import BoardPackage
+from kitrobot.deploy.package.compiled_loop import COMPILED_LOOP
+from kitrobot.deploy.package.content_names import MODULE, TEAM_DRIVER, name_of
 from kitrobot.deploy.package.onboard_bundle import module_names, requests_file
-from kitrobot.deploy.package.package import MODULE, TEAM_DRIVER, BoardPackage, Package, name_of
+from kitrobot.deploy.package.package import Package
 from kitrobot.deploy.package.program_file import program_name, read_program_file
 from kitrobot.deploy.package.script import board_file
 from kitrobot.deploy.package.start_script import start_file
@@ -39,7 +42,7 @@ def lay(folder: Path, program: bytes | None, generation: int) -> None:
     file = read_program_file(program) if program is not None else None
     drivers = list(file.drivers) if file is not None else []
     own = dict.fromkeys(driver for driver in drivers if driver == TEAM_DRIVER)
-    built = _with_test_drivers(Package().build("machine", own), drivers)
+    built = _with_test_drivers(Package().build("machine", own, COMPILED_LOOP), drivers)
     data = board_file(file, built)
     name = program_name(program) if program is not None else "kp-"  # as robots have it that know drivers by their names
     line = StartLine(generation, built.interpreter, name, checksum(data))

@@ -15,6 +15,7 @@ from kitrobot.deploy.line.handshake import connect
 from kitrobot.deploy.line.line import Line
 from kitrobot.deploy.line.receiver import Receiver
 from kitrobot.deploy.line.repl import RawRepl
+from kitrobot.deploy.package.compiled_loop import COMPILED_LOOP
 from kitrobot.robots.program import BoardProgram
 from tests.boards.bench import ONE, OTHER, bench_program
 from tests.boards.proxy import Proxy, noise
@@ -118,7 +119,9 @@ def test_what_nobody_names_any_more_is_removed_by_the_next_installation(board: A
     assert len(programs) == 2
     package = bench_program(tmp_path, OTHER, "d")
     modules = {name for name in names if name.endswith(".py")} - {"main.py"}
-    assert len(modules) == len(package.package.build("machine", package.file.drivers).files) + 1  # the driver before
+    assert (
+        len(modules) == len(package.package.build("machine", package.file.drivers, COMPILED_LOOP).files) + 1
+    )  # the driver before
 
 
 def test_a_main_of_somebody_else_is_only_overwritten_when_asked(board: Any, tmp_path: Path) -> None:
@@ -242,6 +245,6 @@ def test_bytes_that_are_lost_changed_and_added_are_mended(board: Any, tmp_path: 
     assert program.is_called(done.program)
     assert runs(board.address) == done.program
     files = files_of(board.address)
-    built = program.package.build("machine", program.file.drivers)
+    built = program.package.build("machine", program.file.drivers, COMPILED_LOOP)
     for name, content in built.files.items():
         assert files[name] == content

@@ -8,6 +8,7 @@ import pytest
 
 from kitrobot.deploy.errors import BoardError
 from kitrobot.deploy.line.handshake import connect
+from kitrobot.deploy.package.compiled_loop import COMPILED_LOOP
 from kitrobot.deploy.package.package import Package
 from tests.boards.bench import ONE, bench_program
 from tests.boards.modern import ModernBoard
@@ -72,6 +73,6 @@ def test_a_driver_that_does_not_start_names_its_line_too(board: ModernBoard, tmp
 @pytest.mark.parametrize("first", ["import sys; import os", "x: int = 1", "from __future__ import annotations"])
 def test_what_cannot_keep_its_lines_is_shortened_as_ours_are(tmp_path: Path, first: str) -> None:
     (tmp_path / "mine.driver.py").write_text(f"{first}\n\n\ndef make(settings):\n    return lambda: 0  # nothing\n")
-    built = Package((tmp_path,)).build("machine", {"mine": None})
+    built = Package((tmp_path,)).build("machine", {"mine": None}, COMPILED_LOOP)
     assert built.in_lines == {}
     assert b"nothing" not in built.files[built.drivers["mine"]]

@@ -20,14 +20,16 @@ import pytest
 
 from kitrobot.boards.programs import load_board_program
 from kitrobot.deploy.errors import BoardError, FullError, LineError, SilentError
+from kitrobot.deploy.installation import boot_records
 from kitrobot.deploy.installation.deployment import deploy
 from kitrobot.deploy.line.handshake import connect
 from kitrobot.deploy.line.line import Line
 from kitrobot.deploy.line.receiver import Receiver
 from kitrobot.deploy.line.repl import RawRepl
+from kitrobot.deploy.microbit_2016 import flash_loop
+from kitrobot.deploy.microbit_2016.flash import Flash
+from kitrobot.deploy.microbit_2016.flash_loop import loop_block
 from kitrobot.deploy.minification.minifier import parsed, shortened
-from kitrobot.deploy.package import package
-from kitrobot.deploy.package.onboard_bundle import loop_block
 from kitrobot.diagnostics.model import KitRobotError
 from kitrobot.image.machine import Machine
 from kitrobot.image.model import Image
@@ -252,6 +254,29 @@ def test_all_devices_of_it_work_there(used_microbit: Emulated, tmp_path: Path, t
         assert board.last_fault() is None
 
 
+def test_a_program_that_fills_the_flash_is_sent_afresh_whatever_lies_freed_beside_its_loop(
+    used_microbit: Emulated, tmp_path: Path
+) -> None:
+    path = tmp_path / "devices.lll"
+    path.write_text(f"*[Run.IsTrue()]({PINS + KEYS_AND_SHAKING} WAIT(1); );\n", encoding="utf-8")
+    program = load_board_program(path, robot="microbit")
+
+    def send() -> None:
+        deploy(used_microbit.address, program.file.to_bytes(), program.package, fresh=True)
+
+    send()
+    with receiving(used_microbit.address) as receiver:
+        for name in receiver.names():
+            if name != boot_records.MAIN:
+                receiver.remove(name)
+        flash = Flash.of(receiver)
+        assert flash is not None
+        for place, first in enumerate(flash.area.firsts):
+            if first == 255:  # unused; now as if a file had been there and was removed
+                receiver.write_words(flash.area.address(place), bytes((0, 255, 255, 255)))
+    send()
+
+
 PARTS = 4 if THOROUGH else 1
 """The messages at which a deploy is cut are shared out, so that the parts can run side by side."""
 
@@ -399,8 +424,8 @@ def test_another_kitrobot_finds_no_room_beside_the_old_one_and_takes_its_place_w
     old, new = bench_program(tmp_path / "old", PROGRAMS[0]), bench_program(tmp_path / "new", PROGRAMS[1])
     place(microbit, old)
     there = runs(microbit.address)
-    other = replace(loop_block("microbit"), name="kr01234567")
-    monkeypatch.setattr(package, "loop_block", lambda family: other)
+    other = replace(loop_block(), name="kr01234567")
+    monkeypatch.setattr(flash_loop, "loop_block", lambda: other)
     with pytest.raises(FullError, match="flash"):
         put_program(microbit.address, new)
     assert runs(microbit.address) == there

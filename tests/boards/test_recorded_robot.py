@@ -13,6 +13,7 @@ import pytest
 
 from kitrobot.boards.programs import load_board_program
 from kitrobot.files.examples import examples_folder
+from kitrobot.primitives.image_name import ImageName
 from kitrobot.trace.reader import TraceReader
 from kitrobot.workspace.replay import state_at, summary_of
 from kitrobot.workspace.traces import open_trace
@@ -77,7 +78,7 @@ def test_what_was_sent_from_here_is_recorded_without_naming_the_mission(
         values = [int(record.values(reader.header)[name]["variable Count"]) for record in reader]
         seen = [count for count, before in zip(values, [None, *values], strict=False) if count != before]
         assert seen in (told, [0, *told])
-        vertices = reader.header.vertices["pulse"]
+        vertices = reader.header.vertices[ImageName("pulse")]
         stood = {vertices[at] for record in reader for _, at in record.active[0]}
         assert stood == {line["vertex"] for news in heard for line in news.get("active", [])}
         assert stood & {"v5", "v10"}

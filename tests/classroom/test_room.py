@@ -7,7 +7,7 @@ import pytest
 from kitrobot.classroom import submissions
 from kitrobot.classroom.admission import Admission, AdmissionRefusedError, NameTakenError
 from kitrobot.classroom.class_room import MOST_NEWCOMERS, ClassError, ClassRoom
-from kitrobot.classroom.pupil import Goal, Report, state_of
+from kitrobot.classroom.pupil import GoalReport, Report, state_of
 from kitrobot.classroom.record import read_record, unread_sentence
 from kitrobot.classroom.teacher_actions import TeacherActions
 from kitrobot.diagnostics.model import KitRobotError
@@ -323,12 +323,14 @@ def test_a_raised_hand_and_what_the_teacher_wrote_are_there_after_a_restart(room
     room.close()
     again = ClassRoom(room.folder, clock)
     found = again.pupils["Ada"]
-    assert (again.status_of(found).hand, again.status_of(found).note) == (True, (2, "and that"))
+    status = again.status_of(found)
+    assert (status.hand, status.note, status.note_text) == (True, 2, "and that")
     again.set_hand(found, up=False)
     TeacherActions(again).send_note(found, "more")
     again.close()
     last = ClassRoom(room.folder, clock)
-    assert (last.status_of(last.pupils["Ada"]).hand, last.status_of(last.pupils["Ada"]).note) == (False, (3, "more"))
+    status = last.status_of(last.pupils["Ada"])
+    assert (status.hand, status.note, status.note_text) == (False, 3, "more")
     last.close()
 
 
@@ -479,7 +481,7 @@ def test_the_state_of_a_pupil(room, admission, clock):
     assert state() == ("editing", None)
     room.take_report(pupil, Report(running=True, edits=1, runs=1))
     assert state() == ("running", None)
-    goals = (Goal(True), Goal(True))
+    goals = (GoalReport(True), GoalReport(True))
     room.take_report(pupil, Report(edits=1, runs=1, exercise="x", goals=goals))
     clock.now += 1000
     assert state() == ("done", None)
@@ -501,11 +503,11 @@ def test_what_pupils_are_told_is_told_when_it_changes(room, admission):
     end = room.subscribe(lambda: heard.append(1))
     name, count = actions.hand_out("My mission.krt", b"<kitrobot/>")
     assert (name, count) == ("My mission", 1)
-    assert room.status_of(pupil).handed.number == 1
+    assert room.status_of(pupil).handed == 1
     assert room.read_handed(pupil) == b"<kitrobot/>"
     actions.send_note(pupil, "look\nat the loop " + "x" * 1000)
-    assert room.status_of(pupil).note[0] == 1
-    assert len(room.status_of(pupil).note[1]) == 500
+    assert room.status_of(pupil).note == 1
+    assert len(room.status_of(pupil).note_text) == 500
     actions.view_pupil(pupil)
     actions.set_frozen(True)
     status = room.status_of(pupil)
@@ -521,7 +523,7 @@ def test_a_mission_is_handed_out_to_some(room, admission):
     ada, _ = join(room, admission)
     ben, _ = join(room, admission, "Ben")
     assert TeacherActions(room).hand_out("x", b"1", ["Ben"]) == ("x", 1)
-    assert (room.status_of(ada).handed.number, room.status_of(ben).handed.number) == (0, 1)
+    assert (room.status_of(ada).handed, room.status_of(ben).handed) == (0, 1)
     with pytest.raises(FileError):
         room.read_handed(ada)
 

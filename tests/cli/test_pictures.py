@@ -9,7 +9,7 @@ from xml.sax.saxutils import escape
 import pytest
 
 from tests.cli.conftest import EXAMPLE
-from tests.files.pdf_files import attached, pdf
+from tests.files.test_embedded_mission import pdf
 
 KRT = EXAMPLE.read_bytes()
 KINDS = ("svg", "png", "pdf")
@@ -26,7 +26,7 @@ def picture(kind: str, krt: bytes = KRT) -> bytes:
     if kind == "png":
         chunks = (b"IHDR", bytes(13)), (b"iTXt", b"kitrobot-mission\0\0\0\0\0" + krt), (b"IEND", b"")
         return b"\x89PNG\r\n\x1a\n" + b"".join(_chunk(*one) for one in chunks)
-    return pdf(attached(krt))
+    return pdf(krt)
 
 
 @pytest.fixture(params=KINDS)

@@ -10,6 +10,7 @@ import pytest
 
 import kitrobot_onboard
 from kitrobot.deploy.errors import PackageError
+from kitrobot.deploy.package.compiled_loop import COMPILED_LOOP
 from kitrobot.deploy.package.declarations import Setting, read_declaration, without_declarations
 from kitrobot.deploy.package.driver_fit import refuse_misfits
 from kitrobot.deploy.package.package import FAMILIES, Package
@@ -162,7 +163,7 @@ def test_ones_own_driver_is_held_to_what_it_says(tmp_path: Path) -> None:
 
 
 def test_declarations_do_not_land_on_a_board() -> None:
-    built = Package().build("machine", {"servo": None, "pin-in": None})
+    built = Package().build("machine", {"servo": None, "pin-in": None}, COMPILED_LOOP)
     for content in built.files.values():
         assert b"SETTINGS" not in content
         assert b"PROCEDURES" not in content

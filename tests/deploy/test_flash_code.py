@@ -22,8 +22,8 @@ from kitrobot.deploy.microbit_2016.flash_code import (
     lay_out,
     literals_of,
 )
+from kitrobot.deploy.microbit_2016.flash_loop import loop_block
 from kitrobot.deploy.minification.builtin_names import GLOBALS, LOCALS
-from kitrobot.deploy.package.onboard_bundle import IN_FLASH, loop_block
 
 BEHIND = bytes((0x14, 0xAA, 0xF9, 0x5E, 0x5B))
 
@@ -76,10 +76,9 @@ def test_strings_and_bytes_are_found_once_each() -> None:
     assert literals_of(functions("def f(a): return a('x', b'y', 'x', 1, None)")) == ["'x'", "b'y'"]
 
 
-@pytest.mark.parametrize("family", IN_FLASH)
-def test_the_loop_of_a_small_board_uses_names_that_are_short_enough(family: str) -> None:
-    loop = loop_block(family)
-    assert loop is loop_block(family)
+def test_the_loop_of_a_small_board_uses_names_that_are_short_enough() -> None:
+    loop = loop_block()
+    assert loop is loop_block()
     python = {name for thing in (builtins, bytes, list) for name in dir(thing)}
     ports = {"add", "any", "read", "sleep", "stop", "struct", "uart", "pack", "do", "loop"}
     assert loop.names - python - ports <= {*GLOBALS, *LOCALS}

@@ -8,6 +8,8 @@ from pathlib import Path
 import pytest
 
 import kitrobot_onboard
+from kitrobot.deploy.microbit_2016.flash_loop import FLASH_LOOP, loop_block
+from kitrobot.deploy.package.compiled_loop import COMPILED_LOOP
 from kitrobot.deploy.package.package import FAMILIES, Package
 from tests.boards.modern import run
 from tests.onboard.test_board_syntax import mpy_cross
@@ -23,8 +25,9 @@ def built(family: str) -> dict[str, bytes]:
         "__init__",
         "pins",
     }
-    found = package.build(family, dict.fromkeys(sorted(names)))
-    groups = found.block.groups if found.block is not None else ()
+    installer = FLASH_LOOP if family == "microbit" else COMPILED_LOOP
+    found = package.build(family, dict.fromkeys(sorted(names)), installer)
+    groups = loop_block().groups if installer is FLASH_LOOP else ()
     in_flash = {f"flash{number}.py": text.encode() for number, (text, _) in enumerate(groups)}
     return {**found.files, **in_flash, "main.py": found.main}
 

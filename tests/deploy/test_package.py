@@ -10,7 +10,12 @@ import pytest
 from kitrobot.compiler.compilation import compile_text
 from kitrobot.deploy.errors import PackageError
 from kitrobot.deploy.installation.boot_records import StartLine, is_ours, needed, newest, read_line
-from kitrobot.deploy.package.package import FAMILIES, Package, name_of
+from kitrobot.deploy.installation.loop_installers import LOOP_INSTALLERS
+from kitrobot.deploy.microbit_2016.flash_loop import FLASH_LOOP
+from kitrobot.deploy.package.board_package import LoopInstaller
+from kitrobot.deploy.package.compiled_loop import COMPILED_LOOP
+from kitrobot.deploy.package.content_names import name_of
+from kitrobot.deploy.package.package import Package
 from kitrobot.deploy.package.program_file import Device, ProgramFile
 from kitrobot.deploy.package.script import board_file
 from kitrobot.primitives.catalogue import load_catalogue
@@ -29,9 +34,9 @@ def driver(folder: Path, name: str, word: str = "x") -> Path:
     return path
 
 
-@pytest.mark.parametrize("family", FAMILIES)
-def test_every_file_is_named_by_what_is_in_it(family: str) -> None:
-    built = Package().build(family, {})
+@pytest.mark.parametrize(("family", "installer"), LOOP_INSTALLERS)
+def test_every_file_is_named_by_what_is_in_it(family: str, installer: LoopInstaller) -> None:
+    built = Package().build(family, {}, installer)
     assert built.files
     for name, content in built.files.items():
         if name != "krboot.py":  # which main.py imports, and which never changes
@@ -39,14 +44,14 @@ def test_every_file_is_named_by_what_is_in_it(family: str) -> None:
             assert is_ours(name)
 
 
-@pytest.mark.parametrize("family", FAMILIES)
-def test_all_files_are_named_by_the_program_file(family: str, tmp_path: Path) -> None:
+@pytest.mark.parametrize(("family", "installer"), LOOP_INSTALLERS)
+def test_all_files_are_named_by_the_program_file(family: str, installer: LoopInstaller, tmp_path: Path) -> None:
     driver(tmp_path, "mine")
-    built = Package((tmp_path,)).build(family, {"mine": None})
+    built = Package((tmp_path,)).build(family, {"mine": None}, installer)
     program = ProgramFile((Device("s", "mine", ("1", "0", "1")),), IMAGE)
     files = {**built.files, "kp01234567": board_file(program, built)}
     found = needed([f"{built.interpreter}.py", "kp01234567"], files.get)
-    in_flash = {f"{built.interpreter}.py"} if built.block is not None else set()
+    in_flash = {f"{built.interpreter}.py"} if installer is FLASH_LOOP else set()
     assert found == set(files) - {"krboot.py"} | in_flash
     for content in files.values():
         for name in re.findall(rb"\bkr[0-9a-f]{8}\b", content):
@@ -54,7 +59,7 @@ def test_all_files_are_named_by_the_program_file(family: str, tmp_path: Path) ->
 
 
 def test_the_same_package_twice_is_the_same_to_the_byte() -> None:
-    assert Package().build("microbit", {}) == Package().build("microbit", {})
+    assert Package().build("microbit", {}, FLASH_LOOP) == Package().build("microbit", {}, FLASH_LOOP)
 
 
 def test_a_driver_of_the_mission_wins_over_one_of_the_user_and_that_over_a_shipped_one(tmp_path: Path) -> None:
@@ -70,7 +75,7 @@ def test_a_driver_of_the_mission_wins_over_one_of_the_user_and_that_over_a_shipp
     assert package.driver_file("key", "microbit") == own
     beside = driver(mission, "key", "mission")
     assert package.driver_file("key", "microbit") == beside
-    built = package.build("microbit", {"key": None})
+    built = package.build("microbit", {"key": None}, FLASH_LOOP)
     content = built.files[built.drivers["key"]]
     assert b"mission" in content
     assert b"remark" not in content
@@ -87,27 +92,27 @@ def test_a_driver_with_a_hyphen_is_found_by_both_names_of_its_file(tmp_path: Pat
 def test_a_name_that_leads_elsewhere_is_no_driver(tmp_path: Path, name: str) -> None:
     assert Package((tmp_path,)).driver_file(name, "microbit") is None
     with pytest.raises(PackageError, match="no driver"):
-        Package((tmp_path,)).build("microbit", {name: None})
+        Package((tmp_path,)).build("microbit", {name: None}, FLASH_LOOP)
 
 
 def test_a_driver_that_is_no_python_is_told_with_its_line(tmp_path: Path) -> None:
     (tmp_path / "bad.driver.py").write_text("def make(settings):\n    return (\n")
     with pytest.raises(PackageError, match=r"bad\.driver\.py` line 2"):
-        Package((tmp_path,)).build("microbit", {"bad": None})
+        Package((tmp_path,)).build("microbit", {"bad": None}, FLASH_LOOP)
 
 
 @pytest.mark.parametrize("content", [b"\xff\xfe", b"x = 1\n" * 60_000])
 def test_a_driver_that_cannot_be_read_is_told(tmp_path: Path, content: bytes) -> None:
     (tmp_path / "bad.driver.py").write_bytes(content)
     with pytest.raises(PackageError, match=r"bad\.driver\.py"):
-        Package((tmp_path,)).build("microbit", {"bad": None})
+        Package((tmp_path,)).build("microbit", {"bad": None}, FLASH_LOOP)
 
 
 def test_a_driver_may_use_what_ours_use_and_nothing_that_is_not_there(tmp_path: Path) -> None:
     path = tmp_path / "mine.driver.py"
     path.write_text("from kitrobot_onboard.nothing import x\n\ndef make(settings):\n    return x\n")
     with pytest.raises(PackageError, match="line 1 imports"):
-        Package((tmp_path,)).build("machine", {"mine": None})
+        Package((tmp_path,)).build("machine", {"mine": None}, COMPILED_LOOP)
 
 
 def test_a_line_is_read_as_it_was_written() -> None:

@@ -9,7 +9,10 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from kitrobot.deploy.errors import BoardError, DeployError
+from kitrobot.deploy.microbit_2016.flash_loop import FLASH_LOOP
 from kitrobot.deploy.minification.tree_shaking import UsedParts
+from kitrobot.deploy.package.board_package import LoopInstaller
+from kitrobot.deploy.package.compiled_loop import COMPILED_LOOP
 from kitrobot.deploy.package.memory import image_bytes, refuse_what_does_not_fit
 from kitrobot.deploy.package.package import Package
 from kitrobot.deploy.package.program_file import ProgramFile, read_program_file
@@ -76,8 +79,12 @@ def test_a_program_that_is_too_large_for_a_board_is_refused(tmp_path: Path) -> N
     program = bench_program(tmp_path, "Count.Add(1);\n" * 2000)
     image = program.file.image
     assert image_bytes(image) > 8000
-    for in_flash, needs in ((False, rf"needs {image_bytes(image)} bytes"), (True, "needs 1[0-9]{4} bytes")):
-        built = Package((tmp_path,)).build("microbit", program.file.drivers, in_flash=in_flash)
+    installers: tuple[tuple[LoopInstaller, str], ...] = (
+        (COMPILED_LOOP, rf"needs {image_bytes(image)} bytes"),
+        (FLASH_LOOP, "needs 1[0-9]{4} bytes"),
+    )
+    for installer, needs in installers:
+        built = Package((tmp_path,)).build("microbit", program.file.drivers, installer)
         size = len(board_file(program.file, built))
         with pytest.raises(BoardError, match=needs):
             refuse_what_does_not_fit(program.file, built, size, 14_000)

@@ -7,9 +7,11 @@ import re
 import pytest
 
 from kitrobot.deploy.errors import BoardError, FullError, NoMemoryError
+from kitrobot.deploy.microbit_2016.flash_loop import FLASH_LOOP, loop_block
 from kitrobot.deploy.microbit_2016.flash_room import least_pieces, refuse_what_has_no_room
+from kitrobot.deploy.package.board_package import LoopInstaller
+from kitrobot.deploy.package.compiled_loop import COMPILED_LOOP
 from kitrobot.deploy.package.memory import refuse_what_does_not_fit
-from kitrobot.deploy.package.onboard_bundle import loop_block
 from kitrobot.deploy.package.script import board_file
 from kitrobot.robots.program import BoardProgram
 from kitrobot.workspace.mission_loader import open_mission
@@ -23,8 +25,8 @@ FREE = 9696
 """Bytes that the board says are free when a deploy begins, in QEMU; with other firmware it is its own number."""
 
 
-def refusal(program: BoardProgram, free: int = FREE, *, in_flash: bool = True) -> BoardError | None:
-    built = program.package.build("microbit", program.file.drivers, in_flash=in_flash)
+def refusal(program: BoardProgram, free: int = FREE, installer: LoopInstaller = FLASH_LOOP) -> BoardError | None:
+    built = program.package.build("microbit", program.file.drivers, installer)
     try:
         refuse_what_does_not_fit(program.file, built, len(board_file(program.file, built)), free)
     except NoMemoryError as error:
@@ -69,7 +71,7 @@ def test_it_says_what_costs_most_and_what_to_do() -> None:
 
 def test_a_v2_has_room_for_it() -> None:
     """Its heap has 64 kB, all of the loop lies in it, and the rules of the small board are not its own."""
-    assert refusal(only("kit-rover", "cutebot"), 60_000, in_flash=False) is None
+    assert refusal(only("kit-rover", "cutebot"), 60_000, COMPILED_LOOP) is None
 
 
 class Sized(SmallFlash):
@@ -81,7 +83,7 @@ class Sized(SmallFlash):
 
 
 def test_flash_without_room_is_said_before_anything_is_removed_or_written() -> None:
-    one = loop_block("microbit")
+    one = loop_block()
     board = Sized()
     wanted = {"krboot.py": 500, "kr00000000.py": 3000, "main.py": 300}
     refuse_what_has_no_room(board, one, wanted, [], ())  # type: ignore[arg-type]

@@ -7,6 +7,7 @@ from xml.sax.saxutils import escape
 
 import pytest
 
+from kitrobot.files import embedded_mission
 from kitrobot.files.embedded_mission import CarriedError, carried_mission
 
 KRT = '<kitrobot version="1">\n  <label>Größe &amp; ✓ &#10;</label>\n</kitrobot>\n'.encode()
@@ -24,6 +25,17 @@ def png(*middle: bytes) -> bytes:
 def svg(text: str, before: str = "") -> bytes:
     metadata = f'<metadata id="kitrobot-mission">{escape(text)}</metadata>'
     return f'{before}<svg xmlns="http://www.w3.org/2000/svg"><g><text>no</text></g>{metadata}</svg>'.encode()
+
+
+def pdf(body: bytes, length: int | None = None) -> bytes:
+    """A PDF as the studio wrote it, as far as the mission is concerned."""
+    packed = zlib.compress(body)
+    head = (
+        b"<< /Type /EmbeddedFile /Subtype /application#2Fxml /Params << /Size %d >> /Filter /FlateDecode /Length %d >>"
+    )
+    claimed = len(packed) if length is None else length
+    stream = head % (len(body), claimed) + b"\nstream\n" + packed + b"\nendstream\nendobj\n"
+    return b"%%PDF-1.7\n%%\xe2\xe3\xcf\xd3\n1 0 obj\n%sstartxref\n0\n%%%%EOF\n" % stream
 
 
 OURS = png(chunk(b"tEXt", b"Comment\0x"), chunk(b"iTXt", b"kitrobot-mission\0\0\0\0\0" + KRT))
@@ -126,3 +138,37 @@ def test_an_svg_nested_a_hundred_thousand_deep_costs_nothing() -> None:
     deep = b"<svg>" + b"<g>" * 100_000 + b"</g>" * 100_000 + b"</svg>"
     with pytest.raises(CarriedError):
         carried_mission(deep, "deep.svg")
+
+
+def test_a_pdf_that_a_studio_exported_once_gives_its_mission_word_for_word() -> None:
+    assert carried_mission(pdf(KRT), "folder/square.pdf") == (KRT, "square.krt")
+
+
+@pytest.mark.parametrize("body", [b"", b"<< /Type /Catalog >>", b"<< /Type /EmbeddedFile >>\nstream\n" + KRT])
+def test_a_printed_pdf_says_what_it_is_and_which_files_have_the_mission(body: bytes) -> None:
+    with pytest.raises(CarriedError) as caught:
+        carried_mission(b"%PDF-1.4\n" + body, "square.pdf")
+    assert caught.value.message == "`square.pdf` is a document (PDF): there is no mission inside"
+    assert "an SVG or PNG that KitRobot exported" in caught.value.help
+
+
+BEGIN = pdf(KRT).index(b"stream\n") + len(b"stream\n")
+
+
+@pytest.mark.parametrize("length", range(BEGIN, BEGIN + len(zlib.compress(KRT))))
+def test_a_pdf_that_was_cut_before_its_mission_ended_is_refused(length: int) -> None:
+    with pytest.raises(CarriedError, match="damaged"):
+        carried_mission(pdf(KRT)[:length], "square.pdf")
+
+
+@pytest.mark.parametrize("claimed", [0, 5, len(zlib.compress(KRT)) - 1])
+def test_a_pdf_whose_mission_is_said_to_be_shorter_is_refused(claimed: int) -> None:
+    with pytest.raises(CarriedError, match="damaged"):
+        carried_mission(pdf(KRT, claimed), "square.pdf")
+
+
+def test_a_pdf_whose_mission_is_a_bomb_is_not_unpacked(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(embedded_mission, "MAX_BYTES", 100_000)
+    assert carried_mission(pdf(bytes(100_000)), "a.pdf")[0] == bytes(100_000)
+    with pytest.raises(CarriedError, match="damaged"):
+        carried_mission(pdf(bytes(100_001)), "a.pdf")

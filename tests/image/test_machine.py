@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import random
-import struct
 from collections.abc import Sequence
 from dataclasses import replace
 
@@ -15,7 +14,7 @@ from kitrobot.compiler.compilation import compile_lll, compile_text
 from kitrobot.image.devices import Command, Readings
 from kitrobot.image.listing import disassemble
 from kitrobot.image.machine import Machine
-from kitrobot.image.model import Image, ImageError
+from kitrobot.image.model import ImageError
 from kitrobot.primitives.robot import Robot
 from kitrobot.primitives.robot_xml import read_robot
 from tests.image.listings import TWO_BRANCHES, compiled, mini_robot
@@ -272,77 +271,3 @@ def test_an_input_without_a_reading_keeps_its_value() -> None:
     made.react(bench)
     made.react(bench)
     assert (made.input("S"), made.cells[made.layout.done["A"]]) == (7, 0)
-
-
-# ---- the key of a state -------------------------------------------------------------------------------------
-
-
-def brought_to(made: Machine, key: bytes) -> Machine:
-    """A fresh machine of the same image that has nothing of the other one but its key."""
-    fresh, image = Machine(made.image, made.robot), made.image
-    numbers = list(struct.unpack(f"<{len(key) // 4}i", key))
-
-    def taken(count: int) -> list[int]:
-        found = numbers[:count]
-        del numbers[:count]
-        return found
-
-    fresh.cells[: image.first_constant] = taken(image.first_constant)
-    fresh.threads[: 2 * len(image.slots)] = taken(2 * len(image.slots))
-    at = 4 + 4 * len(image.slots)
-    fresh.pars[at : at + 5 * len(image.parallels) : 5] = taken(len(image.parallels))
-    at += 5 * len(image.parallels)
-    fresh.pars[at : at + 3 * len(image.stops) : 3] = taken(len(image.stops))
-    assert not numbers
-    return fresh
-
-
-@given(st.randoms(use_true_random=True))
-def test_machines_with_equal_keys_behave_alike_on_equal_inputs(rng: random.Random) -> None:
-    on = random_robot(rng)
-    image = compile_lll(random_program(rng, on), on).image
-    assert image is not None
-    readings = [Readings(step.inputs, step.done) for step in random_script(rng, on, 40)]
-    one, half = Machine(image, on), rng.randint(0, 39)
-    for reading in readings[:half]:
-        one.react(Bench(reading))
-    other = brought_to(one, one.state_key())
-    for reading in readings[half:]:
-        assert other.state_key() == one.state_key()
-        assert other.react(Bench(reading)) == one.react(Bench(reading))
-        assert (other.variables(), other.fault, other.active()) == (one.variables(), one.fault, one.active())
-
-
-@given(st.randoms(use_true_random=True))
-def test_whatever_changes_in_a_tick_changes_the_key(rng: random.Random) -> None:
-    on = random_robot(rng)
-    image = compile_lll(random_program(rng, on), on).image
-    assert image is not None
-    made, of_state = Machine(image, on), dict[bytes, object]()
-    for step in random_script(rng, on, 40):
-        made.react(Bench(Readings(step.inputs, step.done)))
-        state = made.snapshot()
-        assert of_state.setdefault(made.state_key(), state) == state
-
-
-def with_other_constants(image: Image) -> Image:
-    first = image.first_constant
-    return replace(image, cells=image.cells[:first] + tuple(value + 1 for value in image.cells[first:]))
-
-
-def test_constants_are_not_in_the_key() -> None:
-    image = compiled(TWO_BRANCHES)
-    assert image.constants > 0
-    made = Machine(image, mini_robot())
-    parts = len(image.parallels) + len(image.stops)
-    assert len(made.state_key()) == 4 * (image.first_constant + 2 * len(image.slots) + parts)
-    other = with_other_constants(compiled("Count.Add(1);"))
-    assert Machine(other, mini_robot()).state_key() == Machine(compiled("Count.Add(1);"), mini_robot()).state_key()
-
-
-def test_a_machine_and_its_twin_have_one_key_until_one_goes_on() -> None:
-    made = machine("V.Add(1);")
-    twin = made.twin()
-    assert twin.state_key() == made.state_key()
-    twin.tick()
-    assert twin.state_key() != made.state_key()

@@ -11,6 +11,7 @@ from typing import IO, Any
 import pytest
 
 from kitrobot.deploy.installation.boot_records import TRIAL, UNTRIED, StartLine, tried_generation
+from kitrobot.deploy.package.compiled_loop import COMPILED_LOOP
 from kitrobot.deploy.package.onboard_bundle import module_names
 from kitrobot.deploy.package.package import Package
 from kitrobot_onboard.link import checksum
@@ -40,7 +41,7 @@ def chosen(folder: Path) -> tuple[str, int]:
         return builtins.open(folder / name, mode)
 
     space: dict[str, Any] = {"open": opened}
-    exec(Package().build("machine", {}).files["krboot.py"], space)
+    exec(Package().build("machine", {}, COMPILED_LOOP).files["krboot.py"], space)
     return space[module_names().get("program", "program")], space[module_names().get("generation", "generation")]
 
 

@@ -10,7 +10,7 @@ import pytest
 
 from kitrobot.image.listing import assemble
 from kitrobot.image.model import Image
-from tests.files.pdf_files import attached, pdf
+from tests.files.test_embedded_mission import pdf
 from tests.server.conftest import SHORT, TestClient
 
 
@@ -51,14 +51,14 @@ def test_a_program_that_is_not_there_says_so(page: TestClient, mission: dict[str
 
 
 def test_a_picture_in_the_folder_opens_as_a_mission_without_a_file(page: TestClient, folder: Path) -> None:
-    (folder / "blink.pdf").write_bytes(pdf(attached(SHORT.encode())))
+    (folder / "blink.pdf").write_bytes(pdf(SHORT.encode()))
     found = page.get("/api/mission", params={"path": "blink.pdf"}).json()
     assert (found["path"], found["revision"], found["name"]) == ("", "", "blink.krt")
     assert [program["name"] for program in found["mission"]["programs"]] == ["blink"]
 
 
 def test_nothing_is_ever_saved_over_a_picture(page: TestClient, folder: Path, mission: dict[str, Any]) -> None:
-    before = pdf(attached(SHORT.encode()))
+    before = pdf(SHORT.encode())
     (folder / "blink.pdf").write_bytes(before)
     answer = page.put("/api/mission", json={"path": "blink.pdf", "revision": "", "mission": mission})
     assert answer.status_code == 403

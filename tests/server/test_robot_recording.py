@@ -8,6 +8,7 @@ import pytest
 
 from kitrobot.boards.programs import load_board_program
 from kitrobot.live.last_run_recorder import LastRunRecorder
+from kitrobot.primitives.image_name import ImageName
 from kitrobot.robots.session import RobotSession
 from kitrobot.robots.state import Activity
 from kitrobot.trace.model import TraceError
@@ -66,7 +67,7 @@ def test_a_run_is_recorded_with_what_was_done_to_it_and_saved_on_the_way_and_aft
             assert name == robot.address.removeprefix("socket://")
             assert last[name]["variable Count"] >= 510
             assert (last[name]["input ButtonA"], last[name]["forced"], last[name]["doing"]) == (1, 1, 2)
-            stood = {reader.header.vertices["pulse"][at] for record in reader for _, at in record.active[0]}
+            stood = {reader.header.vertices[ImageName("pulse")][at] for record in reader for _, at in record.active[0]}
             assert {"v5", "v10"} <= stood
             given = {(one.actuator, one.procedure) for record in reader for one in record.commands}
             assert given == {("Display", "Image"), ("Display", "Clear")}
@@ -93,7 +94,7 @@ def test_a_fault_ends_the_recording_where_it_happened(visit, folder, saved) -> N
             assert text.startswith("fault 1: a driver failed (Display")
             assert "at the vertex v3, line 2" in text
             (threads,) = reader.seek(reader.last_tick).active
-            assert [reader.header.vertices["pulse"][at] for _, at in threads] == ["v3"]
+            assert [reader.header.vertices[ImageName("pulse")][at] for _, at in threads] == ["v3"]
             assert reader.outcome["outcome"] == "failed"
 
 

@@ -14,6 +14,7 @@ from kitrobot.mission.radio import Radio
 from kitrobot.mission.reader import read_mission
 from kitrobot.mission.trial import Failure
 from kitrobot.primitives.catalogue import Catalogue, load_catalogue
+from kitrobot.primitives.image_name import ImageName
 from kitrobot.primitives.robot import Robot
 from kitrobot.primitives.robot_xml import read_robot
 from kitrobot.sim.simulation import Simulation
@@ -105,13 +106,13 @@ def run_of(
 ) -> Simulation:
     """A run in which each agent has its own robot and LLL text."""
     mission = Mission(team=Team(goals=list(goals)), failures=list(failures), radio=radio)
-    images: dict[str, CompiledProgram] = {}
+    images: dict[ImageName, CompiledProgram] = {}
     robots = Catalogue(robots={})
     for name, (robot, text) in agents.items():
         mission.programs.append(empty_program(f"program of {name}", robot.name))
         mission.team.agents.append(Agent(name, f"program of {name}"))
         robots.robots[robot.name] = robot
-        images[f"program of {name}"] = compiled = compile_text(text, robot)
+        images[ImageName(f"program of {name}")] = compiled = compile_text(text, robot)
         assert compiled.ok, compiled.diagnostics
     return Simulation(mission, world, images, robots, seed, seconds, fail_rate)
 
@@ -124,17 +125,17 @@ def steps(simulation: Simulation, count: int) -> Simulation:
 
 
 @cache
-def _example() -> tuple[bytes, dict[str, CompiledProgram]]:
+def _example() -> tuple[bytes, dict[ImageName, CompiledProgram]]:
     data = EXAMPLE.read_bytes()
     mission, problems = read_mission(data, EXAMPLE.name)
     assert mission is not None
     assert problems == []
-    images = {program.name: compile_program(program, catalogue()) for program in mission.programs}
+    images = {ImageName(program.name): compile_program(program, catalogue()) for program in mission.programs}
     assert [diagnostic for compiled in images.values() for diagnostic in compiled.diagnostics] == []
     return data, images
 
 
-def example_images() -> dict[str, CompiledProgram]:
+def example_images() -> dict[ImageName, CompiledProgram]:
     """The compiled programs of the transport example."""
     return _example()[1]
 

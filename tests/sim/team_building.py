@@ -11,11 +11,12 @@ from kitrobot.diagnostics.model import Source
 from kitrobot.graph.model import Program, empty_program
 from kitrobot.lll.printer import print_team_program
 from kitrobot.lll.tree import TeamProgram
-from kitrobot.mission.model import Agent, Mission, Team, image_name
+from kitrobot.mission.model import Agent, Mission, Team
 from kitrobot.mission.radio import Radio
 from kitrobot.mission.trial import Failure
 from kitrobot.primitives.catalogue import Catalogue
 from kitrobot.primitives.crew import Crew, declaring
+from kitrobot.primitives.image_name import ImageName
 from kitrobot.primitives.levels import Level
 from kitrobot.primitives.robot import Robot
 from kitrobot.primitives.robot_xml import read_robot
@@ -82,7 +83,7 @@ class RunningTeam:
             compiled = compile_lll(seq, with_team(self.robots[kind], program.works), name="team")
             if compiled.image is None:
                 raise TooLarge
-            self.images[image_name("team", kind)] = compiled
+            self.images[ImageName("team", kind)] = compiled
         self.plan = projection.plan
         self.seed = seed
         self.names = list(maker.agents)

@@ -13,10 +13,12 @@ from kitrobot.mission.model import Agent, Mission, Team
 from kitrobot.mission.radio import Radio
 from kitrobot.mission.trial import Failure
 from kitrobot.primitives.catalogue import Catalogue
+from kitrobot.primitives.image_name import ImageName
 from kitrobot.primitives.robot import Robot
 from kitrobot.sim.simulation import Simulation
 from kitrobot.world.geometry import Corner, Pose
 from kitrobot.world.model import (
+    COLOURS,
     WARM,
     ZONE_KINDS,
     ColouredLine,
@@ -231,13 +233,13 @@ def random_team(
         walls.append(Wall(x + spacing / 2, y, x + spacing / 2, y + 70))
     mission, images, catalogue = (
         Mission(team=Team(), failures=list(failures), radio=radio),
-        dict[str, CompiledProgram](),
+        dict[ImageName, CompiledProgram](),
         Catalogue(robots={}),
     )
     kinds = [robot(rng.randrange(30)) for _ in range(min(robots, 6))]
     for number, kind in enumerate(kinds):
         mission.programs.append(empty_program(f"p{number}", kind.name))
-        images[f"p{number}"] = compiled = compile_text(program(rng, kind), kind)
+        images[ImageName(f"p{number}")] = compiled = compile_text(program(rng, kind), kind)
         assert compiled.ok, compiled.diagnostics
         catalogue.robots[kind.name] = kind
     starts: list[Start] = []
@@ -261,11 +263,11 @@ def random_team(
         mission.team.agents.append(Agent(f"r{n}", f"p{number}"))
     lines = tuple(
         ColouredLine(colour, 40, (Corner(rng.uniform(50, 900), 50), Corner(rng.uniform(900, 2500), 2500)))
-        for colour in rng.sample(("red", "green", "blue"), rng.randrange(4))
+        for colour in rng.sample(tuple(COLOURS), rng.randrange(4))
     )
     floors = tuple(
         Floor(colour, tuple(Corner(x + dx, y + dy, 90) for dx, dy in ((0, 0), (300, 0), (300, 300), (0, 300))))
-        for colour, (x, y) in zip(("red", "blue"), places[: rng.randrange(3)], strict=False)
+        for colour, (x, y) in zip((*COLOURS,)[::2], places[: rng.randrange(3)], strict=False)
     )
     houses = (Storehouse("A", 0, 0, 100, 100, 9, 4), Storehouse("B", 500, 0, 100, 100, 9, 1))
     zones = tuple(

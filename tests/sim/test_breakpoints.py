@@ -12,6 +12,7 @@ from kitrobot.compiler.compilation import compile_text
 from kitrobot.image.machine import Machine
 from kitrobot.mission.trial import Breakpoint
 from kitrobot.primitives.catalogue import load_catalogue
+from kitrobot.primitives.image_name import ImageName
 from kitrobot.sim.breakpoints import Breakpoints, Condition, ConditionError, Hit
 from kitrobot.sim.recorder import Recorder
 from kitrobot.sim.simulation import Simulation
@@ -27,7 +28,7 @@ def vertex(program: str, element: str) -> str:
     return next(one.id for one in TRANSPORT.program(program).vertices if one.element == element)
 
 
-def places(simulation: Simulation) -> Mapping[str, Sequence[Place]]:
+def places(simulation: Simulation) -> Mapping[ImageName, Sequence[Place]]:
     return Recorder(simulation).header.places
 
 

@@ -11,6 +11,7 @@ from kitrobot.compiler.compilation import compile_program, compile_text
 from kitrobot.graph.model import empty_program
 from kitrobot.mission.model import Agent, Goal, Mission, Team
 from kitrobot.primitives.catalogue import Catalogue
+from kitrobot.primitives.image_name import ImageName
 from kitrobot.sim.setup.limits import MAX_AGENTS, SimulationError
 from kitrobot.sim.setup.setup import check_mission
 from kitrobot.sim.simulation import Simulation
@@ -28,7 +29,7 @@ from tests.sim.test_outcome import MINI, ROOM, gone_on
 
 def refused(mission: Mission, world: World = ROOM, robots: Catalogue | None = None) -> SimulationError:
     known = robots or catalogue()
-    images = {program.name: compile_program(program, known) for program in mission.programs}
+    images = {ImageName(program.name): compile_program(program, known) for program in mission.programs}
     with pytest.raises(SimulationError) as caught:
         Simulation(mission, world, images, known)
     return caught.value
@@ -66,7 +67,7 @@ def test_two_carriers_start_on_one_road_when_they_are_a_length_apart(apart: floa
     mission = Mission(programs=[empty_program("p", "carrier")], team=Team([Agent("a", "p"), Agent("b", "p")]))
     world = replace(shipped_world("ring"), starts=starts)
     if fits:
-        images = {"p": compile_program(mission.programs[0], catalogue())}
+        images = {ImageName("p"): compile_program(mission.programs[0], catalogue())}
         assert steps(Simulation(mission, world, images, catalogue()), 1).outcome == "done"
     else:
         assert "a and b start in the same place" in refused(mission, world).message
@@ -121,12 +122,12 @@ def test_the_largest_numbers_of_a_run_are_taken(limits: dict[str, Any]) -> None:
 def test_looking_over_a_mission_says_what_making_its_run_says() -> None:
     wrong = team(Agent("c", "p"), Agent("a", "p"), Agent("b", "p", "a"), goals=[Goal("Z")])
     for mission in (wrong, team(Agent("a", "p"), Agent("b", "p", "a")), team()):
-        images = {program.name: compile_program(program, catalogue()) for program in mission.programs}
+        images = {ImageName(program.name): compile_program(program, catalogue()) for program in mission.programs}
         with pytest.raises(SimulationError) as caught:
             check_mission(mission, ROOM, images, catalogue())
         assert caught.value.diagnostics == refused(mission).diagnostics
     fine = team(Agent("a", "p"), Agent("b", "p"))
-    check_mission(fine, ROOM, {"p": compile_program(fine.programs[0], catalogue())}, catalogue())
+    check_mission(fine, ROOM, {ImageName("p"): compile_program(fine.programs[0], catalogue())}, catalogue())
 
 
 def ended_at_once(agents: int) -> bool:
@@ -134,7 +135,7 @@ def ended_at_once(agents: int) -> bool:
     plain = avatar('<variable name="Count" type="integer"/>')
     mission = Mission(programs=[empty_program("p", "avatar")])
     mission.team.agents = [Agent(f"a{n}", "p", "a") for n in range(agents)]
-    images = {"p": compile_text("", plain)}
+    images = {ImageName("p"): compile_text("", plain)}
     run = Simulation(mission, ROOM, images, Catalogue(robots={"avatar": plain}))
     return steps(run, 1).outcome == "done"
 

@@ -9,6 +9,7 @@ import pytest
 
 from kitrobot.sim.recorder import Recorder
 from kitrobot.sim.simulation import Simulation
+from kitrobot.world.limits import ZoneKind
 from kitrobot.world.model import BRIGHT, LOUD, WARM, Zone
 from tests.sim.building import WHEEL, avatar, catalogue, empty_world, run_of
 
@@ -33,7 +34,7 @@ def felt(x: float, y: float, *zones: Zone) -> dict[str, int]:
     return dict(run.agents[0].inputs)
 
 
-def circle(kind: str, value: float, falloff: float = 100.0, x: float = 500.0) -> Zone:
+def circle(kind: ZoneKind, value: float, falloff: float = 100.0, x: float = 500.0) -> Zone:
     return Zone(kind, x, 500.0, 200.0, 0.0, 0.0, value, falloff)
 
 

@@ -41,7 +41,7 @@ _MEASURE = """() => {
             const clips = [overflowX !== 'visible', overflowY !== 'visible'];
             if (display !== 'inline' && (clips[0] || clips[1])) {
                 if (isTiny(frame)) return null;
-                const moves = one.closest('.react-flow') !== null;
+                const moves = one.closest('.canvas-pane') !== null;
                 const x = moves || /auto|scroll/.test(overflowX), y = moves || /auto|scroll/.test(overflowY);
                 const lost = leaves(box, frame);
                 if (!told && !scrolls && ((clips[0] && !x && lost.x) || (clips[1] && !y && lost.y)))

@@ -39,6 +39,7 @@ SCREENS: list[Screen] = [
     ("new mission", ("menu-File", "menu-file-new"), "new-name"),
     ("open", ("menu-File", "menu-file-open"), "open-dialog"),
     ("save as", ("menu-File", "menu-file-save-as"), "save-dialog"),
+    ("pdf", ("menu-File", "menu-file-export-pdf"), "pdf-dialog"),
     ("keys", ("menu-Help", "menu-help-shortcuts"), "shortcuts-dialog"),
     ("about", ("menu-Help", "menu-help-about"), "about-dialog"),
     ("outline", ("menu-View", "menu-view-outline"), "outline"),

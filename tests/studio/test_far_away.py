@@ -25,7 +25,7 @@ def far(studio: Studio) -> Locator:
 
 
 def far_away_there_are_blocks_and_close_by_there_are_words(studio: Studio) -> None:
-    count = studio.page.locator(".react-flow__node").count()
+    count = studio.page.locator(".canvas-node").count()
     blocks = far(studio)
     expect(blocks).to_have_count(count)
     expect(studio.at("canvas").locator(".chip, .box, .arc-label, .fold")).to_have_count(0)

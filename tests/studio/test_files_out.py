@@ -1,4 +1,4 @@
-"""What a user keeps and prints: PDF that opens again when it is dropped, image and listing, the printed sheet."""
+"""What a user keeps and prints: pictures that open again when they are dropped, image, listing, the printed sheet."""
 
 from __future__ import annotations
 
@@ -80,10 +80,10 @@ def test_a_picture_that_is_dropped_on_the_window_or_opened_from_the_menu_opens_i
 ) -> None:
     studio = open_studio("transport/transport.krt")
     before = studio.code()
-    kept = {kind: keep(studio, f"export-{kind}", tmp_path) for kind in ("svg", "png", "pdf")}
+    kept = {kind: keep(studio, f"export-{kind}", tmp_path) for kind in ("svg", "png")}
     mission = (EXAMPLES / "transport" / "transport.krt").read_bytes().strip()
-    ways = [("svg", drop_file), ("png", choose_file), ("pdf", drop_file)]
-    for kind, opens in cases(ways, [("svg", choose_file), ("png", drop_file), ("pdf", choose_file)]):
+    ways = [("svg", drop_file), ("png", choose_file)]
+    for kind, opens in cases(ways, [("svg", choose_file), ("png", drop_file)]):
         path = kept[kind]
         assert path.name == f"carrier.{kind}"
         assert carried_mission(path.read_bytes(), path.name)[0].strip() == mission, kind
@@ -94,34 +94,6 @@ def test_a_picture_that_is_dropped_on_the_window_or_opened_from_the_menu_opens_i
         assert studio.code() == before, kind
     again = keep(studio, "download-krt", tmp_path)
     assert again.read_bytes().strip() == mission
-
-
-def all_graphs_go_into_one_pdf_a_page_each(studio: Studio, tmp_path: Path) -> None:
-    one = keep(studio, "export-pdf", tmp_path).read_bytes()
-    path = keep(studio, "export-pdf-all", tmp_path)
-    assert path.name == "transport.pdf"
-    assert (pages_of(one), pages_of(path.read_bytes())) == (1, 5)
-    assert carried_mission(one, "a.pdf")[0] == carried_mission(path.read_bytes(), "a.pdf")[0]
-
-
-def a_pdf_is_drawn_in_lines_and_letters_and_is_light_in_every_theme(studio: Studio, tmp_path: Path) -> None:
-    light = keep(studio, "export-pdf", tmp_path).read_bytes()
-    assert b"/Subtype /Image" not in light
-    assert b"/BaseFont /Inter-SemiBold" in light
-    studio.at("menu-View").click()
-    studio.at("menu-view-dark").click()
-    assert keep(studio, "export-pdf", tmp_path).read_bytes() == light
-
-
-def a_pdf_in_urdu_has_its_letters_joined_in_our_font(studio: Studio, tmp_path: Path) -> None:
-    speak(studio, "ur")
-    pdf = keep(studio, "export-pdf", tmp_path).read_bytes()
-    assert b"/Subtype /Image" not in pdf
-    assert b"/BaseFont /NotoSansArabic-SemiBold" in pdf
-    # The way back from glyphs to letters knows the letters of the word for Start.
-    back = b"".join(stream for stream in streams_of(pdf) if b"beginbfchar" in stream)
-    for letter in "آغاز":
-        assert b"<%04x>" % ord(letter) in back
 
 
 def the_image_and_the_listing_are_handed_out(studio: Studio, tmp_path: Path) -> None:
@@ -143,14 +115,38 @@ def a_program_with_errors_has_no_image_and_the_page_says_what_to_do(studio: Stud
         expect(studio.at("banner")).to_have_count(0)
 
 
-def printed(studio: Studio) -> bytes:
-    """What File, Print… prints: it asks the browser, and the browser makes a PDF."""
+def hold_the_print_window(studio: Studio) -> None:
+    """It stays shut; the page's title says that it was asked for."""
     # In braces: Playwright calls what an expression gives when that is a function.
-    studio.page.evaluate("() => { window.print = () => { document.title = 'printing'; }; }")
+    studio.page.evaluate("() => { window.print = () => { document.title = `printing ${document.title}`; }; }")
+
+
+def paper(studio: Studio, name: str) -> bytes:
+    """What the browser prints, once it was asked to; `name` is what it would call a file."""
+    expect(studio.page).to_have_title(f"printing {name}")
+    pdf = studio.page.pdf(prefer_css_page_size=True, format="A4")
+    studio.page.evaluate("window.dispatchEvent(new Event('afterprint'))")
+    return pdf
+
+
+def printed(studio: Studio, name: str) -> bytes:
+    """What File, Print… prints."""
+    hold_the_print_window(studio)
     studio.at("menu-File").click()
     studio.at("menu-file-print").click()
-    expect(studio.page).to_have_title("printing")
-    return studio.page.pdf(prefer_css_page_size=True, format="A4")
+    return paper(studio, name)
+
+
+def exported(studio: Studio, name: str, *choices: str) -> bytes:
+    """What File, Export as PDF… prints, once that is chosen."""
+    hold_the_print_window(studio)
+    studio.at("menu-File").click()
+    studio.at("menu-file-export-pdf").click()
+    for choice in choices:
+        studio.at(f"pdf-{choice}").check()
+    studio.at("pdf-print").click()
+    expect(studio.at("pdf-dialog")).to_have_count(0)
+    return paper(studio, name)
 
 
 def sheet(studio: Studio) -> None:
@@ -159,8 +155,14 @@ def sheet(studio: Studio) -> None:
     studio.page.emulate_media(media="print")
 
 
+def leave_the_sheet(studio: Studio) -> None:
+    studio.page.emulate_media(media="null")
+    studio.page.evaluate("window.dispatchEvent(new Event('afterprint'))")
+    expect(studio.at("print-sheet")).to_have_count(0)
+
+
 def the_sheet_has_everything_and_nothing_of_the_studio(studio: Studio) -> None:
-    pdf = printed(studio)
+    pdf = printed(studio, "Transport as a team")
     # The title and the team, then each program with its graph and its text.
     assert 6 <= pages_of(pdf) <= 11, studio.page.evaluate("document.body.innerText")
     sheet(studio)
@@ -169,22 +171,40 @@ def the_sheet_has_everything_and_nothing_of_the_studio(studio: Studio) -> None:
     expect(place).to_contain_text("Three carriers")
     expect(place.locator("tbody tr")).to_have_count(7)
     names = ["carrier", "loader", "unloader", "store-manager-A", "store-manager-B"]
-    expect(place.locator(".sheet-program > h2")).to_have_text(names)
+    expect(place.locator(".sheet-program > div > h2")).to_have_text(names)
     expect(place.locator("pre").first).to_contain_text("<Collision.IsPressed()>(")
     assert place.locator("figure svg text", has_text="Drive").count() >= 2
     for chrome in ("menu-File", "canvas", "run-button", "code"):
         expect(studio.at(chrome)).to_be_hidden()
-    studio.page.emulate_media(media="screen")
-    studio.page.evaluate("window.dispatchEvent(new Event('afterprint'))")
-    expect(place).to_have_count(0)
+    leave_the_sheet(studio)
     expect(studio.at("canvas")).to_be_visible()
+
+
+def a_pdf_has_all_programs_or_the_one_in_view_and_its_graph_whole_on_a_page(studio: Studio) -> None:
+    title = studio.page.title()
+    name = "Transport as a team · carrier"
+    assert pages_of(exported(studio, name, "one", "fit")) == 2
+    # What was printed is gone, and the page has its name again.
+    expect(studio.page).to_have_title(title)
+    sheet(studio)
+    place = studio.at("print-sheet")
+    expect(place.locator(".sheet-program > div > h2")).to_have_text(["carrier"])
+    expect(place.locator("figure")).to_have_count(1)
+    expect(place.locator("table")).to_have_count(0)
+    leave_the_sheet(studio)
+    assert pages_of(exported(studio, "Transport as a team", "all", "pages")) > 5
 
 
 def the_sheet_is_black_on_white_in_every_theme_and_in_the_pages_language(studio: Studio) -> None:
     studio.at("menu-View").click()
     studio.at("menu-view-dark").click()
     speak(studio, "ur")
-    printed(studio)
+    pdf = printed(studio, "ٹیم مل کر سامان لے جائے")
+    assert b"/Subtype /Image" not in pdf
+    # Who searches the file finds the word for Start: its letters are there, though drawn joined.
+    letters = b"".join(stream for stream in streams_of(pdf) if b"beginbf" in stream).upper()
+    for letter in "آغاز":
+        assert b"<%04X>" % ord(letter) in letters
     sheet(studio)
     place = studio.at("print-sheet")
     colours = place.evaluate("one => [getComputedStyle(one).color, getComputedStyle(one).backgroundColor]")
@@ -199,18 +219,18 @@ def test_all_graphs_image_listing_and_the_sheet_of_a_mission_in_every_theme_and_
     open_studio: OpenStudio, tmp_path: Path
 ) -> None:
     studio = open_studio("transport/transport.krt")
-    all_graphs_go_into_one_pdf_a_page_each(studio, tmp_path)
     the_image_and_the_listing_are_handed_out(studio, tmp_path)
     the_sheet_has_everything_and_nothing_of_the_studio(studio)
+    a_pdf_has_all_programs_or_the_one_in_view_and_its_graph_whole_on_a_page(studio)
     the_sheet_is_black_on_white_in_every_theme_and_in_the_pages_language(studio)
 
 
 def ctrl_p_prints_the_sheet_too(studio: Studio) -> None:
-    # In braces: Playwright calls what an expression gives when that is a function.
-    studio.page.evaluate("() => { window.print = () => { document.title = 'printing'; }; }")
+    hold_the_print_window(studio)
     studio.page.keyboard.press("Control+p")
-    expect(studio.page).to_have_title("printing")
-    assert pages_of(studio.page.pdf(prefer_css_page_size=True, format="A4")) >= 1
+    pdf = paper(studio, "Blink while driving")
+    assert pages_of(pdf) >= 1
+    assert b"/Subtype /Image" not in pdf
 
 
 def the_svg_shows_every_vertex_in_words(studio: Studio, tmp_path: Path) -> None:
@@ -233,16 +253,14 @@ def a_picture_without_a_mission_is_told_and_changes_nothing(studio: Studio, tmp_
     studio.faults[:] = [fault for fault in studio.faults if "400" not in fault and "422" not in fault]
 
 
-def test_pictures_have_lines_and_letters_in_every_theme_and_in_urdu_errors_have_no_image_and_ctrl_p_prints(
+def test_pictures_have_words_and_a_mission_errors_have_no_image_and_ctrl_p_prints(
     open_studio: OpenStudio, tmp_path: Path
 ) -> None:
     studio = open_studio("blink/blink.krt")
     the_svg_shows_every_vertex_in_words(studio, tmp_path)
     a_picture_without_a_mission_is_told_and_changes_nothing(studio, tmp_path)
-    a_pdf_is_drawn_in_lines_and_letters_and_is_light_in_every_theme(studio, tmp_path)
     a_program_with_errors_has_no_image_and_the_page_says_what_to_do(studio)
     studio.take_back()
-    a_pdf_in_urdu_has_its_letters_joined_in_our_font(studio, tmp_path)
     ctrl_p_prints_the_sheet_too(studio)
 
 
@@ -255,7 +273,7 @@ def test_a_long_graph_is_cut_into_parts_between_its_vertices(open_studio: OpenSt
     canvas = studio.at("canvas")
     expect(canvas.get_by_text("LightOn")).to_have_count(0)
     expect(canvas.get_by_text("Wait").nth(5)).to_be_visible()
-    pdf = printed(studio)
+    pdf = printed(studio, "Blink while driving")
     sheet(studio)
     parts = studio.at("print-sheet").locator("figure")
     assert parts.count() >= 4

@@ -198,7 +198,7 @@ def the_empty_program_fits_a_small_window(studio: Studio) -> None:
 
 def whoever_wants_less_motion_gets_none(studio: Studio) -> None:
     studio.page.emulate_media(reduced_motion="reduce")
-    node = studio.page.locator(".react-flow__node").first
+    node = studio.page.locator(".canvas-node").first
     assert node.evaluate("one => getComputedStyle(one).transitionDuration") in ("0s", "")
 
 

@@ -36,7 +36,7 @@ def the_first_mission_is_drawn_before_python_is_there_and_nothing_is_done_to_it(
     server.gate.clear()
     try:
         page.goto(server.address)
-        nodes = page.locator(".react-flow__node")
+        nodes = page.locator(".canvas-node")
         expect(nodes).to_have_count(19)
         expect(page.get_by_test_id("site")).to_contain_text("KitRobot is coming")
         expect(page.locator(".studio")).to_have_attribute("aria-busy", "true")

@@ -56,7 +56,7 @@ def middle(at: Locator) -> tuple[float, float]:
 def camera(studio: Studio) -> tuple[float, float, float]:
     """x, y and zoom of the canvas."""
     found = studio.page.evaluate(
-        "(() => { const m = new DOMMatrix(getComputedStyle(document.querySelector('.react-flow__viewport')).transform);"
+        "(() => { const m = new DOMMatrix(getComputedStyle(document.querySelector('.canvas-graph')).transform);"
         " return [m.e, m.f, m.a]; })()"
     )
     return found[0], found[1], found[2]

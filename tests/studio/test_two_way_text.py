@@ -15,7 +15,7 @@ pytestmark = pytest.mark.browser
 
 OpenStudio = Callable[[str | None], Studio]
 TRANSPORT = "transport/transport.krt"
-VERTICES = ".react-flow__node"
+VERTICES = ".canvas-node"
 
 
 def editor(studio: Studio) -> Page:

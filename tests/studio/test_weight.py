@@ -16,7 +16,7 @@ from tests.studio.conftest import Studio
 
 pytestmark = pytest.mark.browser
 
-MOST_BYTES = 350_000
+MOST_BYTES = 320_000
 FETCHED = """() => {
   const of = (kind) => performance.getEntriesByType(kind);
   return [...of("navigation"), ...of("resource")]
@@ -38,7 +38,7 @@ TRANSPORT, BLINK = "transport/transport.krt", "blink/blink.krt"
 
 
 @pytest.mark.parametrize(("example", "language"), cases([(BLINK, "ur")], [(TRANSPORT, "fr"), (BLINK, "en")]))
-def test_the_first_load_fits_in_350_kb(open_studio: OpenStudio, example: str, language: str) -> None:
+def test_the_first_load_fits_in_320_kb(open_studio: OpenStudio, example: str, language: str) -> None:
     files = fetched(open_studio(example, first_visit=True, locale=language))
     assert any(path.endswith(".woff2") for path in files), "letters count"
     assert len([path for path in files if path.endswith(".js")]) >= 2, "the editing part counts"

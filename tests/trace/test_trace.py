@@ -13,6 +13,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from kitrobot.primitives.image_name import ImageName
 from kitrobot.trace import layout
 from kitrobot.trace import (
     reader as trace_reader,
@@ -38,7 +39,7 @@ HEADER = TraceHeader(
     20,
     (TraceAgent("carrier-1", "carrier", "carrier", "carrier", 1), TraceAgent("loader", "loader", "loader")),
     (Column("carrier-1", "x_mm", 0.1), Column("carrier-1", "load"), Column("", "stock A")),
-    {"carrier": ("v1", None, "v2"), "loader": ()},
+    {ImageName("carrier"): ("v1", None, "v2"), ImageName("loader"): ()},
     (TracePart("odd.robot.xml", "<robot name='é'/>"),),
     12,
 )

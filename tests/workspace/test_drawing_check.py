@@ -9,6 +9,7 @@ from pathlib import Path
 import pytest
 
 from kitrobot.checking.drawing_check import RUN_S, check_drawing, explore_drawing
+from kitrobot.primitives.image_name import ImageName
 from kitrobot.sim.simulation import Simulation
 from kitrobot.verifier.exploration.budget import Budget
 from kitrobot.verifier.exploration.engines import PLAIN
@@ -196,7 +197,7 @@ def none_that_never_run_does(explored: Simulation, run: Simulation, before_step:
     if not explore(Model(explored, parts), Budget(2_000), False, PLAIN).complete:
         return
     never = unexecuted_instructions(parts)
-    ran: set[tuple[str, int]] = set()
+    ran: set[tuple[ImageName, int]] = set()
     run.watch_programs()
     while run.outcome is None and run.tick < 3000:
         before_step()

@@ -1,4 +1,7 @@
 /** Puts the studio on the page. */
+// First of all styles: each part's own rules are stronger.
+import "./theme/shared.css";
+
 import { StrictMode } from "react";
 import { createRoot } from "react-dom/client";
 

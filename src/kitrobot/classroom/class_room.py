@@ -21,7 +21,7 @@ from kitrobot.classroom.log import NAME as LOG
 from kitrobot.classroom.log import Log
 from kitrobot.classroom.names import as_file_name, free_name, key_of, new_code, same_name
 from kitrobot.classroom.pupil import Pupil, Report
-from kitrobot.classroom.pupil_status import HandIn, HandOut, PupilStatus
+from kitrobot.classroom.pupil_status import HandIn, PupilStatus
 from kitrobot.classroom.rate_limits import RateLimits
 from kitrobot.classroom.record import NAME as RECORD
 from kitrobot.classroom.record import ClassRecord, PupilRecord, read_record, unread_sentence, write_record
@@ -244,8 +244,10 @@ class ClassRoom:
                 record.word,
                 self.record.frozen or record.frozen,
                 self.record.exercise,
-                HandOut(record.handed, record.handed_file),
-                (record.note, record.note_text),
+                record.handed,
+                record.handed_file,
+                record.note,
+                record.note_text,
                 self.looked == pupil.folder,
                 pupil.asked is not None,
                 pupil.turn,

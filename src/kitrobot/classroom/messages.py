@@ -6,10 +6,12 @@ from typing import Annotated, Literal
 
 from pydantic import BaseModel, Field
 
-from kitrobot.classroom.pupil import State
+from kitrobot.classroom.grading_queue import GradingState
+from kitrobot.classroom.pupil import GoalReport, State
 from kitrobot.classroom.pupil_status import Turn
-from kitrobot.wire.mission import MissionShape, ProgramShape
+from kitrobot.wire.mission import MissionShape, ProgramValue
 from kitrobot.wire.sentences import Clause
+from kitrobot.wire.values import View, WireFields
 from kitrobot.wire.world import WorldShape
 
 MOST_GOALS = 100
@@ -70,34 +72,12 @@ class ClassAnsweredShape(BaseModel):
 # -- a pupil's page
 
 
-class HandInShape(BaseModel):
+class ClassHandInShape(BaseModel):
     """A mission to be kept: `name` is what the page calls it, `base` what was kept under that name before, or ""."""
 
     name: Name
     base: Annotated[str, Field(max_length=64)] = ""
     mission: MissionShape
-
-
-class HandedInShape(BaseModel):
-    """It is kept; the name is another one where that was taken."""
-
-    name: str
-    revision: str
-
-
-class ClassWorkShape(BaseModel):
-    """A file that the pupil handed in; `modified` is a moment in UTC (ISO 8601)."""
-
-    name: str
-    bytes: int
-    modified: str
-
-
-class ClassGoalShape(BaseModel):
-    """A goal as the pupil's page judged it; null: not yet."""
-
-    reached: bool | None
-    why: Annotated[str, Field(max_length=500)] = ""
 
 
 class ReportMessage(BaseModel):
@@ -109,7 +89,7 @@ class ReportMessage(BaseModel):
     runs: Count
     file: Name
     exercise: Name
-    goals: Annotated[list[ClassGoalShape], Field(max_length=MOST_GOALS)]
+    goals: Annotated[tuple[GoalReport, ...], Field(max_length=MOST_GOALS)]
 
 
 class HandMessage(BaseModel):
@@ -187,7 +167,7 @@ class PupilShape(BaseModel):
     file: str
     version: int
     exercise: str
-    goals: list[ClassGoalShape]
+    goals: tuple[GoalReport, ...]
     pages: int
     frozen: bool
     turn: Turn
@@ -207,14 +187,6 @@ class ClassAskingShape(BaseModel):
     name: str
 
 
-class ClassGradingShape(BaseModel):
-    """How far grading is; `page` names what it wrote, "" until then."""
-
-    done: int
-    total: int
-    page: str
-
-
 class ClassNewsMessage(BaseModel):
     """The class as a whole; each time something of it changed. `kept_s`: how long ago work came in last."""
 
@@ -231,7 +203,7 @@ class ClassNewsMessage(BaseModel):
     exercise_label: dict[str, str]
     goals: list[ClassGoalNameShape]
     asking: list[ClassAskingShape]
-    grading: ClassGradingShape | None
+    grading: Annotated[GradingState, WireFields()] | None
     bytes: int
 
 
@@ -259,11 +231,11 @@ class LookMessage(BaseModel):
     folder: Folder
 
 
-class ClassPictureShape(BaseModel):
+class ClassPictureShape(View):
     """What a card's picture is drawn from: the first program that an agent runs."""
 
     version: int
-    program: ProgramShape
+    program: ProgramValue
 
 
 class TeacherCodeShape(BaseModel):

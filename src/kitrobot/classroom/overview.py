@@ -16,8 +16,6 @@ from kitrobot.classroom.grading_queue import ClassGrader
 from kitrobot.classroom.messages import (
     ClassAskingShape,
     ClassGoalNameShape,
-    ClassGoalShape,
-    ClassGradingShape,
     ClassNewsMessage,
     PupilShape,
     PupilsMessage,
@@ -57,7 +55,6 @@ class Overview:
         """The message about the class, without its pupils."""
         room, record = self._room, self._room.record
         label, goals = self._exercise()
-        grading = self._grading.state
         asking = [
             ClassAskingShape(asked=asked, folder=folder, name=pupil.record.name)
             for asked, folder in self._admission.pending().items()
@@ -77,9 +74,7 @@ class Overview:
             exercise_label=label,
             goals=goals,
             asking=asking,
-            grading=None
-            if grading is None
-            else ClassGradingShape(done=grading.done, total=grading.total, page=grading.page),
+            grading=self._grading.state,
             bytes=self._size(),
         )
 
@@ -121,7 +116,7 @@ class Overview:
             file=pupil.work or report.file,
             version=pupil.version,
             exercise=report.exercise,
-            goals=[ClassGoalShape(reached=goal.reached, why=goal.why) for goal in ours[:goals]],
+            goals=ours[:goals],
             pages=pupil.pages,
             frozen=self._room.record.frozen or pupil.record.frozen,
             turn=pupil.turn,

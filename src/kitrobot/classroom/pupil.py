@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field, replace
-from typing import Final, Literal
+from typing import Annotated, Final, Literal
+
+from annotated_types import MaxLen
 
 from kitrobot.classroom.pupil_status import Turn
 from kitrobot.classroom.record import PupilRecord
@@ -15,11 +17,11 @@ State = Literal["asks", "stuck", "running", "editing", "done", "away"]
 
 
 @dataclass(frozen=True)
-class Goal:
+class GoalReport:
     """A goal of the exercise as the pupil's page judged it; None: not yet."""
 
     reached: bool | None
-    why: str = ""
+    why: Annotated[str, MaxLen(500)] = ""
 
 
 @dataclass(frozen=True)
@@ -35,7 +37,7 @@ class Report:
     runs: int = 0
     file: str = ""
     exercise: str = ""
-    goals: tuple[Goal, ...] = ()
+    goals: tuple[GoalReport, ...] = ()
 
 
 @dataclass

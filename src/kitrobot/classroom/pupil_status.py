@@ -10,14 +10,6 @@ Turn = Literal["pupil", "asked", "teacher"]
 
 
 @dataclass(frozen=True)
-class HandOut:
-    """A mission that was handed out: its number, which grows, its name, "" for none."""
-
-    number: int = 0
-    name: str = ""
-
-
-@dataclass(frozen=True)
 class HandIn:
     """A stored submission: its name, which may differ from the requested one, and its revision."""
 
@@ -35,8 +27,8 @@ class PupilStatus:
         word: lets them join again from another computer.
         frozen: whether the pupil's screen is frozen.
         exercise: the exercise of the class, "" without.
-        handed: the mission that was handed out last.
-        note: the number of the teacher's last note, and its text.
+        handed, handed_name: the mission that was handed out last: its number, which grows, and its name, "" for none.
+        note, note_text: the number of the teacher's last note, and its text.
         looked: whether the teacher is viewing the pupil's work.
         hand: whether the pupil's hand is raised.
         turn: whose turn it is to edit.
@@ -47,8 +39,10 @@ class PupilStatus:
     word: str
     frozen: bool
     exercise: str
-    handed: HandOut
-    note: tuple[int, str]
+    handed: int
+    handed_name: str
+    note: int
+    note_text: str
     looked: bool
     hand: bool
     turn: Turn

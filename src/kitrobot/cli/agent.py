@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 import sys
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from contextlib import ExitStack, contextmanager, suppress
 from datetime import datetime
 from pathlib import Path
@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
+from kitrobot.cli.options import MissionFile
 from kitrobot.cli.output import json_text, print_data, print_message
 from kitrobot.diagnostics.model import KitRobotError
 from kitrobot.text.phrases import listed
@@ -19,6 +20,8 @@ from kitrobot.text.sentences import Sentence
 from kitrobot.text.suggestions import did_you_mean
 
 if TYPE_CHECKING:
+    from kitrobot.fleet.transport import Network
+    from kitrobot.sim.simulation import Simulation
     from kitrobot.workspace.mission_run import PreparedRun, RunOptions
 
 KeyFile = Annotated[
@@ -37,6 +40,21 @@ Boards = Annotated[
     typer.Option("--board", metavar="AGENT=PORT|URL", help="The real robot of an agent; may be given several times."),
 ]
 FleetName = Annotated[str, typer.Option("--fleet", metavar="NAME", help="Keeps teams on one network apart.")]
+AgentName = Annotated[str, typer.Option("--as", metavar="NAME", help="Which agent of the mission it is.")]
+TeamEndpoints = Annotated[
+    list[str] | None, typer.Option("--connect", metavar="ENDPOINT", help="Where its team listens: tcp/HOST:PORT.")
+]
+Board = Annotated[
+    str | None,
+    typer.Option("--board", metavar="PORT|URL", help="A real robot that has its program: `kitrobot deploy --team`."),
+]
+Wait = Annotated[
+    float | None,
+    typer.Option(metavar="SECONDS", help="How long it waits for the run to begin; without it, until you end it."),
+]
+WithInput = Annotated[bool, typer.Option("--with-input", hidden=True, help="Ends when its standard input does.")]
+ReportsToParent = Annotated[bool, typer.Option("--told", hidden=True, help="Says it to who started it.")]
+EndAsJson = Annotated[bool, typer.Option("--json", help="Give how it ended as one JSON object.")]
 
 
 def prepare_team_run(file: Path, options: RunOptions) -> PreparedRun:
@@ -49,31 +67,19 @@ def prepare_team_run(file: Path, options: RunOptions) -> PreparedRun:
 
 
 def run_agent(
-    file: Annotated[Path, typer.Argument(metavar="FILE.krt", help="The mission.", show_default=False)],
-    name: Annotated[str, typer.Option("--as", metavar="NAME", help="Which agent of the mission it is.")],
-    connect: Annotated[
-        list[str] | None, typer.Option("--connect", metavar="ENDPOINT", help="Where its team listens: tcp/HOST:PORT.")
-    ] = None,
+    file: MissionFile,
+    name: AgentName,
+    connect: TeamEndpoints = None,
     listen: Listen = None,
     router: Router = None,
     key: KeyFile = None,
     tls: Tls = None,
     fleet: FleetName = "",
-    board: Annotated[
-        str | None,
-        typer.Option(
-            "--board", metavar="PORT|URL", help="A real robot that has its program: `kitrobot deploy --team`."
-        ),
-    ] = None,
-    wait: Annotated[
-        float | None,
-        typer.Option(metavar="SECONDS", help="How long it waits for the run to begin; without it, until you end it."),
-    ] = None,
-    with_input: Annotated[
-        bool, typer.Option("--with-input", hidden=True, help="Ends when its standard input does.")
-    ] = False,
-    told: Annotated[bool, typer.Option("--told", hidden=True, help="Says it to who started it.")] = False,
-    as_json: Annotated[bool, typer.Option("--json", help="Give how it ended as one JSON object.")] = False,
+    board: Board = None,
+    wait: Wait = None,
+    with_input: WithInput = False,
+    told: ReportsToParent = False,
+    as_json: EndAsJson = False,
 ) -> None:
     """Take part in a team as one of its agents, with a simulated body in the world of `kitrobot team`, or a real one.
 
@@ -82,11 +88,8 @@ def run_agent(
     from kitrobot.boards.teams import agent_program
     from kitrobot.fleet.agent_process import AgentBoard, AgentProcess
     from kitrobot.fleet.board_line import open_board
-    from kitrobot.fleet.charter import FleetError
-    from kitrobot.fleet.identity import identity_of
-    from kitrobot.fleet.keys import find_key
     from kitrobot.fleet.processes import end_of_input
-    from kitrobot.fleet.transport import Channel, Network
+    from kitrobot.fleet.transport import Channel
     from kitrobot.workspace.mission_run import RunOptions
 
     check_wait(wait)
@@ -96,29 +99,9 @@ def run_agent(
         prepared = prepare_team_run(file, RunOptions())
         simulation = prepared.simulation
         names = [agent.name for agent in simulation.members]
-        if name not in names:
-            raise KitRobotError(
-                Sentence("this mission has no agent `{agent}`", name),
-                did_you_mean(name, names) or Sentence("its agents: {names}", listed(names)),
-            )
-        secret = find_key(key)
-        if secret is None:
-            raise FleetError(
-                Sentence("an agent needs the key of its team"),
-                Sentence("give it with --key, the same file as that of `kitrobot team`"),
-            )
-        if not connect and not router:
-            raise FleetError(
-                Sentence("an agent needs to know where its team is"),
-                Sentence("give it with --connect, or with --router: what `kitrobot team` says it listens on"),
-            )
-        network = Network(
-            fleet or identity_of(simulation),
-            tuple(listen or own_endpoint(tls)),
-            tuple(router or connect or ()),
-            bool(router),
-            tls,
-        )
+        check_agent(name, names)
+        secret = _key(key)
+        network = _network(simulation, connect, listen, router, tls, fleet)
         body = None
         if board is not None:
             program = agent_program(prepared.opened, name)
@@ -130,13 +113,8 @@ def run_agent(
         if not with_input:
             log(Sentence("looks for its team at {endpoints}", ", ".join(network.connect)))
         ended = AgentProcess(
-            simulation,
-            names.index(name),
-            channel,
-            log,
-            lambda: over is not None and over.is_set(),
-            body,
-            wait,
+            *(simulation, names.index(name), channel, log),
+            *(lambda: over is not None and over.is_set(), body, wait),
             (lambda sentence: None) if with_input else log,
         ).run()
     if as_json:
@@ -145,6 +123,60 @@ def run_agent(
         sys.stdout.write(f"{ended.sentence}\n")
     if ended.outcome != "done" and not with_input:
         raise typer.Exit(1)
+
+
+def check_agent(name: str, names: Sequence[str]) -> None:
+    """Refuses an agent that a mission does not have.
+
+    Raises:
+        KitRobotError: it has none of that name.
+    """
+    if name not in names:
+        raise KitRobotError(
+            Sentence("this mission has no agent `{agent}`", name),
+            did_you_mean(name, names) or Sentence("its agents: {names}", listed(names)),
+        )
+
+
+def _key(file: Path | None) -> bytes:
+    """The key of the team."""
+    from kitrobot.fleet.charter import FleetError
+    from kitrobot.fleet.keys import find_key
+
+    secret = find_key(file)
+    if secret is None:
+        raise FleetError(
+            Sentence("an agent needs the key of its team"),
+            Sentence("give it with --key, the same file as that of `kitrobot team`"),
+        )
+    return secret
+
+
+def _network(
+    simulation: Simulation,
+    connect: list[str] | None,
+    listen: list[str] | None,
+    router: list[str] | None,
+    tls: Path | None,
+    fleet: str,
+) -> Network:
+    """Where the agent finds its team."""
+    from kitrobot.fleet.charter import FleetError
+    from kitrobot.fleet.identity import identity_of
+    from kitrobot.fleet.transport import Network
+
+    if not connect and not router:
+        raise FleetError(
+            Sentence("an agent needs to know where its team is"),
+            Sentence("give it with --connect, or with --router: what `kitrobot team` says it listens on"),
+        )
+    return Network(
+        fleet or identity_of(simulation),
+        tuple(listen or own_endpoint(tls)),
+        tuple(router or connect or ()),
+        bool(router),
+        tls,
+    )
 
 
 def check_wait(wait: float | None) -> None:

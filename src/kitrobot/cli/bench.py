@@ -10,6 +10,7 @@ import typer
 
 from kitrobot.cli.deploy import STAGES
 from kitrobot.cli.language import Language, translated
+from kitrobot.cli.options import Replace
 from kitrobot.cli.output import error_object, json_text, print_data, print_error, print_message, sanitize
 from kitrobot.cli.watch import Board
 from kitrobot.diagnostics.model import KitRobotError
@@ -38,7 +39,6 @@ KitName = Annotated[
         show_default=False,
     ),
 ]
-Replace = Annotated[bool, typer.Option("--replace", help="Overwrite a `main.py` on the board that is not KitRobot's.")]
 
 
 def try_parts(

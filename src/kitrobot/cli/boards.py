@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
@@ -23,23 +24,27 @@ if TYPE_CHECKING:
     from kitrobot.robots.board_operations import BoardContents
 
 
+Identify = Annotated[
+    str | None,
+    typer.Option(
+        "--identify", metavar="PORT|URL", help="Let this robot show itself for two seconds.", show_default=False
+    ),
+]
+LabelName = Annotated[
+    str | None,
+    typer.Option(
+        "--label",
+        metavar="NAME",
+        help="The name on the label of the robot at --to, for `kitrobot deploy --set`; an empty one takes it away.",
+        show_default=False,
+    ),
+]
+
+
 def list_boards(
     to: Addresses = None,
-    identify: Annotated[
-        str | None,
-        typer.Option(
-            "--identify", metavar="PORT|URL", help="Let this robot show itself for two seconds.", show_default=False
-        ),
-    ] = None,
-    label: Annotated[
-        str | None,
-        typer.Option(
-            "--label",
-            metavar="NAME",
-            help="The name on the label of the robot at --to, for `kitrobot deploy --set`; an empty one takes it away.",
-            show_default=False,
-        ),
-    ] = None,
+    identify: Identify = None,
+    label: LabelName = None,
     as_json: AsJson = False,
 ) -> None:
     """List the robots that are there, and what runs on them.
@@ -71,6 +76,17 @@ def list_boards(
         print_message("no robot is plugged in")
         print_message("  help: plug one in with a USB cable that carries data, or name its address with --to")
         return
+    _print_table(seen, labels)
+    for one in seen:
+        if one.hello is not None and is_slow(one.hello.state_name, one.hello.late, one.hello.tick):
+            print_late_ticks(one.port.address)
+        if one.error is not None:
+            print_message(f"{one.port.address}: {one.error.message}")
+            if one.port.firmware:
+                print_message(f"  help: a board without MicroPython gets it from {one.port.firmware}")
+
+
+def _print_table(seen: Sequence[BoardContents], labels: Mapping[str, str]) -> None:
     rows: list[tuple[str, ...]] = [
         ("port", "board", "state", "program", "KitRobot", "MicroPython", "generation", "memory left")
     ]
@@ -80,13 +96,6 @@ def list_boards(
         rows = [(name, *row) for name, row in zip(named, rows, strict=True)]
     for line in table(rows):
         print_data(line)
-    for one in seen:
-        if one.hello is not None and is_slow(one.hello.state_name, one.hello.late, one.hello.tick):
-            print_late_ticks(one.port.address)
-        if one.error is not None:
-            print_message(f"{one.port.address}: {one.error.message}")
-            if one.port.firmware:
-                print_message(f"  help: a board without MicroPython gets it from {one.port.firmware}")
 
 
 def _label(addresses: list[str], label: str, as_json: bool) -> None:

@@ -7,8 +7,9 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from kitrobot.cli.bench import Port, Replace, robot_address, send_progress
+from kitrobot.cli.bench import Port, robot_address, send_progress
 from kitrobot.cli.dialogue import Dialogue
+from kitrobot.cli.options import Replace
 from kitrobot.cli.output import json_text, print_data, print_diagnostics, print_message, sanitize
 from kitrobot.cli.watch import Board
 from kitrobot.text.forms import number_form

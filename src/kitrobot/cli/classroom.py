@@ -8,6 +8,7 @@ from typing import Annotated, Protocol
 
 import typer
 
+from kitrobot.cli.options import ListenPort
 from kitrobot.cli.studio import StudioError
 from kitrobot.text.sentences import Sentence
 
@@ -41,10 +42,7 @@ def open_class(
     host: Annotated[
         str, typer.Option(help="The address of this machine to listen on; pupils at other machines need it.")
     ] = "127.0.0.1",
-    port: Annotated[
-        int | None,
-        typer.Option(min=0, max=65535, help="The port to listen on; 0 is any free one.", show_default="8765 or near"),
-    ] = None,
+    port: ListenPort = None,
     tls: Annotated[
         tuple[Path, Path] | None,
         typer.Option(metavar="CERT KEY", help="Encrypt, with this certificate and its key (PEM).", show_default=False),

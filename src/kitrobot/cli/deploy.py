@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
+from kitrobot.cli.options import ProgramName, Replace, RobotName
 from kitrobot.cli.output import json_text, print_data, print_diagnostics, print_error, print_message, sanitize
 from kitrobot.cli.result_json import AsJson, board_result, deployed_result
 from kitrobot.text.phrases import listed
@@ -47,37 +48,36 @@ Addresses = Annotated[
 ]
 
 
+MissionOrList = Annotated[
+    Path,
+    typer.Argument(
+        metavar="MISSION",
+        help="A `.krt`, a picture that carries one, or an `.lll`; with --set a list (`.csv`) or a folder.",
+        show_default=False,
+    ),
+]
+Fresh = Annotated[
+    bool,
+    typer.Option("--fresh", help="First remove what KitRobot put there; when there is no room for old and new."),
+]
+Team = Annotated[
+    bool, typer.Option("--team", help="The programs of a team's agents, each to its --board, for `kitrobot team`.")
+]
+BoardSet = Annotated[
+    bool, typer.Option("--set", help="To each of many boards what a list, or a folder, names for the label on it.")
+]
+
+
 def deploy_program(
-    mission: Annotated[
-        Path,
-        typer.Argument(
-            metavar="MISSION",
-            help="A `.krt`, a picture that carries one, or an `.lll`; with --set a list (`.csv`) or a folder.",
-            show_default=False,
-        ),
-    ],
-    program: Annotated[
-        str | None, typer.Option(metavar="NAME", help="Which program of a `.krt` with several.", show_default=False)
-    ] = None,
+    mission: MissionOrList,
+    program: ProgramName = None,
     to: Addresses = None,
-    robot: Annotated[
-        str | None,
-        typer.Option(metavar="NAME|FILE.robot.xml", help="The robot; a `.krt` names its own.", show_default=False),
-    ] = None,
-    replace: Annotated[
-        bool, typer.Option("--replace", help="Overwrite a `main.py` on the board that is not KitRobot's.")
-    ] = False,
-    fresh: Annotated[
-        bool,
-        typer.Option("--fresh", help="First remove what KitRobot put there; when there is no room for old and new."),
-    ] = False,
-    team: Annotated[
-        bool, typer.Option("--team", help="The programs of a team's agents, each to its --board, for `kitrobot team`.")
-    ] = False,
+    robot: RobotName = None,
+    replace: Replace = False,
+    fresh: Fresh = False,
+    team: Team = False,
     board: KitOrBoards = None,
-    many: Annotated[
-        bool, typer.Option("--set", help="To each of many boards what a list, or a folder, names for the label on it.")
-    ] = False,
+    many: BoardSet = False,
     as_json: AsJson = False,
 ) -> None:
     """Put a program onto real robots and start it there; from then on it starts by itself when the power comes on.
@@ -120,11 +120,7 @@ def deploy_program(
     if as_json:
         print_data(json_text([_object(one) for one in sent], 2) + "\n")
     for one in sent:
-        if one.error is not None:
-            print_message(f"{one.address}:")
-            print_error(one.error)
-        elif not as_json:
-            print_data(_sentence(one, ready.names.program))
+        _print_result(one, one.address, as_json, ready.names.program)
     if any(one.error is not None for one in sent):
         raise typer.Exit(1)
 
@@ -147,11 +143,8 @@ def _deploy_team(mission: Path, board: Sequence[str], *, replace: bool, fresh: b
     if as_json:
         print_data(json_text([{**_object(one), "agent": names[one.address]} for one in sent], 2) + "\n")
     for one in sent:
-        if one.error is not None:
-            print_message(f"{names[one.address]} ({one.address}):")
-            print_error(one.error)
-        elif not as_json:
-            print_data(_sentence(one, names[one.address], "has its program"))
+        name = names[one.address]
+        _print_result(one, f"{name} ({one.address})", as_json, name, "has its program")
     failed = [names[one.address] for one in sent if one.error is not None]
     if failed:
         print_message(
@@ -166,7 +159,16 @@ def _deploy_team(mission: Path, board: Sequence[str], *, replace: bool, fresh: b
         raise typer.Exit(1)
 
 
-def _sentence(sent: SendResult, program: str, does: str = "runs") -> str:
+def _print_result(sent: SendResult, robot: str, as_json: bool, program: str, does: str = "runs") -> None:
+    """What became of one robot: an error, or the sentence unless it is given as JSON."""
+    if sent.error is not None:
+        print_message(f"{robot}:")
+        print_error(sent.error)
+    elif not as_json:
+        print_data(_sentence(sent, program, does))
+
+
+def _sentence(sent: SendResult, program: str, does: str) -> str:
     done = sent.deployed
     assert done is not None
     files = len(done.sent_files)

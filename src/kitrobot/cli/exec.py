@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
+from kitrobot.cli.options import ProgramName, RobotName
 from kitrobot.cli.output import print_data, print_diagnostics
 from kitrobot.text.sentences import Sentence
 
@@ -24,14 +25,8 @@ def execute_program(
         Path,
         typer.Argument(metavar="PROGRAM", help="A `.lll`, `.kri` or `.krt` file, or a picture.", show_default=False),
     ],
-    robot: Annotated[
-        str | None,
-        typer.Option(metavar="NAME|FILE.robot.xml", help="The robot; a `.krt` names its own.", show_default=False),
-    ] = None,
-    name: Annotated[
-        str | None,
-        typer.Option("--program", metavar="NAME", help="Which program of a `.krt` with several.", show_default=False),
-    ] = None,
+    robot: RobotName = None,
+    name: ProgramName = None,
     inputs: Annotated[
         Path | None,
         typer.Option(metavar="INPUTS.csv", help="What the robot senses: `tick,SENSOR,done:ACTUATOR,…`."),

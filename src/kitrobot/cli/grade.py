@@ -2,15 +2,14 @@
 
 from __future__ import annotations
 
-import sys
-from collections.abc import Callable, Iterator, Sequence
-from contextlib import contextmanager
+from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
 import typer
 
 from kitrobot.cli.output import json_text, print_data, print_message, sanitize
+from kitrobot.cli.progress import counted_progress
 from kitrobot.diagnostics.read_files import expect_outputs, note_read
 
 if TYPE_CHECKING:
@@ -53,7 +52,7 @@ def grade_submissions(
             for one in (shipped, *shipped.parent.glob("*.krt")):
                 note_read(one)
     expect_outputs(csv, html)
-    with _progress(len(submissions)) as progress:
+    with counted_progress("submissions", len(submissions)) as progress:
         found = list(grade(submissions, exercise, jobs or cores(), progress))
     places = {str(path): place for place, path in enumerate(submissions)}
     found.sort(key=lambda one: places[one.submission])
@@ -77,21 +76,6 @@ def _write(found: Sequence[Grade], csv: Path | None, html: Path | None) -> None:
         write_atomic(csv, as_csv(found).encode(errors="replace"))
     if html is not None:
         write_atomic(html, as_html(found).encode(errors="replace"))
-
-
-@contextmanager
-def _progress(total: int) -> Iterator[Callable[[int, int], None] | None]:
-    """A bar on standard error while a person watches."""
-    if not sys.stderr.isatty():
-        yield None
-        return
-    from rich.console import Console
-    from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeRemainingColumn
-
-    columns = (TextColumn("submissions"), MofNCompleteColumn(), BarColumn(), TimeRemainingColumn())
-    with Progress(*columns, console=Console(stderr=True), transient=True) as bar:
-        task = bar.add_task("", total=total)
-        yield lambda done, total: bar.update(task, completed=done, total=total)
 
 
 def _tables(found: Sequence[Grade]) -> str:

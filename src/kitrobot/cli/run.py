@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
+from kitrobot.cli.options import MissionFile, ResultAsJson, RunSeconds
 from kitrobot.cli.output import json_text, print_data, print_diagnostics, print_message
 from kitrobot.diagnostics.read_files import expect_outputs
 
@@ -19,73 +20,71 @@ if TYPE_CHECKING:
     from kitrobot.workspace.mission_run import Run
 
 
+Seed = Annotated[int, typer.Option(min=0, help="Chance begins here: the same seed gives the same run.")]
+TraceFile = Annotated[Path | None, typer.Option(metavar="FILE.krtrace", help="Record the run: same seed, same bytes.")]
+Drawing = Annotated[Path | None, typer.Option(metavar="FILE.svg", help="Write what the pens drew as a picture.")]
+Floor = Annotated[bool, typer.Option("--floor", help="Put the world's floor and walls under the drawing.")]
+FailRate = Annotated[
+    float,
+    typer.Option(
+        min=0.0,
+        max=1.0,
+        metavar="P",
+        help="The probability that a robot fails for good within a minute, by chance: from the seed, 0 to 1.",
+    ),
+]
+MeasuredKit = Annotated[
+    str | None,
+    typer.Option(
+        "--board",
+        metavar="NAME|FILE.board.xml",
+        help="The robots drive and turn as this kit was measured (`kitrobot calibrate`).",
+        show_default=False,
+    ),
+]
+FailSweep = Annotated[
+    int | None,
+    typer.Option(
+        min=0,
+        metavar="[N]",
+        help="Run it again for each robot and each of N moments (100; of pairs 20), at which that one fails.",
+        show_default=False,
+    ),
+]
+Pairs = Annotated[bool, typer.Option("--pairs", help="Sweep: two robots fail in each run.")]
+Jobs = Annotated[
+    int | None, typer.Option(metavar="N", min=1, help="Sweep: in so many processes; else one for each core.")
+]
+HeatMap = Annotated[Path | None, typer.Option("--output", "-o", metavar="MAP.svg", help="Sweep: write a heat map.")]
+
+
 def run_mission(
-    file: Annotated[Path, typer.Argument(metavar="FILE.krt", help="The mission.", show_default=False)],
-    seed: Annotated[int, typer.Option(min=0, help="Chance begins here: the same seed gives the same run.")] = 1,
-    seconds: Annotated[float, typer.Option(help="Simulated seconds after which the run is out of time.")] = 600.0,
-    trace: Annotated[
-        Path | None, typer.Option(metavar="FILE.krtrace", help="Record the run: same seed, same bytes.")
-    ] = None,
-    drawing: Annotated[
-        Path | None, typer.Option(metavar="FILE.svg", help="Write what the pens drew as a picture.")
-    ] = None,
-    floor: Annotated[bool, typer.Option("--floor", help="Put the world's floor and walls under the drawing.")] = False,
-    fail_rate: Annotated[
-        float,
-        typer.Option(
-            min=0.0,
-            max=1.0,
-            metavar="P",
-            help="The probability that a robot fails for good within a minute, by chance: from the seed, 0 to 1.",
-        ),
-    ] = 0.0,
-    board: Annotated[
-        str | None,
-        typer.Option(
-            "--board",
-            metavar="NAME|FILE.board.xml",
-            help="The robots drive and turn as this kit was measured (`kitrobot calibrate`).",
-            show_default=False,
-        ),
-    ] = None,
-    as_json: Annotated[bool, typer.Option("--json", help="Give the result as one JSON object.")] = False,
-    fail_sweep: Annotated[
-        int | None,
-        typer.Option(
-            min=0,
-            metavar="[N]",
-            help="Run it again for each robot and each of N moments (100; of pairs 20), at which that one fails.",
-            show_default=False,
-        ),
-    ] = None,
-    pairs: Annotated[bool, typer.Option("--pairs", help="Sweep: two robots fail in each run.")] = False,
-    jobs: Annotated[
-        int | None, typer.Option(metavar="N", min=1, help="Sweep: in so many processes; else one for each core.")
-    ] = None,
-    picture: Annotated[
-        Path | None, typer.Option("--output", "-o", metavar="MAP.svg", help="Sweep: write a heat map.")
-    ] = None,
+    file: MissionFile,
+    seed: Seed = 1,
+    seconds: RunSeconds = 600.0,
+    trace: TraceFile = None,
+    drawing: Drawing = None,
+    floor: Floor = False,
+    fail_rate: FailRate = 0.0,
+    board: MeasuredKit = None,
+    as_json: ResultAsJson = False,
+    fail_sweep: FailSweep = None,
+    pairs: Pairs = False,
+    jobs: Jobs = None,
+    picture: HeatMap = None,
 ) -> None:
     """Run a mission in the simulator, as fast as it goes.
 
     The exit status is 0 when the mission was done, and 1 when it failed, got stuck, ran out of time or has errors. Of a
     sweep it is 0 when it was done in every run, or with `--pairs` done or failed.
     """
-    if not math.isfinite(fail_rate):
-        raise typer.BadParameter("a probability is a number from 0 to 1", param_hint="'--fail-rate'")
     from kitrobot.files.disk import replace_whole
-    from kitrobot.sim.setup.limits import MAX_SECONDS, MAX_SEED
     from kitrobot.trace.drawing_svg import drawing_svg
     from kitrobot.workspace.mission_loader import open_mission
     from kitrobot.workspace.mission_run import RunOptions
     from kitrobot.world.floor_svg import floor_svg
 
-    if not 0 < seconds <= MAX_SECONDS:
-        words = f"a run takes more than 0 and at most {MAX_SECONDS:.0f} seconds"
-        raise typer.BadParameter(words, param_hint="'--seconds'")
-    if seed > MAX_SEED:
-        raise typer.BadParameter(f"a seed is a whole number from 0 to {MAX_SEED}", param_hint="'--seed'")
-
+    _check_numbers(seed, seconds, fail_rate)
     if fail_sweep is None and (pairs or jobs is not None or picture is not None):
         raise typer.BadParameter("`--pairs`, `--jobs` and `--output` are of a sweep", param_hint="'--fail-sweep'")
     if fail_sweep is not None and drawing is not None:
@@ -94,7 +93,6 @@ def run_mission(
         raise typer.BadParameter("`--floor` is of a drawing", param_hint="'--drawing'")
     if fail_sweep is not None and trace is not None:
         raise typer.BadParameter("the many runs of a sweep are not recorded", param_hint="'--trace'")
-
     if board is not None and trace is not None:
         words = "a recording brings its robots along as their files say, not as a kit was measured"
         raise typer.BadParameter(words, param_hint="'--board'")
@@ -119,6 +117,19 @@ def run_mission(
     print_data(json_text(run.to_json()) + "\n" if as_json else _summary(run))
     if run.outcome != "done":
         raise typer.Exit(1)
+
+
+def _check_numbers(seed: int, seconds: float, fail_rate: float) -> None:
+    """Refuses numbers that a run cannot have."""
+    from kitrobot.sim.setup.limits import MAX_SECONDS, MAX_SEED
+
+    if not math.isfinite(fail_rate):
+        raise typer.BadParameter("a probability is a number from 0 to 1", param_hint="'--fail-rate'")
+    if not 0 < seconds <= MAX_SECONDS:
+        words = f"a run takes more than 0 and at most {MAX_SECONDS:.0f} seconds"
+        raise typer.BadParameter(words, param_hint="'--seconds'")
+    if seed > MAX_SEED:
+        raise typer.BadParameter(f"a seed is a whole number from 0 to {MAX_SEED}", param_hint="'--seed'")
 
 
 def _measured_kit(board: str, mission: Path) -> Kit:

@@ -8,6 +8,7 @@ from typing import Annotated, Protocol
 
 import typer
 
+from kitrobot.cli.options import ListenPort
 from kitrobot.diagnostics.model import KitRobotError
 from kitrobot.text.sentences import Sentence
 
@@ -46,10 +47,7 @@ def open_studio(
         ),
     ] = None,
     browser: Annotated[bool, typer.Option(help="Open the browser.")] = True,
-    port: Annotated[
-        int | None,
-        typer.Option(min=0, max=65535, help="The port to listen on; 0 is any free one.", show_default="8765 or near"),
-    ] = None,
+    port: ListenPort = None,
     host: Annotated[str, typer.Option(help="The address of this machine to listen on.")] = "127.0.0.1",
     new: Annotated[bool, typer.Option("--new", help="Start a second studio where one of this folder runs.")] = False,
 ) -> None:

@@ -2,16 +2,15 @@
 
 from __future__ import annotations
 
-import sys
 from collections import Counter, defaultdict
 from collections.abc import Callable, Iterator, Sequence
-from contextlib import contextmanager
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 import typer
 
 from kitrobot.cli.output import json_text, print_data, print_message
+from kitrobot.cli.progress import counted_progress
 
 if TYPE_CHECKING:
     from kitrobot.sim.sweep import Field
@@ -44,7 +43,7 @@ def sweep_mission(prepared: PreparedRun, options: SweepOptions, picture: Path | 
     from kitrobot.workspace.sweep import run_sweep
     from kitrobot.workspace.sweep_map import heat_map
 
-    with _progress() as progress:
+    with counted_progress("fields") as progress:
         sweep = run_sweep(prepared, options, progress)
     if picture is not None:
         name = prepared.opened.mission.label.get("") or prepared.opened.name
@@ -58,21 +57,6 @@ def sweep_mission(prepared: PreparedRun, options: SweepOptions, picture: Path | 
         raise typer.Exit(INTERRUPTED)
     if not sweep.holds:
         raise typer.Exit(1)
-
-
-@contextmanager
-def _progress() -> Iterator[Callable[[int, int], None] | None]:
-    """A bar on standard error while a person watches."""
-    if not sys.stderr.isatty():
-        yield None
-        return
-    from rich.console import Console
-    from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeRemainingColumn
-
-    columns = (TextColumn("fields"), MofNCompleteColumn(), BarColumn(), TimeRemainingColumn())
-    with Progress(*columns, console=Console(stderr=True), transient=True) as bar:
-        task = bar.add_task("", total=None)
-        yield lambda done, total: bar.update(task, completed=done, total=total)
 
 
 def _table(sweep: Sweep) -> str:

@@ -5,20 +5,29 @@ from __future__ import annotations
 import math
 import signal
 import threading
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from contextlib import contextmanager
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from kitrobot.cli.agent import Boards, FleetName, KeyFile, Listen, Router, Tls, check_wait, log_event, prepare_team_run
+from kitrobot.cli.agent import (
+    Boards,
+    FleetName,
+    KeyFile,
+    Listen,
+    Router,
+    Tls,
+    check_agent,
+    check_wait,
+    log_event,
+    prepare_team_run,
+)
+from kitrobot.cli.options import MissionFile, ResultAsJson, RunSeconds
 from kitrobot.cli.output import json_text, print_data, print_diagnostics
-from kitrobot.diagnostics.model import KitRobotError
 from kitrobot.diagnostics.read_files import note_read
-from kitrobot.text.phrases import listed
 from kitrobot.text.sentences import Sentence
-from kitrobot.text.suggestions import did_you_mean
 
 if TYPE_CHECKING:
     from kitrobot.fleet.team_process import FleetRun
@@ -26,32 +35,38 @@ if TYPE_CHECKING:
     from kitrobot.workspace.mission_run import PreparedRun
 
 
+Elsewhere = Annotated[
+    list[str] | None,
+    typer.Option("--elsewhere", metavar="AGENT", help="Do not start it: `kitrobot agent` does, wherever."),
+]
+Seed = Annotated[int, typer.Option(min=0, help="Chance in the world begins here.")]
+Pace = Annotated[float, typer.Option(metavar="N", help="Simulated seconds in a real one; 0: as fast as agents answer.")]
+Lease = Annotated[
+    int, typer.Option(metavar="MS", help="Silence after which an agent is missed; more than a network's delay.")
+]
+Wait = Annotated[
+    float | None,
+    typer.Option(metavar="SECONDS", help="How long agents may take to come; without it, until you end it."),
+]
+TraceFile = Annotated[Path | None, typer.Option(metavar="FILE.krtrace", help="Record the run.")]
+
+
 def run_team(
-    file: Annotated[Path, typer.Argument(metavar="FILE.krt", help="The mission.", show_default=False)],
-    elsewhere: Annotated[
-        list[str] | None,
-        typer.Option("--elsewhere", metavar="AGENT", help="Do not start it: `kitrobot agent` does, wherever."),
-    ] = None,
+    file: MissionFile,
+    elsewhere: Elsewhere = None,
     board: Boards = None,
     listen: Listen = None,
     router: Router = None,
     key: KeyFile = None,
     tls: Tls = None,
     fleet: FleetName = "",
-    seed: Annotated[int, typer.Option(min=0, help="Chance in the world begins here.")] = 1,
-    seconds: Annotated[float, typer.Option(help="Simulated seconds after which the run is out of time.")] = 600.0,
-    pace: Annotated[
-        float, typer.Option(metavar="N", help="Simulated seconds in a real one; 0: as fast as agents answer.")
-    ] = 1.0,
-    lease: Annotated[
-        int, typer.Option(metavar="MS", help="Silence after which an agent is missed; more than a network's delay.")
-    ] = 500,
-    wait: Annotated[
-        float | None,
-        typer.Option(metavar="SECONDS", help="How long agents may take to come; without it, until you end it."),
-    ] = None,
-    trace: Annotated[Path | None, typer.Option(metavar="FILE.krtrace", help="Record the run.")] = None,
-    as_json: Annotated[bool, typer.Option("--json", help="Give the result as one JSON object.")] = False,
+    seed: Seed = 1,
+    seconds: RunSeconds = 600.0,
+    pace: Pace = 1.0,
+    lease: Lease = 500,
+    wait: Wait = None,
+    trace: TraceFile = None,
+    as_json: ResultAsJson = False,
 ) -> None:
     """Run a mission whose agents are processes of their own and meet over the network.
 
@@ -59,57 +74,26 @@ def run_team(
     was done.
     """
     from kitrobot.boards.teams import boards_of
-    from kitrobot.fleet.charter import LEAST_LEASE_MS, MOST_LEASE_MS, FleetError
     from kitrobot.fleet.identity import identity_of
     from kitrobot.fleet.processes import Agents
     from kitrobot.fleet.team_process import FleetCallbacks
     from kitrobot.fleet.transport import Network
-    from kitrobot.sim.setup.limits import MAX_SECONDS, MAX_SEED
     from kitrobot.workspace.fleets import FleetPlan, free_endpoint, run_fleet
     from kitrobot.workspace.mission_run import RunOptions
 
-    if not 0 < seconds <= MAX_SECONDS or seed > MAX_SEED:
-        words = f"a run takes at most {MAX_SECONDS:.0f} seconds, and a seed is at most {MAX_SEED}"
-        raise typer.BadParameter(words, param_hint="'--seconds' or '--seed'")
-    if not (math.isfinite(pace) and 0 <= pace <= 1000):
-        raise typer.BadParameter("a pace is a number from 0 to 1000", param_hint="'--pace'")
-    check_wait(wait)
-    if not LEAST_LEASE_MS <= lease <= MOST_LEASE_MS:
-        words = f"a lease is {LEAST_LEASE_MS} to {MOST_LEASE_MS} ms"
-        raise typer.BadParameter(words, param_hint="'--lease'")
+    _check_numbers(seed, seconds, pace, lease, wait)
     for secret in (key, *(tls.glob("*.pem") if tls is not None else ())):
         if secret is not None:
             note_read(secret)
     prepared = prepare_team_run(file, RunOptions(seed, seconds, 0.0, trace))
     print_diagnostics(prepared.problems, prepared.sources)
     simulation = prepared.simulation
-    if pace and simulation.tick_ms / pace > lease / 2:
-        raise FleetError(
-            Sentence(
-                "at a pace of {pace} a step takes {ms} ms, and silence is borne for {lease} ms only",
-                pace,
-                round(simulation.tick_ms / pace),
-                lease,
-            ),
-            Sentence("take a greater --pace, or a --lease of twice the step or more"),
-        )
+    _check_pace(pace, lease, simulation.tick_ms)
     names = [agent.name for agent in simulation.members]
     for name in elsewhere or ():
-        if name not in names:
-            help = did_you_mean(name, names) or Sentence("its agents: {names}", listed(names))
-            raise KitRobotError(Sentence("this mission has no agent `{agent}`", name), help)
+        check_agent(name, names)
     boards = boards_of(board or [], names)
-    for name in boards:
-        if name in (elsewhere or ()):
-            raise FleetError(
-                Sentence("`{agent}` is started elsewhere, and its board with it", name),
-                Sentence("give --board to the `kitrobot agent` that is started there"),
-            )
-    if elsewhere and key is None:
-        raise FleetError(
-            Sentence("agents that are started elsewhere need the key of this team"),
-            Sentence("write a long random text into a file and give it to all with --key"),
-        )
+    _check_elsewhere(elsewhere or (), boards, key)
     endpoints = tuple(router or listen or (free_endpoint(tls is not None),))
     network = Network(
         fleet or identity_of(simulation), () if router else endpoints, endpoints if router else (), bool(router), tls
@@ -122,6 +106,55 @@ def run_team(
     print_data(json_text(result) + "\n" if as_json else _summary(result))
     if run.outcome != "done":
         raise typer.Exit(130 if run.outcome == "stopped" else 1)
+
+
+def _check_numbers(seed: int, seconds: float, pace: float, lease: int, wait: float | None) -> None:
+    """Refuses numbers that a run cannot have."""
+    from kitrobot.fleet.charter import LEAST_LEASE_MS, MOST_LEASE_MS
+    from kitrobot.sim.setup.limits import MAX_SECONDS, MAX_SEED
+
+    if not 0 < seconds <= MAX_SECONDS or seed > MAX_SEED:
+        words = f"a run takes at most {MAX_SECONDS:.0f} seconds, and a seed is at most {MAX_SEED}"
+        raise typer.BadParameter(words, param_hint="'--seconds' or '--seed'")
+    if not (math.isfinite(pace) and 0 <= pace <= 1000):
+        raise typer.BadParameter("a pace is a number from 0 to 1000", param_hint="'--pace'")
+    check_wait(wait)
+    if not LEAST_LEASE_MS <= lease <= MOST_LEASE_MS:
+        words = f"a lease is {LEAST_LEASE_MS} to {MOST_LEASE_MS} ms"
+        raise typer.BadParameter(words, param_hint="'--lease'")
+
+
+def _check_pace(pace: float, lease: int, tick_ms: int) -> None:
+    """Refuses a pace at which an agent that is there would be missed."""
+    from kitrobot.fleet.charter import FleetError
+
+    if pace and tick_ms / pace > lease / 2:
+        raise FleetError(
+            Sentence(
+                "at a pace of {pace} a step takes {ms} ms, and silence is borne for {lease} ms only",
+                pace,
+                round(tick_ms / pace),
+                lease,
+            ),
+            Sentence("take a greater --pace, or a --lease of twice the step or more"),
+        )
+
+
+def _check_elsewhere(elsewhere: Sequence[str], boards: Iterable[str], key: Path | None) -> None:
+    """Refuses agents that are started elsewhere without what they need there."""
+    from kitrobot.fleet.charter import FleetError
+
+    for name in boards:
+        if name in elsewhere:
+            raise FleetError(
+                Sentence("`{agent}` is started elsewhere, and its board with it", name),
+                Sentence("give --board to the `kitrobot agent` that is started there"),
+            )
+    if elsewhere and key is None:
+        raise FleetError(
+            Sentence("agents that are started elsewhere need the key of this team"),
+            Sentence("write a long random text into a file and give it to all with --key"),
+        )
 
 
 @contextmanager

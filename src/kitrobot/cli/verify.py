@@ -5,13 +5,13 @@ from __future__ import annotations
 import math
 import sys
 import time
-from collections.abc import Iterator, Sequence
+from collections.abc import Collection, Iterable, Iterator, Sequence
 from contextlib import contextmanager
-from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
 import typer
 
+from kitrobot.cli.options import MissionFile, ResultAsJson
 from kitrobot.cli.output import json_text, print_data, print_diagnostics, print_message
 
 if TYPE_CHECKING:
@@ -24,48 +24,57 @@ _FIRST, _LAST = 6, 24
 """Events of one run that are shown: the first and the last ones."""
 
 
+PropertyNames = Annotated[
+    list[str] | None,
+    typer.Option("--property", metavar="NAME", help="Check this one only; may be given again.", show_default=False),
+]
+TimingNames = Annotated[
+    list[str] | None,
+    typer.Option(
+        "--timing",
+        metavar="lockstep|prompt|free",
+        help="When agents tick: all at once, each between two events, or whenever; may be given again. Else all.",
+        show_default=False,
+    ),
+]
+MostFailures = Annotated[int, typer.Option(metavar="K", help="Up to so many failures at any moment, 0 to 3.")]
+FailureKinds = Annotated[
+    list[str] | None,
+    typer.Option(
+        "--kind",
+        metavar="fail|stall|mute",
+        help="What a failure is: a robot stops for good, misses its ticks for a while, or loses its radio; may be "
+        "given again. Else fail and stall.",
+        show_default=False,
+    ),
+]
+MostStates = Annotated[
+    int | None,
+    typer.Option(
+        "--max-states",
+        metavar="N",
+        min=1,
+        help="Explore at most so many states of each. Else as many as there is time and memory for.",
+        show_default=False,
+    ),
+]
+MostMemory = Annotated[
+    int,
+    typer.Option("--max-memory", metavar="MB", min=1, help="Let its process take at most so much memory."),
+]
+Seconds = Annotated[float, typer.Option(metavar="S", help="Take at most so long, together.")]
+
+
 def verify_mission(
-    file: Annotated[Path, typer.Argument(metavar="FILE.krt", help="The mission.", show_default=False)],
-    properties: Annotated[
-        list[str] | None,
-        typer.Option("--property", metavar="NAME", help="Check this one only; may be given again.", show_default=False),
-    ] = None,
-    timings: Annotated[
-        list[str] | None,
-        typer.Option(
-            "--timing",
-            metavar="lockstep|prompt|free",
-            help="When agents tick: all at once, each between two events, or whenever; may be given again. Else all.",
-            show_default=False,
-        ),
-    ] = None,
-    failures: Annotated[int, typer.Option(metavar="K", help="Up to so many failures at any moment, 0 to 3.")] = 0,
-    kinds: Annotated[
-        list[str] | None,
-        typer.Option(
-            "--kind",
-            metavar="fail|stall|mute",
-            help="What a failure is: a robot stops for good, misses its ticks for a while, or loses its radio; may be "
-            "given again. Else fail and stall.",
-            show_default=False,
-        ),
-    ] = None,
-    most_states: Annotated[
-        int | None,
-        typer.Option(
-            "--max-states",
-            metavar="N",
-            min=1,
-            help="Explore at most so many states of each. Else as many as there is time and memory for.",
-            show_default=False,
-        ),
-    ] = None,
-    most_memory: Annotated[
-        int,
-        typer.Option("--max-memory", metavar="MB", min=1, help="Let its process take at most so much memory."),
-    ] = 2_000,
-    seconds: Annotated[float, typer.Option(metavar="S", help="Take at most so long, together.")] = 60.0,
-    as_json: Annotated[bool, typer.Option("--json", help="Give the result as one JSON object.")] = False,
+    file: MissionFile,
+    properties: PropertyNames = None,
+    timings: TimingNames = None,
+    failures: MostFailures = 0,
+    kinds: FailureKinds = None,
+    most_states: MostStates = None,
+    most_memory: MostMemory = 2_000,
+    seconds: Seconds = 60.0,
+    as_json: ResultAsJson = False,
 ) -> None:
     """Check what can go wrong in a mission, whatever the order of events.
 
@@ -84,16 +93,12 @@ def verify_mission(
 
     if not 0 <= failures <= MOST_FAILURES:
         raise typer.BadParameter(f"a check takes 0 to {MOST_FAILURES} failures", param_hint="'--failures'")
-    known = {one.value: one for one in Timing}
-    for name in timings or ():
-        if name not in known:
-            raise typer.BadParameter(f"expected one of {', '.join(known)}", param_hint="'--timing'")
+    known = [one.value for one in Timing]
+    _check_names(timings, known, "--timing")
     if kinds and not failures:
         raise typer.BadParameter("say with --failures how many there may be", param_hint="'--kind'")
     befalls = {one.value: one for one in KINDS}
-    for name in kinds or ():
-        if name not in befalls:
-            raise typer.BadParameter(f"expected one of {', '.join(befalls)}", param_hint="'--kind'")
+    _check_names(kinds, befalls, "--kind")
     chosen = tuple(one for one in Timing if not timings or one.value in timings)
     prepared = open_mission(file).prepare(RunOptions(1, 600.0))
     print_diagnostics(prepared.problems, prepared.sources)
@@ -110,6 +115,12 @@ def verify_mission(
         raise typer.Exit(1)
     if Answer.NOT_FINISHED in made.answers:
         raise typer.Exit(3)
+
+
+def _check_names(names: Iterable[str] | None, known: Collection[str], option: str) -> None:
+    """Refuses what an option does not know."""
+    if any(name not in known for name in names or ()):
+        raise typer.BadParameter(f"expected one of {', '.join(known)}", param_hint=f"'{option}'")
 
 
 @contextmanager

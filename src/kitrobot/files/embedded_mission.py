@@ -1,7 +1,8 @@
-"""A mission carried inside a picture: the studio's SVG, PNG and PDF of a graph hold the whole `.krt` and open like it.
+"""A mission carried inside a picture: the studio's SVG and PNG of a graph hold the whole `.krt` and open like it.
 
 SVG: the text of `<metadata id="kitrobot-mission">`. PNG: an iTXt chunk, uncompressed, with the keyword
-`kitrobot-mission`. PDF: an attached file, found by `pdf_attachment`. Pictures come from anywhere: what is taken out is
+`kitrobot-mission`. PDF: studios up to 0.1 wrote PDF themselves, with the mission attached in the open, packed by zlib;
+such a file opens, as long as no other program has written it anew. Pictures come from anywhere: what is taken out is
 bounded, checked as far as the picture's own form can be checked, and read as carefully as any `.krt` after that. Left
 to others: reading the mission.
 """
@@ -15,20 +16,23 @@ from pathlib import Path, PurePath
 from kitrobot.diagnostics.model import KitRobotError
 from kitrobot.files.disk import FileError, read_bytes
 from kitrobot.files.file_kinds import identify_file_kind
-from kitrobot.files.pdf_attachment import MAGIC, PdfError, mission_in_pdf
 from kitrobot.text.sentences import Sentence
 from kitrobot.xml.decoder import MAX_BYTES
 from kitrobot.xml.expat_parser import DoctypeError, ExpatError, new_parser
 
 KEYWORD = "kitrobot-mission"
 PICTURES = (".pdf", ".png", ".svg")
-"""Endings of the pictures that the studio makes."""
+"""Endings of the pictures that the studio makes, or made."""
 _PNG = b"\x89PNG\r\n\x1a\n"
+_ATTACHED = re.compile(
+    rb"<< /Type /EmbeddedFile /Subtype /application#2Fxml /Params << /Size [0-9]{1,10} >>"
+    rb" /Filter /FlateDecode /Length ([0-9]{1,10}) >>\nstream\n"
+)
 _SVG = re.compile(
     rb"\A(?:\xef\xbb\xbf)?(?>\s+|<\?.*?\?>|<!--.*?-->|<!DOCTYPE[^>\[]*(?:\[.*?\]\s*)?>)*<svg[\s>/]", re.DOTALL
 )
 """Atomic, so that a hostile file cannot make it try every way to split its comments."""
-_OURS = Sentence("a picture that KitRobot exported has its mission inside; so has a `.krt`")
+_OURS = Sentence("an SVG or PNG that KitRobot exported has its mission inside; so has a `.krt`")
 _LOOKED_AT = 4096
 """Bytes at the beginning in which an SVG shows that it is one."""
 
@@ -50,8 +54,8 @@ def carried_mission(data: bytes, name: str) -> tuple[bytes, str]:
     """
     if data.startswith(_PNG):
         found = _in_png(data, name)
-    elif data.startswith(MAGIC):
-        found = _in_pdf(data, name)
+    elif data.startswith(b"%PDF-") and (attached := _ATTACHED.search(data)) is not None:
+        found = _in_pdf(data, attached, name)
     elif _SVG.match(data[:_LOOKED_AT]):
         found = _in_svg(data, name)
     elif (kind := identify_file_kind(data)) is not None:
@@ -82,11 +86,15 @@ def read_carried(path: Path) -> bytes:
         raise FileError(error.message, error.help, path=path) from None
 
 
-def _in_png(data: bytes, name: str) -> bytes:
-    damaged = CarriedError(
+def _damaged(name: str) -> CarriedError:
+    return CarriedError(
         Sentence("`{name}` is damaged, so no mission can be taken out of it", name),
         Sentence("get the picture once more"),
     )
+
+
+def _in_png(data: bytes, name: str) -> bytes:
+    damaged = _damaged(name)
     at = len(_PNG)
     while True:
         head = data[at : at + 8]
@@ -105,20 +113,16 @@ def _in_png(data: bytes, name: str) -> bytes:
         at += 12 + length
 
 
-def _in_pdf(data: bytes, name: str) -> bytes:
+def _in_pdf(data: bytes, attached: re.Match[bytes], name: str) -> bytes:
+    unpacker = zlib.decompressobj()
+    packed = data[attached.end() : attached.end() + int(attached[1])]
     try:
-        return mission_in_pdf(data)
-    except PdfError as error:
-        if error.kind == "locked":
-            message = Sentence("`{name}` is locked with a password, so no mission can be taken out of it", name)
-            help = Sentence("open the PDF as the studio exported it, before it was locked")
-        elif error.kind == "large":
-            message = Sentence("`{name}` holds more than any PDF of the studio", name)
-            help = Sentence("open the mission's own `.krt`")
-        else:
-            message = Sentence("`{name}` is damaged, so no mission can be taken out of it", name)
-            help = Sentence("get the PDF once more")
-        raise CarriedError(message, help) from None
+        mission = unpacker.decompress(packed, MAX_BYTES + 1)
+    except zlib.error:
+        mission = b""
+    if not unpacker.eof or len(mission) > MAX_BYTES:
+        raise _damaged(name)
+    return mission
 
 
 class _Metadata:
@@ -152,8 +156,5 @@ def _in_svg(data: bytes, name: str) -> bytes:
     try:
         parser.Parse(data, True)
     except (ExpatError, DoctypeError, LookupError, ValueError):
-        raise CarriedError(
-            Sentence("`{name}` is damaged, so no mission can be taken out of it", name),
-            Sentence("get the picture once more"),
-        ) from None
+        raise _damaged(name) from None
     return "".join(metadata.pieces).strip().encode()

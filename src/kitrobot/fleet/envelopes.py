@@ -18,8 +18,6 @@ from kitrobot.text.sentences import Sentence
 VERSION = 5
 SEAL = 16
 MOST_BYTES = 1 << 20
-LEAST_KEY, MOST_KEY = 16, 64
-"""Bytes of a key."""
 
 MEMBER, SNAPSHOT_REQUEST, SNAPSHOT, HELLO, WELCOME, BEGIN, FRAME, REPLY, STOP, BYE = range(10)
 """Messages of the protocol (`bundles`); a request for a replica; a replica; an agent that comes, its answer; the start

@@ -13,5 +13,5 @@ def identity_of(simulation: Simulation) -> str:
     """24 letters that are equal where mission, world and programs are."""
     digest = blake2b(write_mission(simulation.mission) + write_world(simulation.world), digest_size=12)
     for name, image in sorted(simulation.images.items()):
-        digest.update(name.encode() + b"\0" + image.to_bytes())
+        digest.update(name.text.encode() + b"\0" + image.to_bytes())
     return digest.hexdigest()

@@ -12,8 +12,14 @@ Nothing here knows positions on a screen, and nothing here judges: structure is 
 from __future__ import annotations
 
 from dataclasses import dataclass, field
+from typing import Annotated
+
+from annotated_types import MaxLen
 
 from kitrobot.primitives.levels import Level
+
+MOST_VERTICES = 100_000
+"""Of a program that a page sends; of arcs twice as many."""
 
 START = "Start"
 STOP = "Stop"
@@ -68,18 +74,19 @@ class Arc:
 class Program:
     """A graph, and what it is for: `target` names the kind of robot of the agents that run it, "" for a team's.
 
-    >>> import kitrobot
-    >>> drive = Program("drive", "mini-robot")
-    >>> drive.vertices = [Vertex("a", "Start"), Vertex("b", "Wheel.Advance", {"speed": "50"}), Vertex("c", "Stop")]
-    >>> drive.arcs = [Arc("a", "b"), Arc("b", "c")]
-    >>> kitrobot.compile_program(drive, "mini-robot").source.text.strip()
-    'Wheel.Advance(50);'
+    Examples:
+        >>> import kitrobot
+        >>> drive = Program("drive", "mini-robot")
+        >>> drive.vertices = [Vertex("a", "Start"), Vertex("b", "Wheel.Advance", {"speed": "50"}), Vertex("c", "Stop")]
+        >>> drive.arcs = [Arc("a", "b"), Arc("b", "c")]
+        >>> kitrobot.compile_program(drive, "mini-robot").source.text.strip()
+        'Wheel.Advance(50);'
     """
 
     name: str
-    target: str
-    vertices: list[Vertex] = field(default_factory=list)
-    arcs: list[Arc] = field(default_factory=list)
+    target: str = field(metadata={"alias": "robot"})
+    vertices: Annotated[list[Vertex], MaxLen(MOST_VERTICES)] = field(default_factory=list)
+    arcs: Annotated[list[Arc], MaxLen(2 * MOST_VERTICES)] = field(default_factory=list)
     level: Level = Level.AGENT
 
 

@@ -7,7 +7,6 @@ procedure which completes later, then variables.
 
 from __future__ import annotations
 
-import struct
 from copy import copy
 from functools import lru_cache
 
@@ -188,23 +187,3 @@ class Machine:
         """Goes back to a state of this very image."""
         for ours, theirs in zip((self.cells, self.threads, self.pars), snapshot, strict=True):
             ours[:] = theirs
-
-    def state_key(self) -> bytes:
-        """Everything that can change while the image runs, as bytes: two machines of one image with equal keys give
-        equal commands for equal inputs from then on.
-
-        Little-endian 32-bit numbers: the cells up to the first constant (fault flag, inputs, variables, counters,
-        temporaries), the next instruction and wait of each slot, for each parallel whether it is active, and for each
-        stop what armed it. Constants and the records of the image are not part of it.
-        """
-        image = self.image
-        slots = 4 + 4 * len(image.slots)
-        parallels = slots + 5 * len(image.parallels)
-        stops = parallels + 3 * len(image.stops)
-        numbers = [
-            *self.cells[: image.first_constant],
-            *self.threads[: 2 * len(image.slots)],
-            *self.pars[slots:parallels:5],
-            *self.pars[parallels:stops:3],
-        ]
-        return struct.pack(f"<{len(numbers)}i", *numbers)

@@ -30,11 +30,6 @@ _threads = sys.platform != "emscripten"
 _sleep: Sleep | None = None
 
 
-def has_threads() -> bool:
-    """Whether threads and processes can be started."""
-    return _threads
-
-
 def can_block() -> bool:
     """Whether work in the background can block."""
     return _threads or _sleep is not None

@@ -19,6 +19,7 @@ from kitrobot.image.instructions import ACT
 from kitrobot.image.machine import Layout
 from kitrobot.lll.tree import WorkDeclaration
 from kitrobot.mission.trial import Breakpoint
+from kitrobot.primitives.image_name import ImageName
 from kitrobot.primitives.robot import Robot
 from kitrobot.primitives.team_objects import has_team, with_team
 from kitrobot.trace.model import Place, Threads, TickRecord, TraceAgent, TraceHeader
@@ -66,7 +67,7 @@ class RecordedAgent:
 def recorded_agents(
     header: TraceHeader,
     robots: Mapping[str, Robot],
-    programs: Mapping[str, CompiledProgram],
+    programs: Mapping[ImageName, CompiledProgram],
     works: Sequence[WorkDeclaration] = (),
 ) -> list[RecordedAgent]:
     """The agents of a recording whose robots are known, with their programs as they compile now."""
@@ -79,7 +80,7 @@ def recorded_agents(
             width[column.owner] += 1
     robot_of = {header.image_name(agent): _robot(header, agent, robots, works) for agent in header.agents}
     givers = {
-        name: _givers(compiled, robot, header.places.get(name, ()), name.partition("\n")[0])
+        name: _givers(compiled, robot, header.places.get(name, ()), name.program)
         for name, compiled in programs.items()
         if (robot := robot_of.get(name)) is not None
     }
@@ -119,7 +120,7 @@ def _robot(
 ) -> Robot | None:
     """The robot of an agent, as a member of its team where it is one."""
     robot = robots.get(agent.robot)
-    is_of_team = robot is not None and header.image_name(agent) != agent.program and not has_team(robot, works)
+    is_of_team = robot is not None and header.image_name(agent).robot and not has_team(robot, works)
     return with_team(robot, works) if robot is not None and is_of_team else robot
 
 

@@ -8,7 +8,6 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator
 
 from kitrobot.live.watched_run import WatchedRun
-from kitrobot.wire.mission import breakpoint_from_shape
 from kitrobot.wire.run_requests import (
     BreakpointsRequest,
     ForceRequest,
@@ -64,7 +63,7 @@ def job_for_request(request: Steering, watch: WatchedRun) -> Job | None:
         case HarmRequest():
             return single_step_job(lambda: watch.inject_fault(request.agent, request.kind))
         case BreakpointsRequest():
-            return single_step_job(lambda: watch.pause_at(breakpoint_from_shape(one) for one in request.breakpoints))
+            return single_step_job(lambda: watch.pause_at(request.breakpoints))
     return None
 
 

@@ -7,6 +7,9 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from enum import StrEnum
+from typing import Annotated
+
+from annotated_types import Ge, Le
 
 from kitrobot.mission import rules
 from kitrobot.mission.trial import LONGEST_S
@@ -29,7 +32,7 @@ class Breakdown:
     """The rule, and after how many simulated seconds a robot is towed."""
 
     rule: BreakdownRule = BreakdownRule.STAY
-    after_s: float = 0.0
+    after_s: Annotated[float, Ge(0), Le(LONGEST_S)] = 0.0
 
     @property
     def words(self) -> str:

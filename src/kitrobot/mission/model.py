@@ -19,6 +19,7 @@ from kitrobot.mission.radio import Radio
 from kitrobot.mission.trial import Breakpoint, Failure
 from kitrobot.primitives.constructors import Constructor
 from kitrobot.primitives.crew import Crew, CrewProgram
+from kitrobot.primitives.image_name import ImageName
 from kitrobot.primitives.levels import Level
 from kitrobot.primitives.own_xml import OwnVariable
 from kitrobot.primitives.robot import Texts
@@ -32,11 +33,6 @@ DEFAULT_SEED = 1
 
 ALL = "all"
 """A goal's stock: every box there is."""
-
-
-def image_name(program: str, robot: str) -> str:
-    """The name of what a program of the team is for a kind of robot; of a program of one robot, its own."""
-    return f"{program}\n{robot}" if robot else program
 
 
 @dataclass(slots=True)
@@ -57,9 +53,9 @@ class Agent:
         return self.start or self.name
 
     @property
-    def image_name(self) -> str:
-        """By which the image that it runs is known: its program's, or that of its kind of robot."""
-        return image_name(self.program, self.robot)
+    def image_name(self) -> ImageName:
+        """By which the image that it runs is known."""
+        return ImageName(self.program, self.robot)
 
 
 @dataclass(slots=True)
@@ -103,12 +99,13 @@ class Mission:
 
     Nothing is checked here: whoever opens it (`kitrobot.open_mission`) says what is wrong.
 
-    >>> import kitrobot
-    >>> world = kitrobot.World("yard", 1000, 600, starts=(kitrobot.Start("a", pose=kitrobot.Pose(200, 300, 0)),))
-    >>> drive = kitrobot.read_program("Wheel.Advance(50); WAIT(10); Wheel.Stop();", "mini-robot", "drive")
-    >>> mission = Mission(programs=[drive], team=Team([Agent("a", "drive")]), own_world=world)
-    >>> kitrobot.open_mission(mission).run().sentence
-    'Done after 1.0 s: every program has ended.'
+    Examples:
+        >>> import kitrobot
+        >>> world = kitrobot.World("yard", 1000, 600, starts=(kitrobot.Start("a", pose=kitrobot.Pose(200, 300, 0)),))
+        >>> drive = kitrobot.read_program("Wheel.Advance(50); WAIT(10); Wheel.Stop();", "mini-robot", "drive")
+        >>> mission = Mission(programs=[drive], team=Team([Agent("a", "drive")]), own_world=world)
+        >>> kitrobot.open_mission(mission).run().sentence
+        'Done after 1.0 s: every program has ended.'
     """
 
     version: int = VERSION

@@ -12,6 +12,9 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from enum import StrEnum
+from typing import Annotated
+
+from annotated_types import MaxLen, MinLen
 
 from kitrobot.mission import rules
 from kitrobot.mission.trial import LONGEST_CONDITION
@@ -54,10 +57,10 @@ LONGEST_NAME = 100
 class AskedProperty:
     """One property: `second` is the condition behind *eventually* or *until*, "" where the form has one only."""
 
-    name: str
+    name: Annotated[str, MinLen(1), MaxLen(LONGEST_NAME)]
     form: Form
-    first: str
-    second: str = ""
+    first: Annotated[str, MaxLen(LONGEST_CONDITION)]
+    second: Annotated[str, MaxLen(LONGEST_CONDITION)] = ""
 
     @property
     def conditions(self) -> tuple[tuple[str, str], ...]:

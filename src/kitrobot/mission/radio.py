@@ -6,6 +6,9 @@ Without one, everybody hears everybody, and what is said is heard before the nex
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import Annotated
+
+from annotated_types import Ge, Le
 
 from kitrobot.xml.attributes import decimal, optional, whole
 from kitrobot.xml.element import Element, Tag
@@ -17,13 +20,13 @@ LONGEST_DELAY_MS = 2000
 
 @dataclass(frozen=True)
 class Radio:
-    """`range_mm`: how far a robot is heard, from middle to middle, None for everywhere (0 < range ≤ 1 000 000);
-    `delay_ms`: how long a message takes (0 … 2000); `loss`: the part of all messages that gets lost, in % (0 … 100).
+    """`range_mm`: how far a robot is heard, from middle to middle, None for everywhere; `delay_ms`: how long a message
+    takes; `loss`: the part of all messages that gets lost, in %.
     """
 
-    range_mm: float | None = None
-    delay_ms: int = 0
-    loss: float = 0.0
+    range_mm: Annotated[float, Ge(1), Le(LARGEST_RANGE_MM)] | None = None
+    delay_ms: Annotated[int, Ge(0), Le(LONGEST_DELAY_MS)] = 0
+    loss: Annotated[float, Ge(0), Le(100)] = 0.0
 
 
 def _radio(element: Element) -> Radio | None:

@@ -12,6 +12,9 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from enum import StrEnum
+from typing import Annotated
+
+from annotated_types import Ge, Le, MaxLen
 
 from kitrobot.mission import rules
 from kitrobot.text.phrases import shown
@@ -40,8 +43,8 @@ class Breakpoint:
     vertex: str
     agents: tuple[str, ...] = ()
     every: bool = False
-    when: str = ""
-    hits: int = 1
+    when: Annotated[str, MaxLen(LONGEST_CONDITION)] = ""
+    hits: Annotated[int, Ge(1), Le(MOST_HITS)] = 1
     enabled: bool = True
 
 
@@ -62,7 +65,7 @@ class Failure:
     """What happens to an agent, and when, in simulated seconds."""
 
     agent: str
-    at_s: float
+    at_s: Annotated[float, Ge(0), Le(LONGEST_S)]
     kind: FailureKind = FailureKind.FAIL
 
 

@@ -68,64 +68,75 @@ _VALUE_HELP = texts("The number to use.", "Le nombre à utiliser.", "استعم�
 _TRUTH_HELP = texts("0 is false, 1 is true.", "0 veut dire faux, 1 veut dire vrai.", "0 کا مطلب غلط، 1 کا مطلب درست۔")
 
 
+def _change(name: str, parameter: Parameter, icon: str, label: Texts, help: Texts, phrase: str) -> Method:
+    """A procedure of a variable that changes it; its action has its name."""
+    return Method(
+        name,
+        Kind.PROCEDURE,
+        (parameter,),
+        action=name.lower(),
+        icon=icon,
+        label=label,
+        help=help,
+        phrase={"": phrase},
+    )
+
+
+def _set_method(value: Parameter, help: Texts) -> Method:
+    return _change("Set", value, "pencil", _label("Mettre", "رکھو"), help, "{object} := {value}")
+
+
+_VALUE = Method(
+    "Value",
+    Kind.VALUE,
+    icon="hash",
+    label=_label("Valeur", "قدر"),
+    help=texts(
+        "The number that the variable holds now.", "Le nombre que contient la variable.", "متغیر میں موجود عدد۔"
+    ),
+    phrase={"": "{object}"},
+)
+
+
 def integer_methods(minimum: int, maximum: int, initial: int) -> tuple[Method, ...]:
     """Set, Add, Sub, Value, EqualTo, LessThan, GreaterThan of a variable that holds a number."""
     span = min(maximum - minimum, LARGEST_VALUE)
     value = Parameter("value", minimum, maximum, initial, label=_VALUE_LABEL, help=_VALUE_HELP)
     amount = Parameter("value", -span, span, min(1, span), label=_VALUE_LABEL, help=_VALUE_HELP)
     return (
-        Method(
-            "Set",
-            Kind.PROCEDURE,
-            (value,),
-            action="set",
-            icon="pencil",
-            label=_label("Mettre", "رکھو"),
-            help=texts(
+        _set_method(
+            value,
+            texts(
                 "Gives the variable a new number.",
                 "Donne un nouveau nombre à la variable.",
                 "متغیر کو نیا عدد دیتا ہے۔",
             ),
-            phrase={"": "{object} := {value}"},
         ),
-        Method(
+        _change(
             "Add",
-            Kind.PROCEDURE,
-            (amount,),
-            action="add",
-            icon="plus",
-            label=_label("Ajouter", "جمع کرو"),
-            help=texts(
+            amount,
+            "plus",
+            _label("Ajouter", "جمع کرو"),
+            texts(
                 "Makes the variable bigger by a number.",
                 "Ajoute un nombre à la variable.",
                 "متغیر میں ایک عدد جمع کرتا ہے۔",
             ),
-            phrase={"": "{object} + {value}"},
+            "{object} + {value}",
         ),
-        Method(
+        _change(
             "Sub",
-            Kind.PROCEDURE,
-            (amount,),
-            action="sub",
-            icon="minus",
-            label=_label("Enlever", "گھٹاؤ", "Subtract"),
-            help=texts(
+            amount,
+            "minus",
+            _label("Enlever", "گھٹاؤ", "Subtract"),
+            texts(
                 "Makes the variable smaller by a number.",
                 "Enlève un nombre à la variable.",
                 "متغیر میں سے ایک عدد گھٹاتا ہے۔",
             ),
-            phrase={"": "{object} − {value}"},
+            "{object} − {value}",
         ),
-        Method(
-            "Value",
-            Kind.VALUE,
-            icon="hash",
-            label=_label("Valeur", "قدر"),
-            help=texts(
-                "The number that the variable holds now.", "Le nombre que contient la variable.", "متغیر میں موجود عدد۔"
-            ),
-            phrase={"": "{object}"},
-        ),
+        _VALUE,
         *(
             Method(
                 name,
@@ -151,19 +162,13 @@ def boolean_methods(initial: int) -> tuple[Method, ...]:
     """Set, IsTrue, IsFalse of a variable that holds true or false."""
     value = Parameter("value", 0, 1, initial, type=ValueType.BOOLEAN, label=_VALUE_LABEL, help=_TRUTH_HELP)
     return (
-        Method(
-            "Set",
-            Kind.PROCEDURE,
-            (value,),
-            action="set",
-            icon="pencil",
-            label=_label("Mettre", "رکھو"),
-            help=texts(
+        _set_method(
+            value,
+            texts(
                 "Makes the variable true or false.",
                 "Rend la variable vraie ou fausse.",
                 "متغیر کو درست یا غلط بناتا ہے۔",
             ),
-            phrase={"": "{object} := {value}"},
         ),
         Method(
             "IsTrue",
@@ -229,61 +234,62 @@ def fault_object() -> RobotObject:
     )
 
 
+_WORK_METHODS = (
+    Method(
+        TAKE,
+        Kind.PROCEDURE,
+        completes_later=True,
+        icon="hand",
+        label=_label("Prendre", "لو"),
+        help=texts(
+            "Waits until a unit is this robot's, or until none is left.",
+            "Attend qu'une unité soit à ce robot, ou qu'il n'en reste plus.",
+            "انتظار کرتا ہے کہ ایک اکائی اس روبوٹ کو ملے، یا کوئی باقی نہ رہے۔",
+        ),
+    ),
+    Method(
+        DONE,
+        Kind.PROCEDURE,
+        completes_later=True,
+        icon="check",
+        label=_label("Fini", "ہو گیا"),
+        help=texts(
+            "Says that the unit that this robot took is done.",
+            "Dit que l'unité prise par ce robot est finie.",
+            "بتاتا ہے کہ اس روبوٹ کی لی ہوئی اکائی مکمل ہو گئی۔",
+        ),
+    ),
+    Method(
+        "IsEmpty",
+        Kind.TEST,
+        test="equal",
+        to=0,
+        icon="package-open",
+        label=_label("Est vide", "خالی ہے", "Is empty"),
+        help=texts("Are all units done?", "Toutes les unités sont-elles finies ?", "کیا سب اکائیاں مکمل ہو گئیں؟"),
+        phrase=texts("{object} is empty", "{object} est vide", "{object} خالی ہے"),
+    ),
+    Method(
+        "Left",
+        Kind.VALUE,
+        icon="hash",
+        label=_label("Reste", "باقی"),
+        help=texts(
+            "How many units are not done yet.",
+            "Combien d'unités ne sont pas encore finies.",
+            "کتنی اکائیاں ابھی مکمل نہیں ہوئیں۔",
+        ),
+        phrase=texts("what is left of {object}", "reste de {object}", "{object} میں سے باقی"),
+    ),
+)
+
+
 def work_object(name: str, units: int) -> RobotObject:
     """A work of the team: units that its members share out among themselves."""
     return RobotObject(
         name,
         Category.SYSTEM,
-        (
-            Method(
-                TAKE,
-                Kind.PROCEDURE,
-                completes_later=True,
-                icon="hand",
-                label=_label("Prendre", "لو"),
-                help=texts(
-                    "Waits until a unit is this robot's, or until none is left.",
-                    "Attend qu'une unité soit à ce robot, ou qu'il n'en reste plus.",
-                    "انتظار کرتا ہے کہ ایک اکائی اس روبوٹ کو ملے، یا کوئی باقی نہ رہے۔",
-                ),
-            ),
-            Method(
-                DONE,
-                Kind.PROCEDURE,
-                completes_later=True,
-                icon="check",
-                label=_label("Fini", "ہو گیا"),
-                help=texts(
-                    "Says that the unit that this robot took is done.",
-                    "Dit que l'unité prise par ce robot est finie.",
-                    "بتاتا ہے کہ اس روبوٹ کی لی ہوئی اکائی مکمل ہو گئی۔",
-                ),
-            ),
-            Method(
-                "IsEmpty",
-                Kind.TEST,
-                test="equal",
-                to=0,
-                icon="package-open",
-                label=_label("Est vide", "خالی ہے", "Is empty"),
-                help=texts(
-                    "Are all units done?", "Toutes les unités sont-elles finies ?", "کیا سب اکائیاں مکمل ہو گئیں؟"
-                ),
-                phrase=texts("{object} is empty", "{object} est vide", "{object} خالی ہے"),
-            ),
-            Method(
-                "Left",
-                Kind.VALUE,
-                icon="hash",
-                label=_label("Reste", "باقی"),
-                help=texts(
-                    "How many units are not done yet.",
-                    "Combien d'unités ne sont pas encore finies.",
-                    "کتنی اکائیاں ابھی مکمل نہیں ہوئیں۔",
-                ),
-                phrase=texts("what is left of {object}", "reste de {object}", "{object} میں سے باقی"),
-            ),
-        ),
+        _WORK_METHODS,
         maximum=units,
         initial=units,
         shared=True,

@@ -6,7 +6,6 @@ constructor's slots. Left to others: reading the XML (constructors_xml), filling
 
 from __future__ import annotations
 
-from collections.abc import Mapping
 from dataclasses import dataclass, field
 from enum import StrEnum
 from functools import cached_property
@@ -50,8 +49,8 @@ class Slot:
     loop: bool = False
     repeat: bool = False
     least: int = 0
-    minimum: int | None = None
-    maximum: int | None = None
+    minimum: int | None = field(default=None, metadata={"alias": "min"})
+    maximum: int | None = field(default=None, metadata={"alias": "max"})
     default: str = ""
     unit: str = ""
     label: Texts = field(default_factory=dict)
@@ -110,6 +109,3 @@ class Group:
     colour: str
     constructors: tuple[Constructor, ...]
     label: Texts = field(default_factory=dict)
-
-
-ConstructorTable = Mapping[str, Constructor]

@@ -7,12 +7,14 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
+from typing import Literal, get_args
 
 WAIT_UNIT = "wait-unit"
 """The scale of a number that counts waits: how many seconds one is, the robot says."""
 
-FIELDS = ("slider", "time", "dial", "ruler", "choices", "lights", "piano", "colour")
-"""The fields that a number can be set with."""
+Field = Literal["", "slider", "time", "dial", "ruler", "choices", "lights", "piano", "colour"]
+FIELDS = get_args(Field)[1:]
+"""The fields that a number can be set with; "" where nothing is said."""
 
 MOST_CHOICES = 64
 """Named values of one number, at most."""
@@ -34,10 +36,10 @@ class Meaning:
     """What a number means.
 
     `scale`: how many units one is, a decimal number above 0 or `WAIT_UNIT`. `units`: the unit in other languages than
-    English, whose word stands beside the number. `field` is "" where nothing is said.
+    English, whose word stands beside the number.
     """
 
     scale: str = "1"
     units: Mapping[str, str] = field(default_factory=dict)
-    field: str = ""
+    field: Field = ""
     choices: tuple[Choice, ...] = ()

@@ -4,10 +4,11 @@ from __future__ import annotations
 
 import re
 from dataclasses import replace
+from typing import cast
 
 from kitrobot.primitives import rules
 from kitrobot.primitives.attribute_kinds import ROBOT_NUMBER
-from kitrobot.primitives.meaning import FIELDS, MOST_CHOICES, WAIT_UNIT, Choice, Meaning
+from kitrobot.primitives.meaning import FIELDS, MOST_CHOICES, WAIT_UNIT, Choice, Field, Meaning
 from kitrobot.text.sentences import Sentence
 from kitrobot.xml import rules as xml_rules
 from kitrobot.xml.attributes import ICON, Attribute, Kind, needed, one, optional
@@ -109,7 +110,7 @@ def read_meaning(element: Element, least: int, most: int) -> tuple[str, Meaning 
         element.report(rules.MEANING, message, "field")
     if field == "choices" and not choices:
         element.report(rules.MEANING, Sentence("expected a <choice> for the field choices, found none"), "field")
-    meaning = Meaning(scale, units, field, choices)
+    meaning = Meaning(scale, units, cast(Field, field), choices)
     return unit, None if meaning == Meaning() else meaning
 
 

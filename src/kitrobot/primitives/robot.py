@@ -61,10 +61,10 @@ class Parameter:
     """One parameter of a method: whole numbers `minimum`…`maximum` (both included)."""
 
     name: str
-    minimum: int
-    maximum: int
+    minimum: int = field(metadata={"alias": "min"})
+    maximum: int = field(metadata={"alias": "max"})
     default: int
-    type: ValueType = ValueType.INTEGER
+    type: ValueType = field(default=ValueType.INTEGER, metadata={"alias": "kind"})
     unit: str = ""
     label: Texts = field(default_factory=dict)
     help: Texts = field(default_factory=dict)

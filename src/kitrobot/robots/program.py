@@ -9,6 +9,7 @@ from pathlib import Path
 from kitrobot.compiler.compilation import CompiledProgram
 from kitrobot.deploy.errors import PackageError
 from kitrobot.deploy.firmware.requirements import FirmwareRequirements
+from kitrobot.deploy.installation.loop_installers import build_for_all_boards
 from kitrobot.deploy.kits.kits import fit_to_kit, parts_used, refuse_what_is_missing
 from kitrobot.deploy.package.driver_fit import refuse_misfits, refuse_what_fits_no_board
 from kitrobot.deploy.package.package import FAMILIES, Package
@@ -55,7 +56,7 @@ class BoardProgram:
     def called(self) -> frozenset[str]:
         """Its names on robots of each kind for which it has drivers, and on robots that know drivers by name."""
         found = {program_name(self.file.to_bytes())[2:]}
-        for built in self.package.build_for_all(self.file.drivers):
+        for built in build_for_all_boards(self.package, self.file.drivers):
             found.add(program_name(board_file(self.file, built))[2:])
         return frozenset(found)
 

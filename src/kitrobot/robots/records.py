@@ -10,6 +10,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from kitrobot.diagnostics.model import KitRobotError
+from kitrobot.primitives.image_name import ImageName
 from kitrobot.robots.faults import describe_fault
 from kitrobot.robots.names import BoardNames
 from kitrobot.robots.recording_context import RecordingContext
@@ -72,7 +73,7 @@ def header_of(boards: Sequence[RecordedBoard]) -> TraceHeader:
             for number, one in enumerate(boards, 1)
         ),
         tuple(columns),
-        {one.names.program: tuple(vertex for vertex, _, _ in one.names.places) for one in boards},
+        {ImageName(one.names.program): tuple(vertex for vertex, _, _ in one.names.places) for one in boards},
         first.recording_context.parts,
     )
 

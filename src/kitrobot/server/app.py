@@ -48,7 +48,7 @@ from kitrobot.wire.board import BOARD_MESSAGE_MODELS, BOARD_REQUEST_MODELS
 from kitrobot.wire.drawing_check import DRAWING_CHECK_MESSAGE_MODELS, DRAWING_CHECK_REQUEST_MODELS
 from kitrobot.wire.files import ConflictShape
 from kitrobot.wire.journal import WATCH_MESSAGE_MODELS
-from kitrobot.wire.problem import FailureShape, problem_shapes
+from kitrobot.wire.problem import RequestFailureShape, problem_shapes
 from kitrobot.wire.run import RUN_MESSAGE_MODELS
 from kitrobot.wire.run_requests import REQUEST_MODELS
 from kitrobot.wire.sweep import SWEEP_MESSAGE_MODELS, SWEEP_REQUEST_MODELS
@@ -183,13 +183,13 @@ def _failed(request: Request, error: Exception) -> Response:
 
 
 def _failure(error: KitRobotError, status: int) -> Response:
-    failure = FailureShape(message=error.message, help=error.help, problems=problem_shapes(error.diagnostics))
+    failure = RequestFailureShape(message=error.message, help=error.help, problems=problem_shapes(error.diagnostics))
     return JSONResponse(failure.model_dump(), status_code=status)
 
 
 def _disk_failed(request: Request, error: Exception) -> Response:
     assert isinstance(error, OSError)
-    failure = FailureShape(
+    failure = RequestFailureShape(
         message=Word(error.strerror) if error.strerror else Sentence("the disk could not be used"), help=""
     )
     return JSONResponse(failure.model_dump(), status_code=422)
@@ -199,7 +199,7 @@ def _not_understood(request: Request, error: Exception) -> Response:
     assert isinstance(error, RequestValidationError)
     first = error.errors()[0]
     where = ".".join(str(part) for part in first["loc"])
-    failure = FailureShape(
+    failure = RequestFailureShape(
         message=Sentence("The request was not understood: {reason} ({where}).", first["msg"], where),
         help=Sentence("Load the page again: it may be older than the studio."),
     )
@@ -210,7 +210,7 @@ def _refused(request: Request, error: Exception) -> Response:
     """Nothing is there, or not for that method."""
     assert isinstance(error, HTTPException)
     if request.url.path.startswith("/api/"):
-        failure = FailureShape(message=Word(error.detail), help="")
+        failure = RequestFailureShape(message=Word(error.detail), help="")
         return JSONResponse(failure.model_dump(), status_code=error.status_code, headers=error.headers)
     page = fallback_pages.sentence(Word(error.detail), Sentence("the studio is at `/`"))
     return HTMLResponse(page, status_code=error.status_code, headers=error.headers)

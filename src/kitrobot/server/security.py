@@ -19,7 +19,6 @@ from __future__ import annotations
 
 import hashlib
 import hmac
-import ipaddress
 import logging
 import os
 from typing import Any
@@ -30,6 +29,7 @@ from starlette.types import ASGIApp, Message, Receive, Scope, Send
 from starlette.websockets import WebSocketDisconnect
 
 from kitrobot.server import fallback_pages
+from kitrobot.server.hosts import is_loopback, named_host
 from kitrobot.text.json_text import to_json
 from kitrobot.text.sentences import Sentence
 from kitrobot.wire.sentences import spoken
@@ -92,7 +92,8 @@ class SecurityMiddleware:
 
     async def _websocket(self, scope: Scope, receive: Receive, send: Send) -> None:
         headers = Headers(scope=scope)
-        if not _is_own_host(headers) or not _is_own_origin(headers) or not self._has_valid_token(scope, headers):
+        is_ours = is_loopback(named_host(headers)) and _is_own_origin(headers)
+        if not is_ours or not self._has_valid_token(scope, headers):
             await receive()
             await send({"type": "websocket.close", "code": 1008, "reason": "not allowed"})
             return
@@ -132,7 +133,7 @@ class SecurityMiddleware:
                 add_security_headers(message, scope)
             await send(message)
 
-        if not _is_own_host(headers):
+        if not is_loopback(named_host(headers)):
             host = headers.get("host", "")[:80]
             await refuse(
                 scope, with_headers, 403, Sentence("the studio does not answer to the name `{host}`", host), _ADDRESS
@@ -197,17 +198,6 @@ _REPORT = Sentence("start it with KITROBOT_DEBUG=1 to see where, and please repo
 
 def _equal_in_constant_time(one: str, other: str) -> bool:
     return hmac.compare_digest(one.encode(), other.encode())
-
-
-def _is_own_host(headers: Headers) -> bool:
-    host = headers.get("host", "").lower()
-    name, _, port = host.rpartition(":") if not host.endswith("]") and ":" in host else (host, "", "")
-    if port and not port.isdecimal():
-        return False
-    try:
-        return name == "localhost" or ipaddress.ip_address(name.strip("[]")).is_loopback
-    except ValueError:
-        return False
 
 
 def _is_own_origin(headers: Headers) -> bool:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import ipaddress
 import os
 import secrets
 import socket
@@ -17,6 +16,7 @@ from urllib.parse import urlencode
 from kitrobot.diagnostics.model import KitRobotError
 from kitrobot.files.examples import first_example
 from kitrobot.files.folder import MissionFolder
+from kitrobot.server.hosts import host_number, is_loopback
 from kitrobot.server.presence import Presence, StudioInfo
 from kitrobot.text.sentences import Sentence
 
@@ -136,12 +136,8 @@ def _loopback(host: str) -> str:
     Raises:
         ServerError: it is not one that only this machine reaches.
     """
-    address = "127.0.0.1" if host == "localhost" else host.strip("[]")
-    try:
-        if ipaddress.ip_address(address).is_loopback:
-            return address
-    except ValueError:
-        pass
+    if is_loopback(host):
+        return host_number(host)
     raise ServerError(
         Sentence("the studio does not listen on `{host}`", host),
         Sentence("it is for the people at this machine: use 127.0.0.1, ::1 or localhost"),

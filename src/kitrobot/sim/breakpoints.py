@@ -24,6 +24,7 @@ from kitrobot.image.machine import Machine
 from kitrobot.lll.parse_results import parse
 from kitrobot.lll.tree import Conditional
 from kitrobot.mission.trial import Breakpoint
+from kitrobot.primitives.image_name import ImageName
 from kitrobot.primitives.robot import Robot
 from kitrobot.text.sentences import Sentence
 from kitrobot.trace.model import Place, Threads
@@ -51,7 +52,7 @@ class ObservedAgent(Protocol):
     def name(self) -> str: ...
 
     @property
-    def image_name(self) -> str: ...
+    def image_name(self) -> ImageName: ...
 
     @property
     def robot(self) -> Robot: ...
@@ -117,8 +118,8 @@ class _WatchedVertex:
     """
 
     breakpoint: Breakpoint
-    instructions: Mapping[str, frozenset[int]]
-    conditions: Mapping[str, Condition]
+    instructions: Mapping[ImageName, frozenset[int]]
+    conditions: Mapping[ImageName, Condition]
     agents: Sequence[ObservedAgent]
     visits: dict[int, list[int]] = field(default_factory=dict)
     there: set[int] = field(default_factory=set)
@@ -141,7 +142,7 @@ class Breakpoints:
         self,
         breakpoints: Iterable[Breakpoint],
         agents: Sequence[ObservedAgent],
-        places: Mapping[str, Sequence[Place]],
+        places: Mapping[ImageName, Sequence[Place]],
     ) -> None:
         self._watched: list[_WatchedVertex] = []
         images = {agent.image_name: agent.robot for agent in agents}
@@ -159,7 +160,7 @@ class Breakpoints:
                 for agent in agents
                 if agent.image_name in instructions and (not breakpoint.agents or agent.name in breakpoint.agents)
             ]
-            asks = {agent.image_name for agent in wanted} if breakpoint.when.strip() else set[str]()
+            asks = {agent.image_name for agent in wanted} if breakpoint.when.strip() else set[ImageName]()
             conditions = {name: Condition(breakpoint.when, images[name]) for name in asks}
             if wanted:
                 self._watched.append(_WatchedVertex(breakpoint, instructions, conditions, wanted))

@@ -73,9 +73,7 @@ class Recorder:
         self._team = TeamRecord(simulation.team_plan, roles, simulation.members, simulation.state)
         columns += self._team.columns
         inner = {
-            name: tuple(debug.inner_of(name.partition("\n")[0]))
-            for name, debug in sorted(simulation.debug.items())
-            if "\n" in name
+            name: tuple(debug.inner_of(name.program)) for name, debug in sorted(simulation.debug.items()) if name.robot
         }
         return TraceHeader(
             write_mission(simulation.mission).decode(),
@@ -88,7 +86,7 @@ class Recorder:
             ),
             tuple(columns),
             {
-                name: tuple(debug.vertices_of(name.partition("\n")[0]) if "\n" in name else debug.vertices)
+                name: tuple(debug.vertices_of(name.program) if name.robot else debug.vertices)
                 for name, debug in sorted(simulation.debug.items())
             },
             parts,

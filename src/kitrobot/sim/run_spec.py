@@ -9,6 +9,7 @@ from kitrobot.compiler.compilation import CompiledProgram
 from kitrobot.compiler.team.points import TeamPlan
 from kitrobot.mission.model import DEFAULT_SEED, Mission
 from kitrobot.primitives.catalogue import Catalogue
+from kitrobot.primitives.image_name import ImageName
 from kitrobot.sim.simulation import Simulation
 from kitrobot.world.model import World
 
@@ -19,7 +20,7 @@ class RunSpec:
 
     mission: Mission
     world: World
-    images: Mapping[str, CompiledProgram]
+    images: Mapping[ImageName, CompiledProgram]
     catalogue: Catalogue
     seed: int = DEFAULT_SEED
     seconds: float | None = None

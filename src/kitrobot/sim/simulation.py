@@ -14,7 +14,7 @@ from __future__ import annotations
 
 import hashlib
 import math
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from functools import cached_property
 from typing import Literal
 
@@ -26,8 +26,8 @@ from kitrobot.mission.model import DEFAULT_SEED, Mission
 from kitrobot.mission.trial import FailureKind
 from kitrobot.mission.writer import write_mission
 from kitrobot.primitives.catalogue import Catalogue
-from kitrobot.sim.agent_views import AgentView, poses_of, view_of
-from kitrobot.sim.event_text import Event, EventText, sensor_names
+from kitrobot.primitives.image_name import ImageName
+from kitrobot.sim.event_text import Event, EventText
 from kitrobot.sim.jit.arrays import as_arrays
 from kitrobot.sim.jit.policy import JitPolicy
 from kitrobot.sim.outcome import (
@@ -40,11 +40,10 @@ from kitrobot.sim.outcome import (
     is_at_once,
 )
 from kitrobot.sim.overrides import force_sensor, stop_motors
-from kitrobot.sim.physics.bodies import WorldState
+from kitrobot.sim.run_view import RunView
 from kitrobot.sim.setup.limits import SimulationError, check_limits, whole_number
 from kitrobot.sim.setup.setup import Setup, shared_tables_of
 from kitrobot.sim.snapshots import SNAPSHOT_VERSION, damaged, sealed, unsealed
-from kitrobot.sim.step.agents import Agent
 from kitrobot.sim.step.deadlock_detection import mark_activity
 from kitrobot.sim.step.fault_schedule import (
     discard_reported_events,
@@ -55,14 +54,13 @@ from kitrobot.sim.step.fault_schedule import (
 from kitrobot.sim.step.faults import BY_HAND
 from kitrobot.sim.step.pens import drawn_marks
 from kitrobot.sim.step.step_loop import advance, are_goals_reached, can_continue
-from kitrobot.sim.tables.columns import ASLEEP, COLLISIONS, EVENTS, S_FORCED, STUCK, TICK
-from kitrobot.sim.tables.state import State, numbers
+from kitrobot.sim.tables.columns import ASLEEP, EVENTS, STUCK, TICK
 from kitrobot.sim.tables.state_codec import StateCodec
 from kitrobot.sim.tables.team_columns import T_ACTUATOR, T_ROLE, TEAM_OVER
 from kitrobot.sim.team_text import TeamText
 from kitrobot.text.collection import collection_paused
 from kitrobot.text.phrases import one_of, shown
-from kitrobot.text.sentences import Help, Sentence
+from kitrobot.text.sentences import Sentence
 from kitrobot.text.suggestions import did_you_mean
 from kitrobot.trace.drawing import Mark
 from kitrobot.world.model import World
@@ -71,33 +69,34 @@ from kitrobot.world.xml_writer import write_world
 Outcome = Literal["done", "failed", "stuck", "time"]
 
 
-class Simulation:
-    """A run. `collisions` counts contacts, each once; `stock` and `delivered` are by name.
+class Simulation(RunView):
+    """A run, as it is now (`RunView`) and going on.
 
     `outcome` is None as long as it goes on, and `sentence` says then why it ended. `OpenMission.simulation` makes one
     of a mission, with what that needs.
 
-    >>> import kitrobot
-    >>> run = kitrobot.open_mission("square").simulation(seed=1)
-    >>> run.step()
-    >>> run.tick, run.seconds, run.outcome
-    (1, 0.02, None)
-    >>> kept = run.snapshot()
-    >>> run.advance(99)
-    99
-    >>> run.restore(kept)
-    >>> run.tick
-    1
+    Examples:
+        >>> import kitrobot
+        >>> run = kitrobot.open_mission("square").simulation(seed=1)
+        >>> run.step()
+        >>> run.tick, run.seconds, run.outcome
+        (1, 0.02, None)
+        >>> kept = run.snapshot()
+        >>> run.advance(99)
+        99
+        >>> run.restore(kept)
+        >>> run.tick
+        1
 
     Args:
         mission: what is run, and by whom.
         world: where; it must have been read without errors.
-        images: the compiled programs by name.
+        images: the compiled programs, by `Agent.image_name`.
         catalogue: the robots.
         seed: decides all chance; 0 to `MAX_SEED`.
         seconds: simulated time after which the run ends with the outcome "time", to `MAX_SECONDS`; None for no limit.
         fail_rate: the probability (0…1) that an agent fails for good within a minute, by chance.
-        team: the points of the program that agents run as a team; its images have the names `Agent.image_name`.
+        team: the points of the program that agents run as a team.
 
     Raises:
         SimulationError: the mission cannot be run in this world; its diagnostics say everything that is in the way.
@@ -108,7 +107,7 @@ class Simulation:
         self,
         mission: Mission,
         world: World,
-        images: Mapping[str, CompiledProgram],
+        images: Mapping[ImageName, CompiledProgram],
         catalogue: Catalogue,
         seed: int = DEFAULT_SEED,
         seconds: float | None = None,
@@ -119,21 +118,17 @@ class Simulation:
         seed = whole_number(seed)
         with collection_paused():
             setup = Setup(mission, world, images, catalogue, seed, fail_rate, team=team)
+        shared = shared_tables_of(setup.agents)
+        super().__init__(world, setup.agents, setup.tables.state(shared), setup.step_ms)
         self.mission = mission
-        self.world = world
         self.seed = seed
         self.seconds_limit = seconds
         self.fail_rate = fail_rate
-        self.tick_ms = setup.step_ms
         self.outcome: Outcome | None = None
         self.sentence = ""
         self.events: list[Event] = []
         self.drawn: list[Mark] = []
         """What happened in the steps of the last `step` or `advance`, and what pens drew in them."""
-        self.members: list[Agent] = setup.agents
-        shared = shared_tables_of(self.members)
-        self.state = setup.tables.state(shared)
-        self.stage = WorldState(world, self.state)
         self._codec = StateCodec(self.state)
         self._images = {agent.image_name: images[agent.image_name].image for agent in self.members}
         self.debug = {agent.image_name: images[agent.image_name].debug for agent in self.members}
@@ -146,9 +141,6 @@ class Simulation:
         self.team_plan = team
         """The points of the program that agents run as a team; None where they run none."""
         self._goals = Goals(self.state.docks.goals, self.stage)
-        self._sensors = sensor_names(self.state, self.members)
-        self._sensors_of = [[self._sensors[one.index, s] for s in one.machine.layout.sensors] for one in self.members]
-        self._show(self.state)
         self._last_tick: int | None = None
         if seconds is not None:
             self._last_tick = max(1, math.ceil(seconds * 1000 / self.tick_ms - 1e-9))
@@ -156,19 +148,7 @@ class Simulation:
         self.stays_plain = False
         """Set before the first step: CPython runs every step, however many; to compare, and to measure."""
 
-    def _show(self, state: State) -> None:
-        """From now on the state is this."""
-        self.state = state
-        self.stage.show(state)
-        for agent in self.members:
-            agent.show(state)
-
     # -- going on
-
-    @property
-    def tick(self) -> int:
-        """Finished steps."""
-        return int(self.state.clock[TICK])
 
     def step(self) -> None:
         """One step of everything, `tick_ms` of simulated time; then `events` is what happened in it.
@@ -255,7 +235,12 @@ class Simulation:
         )
 
     @property
-    def images(self) -> dict[str, Image]:
+    def ended_at_once(self) -> bool:
+        """Whether the run is over and all its programs ended before time passed."""
+        return self.outcome is not None and is_at_once(self.seconds, self.members)
+
+    @property
+    def images(self) -> dict[ImageName, Image]:
         """The programs by the names of `Agent.image_name`."""
         return {name: image for name, image in self._images.items() if image is not None}
 
@@ -293,23 +278,6 @@ class Simulation:
             )
         force_sensor(k, value, self.state)
         self.update_outcome()
-
-    def forced(self, agent: str) -> list[str]:
-        """The sensors of an agent in whose place a value stands.
-
-        Raises:
-            KitRobotError: there is no such agent.
-        """
-        member = self._member(agent)
-        forced = self.state.sensors.ints[S_FORCED]
-        return [name for name in member.machine.layout.sensors if forced[self._sensors[member.index, name]]]
-
-    def forced_bits(self) -> list[int]:
-        """The same of every agent, in team order: a bit for each sensor of its robot, the first lowest."""
-        forced = numbers(self.state.sensors.ints[S_FORCED])
-        if not any(forced):
-            return [0] * len(self.members)
-        return [sum(1 << bit for bit, k in enumerate(own) if forced[k]) for own in self._sensors_of]
 
     def set_variable(self, agent: str, variable: str, value: int) -> None:
         """Sets an agent's variable between two steps, within its range; a shared one spreads with the next step.
@@ -358,22 +326,6 @@ class Simulation:
         self.update_outcome()
         return True
 
-    def _member(self, agent: str) -> Agent:
-        member = next((one for one in self.members if one.name == agent), None)
-        if member is None:
-            message = Sentence("no agent {agent} takes part in this run", agent)
-            raise KitRobotError(message, self._names(agent))
-        return member
-
-    def _names(self, agent: str, part: str = "", parts: Callable[[Agent], Iterable[str]] | None = None) -> Help:
-        """The help for a name that there is not: of an agent, or of a part of it."""
-        member = next((one for one in self.members if one.name == agent), None)
-        if member is None or parts is None:
-            names = [one.name for one in self.members]
-            return did_you_mean(agent, names) or Sentence("those who do are {known}", one_of(sorted(names)[:20]))
-        known = list(parts(member))
-        return did_you_mean(part, known) or (Sentence("it has {known}", one_of(known[:20])) if known else "")
-
     def plan_failures(self, failures: Sequence[tuple[int, int]]) -> None:
         """Puts up to two failures, (step, agent's place in the team), on the schedule, as if the mission had them too.
 
@@ -400,7 +352,7 @@ class Simulation:
         digest.update(f"{self.seed}/{self.seconds_limit}/{self.fail_rate}/{SNAPSHOT_VERSION}".encode())
         for name, image in sorted(self._images.items()):
             assert image is not None, "staged before"
-            digest.update(name.encode() + image.to_bytes())
+            digest.update(name.text.encode() + image.to_bytes())
         return digest.digest()
 
     def snapshot(self) -> bytes:
@@ -424,62 +376,3 @@ class Simulation:
             raise damaged() from error
         self.events = [event for event in self._event_text.events(self.state) if event.tick < self.tick]
         self.update_outcome()
-
-    # -- looking
-
-    @property
-    def seconds(self) -> float:
-        """Simulated time."""
-        return self.tick * self.tick_ms / 1000
-
-    @property
-    def ended_at_once(self) -> bool:
-        """Whether the run is over and all its programs ended before time passed."""
-        return self.outcome is not None and is_at_once(self.seconds, self.members)
-
-    @property
-    def collisions(self) -> int:
-        """How many times something began to touch something."""
-        return int(self.state.clock[COLLISIONS])
-
-    @property
-    def stock(self) -> dict[str, int]:
-        """Boxes by storehouse."""
-        return {house.name: int(self.stage.stock[number]) for number, house in enumerate(self.world.storehouses)}
-
-    @property
-    def things(self) -> list[tuple[float, float]]:
-        """(x mm, y mm) of the middle of each thing that can be pushed: the world's boxes, then its balls."""
-        xs, ys = (numbers(column) for column in self.state.pushables.floats[:2])
-        return list(zip(xs, ys, strict=True))
-
-    @property
-    def total(self) -> int:
-        """All boxes there are, in storehouses and on carriers."""
-        return self.stage.total
-
-    @property
-    def delivered(self) -> dict[str, int]:
-        """Boxes each carrier brought, by its name."""
-        return {agent.name: int(self.stage.delivered[agent.index]) for agent in self.members if agent.kind == "carrier"}
-
-    def poses(self) -> list[tuple[float, float, float, int, int]]:
-        """(x mm, y mm, heading rad, load, flags) of each agent, in team order."""
-        return poses_of(self.state)
-
-    def view(self, index: int) -> AgentView:
-        """An agent as it is now, by its place in the team."""
-        return view_of(self.members[index])
-
-    def agent(self, name: str) -> AgentView:
-        """An agent as it is now, by its name.
-
-        Raises:
-            KitRobotError: there is no such agent.
-        """
-        return self.view(self._member(name).index)
-
-    @property
-    def agents(self) -> list[AgentView]:
-        """All agents as they are now, in team order."""
-        return [self.view(index) for index in range(len(self.members))]

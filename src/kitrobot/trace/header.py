@@ -10,6 +10,7 @@ from collections.abc import Iterable, Sequence
 from itertools import groupby
 from typing import Any
 
+from kitrobot.primitives.image_name import ImageName
 from kitrobot.text.sentences import Sentence
 from kitrobot.trace.model import TEAM, Column, TraceAgent, TraceError, TraceHeader, TracePart, TracePlan, TracePoint
 
@@ -50,9 +51,9 @@ def header_to_json(header: TraceHeader) -> dict[str, Any]:
         ],
         "layouts": [[list(pair) for pair in layout] for layout in numbers],
         "team": [list(pair) for pair in mine[TEAM]],
-        "vertices": {program: list(vertices) for program, vertices in header.vertices.items()},
+        "vertices": {name.text: list(vertices) for name, vertices in header.vertices.items()},
         "parts": [[part.file, part.text] for part in header.parts],
-        **({"inner": {name: list(found) for name, found in header.inner.items()}} if header.inner else {}),
+        **({"inner": {name.text: list(found) for name, found in header.inner.items()}} if header.inner else {}),
         **({"plan": _plan_to_json(header.plan)} if header.plan is not None else {}),
     }
 
@@ -80,11 +81,11 @@ def header_from_json(data: Any) -> TraceHeader:
             _whole(data["tick_ms"], 1, LONGEST_TICK_MS),
             tuple(_agents(data["agents"])),
             tuple(_columns(data["agents"], [_layout(rows) for rows in data["layouts"]], _layout(data["team"]))),
-            {_text(name): tuple(_vertices(found)) for name, found in data["vertices"].items()},
+            {ImageName.parse(_text(name)): tuple(_vertices(found)) for name, found in data["vertices"].items()},
             tuple(TracePart(_text(file), _text(text)) for file, text in data["parts"]),
             _whole(data["total"], 0, 2**53),
             _rate(data["fail_rate"]),
-            {_text(name): tuple(_inner(found)) for name, found in data.get("inner", {}).items()},
+            {ImageName.parse(_text(name)): tuple(_inner(found)) for name, found in data.get("inner", {}).items()},
             _plan(data["plan"]) if "plan" in data else None,
         )
     except (AttributeError, KeyError, OverflowError, TypeError, ValueError) as error:

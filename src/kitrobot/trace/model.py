@@ -16,6 +16,7 @@ from functools import cached_property
 from itertools import zip_longest
 
 from kitrobot.diagnostics.model import KitRobotError
+from kitrobot.primitives.image_name import ImageName
 
 TEAM = ""
 """The owner of a column that belongs to no single agent."""
@@ -120,11 +121,11 @@ class TraceHeader:
     tick_ms: int
     agents: tuple[TraceAgent, ...]
     columns: tuple[Column, ...]
-    vertices: Mapping[str, tuple[str | None, ...]] = field(default_factory=dict)
+    vertices: Mapping[ImageName, tuple[str | None, ...]] = field(default_factory=dict)
     parts: tuple[TracePart, ...] = ()
     total: int = 0
     fail_rate: float = 0.0
-    inner: Mapping[str, Inner] = field(default_factory=dict)
+    inner: Mapping[ImageName, Inner] = field(default_factory=dict)
     plan: TracePlan | None = None
 
     def vertices_of(self, agent: TraceAgent) -> tuple[str | None, ...]:
@@ -132,20 +133,20 @@ class TraceHeader:
         return self.vertices.get(self.image_name(agent), ())
 
     @cached_property
-    def places(self) -> Mapping[str, tuple[Place, ...]]:
+    def places(self) -> Mapping[ImageName, tuple[Place, ...]]:
         """The program and the vertex of each instruction, where it has one, of what `vertices` names."""
         return {
             name: tuple(
-                (name.partition("\n")[0], vertex) if vertex is not None else inner
+                (name.program, vertex) if vertex is not None else inner
                 for vertex, inner in zip_longest(vertices, self.inner.get(name, ()))
             )
             for name, vertices in self.vertices.items()
         }
 
-    def image_name(self, agent: TraceAgent) -> str:
+    def image_name(self, agent: TraceAgent) -> ImageName:
         """What `vertices` calls what an agent runs: its program, and its kind of robot where that is a team's."""
-        name = f"{agent.program}\n{agent.robot}"
-        return name if name in self.vertices else agent.program
+        name = ImageName(agent.program, agent.robot)
+        return name if name in self.vertices else ImageName(agent.program)
 
     @cached_property
     def unplaced(self) -> frozenset[str]:

@@ -101,6 +101,11 @@ class Step:
     events: tuple[str, ...]
     team: tuple[TeamWant, ...] = ()
 
+    @property
+    def asks(self) -> bool:
+        """Whether programs or the team have to be in some way."""
+        return bool(self.wants or self.team)
+
 
 @dataclass(frozen=True)
 class TeacherPage:

@@ -185,13 +185,7 @@ class _PatternMatcher:
                 for _ in self.condition(pattern.condition, value.condition):
                     yield from self.ways(pattern.body, value.body)
             case Conditional():
-                bodies = [(pattern.then, value.then)]
-                if pattern.orelse is not None:
-                    bodies.append((pattern.orelse, value.orelse))
-                elif self.whole and value.orelse is not None:
-                    return
-                for _ in self.condition(pattern.condition, value.condition):
-                    yield from self.all(bodies)
+                yield from self.choice(pattern, value, [(pattern.then, value.then)])
             case Parallel():
                 more = len(value.branches) - len(pattern.branches)
                 if more == 0 or (more > 0 and not self.whole):
@@ -209,6 +203,15 @@ class _PatternMatcher:
             case Not():
                 yield from self.ways(pattern.condition, value.condition)
 
+    def choice(self, pattern: Conditional | Where, value: Any, parts: list[tuple[Any, Any]]) -> Iterator[None]:
+        """A condition, these parts, and what is done otherwise."""
+        if pattern.orelse is not None:
+            parts.append((pattern.orelse, value.orelse))
+        elif self.whole and value.orelse is not None:
+            return
+        for _ in self.condition(pattern.condition, value.condition):
+            yield from self.all(parts)
+
     def of_team(self, pattern: Node, value: Any) -> Iterator[None]:
         """What stands in a team's program only. A set is the same in any order; a hole takes any set."""
         match pattern:
@@ -218,13 +221,7 @@ class _PatternMatcher:
             case SeqOfPar() | ParOfSeq():
                 yield from self.all([(pattern.members, value.members), (pattern.body, value.body)])
             case Where():
-                bodies = [(pattern.members, value.members), (pattern.then, value.then)]
-                if pattern.orelse is not None:
-                    bodies.append((pattern.orelse, value.orelse))
-                elif self.whole and value.orelse is not None:
-                    return
-                for _ in self.condition(pattern.condition, value.condition):
-                    yield from self.all(bodies)
+                yield from self.choice(pattern, value, [(pattern.members, value.members), (pattern.then, value.then)])
             case Joint():
                 if pattern.quantifier == value.quantifier:
                     for _ in self.ways(pattern.members, value.members):

@@ -8,7 +8,7 @@ parts fit together (workspace), where the sentences are written.
 
 from __future__ import annotations
 
-from collections.abc import Collection, Hashable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Collection, Hashable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, fields, replace
 from typing import Any
 
@@ -51,44 +51,14 @@ def merge_missions(base: Mission, ours: Mission, theirs: Mission, taken: Collect
     fresh: dict[tuple[str, str], str] = {}
     programs = _programs(base, ours, theirs, decisions, fresh)
     theirs = replace(theirs, breakpoints=[_at_fresh(one, fresh) for one in theirs.breakpoints])
-    agents = merged_by_name(
-        base.team.agents, ours.team.agents, theirs.team.agents, _agent_name, Sentence("the agent"), choose
-    )
+    sides = (base, ours, theirs)
+    teams = tuple(side.team for side in sides)
+    agents = merged_by_name(*_lists(teams, "agents"), _agent_name, Sentence("the agent"), choose)
     _bring_back(programs, agents, (ours, theirs), decisions)
-    goals = merged_by_name(
-        base.team.goals, ours.team.goals, theirs.team.goals, _goal_name, Sentence("the goal of"), choose
-    )
-    own: dict[str, Any] = {
-        "constructors": merged_by_name(
-            base.constructors, ours.constructors, theirs.constructors, _own_name, Sentence("the own part"), choose
-        ),
-        "breakpoints": merged_by_name(
-            base.breakpoints,
-            ours.breakpoints,
-            theirs.breakpoints,
-            _breakpoint_name,
-            Sentence("the breakpoint at"),
-            choose,
-            breakpoint_title,
-        ),
-        "failures": merged_by_name(
-            base.failures,
-            ours.failures,
-            theirs.failures,
-            _failure_name,
-            Sentence("the failure of"),
-            choose,
-            failure_title,
-        ),
-        "properties": merged_by_name(
-            base.properties, ours.properties, theirs.properties, _declared, Sentence("the property"), choose
-        ),
-        "variables": merged_by_name(
-            base.variables, ours.variables, theirs.variables, _own_name, Sentence("the variable"), choose
-        ),
-    }
+    goals = merged_by_name(*_lists(teams, "goals"), _goal_name, Sentence("the goal of"), choose)
+    own = _named_parts(sides, decisions)
     for what in ("unknown", "prolog"):
-        own[what] = list(merged_nameless(*(getattr(side, what) for side in (base, ours, theirs))))
+        own[what] = list(merged_nameless(*_lists(sides, what)))
     own["attributes"] = merged_values(
         Sentence("the mission"), base.attributes, ours.attributes, theirs.attributes, choose
     )
@@ -109,11 +79,31 @@ def merge_missions(base: Mission, ours: Mission, theirs: Mission, taken: Collect
         ("groups", Sentence("the group")),
         ("works", Sentence("the work")),
     ):
-        old, mine, other = (getattr(side.team, what) for side in (base, ours, theirs))
-        setattr(team, what, merged_by_name(old, mine, other, _declared, word, choose))
+        setattr(team, what, merged_by_name(*_lists(teams, what), _declared, word, choose))
     mission = Mission(programs=programs, team=team, world_href=href, **own, **rest)
     _report_lost_breakpoints(mission, (ours, theirs), decisions)
     return MergeResult(mission, tuple(decisions.found))
+
+
+def _lists(sides: Iterable[Any], what: str) -> tuple[Any, Any, Any]:
+    """A list of `base`, `ours` and `theirs`."""
+    base, ours, theirs = (getattr(side, what) for side in sides)
+    return base, ours, theirs
+
+
+def _named_parts(sides: Iterable[Mission], decisions: Decisions) -> dict[str, Any]:
+    """What a mission has beside programs, team and world, and that has names."""
+    named: tuple[tuple[str, Callable[[Any], Hashable], Sentence, Callable[[Any], Sentence] | None], ...] = (
+        ("constructors", _own_name, Sentence("the own part"), None),
+        ("breakpoints", _breakpoint_name, Sentence("the breakpoint at"), breakpoint_title),
+        ("failures", _failure_name, Sentence("the failure of"), failure_title),
+        ("properties", _declared, Sentence("the property"), None),
+        ("variables", _own_name, Sentence("the variable"), None),
+    )
+    return {
+        what: merged_by_name(*_lists(sides, what), name_of, word, decisions.choose, title_of)
+        for what, name_of, word, title_of in named
+    }
 
 
 def _at_fresh(breakpoint: Breakpoint, fresh: Mapping[tuple[str, str], str]) -> Breakpoint:

@@ -2,11 +2,10 @@
 
 from __future__ import annotations
 
-from typing import Literal
-
 from pydantic import BaseModel
 
-from kitrobot.wire.catalogue import MeaningShape
+from kitrobot.primitives.meaning import Meaning
+from kitrobot.primitives.robot import ValueType
 from kitrobot.wire.sentences import Spoken
 from kitrobot.wire.values import View
 
@@ -33,9 +32,9 @@ class BoardBenchShape(BaseModel):
 class ReadingShape(View):
     """What the value of a part means."""
 
-    type: Literal["integer", "boolean"]
+    type: ValueType
     unit: str
-    meaning: MeaningShape | None
+    meaning: Meaning | None
 
 
 class BenchStepShape(BaseModel):

@@ -2,69 +2,33 @@
 
 from __future__ import annotations
 
-from typing import Annotated, Any, Literal
+from typing import Annotated, Literal
 
-from pydantic import AliasChoices, BaseModel, Field, model_validator
+from pydantic import BaseModel
 
 from kitrobot.primitives.automatic import work_object
 from kitrobot.primitives.catalogue import Catalogue
-from kitrobot.primitives.robot import Robot
+from kitrobot.primitives.constructors import Role, Slot
+from kitrobot.primitives.levels import Level
+from kitrobot.primitives.meaning import Meaning
+from kitrobot.primitives.robot import Category, Kind, Parameter, Robot, Texts, ValueType
 from kitrobot.sim.devices import DisplayKind, ManualControl
 from kitrobot.sim.setup.settings import appearance_of, length_of
 from kitrobot.wire.problem import ProblemShape, problem_shapes
-from kitrobot.wire.values import Least, Most, View
+from kitrobot.wire.values import Least, Most, Row, View, WireFields
 
-Texts = dict[str, str]
-LevelName = Literal["agent", "group", "social"]
 Colour = Literal["loop", "choice", "parallel", "action", "test", "team"]
 
 
-class ChoiceShape(View):
-    """A value with a name, and one picture at most: an icon, lights (digits, five by five) or a `#rrggbb`."""
-
-    value: int
-    label: Texts
-    icon: str = ""
-    lights: str = ""
-    colour: str = ""
+SlotValue = Annotated[Slot, WireFields("names", "meaning", deep=False)]
+ParameterValue = Annotated[Parameter, WireFields("meaning", deep=False)]
 
 
-class MeaningShape(View):
-    """What a number means. `scale`: how many units one is, or `wait-unit`; `units`: other languages than English."""
-
-    scale: str = "1"
-    units: Texts = Field(default_factory=dict)
-    field: Literal["", "slider", "time", "dial", "ruler", "choices", "lights", "piano", "colour"] = ""
-    choices: list[ChoiceShape] = Field(default_factory=list)
-
-
-class SlotShape(View):
-    """A hole of a constructor."""
-
-    name: str
-    kind: Literal["flow", "condition", "value", "number", "text", "action"]
-    label: Texts
-    loop: bool
-    repeat: bool
-    least: int
-    min: Least[int | None]
-    max: Most[int | None]
-    default: str
-    unit: str
-    names: Literal["", "set", "program"] = ""
-    meaning: MeaningShape | None = None
-
-
-class AddsShape(View):
+class AddsShape(Row):
     """The constructor, and its slot, that a branch adds itself to."""
 
     constructor: str
     slot: str
-
-    @model_validator(mode="before")
-    @classmethod
-    def _pair(cls, given: Any) -> Any:
-        return {"constructor": given[0], "slot": given[1]} if isinstance(given, tuple) else given
 
 
 class ConstructorShape(View):
@@ -76,11 +40,11 @@ class ConstructorShape(View):
     colour: Colour
     label: Texts
     help: Texts
-    slots: list[SlotShape]
-    role: Literal["instruction", "condition", "branch"]
+    slots: tuple[SlotValue, ...]
+    role: Role
     adds: AddsShape | None
     code: str
-    level: LevelName = "agent"
+    level: Level = Level.AGENT
 
 
 class GroupShape(View):
@@ -92,29 +56,15 @@ class GroupShape(View):
     constructors: list[ConstructorShape]
 
 
-class ParameterShape(View):
-    """A parameter of a method; `min` and `max` are included."""
-
-    name: str
-    kind: Annotated[Literal["integer", "boolean"], Field(validation_alias=AliasChoices("kind", "type"))]
-    min: Least[int]
-    max: Most[int]
-    default: int
-    unit: str
-    label: Texts
-    help: Texts
-    meaning: MeaningShape | None = None
-
-
 class MethodShape(View):
     """What a robot object can do or tell. `phrase`: words for chips, with holes, `{object} = {value}`."""
 
     name: str
-    kind: Literal["procedure", "test", "value"]
+    kind: Kind
     label: Texts
     help: Texts
     icon: str
-    parameters: list[ParameterShape]
+    parameters: tuple[ParameterValue, ...]
     completes_later: bool
     stop: str | None
     phrase: Texts
@@ -134,7 +84,7 @@ class RobotObjectShape(View):
     """A part of a robot. In the arena, `look` is how an actuator is drawn, and `hand` how a person works a sensor."""
 
     name: str
-    category: Literal["actuator", "sensor", "variable", "system"]
+    category: Category
     look: DisplayKind = ""
     hand: ManualControl = ""
     ray: RayShape | None = None
@@ -142,13 +92,13 @@ class RobotObjectShape(View):
     label: Texts
     help: Texts
     methods: list[MethodShape]
-    type: Literal["integer", "boolean"]
+    type: ValueType
     min: Least[int]
     max: Most[int]
     initial: int
     shared: bool
     unit: str = ""
-    meaning: MeaningShape | None = None
+    meaning: Meaning | None = None
 
 
 class RobotShape(View):

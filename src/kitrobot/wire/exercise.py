@@ -12,6 +12,7 @@ from kitrobot.sim.setup.limits import MAX_SEED
 from kitrobot.wire.mission import MissionShape
 from kitrobot.wire.problem import ProblemShape, problem_shapes
 from kitrobot.wire.sentences import Spoken
+from kitrobot.wire.values import View
 from kitrobot.workspace.exercises import FoundExercise
 
 GoalKind = Literal["program", "run", "check"]
@@ -58,7 +59,7 @@ class StopJudgingShape(BaseModel):
     judging: JudgingName
 
 
-class GoalVerdictShape(BaseModel):
+class GoalVerdictShape(View):
     """What came of a goal; `reached` is null where this piece says nothing of it. `seed` and `seconds` are the run and
     the moment that show what went wrong.
     """
@@ -99,6 +100,4 @@ def _kind(goal: Goal) -> GoalKind:
 
 def goal_verdict_shapes(made: Evaluation) -> list[GoalVerdictShape]:
     """The verdicts as they travel."""
-    return [
-        GoalVerdictShape(reached=one.reached, why=one.why, seed=one.seed, seconds=one.seconds) for one in made.verdicts
-    ]
+    return [GoalVerdictShape.model_validate(one) for one in made.verdicts]

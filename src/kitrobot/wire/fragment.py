@@ -8,9 +8,10 @@ from pydantic import BaseModel, Field
 
 from kitrobot.primitives.own_xml import MOST_OWN
 from kitrobot.wire.catalogue import ConstructorShape
-from kitrobot.wire.mission import ProgramShape
+from kitrobot.wire.mission import ProgramValue
 from kitrobot.wire.own_parts import OwnVariableShape
 from kitrobot.wire.problem import ProblemShape
+from kitrobot.wire.values import View
 
 LONGEST_FRAGMENT = 1_000_000
 """Characters that may be pasted at once; the longest program that fits a robot is far shorter."""
@@ -28,8 +29,8 @@ class FragmentRequestShape(BaseModel):
     variables: Annotated[list[OwnVariableShape], Field(max_length=MOST_OWN)] = []
 
 
-class FragmentShape(BaseModel):
+class FragmentShape(View):
     """What the text became: a chain from Start to Stop, or a condition on its own; None when it is no LLL."""
 
-    program: ProgramShape | None
+    program: ProgramValue | None
     problems: list[ProblemShape]

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from pydantic import BaseModel
 
-from kitrobot.wire.mission import ProgramShape, mission_shape
+from kitrobot.wire.mission import ProgramValue
+from kitrobot.wire.values import Row, View
 from kitrobot.wire.world import WorldShape, world_shape
 from kitrobot.workspace.mission_loader import OpenMission
 from kitrobot.workspace.previews import Preview
@@ -39,7 +40,7 @@ class PreviewAgentShape(BaseModel):
     start: str
 
 
-class PreviewShownShape(BaseModel):
+class PreviewShownShape(Row):
     """From that frame on an agent's actuator shows these numbers."""
 
     frame: int
@@ -48,7 +49,7 @@ class PreviewShownShape(BaseModel):
     numbers: list[int]
 
 
-class PreviewStockShape(BaseModel):
+class PreviewStockShape(Row):
     """From that frame on so many boxes lie in a storehouse."""
 
     frame: int
@@ -56,7 +57,7 @@ class PreviewStockShape(BaseModel):
     boxes: int
 
 
-class RunPreviewShape(BaseModel):
+class RunPreviewShape(View):
     """The first seconds of a run in `frames` pictures; none where it cannot run, and then its program is what there is.
 
     `ways`: of each agent five numbers a frame (x and y in mm, the heading in thousandths of a radian, load, flags); of
@@ -64,7 +65,7 @@ class RunPreviewShape(BaseModel):
     lines of pens, each (frame, pen, what, x, y, colour, width), and `pens` who has them.
     """
 
-    program: ProgramShape | None
+    program: ProgramValue | None
     world: WorldShape | None
     seconds: float
     frames: int
@@ -79,7 +80,7 @@ class RunPreviewShape(BaseModel):
 
 def run_preview_shape(opened: OpenMission, preview: Preview | None) -> RunPreviewShape:
     """A mission's preview as it travels."""
-    programs = mission_shape(opened.mission).programs
+    programs = opened.mission.programs
     starts = {agent.name: agent.start for agent in opened.mission.team.agents}
     made = preview or Preview([], 0.0, 0, [], [], [], [], [], [])
     return RunPreviewShape(

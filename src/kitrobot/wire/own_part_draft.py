@@ -2,15 +2,19 @@
 
 from __future__ import annotations
 
-from typing import Annotated, Any, Literal
+from typing import Annotated
 
-from pydantic import BaseModel, Field, model_validator
+from pydantic import BaseModel, Field
 
 from kitrobot.compiler.graph.own_part import ChosenSlot
-from kitrobot.wire.catalogue import Colour, ConstructorShape, MeaningShape, Texts
-from kitrobot.wire.mission import MOST_VERTICES, MissionShape, ProgramShape
-from kitrobot.wire.problem import FailureShape, ProblemShape
-from kitrobot.wire.values import Least, Most, View
+from kitrobot.graph.model import MOST_VERTICES
+from kitrobot.primitives.constructors import Role, SlotKind
+from kitrobot.primitives.meaning import Meaning
+from kitrobot.primitives.robot import Texts
+from kitrobot.wire.catalogue import Colour, ConstructorShape
+from kitrobot.wire.mission import MissionShape, ProgramValue
+from kitrobot.wire.problem import ProblemShape, RequestFailureShape
+from kitrobot.wire.values import Least, Most, Row, View
 
 LONGEST_PART = 20_000
 """Characters of a part's LLL as it is typed; what can be kept is shorter."""
@@ -25,16 +29,11 @@ class SelectedShape(BaseModel):
     vertices: Annotated[list[str], Field(max_length=MOST_VERTICES)]
 
 
-class PlaceShape(BaseModel):
+class PlaceShape(Row):
     """A slot or parameter of a vertex; the slot "" is the vertex itself."""
 
     vertex: str
     slot: str
-
-    @model_validator(mode="before")
-    @classmethod
-    def _pair(cls, given: Any) -> Any:
-        return {"vertex": given[0], "slot": given[1]} if isinstance(given, tuple) else given
 
 
 class OfferShape(View):
@@ -42,7 +41,7 @@ class OfferShape(View):
 
     vertex: str
     slot: str
-    kind: Literal["flow", "condition", "value", "number", "text", "action"]
+    kind: SlotKind
     name: str
     label: Texts
     inside: PlaceShape | None
@@ -51,13 +50,13 @@ class OfferShape(View):
     min: Least[int]
     max: Most[int]
     unit: str
-    meaning: MeaningShape | None = None
+    meaning: Meaning | None = None
 
 
 class OfferedShape(BaseModel):
     """What a selection offers; `problems` are in it while nothing is left open."""
 
-    role: Literal["instruction", "condition", "branch"]
+    role: Role
     vertices: list[str]
     offers: list[OfferShape]
     problems: list[ProblemShape]
@@ -67,19 +66,7 @@ class OfferAnswerShape(BaseModel):
     """What a selection offers, or why it cannot be a part."""
 
     offered: OfferedShape | None
-    refused: FailureShape | None
-
-
-class ChosenShape(BaseModel):
-    """An offer that becomes a slot under that name; numbers with one name become one slot."""
-
-    vertex: str
-    slot: str
-    name: str
-    min: int | None = None
-    max: int | None = None
-    default: str | None = None
-    unit: str | None = None
+    refused: RequestFailureShape | None
 
 
 class PartWishShape(SelectedShape):
@@ -90,15 +77,15 @@ class PartWishShape(SelectedShape):
     colour: Colour = "action"
     label: Texts = {}
     help: Texts = {}
-    chosen: Annotated[list[ChosenShape], Field(max_length=MOST_VERTICES)]
+    chosen: Annotated[list[ChosenSlot], Field(max_length=MOST_VERTICES)]
 
 
-class PartShape(BaseModel):
+class PartShape(View):
     """The part, its LLL, and the program with a vertex of it in the selection's place."""
 
     constructor: ConstructorShape
     lll: str
-    program: ProgramShape
+    program: ProgramValue
     vertex: str
 
 
@@ -106,7 +93,7 @@ class PartAnswerShape(BaseModel):
     """What a wish became, or why it cannot be."""
 
     part: PartShape | None
-    refused: FailureShape | None
+    refused: RequestFailureShape | None
 
 
 class PartTextShape(BaseModel):
@@ -118,7 +105,7 @@ class PartTextShape(BaseModel):
     constructor: ConstructorShape
 
 
-class PartReadShape(BaseModel):
+class PartReadShape(View):
     """The part (None while there are mistakes) and its LLL in the one true layout.
 
     `drawing` is its template as a graph, whose holes are named `{name}`; problems have their places in the code as it
@@ -127,7 +114,7 @@ class PartReadShape(BaseModel):
 
     constructor: ConstructorShape | None
     lll: str
-    drawing: ProgramShape | None
+    drawing: ProgramValue | None
     problems: list[ProblemShape]
 
 
@@ -135,8 +122,3 @@ class PartFileShape(BaseModel):
     """The parts of a mission as a constructors file."""
 
     constructors: list[ConstructorShape]
-
-
-def chosen_from_shape(shape: ChosenShape) -> ChosenSlot:
-    """The choice that travelled."""
-    return ChosenSlot(shape.vertex, shape.slot, shape.name, shape.min, shape.max, shape.default, shape.unit)

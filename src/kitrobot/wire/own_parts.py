@@ -11,13 +11,11 @@ from functools import lru_cache
 from typing import TypeVar
 
 from kitrobot.diagnostics.model import KitRobotError
-from kitrobot.primitives.constructors import Constructor, Role, Slot, SlotKind
-from kitrobot.primitives.levels import Level
-from kitrobot.primitives.meaning import Choice, Meaning
+from kitrobot.primitives.constructors import Constructor
 from kitrobot.primitives.own_xml import OwnVariable, read_own, write_constructor, write_variable
-from kitrobot.primitives.robot import Category, RobotObject, ValueType
+from kitrobot.primitives.robot import Category, RobotObject
 from kitrobot.text.sentences import Sentence
-from kitrobot.wire.catalogue import ConstructorShape, MeaningShape, RobotObjectShape
+from kitrobot.wire.catalogue import ConstructorShape, RobotObjectShape
 from kitrobot.wire.values import View
 
 Own = TypeVar("Own", Constructor, OwnVariable)
@@ -63,45 +61,20 @@ def _constructor(text: str) -> Constructor:
 
 def raw_constructor(shape: ConstructorShape) -> Constructor:
     """What a shape says, unread: it may make no sense."""
-    slots = [
-        Slot(
-            slot.name,
-            SlotKind(slot.kind),
-            slot.loop,
-            slot.repeat,
-            slot.least,
-            slot.min,
-            slot.max,
-            slot.default,
-            slot.unit,
-            slot.label,
-            meaning=raw_meaning(slot.meaning),
-        )
-        for slot in shape.slots
-    ]
-    adds = (shape.adds.constructor, shape.adds.slot) if shape.adds is not None else None
     return Constructor(
         shape.name,
         "",
         shape.colour,
-        tuple(slots),
+        shape.slots,
         shape.code,
         None,
-        Role(shape.role),
-        adds,
+        shape.role,
+        (shape.adds.constructor, shape.adds.slot) if shape.adds is not None else None,
         shape.icon,
         shape.label,
         shape.help,
-        level=Level(shape.level),
+        level=shape.level,
     )
-
-
-def raw_meaning(shape: MeaningShape | None) -> Meaning | None:
-    """What a number means, as it travelled, unread."""
-    if shape is None:
-        return None
-    choices = tuple(Choice(one.value, one.label, one.icon, one.lights, one.colour) for one in shape.choices)
-    return Meaning(shape.scale, shape.units, shape.field, choices)
 
 
 @lru_cache(KEPT)
@@ -112,7 +85,7 @@ def _variable(text: str) -> OwnVariable:
         variable.name,
         Category.VARIABLE,
         (),
-        type=ValueType(variable.type),
+        type=variable.type,
         minimum=variable.min,
         maximum=variable.max,
         initial=variable.initial,

@@ -39,7 +39,7 @@ class ProblemShape(BaseModel):
     fix: FixShape | None = None
 
 
-class FailureShape(BaseModel):
+class RequestFailureShape(BaseModel):
     """Why a request could not be done: a sentence and a way out; `problems` where a file was the reason."""
 
     message: Spoken

@@ -8,6 +8,7 @@ from pydantic import BaseModel, Field
 
 from kitrobot.wire.mission import MissionShape
 from kitrobot.wire.problem import ProblemShape
+from kitrobot.workspace.program_report import ProjectionReport
 
 
 class SpanEntryShape(BaseModel):
@@ -28,20 +29,6 @@ class ProgramReportShape(BaseModel):
     instructions: int
 
 
-class ProjectionSpanShape(SpanEntryShape):
-    """The same in a projected program; `program` is the team's program in which the vertex stands."""
-
-    program: str
-
-
-class ProjectionShape(BaseModel):
-    """What the program of the whole team is for a kind of robot: LLL that nobody writes."""
-
-    robot: str
-    lll: str
-    spans: list[ProjectionSpanShape]
-
-
 class ReportShape(BaseModel):
     """A mission looked through.
 
@@ -50,7 +37,7 @@ class ReportShape(BaseModel):
 
     programs: list[ProgramReportShape]
     problems: list[ProblemShape]
-    projections: list[ProjectionShape] = []
+    projections: list[ProjectionReport] = []
 
 
 class CheckShape(BaseModel):

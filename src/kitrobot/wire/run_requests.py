@@ -6,9 +6,10 @@ from typing import Annotated, Literal
 
 from pydantic import BaseModel, Field, TypeAdapter
 
+from kitrobot.mission.trial import Breakpoint
 from kitrobot.sim.setup.limits import MAX_SECONDS
 from kitrobot.wire.board import Address, Name, TeamBoards
-from kitrobot.wire.mission import MOST_AGENTS, BreakpointShape, MissionShape
+from kitrobot.wire.mission import Many, MissionShape
 
 FASTEST = 100.0
 """Times real time."""
@@ -22,7 +23,7 @@ MOST_ADDRESSES = 32
 """Real robots that are watched as one run."""
 
 
-Breakpoints = Annotated[list[BreakpointShape], Field(max_length=MOST_AGENTS)]
+Breakpoints = Many[Breakpoint]
 
 
 class StartRequest(BaseModel):

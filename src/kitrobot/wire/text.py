@@ -4,9 +4,10 @@ from __future__ import annotations
 
 from pydantic import BaseModel
 
-from kitrobot.wire.mission import DeclaredShape, MissionShape, ProgramShape
+from kitrobot.wire.mission import DeclaredShape, MissionShape, ProgramValue
 from kitrobot.wire.problem import ProblemShape
 from kitrobot.wire.report import ReportShape, SpanEntryShape
+from kitrobot.wire.values import View
 
 
 class TextEditShape(BaseModel):
@@ -18,7 +19,7 @@ class TextEditShape(BaseModel):
     text: str
 
 
-class FollowedShape(BaseModel):
+class FollowedShape(View):
     """The program of a text, with the place of each vertex in it; None, and no places, while it has mistakes.
 
     `spans` and `problems` are None where they are those of the report: the text is the one that the graph prints.
@@ -26,7 +27,7 @@ class FollowedShape(BaseModel):
     and with what the text of a team's program declares: `declared`.
     """
 
-    program: ProgramShape | None
+    program: ProgramValue | None
     spans: list[SpanEntryShape] | None
     problems: list[ProblemShape] | None
     report: ReportShape | None

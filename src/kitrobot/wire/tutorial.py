@@ -2,16 +2,20 @@
 
 from __future__ import annotations
 
+from typing import Annotated
+
 from pydantic import BaseModel
 
 from kitrobot.tutorial.model import TeacherPage
 from kitrobot.wire.mission import MissionShape
 from kitrobot.wire.problem import ProblemShape, problem_shapes
-from kitrobot.wire.values import PointValue
+from kitrobot.wire.values import PointValue, View, WireFields
 from kitrobot.workspace.tutorials import FoundTutorial
 
+TeacherPageValue = Annotated[TeacherPage, WireFields()]
 
-class TutorialStepShape(BaseModel):
+
+class TutorialStepShape(View):
     """One step. `asks`: the program has to be in some way; `events`: one of these has to happen meanwhile."""
 
     label: dict[str, str]
@@ -20,15 +24,6 @@ class TutorialStepShape(BaseModel):
     points: list[PointValue]
     asks: bool
     events: list[str]
-
-
-class TeacherPageShape(BaseModel):
-    """What a teacher wants to know of a tutorial; each text by language."""
-
-    minutes: int
-    aim: dict[str, str]
-    troubles: list[dict[str, str]]
-    questions: list[dict[str, str]]
 
 
 class TutorialShape(BaseModel):
@@ -40,7 +35,7 @@ class TutorialShape(BaseModel):
     help: dict[str, str]
     icon: str
     steps: list[TutorialStepShape]
-    teacher: TeacherPageShape | None
+    teacher: TeacherPageValue | None
     problems: list[ProblemShape]
 
 
@@ -67,26 +62,7 @@ def tutorial_shape(found: FoundTutorial) -> TutorialShape:
         label=dict(tutorial.label) if tutorial is not None else {},
         help=dict(tutorial.help) if tutorial is not None else {},
         icon=tutorial.icon if tutorial is not None else "",
-        steps=[
-            TutorialStepShape(
-                label=dict(step.label),
-                help=dict(step.help),
-                hint=dict(step.hint),
-                points=list(step.points),
-                asks=bool(step.wants or step.team),
-                events=list(step.events),
-            )
-            for step in (tutorial.steps if tutorial is not None else ())
-        ],
-        teacher=_teacher(tutorial.teacher) if tutorial is not None and tutorial.teacher is not None else None,
+        steps=[TutorialStepShape.model_validate(step) for step in (tutorial.steps if tutorial is not None else ())],
+        teacher=tutorial.teacher if tutorial is not None else None,
         problems=problem_shapes(found.problems),
-    )
-
-
-def _teacher(page: TeacherPage) -> TeacherPageShape:
-    return TeacherPageShape(
-        minutes=page.minutes,
-        aim=dict(page.aim),
-        troubles=[dict(texts) for texts in page.troubles],
-        questions=[dict(texts) for texts in page.questions],
     )

@@ -2,24 +2,28 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from typing import Annotated, Literal
 
-from pydantic import BaseModel, Field, TypeAdapter
+from pydantic import AliasChoices, BaseModel, Field, TypeAdapter
 
-from kitrobot.checking.background_check import CheckedColumn, ExplorationProgress, PropertyAnswer
+from kitrobot.checking.background_check import CheckedColumn, ExplorationProgress
 from kitrobot.checking.verification import MOST_FAILURES
+from kitrobot.verifier.exploration.budget import CutReason
 from kitrobot.verifier.model.table_builder import KINDS
+from kitrobot.verifier.model.timing import Timing
+from kitrobot.verifier.properties.verdicts import Answer
 from kitrobot.verifier.report.replay import ConfirmedRun
+from kitrobot.verifier.report.storyboard import Scene
 from kitrobot.wire.job import WorkMessage, WorkRefusedMessage
 from kitrobot.wire.mission import MissionShape
 from kitrobot.wire.sentences import Clause, Spoken
+from kitrobot.wire.values import Row, View
 
 LONGEST_S = 3_600.0
 """Seconds that a check in a page may take."""
 
-TimingName = Literal["lockstep", "prompt", "free"]
 KindName = Literal["fail", "stall", "mute"]
-CutName = Literal["states", "memory", "time", "stopped", "size"]
 
 
 class VerifyStartRequest(BaseModel):
@@ -44,7 +48,7 @@ class VerifyProgressMessage(WorkMessage):
     """How far the check is under one assumption: see `kitrobot.checking.background_check.Explored`."""
 
     type: Literal["progress"] = "progress"
-    timing: TimingName
+    timing: Timing
     failures: int
     states: int
     depth: int
@@ -52,7 +56,7 @@ class VerifyProgressMessage(WorkMessage):
     memory: int
 
 
-class CheckedEventShape(BaseModel):
+class CheckedEventShape(Row):
     """One event of a run that breaks a property, and the step it is in."""
 
     step: int
@@ -78,23 +82,7 @@ class ConfirmingRunShape(BaseModel):
     failures: list[ConfirmingFailureShape]
 
 
-class StandShape(BaseModel):
-    """A robot in a scene; `at` are the vertices at which its program stands, each with the name of its program."""
-
-    x_mm: float
-    y_mm: float
-    heading_rad: float
-    at: list[tuple[str, str]]
-
-
-class SceneShape(BaseModel):
-    """What a run of the model looks like before a step; the robots are in the order of the mission's agents."""
-
-    step: int
-    robots: list[StandShape]
-
-
-class GuiltyShape(BaseModel):
+class GuiltyShape(View):
     """A vertex at which a property is broken, whose robot, what happens there, and whether it goes on for ever."""
 
     agent: str
@@ -104,19 +92,19 @@ class GuiltyShape(BaseModel):
     repeats: bool
 
 
-class CheckedPropertyShape(BaseModel):
+class CheckedPropertyShape(View):
     """One answer: see `kitrobot.checking.background_check.Answered`."""
 
     name: str
     sentence: Clause
-    answer: Literal["holds", "broken", "not finished", "vacuous"]
+    answer: Answer
     steps: int
     repeats_from: int
-    events: list[CheckedEventShape]
+    events: Annotated[list[CheckedEventShape], Field(validation_alias=AliasChoices("events", "story"))]
     left_out: int
     confirmed: ConfirmingRunShape | None
     searched: bool
-    scenes: list[SceneShape]
+    scenes: tuple[Scene, ...]
     guilty: list[GuiltyShape]
 
 
@@ -124,11 +112,11 @@ class VerifyColumnMessage(WorkMessage):
     """The answers under one assumption. They come once more when the simulator was searched for what is broken."""
 
     type: Literal["column"] = "column"
-    timing: TimingName
+    timing: Timing
     failures: int
     states: int
     depth: int
-    cut: CutName | None
+    cut: CutReason | None
     seconds: float
     properties: list[CheckedPropertyShape]
 
@@ -154,63 +142,13 @@ def verify_message(
 ) -> VerifyProgressMessage | VerifyColumnMessage:
     """What a check tells, as the page gets it."""
     if isinstance(told, ExplorationProgress):
-        return VerifyProgressMessage(
-            timing=told.timing.value,
-            failures=told.failures,
-            states=told.states,
-            depth=told.depth,
-            seconds=told.seconds,
-            memory=told.memory,
-        )
-    return VerifyColumnMessage(
-        timing=told.timing.value,
-        failures=told.failures,
-        states=told.states,
-        depth=told.depth,
-        cut=None if told.cut is None else told.cut.value,
-        seconds=told.seconds,
-        properties=[_answer(one, tick_ms) for one in told.properties],
-    )
-
-
-def _answer(one: PropertyAnswer, tick_ms: int) -> CheckedPropertyShape:
-    run = one.confirmed
-    return CheckedPropertyShape(
-        name=one.name,
-        sentence=one.sentence,
-        answer=one.answer.value,
-        steps=one.steps,
-        repeats_from=one.repeats_from,
-        events=[CheckedEventShape(step=step, text=text) for step, text in one.story],
-        left_out=one.left_out,
-        searched=one.searched,
-        scenes=[
-            SceneShape(
-                step=scene.step,
-                robots=[
-                    StandShape(
-                        x_mm=round(robot.x_mm, 1),
-                        y_mm=round(robot.y_mm, 1),
-                        heading_rad=round(robot.heading_rad, 3),
-                        at=list(robot.at),
-                    )
-                    for robot in scene.robots
-                ],
-            )
-            for scene in one.scenes
-        ],
-        guilty=[
-            GuiltyShape(
-                agent=found.agent,
-                program=found.vertex[0],
-                vertex=found.vertex[1],
-                sentence=found.sentence,
-                repeats=found.repeats,
-            )
-            for found in one.guilty
-        ],
-        confirmed=None if run is None else confirming_run_shape(run, tick_ms),
-    )
+        return VerifyProgressMessage.model_validate(told, from_attributes=True)
+    runs = [None if one.confirmed is None else confirming_run_shape(one.confirmed, tick_ms) for one in told.properties]
+    answers = [replace(one, confirmed=None) for one in told.properties]
+    message = VerifyColumnMessage.model_validate(replace(told, properties=tuple(answers)), from_attributes=True)
+    for answer, run in zip(message.properties, runs, strict=True):
+        answer.confirmed = run
+    return message
 
 
 def confirming_run_shape(run: ConfirmedRun, tick_ms: int) -> ConfirmingRunShape:

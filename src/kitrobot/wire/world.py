@@ -2,27 +2,16 @@
 
 from __future__ import annotations
 
-from typing import Literal, cast
+from typing import Literal
 
-from pydantic import BaseModel
+from pydantic import BaseModel, Field
 
-from kitrobot.wire.values import SectionValue, StorehouseValue
-from kitrobot.world.model import LOAD, Dock, Start, World
-
-FloorColour = Literal["red", "green", "blue"]
-ZoneKind = Literal["warm", "loud", "bright"]
+from kitrobot.wire.values import View
+from kitrobot.world.limits import DockKind, FloorColour
+from kitrobot.world.model import Dock, Section, Start, Storehouse, Wall, World, Zone
 
 
-class WallShape(BaseModel):
-    """A straight wall."""
-
-    x1: float
-    y1: float
-    x2: float
-    y2: float
-
-
-class LineShape(BaseModel):
+class LineOutlineShape(BaseModel):
     """A coloured line on the floor, sampled like a road."""
 
     colour: FloorColour
@@ -31,7 +20,7 @@ class LineShape(BaseModel):
     points: list[tuple[float, float]]
 
 
-class FloorShape(BaseModel):
+class FloorOutlineShape(BaseModel):
     """A coloured part of the floor, by the points of its border, sampled like a road."""
 
     colour: FloorColour
@@ -45,10 +34,10 @@ class RoadShape(BaseModel):
     width_mm: float
     closed: bool
     points: list[tuple[float, float]]
-    sections: list[SectionValue]
+    sections: tuple[Section, ...]
 
 
-class DockShape(BaseModel):
+class DockPoseShape(BaseModel):
     """Where stock goes from a storehouse onto a carrier, or back."""
 
     name: str
@@ -56,7 +45,7 @@ class DockShape(BaseModel):
     at_mm: float
     reach_mm: float
     storehouse: str
-    kind: Literal["load", "unload"]
+    kind: DockKind
     x_mm: float
     y_mm: float
     heading_rad: float
@@ -81,35 +70,22 @@ class ThingShape(BaseModel):
     height_mm: float
 
 
-class ZoneShape(BaseModel):
-    """Where it is warm, loud or bright, around its middle: a circle, or a rectangle where its radius is 0."""
-
-    kind: ZoneKind
-    x_mm: float
-    y_mm: float
-    radius_mm: float
-    width_mm: float
-    height_mm: float
-    value: float
-    falloff_mm: float
-
-
-class WorldShape(BaseModel):
+class WorldShape(View):
     """The place of a mission."""
 
     name: str
     width_mm: float
     height_mm: float
-    walls: list[WallShape]
-    floors: list[FloorShape]
-    lines: list[LineShape]
+    walls: tuple[Wall, ...]
+    floors: list[FloorOutlineShape]
+    lines: list[LineOutlineShape]
     roads: list[RoadShape]
-    docks: list[DockShape]
-    storehouses: list[StorehouseValue]
+    docks: list[DockPoseShape]
+    storehouses: tuple[Storehouse, ...]
     starts: list[StartPoseShape]
-    things: list[ThingShape] = []
+    things: list[ThingShape] = Field(default_factory=list)
     """Boxes and then balls, in the order of the frames of a run."""
-    zones: list[ZoneShape] = []
+    zones: tuple[Zone, ...] = ()
 
 
 def world_shape(world: World) -> WorldShape:
@@ -118,16 +94,14 @@ def world_shape(world: World) -> WorldShape:
         name=world.name,
         width_mm=world.width_mm,
         height_mm=world.height_mm,
-        walls=[WallShape(x1=wall.x1_mm, y1=wall.y1_mm, x2=wall.x2_mm, y2=wall.y2_mm) for wall in world.walls],
+        walls=world.walls,
         floors=[
-            FloorShape(
-                colour=cast(FloorColour, floor.colour), points=list(zip(floor.line.xs, floor.line.ys, strict=True))
-            )
+            FloorOutlineShape(colour=floor.colour, points=list(zip(floor.line.xs, floor.line.ys, strict=True)))
             for floor in world.floors
         ],
         lines=[
-            LineShape(
-                colour=cast(FloorColour, line.colour),
+            LineOutlineShape(
+                colour=line.colour,
                 width_mm=line.width_mm,
                 closed=line.closed,
                 points=list(zip(line.line.xs, line.line.ys, strict=True)),
@@ -140,12 +114,12 @@ def world_shape(world: World) -> WorldShape:
                 width_mm=road.width_mm,
                 closed=road.closed,
                 points=list(zip(road.line.xs, road.line.ys, strict=True)),
-                sections=list(road.sections),
+                sections=road.sections,
             )
             for road in world.roads
         ],
         docks=[_dock(world, dock) for dock in world.docks],
-        storehouses=list(world.storehouses),
+        storehouses=world.storehouses,
         starts=[_start(world, start) for start in world.starts],
         things=[
             *(
@@ -159,19 +133,19 @@ def world_shape(world: World) -> WorldShape:
                 for one in world.balls
             ),
         ],
-        zones=[ZoneShape.model_validate(vars(one)) for one in world.zones],
+        zones=world.zones,
     )
 
 
-def _dock(world: World, dock: Dock) -> DockShape:
+def _dock(world: World, dock: Dock) -> DockPoseShape:
     pose = world.dock_pose(dock)
-    return DockShape(
+    return DockPoseShape(
         name=dock.name,
         road=dock.road,
         at_mm=dock.at_mm,
         reach_mm=dock.reach_mm,
         storehouse=dock.storehouse,
-        kind="load" if dock.kind == LOAD else "unload",
+        kind=dock.kind,
         x_mm=pose.x_mm,
         y_mm=pose.y_mm,
         heading_rad=pose.heading_rad,

@@ -25,9 +25,10 @@ from kitrobot.files.embedded_mission import read_carried
 from kitrobot.files.examples import find_mission
 from kitrobot.files.places import Places
 from kitrobot.graph.model import Program, empty_program
-from kitrobot.mission.model import DEFAULT_SEED, Agent, Mission, Team, image_name
+from kitrobot.mission.model import DEFAULT_SEED, Agent, Mission, Team
 from kitrobot.mission.reader import read_mission
 from kitrobot.primitives.catalogue import Catalogue
+from kitrobot.primitives.image_name import ImageName
 from kitrobot.primitives.robot import Robot
 from kitrobot.primitives.team_objects import has_team
 from kitrobot.text.forms import name_form
@@ -185,10 +186,11 @@ class OpenMission:
         return compile_team(name, compiled, self.catalogue, kinds, moves_boxes)
 
     @property
-    def images(self) -> Mapping[str, CompiledProgram]:
+    def images(self) -> Mapping[ImageName, CompiledProgram]:
         """What agents run, by `Agent.image_name`."""
         team = self.team.kinds if self.team is not None else {}
-        return {**self.compiled, **{image_name(self.mission.social, kind): one for kind, one in team.items()}}
+        of_team = {ImageName(self.mission.social, kind): one for kind, one in team.items()}
+        return {ImageName(name): one for name, one in self.compiled.items()} | of_team
 
     def check(self) -> Report:
         """Looks everything through: the files, the programs, and whether the parts fit together."""

@@ -92,9 +92,10 @@ class RunOptions:
         trace: a file to record the run in.
         kit: what the robots are built of; they then move as it was measured.
 
-    >>> import kitrobot
-    >>> kitrobot.open_mission("transport").prepare(RunOptions(seed=3, seconds=20)).run().outcome
-    'time'
+    Examples:
+        >>> import kitrobot
+        >>> kitrobot.open_mission("transport").prepare(RunOptions(seed=3, seconds=20)).run().outcome
+        'time'
     """
 
     seed: int = DEFAULT_SEED

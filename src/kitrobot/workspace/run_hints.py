@@ -23,7 +23,7 @@ def advice(opened: OpenMission, simulation: Simulation) -> list[Diagnostic]:
     """For a run whose programs all ended at once: one hint for each of them. For a long one without Numba: that."""
     if not simulation.ended_at_once:
         return [sim_rules.SLOW(LONG, help=FASTER)] if simulation.would_gain else []
-    programs = dict.fromkeys(agent.program for agent in simulation.members if agent.program == agent.image_name)
+    programs = dict.fromkeys(agent.program for agent in simulation.members if not agent.image_name.robot)
     return [_pause_before_the_end(opened, simulation, name) for name in programs]
 
 

@@ -13,9 +13,10 @@ from __future__ import annotations
 import math
 from bisect import bisect_right
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 from kitrobot.text.sentences import Sentence
+from kitrobot.world.limits import Coordinate, Length
 
 SAGITTA_MM = 0.05
 """How far a sampled chord may leave its arc."""
@@ -37,9 +38,9 @@ class Pose:
 class Corner:
     """A point of a line as people give it; a radius rounds it off."""
 
-    x_mm: float
-    y_mm: float
-    radius_mm: float = 0.0
+    x_mm: Coordinate = field(metadata={"alias": "x"})
+    y_mm: Coordinate = field(metadata={"alias": "y"})
+    radius_mm: Length = field(default=0.0, metadata={"alias": "radius"})
 
 
 def normalised(angle_rad: float) -> float:
@@ -121,17 +122,6 @@ class Polyline:
                 best = distance
                 best_at = self.along[stretch] + part * (self.along[stretch + 1] - self.along[stretch])
         return self.wrapped(best_at), best
-
-    def signed_distance(self, from_mm: float, to_mm: float) -> float:
-        """How far to go along, negative for backwards; on a closed line the shorter way, forwards in a tie."""
-        distance = self.wrapped(to_mm) - self.wrapped(from_mm)
-        if self.closed:
-            half = self.length_mm / 2
-            if distance > half:
-                distance -= self.length_mm
-            elif distance <= -half:
-                distance += self.length_mm
-        return distance
 
 
 def polyline(corners: Sequence[Corner], closed: bool) -> Polyline:

@@ -14,35 +14,53 @@ import math
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from functools import cached_property
+from typing import Annotated, Final
+
+from annotated_types import MaxLen
 
 from kitrobot.primitives.robot import Texts
 from kitrobot.world.geometry import Corner, Polyline, Pose, normalised, polyline
+from kitrobot.world.limits import (
+    MOST_PARTS,
+    Coordinate,
+    Count,
+    DockKind,
+    FloorColour,
+    Length,
+    Percent,
+    Side,
+    ZoneKind,
+)
 
 ARM_CLEARANCE_MM = 40.0
 """How far from the edge of the road someone who starts at a dock stands."""
 
-LOAD = "load"
-UNLOAD = "unload"
-LEFT = "left"
-RIGHT = "right"
+LOAD: Final = "load"
+UNLOAD: Final = "unload"
+LEFT: Final = "left"
+RIGHT: Final = "right"
 
-COLOURS = {"red": 1, "green": 2, "blue": 3}
+COLOURS: dict[FloorColour, int] = {"red": 1, "green": 2, "blue": 3}
 """What a colour sensor reads above a line or a coloured floor; 0 beside them."""
 
 
-WARM, LOUD, BRIGHT = "warm", "loud", "bright"
-ZONE_KINDS = (WARM, LOUD, BRIGHT)
-"""What sensors feel in a zone."""
+WARM: Final = "warm"
+LOUD: Final = "loud"
+BRIGHT: Final = "bright"
+ZONE_KINDS: tuple[ZoneKind, ...] = (WARM, LOUD, BRIGHT)
+
+
+Corners = Annotated[tuple[Corner, ...], MaxLen(MOST_PARTS)]
 
 
 @dataclass(frozen=True)
 class Wall:
     """A straight wall without thickness."""
 
-    x1_mm: float
-    y1_mm: float
-    x2_mm: float
-    y2_mm: float
+    x1_mm: Coordinate = field(metadata={"alias": "x1"})
+    y1_mm: Coordinate = field(metadata={"alias": "y1"})
+    x2_mm: Coordinate = field(metadata={"alias": "x2"})
+    y2_mm: Coordinate = field(metadata={"alias": "y2"})
 
 
 @dataclass(frozen=True)
@@ -52,8 +70,8 @@ class Floor:
     Where its border crosses itself, what is enclosed twice is not coloured.
     """
 
-    colour: str
-    corners: tuple[Corner, ...]
+    colour: FloorColour
+    corners: Corners = field(metadata={"alias": "points"})
 
     @cached_property
     def line(self) -> Polyline:
@@ -83,9 +101,9 @@ def rectangle_corners(x_mm: float, y_mm: float, width_mm: float, height_mm: floa
 class ColouredLine:
     """A line on the floor; `colour` is a key of `COLOURS`."""
 
-    colour: str
-    width_mm: float
-    corners: tuple[Corner, ...]
+    colour: FloorColour
+    width_mm: Length
+    corners: Corners = field(metadata={"alias": "points"})
     closed: bool = False
 
     @cached_property
@@ -118,6 +136,18 @@ class Road:
         """Its sampled middle."""
         return polyline(self.corners, self.closed)
 
+    @property
+    def length_mm(self) -> float:
+        """How long it is; infinite, as a section without an end of its own, for one that cannot be drawn."""
+        try:
+            return self.line.length_mm
+        except ValueError:
+            return math.inf
+
+    def end_mm(self, section: Section) -> float | None:
+        """Where a section of it ends; None where that is the end of the road."""
+        return None if math.isinf(section.to_mm) or math.isclose(section.to_mm, self.length_mm) else section.to_mm
+
     def section_at(self, at_mm: float) -> Section | None:
         """The section so many mm along; None on a road without sections."""
         at_mm = self.line.wrapped(at_mm)
@@ -131,31 +161,29 @@ class Road:
 class Dock:
     """Where a carrier stands to be loaded or unloaded: within `reach_mm` of `at_mm` along its road.
 
-    `kind` is `"load"` or `"unload"`, `side` of the road `"left"` or `"right"`.
+    `side` is that of the road.
     """
 
     name: str
     road: str
-    at_mm: float
-    reach_mm: float
+    at_mm: Length
+    reach_mm: Length
     storehouse: str
-    kind: str
-    side: str = LEFT
+    kind: DockKind
+    side: Side = LEFT
 
 
 @dataclass(frozen=True)
 class Storehouse:
-    """A rectangle (x, y: its lower left corner) with room for `capacity` boxes (0…65535), `stock` of them there at the
-    start.
-    """
+    """A rectangle (x, y: its lower left corner) with room for `capacity` boxes, `stock` of them there at the start."""
 
     name: str
-    x_mm: float
-    y_mm: float
-    width_mm: float
-    height_mm: float
-    capacity: int
-    stock: int
+    x_mm: Coordinate
+    y_mm: Coordinate
+    width_mm: Length
+    height_mm: Length
+    capacity: Count
+    stock: Count
 
 
 @dataclass(frozen=True)
@@ -177,23 +205,23 @@ class Start:
 class Box:
     """A box that can be pushed, around its middle; friction is that of its underside (0: it slides for ever)."""
 
-    x_mm: float
-    y_mm: float
-    width_mm: float
-    height_mm: float
-    mass_g: float
-    friction: float
+    x_mm: Coordinate
+    y_mm: Coordinate
+    width_mm: Length
+    height_mm: Length
+    mass_g: Length
+    friction: Length
 
 
 @dataclass(frozen=True)
 class Ball:
     """A ball that can be pushed, around its middle; friction is what slows it down (0: it rolls for ever)."""
 
-    x_mm: float
-    y_mm: float
-    radius_mm: float
-    mass_g: float
-    friction: float
+    x_mm: Coordinate
+    y_mm: Coordinate
+    radius_mm: Length
+    mass_g: Length
+    friction: Length
 
 
 @dataclass(frozen=True)
@@ -203,14 +231,14 @@ class Zone:
     Inside it has its value, in °C (warm) or percent; beyond its edge that fades evenly, to nothing at `falloff_mm`.
     """
 
-    kind: str
-    x_mm: float
-    y_mm: float
-    radius_mm: float
-    width_mm: float
-    height_mm: float
-    value: float
-    falloff_mm: float
+    kind: ZoneKind
+    x_mm: Coordinate
+    y_mm: Coordinate
+    radius_mm: Length
+    width_mm: Length
+    height_mm: Length
+    value: Percent
+    falloff_mm: Length
 
 
 @dataclass(frozen=True)
@@ -221,8 +249,9 @@ class World:
     sentence what it is, each by language, "" for English. `prolog` is what stands
     before the first element of its file, `attributes` are those of `<world>` with a prefix.
 
-    >>> World("yard", 1000, 600, starts=(Start("a", pose=Pose(200, 300, 0)),)).places
-    {'a': (200, 300, 200, 300)}
+    Examples:
+        >>> World("yard", 1000, 600, starts=(Start("a", pose=Pose(200, 300, 0)),)).places
+        {'a': (200, 300, 200, 300)}
     """
 
     name: str

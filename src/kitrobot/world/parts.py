@@ -8,10 +8,12 @@ from __future__ import annotations
 
 import math
 from dataclasses import replace
+from typing import cast
 
 from kitrobot.text.sentences import Sentence, Series
 from kitrobot.world import rules
 from kitrobot.world.geometry import Corner, Pose, normalised
+from kitrobot.world.limits import MAX_NUMBER, MAX_SIZE_MM, DockKind, FloorColour, Side, ZoneKind
 from kitrobot.world.model import (
     COLOURS,
     LEFT,
@@ -36,12 +38,6 @@ from kitrobot.xml import rules as xml_rules
 from kitrobot.xml.attributes import NAME, YES_NO, decimal, needed, one, optional, whole
 from kitrobot.xml.element import Element, Tag
 
-MAX_SIZE_MM = 1_000_000.0
-"""A kilometre; worlds are table tops and halls."""
-
-MAX_NUMBER = 65535
-"""The largest sign, stock or capacity: what the language can write."""
-
 SECTION_SLACK_MM = 1.0
 """How far a section may miss the end of the one before: lengths of arcs are irrational, files are not."""
 
@@ -65,7 +61,7 @@ def _wall(element: Element) -> Wall:
 
 
 def _line(element: Element) -> ColouredLine:
-    colour = element.choice("colour")
+    colour = cast(FloorColour, element.choice("colour"))
     corners = tuple(element.found(Corner))
     line = ColouredLine(colour, in_mm(element, "width"), corners, element.flag("closed"))
     _is_drawn(element, line)
@@ -73,7 +69,7 @@ def _line(element: Element) -> ColouredLine:
 
 
 def _floor(element: Element) -> Floor:
-    colour = element.choice("colour")
+    colour = cast(FloorColour, element.choice("colour"))
     corners = tuple(element.found(Corner))
     sides = [side for side in ("x", "y", "width", "height") if side in element.attributes]
     if sides and corners:
@@ -161,8 +157,8 @@ def _dock(element: Element) -> Dock:
         in_mm(element, "at"),
         in_mm(element, "reach"),
         element.required("storehouse"),
-        element.choice("kind"),
-        element.choice("side"),
+        cast(DockKind, element.choice("kind")),
+        cast(Side, element.choice("side")),
     )
 
 
@@ -217,7 +213,7 @@ def _zone(element: Element) -> Zone:
         element.report(rules.ZONE, Sentence("expected a radius, or width and height, on <zone>, found {found}", found))
     radius, width, height = (in_mm(element, name) if name in said else 0.0 for name in ("radius", "width", "height"))
     x_mm, y_mm, value, falloff = (in_mm(element, name) for name in ("x", "y", "value", "falloff"))
-    return Zone(element.choice("kind"), x_mm, y_mm, radius, width, height, value, falloff)
+    return Zone(cast(ZoneKind, element.choice("kind")), x_mm, y_mm, radius, width, height, value, falloff)
 
 
 _COORDINATE = decimal(-MAX_SIZE_MM, MAX_SIZE_MM, "coordinate")

@@ -100,20 +100,11 @@ def _road(road: Road) -> Iterator[str]:
     closed = attributes(("closed", "yes" if road.closed else None))
     yield f"  <road{attributes(('name', road.name), ('width', number(road.width_mm)))}{closed}>"
     yield from _points(road.corners)
-    end = _length(road)
     for section in road.sections:
-        until = None if math.isinf(section.to_mm) or math.isclose(section.to_mm, end) else number(section.to_mm)
-        stretch = attributes(("from", number(section.from_mm)), ("to", until))
+        end = road.end_mm(section)
+        stretch = attributes(("from", number(section.from_mm)), ("to", None if end is None else number(end)))
         yield f"    <section{attributes(('sign', section.sign))}{stretch}/>"
     yield "  </road>"
-
-
-def _length(road: Road) -> float:
-    """How long the road is; infinite, as a section without `to`, for one that cannot be drawn."""
-    try:
-        return road.line.length_mm
-    except ValueError:
-        return math.inf
 
 
 def _zone(zone: Zone) -> str:

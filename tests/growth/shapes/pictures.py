@@ -37,29 +37,13 @@ def _text_chunk(n: int) -> bytes:
     return _png([(b"IHDR", bytes(13)), (b"iTXt", b"kitrobot\0" + b"a" * n), (b"IEND", b"")])
 
 
+_ATTACHED = "<< /Type /EmbeddedFile /Subtype /application#2Fxml /Params << /Size 1 >> /Filter /FlateDecode /Length"
 lines(
     "pdf",
     {
         "objects": ("%PDF-1.7\n", "# 0 obj\n<< /Type /X >>\nendobj\n", "%%EOF"),
-        "beginnings of objects": ("%PDF-1.7\n", "1 0 obj <<", "%%EOF"),
-        "beginnings of dictionaries": ("%PDF-1.7\n1 0 obj ", "<<", "%%EOF"),
-        "beginnings of arrays": ("%PDF-1.7\n1 0 obj ", "[", "%%EOF"),
-        "beginnings of texts": ("%PDF-1.7\n1 0 obj ", "(", "%%EOF"),
-        "streams": ("%PDF-1.7\n", "# 0 obj\n<< /Length 1 >>\nstream\nx\nendstream\nendobj\n", "%%EOF"),
-        "streams that do not end": ("%PDF-1.7\n", "# 0 obj\n<< /Length 99 >>\nstream\n", "%%EOF"),
-        "streams of compressed objects": (
-            "%PDF-1.7\n",
-            "# 0 obj\n<< /Type /ObjStm /N 1 /First 4 /Length 9 >>\nstream\n1 0 <<>> \nendstream\nendobj\n",
-            "%%EOF",
-        ),
-        "ends": ("%PDF-1.7\n", "startxref\n9\n%%EOF\n", ""),
-        "references": ("%PDF-1.7\n", "trailer << /Root # 0 R /Prev 9 >>\n", "%%EOF"),
-        "embedded files": (
-            "%PDF-1.7\n",
-            "# 0 obj\n<< /Type /Filespec /F (a.krt) /EF << /F # 0 R >> >>\nendobj\n",
-            "%%EOF",
-        ),
-        "comments": ("%PDF-1.7\n", "% x\n", "%%EOF"),
+        "embedded files": ("%PDF-1.7\n", f"{_ATTACHED} 9 >>\nstream\nx\nendstream\n", "%%EOF"),
+        "beginnings of embedded files": ("%PDF-1.7\n", f"{_ATTACHED} ", "%%EOF"),
         "line feeds": ("%PDF-1.7\n", "\n", "%%EOF"),
     },
 )

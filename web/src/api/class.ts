@@ -60,8 +60,8 @@ export const classApi = {
   asked: (asked: string) => ask<server.ClassAnswered>("/asked", post({ asked })),
 
   handIn: (name: string, base: string, mission: Mission) =>
-    ask<server.HandedIn>("/work", { method: "PUT", json: { name, base, mission } }),
-  works: () => ask<server.ClassWork[]>("/work"),
+    ask<server.HandIn>("/work", { method: "PUT", json: { name, base, mission } }),
+  works: () => ask<server.Submission[]>("/work"),
   work: (name: string) => bytes(`/work/file?name=${encodeURIComponent(name)}`),
   handed: () => bytes("/handed"),
   /** The files of the exercise as a ZIP file; empty where it comes with KitRobot. */

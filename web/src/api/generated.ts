@@ -65,6 +65,9 @@ export interface AgentReport {
   forced: string[];
 }
 
+/** The result of checking one property. */
+export type Answer = "holds" | "broken" | "not finished" | "vacuous";
+
 /** From a port of one vertex to a port of another. */
 export interface Arc {
   source: string;
@@ -80,12 +83,21 @@ export interface ArenaMessage {
   arena: ClassArena | null;
 }
 
-/** What is demanded of every run: see `kitrobot.mission.AskedProperty`. */
+/** One property: `second` is the condition behind *eventually* or *until*, "" where the form has one only. */
 export interface AskedProperty {
   name: string;
-  form: "never" | "after" | "eventually" | "stays";
+  form: Form;
   first: string;
   second?: string;
+}
+
+/** A ball that can be pushed, around its middle; friction is what slows it down (0: it rolls for ever). */
+export interface Ball {
+  x_mm: number;
+  y_mm: number;
+  radius_mm: number;
+  mass_g: number;
+  friction: number;
 }
 
 /** A world to begin in. */
@@ -317,13 +329,30 @@ export interface BoardsWelcomeMessage {
   key: string;
 }
 
-/** What becomes of a robot that fails for good on a road, and after how many seconds it is towed. */
+/** A box that can be pushed, around its middle; friction is that of its underside (0: it slides for ever). */
+export interface Box {
+  x_mm: number;
+  y_mm: number;
+  width_mm: number;
+  height_mm: number;
+  mass_g: number;
+  friction: number;
+}
+
+/** The rule, and after how many simulated seconds a robot is towed. */
 export interface Breakdown {
-  rule: "stay" | "tow" | "pass";
+  rule: BreakdownRule;
   after_s?: number;
 }
 
-/** Where a run pauses: see `kitrobot.mission.Breakpoint`. */
+/** It stays where it is; it is towed away, and its box goes back; the others drive round it. */
+export type BreakdownRule = "stay" | "tow" | "pass";
+
+/**
+ * Where a run pauses. `agents` are those it watches, all that run the program when empty; with `every` it pauses only
+ * when all of them stand there. `when` is a condition of LLL, tested with what that agent knows; it pauses at the visit
+ * number `hits` and at each one after it.
+ */
 export interface Breakpoint {
   program: string;
   vertex: string;
@@ -348,6 +377,9 @@ export interface Catalogue {
   work?: RobotObject | null;
 }
 
+/** What part of a robot an object is. */
+export type Category = "actuator" | "sensor" | "variable" | "system";
+
 /** A request to look a mission through; `path` is the file it was opened from, "" for a new one. */
 export interface Check {
   mission: Mission;
@@ -364,7 +396,7 @@ export interface CheckedEvent {
 export interface CheckedProperty {
   name: string;
   sentence: string;
-  answer: "holds" | "broken" | "not finished" | "vacuous";
+  answer: Answer;
   steps: number;
   repeats_from: number;
   events: CheckedEvent[];
@@ -375,7 +407,7 @@ export interface CheckedProperty {
   guilty: Guilty[];
 }
 
-/** A value with a name, and one picture at most: an icon, lights (digits, five by five) or a `#rrggbb`. */
+/** A value with a name, and one picture at most: an icon, five by five lights (digits 0 to 9), or a `#rrggbb`. */
 export interface Choice {
   value: number;
   label: Record<string, string>;
@@ -384,8 +416,8 @@ export interface Choice {
   colour?: string;
 }
 
-/** An offer that becomes a slot under that name; numbers with one name become one slot. */
-export interface Chosen {
+/** An offer that is to be a slot, under a name for people. Numbers with one name become one slot. */
+export interface ChosenSlot {
   vertex: string;
   slot: string;
   name: string;
@@ -453,22 +485,16 @@ export interface ClassAsking {
   name: string;
 }
 
-/** A goal as the pupil's page judged it; null: not yet. */
-export interface ClassGoal {
-  reached: boolean | null;
-  why?: string;
-}
-
 /** A goal of the exercise of the class, by language. */
 export interface ClassGoalName {
   label: Record<string, string>;
 }
 
-/** How far grading is; `page` names what it wrote, "" until then. */
-export interface ClassGrading {
-  done: number;
-  total: number;
-  page: string;
+/** A mission to be kept: `name` is what the page calls it, `base` what was kept under that name before, or "". */
+export interface ClassHandIn {
+  name: string;
+  base?: string;
+  mission: Mission;
 }
 
 /** The class as a whole; each time something of it changed. `kept_s`: how long ago work came in last. */
@@ -486,7 +512,7 @@ export interface ClassNewsMessage {
   exercise_label: Record<string, string>;
   goals: ClassGoalName[];
   asking: ClassAsking[];
-  grading: ClassGrading | null;
+  grading: GradingState | null;
   bytes: number;
 }
 
@@ -496,11 +522,12 @@ export interface ClassPicture {
   program: Program;
 }
 
-/** A file that the pupil handed in; `modified` is a moment in UTC (ISO 8601). */
-export interface ClassWork {
-  name: string;
-  bytes: number;
-  modified: string;
+/** A line on the floor; `colour` is a key of `COLOURS`. */
+export interface ColouredLine {
+  colour: "red" | "green" | "blue";
+  width_mm: number;
+  points: Corner[];
+  closed: boolean;
 }
 
 /** What befell an agent in a run of the simulator. */
@@ -551,22 +578,25 @@ export interface Constructor {
   label: Record<string, string>;
   help: Record<string, string>;
   slots: Slot[];
-  role: "instruction" | "condition" | "branch";
+  role: Role;
   adds: Adds | null;
   code: string;
-  level?: "agent" | "group" | "social";
+  level?: Level;
 }
 
-/** A corner of a line; a radius rounds it off. */
+/** A point of a line as people give it; a radius rounds it off. */
 export interface Corner {
   x: number;
   y: number;
   radius: number;
 }
 
+/** Why the exploration, or a later search of the state space, ended early. */
+export type CutReason = "states" | "memory" | "time" | "stopped" | "size";
+
 /** What the text of a team's program declares before its instructions. */
 export interface Declared {
-  roles: Role[];
+  roles: TeamRole[];
   groups: TeamGroup[];
   works: Work[];
 }
@@ -583,8 +613,22 @@ export interface DifferenceAsk {
   mission: Mission;
 }
 
-/** Where stock goes from a storehouse onto a carrier, or back. */
+/**
+ * Where a carrier stands to be loaded or unloaded: within `reach_mm` of `at_mm` along its road. `side` is that of the
+ * road.
+ */
 export interface Dock {
+  name: string;
+  road: string;
+  at_mm: number;
+  reach_mm: number;
+  storehouse: string;
+  kind: "load" | "unload";
+  side: "left" | "right";
+}
+
+/** Where stock goes from a storehouse onto a carrier, or back. */
+export interface DockPose {
   name: string;
   road: string;
   at_mm: number;
@@ -679,12 +723,18 @@ export interface ExerciseGoal {
   kind: "program" | "run" | "check";
 }
 
-/** Why a request could not be done: a sentence and a way out; `problems` where a file was the reason. */
+/** What happens to an agent, and when, in simulated seconds. */
 export interface Failure {
-  message: string;
-  help: string;
-  problems?: Problem[];
+  agent: string;
+  at_s: number;
+  kind: FailureKind;
 }
+
+/**
+ * What happens to an agent: it stops for good, misses its ticks, loses its radio, is well again, or is cut off: it
+ * hears, and is heard by, only those that are cut off too.
+ */
+export type FailureKind = "fail" | "stall" | "mute" | "revive" | "apart";
 
 /** The drives that there are now; `page`: where MicroPython for most boards is to be had. */
 export interface Firmware {
@@ -727,8 +777,17 @@ export interface FleetRequest {
   breakpoints?: Breakpoint[];
 }
 
-/** A coloured part of the floor, by the points of its border, sampled like a road. */
+/**
+ * A coloured part of the floor inside `corners`, rounded where they have a radius; `colour` is a key of `COLOURS`.
+ * Where its border crosses itself, what is enclosed twice is not coloured.
+ */
 export interface Floor {
+  colour: "red" | "green" | "blue";
+  points: Corner[];
+}
+
+/** A coloured part of the floor, by the points of its border, sampled like a road. */
+export interface FloorOutline {
   colour: "red" | "green" | "blue";
   points: [number, number][];
 }
@@ -760,6 +819,9 @@ export interface Forget {
   journal: string;
 }
 
+/** How a property speaks of its one or two conditions; the value names the first attribute of its form. */
+export type Form = "never" | "after" | "eventually" | "stays";
+
 /** What the text became: a chain from Start to Stop, or a condition on its own; None when it is no LLL. */
 export interface Fragment {
   program: Program | null;
@@ -784,6 +846,12 @@ export interface Goal {
   stock: string;
 }
 
+/** A goal of the exercise as the pupil's page judged it; None: not yet. */
+export interface GoalReport {
+  reached: boolean | null;
+  why?: string;
+}
+
 /**
  * What came of a goal; `reached` is null where this piece says nothing of it. `seed` and `seconds` are the run and the
  * moment that show what went wrong.
@@ -793,6 +861,13 @@ export interface GoalVerdict {
   why: string;
   seed: number | null;
   seconds: number | null;
+}
+
+/** How far grading is; `page` names what it wrote, "" until then. */
+export interface GradingState {
+  done: number;
+  total: number;
+  page: string;
 }
 
 /** A heading of the palette. */
@@ -812,23 +887,16 @@ export interface Guilty {
   repeats: boolean;
 }
 
-/** A mission to be kept: `name` is what the page calls it, `base` what was kept under that name before, or "". */
+/** A stored submission: its name, which may differ from the requested one, and its revision. */
 export interface HandIn {
   name: string;
-  base?: string;
-  mission: Mission;
+  revision: string;
 }
 
 /** The pupil asks for help, or does not any more. */
 export interface HandMessage {
   type: "hand";
   up: boolean;
-}
-
-/** It is kept; the name is another one where that was taken. */
-export interface HandedIn {
-  name: string;
-  revision: string;
 }
 
 /** Let an agent fail for good, miss its ticks or lose its radio, or make it well again. */
@@ -924,6 +992,9 @@ export interface Judged {
   mission: Mission;
 }
 
+/** What a method gives: an instruction, true or false, or a number. */
+export type Kind = "procedure" | "test" | "value";
+
 /**
  * What a robot can be built of; `micropython` is the least version that it needs, "" for any, and `firmware` the page
  * where its file says that it is to be had. `picture` is an SVG of it, drawn from its file.
@@ -969,8 +1040,11 @@ export interface Left {
   problem: string;
 }
 
+/** Of whom a program speaks. What a level can say the ones behind it can say too. */
+export type Level = "agent" | "group" | "social";
+
 /** A coloured line on the floor, sampled like a road. */
-export interface Line {
+export interface LineOutline {
   colour: "red" | "green" | "blue";
   width_mm: number;
   closed: boolean;
@@ -989,7 +1063,10 @@ export interface LookRequest {
   agents: string[];
 }
 
-/** What a number means. `scale`: how many units one is, or `wait-unit`; `units`: other languages than English. */
+/**
+ * What a number means. `scale`: how many units one is, a decimal number above 0 or `WAIT_UNIT`. `units`: the unit in
+ * other languages than English, whose word stands beside the number.
+ */
 export interface Meaning {
   scale?: string;
   units?: Record<string, string>;
@@ -1039,7 +1116,7 @@ export interface Merged {
 /** What a robot object can do or tell. `phrase`: words for chips, with holes, `{object} = {value}`. */
 export interface Method {
   name: string;
-  kind: "procedure" | "test" | "value";
+  kind: Kind;
   label: Record<string, string>;
   help: Record<string, string>;
   icon: string;
@@ -1070,12 +1147,12 @@ export interface Mission {
   constructors?: Constructor[];
   variables?: OwnVariable[];
   breakpoints?: Breakpoint[];
-  failures?: ScheduledFailure[];
+  failures?: Failure[];
   breakdown?: Breakdown | null;
   properties?: AskedProperty[];
   own_world?: OwnWorld | null;
   radio?: Radio | null;
-  roles?: Role[];
+  roles?: TeamRole[];
   groups?: TeamGroup[];
   works?: Work[];
   prolog?: string[];
@@ -1146,7 +1223,7 @@ export interface Note {
 export interface Offer {
   vertex: string;
   slot: string;
-  kind: "flow" | "condition" | "value" | "number" | "text" | "action";
+  kind: SlotKind;
   name: string;
   label: Record<string, string>;
   inside: Place | null;
@@ -1161,59 +1238,15 @@ export interface Offer {
 /** What a selection offers, or why it cannot be a part. */
 export interface OfferAnswer {
   offered: Offered | null;
-  refused: Failure | null;
+  refused: RequestFailure | null;
 }
 
 /** What a selection offers; `problems` are in it while nothing is left open. */
 export interface Offered {
-  role: "instruction" | "condition" | "branch";
+  role: Role;
   vertices: string[];
   offers: Offer[];
   problems: Problem[];
-}
-
-/** A ball that can be pushed, around its middle. */
-export interface OwnBall {
-  x_mm: number;
-  y_mm: number;
-  radius_mm: number;
-  mass_g: number;
-  friction: number;
-}
-
-/** A box that can be pushed, around its middle. */
-export interface OwnBox {
-  x_mm: number;
-  y_mm: number;
-  width_mm: number;
-  height_mm: number;
-  mass_g: number;
-  friction: number;
-}
-
-/** Where stock goes from a storehouse onto a carrier, or back. */
-export interface OwnDock {
-  name: string;
-  road: string;
-  at_mm: number;
-  reach_mm: number;
-  storehouse: string;
-  kind: "load" | "unload";
-  side: "left" | "right";
-}
-
-/** A coloured part of the floor. */
-export interface OwnFloor {
-  colour: "red" | "green" | "blue";
-  points: Corner[];
-}
-
-/** A coloured line on the floor. */
-export interface OwnLine {
-  colour: "red" | "green" | "blue";
-  width_mm: number;
-  closed: boolean;
-  points: Corner[];
 }
 
 /** A road by its corners. */
@@ -1245,29 +1278,10 @@ export interface OwnStart {
   heading_deg: number;
 }
 
-/** A place for stock; `x_mm`, `y_mm` is its lower left corner. */
-export interface OwnStorehouse {
-  name: string;
-  x_mm: number;
-  y_mm: number;
-  width_mm: number;
-  height_mm: number;
-  capacity: number;
-  stock: number;
-}
-
 /** A variable that the mission adds to every robot of a kind. */
 export interface OwnVariable {
   robot: string;
   variable: RobotObject;
-}
-
-/** A straight wall. */
-export interface OwnWall {
-  x1: number;
-  y1: number;
-  x2: number;
-  y2: number;
 }
 
 /** All of a world; `unknown` is XML that nobody knows, kept; `attributes` are those with a prefix. */
@@ -1275,41 +1289,29 @@ export interface OwnWorld {
   name: string;
   width_mm: number;
   height_mm: number;
-  walls: OwnWall[];
-  floors: OwnFloor[];
-  lines: OwnLine[];
+  walls: Wall[];
+  floors: Floor[];
+  lines: ColouredLine[];
   roads: OwnRoad[];
-  storehouses: OwnStorehouse[];
-  docks: OwnDock[];
+  storehouses: Storehouse[];
+  docks: Dock[];
   starts: OwnStart[];
-  boxes?: OwnBox[];
-  balls?: OwnBall[];
-  zones?: OwnZone[];
+  boxes?: Box[];
+  balls?: Ball[];
+  zones?: Zone[];
   unknown: string[];
   label: Record<string, string>;
   help: Record<string, string>;
   attributes?: Record<string, string>;
 }
 
-/** Where it is warm, loud or bright, around its middle: a circle, or a rectangle where its radius is 0. */
-export interface OwnZone {
-  kind: "warm" | "loud" | "bright";
-  x_mm: number;
-  y_mm: number;
-  radius_mm: number;
-  width_mm: number;
-  height_mm: number;
-  value: number;
-  falloff_mm: number;
-}
-
-/** A parameter of a method; `min` and `max` are included. */
+/** One parameter of a method: whole numbers `minimum`…`maximum` (both included). */
 export interface Parameter {
   name: string;
-  kind: "integer" | "boolean";
   min: number;
   max: number;
   default: number;
+  kind: ValueType;
   unit: string;
   label: Record<string, string>;
   help: Record<string, string>;
@@ -1327,7 +1329,7 @@ export interface Part {
 /** What a wish became, or why it cannot be. */
 export interface PartAnswer {
   part: Part | null;
-  refused: Failure | null;
+  refused: RequestFailure | null;
 }
 
 /** The parts of a mission as a constructors file. */
@@ -1366,7 +1368,7 @@ export interface PartWish {
   colour?: "loop" | "choice" | "parallel" | "action" | "test" | "team";
   label?: Record<string, string>;
   help?: Record<string, string>;
-  chosen: Chosen[];
+  chosen: ChosenSlot[];
 }
 
 /** What the files around a mission hold; `stamp` names their state, as `parts` of `NewsMessage` does. */
@@ -1472,13 +1474,13 @@ export interface ProblemsMessage {
   problems: Problem[];
 }
 
-/** A graph and the robot it is for, "" in one of a team. */
+/** A graph, and what it is for: `target` names the kind of robot of the agents that run it, "" for a team's. */
 export interface Program {
   name: string;
   robot: string;
-  level?: "agent" | "group" | "social";
   vertices: Vertex[];
   arcs: Arc[];
+  level?: Level;
 }
 
 /** What a program becomes: LLL with the place of each vertex, and how long its three-address code is. */
@@ -1489,20 +1491,20 @@ export interface ProgramReport {
   instructions: number;
 }
 
-/** What the program of the whole team is for a kind of robot: LLL that nobody writes. */
-export interface Projection {
+/** What a team's program is for a kind of robot. */
+export interface ProjectionReport {
   robot: string;
   lll: string;
   spans: ProjectionSpan[];
 }
 
-/** The same in a projected program; `program` is the team's program in which the vertex stands. */
+/** A stretch of a projected program, as `VertexPlace`, and the team's program in which its vertex stands. */
 export interface ProjectionSpan {
+  program: string;
   vertex: string;
   start: number;
   end: number;
   line: number;
-  program: string;
 }
 
 /**
@@ -1519,7 +1521,7 @@ export interface Pupil {
   file: string;
   version: number;
   exercise: string;
-  goals: ClassGoal[];
+  goals: GoalReport[];
   pages: number;
   frozen: boolean;
   turn: "pupil" | "asked" | "teacher";
@@ -1553,7 +1555,10 @@ export interface PupilsMessage {
   kept_s: number | null;
 }
 
-/** How the robots hear each other: how far (null: everywhere), how late, how many messages of a hundred get lost. */
+/**
+ * `range_mm`: how far a robot is heard, from middle to middle, None for everywhere; `delay_ms`: how long a message
+ * takes; `loss`: the part of all messages that gets lost, in %.
+ */
 export interface Radio {
   range_mm?: number | null;
   delay_ms?: number;
@@ -1568,7 +1573,7 @@ export interface Ray {
 
 /** What the value of a part means. */
 export interface Reading {
-  type: "integer" | "boolean";
+  type: ValueType;
   unit: string;
   meaning: Meaning | null;
 }
@@ -1607,7 +1612,7 @@ export interface ReplayRequest {
 export interface Report {
   programs: ProgramReport[];
   problems: Problem[];
-  projections?: Projection[];
+  projections?: ProjectionReport[];
 }
 
 /** What the page says of itself. `edits` and `runs` count: another number is something that moved. */
@@ -1618,7 +1623,14 @@ export interface ReportMessage {
   runs: number;
   file: string;
   exercise: string;
-  goals: ClassGoal[];
+  goals: GoalReport[];
+}
+
+/** Why a request could not be done: a sentence and a way out; `problems` where a file was the reason. */
+export interface RequestFailure {
+  message: string;
+  help: string;
+  problems?: Problem[];
 }
 
 /** Go on; with `latest` from the latest tick, which with real robots is now. */
@@ -1651,7 +1663,7 @@ export interface Robot {
 /** A part of a robot. In the arena, `look` is how an actuator is drawn, and `hand` how a person works a sensor. */
 export interface RobotObject {
   name: string;
-  category: "actuator" | "sensor" | "variable" | "system";
+  category: Category;
   look?: "" | "wheels" | "lights" | "melody" | "pin" | "lamp" | "bar" | "sound" | "number" | "pen";
   hand?: "" | "button" | "gesture" | "slider";
   ray?: Ray | null;
@@ -1659,7 +1671,7 @@ export interface RobotObject {
   label: Record<string, string>;
   help: Record<string, string>;
   methods: Method[];
-  type: "integer" | "boolean";
+  type: ValueType;
   min: number;
   max: number;
   initial: number;
@@ -1695,15 +1707,8 @@ export interface RobotsRequest {
   breakpoints?: Breakpoint[];
 }
 
-/** A role, the kind of robot that can play it, and how many are wanted. */
-export interface Role {
-  name: string;
-  above?: string[];
-  after?: string | null;
-  robot: string;
-  least: number;
-  most: number;
-}
+/** Where a constructor stands: as an instruction, as a condition, or as one more branch of another. */
+export type Role = "instruction" | "condition" | "branch";
 
 /** Something worth a mark on the timeline. */
 export interface RunEvent {
@@ -1748,17 +1753,18 @@ export interface Saved {
   locked?: boolean;
 }
 
-/** What a run of the model looks like before a step; the robots are in the order of the mission's agents. */
+/** The picture before a step (the last one: after all steps). Robots are in the order of the team. */
 export interface Scene {
   step: number;
-  robots: Stand[];
+  robots: SceneRobot[];
 }
 
-/** What happens to an agent at so many simulated seconds. */
-export interface ScheduledFailure {
-  agent: string;
-  at_s: number;
-  kind: "fail" | "stall" | "mute" | "revive" | "apart";
+/** One robot in a scene: its pose (mm, radians; rounded), and the vertices at which its program is. */
+export interface SceneRobot {
+  x_mm: number;
+  y_mm: number;
+  heading_rad: number;
+  at: [string, string][];
 }
 
 /** A stretch of a road with the number its signs show. */
@@ -1807,11 +1813,13 @@ export interface ShowArenaMessage {
   arena: ClassArena;
 }
 
-/** A hole of a constructor. */
+/**
+ * A hole of a constructor. A `repeat` slot holds any number of bodies; `least` of them come with a new vertex. `names`
+ * says what a text slot names: "set" (roles, groups and agents) or "program"; "" for anything else.
+ */
 export interface Slot {
   name: string;
-  kind: "flow" | "condition" | "value" | "number" | "text" | "action";
-  label: Record<string, string>;
+  kind: SlotKind;
   loop: boolean;
   repeat: boolean;
   least: number;
@@ -1819,9 +1827,13 @@ export interface Slot {
   max: number | null;
   default: string;
   unit: string;
+  label: Record<string, string>;
   names?: "" | "set" | "program";
   meaning?: Meaning | null;
 }
+
+/** What fills a slot: a chain of vertices, one test, a number or value vertex, typed text, one procedure call. */
+export type SlotKind = "flow" | "condition" | "value" | "number" | "text" | "action";
 
 /** The stretch of LLL that a vertex became: character offsets, the end exclusive, and the line from 1. */
 export interface SpanEntry {
@@ -1835,14 +1847,6 @@ export interface SpanEntry {
 export interface SpeedRequest {
   type: "speed";
   value: number;
-}
-
-/** A robot in a scene; `at` are the vertices at which its program stands, each with the name of its program. */
-export interface Stand {
-  x_mm: number;
-  y_mm: number;
-  heading_rad: number;
-  at: [string, string][];
 }
 
 /** Where an agent may start. */
@@ -1943,10 +1947,7 @@ export interface StopRequest {
   type: "stop";
 }
 
-/**
- * A rectangle (x, y: its lower left corner) with room for `capacity` boxes (0…65535), `stock` of them there at the
- * start.
- */
+/** A rectangle (x, y: its lower left corner) with room for `capacity` boxes, `stock` of them there at the start. */
 export interface Storehouse {
   name: string;
   x_mm: number;
@@ -1955,6 +1956,13 @@ export interface Storehouse {
   height_mm: number;
   capacity: number;
   stock: number;
+}
+
+/** A file that was handed in; `modified` is a moment in UTC. */
+export interface Submission {
+  name: string;
+  bytes: number;
+  modified: string;
 }
 
 /** One run: who failed, by the place in `agents`, and when, by that in `moments`; how it ended, when and why. */
@@ -2061,7 +2069,7 @@ export interface TeacherNote {
   text: string;
 }
 
-/** What a teacher wants to know of a tutorial; each text by language. */
+/** What a teacher wants to know of a tutorial: its aim, how long it takes, what goes wrong, what to ask after it. */
 export interface TeacherPage {
   minutes: number;
   aim: Record<string, string>;
@@ -2146,6 +2154,16 @@ export interface TeamNow {
   meetings: Meeting[];
 }
 
+/** A role, the kind of robot that can play it, and how many are wanted. */
+export interface TeamRole {
+  name: string;
+  above?: string[];
+  after?: string | null;
+  robot: string;
+  least: number;
+  most: number;
+}
+
 /**
  * Put the programs of a team's agents onto their boards, which then wait for the team to be started. When one of them
  * cannot be made, nothing is sent.
@@ -2206,6 +2224,9 @@ export interface TickMessage {
   drawing: Drawing | null;
 }
 
+/** An assumption about when agents tick. */
+export type Timing = "lockstep" | "prompt" | "free";
+
 /** What an example is about. */
 export interface Topic {
   name: string;
@@ -2252,6 +2273,9 @@ export interface TutorialWatch {
   path: string;
 }
 
+/** What a variable holds or a parameter takes. */
+export type ValueType = "integer" | "boolean";
+
 /**
  * A variable that a person wants for a kind of robot; `was` is the name of the one that it takes the place of.
  * `variables` are those of the mission already; min, max and initial of a truth are not looked at but `initial` != 0.
@@ -2272,11 +2296,11 @@ export interface VariableAsk {
 /** The answers under one assumption. They come once more when the simulator was searched for what is broken. */
 export interface VerifyColumnMessage {
   type: "column";
-  timing: "lockstep" | "prompt" | "free";
+  timing: Timing;
   failures: number;
   states: number;
   depth: number;
-  cut: "states" | "memory" | "time" | "stopped" | "size" | null;
+  cut: CutReason | null;
   seconds: number;
   properties: CheckedProperty[];
 }
@@ -2290,7 +2314,7 @@ export interface VerifyEndMessage {
 /** How far the check is under one assumption: see `kitrobot.checking.background_check.Explored`. */
 export interface VerifyProgressMessage {
   type: "progress";
-  timing: "lockstep" | "prompt" | "free";
+  timing: Timing;
   failures: number;
   states: number;
   depth: number;
@@ -2327,7 +2351,7 @@ export interface Vertex {
   unknown?: string;
 }
 
-/** A straight wall. */
+/** A straight wall without thickness. */
 export interface Wall {
   x1: number;
   y1: number;
@@ -2365,10 +2389,10 @@ export interface World {
   width_mm: number;
   height_mm: number;
   walls: Wall[];
-  floors: Floor[];
-  lines: Line[];
+  floors: FloorOutline[];
+  lines: LineOutline[];
   roads: Road[];
-  docks: Dock[];
+  docks: DockPose[];
   storehouses: Storehouse[];
   starts: StartPose[];
   things?: Thing[];
@@ -2390,7 +2414,10 @@ export interface WorldFile {
   world: World | null;
 }
 
-/** Where it is warm, loud or bright, around its middle: a circle, or a rectangle where its radius is 0. */
+/**
+ * Where it is warm, loud or bright, around its middle: a circle, or a rectangle where `radius_mm` is 0. Inside it has
+ * its value, in °C (warm) or percent; beyond its edge that fades evenly, to nothing at `falloff_mm`.
+ */
 export interface Zone {
   kind: "warm" | "loud" | "bright";
   x_mm: number;

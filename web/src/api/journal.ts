@@ -1,12 +1,12 @@
 /** Routes of the journal: records are texts that the server does not read. */
 import type { Mission } from "../model/types";
 import { ask } from "./client";
-import type { Claimed, Difference, JournalSize, Left, Merged } from "./generated";
+import type { ClaimedJournal, Difference, JournalSize, Left, Merged } from "./generated";
 
 const post = <T>(address: string, json: unknown) => ask<T>(address, { method: "POST", json });
 
 export const journalApi = {
-  claim: (tab: string, path: string, journal: string) => post<Claimed>("journal/claim", { tab, path, journal }),
+  claim: (tab: string, path: string, journal: string) => post<ClaimedJournal>("journal/claim", { tab, path, journal }),
   replace: (tab: string, path: string, name: string, records: string[], unsaved: boolean) =>
     ask<JournalSize>("journal", { method: "PUT", json: { tab, path, name, records, unsaved } }),
   append: (tab: string, first: number, records: string[], unsaved: boolean) =>

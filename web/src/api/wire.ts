@@ -8,7 +8,7 @@ import type { AgentReport, HarmRequest, RunEvent, StartedMessage, StateMessage }
 
 export type {
   AgentReport,
-  Dock,
+  DockPose,
   Drawing,
   Hit,
   Road,

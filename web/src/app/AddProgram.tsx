@@ -28,12 +28,12 @@ export function AddProgram() {
   const robots = useStudio((studio) => studio.catalogue.robots);
   if (robots.length === 0) return null;
   return (
-    <span className="add-program">
+    <span className="add-program row rigid">
       <MenuButton
         id="add-program"
         label={t("tabs.add")}
         aria-label={t("tabs.add")}
-        className="tool"
+        className="tool rigid"
         entries={[
           { kind: "heading", id: "for", label: t("program.add") },
           ...robotEntries(robots),

@@ -5,7 +5,7 @@
  */
 import { type CSSProperties, type DragEvent, useEffect } from "react";
 
-import { PanelSlot, Slot } from "../components/Slot";
+import { Dock, PanelSlot, Slot } from "../components/Slot";
 import { t } from "../i18n/words";
 import { useStudio } from "../model/studio";
 import { checkAgain, keepChecking } from "../session/checking";
@@ -125,7 +125,7 @@ function Side() {
   return (
     <div className="side" style={{ width: sizes.side }}>
       {folded.inspector ? null : (
-        <section className="side-part side-inspector" style={flex("inspector")} aria-label={t("view.inspector")}>
+        <section className="side-part side-inspector column" style={flex("inspector")} aria-label={t("view.inspector")}>
           <PanelSlot place="inspector" />
         </section>
       )}
@@ -133,13 +133,13 @@ function Side() {
         <Separator edge="inspector" label={t("view.inspector")} along="y" />
       )}
       {folded.code ? null : (
-        <section className="side-part side-code" style={flex("code")} aria-label={t("view.code")}>
+        <section className="side-part side-code column" style={flex("code")} aria-label={t("view.code")}>
           <PanelSlot place="code" />
         </section>
       )}
       {folded.code || last === "code" ? null : <Separator edge="code" label={t("view.code")} along="y" />}
       {folded.arena ? null : (
-        <section className="side-part side-arena" style={flex("arena")} aria-label={t("view.arena")}>
+        <section className="side-part side-arena column" style={flex("arena")} aria-label={t("view.arena")}>
           <PanelSlot place="arena" />
         </section>
       )}
@@ -189,7 +189,7 @@ function Studio() {
       }}
     >
       <header className="head" inert={ahead}>
-        <div className="head-menu">
+        <div className="head-menu row">
           <Brand />
           <MenuBar menus={menus} />
           <Title />
@@ -201,14 +201,14 @@ function Studio() {
       <Slot name="banner" />
       <div className="middle" inert={covered || ahead}>
         {folded.palette ? null : (
-          <nav className="parts-frame" aria-label={t("app.parts")}>
+          <nav className="parts-frame rigid" aria-label={t("app.parts")}>
             <div className="parts" style={{ width: sizes.palette }}>
               {ready ? <PanelSlot place="palette" /> : null}
             </div>
             <Separator edge="palette" label={t("view.palette")} along="x" />
           </nav>
         )}
-        <main className="centre" aria-label={t("app.canvas")}>
+        <main className="centre column" aria-label={t("app.canvas")}>
           {ready ? <Tabs /> : <div className="tabs" />}
           <Slot name="above" />
           <div className="centre-panel">
@@ -224,15 +224,16 @@ function Studio() {
             {ready ? FEATURES.map(({ name, tab }) => (tab === undefined ? null : <tab.Panel key={name} />)) : null}
           </div>
           <Slot name="below" />
+          <Dock />
         </main>
         {side ? (
-          <aside className="side-frame" aria-label={t("app.side")}>
+          <aside className="side-frame rigid" aria-label={t("app.side")}>
             <Separator edge="side" label={t("app.side")} along="x" sense={-1} />
             <Side />
           </aside>
         ) : null}
       </div>
-      <footer className="bottom-bar" inert={covered || ahead}>
+      <footer className="bottom-bar row rigid" inert={covered || ahead}>
         <Slot name="bottom" />
       </footer>
       <Slot name="over-page" />

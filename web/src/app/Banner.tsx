@@ -8,6 +8,7 @@ import { type Banner as Notice, dismissBanner, useDocument } from "../session/do
 import { isCutOff, useLink } from "../session/journal";
 import { useRun } from "../session/run";
 import { Icon } from "../theme";
+import { Button } from "../ui/Button";
 import { borrowFocus } from "../ui/borrow-focus";
 import { Tool } from "../ui/Tool";
 
@@ -18,7 +19,7 @@ function Strip({ said, onClose }: { said: Notice; onClose: () => void }) {
   return (
     <div
       ref={strip}
-      className={`banner banner-${said.kind}`}
+      className={`banner row rigid banner-${said.kind}`}
       role={said.kind === "note" ? "status" : "alert"}
       data-testid="banner"
       onKeyDown={asks ? (event) => event.key === "Escape" && onClose() : undefined}
@@ -31,9 +32,9 @@ function Strip({ said, onClose }: { said: Notice; onClose: () => void }) {
         <Said text={said.help} />
       </p>
       {said.actions.map((action) => (
-        <button type="button" key={action.label} className="button" onClick={action.run}>
+        <Button key={action.label} onClick={action.run}>
           {action.label}
-        </button>
+        </Button>
       ))}
       {said.kind !== "question" ? (
         <Tool small icon="x" label={t("banner.close")} titled={false} onClick={onClose} />
@@ -47,7 +48,7 @@ function CutOff() {
   const silent = useLink((link) => link.silent);
   const name = silent ? "link.silent" : "error.offline";
   return (
-    <div className="banner banner-error" role="alert" data-testid="cut-off">
+    <div className="banner banner-error row rigid" role="alert" data-testid="cut-off">
       <Icon name="triangle-alert" size={18} />
       <p>
         <strong>

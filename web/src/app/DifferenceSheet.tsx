@@ -10,6 +10,7 @@ import type { Mission } from "../model/types";
 import { closeOverlay, complain, dismissBanner, question, show } from "../session/document";
 import { commonBase, keepMerge, revisionMerged } from "../session/merges";
 import { type PartDifference, partDifference } from "../session/saving";
+import { Button } from "../ui/Button";
 import { Sheet } from "../ui/Sheet";
 import { useFetched } from "../ui/use-fetched";
 
@@ -48,7 +49,7 @@ function Conflict({ conflict: { name, what, sentence, ours, theirs, taken, open 
     );
   return (
     <li>
-      <fieldset className="merge-choice">
+      <fieldset className="sheet-choice">
         <legend>
           <Said text={what} />
         </legend>
@@ -127,18 +128,16 @@ function MissionDifference() {
           ))}
         </ul>
         <div className="sheet-foot">
-          <button type="button" className="button" onClick={closeOverlay}>
-            {t("open.cancel")}
-          </button>
-          <button
-            type="button"
-            className="button button-ink"
-            data-testid="merge-apply"
+          <Button onClick={closeOverlay}>{t("open.cancel")}</Button>
+          <Button
+            ink
+
+            testId="merge-apply"
             disabled={waits}
             onClick={() => apply(merged, asked)}
           >
             {t("merge.apply")}
-          </button>
+          </Button>
         </div>
       </Sheet>
     );
@@ -161,17 +160,12 @@ function MissionDifference() {
             ))}
           </ul>
           {base === null ? (
-            <p className="sheet-note">{t("merge.no-base")}</p>
+            <p className="sheet-note muted small-text">{t("merge.no-base")}</p>
           ) : (
             <div className="sheet-foot">
-              <button
-                type="button"
-                className="button"
-                data-testid="merge"
-                onClick={() => merge({ base, mission: useStudio.getState().mission }, [], true)}
-              >
+              <Button testId="merge" onClick={() => merge({ base, mission: useStudio.getState().mission }, [], true)}>
                 {t("merge.merge")}
-              </button>
+              </Button>
             </div>
           )}
         </>

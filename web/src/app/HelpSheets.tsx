@@ -9,11 +9,6 @@ export function AboutSheet() {
     <Sheet title={t("app.name")} testId="about-dialog" onClose={closeOverlay}>
       <p>{t("help.about-text", { version })}</p>
       <p>
-        {t("help.about-graph")}{" "}
-        <a href="https://reactflow.dev" target="_blank" rel="noreferrer">
-          React Flow
-        </a>
-        {" · "}
         <a href="licenses.md" target="_blank" rel="noreferrer">
           {t("help.about-licences")}
         </a>

@@ -114,7 +114,7 @@ export function MenuBar({ menus: all }: { menus: MenuPart[] }) {
         const there = index >= 0;
         return (
           <div
-            className="menubar-part"
+            className="menubar-part rigid"
             key={menu.id}
             role="none"
             {...(last ? { "data-folded": "" } : place === 0 ? {} : { "data-fold": all.length - place })}
@@ -122,7 +122,7 @@ export function MenuBar({ menus: all }: { menus: MenuPart[] }) {
             <button
               type="button"
               role="menuitem"
-              className="menubar-title"
+              className="menubar-title small-text"
               {...(there ? { "data-title": "" } : {})}
               data-testid={`menu-${menu.id}`}
               aria-haspopup="menu"

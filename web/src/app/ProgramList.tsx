@@ -99,7 +99,7 @@ function Open({ at, onLeave, onClose }: ProgramListProps) {
             key={name}
             id={`${id}-${String(index)}`}
             role="option"
-            className="menu-item"
+            className="menu-item row"
             aria-selected={index === place}
             {...(name === active ? { "aria-current": true } : {})}
             title={name}

@@ -7,6 +7,7 @@ import { useStudio } from "../model/studio";
 import { asMissionPath, closeOverlay, fileName, show, useDocument } from "../session/document";
 import { hasPlace, saveAs } from "../session/saving";
 import { Icon } from "../theme";
+import { Button } from "../ui/Button";
 import { Sheet } from "../ui/Sheet";
 
 interface Refusal {
@@ -46,7 +47,7 @@ export function SaveAsSheet() {
   return (
     <Sheet title={t("save.title")} testId="save-dialog" onClose={closeOverlay}>
       <form onSubmit={onSubmit}>
-        <label className="field-label" htmlFor="save-name">
+        <label className="field-label muted small-text rigid" htmlFor="save-name">
           {t("save.name")}
         </label>
         <input
@@ -61,7 +62,7 @@ export function SaveAsSheet() {
           onFocus={(event) => event.target.setSelectionRange(0, text.replace(/\.krt$/, "").length)}
           onChange={(event) => setText(event.target.value)}
         />
-        <p className="sheet-note" id="save-note" role="status">
+        <p className="sheet-note muted small-text" id="save-note" role="status">
           {shown === null ? (
             t("save.where", { folder: workspace })
           ) : (
@@ -72,21 +73,14 @@ export function SaveAsSheet() {
         </p>
         <div className="sheet-foot">
           {shown?.taken === null || shown === null ? null : (
-            <button
-              type="button"
-              className="button"
-              data-testid="save-replace"
-              onClick={() => void put(shown.taken ?? "")}
-            >
+            <Button testId="save-replace" onClick={() => void put(shown.taken ?? "")}>
               {t("save.replace")}
-            </button>
+            </Button>
           )}
-          <button type="button" className="button" onClick={() => show(null)}>
-            {t("open.cancel")}
-          </button>
-          <button type="submit" className="button button-ink" data-testid="save" disabled={path === ""}>
+          <Button onClick={() => show(null)}>{t("open.cancel")}</Button>
+          <Button ink type="submit" testId="save" disabled={path === ""}>
             {t("save.save")}
-          </button>
+          </Button>
         </div>
       </form>
     </Sheet>

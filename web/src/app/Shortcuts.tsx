@@ -120,13 +120,13 @@ export function ShortcutsSheet() {
         />
       </label>
       <div role="status">
-        {found.length === 0 ? <p className="keys-none">{t("help.keys-none", { query: query.trim() })}</p> : null}
+        {found.length === 0 ? <p className="keys-none muted">{t("help.keys-none", { query: query.trim() })}</p> : null}
       </div>
       <div className="keys-columns">
         {found.map(({ heading, how, rows }) => (
           <section key={heading}>
             <h3>{t(heading)}</h3>
-            {how === undefined ? null : <p className="keys-how">{t(how)}</p>}
+            {how === undefined ? null : <p className="keys-how muted small-text">{t(how)}</p>}
             <dl className={how === undefined ? "keys" : "keys keys-paths"}>
               {rows.map(({ id, keys, says, also }) => (
                 <div key={id}>
@@ -140,7 +140,7 @@ export function ShortcutsSheet() {
                   </dt>
                   <dd>
                     {says}
-                    {also === undefined ? null : <small className="keys-also">{also}</small>}
+                    {also === undefined ? null : <small className="keys-also muted small-text">{also}</small>}
                   </dd>
                 </div>
               ))}

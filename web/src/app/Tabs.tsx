@@ -26,7 +26,7 @@ import { useInView } from "../ui/in-view";
 import { later } from "../ui/later";
 import { AddProgram } from "./AddProgram";
 import { FEATURES } from "./features";
-import { useRenaming } from "./renaming";
+import { renameInTab, useRenaming } from "./renaming";
 
 const TABS = FEATURES.flatMap(({ tab }) => tab ?? []);
 
@@ -36,7 +36,7 @@ const ProgramList = later(() => import("./ProgramList").then((chunk) => chunk.Pr
 function NameField({ name }: { name: string }) {
   const [text, setText] = useState(name);
   const [left] = useState(() => document.getElementById(`tab-${name}`)?.offsetLeft ?? 0);
-  const stop = () => useRenaming.setState({ program: null });
+  const stop = () => renameInTab(null);
   const { mission, catalogue, execute } = useStudio.getState();
   const wanted = typedName(text);
   const command = wanted === name ? null : renameProgram(mission, name, wanted, catalogue);
@@ -88,7 +88,7 @@ function stateShown(run: RunState, program: string): AgentActivity {
 function Count({ count, sign = "" }: { count: number | undefined; sign?: string }) {
   if (count === undefined) return null;
   return (
-    <span className="tab-count" aria-label={t("tabs.agents", { count })}>
+    <span className="tab-count muted" aria-label={t("tabs.agents", { count })}>
       {sign}
       {count}
     </span>
@@ -130,7 +130,7 @@ function Tab({ name, onKey }: TabProps & { name: string }) {
         closeTeam();
         useStudio.getState().setActiveProgram(name);
       }}
-      onDoubleClick={() => useRenaming.setState({ program: name })}
+      onDoubleClick={() => renameInTab(name)}
       onKeyDown={onKey}
     >
       <StateShape state={state} label={t(`tabs.state-${state}`)} />
@@ -140,7 +140,7 @@ function Tab({ name, onKey }: TabProps & { name: string }) {
       <Count count={count === 1 || (count === 0 && inTeam) ? undefined : count} sign="×" />
       <Errors there={errors === true} />
       {guilty ? (
-        <span className="tab-cross">
+        <span className="tab-cross rigid">
           <Icon name="x" size={14} label={t("guilty.broken")} />
         </span>
       ) : null}
@@ -179,10 +179,10 @@ function MorePrograms({ hidden }: { hidden: number }) {
   const button = useRef<HTMLButtonElement>(null);
   const leave = useCallback(() => setAt(null), []);
   return (
-    <div className="more-programs" data-folded="">
+    <div className="more-programs row rigid" data-folded="">
       <button
         type="button"
-        className="tool tool-named"
+        className="tool tool-named rigid"
         ref={button}
         title={t("tabs.all")}
         aria-haspopup="listbox"
@@ -257,7 +257,7 @@ export function Tabs() {
   return (
     <div className="tabs">
       <div
-        className="tabs-scroll"
+        className="tabs-scroll row"
         ref={row}
         onWheel={(event) => {
           if (event.deltaX === 0) event.currentTarget.scrollLeft += event.deltaY * (mirrored() ? -1 : 1);
@@ -278,7 +278,7 @@ export function Tabs() {
       </div>
       <MorePrograms hidden={hidden} />
       <AddProgram />
-      <div className="tabs-last">
+      <div className="tabs-last row rigid">
         {TABS.map((tab) => (
           <LastTab key={tab.name} tab={tab} onKey={onKey} />
         ))}

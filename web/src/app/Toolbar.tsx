@@ -27,7 +27,7 @@ function MoreTools({ menus }: { menus: MenuPart[] }) {
         id="more-tools"
         label={t("tools.more")}
         aria-label={t("tools.more")}
-        className="tool"
+        className="tool rigid"
         entries={entries}
       >
         <Icon name="ellipsis" size={18} />
@@ -42,7 +42,7 @@ export function Toolbar({ menus }: { menus: MenuPart[] }) {
   const { canUndo, canRedo, undoLabel, redoLabel } = useStudio();
   const { undo, redo } = useStudio.getState();
   return (
-    <div className="toolbar">
+    <div className="toolbar row">
       <div className="tools" role="toolbar" aria-label={t("menu.run")} ref={tools}>
         <Tool
           icon="undo-2"
@@ -62,7 +62,7 @@ export function Toolbar({ menus }: { menus: MenuPart[] }) {
           data-fold={7}
           onClick={redo}
         />
-        <span className="tool-line" data-fold={9} />
+        <span className="tool-line rigid" data-fold={9} />
         <Slot name="tools" />
         <MoreTools menus={menus} />
       </div>
@@ -76,7 +76,7 @@ export function TeamStop() {
   return (
     <button
       type="button"
-      className="team-stop"
+      className="team-stop row"
       data-testid="team-stop"
       title={`${t("stop.label")} (${keyFor.page("stop")})`}
       onClick={stopEverything}

@@ -4,7 +4,7 @@ import { api } from "../api/client";
 import type { Session } from "../api/generated";
 import { journalApi } from "../api/journal";
 import { traceApi } from "../api/traces";
-import { complain, show, useDocument } from "../session/document";
+import { complain, show, startSession } from "../session/document";
 import { journalBefore, keepsJournal } from "../session/journal";
 import { holdUntil, offerLeft } from "../session/open-requests";
 import { take, takeLeft } from "../session/opening";
@@ -33,7 +33,7 @@ async function openFirst(): Promise<void> {
     rememberSecret(said.secret);
     const named = namedInAddress();
     const session = named === null ? said : { ...said, path: named || null };
-    useDocument.setState({ session });
+    startSession(session);
     const back = await beginWhereItEnded(session);
     if (!back && session.path === null) await beginInFolder();
     else if (!back && session.path !== null) await beginWith(session.path);

@@ -14,7 +14,7 @@ import { later } from "../ui/later";
 import { type MenuEntry, menuItem } from "../ui/menu-model";
 import { robotEntries } from "./AddProgram";
 import { downloadMission, downloadProgram } from "./downloads";
-import { useRenaming } from "./renaming";
+import { renameInTab } from "./renaming";
 import { goToRoom } from "./rooms";
 import type * as sheetsModule from "./Sheets";
 
@@ -83,7 +83,7 @@ function lookEntries(choice: ThemeChoice, folded: Record<Panel, boolean>): MenuE
 
 function programEntries({ activeProgram, catalogue, mission }: StudioState): MenuEntries {
   const only = mission.programs.length === 1;
-  const ask = () => useRenaming.setState({ program: activeProgram });
+  const ask = () => renameInTab(activeProgram);
   const away = t("program.delete", { name: activeProgram });
   return {
     "new-program": [{ kind: "heading", id: "program-add", label: t("program.add") }, ...robotEntries(catalogue.robots)],
@@ -130,6 +130,15 @@ const inSheets = <Name extends keyof typeof sheetsModule>(name: Name, typing = f
     typing,
   );
 
+declare module "../session/document" {
+  interface Overlays {
+    "save-as": true;
+    shortcuts: true;
+    about: true;
+    difference: true;
+  }
+}
+
 export const page: Feature = {
   name: "page",
   commands: {
@@ -146,7 +155,7 @@ export const page: Feature = {
     previousProgram: () => goToProgram(-1),
     programLater: () => moveActiveProgram(1),
     programEarlier: () => moveActiveProgram(-1),
-    rename: () => useRenaming.setState({ program: useStudio.getState().activeProgram }),
+    rename: () => renameInTab(useStudio.getState().activeProgram),
     addProgram: () => document.querySelector<HTMLElement>(".add-program button")?.click(),
     shortcuts: () => show("shortcuts"),
   },

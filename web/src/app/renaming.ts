@@ -2,3 +2,7 @@
 import { create } from "zustand";
 
 export const useRenaming = create<{ program: string | null }>(() => ({ program: null }));
+
+export function renameInTab(program: string | null): void {
+  useRenaming.setState({ program });
+}

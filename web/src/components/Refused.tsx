@@ -2,7 +2,9 @@
 import type { WorkRefusedMessage } from "../api/generated";
 import { Said } from "../i18n/Said";
 import { t } from "../i18n/words";
-import { useProblemList } from "../session/problem-walk";
+import { openDock } from "../session/dock";
+import { PROBLEMS } from "../session/problem-walk";
+import { Button } from "../ui/Button";
 import "./refused.css";
 
 const SHOWN_PROBLEMS = 3;
@@ -26,9 +28,7 @@ export function Refused({ refused }: { refused: WhyRefused | null }) {
               </li>
             ))}
           </ul>
-          <button type="button" className="button" onClick={() => useProblemList.setState({ open: true })}>
-            {t("work.problems")}
-          </button>
+          <Button onClick={() => openDock(PROBLEMS)}>{t("work.problems")}</Button>
         </>
       )}
     </div>

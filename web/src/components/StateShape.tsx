@@ -4,7 +4,7 @@ import type { AgentActivity } from "../api/wire";
 export function StateShape({ state, size = 8, label }: { state: AgentActivity; size?: number; label?: string }) {
   const spoken = label === undefined ? { "aria-hidden": true } : { role: "img", "aria-label": label };
   return (
-    <svg className="state-shape" width={size} height={size} viewBox="0 0 10 10" data-state={state} {...spoken}>
+    <svg className="rigid" width={size} height={size} viewBox="0 0 10 10" data-state={state} {...spoken}>
       {state === "failed" ? (
         <path d="M1.5 1.5l7 7M8.5 1.5l-7 7" stroke="currentColor" strokeWidth="2.2" strokeLinecap="round" />
       ) : state === "stalled" ? (

@@ -7,8 +7,7 @@ export const EXPORT_EN = {
   "out.no-image": "“{name}” has errors, so there is no image of it yet.",
   "out.no-image-help": "Mend what the list of problems shows; F8 goes to the next one.",
   "out.show-problem": "Show the error",
-  "out.export-pdf": "Export graph as PDF",
-  "out.export-pdf-all": "Export all graphs as PDF",
+  "out.export-pdf": "Export as PDF…",
   "out.print": "Print…",
   "out.print-failed": "The sheet could not be made: load the page again.",
 } as const satisfies Record<string, Sentence>;

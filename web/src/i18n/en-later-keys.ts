@@ -2,7 +2,6 @@
 export const KEYS_EN = {
   "help.about-text":
     "Version {version}. Draw a program as a graph, press Run, and small robots do what it says. Free software under the Apache License 2.0.",
-  "help.about-graph": "The graph is shown with",
   "help.about-licences": "Licences of everything inside",
   "help.keys-part": "Help for the selected part",
   "help.keys-outline": "Outline of the program, in words",

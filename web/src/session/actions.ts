@@ -5,7 +5,7 @@ import { addProgram, removeProgram } from "../model/commands/changePrograms";
 import { moveProgram } from "../model/commands/moveProgram";
 import { useStudio } from "../model/studio";
 import type { Mission, World } from "../model/types";
-import { dismissBanner, useDocument } from "./document";
+import { dismissBanner, note, useDocument } from "./document";
 import { isLive, useRun, watchedAgent } from "./run";
 import { closeTeam, openTeam } from "./team-view";
 import { useView } from "./view";
@@ -79,9 +79,7 @@ export function addProgramFor(robot: string): void {
     dismissBanner();
     openTeam();
   };
-  useDocument.setState({
-    banner: { kind: "note", message, help: "", actions: [{ label: t("team.open"), run: open }] },
-  });
+  note(message, "", [{ label: t("team.open"), run: open }]);
 }
 
 export function removeProgramNamed(name: string): void {

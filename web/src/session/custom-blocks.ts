@@ -23,6 +23,10 @@ export function closeSheet(): void {
   useOwn.setState({ sheet: null });
 }
 
+export function closeMenu(): void {
+  useOwn.setState({ menu: null });
+}
+
 /** Whether a part is one that the mission brings along. */
 export function isOwn(shape: Shape): boolean {
   return shape.constructor_?.group === OWN_GROUP && isThere(shape.element);

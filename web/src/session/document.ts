@@ -26,7 +26,11 @@ export interface Banner {
   takesFocus?: boolean;
 }
 
-export type Overlay = "new" | "open" | "save-as" | "shortcuts" | "about" | "difference" | null;
+/** Names of the sheets that can lie over the page: who draws a sheet (`sheets` of `Feature`) adds its name here. */
+// eslint-disable-next-line @typescript-eslint/no-empty-object-type -- others give it its members
+export interface Overlays {}
+
+export type Overlay = keyof Overlays | null;
 
 interface DocumentState {
   session: Session | null;
@@ -69,6 +73,42 @@ export function dismissBanner(): void {
   set({ banner: null });
 }
 
+export function putBanner(banner: Banner): void {
+  set({ banner });
+}
+
+/** Says something, with what can be done about it. */
+export function note(message: string, help = "", actions: BannerAction[] = []): void {
+  putBanner({ kind: "note", message, help, actions });
+}
+
+export function startSession(session: Session): void {
+  set({ session });
+}
+
+/** A mission is drawn that is still on its way. */
+export function drawnAhead(): void {
+  set({ ahead: true });
+}
+
+/** Another mission is on its way, or no more. */
+export function setOpening(opening: boolean): void {
+  set({ opening });
+}
+
+export function setSaving(saving: boolean): void {
+  set({ saving });
+}
+
+/** A mission is there; what was said and shown of the one before goes. */
+export function missionOpened(fileProblems: Problem[]): void {
+  set({ ready: true, ahead: false, banner: null, overlay: null, fileProblems });
+}
+
+export function missionSaved(): void {
+  set({ banner: null, overlay: null, fileProblems: [] });
+}
+
 function placed({ line, message }: Problem): string {
   return line > 0 ? t("banner.line", { line, message }) : sentence(message);
 }
@@ -97,7 +137,7 @@ export function question(message: string, choices: [Key, () => void][], kind: Ba
 /** Asks before something goes on that the user has just begun: the first answer has the focus, and Escape is none. */
 export function ask(message: string, choices: [Key, () => void][], help = "") {
   question(message, choices, "question", help);
-  useDocument.setState(({ banner }) => ({ banner: banner && { ...banner, takesFocus: true } }));
+  set(({ banner }) => ({ banner: banner && { ...banner, takesFocus: true } }));
 }
 
 /** Always a .krt, whatever was typed. */

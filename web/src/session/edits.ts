@@ -10,7 +10,7 @@ import { placeFor } from "../model/placeFor";
 import { useStudio } from "../model/studio";
 import { findSpot, inChain, type Place } from "../model/tree";
 import { currentDrawing, type Drawing } from "./drawing";
-import { useView } from "./view";
+import { sayOnCanvas, useView } from "./view";
 
 /** Does the command that `make` finds for the program in view; says whether there was one. */
 export function edit(make: (drawing: Drawing) => Command | null): boolean {
@@ -77,7 +77,7 @@ export function wrappable(): boolean {
 export function openWrapping(): boolean {
   const { selection } = useStudio.getState();
   if (selection.length === 0) return false;
-  if (!wrappable()) useView.setState({ said: t("wrap.cannot") });
+  if (!wrappable()) sayOnCanvas(t("wrap.cannot"));
   else useView.getState().setAdding({ vertex: selection.at(-1) ?? null, slot: null, wrap: true });
   return true;
 }

@@ -7,7 +7,7 @@
 import type { ComponentType, ReactNode } from "react";
 
 import type { Key } from "../i18n/words";
-import type { Overlay } from "./document";
+import type { Overlays } from "./document";
 import type { PAGE_KEYS } from "./key-table";
 import type { Panel } from "./layout";
 import type { MenuEntries } from "./menu-table";
@@ -43,11 +43,14 @@ export interface Feature {
   /** `children` is what stands there without this feature: it may be drawn or replaced. */
   panels?: Partial<Record<PanelPlace, ComponentType<{ children: ReactNode }>>>;
   tab?: FeatureTab;
+  /** Panels below the graph, of which one is open (`session/dock`), by the ids of their elements. */
+  docks?: Record<string, ComponentType>;
   /** What keys of the page do; each key belongs to one feature. */
   commands?: Partial<Record<PageCommand, () => void>>;
   /** A hook: the entries as they are now. */
   useMenu?: () => MenuEntries;
-  sheets?: Partial<Record<NonNullable<Overlay>, ComponentType>>;
+  /** Each with its name in `Overlays`. */
+  sheets?: Partial<Record<keyof Overlays, ComponentType>>;
   /** What Escape closes now, or null. */
   escape?: () => (() => void) | null;
   /** STOP was pressed. */

@@ -8,6 +8,7 @@ const NONE: Ids = new Set();
 interface FoldState {
   folded: ReadonlyMap<string, Ids>;
   set: (program: string, ids: Ids) => void;
+  unfoldAll: () => void;
 }
 
 export const useFolded = create<FoldState>((set, get) => ({
@@ -15,6 +16,7 @@ export const useFolded = create<FoldState>((set, get) => ({
   set: (program, ids) => {
     set({ folded: new Map([...get().folded, [program, ids]]) });
   },
+  unfoldAll: () => set({ folded: new Map() }),
 }));
 
 export function foldedIn(program: string): Ids {

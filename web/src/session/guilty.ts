@@ -18,6 +18,10 @@ export interface GuiltyMark {
 
 export const useGuilty = create<{ marks: readonly GuiltyMark[] }>(() => ({ marks: [] }));
 
+export function markVertices(marks: readonly GuiltyMark[]): void {
+  useGuilty.setState({ marks });
+}
+
 /** The mark of a vertex of the program in view. */
 export function useMarkAt(vertex: string): GuiltyMark | undefined {
   const program = useStudio((studio) => studio.activeProgram);

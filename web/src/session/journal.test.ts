@@ -1,7 +1,7 @@
 import { afterEach, beforeEach, describe, expect, it, vi } from "vitest";
 
 import { ApiError } from "../api/client";
-import type { Claimed } from "../api/generated";
+import type { ClaimedJournal } from "../api/generated";
 import type { Watcher } from "../api/watch";
 import { emptyProgram } from "../model/commands/changePrograms";
 import { isUnsaved } from "../model/history";
@@ -40,7 +40,7 @@ class Kept {
   watcher: Watcher | null = null;
   readonly store: Store = {
     api: {
-      claim: (_tab, path, journal): Promise<Claimed> =>
+      claim: (_tab, path, journal): Promise<ClaimedJournal> =>
         Promise.resolve({ journal: journal || "j", path, name: path, records: this.records, damaged: false }),
       replace: (_tab, _path, _name, records, unsaved) => this.write(0, records, unsaved),
       append: (_tab, first, records, unsaved) => this.write(first, records, unsaved),

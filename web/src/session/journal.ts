@@ -9,7 +9,7 @@
 import { create } from "zustand";
 
 import { ApiError } from "../api/client";
-import type { Claimed } from "../api/generated";
+import type { ClaimedJournal } from "../api/generated";
 import { journalApi } from "../api/journal";
 import { type News, openWatch, type Watcher } from "../api/watch";
 import { type History, isUnsaved } from "../model/history";
@@ -31,10 +31,7 @@ export interface Store {
   watch: typeof openWatch;
 }
 
-interface Keeping {
-  store: Store;
-  fail: (cause: unknown, again: () => void) => void;
-}
+type Fail = (cause: unknown, again: () => void) => void;
 
 /** Where what is done here is kept. */
 interface Link {
@@ -48,26 +45,15 @@ interface Link {
 
 export const useLink = create<Link>(() => ({ connected: null, silent: false, kept: true }));
 
+/** Whether the browser keeps what is done; a static site says so. */
+export function setKept(kept: boolean): void {
+  useLink.setState({ kept });
+}
+
 /** Whether nothing that is done here reaches the server at the moment. */
 export function isCutOff({ connected, silent }: Link): boolean {
   return connected === false || silent;
 }
-
-let keeping: Keeping | null = null;
-let tab = "";
-let journal = "";
-let waiting: Entry[] = [];
-/** Records that the server has; -1 when it must be sent everything. */
-let sent = 0;
-/** How often everything was asked for: what is on its way meanwhile says nothing about how far the server is. */
-let asked = 0;
-/** Changes since the last whole mission. */
-let sinceBase = 0;
-let timer: ReturnType<typeof setTimeout> | undefined;
-let sending: Promise<void> | null = null;
-/** Between the claim and the opening nothing may go out: it would be the old mission's, in the new one's journal. */
-let opening = false;
-let greeted: (() => void)[] = [];
 
 /** The journal that this tab wrote before it was loaded again. */
 export function journalBefore(): string {
@@ -78,194 +64,255 @@ export function journalBefore(): string {
   }
 }
 
-function remember(name: string): void {
-  journal = name;
-  try {
-    sessionStorage.setItem(KEY, name);
-  } catch {
-    // Then a reload begins with the first mission, and the work is on its own.
+/** The journal of this page, as long as it is kept. */
+class Journal {
+  readonly #store: Store;
+  readonly #fail: Fail;
+  #tab = "";
+  #journal = "";
+  #waiting: Entry[] = [];
+  /** Records that the server has; -1 when it must be sent everything. */
+  #sent = 0;
+  /** How often everything was asked for: what is on its way meanwhile says nothing about how far the server is. */
+  #asked = 0;
+  /** Changes since the last whole mission. */
+  #sinceBase = 0;
+  #timer: ReturnType<typeof setTimeout> | undefined;
+  #sending: Promise<void> | null = null;
+  /** Between the claim and the opening nothing may go out: it would be the old mission's, in the new one's journal. */
+  #opening = false;
+  #greeted: (() => void)[] = [];
+
+  constructor(store: Store, fail: Fail) {
+    this.#store = store;
+    this.#fail = fail;
+  }
+
+  #remember(name: string): void {
+    this.#journal = name;
+    try {
+      sessionStorage.setItem(KEY, name);
+    } catch {
+      // Then a reload begins with the first mission, and the work is on its own.
+    }
+  }
+
+  /** The whole history must be sent: what the server has is unknown. */
+  #sendAll(): void {
+    this.#sent = -1;
+    this.#asked++;
+  }
+
+  /** Whether everything that was done is on the server's disk. */
+  isKept(): boolean {
+    return this.#waiting.length === 0 && this.#sending === null && this.#sent >= 0;
+  }
+
+  /** Claims the journal for a mission that is about to be opened; null without a server that keeps one. */
+  async claim(path: string, wanted = ""): Promise<ClaimedJournal | null> {
+    await this.flush();
+    if (this.#tab === "") await this.#hello();
+    if (this.#tab === "") return null;
+    const { file } = useStudio.getState();
+    // The same mission once more: what is on disk is wanted, not what was done to it here.
+    if (wanted === "" && this.#journal !== "" && path !== "" && path === file.path) {
+      this.#sendAll();
+      return null;
+    }
+    try {
+      this.#opening = true;
+      const claimed = await this.#store.api.claim(this.#tab, path, wanted);
+      this.#remember(claimed.journal);
+      this.#sent = claimed.records.length;
+      return claimed;
+    } catch (cause) {
+      this.#opening = false;
+      if (cause instanceof ApiError && cause.status !== 0) return null;
+      throw cause;
+    }
+  }
+
+  /** A mission is opened next; where it has a history already the journal is written anew from it. */
+  openWith(begin: History | null): void {
+    if (begin !== null || this.#sent > 0) this.#sendAll();
+  }
+
+  #hello(): Promise<void> {
+    return new Promise((resolve) => {
+      const late = setTimeout(resolve, HELLO_WITHIN_MS);
+      this.#greeted.push(() => {
+        clearTimeout(late);
+        resolve();
+      });
+    });
+  }
+
+  record(after: Mission, before: Mission): void {
+    const { change } = useStudio.getState();
+    if (change.kind === "open") {
+      this.#opening = false;
+      this.#waiting = [];
+      // At once: discarded work must not come back when the page is left now.
+      if (this.#sent < 0) void this.flush();
+      return;
+    }
+    const last = this.#waiting.at(-1);
+    if (change.kind === "join" && last !== undefined && (last.change.kind === "do" || last.change.kind === "join")) {
+      this.#waiting[this.#waiting.length - 1] = {
+        change: { ...change, kind: last.change.kind },
+        before: last.before,
+        after,
+      };
+    } else {
+      this.#waiting.push({ change, before, after });
+    }
+    if (change.kind === "save") {
+      // At once: the file's name may be another one now, and a page that is loaded again must find it.
+      this.#sendAll();
+      void this.flush();
+    } else this.#soon();
+  }
+
+  #soon(): void {
+    this.#timer ??= setTimeout(() => {
+      this.#timer = undefined;
+      void this.flush();
+    }, QUIET_MS);
+  }
+
+  /** Sends what waits. Resolves when it is on disk, or cannot be. */
+  async flush(): Promise<void> {
+    clearTimeout(this.#timer);
+    this.#timer = undefined;
+    while (this.#sending !== null) await this.#sending;
+    if (this.#opening || this.#tab === "" || this.#journal === "" || (this.#waiting.length === 0 && this.#sent >= 0))
+      return;
+    this.#sending = this.#send().finally(() => {
+      this.#sending = null;
+    });
+    await this.#sending;
+  }
+
+  async #send(): Promise<void> {
+    const { file, history } = useStudio.getState();
+    const batch = this.#waiting;
+    const first = this.#sent;
+    const whole = first <= 0;
+    const asking = this.#asked;
+    try {
+      if (whole) {
+        const kept = shortened(history, file.revision, LARGEST / 2);
+        const empty = kept.past.length === 0 && kept.future.length === 0 && !isUnsaved(kept);
+        const records = empty ? [] : recordsOf(kept, file.revision);
+        this.#waiting = [];
+        await this.#store.api.replace(this.#tab, file.path, file.name, records, isUnsaved(kept));
+        this.#sinceBase = records.length;
+        if (this.#asked === asking) this.#sent = records.length;
+      } else {
+        const records = batch.map(recordOf);
+        this.#waiting = [];
+        this.#sinceBase += batch.length;
+        const base = this.#sinceBase < BASE_EVERY ? "" : baseOf(batch.at(-1)?.after ?? history.mission, file.revision);
+        if (base !== "" && base.length < LARGEST / 4) {
+          records.push(base);
+          this.#sinceBase = 0;
+        }
+        const { bytes } = await this.#store.api.append(this.#tab, first, records, isUnsaved(history));
+        if (this.#asked === asking) this.#sent = bytes > LARGEST ? -1 : first + records.length;
+      }
+    } catch (cause) {
+      this.#sendAll();
+      // A lost connection is reported by the checker; the whole history is sent when it is back.
+      if (!(cause instanceof ApiError) || cause.status === 0) return;
+      if (whole) this.#fail(cause, () => this.#soon());
+      else this.#soon();
+    }
+  }
+
+  /** A new connection: the journal is claimed again, and sent whole, since what was lost is unknown. */
+  async greet(name: string): Promise<void> {
+    const again = this.#tab === "" && this.#journal !== "";
+    this.#tab = name;
+    for (const tell of this.#greeted.splice(0)) tell();
+    if (!again) return;
+    try {
+      const claimed = await this.#store.api.claim(this.#tab, useStudio.getState().file.path, this.#journal);
+      this.#remember(claimed.journal);
+      this.#sendAll();
+      await this.flush();
+    } catch {
+      this.#sendAll();
+    }
+  }
+
+  /** The connection is gone: the next one has another name. */
+  disconnect(): void {
+    this.#tab = "";
+  }
+
+  end(): void {
+    clearTimeout(this.#timer);
   }
 }
 
-/** The whole history must be sent: what the server has is unknown. */
-function sendAll(): void {
-  sent = -1;
-  asked++;
-}
+/** The journal that is kept now. */
+let current: Journal | null = null;
 
 /** Whether a journal is kept. */
 export function keepsJournal(): boolean {
-  return keeping !== null;
+  return current !== null;
 }
 
 /** Whether everything that was done is on the server's disk. */
 export function isKept(): boolean {
-  return keeping !== null && waiting.length === 0 && sending === null && sent >= 0;
+  return current?.isKept() ?? false;
 }
 
 /** Claims the journal for a mission that is about to be opened; null without a server that keeps one. */
-export async function claim(path: string, wanted = ""): Promise<Claimed | null> {
-  if (keeping === null) return null;
-  await flush();
-  if (tab === "") await hello();
-  if (tab === "") return null;
-  const { file } = useStudio.getState();
-  // The same mission once more: what is on disk is wanted, not what was done to it here.
-  if (wanted === "" && journal !== "" && path !== "" && path === file.path) {
-    sendAll();
-    return null;
-  }
-  try {
-    opening = true;
-    const claimed = await keeping.store.api.claim(tab, path, wanted);
-    remember(claimed.journal);
-    sent = claimed.records.length;
-    return claimed;
-  } catch (cause) {
-    opening = false;
-    if (cause instanceof ApiError && cause.status !== 0) return null;
-    throw cause;
-  }
+export async function claim(path: string, wanted = ""): Promise<ClaimedJournal | null> {
+  return (await current?.claim(path, wanted)) ?? null;
 }
 
 /** A mission is opened next; where it has a history already the journal is written anew from it. */
 export function openWith(begin: History | null): void {
-  if (begin !== null || sent > 0) sendAll();
-}
-
-function hello(): Promise<void> {
-  return new Promise((resolve) => {
-    const late = setTimeout(resolve, HELLO_WITHIN_MS);
-    greeted.push(() => {
-      clearTimeout(late);
-      resolve();
-    });
-  });
-}
-
-function heard(after: Mission, before: Mission): void {
-  const { change } = useStudio.getState();
-  if (change.kind === "open") {
-    opening = false;
-    waiting = [];
-    // At once: discarded work must not come back when the page is left now.
-    if (sent < 0) void flush();
-    return;
-  }
-  const last = waiting.at(-1);
-  if (change.kind === "join" && last !== undefined && (last.change.kind === "do" || last.change.kind === "join")) {
-    waiting[waiting.length - 1] = { change: { ...change, kind: last.change.kind }, before: last.before, after };
-  } else {
-    waiting.push({ change, before, after });
-  }
-  if (change.kind === "save") {
-    // At once: the file's name may be another one now, and a page that is loaded again must find it.
-    sendAll();
-    void flush();
-  } else soon();
-}
-
-function soon(): void {
-  timer ??= setTimeout(() => {
-    timer = undefined;
-    void flush();
-  }, QUIET_MS);
+  current?.openWith(begin);
 }
 
 /** Sends what waits. Resolves when it is on disk, or cannot be. */
 export async function flush(): Promise<void> {
-  clearTimeout(timer);
-  timer = undefined;
-  while (sending !== null) await sending;
-  if (keeping === null || opening || tab === "" || journal === "" || (waiting.length === 0 && sent >= 0)) return;
-  sending = send(keeping).finally(() => {
-    sending = null;
-  });
-  await sending;
-}
-
-async function send({ store, fail }: Keeping): Promise<void> {
-  const { file, history } = useStudio.getState();
-  const batch = waiting;
-  const first = sent;
-  const whole = first <= 0;
-  const asking = asked;
-  try {
-    if (whole) {
-      const kept = shortened(history, file.revision, LARGEST / 2);
-      const empty = kept.past.length === 0 && kept.future.length === 0 && !isUnsaved(kept);
-      const records = empty ? [] : recordsOf(kept, file.revision);
-      waiting = [];
-      await store.api.replace(tab, file.path, file.name, records, isUnsaved(kept));
-      sinceBase = records.length;
-      if (asked === asking) sent = records.length;
-    } else {
-      const records = batch.map(recordOf);
-      waiting = [];
-      sinceBase += batch.length;
-      const base = sinceBase < BASE_EVERY ? "" : baseOf(batch.at(-1)?.after ?? history.mission, file.revision);
-      if (base !== "" && base.length < LARGEST / 4) {
-        records.push(base);
-        sinceBase = 0;
-      }
-      const { bytes } = await store.api.append(tab, first, records, isUnsaved(history));
-      if (asked === asking) sent = bytes > LARGEST ? -1 : first + records.length;
-    }
-  } catch (cause) {
-    sendAll();
-    // A lost connection is reported by the checker; the whole history is sent when it is back.
-    if (!(cause instanceof ApiError) || cause.status === 0) return;
-    if (whole) fail(cause, soon);
-    else soon();
-  }
-}
-
-/** A new connection: the journal is claimed again, and sent whole, since what was lost is unknown. */
-async function greet(name: string): Promise<void> {
-  const again = tab === "" && journal !== "";
-  tab = name;
-  for (const tell of greeted.splice(0)) tell();
-  if (!again || keeping === null) return;
-  try {
-    const claimed = await keeping.store.api.claim(tab, useStudio.getState().file.path, journal);
-    remember(claimed.journal);
-    sendAll();
-    await flush();
-  } catch {
-    sendAll();
-  }
+  await current?.flush();
 }
 
 /** Starts keeping the journal; the returned function ends it. */
 export function keepJournal(
-  fail: Keeping["fail"],
+  fail: Fail,
   onNews: (news: News) => void,
   store: Store = { api: journalApi, watch: openWatch },
   { onReturn, onStranger }: Pick<Watcher, "onReturn" | "onStranger"> = NOBODY_HEARS,
 ): () => void {
+  const journal = new Journal(store, fail);
+  current = journal;
   const close = store.watch({
     onHello: (name) => {
       useLink.setState({ connected: true });
-      return greet(name);
+      return journal.greet(name);
     },
     onNews,
     onReturn,
     onStranger,
     onLost: () => {
-      tab = "";
+      journal.disconnect();
       useLink.setState({ connected: false, silent: false });
     },
     onSilence: (silent) => useLink.setState({ silent }),
   });
   const off = useStudio.subscribe((state, before) => {
-    if (state.change !== before.change) heard(state.mission, before.mission);
+    if (state.change !== before.change) journal.record(state.mission, before.mission);
   });
-  const stop = () => {
+  return () => {
     off();
     close();
-    clearTimeout(timer);
-    [keeping, tab, journal, waiting, sent, timer, greeted, opening] = [null, "", "", [], 0, undefined, [], false];
+    journal.end();
+    current = null;
   };
-  keeping = { store, fail };
-  return stop;
 }

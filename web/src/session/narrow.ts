@@ -5,3 +5,12 @@ import type { Panel } from "./layout";
 
 /** The panel that is open, or null for the graph alone. */
 export const useNarrow = create<{ room: Panel | null }>(() => ({ room: null }));
+
+export function openRoom(room: Panel | null): void {
+  useNarrow.setState({ room });
+}
+
+/** Opens the panel, or closes it where it is open. */
+export function toggleRoom(panel: Panel | null): void {
+  useNarrow.setState(({ room }) => ({ room: room === panel ? null : panel }));
+}

@@ -38,6 +38,10 @@ interface OpenExercise {
 /** The exercise that is open; the panel, which is fetched later, shows it. */
 export const useOpenExercise = create<OpenExercise>(() => ({ open: stored(), goals: [] }));
 
+export function setGoals(goals: OpenExercise["goals"]): void {
+  useOpenExercise.setState({ goals });
+}
+
 export function remember(open: Remembered | null): void {
   useOpenExercise.setState({ open });
   try {

@@ -1,11 +1,11 @@
 /** How a mission becomes the open one: from a file, a recording, or the work that was left on it. */
 import { api } from "../api/client";
-import type { Claimed, Recording } from "../api/generated";
+import type { ClaimedJournal, Recording } from "../api/generated";
 import { t } from "../i18n/words";
 import { isUnsaved } from "../model/history";
 import { useStudio } from "../model/studio";
 import type { MissionFile } from "../model/types";
-import { complain, fileName, question, useDocument } from "./document";
+import { complain, drawnAhead, fileName, missionOpened, question, setOpening, useDocument } from "./document";
 import { claim, openWith } from "./journal";
 import { recover } from "./journal-records";
 import { begin as play } from "./recordings";
@@ -22,11 +22,11 @@ export function drawAhead(file: MissionFile): void {
   if (useDocument.getState().ready) return;
   useStudio.getState().openMission(file);
   holdParts(file.parts ?? "");
-  useDocument.setState({ ahead: true });
+  drawnAhead();
 }
 
 /** Opens a mission with what its journal holds, as far as that is still of use. */
-function resume(file: MissionFile, claimed: Claimed | null): void {
+function resume(file: MissionFile, claimed: ClaimedJournal | null): void {
   const found = recover(claimed?.records ?? []);
   const unsaved = found !== null && isUnsaved(found.history);
   const back = found !== null && (unsaved || found.revision === file.revision) ? found : null;
@@ -34,7 +34,7 @@ function resume(file: MissionFile, claimed: Claimed | null): void {
   useRun.getState().reset();
   useStudio.getState().openMission(back === null ? file : { ...file, revision: back.revision }, back?.history);
   holdParts(file.parts ?? "");
-  useDocument.setState({ ready: true, ahead: false, banner: null, overlay: null, fileProblems: file.problems });
+  missionOpened(file.problems);
   if (!unsaved) return;
   const help = t(
     found.lost === "steps"
@@ -80,12 +80,12 @@ let underWay = 0;
 
 export async function whileOpening<T>(work: Promise<T>): Promise<T> {
   underWay++;
-  useDocument.setState({ opening: true });
+  setOpening(true);
   try {
     return await work;
   } finally {
     underWay--;
-    useDocument.setState({ opening: underWay > 0 });
+    setOpening(underWay > 0);
   }
 }
 

@@ -3,7 +3,8 @@ import { beforeEach, describe, expect, it } from "vitest";
 import { emptyProgram } from "../model/commands/changePrograms";
 import { useStudio } from "../model/studio";
 import type { Problem } from "../model/types";
-import { orderProblems, useProblemList, walkProblems } from "./problem-walk";
+import { closeDock, useDock } from "./dock";
+import { orderProblems, PROBLEMS, standAt, useProblemWalk, walkProblems } from "./problem-walk";
 
 function problem(severity: Problem["severity"], message: string, program = "", vertices: string[] = []): Problem {
   const place = { file: "a.krt", line: 1, column: 1, end_line: 1, end_column: 2 };
@@ -28,7 +29,8 @@ beforeEach(() => {
     world: null,
     catalogue: { groups: [], robots: [], problems: [] },
   });
-  useProblemList.setState({ open: false, at: -1 });
+  closeDock();
+  standAt(-1);
 });
 
 describe("the order of problems", () => {
@@ -50,18 +52,18 @@ describe("the walk", () => {
   it("opens the list, shows the program and selects the vertex", () => {
     useStudio.getState().setReport(report(problem("error", "e", "two", ["start"])));
     walkProblems(1);
-    expect([useProblemList.getState().open, useProblemList.getState().at]).toEqual([true, 0]);
+    expect([useDock.getState().open, useProblemWalk.getState().at]).toEqual([PROBLEMS, 0]);
     expect([useStudio.getState().activeProgram, useStudio.getState().selection]).toEqual(["two", ["start"]]);
   });
 
   it("goes round in both directions", () => {
     useStudio.getState().setReport(report(problem("error", "a"), problem("error", "b")));
     walkProblems(-1);
-    expect(useProblemList.getState().at).toBe(1);
+    expect(useProblemWalk.getState().at).toBe(1);
     walkProblems(1);
-    expect(useProblemList.getState().at).toBe(0);
+    expect(useProblemWalk.getState().at).toBe(0);
     walkProblems(-1);
-    expect(useProblemList.getState().at).toBe(1);
+    expect(useProblemWalk.getState().at).toBe(1);
   });
 
   it("selects the ends of an arc, and nothing that is gone", () => {
@@ -73,6 +75,6 @@ describe("the walk", () => {
 
   it("does nothing without problems", () => {
     walkProblems(1);
-    expect(useProblemList.getState().open).toBe(false);
+    expect(useDock.getState().open).toBeNull();
   });
 });

@@ -11,6 +11,7 @@ import { useStudio } from "../model/studio";
 import type { Problem, Report } from "../model/types";
 import { thingNamed } from "../model/world/thing";
 import { reveal } from "./actions";
+import { openDock } from "./dock";
 import { useDocument } from "./document";
 import { applyFix, canFix } from "./fixes";
 import { useRun } from "./run";
@@ -32,13 +33,22 @@ export function orderProblems(report: Report | null, others: readonly Problem[])
   return found.sort((a, b) => RANK[a.severity] - RANK[b.severity]);
 }
 
-interface ProblemList {
-  open: boolean;
-  /** The problem that F8 is at; -1 before the first. */
-  at: number;
+/** The name of the list below the graph. */
+export const PROBLEMS = "problem-list";
+
+/** The problem that F8 is at; -1 before the first. */
+export const useProblemWalk = create<{ at: number }>(() => ({ at: -1 }));
+
+/** The walk is at that problem of the list. */
+export function standAt(at: number): void {
+  useProblemWalk.setState({ at });
 }
 
-export const useProblemList = create<ProblemList>(() => ({ open: false, at: -1 }));
+/** Opens the list at its first problem. */
+export function showFirstProblem(): void {
+  standAt(0);
+  openDock(PROBLEMS);
+}
 
 export function problemsNow(): Problem[] {
   const { files, report } = useStudio.getState();
@@ -73,7 +83,7 @@ export function goTo(problem: Problem): void {
 /** Mends the problem that the walk is at, or the first that can be mended; the walk stays where it is. */
 export function fixProblem(): void {
   const problems = problemsNow();
-  const current = problems[useProblemList.getState().at];
+  const current = problems[useProblemWalk.getState().at];
   const wanted = current !== undefined && canFix(current) ? current : problems.find(canFix);
   if (wanted === undefined) return;
   goTo(wanted);
@@ -83,9 +93,10 @@ export function fixProblem(): void {
 export function walkProblems(by: 1 | -1): void {
   const problems = problemsNow();
   if (problems.length === 0) return;
-  const { at } = useProblemList.getState();
+  const { at } = useProblemWalk.getState();
   const next = at < 0 && by < 0 ? problems.length - 1 : (at + by + problems.length) % problems.length;
-  useProblemList.setState({ open: true, at: next });
+  standAt(next);
+  openDock(PROBLEMS);
   const problem = problems[next];
   if (problem !== undefined) goTo(problem);
 }

@@ -10,7 +10,7 @@ import { traceApi } from "../api/traces";
 import { useStudio } from "../model/studio";
 import type { Mission } from "../model/types";
 import { download } from "../ui/download";
-import { useRun } from "./run";
+import { setFailRate, setSeed, useRun } from "./run";
 
 export interface OpenRecording {
   /** The server's name for it. */
@@ -70,7 +70,8 @@ export function playAgain(): void {
 export function runRecorded(): void {
   const { open } = useRecording.getState();
   if (open === null) return;
-  useRun.setState({ seed: open.seed, failRate: open.failRate });
+  setSeed(open.seed);
+  setFailRate(open.failRate);
   useRun.getState().start({ mission: open.mission, path: open.path });
 }
 

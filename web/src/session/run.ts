@@ -391,7 +391,17 @@ export function standingIn(
   return found;
 }
 
-/** The watched agent of a program, for live values beside the graph; undefined without a run. */
-export function useWatchedAgent(program: string): RunAgent | undefined {
-  return useRun((state) => watchedAgent(state, program));
+/** The seed of the next run. */
+export function setSeed(seed: number): void {
+  useRun.setState({ seed });
+}
+
+/** How probable (0…1) it is that a robot of the next run fails within a minute. */
+export function setFailRate(failRate: number): void {
+  useRun.setState({ failRate });
+}
+
+/** The mission was changed: what was wrong with the one that ran is the checker's matter now. */
+export function forgetRunProblems(): void {
+  if (useRun.getState().problems.length > 0) useRun.setState({ problems: [] });
 }

@@ -4,12 +4,10 @@ import type { Saved } from "../api/generated";
 import { t } from "../i18n/words";
 import { useStudio } from "../model/studio";
 import type { Mission } from "../model/types";
-import { complain, fileName, question, show, useDocument } from "./document";
+import { complain, fileName, missionSaved, question, setSaving, show } from "./document";
 import { loadFromDisk } from "./opening";
 import { revisionMerged } from "./merges";
 import { isFromRecording } from "./recordings";
-
-const set = useDocument.setState;
 
 /** Whether Save has a place to write to: examples and new missions need a name first. */
 export function hasPlace(path: string): boolean {
@@ -42,7 +40,7 @@ function written({ path, revision, locked }: Saved, mission: Mission, before: un
 }
 
 function saidOfSave(locked: boolean | undefined): void {
-  set({ banner: null, overlay: null, fileProblems: [] });
+  missionSaved();
   if (locked !== false || toldOfLocks) return;
   toldOfLocks = true;
   question(t("disk.no-locks"), [], "note", t("disk.no-locks-help"));
@@ -61,7 +59,7 @@ export async function write(path: string, revision: string): Promise<boolean> {
 
 async function writeNow(path: string, revision: string): Promise<boolean> {
   const { mission, file } = useStudio.getState();
-  set({ saving: true });
+  setSaving(true);
   try {
     return written(await api.saveMission(path, revision, mission), mission, file);
   } catch (cause) {
@@ -72,7 +70,7 @@ async function writeNow(path: string, revision: string): Promise<boolean> {
     }
     return false;
   } finally {
-    set({ saving: false });
+    setSaving(false);
   }
 }
 

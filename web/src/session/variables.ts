@@ -14,9 +14,9 @@ import { ownVariables } from "../model/own";
 import { programInView, useStudio } from "../model/studio";
 import type { RobotObject } from "../model/types";
 import { reveal as revealVertices } from "./actions";
-import { complain, dismissBanner, useDocument } from "./document";
+import { complain, dismissBanner, note, putBanner } from "./document";
 import { useLayout } from "./layout";
-import { useNarrow } from "./narrow";
+import { openRoom } from "./narrow";
 import { reveal } from "./reveal";
 import { isUnfinished, typeText, useTyping } from "./typing";
 
@@ -36,6 +36,19 @@ interface Variables {
 export const useVariables = create<Variables>(() => ({ form: null, renaming: null, menu: null }));
 
 const set = useVariables.setState;
+
+export function closeForm(): void {
+  set({ form: null });
+}
+
+export function stopRenaming(): void {
+  set({ renaming: null });
+}
+
+/** Opens the menu of a variable; null closes it. */
+export function openVariableMenu(menu: Variables["menu"]): void {
+  set({ menu });
+}
 
 function robotInView(): string {
   return programInView(useStudio.getState())?.robot ?? "";
@@ -70,7 +83,7 @@ function unfold(): void {
   const { folded, toggle } = useLayout.getState();
   if (folded.palette) toggle("palette");
   // On a phone it is a room under the graph.
-  useNarrow.setState({ room: "palette" });
+  openRoom("palette");
 }
 
 /** Says in which file a variable is that the mission does not bring along. */
@@ -85,7 +98,7 @@ async function tellWhere({ robot, name }: Named): Promise<void> {
     await partsApi.variable(file.path, ownVariables(mission), wantedLike(robot, found, name));
   } catch (cause) {
     if (!(cause instanceof ApiError) || cause.status !== 422) return complain(cause);
-    useDocument.setState({ banner: { kind: "note", message: cause.message, help: cause.help, actions: [] } });
+    note(cause.message, cause.help);
   }
 }
 
@@ -141,17 +154,15 @@ export function takeAway(of: Named): void {
     dismissBanner();
     remove();
   };
-  useDocument.setState({
-    banner: {
-      kind: "question",
-      message: t("variable.used", { name, places }),
-      help: t("variable.used-help"),
-      actions: [
-        ...shows,
-        { label: t("variable.remove-anyway"), run: removes },
-        { label: t("variable.keep-it"), run: dismissBanner },
-      ],
-    },
+  putBanner({
+    kind: "question",
+    message: t("variable.used", { name, places }),
+    help: t("variable.used-help"),
+    actions: [
+      ...shows,
+      { label: t("variable.remove-anyway"), run: removes },
+      { label: t("variable.keep-it"), run: dismissBanner },
+    ],
   });
 }
 

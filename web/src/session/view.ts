@@ -89,6 +89,11 @@ export const useView = create<ViewState>((set) => ({
   },
 }));
 
+/** Says what was tried and could not be done; "" for nothing. */
+export function sayOnCanvas(said: string): void {
+  useView.setState({ said });
+}
+
 /** Opens the find panel; what was typed in an open one is there to be typed over. */
 export function openFind(): void {
   useView.setState({ finding: true });

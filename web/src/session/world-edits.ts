@@ -15,8 +15,8 @@ import { moved, startMoved } from "../model/world/moving";
 import { nameOf } from "../model/world/names";
 import { type Kind, partOf, type Thing } from "../model/world/thing";
 import { added, withDependents } from "../model/world/things";
-import { complain, dismissBanner, useDocument } from "./document";
-import { chosenIn, choose, ownWorld, say, useWorld } from "./world-view";
+import { complain, dismissBanner, note } from "./document";
+import { choose, chosenIn, ownWorld, say, startWith, useWorld } from "./world-view";
 
 export function execute(command: Command | null): boolean {
   if (command === null) return false;
@@ -57,7 +57,7 @@ export function beginWith(world: OwnWorld, name: string): void {
   const { mission } = useStudio.getState();
   const label = t("world.template-taken", { name });
   execute({ ...bringWorld(mission, withStartsFor(world, mission.agents.map(startOf))), label });
-  useWorld.setState({ chosen: [], tool: null, draft: null });
+  startWith([]);
   say(label);
 }
 
@@ -127,14 +127,12 @@ export function put(kind: Kind, from: Spot, to: Spot | null): boolean {
   const made = world === null ? null : drawNew(world, kind, from, to);
   if (made === null) {
     say(t("world.no-dock"));
-    useDocument.setState({
-      banner: { kind: "note", message: t("world.no-dock"), help: "", actions: [] },
-    });
+    note(t("world.no-dock"));
     return false;
   }
   const label = t("command.add", { name: nameOf(made.world, made.thing) });
   change(label, made.world);
-  useWorld.setState({ chosen: [made.thing], tool: null, draft: null });
+  startWith([made.thing]);
   say(label);
   return true;
 }
@@ -154,10 +152,7 @@ export async function saveWorldFile(name: string): Promise<string> {
       dismissBanner();
       execute(changeWorld(useStudio.getState().mission, file));
     };
-    const message = t("world.file-saved", { file });
-    useDocument.setState({
-      banner: { kind: "note", message, help: "", actions: [{ label: t("world.file-use"), run: use }] },
-    });
+    note(t("world.file-saved", { file }), "", [{ label: t("world.file-use"), run: use }]);
     return "";
   } catch (cause) {
     return cause instanceof Error ? cause.message : String(cause);
@@ -210,12 +205,9 @@ export function keepMoved(plan: OwnWorld, world: OwnWorld, label: string, joins?
 /** Does what copies the world of a file into the mission, and says so. */
 function bring(plan: OwnWorld, command: Command): void {
   execute(command);
-  const message = t("world.brought", { name: plan.name });
   const back = () => {
     dismissBanner();
     useStudio.getState().undo();
   };
-  useDocument.setState({
-    banner: { kind: "note", message, help: "", actions: [{ label: t("world.undo"), run: back }] },
-  });
+  note(t("world.brought", { name: plan.name }), "", [{ label: t("world.undo"), run: back }]);
 }

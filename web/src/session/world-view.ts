@@ -34,9 +34,28 @@ export function say(said: string): void {
   useWorld.setState({ said });
 }
 
+/** These things are chosen, and nothing is in hand. */
+export function startWith(chosen: Thing[]): void {
+  useWorld.setState({ chosen, tool: null, draft: null });
+}
+
+export function takeTool(tool: Kind | null): void {
+  useWorld.setState({ tool });
+}
+
+/** The world as it is during a drag; null after it. */
+export function setDraft(draft: OwnWorld | null): void {
+  useWorld.setState({ draft });
+}
+
+/** Nothing is in hand. */
+export function putDown(): void {
+  useWorld.setState({ draft: null, tool: null });
+}
+
 /** Shows the world, with these things chosen. */
 export function openWorld(chosen: Thing[] = []): void {
-  useWorld.setState({ chosen, tool: null, draft: null });
+  startWith(chosen);
   showWorld();
 }
 

@@ -4,6 +4,7 @@ import { type Key, t } from "../i18n/words";
 import { useRun } from "../session/run";
 import { Icon } from "../theme";
 import { useSite } from "./state";
+import { Button } from "../ui/Button";
 import "./site.css";
 
 interface Told {
@@ -62,17 +63,17 @@ export function SiteStrip() {
   if (told === null) return null;
   const [label, act] = told.action ?? [null, () => undefined];
   return (
-    <div className={`site-strip site-${told.kind}`} data-testid="site" role={told.kind === "note" ? "status" : "alert"}>
+    <div
+      className={`site-strip row site-${told.kind}`}
+      data-testid="site"
+      role={told.kind === "note" ? "status" : "alert"}
+    >
       <Icon name={told.kind === "error" ? "triangle-alert" : "info"} size={18} />
       <p title={reason}>
         <strong>{told.message}</strong> {told.help === null ? null : t(told.help)}
       </p>
       {told.share === undefined ? null : <progress value={told.share} aria-label={told.message} />}
-      {label === null ? null : (
-        <button type="button" className="button" onClick={act}>
-          {t(label)}
-        </button>
-      )}
+      {label === null ? null : <Button onClick={act}>{t(label)}</Button>}
     </div>
   );
 }

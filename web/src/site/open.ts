@@ -12,17 +12,15 @@ import { PARTS, type Parts, siteParts } from "../api/site-parts";
 import { pageRole, pupilName } from "../api/token";
 import { moreWords } from "../i18n/words";
 import { features, install } from "../session/features";
-import { flush, useLink } from "../session/journal";
+import { flush, setKept } from "../session/journal";
 import { alone } from "./alone";
 import { drawFirst } from "./first";
 import { links, openLinked } from "./links";
 import { forgetMemory } from "./memory";
 import type { FromWorker, ToWorker } from "./messages";
 import { SiteStrip } from "./SiteStrip";
-import { useSite } from "./state";
+import { setSite } from "./state";
 import { WorkerLine } from "./worker-line";
-
-const set = useSite.setState;
 
 /** Begins it; `spoken` resolves once there are words. What is asked of the studio meanwhile waits; the page may be drawn then. */
 export function openSite(spoken: Promise<unknown>): Promise<void> {
@@ -40,7 +38,7 @@ export function openSite(spoken: Promise<unknown>): Promise<void> {
   if (pageRole === "") install([...features(), links]);
   alone(`kitrobot ${path}`, {
     begin: () => {
-      set({ phase: "fetching" });
+      setSite({ phase: "fetching" });
       void spoken.then(() => drawFirst(base));
       try {
         begun(line, base, give);
@@ -48,7 +46,7 @@ export function openSite(spoken: Promise<unknown>): Promise<void> {
         broke(base, String(cause));
       }
     },
-    wait: () => set({ phase: "other-tab" }),
+    wait: () => setSite({ phase: "other-tab" }),
   });
   const begin = () => {
     draw();
@@ -81,37 +79,37 @@ function begun(line: WorkerLine, base: string, give: (worker: Worker) => void): 
       worker.postMessage(first(parts), [port2]);
       give(worker);
     },
-    () => set({ phase: "unfetched", reason: PARTS }),
+    () => setSite({ phase: "unfetched", reason: PARTS }),
   );
 }
 
 /** The next try begins with nothing that was kept of this one. */
 function broke(base: string, reason: string): void {
   void forgetMemory(base);
-  set({ phase: "broken", reason });
+  setSite({ phase: "broken", reason });
 }
 
 function follow(base: string, message: FromWorker): void {
   switch (message.kind) {
     case "progress":
-      set({ fetched: message.fetched / message.total });
+      setSite({ fetched: message.fetched / message.total });
       break;
     case "starting":
-      set({ phase: "starting" });
+      setSite({ phase: "starting" });
       break;
     case "ready":
-      set({ phase: "ready" });
+      setSite({ phase: "ready" });
       // Whether the browser promises to keep it or not, the page works.
       navigator.storage?.persist?.().catch(() => undefined);
       void keepFiles(base);
       break;
     case "broken":
-      if (message.unfetched) set({ phase: "unfetched", reason: message.reason });
+      if (message.unfetched) setSite({ phase: "unfetched", reason: message.reason });
       else broke(base, message.reason);
       break;
     case "keeping":
-      set({ keeping: message.keeping });
-      useLink.setState({ kept: message.keeping === "kept" });
+      setSite({ keeping: message.keeping });
+      setKept(message.keeping === "kept");
       break;
     default:
       break;
@@ -151,9 +149,9 @@ async function fetchPage(base: string): Promise<void> {
 }
 
 function offerNew(found: ServiceWorker): void {
-  set({
+  setSite({
     renew: () => {
-      set({ renewing: true });
+      setSite({ renewing: true });
       navigator.serviceWorker.addEventListener("controllerchange", () => window.location.reload());
       void flush().finally(() => found.postMessage("take over"));
     },

@@ -26,3 +26,7 @@ export const useSite = create<SiteState>(() => ({
   renew: null,
   renewing: false,
 }));
+
+export function setSite(news: Partial<SiteState>): void {
+  useSite.setState(news);
+}

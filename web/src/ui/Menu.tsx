@@ -65,7 +65,7 @@ export function Menu({ id, label, entries, onClose, onAside }: MenuProps) {
         if (entry.kind === "line") return <li key={entry.id} role="separator" className="menu-line" />;
         if (entry.kind === "heading") {
           return (
-            <li key={entry.id} role="presentation" className="menu-heading">
+            <li key={entry.id} role="presentation" className="menu-heading muted">
               {entry.label}
             </li>
           );
@@ -74,7 +74,7 @@ export function Menu({ id, label, entries, onClose, onAside }: MenuProps) {
           <li
             key={entry.id}
             role={ROLES[entry.kind]}
-            className="menu-item"
+            className="menu-item row"
             tabIndex={-1}
             data-at={index}
             data-testid={`menu-${entry.id}`}
@@ -83,13 +83,13 @@ export function Menu({ id, label, entries, onClose, onAside }: MenuProps) {
             onClick={() => choose(entry)}
             onPointerMove={() => setAt(index)}
           >
-            <span className="menu-mark">
+            <span className="menu-mark rigid">
               {entry.kind !== "item" && entry.checked === true ? <Icon name="check" size={14} /> : null}
             </span>
-            {entry.picture === undefined ? null : <span className="menu-picture">{entry.picture}</span>}
+            {entry.picture === undefined ? null : <span className="menu-picture rigid">{entry.picture}</span>}
             <span className="menu-label">{entry.label}</span>
             {entry.keys === undefined ? null : (
-              <kbd className="menu-keys" aria-hidden="true">
+              <kbd className="menu-keys muted" aria-hidden="true">
                 {entry.keys}
               </kbd>
             )}

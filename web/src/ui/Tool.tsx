@@ -30,7 +30,7 @@ export function Tool({
   return (
     <button
       type="button"
-      className={["tool", small ? "small" : "", className].filter(Boolean).join(" ")}
+      className={["tool rigid", small ? "small" : "", className].filter(Boolean).join(" ")}
       aria-label={label}
       {...(titled ? { title: keys === undefined ? label : `${label} (${keys})` } : {})}
       data-testid={testId}

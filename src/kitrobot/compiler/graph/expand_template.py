@@ -172,14 +172,18 @@ class _TemplateExpander:
         self.walk.report(rules.EMPTY_SLOT, message, self.vertex.id, help=help)
 
     def condition(self, template: Any) -> Condition:
-        if isinstance(template, Hole):
-            left = self.left(template)
-            if left is not None:
-                return left
-            vertex = self.filler(template)
-            return Call("", "") if vertex is None else self.walk.condition(vertex)
-        made: Condition = self.node(template)
+        made: Condition = self.filled(template, self.walk.condition)
         return made
+
+    def filled(self, template: Any, read: Callable[[Vertex], Any]) -> Any:
+        """A part of a template; a hole is what is left open in it, or what `read` makes of the vertex in it."""
+        if not isinstance(template, Hole):
+            return self.node(template)
+        left = self.left(template)
+        if left is not None:
+            return left
+        vertex = self.filler(template)
+        return Call("", "") if vertex is None else read(vertex)
 
     def param(self, template: Any) -> Param:
         if not isinstance(template, Hole):
@@ -210,13 +214,7 @@ class _TemplateExpander:
         return (self.vertex.id, hole.name) in self.walk.wiring.fills
 
     def action(self, template: Call | Hole) -> Call | Hole:
-        if isinstance(template, Hole):
-            left = self.left(template)
-            if left is not None:
-                return left
-            vertex = self.filler(template)
-            return Call("", "") if vertex is None else self.walk.read(vertex)
-        made: Call = self.node(template)
+        made: Call | Hole = self.filled(template, self.walk.read)
         return made
 
     def body(self, template: Seq, port: str = "") -> Seq:

@@ -48,8 +48,8 @@ class ChosenSlot:
     vertex: str
     slot: str
     name: str
-    minimum: int | None = None
-    maximum: int | None = None
+    minimum: int | None = field(default=None, metadata={"alias": "min"})
+    maximum: int | None = field(default=None, metadata={"alias": "max"})
     default: str | None = None
     unit: str | None = None
 

@@ -164,7 +164,7 @@ def draw_template(constructor: Constructor, robot: Robot, catalogue: Catalogue) 
         if vertex.element.startswith("{"):
             vertex.element = vertex.element.removesuffix(".")
         vertex.settings |= {name: holes.get(text, text) for name, text in vertex.settings.items()}
-    return _without_chain(program) if is_condition else program
+    return without_chain(program) if is_condition else program
 
 
 def _stand_in(node: Any, numbers: dict[int, str]) -> None:
@@ -193,7 +193,7 @@ def _stand_in(node: Any, numbers: dict[int, str]) -> None:
             value[:] = [Number(number(one)) if isinstance(one, Hole) else one for one in value]
 
 
-def _without_chain(program: Program) -> Program:
+def without_chain(program: Program) -> Program:
     """What does not stand in the chain: the condition of its only instruction."""
     chained = {arc.target for arc in program.arcs if arc.at == IN}
     gone = chained | {vertex.id for vertex in program.vertices if vertex.element in (START, STOP)}

@@ -11,7 +11,7 @@ import re
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 
-from kitrobot.deploy.package.package import DIGITS, MODULE, PROGRAM
+from kitrobot.deploy.package.content_names import DIGITS, MODULE, PROGRAM
 from kitrobot_onboard.link import checksum
 
 SLOTS = ("kr0", "kr1")

@@ -16,7 +16,8 @@ from kitrobot.deploy.installation.program_start import ProgramStart
 from kitrobot.deploy.line.board import Hello
 from kitrobot.deploy.line.line import Line
 from kitrobot.deploy.line.repl import RawRepl
-from kitrobot.deploy.package.package import MODULE, PROGRAM, Package
+from kitrobot.deploy.package.content_names import MODULE, PROGRAM
+from kitrobot.deploy.package.package import Package
 from kitrobot.deploy.package.program_file import read_program_file
 
 

@@ -35,15 +35,14 @@ from kitrobot.deploy.installation.boot_records import (
     read_line,
     tried_generation,
 )
+from kitrobot.deploy.installation.loop_installers import loop_installer
 from kitrobot.deploy.line.line import Line
 from kitrobot.deploy.line.receiver import MICROBIT, Receiver, too_much_lost
 from kitrobot.deploy.line.repl import GarbledError, RawRepl
-from kitrobot.deploy.microbit_2016.flash_code import FlashBlock, sign_of
-from kitrobot.deploy.microbit_2016.flash_install import freeze
-from kitrobot.deploy.microbit_2016.flash_room import refuse_what_has_no_room
+from kitrobot.deploy.package.board_package import BoardPackage
 from kitrobot.deploy.package.driver_fit import refuse_misfits
 from kitrobot.deploy.package.memory import refuse_what_does_not_fit
-from kitrobot.deploy.package.package import BoardPackage, Package
+from kitrobot.deploy.package.package import Package
 from kitrobot.deploy.package.program_file import ProgramFile, program_name
 from kitrobot.deploy.package.script import board_file
 from kitrobot.text.sentences import Sentence
@@ -117,7 +116,7 @@ class Installation:
             self.robot.needs.refuse_other_board(board.family)
             self.robot.needs.refuse_older(board.micropython)
         family = MICROBIT if board.family == MICROBIT else "machine"
-        self.built: BoardPackage = self.package.build(family, self.program.drivers, in_flash=board.is_2016)
+        self.built: BoardPackage = self.package.build(family, self.program.drivers, loop_installer(board))
         refuse_misfits(self.program, self.package, family)
         content = board_file(self.program, self.built)
         self.name = program_name(content)
@@ -126,8 +125,8 @@ class Installation:
         names = board.names()
         lines = self._lines(names)
         self._guard_main(names, lines)
-        if self.built.block is not None and self.new is None:
-            self._refuse_without_room(self.built.block, names, lines)
+        if self.new is None:
+            self._refuse_without_room(names, lines)
         if self.fresh and self.new is None:
             # main.py too, which is ours: in the middle of a small flash it leaves no room in one piece.
             removed = [name for name in names if name in (*SLOTS, MAIN, TRIAL) or is_ours(name)]
@@ -146,7 +145,7 @@ class Installation:
         self.total = 2 * sum(map(len, [*missing.values(), *([self.built.main] if main else [])]))
         board.count = self._count
         self.progress("send", 0, self.total)
-        self._freeze()
+        self._install_loop()
         for name, data in missing.items():
             self._send(name, data)
         if main:
@@ -174,15 +173,15 @@ class Installation:
         tried = tried_generation(self.board.read(TRIAL)) if TRIAL in names else None
         return {slot: line for slot, line in found.items() if line is not None and line.generation != tried}
 
-    def _refuse_without_room(self, one: FlashBlock, names: list[str], lines: dict[str, StartLine]) -> None:
+    def _refuse_without_room(self, names: list[str], lines: dict[str, StartLine]) -> None:
         """Before anything is removed: what stays is other people's files, and what starts now, unless all is new."""
         wanted = {name: len(data) for name, data in {**self.wanted, MAIN: self.built.main, TRIAL: UNTRIED}.items()}
         staying = {name for name in names if not is_ours(name) and name not in SLOTS}
-        blocks = set()
+        modules = []
         if not self.fresh and (counts := newest(lines)) is not None:
             staying |= needed(counts[1].files, self._content(names)) & set(names)
-            blocks |= {sign_of(counts[1].module)} if is_ours(f"{counts[1].module}.py") else set()
-        refuse_what_has_no_room(self.board, one, wanted, sorted(staying - set(wanted)), blocks)
+            modules = self._modules(counts[1])
+        self.built.installer.refuse_without_room(self.board, wanted, sorted(staying - set(wanted)), modules)
 
     def _guard_main(self, names: list[str], lines: Mapping[str, StartLine]) -> None:
         if self.replace or MAIN not in names or self._holds(names, MAIN, self.built.main):
@@ -230,12 +229,13 @@ class Installation:
             Sentence("the board's flash may be worn out"),
         )
 
-    def _freeze(self) -> None:
-        """Puts into flash what runs from there; what the line that counts needs of that stays."""
-        if (one := self.built.block) is not None:
-            kept = {sign_of(self.old.module)} if self.old is not None and is_ours(f"{self.old.module}.py") else set()
-            if sent := freeze(self.board, one, kept):
-                self.sent[one.name] = sent
+    def _install_loop(self) -> None:
+        """Puts the loop where it is no file; what the line that counts needs of that stays."""
+        modules = self._modules(self.old) if self.old is not None else []
+        self.sent |= self.built.installer.install(self.board, modules, fresh=self.fresh)
+
+    def _modules(self, line: StartLine) -> list[str]:
+        return [line.module] if is_ours(f"{line.module}.py") else []
 
     def _look_again(self) -> None:
         """A small board tidies its flash up when that is nearly full, and may spoil what it held."""

@@ -105,6 +105,11 @@ class Flash:
         return next(iter(self._blocks({sign}).values()), 0)
 
     @property
+    def has_freed(self) -> bool:
+        """Whether pieces are freed and not erased: the board tidies them up only when there are eight or more."""
+        return _FREED in self.area.firsts
+
+    @property
     def room(self) -> int:
         """How many pieces there are, of files or not."""
         return len(self.area.firsts)

@@ -19,13 +19,14 @@ _NAMES = 300
 """Bytes that files take beside what is in them, at most."""
 
 
-def freeze(board: Receiver, one: FlashBlock, retained: set[int]) -> int:
+def freeze(board: Receiver, one: FlashBlock, retained: set[int], *, fresh: bool = False) -> int:
     """Puts functions into the flash, unless they are there; how many bytes were written.
 
     Args:
         board: in touch with the board, before and after.
         one: the functions.
         retained: signs of other blocks that stay.
+        fresh: the functions are written anew if freed pieces lie beside them, which the board cannot use otherwise.
 
     Raises:
         SilentError: the board does not answer.
@@ -38,17 +39,20 @@ def freeze(board: Receiver, one: FlashBlock, retained: set[int]) -> int:
     if flash is None:
         raise unknown_firmware()
     flash.clear({one.sign, *retained})
-    if flash.find(one.sign) is not None:
+    flash.erase()
+    if flash.find(one.sign) is not None and not (fresh and flash.has_freed):
         board.remove(_TEXT)
         return 0
     flash.refuse_less_than(max(len(text) + _size(functions) for text, functions in one.groups) + _NAMES)
     _refuse_new_names(board, one.names)
     _remove_text(board, flash)
+    flash.clear(retained)
     flash.erase()
     dumps = [_compiled(board, text, functions) for text, functions in one.groups]
     flash.see()
     _remove_text(board, flash)
     flash.clear(retained)
+    flash.erase()  # a freed piece in a page of the block stays unusable for as long as the block is there
     content = lay_out(one, dumps)
     flash.write(one.sign, content)
     return len(content)

@@ -1,9 +1,8 @@
 """Estimates whether a program fits a board's memory, before anything is sent.
 
 The estimate is the least memory of the loop while the board compiles it, of the package's modules, of the program's
-arrays, and of the working memory; where the loop runs from flash, as on the micro:bit of 2016, it is what programs of
-the gallery took there (`tools/microbit_kits.py`). It refuses only what certainly does not fit; a program that passes
-and does not fit after all is refused by the board itself, which then keeps its previous program.
+arrays, and of the working memory; each `LoopInstaller` has its own. It refuses only what certainly does not fit; a
+program that passes and does not fit after all is refused by the board itself, which then keeps its previous program.
 """
 
 from __future__ import annotations
@@ -11,8 +10,8 @@ from __future__ import annotations
 from collections.abc import Iterable
 
 from kitrobot.deploy.errors import NoMemoryError
-from kitrobot.deploy.package.package import BoardPackage
-from kitrobot.deploy.package.program_file import UNUSED, ProgramFile
+from kitrobot.deploy.package.board_package import BoardPackage
+from kitrobot.deploy.package.program_file import ProgramFile
 from kitrobot.text.sentences import COMMA, Sentence, Series
 from kitrobot_onboard.image import header
 
@@ -23,21 +22,9 @@ could not do a tick on request, with 2 304 it could."""
 _PER_LETTER = {"interpreter": 0.74, "loop": 1.04, "driver": 1.0}
 """Bytes that a letter of source takes once it is compiled, as measured on the micro:bit of 2016."""
 
-_PER_FUNCTION = 32
-"""Bytes that a function takes whose code is in flash."""
-
 _ALWAYS = 1500
 """Bytes that the list of the robot, main.py and the names take."""
 
-
-_TEXT_2016, _LETTER_2016, _DEVICE_2016 = 2.41, 1.09, 136
-"""What a program takes where the loop runs from flash, beside its arrays: for a letter of its file that is text, and
-for one of its drivers; a device takes so much less than its text says. Fitted to the 48 measured rows of
-tools/microbit-2016.json that are of one program."""
-
-_KEPT_2016 = 2700
-"""What KitRobot itself takes there. 2 950 was found; a program left up to 214 bytes more than that says, and what runs
-must never be refused."""
 
 _NAMED = 3
 """Drivers that are named when a program is too large."""
@@ -60,11 +47,7 @@ def refuse_what_does_not_fit(program: ProgramFile, built: BoardPackage, file_byt
 
     `file_bytes`: of the file that the board executes.
     """
-    needed = image_bytes(program.image)
-    if built.block is not None:
-        needed, kept = _on_2016(program, built, file_bytes), _KEPT_2016
-    else:
-        kept = package_bytes(built)
+    needed, kept = built.installer.memory_bytes(program, built, file_bytes)
     room = free - kept - WORKING
     if needed <= room:
         return
@@ -81,26 +64,13 @@ def refuse_what_does_not_fit(program: ProgramFile, built: BoardPackage, file_byt
     )
 
 
-def _on_2016(program: ProgramFile, built: BoardPackage, file_bytes: int) -> int:
-    """Bytes that a program takes at least where the loop runs from flash: its arrays, its drivers, its devices."""
-    arrays = image_bytes(program.image)
-    names = {*built.drivers.values(), *built.bases.values(), *([built.member] if built.member else [])}
-    letters = sum(len(built.files[name]) for name in names)
-    devices = sum(device.driver != UNUSED and device.kind != "t" for device in program.devices)
-    text = max(0, file_bytes - arrays)
-    return int(arrays + max(0.0, _TEXT_2016 * text - _DEVICE_2016 * devices) + _LETTER_2016 * letters)
-
-
 def package_bytes(built: BoardPackage) -> int:
     """Bytes of memory that a package and its drivers take, once they are compiled."""
 
     def letters(names: Iterable[str]) -> int:
         return sum(len(built.files[name]) for name in names)
 
-    if built.block is not None:
-        own = 1.0 * _PER_FUNCTION * len(built.block.functions)
-    else:
-        own = _PER_LETTER["interpreter"] * letters([f"{built.interpreter}.py"])
-        own += _PER_LETTER["loop"] * letters(built.loop)
+    own = _PER_LETTER["interpreter"] * letters([f"{built.interpreter}.py"])
+    own += _PER_LETTER["loop"] * letters(built.loop)
     own += _PER_LETTER["loop"] * letters([built.member] if built.member else [])
     return int(_ALWAYS + own + _PER_LETTER["driver"] * letters(built.drivers.values()))

@@ -6,7 +6,6 @@ The modules of the loop share one namespace on a board, so they need no imports 
 from __future__ import annotations
 
 import ast
-import copy
 import re
 from collections.abc import Iterable, Mapping, Sequence
 from functools import cache
@@ -14,7 +13,6 @@ from pathlib import Path
 
 import kitrobot_onboard
 from kitrobot.deploy.errors import PackageError
-from kitrobot.deploy.microbit_2016.flash_code import FlashBlock, WithNames, build_block, literals_of
 from kitrobot.deploy.minification.builtin_names import GLOBALS, LOCALS
 from kitrobot.deploy.minification.constants import Constants, constants_of, inline_constants
 from kitrobot.deploy.minification.minifier import parsed, shortened
@@ -41,18 +39,8 @@ room for it."""
 _SCRIPTED = ("requests", "driver", "error", "package", "space", "where", "memory", "place", "spot", "tail")
 """Names of variables that only a program file has."""
 
-_LITERALS = tuple(f"literal{number}" for number in range(24))
+LITERAL_NAMES = tuple(f"literal{number}" for number in range(24))
 """Names for strings and bytes of functions in flash."""
-
-IN_FLASH = {
-    "microbit": (
-        ("interpreter",),
-        ("reaction", "robot"),
-        ("ports/microbit", "link", "dispatch", "receive", "actuation", "request_checks", "device_setup"),
-        ("reports",),
-    )
-}
-"""Families whose boards run the loop from flash, with the modules that they compile together."""
 
 _COMPOUND = re.compile(r"(if|for|def|while|try|with|class)\b")
 
@@ -65,33 +53,9 @@ def loop_files() -> Sequence[Path]:
     return [ONBOARD / f"{name}.py" for name in LOOP]
 
 
-@cache
-def loop_block(family: str) -> FlashBlock:
-    """The interpreter, the port and the loop, for boards that run these from their flash."""
-    groups = []
-    for names in IN_FLASH[family]:
-        body: list[ast.stmt] = [one for tree in _trees(names) for one in tree.body if isinstance(one, ast.FunctionDef)]
-        text = shortened(ast.Module(copy.deepcopy(body), []))
-        groups.append([one for one in ast.parse(text).body if isinstance(one, ast.FunctionDef)])
-    found = literals_of([function for group in groups for function in group])
-    names_of = dict(zip(found, (module_names()[name] for name in _LITERALS), strict=False))
-    for group in groups:
-        for function in group:
-            WithNames(names_of).visit(function)
-    return build_block(groups, {name: value for value, name in names_of.items()})
-
-
-def _trees(names: Iterable[str]) -> list[ast.Module]:
+def linked_trees(names: Iterable[str]) -> list[ast.Module]:
+    """Modules whose names share a space with those of others, without imports of ours."""
     return [_tree(ONBOARD / f"{name}.py") for name in names]
-
-
-def in_flash_pieces(family: str) -> Sequence[str]:
-    """The statements beside functions of the modules that run from flash, and the literals of these functions."""
-    names = [name for group in IN_FLASH[family] for name in group]
-    # What is imported whole, `begin` imports too.
-    rest = [one for tree in _trees(names) for one in tree.body if not isinstance(one, ast.FunctionDef | ast.Import)]
-    texts = [short_text(ast.unparse(one)) for one in rest]
-    return join_statements([*texts, *(f"{name}={value}" for name, value in loop_block(family).literals.items())])
 
 
 @cache
@@ -185,7 +149,7 @@ def module_names() -> Mapping[str, str]:
     """The short names on a board of the names that the modules of the package share."""
     trees = [parsed(read_source(path), path.name) for path in sorted(_linked_modules())]
     plain = [inline_constants(tree, constants_of(tree), _constants()) for tree in trees]
-    return short_names(plain, (*_SCRIPTED, *_LITERALS))
+    return short_names(plain, (*_SCRIPTED, *LITERAL_NAMES))
 
 
 _MARKED = re.compile(r"\$(\w+)")

@@ -12,35 +12,30 @@ from __future__ import annotations
 
 import ast
 import copy
-import hashlib
 import re
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from functools import lru_cache
 from pathlib import Path
 from threading import Lock
 
 from kitrobot.deploy.errors import PackageError
-from kitrobot.deploy.microbit_2016.flash_code import FlashBlock
 from kitrobot.deploy.minification.minifier import parsed
 from kitrobot.deploy.minification.short_names import own_names, renamed
 from kitrobot.deploy.minification.tree_shaking import UsedParts, trim_driver, trim_shared_module
+from kitrobot.deploy.package.board_package import BoardPackage, LoopInstaller
+from kitrobot.deploy.package.content_names import TEAM_DRIVER, name_of
 from kitrobot.deploy.package.declarations import DriverDeclaration, read_declaration, without_declarations
 from kitrobot.deploy.package.onboard_bundle import (
-    IN_FLASH,
     ONBOARD,
     ROOT,
-    loop_block,
-    loop_files,
     minified_module,
     read_source,
     requests_file,
     short_text,
 )
-from kitrobot.deploy.package.start_script import start_file, start_from_flash
 from kitrobot.text.sentences import COMMA, Sentence, Series
 
-MODULE, PROGRAM, DIGITS = "kr", "kp", 8
 OWN_SUFFIX = ".driver.py"
 _BUILDING = Lock()
 """Trees of Python are shared, and written to while they are made short."""
@@ -54,51 +49,8 @@ TRIMMED = "drivers.microbit.shared"
 _REMEMBERED = 200
 """Drivers whose declarations are remembered."""
 
-TEAM_DRIVER = "team"
-"""The driver of what a robot has of its team; the code of a member comes with it."""
 FAMILIES: Mapping[str, Sequence[str]] = {"microbit": ("microbit", "any"), "machine": ("machine", "any")}
 """Kinds of boards, with the folders of shipped drivers that they look into; each has its module in `ports`."""
-
-
-def name_of(content: bytes, kind: str = MODULE) -> str:
-    """The name of something by its content."""
-    return kind + hashlib.sha256(content).hexdigest()[:DIGITS]
-
-
-@dataclass(frozen=True)
-class BoardPackage:
-    """A package for one kind of board.
-
-    Args:
-        family: of boards.
-        files: by name, without `main`, which is `main.py`.
-        module: what the whole is called.
-        interpreter: the name of its module, or of the block of flash in which it is (`flash_code`).
-        start: the name of the file that a program's begins with.
-        loop: names of files that it compiles: the port and the loop; none when they are in flash.
-        drivers: names of files by names of drivers.
-        wants_range: of each driver, whether it reads the settings `min` and `max`, which every sensor has.
-        tends: names of drivers that do something at each tick.
-        bases: of a driver, the file that is executed in its space before it.
-        block: what the board runs from its flash.
-        in_lines: of a user's own driver whose lines and names are those of its file, the name of that file.
-        member: the name of the file with the code of a member of a team; "" where no program of a team is meant.
-    """
-
-    family: str
-    files: Mapping[str, bytes]
-    module: str
-    interpreter: str
-    start: str
-    loop: Sequence[str]
-    drivers: Mapping[str, str]
-    wants_range: Mapping[str, bool]
-    main: bytes
-    block: FlashBlock | None = None
-    member: str = ""
-    tends: frozenset[str] = frozenset()
-    bases: Mapping[str, str] = field(default_factory=dict)
-    in_lines: Mapping[str, str] = field(default_factory=dict)
 
 
 @lru_cache(_REMEMBERED)
@@ -139,24 +91,17 @@ class Package:
         path = self.driver_file(driver, family)
         return _cached_declaration(read_source(path), str(path)) if path is not None else DriverDeclaration()
 
-    def build(self, family: str, drivers: Mapping[str, UsedParts | None], *, in_flash: bool = True) -> BoardPackage:
+    def build(self, family: str, drivers: Mapping[str, UsedParts | None], installer: LoopInstaller) -> BoardPackage:
         """The package for a kind of board, with these drivers, each with its used parts; None: everything. From
-        any thread. `in_flash`: whether a family that runs the loop from flash does so; a micro:bit V2 does not.
+        any thread.
 
         Raises:
             PackageError: a driver is missing, or is no Python.
         """
         with _BUILDING:
-            return self._build(family, drivers, in_flash and family in IN_FLASH)
+            return self._build(family, drivers, installer)
 
-    def build_for_all(self, drivers: Mapping[str, UsedParts | None]) -> Iterator[BoardPackage]:
-        """The packages for all kinds of boards that have these drivers; of micro:bits that of 2016 and the V2."""
-        for family in FAMILIES:
-            if not self.missing(drivers, family):
-                for in_flash in (True, False) if family in IN_FLASH else (False,):
-                    yield self.build(family, drivers, in_flash=in_flash)
-
-    def _build(self, family: str, drivers: Mapping[str, UsedParts | None], in_flash: bool) -> BoardPackage:
+    def _build(self, family: str, drivers: Mapping[str, UsedParts | None], installer: LoopInstaller) -> BoardPackage:
         builder = _PackageBuilder(shared=self._shared(family, drivers))
         modules = {}
         wants_range = {}
@@ -178,7 +123,7 @@ class Package:
             if (path := self.driver_file(driver, family)) in builder.bases
         }
         built = replace(
-            _built(family, builder, modules, wants_range, in_flash), tends=tends, bases=bases, in_lines=in_lines
+            _built(family, builder, modules, wants_range, installer), tends=tends, bases=bases, in_lines=in_lines
         )
         if TEAM_DRIVER not in drivers:
             return built
@@ -216,26 +161,24 @@ class Package:
 
 
 def _built(
-    family: str, builder: _PackageBuilder, drivers: Mapping[str, str], wants_range: Mapping[str, bool], in_flash: bool
+    family: str,
+    builder: _PackageBuilder,
+    drivers: Mapping[str, str],
+    wants_range: Mapping[str, bool],
+    installer: LoopInstaller,
 ) -> BoardPackage:
     package = _PackageBuilder()
     requests = package.store(requests_file(family))
-    loop: list[str] = []
-    block = loop_block(family) if in_flash else None
-    if block is not None:
-        interpreter = block.name
-        start = package.store(start_from_flash(block, family, requests))
-    else:
-        interpreter = package.store(minified_module(ONBOARD / "interpreter.py"))[: -len(".py")]
-        loop = [package.store(minified_module(path)) for path in (ONBOARD / "ports" / f"{family}.py", *loop_files())]
-        sizes = [len(package.files[name]) for name in loop]
-        start = package.store(start_file(interpreter, list(zip(loop, sizes, strict=True)), requests))
+    loop = installer.build_files(family, requests, package.store)
+    start = package.store(loop.start)
     main = package.files["main.py"] = minified_module(ONBOARD / "boot.py")
     package.files["krboot.py"] = minified_module(ONBOARD / "krboot.py")
     module = name_of(b"".join(sorted(package.files.values())))
     del package.files["main.py"]
     files = {**builder.files, **package.files}
-    return BoardPackage(family, files, module, interpreter, start, loop, drivers, wants_range, main, block)
+    return BoardPackage(
+        family, files, module, loop.interpreter, start, loop.compiled, drivers, wants_range, main, installer
+    )
 
 
 def missing_driver(driver: str, package: Package, family: str) -> PackageError:

@@ -12,7 +12,7 @@ from typing import NamedTuple
 
 from kitrobot.deploy.errors import DeployError, PackageError
 from kitrobot.deploy.minification.tree_shaking import UsedParts
-from kitrobot.deploy.package.package import PROGRAM, TEAM_DRIVER, name_of
+from kitrobot.deploy.package.content_names import PROGRAM, TEAM_DRIVER, name_of
 from kitrobot.image.instructions import ACT, BY_NUMBER, Role
 from kitrobot.image.machine import Layout
 from kitrobot.image.model import Image

@@ -11,8 +11,9 @@ from __future__ import annotations
 import struct
 from collections.abc import Iterator, Sequence
 
+from kitrobot.deploy.package.board_package import BoardPackage
+from kitrobot.deploy.package.content_names import MODULE
 from kitrobot.deploy.package.onboard_bundle import join_statements
-from kitrobot.deploy.package.package import MODULE, BoardPackage
 from kitrobot.deploy.package.program_file import LIMIT_S, UNUSED, Device, ProgramFile
 from kitrobot.deploy.package.start_script import begun, piece
 from kitrobot.image.model import Image

@@ -10,12 +10,13 @@ import threading
 import webbrowser
 from dataclasses import dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING, Final
+from typing import TYPE_CHECKING
 
 from kitrobot.classroom.class_room import SITE, ClassRoom
 from kitrobot.classroom.record import unread_sentence
 from kitrobot.classroom.teacher_actions import TeacherActions
 from kitrobot.server.classroom.certificate import usable_certificate
+from kitrobot.server.hosts import host_number, is_loopback
 from kitrobot.server.presence import Presence
 from kitrobot.server.studio_server import ServerError, has_screen, listen, print_address
 from kitrobot.text.sentences import Sentence
@@ -23,8 +24,6 @@ from kitrobot.translation.languages import translate
 
 if TYPE_CHECKING:
     from kitrobot.classroom.overview import JoinAddress
-
-USUAL_FOLDER: Final = "Class"
 
 
 @dataclass(frozen=True)
@@ -85,7 +84,7 @@ def _serve(room: ClassRoom, address: str, opening: ClassSettings, site: Path | N
     first = listen(address, opening.port)
     number = first.getsockname()[1]
     listening = [first]
-    if not _is_loopback(address) and not _is_any(address):
+    if not is_loopback(address) and not _is_any(address):
         # The teacher's page is for this machine; it is at the number that all machines have for themselves.
         listening.append(listen("127.0.0.1", number))
     # Only now: where it cannot listen, nobody waits for the web server to load.
@@ -159,7 +158,7 @@ def qr_text(text: str) -> str:
 
 def reach_sentence(address: str, secure: bool) -> Sentence:
     """Who can reach the class."""
-    if _is_loopback(address):
+    if is_loopback(address):
         return Sentence(
             "Only this machine can reach the class; for pupils at others start it with `--host {address}`.",
             _own_address(),
@@ -178,18 +177,13 @@ def _address(host: str) -> str:
     Raises:
         ServerError: it is no number.
     """
-    address = "127.0.0.1" if host == "localhost" else host.strip("[]")
     try:
-        return str(ipaddress.ip_address(address))
+        return str(ipaddress.ip_address(host_number(host)))
     except ValueError:
         raise ServerError(
             Sentence("`{host}` is no address of this machine", host),
             Sentence("give its number in the network: perhaps {address}", _own_address()),
         ) from None
-
-
-def _is_loopback(address: str) -> bool:
-    return ipaddress.ip_address(address).is_loopback
 
 
 def _is_any(address: str) -> bool:

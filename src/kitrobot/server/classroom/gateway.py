@@ -31,6 +31,7 @@ from kitrobot.classroom.pupil import Pupil
 from kitrobot.classroom.rate_limits import RateLimit
 from kitrobot.files.quota import writing_within
 from kitrobot.server.classroom.studios import PupilStudios
+from kitrobot.server.hosts import host_number, is_loopback, named_host
 from kitrobot.server.security import TOKEN_HEADER, add_security_headers, refuse
 from kitrobot.text.sentences import Sentence
 
@@ -148,12 +149,9 @@ class ClassGateway:
         return known.take(self._clock())
 
     def _is_own_host(self, headers: Headers) -> bool:
-        host = headers.get("host", "").lower()
-        name, _, port = host.rpartition(":") if not host.endswith("]") and ":" in host else (host, "", "")
-        if port and not port.isdecimal():
-            return False
+        name = named_host(headers)
         try:
-            ipaddress.ip_address(name.strip("[]"))
+            ipaddress.ip_address(host_number(name))
         except ValueError:
             return name in self._names
         return True
@@ -177,12 +175,8 @@ def _is_own_origin(headers: Headers, scheme: str) -> bool:
 
 def _is_local(scope: Scope) -> bool:
     """Whether the request comes from this very machine, by whichever of its addresses."""
-    client, server = scope.get("client"), scope.get("server")
-    try:
-        address = ipaddress.ip_address(client[0] if client else "")
-    except ValueError:
-        return False
-    return address.is_loopback or bool(server and client and client[0] == server[0])
+    (client, *_), (server, *_) = scope.get("client") or ("",), scope.get("server") or ("",)
+    return is_loopback(client) or (bool(client) and client == server)
 
 
 def _below(path: str, place: str) -> bool:

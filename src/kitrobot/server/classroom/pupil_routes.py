@@ -18,15 +18,15 @@ from kitrobot.classroom.messages import (
     ClassAnsweredShape,
     ClassAskedShape,
     ClassAskShape,
+    ClassHandInShape,
     ClassShape,
-    ClassWorkShape,
-    HandedInShape,
-    HandInShape,
     JoinedShape,
     JoinShape,
 )
 from kitrobot.classroom.pictures import ClassPictures
 from kitrobot.classroom.pupil import Pupil
+from kitrobot.classroom.pupil_status import HandIn
+from kitrobot.classroom.submissions import Submission
 from kitrobot.server.routes.api_router import api_router
 from kitrobot.server.routes.mission_encoding import mission_bytes
 from kitrobot.text.sentences import Sentence
@@ -109,20 +109,18 @@ def asked(admission: Door, wanted: ClassAskedShape) -> ClassAnsweredShape:
 
 
 @class_routes.put("/work")
-def hand_in(room: ThisRoom, pupil: ThisPupil, request: Request, wanted: HandInShape) -> HandedInShape:
+def hand_in(room: ThisRoom, pupil: ThisPupil, request: Request, wanted: ClassHandInShape) -> HandIn:
     """Keeps a mission; once this is answered it is on the disk. One that would not open for the teacher is refused."""
     data = mission_bytes(mission_from_shape(wanted.mission), wanted.name)
     kept = room.hand_in(pupil, wanted.name, data, wanted.base)
     _pictures(request).take(pupil, wanted.mission)
-    return HandedInShape(name=kept.name, revision=kept.revision)
+    return kept
 
 
 @class_routes.get("/work")
-def work(room: ThisRoom, pupil: ThisPupil) -> list[ClassWorkShape]:
+def work(room: ThisRoom, pupil: ThisPupil) -> list[Submission]:
     """What was handed in, the newest first."""
-    return [
-        ClassWorkShape(name=one.name, bytes=one.bytes, modified=one.modified) for one in room.list_submissions(pupil)
-    ]
+    return room.list_submissions(pupil)
 
 
 @class_routes.get("/work/file", response_class=Response)

@@ -26,7 +26,7 @@ from kitrobot.classroom.messages import (
     TurnMessage,
 )
 from kitrobot.classroom.overview import Overview
-from kitrobot.classroom.pupil import Goal, Pupil, Report
+from kitrobot.classroom.pupil import Pupil, Report
 from kitrobot.classroom.pupil_status import PupilStatus
 from kitrobot.classroom.rate_limits import RateLimit
 from kitrobot.classroom.teacher_actions import TeacherActions
@@ -189,8 +189,7 @@ def _handle_pupil_message(room: ClassRoom, pupil: Pupil, text: str) -> None:
         ClassArenaShape.model_validate_json(arena)
         room.show_arena(pupil, arena)
         return
-    goals = tuple(Goal(goal.reached, goal.why) for goal in said.goals)
-    room.take_report(pupil, Report(said.running, said.edits, said.runs, said.file, said.exercise, goals))
+    room.take_report(pupil, Report(said.running, said.edits, said.runs, said.file, said.exercise, said.goals))
 
 
 def _handle_teacher_message(room: ClassRoom, text: str) -> None:
@@ -210,18 +209,4 @@ def _arena_message(folder: str, arena: str) -> ArenaMessage:
 
 
 def _pupil_message(status: PupilStatus) -> PupilNewsMessage:
-    return PupilNewsMessage(
-        type="pupil",
-        class_name=status.class_name,
-        name=status.name,
-        word=status.word,
-        frozen=status.frozen,
-        exercise=status.exercise,
-        handed=status.handed.number,
-        handed_name=status.handed.name,
-        note=status.note[0],
-        note_text=status.note[1],
-        looked=status.looked,
-        hand=status.hand,
-        turn=status.turn,
-    )
+    return PupilNewsMessage(type="pupil", **vars(status))

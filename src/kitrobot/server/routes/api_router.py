@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import ipaddress
 from typing import Annotated, Any
 
 from fastapi import APIRouter, Depends
@@ -11,12 +10,13 @@ from starlette.requests import HTTPConnection
 from kitrobot.live.background import can_block
 from kitrobot.live.robot_registry import AddressError
 from kitrobot.live.studio import Studio
+from kitrobot.server.hosts import is_loopback
 from kitrobot.server.routes.json_bodies import JsonRoute
 from kitrobot.text.sentences import Sentence
-from kitrobot.wire.problem import FailureShape
+from kitrobot.wire.problem import RequestFailureShape
 
 FAILURES: dict[int | str, dict[str, Any]] = {
-    "4XX": {"model": FailureShape, "description": "Why it could not be done, and a way out."}
+    "4XX": {"model": RequestFailureShape, "description": "Why it could not be done, and a way out."}
 }
 
 
@@ -46,11 +46,7 @@ def refuse_visitors(connection: HTTPConnection) -> None:
             Sentence("open this page in a new Chrome, Edge or Firefox, or install KitRobot on this computer"),
         )
     host = connection.client.host if connection.client is not None else ""
-    try:
-        here = ipaddress.ip_address(host).is_loopback
-    except ValueError:
-        here = False
-    if not (here or studio_of(connection).boards_for_visitors):
+    if not (is_loopback(host) or studio_of(connection).boards_for_visitors):
         raise AddressError(Sentence("the robots are plugged into another machine"), Sentence("use them there"))
 
 

@@ -6,11 +6,10 @@ program: it is read as the guard of an empty event; that graph without its chain
 
 from __future__ import annotations
 
-from dataclasses import replace
-
 from kitrobot.compiler.text.lll_to_graph import lll_to_graph
+from kitrobot.compiler.text.part_text import without_chain
 from kitrobot.diagnostics.model import Diagnostic, KitRobotError
-from kitrobot.graph.model import IN, START, STOP, Program
+from kitrobot.graph.model import Program
 from kitrobot.lll.parse_results import parse
 from kitrobot.lll.tree import Seq
 from kitrobot.mission.model import Mission
@@ -18,7 +17,6 @@ from kitrobot.primitives.catalogue import Catalogue
 from kitrobot.primitives.robot import Robot
 from kitrobot.server.routes.api_router import ThisStudio, api_router
 from kitrobot.wire.fragment import FragmentRequestShape, FragmentShape
-from kitrobot.wire.mission import mission_shape
 from kitrobot.wire.own_parts import own_constructor, own_variable
 from kitrobot.wire.problem import problem_shapes
 
@@ -38,8 +36,7 @@ def fragment(studio: ThisStudio, wanted: FragmentRequestShape) -> FragmentShape:
     catalogue = studio.parts_of(own, wanted.path)
     robot = catalogue.robot(wanted.robot)
     program, problems = read_fragment(wanted.text, robot, catalogue)
-    shape = None if program is None else mission_shape(Mission(programs=[program])).programs[0]
-    return FragmentShape(program=shape, problems=problem_shapes(problems))
+    return FragmentShape(program=program, problems=problem_shapes(problems))
 
 
 def read_fragment(text: str, robot: Robot, catalogue: Catalogue) -> tuple[Program | None, list[Diagnostic]]:
@@ -51,7 +48,7 @@ def read_fragment(text: str, robot: Robot, catalogue: Catalogue) -> tuple[Progra
     if guarded.ok and len(guarded.program.items) == 1:
         drawn = _drawn(guarded.program, robot, catalogue)
         if drawn is not None:
-            return _without_chain(drawn), []
+            return without_chain(drawn), []
     return None, parsed.diagnostics
 
 
@@ -60,14 +57,3 @@ def _drawn(program: Seq, robot: Robot, catalogue: Catalogue) -> Program | None:
         return lll_to_graph(program, robot, catalogue, "fragment")
     except KitRobotError:
         return None
-
-
-def _without_chain(program: Program) -> Program:
-    """The program without its chain: the condition of its only instruction."""
-    chained = {arc.target for arc in program.arcs if arc.at == IN}
-    gone = chained | {vertex.id for vertex in program.vertices if vertex.element in (START, STOP)}
-    return replace(
-        program,
-        vertices=[vertex for vertex in program.vertices if vertex.id not in gone],
-        arcs=[arc for arc in program.arcs if arc.source not in gone and arc.target not in gone],
-    )

@@ -31,14 +31,14 @@ from kitrobot.wire.files import (
 )
 from kitrobot.wire.gallery import RunPreviewShape
 from kitrobot.wire.mission import MissionShape, mission_from_shape, mission_shape
-from kitrobot.wire.problem import FailureShape, problem_shapes
+from kitrobot.wire.problem import RequestFailureShape, problem_shapes
 from kitrobot.wire.report import CheckShape, FirstTeamShape, ReportShape
 from kitrobot.wire.world import world_shape
 from kitrobot.workspace.first_team import first_team
 from kitrobot.workspace.mission_loader import OpenMission, new_mission
 
 _FAILURES: dict[int | str, dict[str, object]] = {
-    "4XX": {"model": FailureShape, "description": "Why it could not be done, and a way out."}
+    "4XX": {"model": RequestFailureShape, "description": "Why it could not be done, and a way out."}
 }
 _CONFLICT: dict[int | str, dict[str, object]] = {
     409: {"model": ConflictShape, "description": "The file is not what it was."},

@@ -9,14 +9,13 @@ from kitrobot.diagnostics.model import KitRobotError
 from kitrobot.graph.model import Program
 from kitrobot.live.studio import Studio
 from kitrobot.lll.printer import print_template
-from kitrobot.mission.model import Mission
 from kitrobot.primitives.catalogue import Catalogue
 from kitrobot.primitives.own_xml import write_constructors
 from kitrobot.server.routes.api_router import ThisStudio, api_router
 from kitrobot.text.sentences import Sentence
 from kitrobot.wire.catalogue import ConstructorShape
 from kitrobot.wire.files import TextShape
-from kitrobot.wire.mission import ProgramShape, mission_from_shape, mission_shape
+from kitrobot.wire.mission import mission_from_shape
 from kitrobot.wire.own_part_draft import (
     LONGEST_PART,
     OfferAnswerShape,
@@ -29,10 +28,9 @@ from kitrobot.wire.own_part_draft import (
     PartTextShape,
     PartWishShape,
     SelectedShape,
-    chosen_from_shape,
 )
 from kitrobot.wire.own_parts import OwnPartError, own_constructor, raw_constructor
-from kitrobot.wire.problem import FailureShape, problem_shapes
+from kitrobot.wire.problem import RequestFailureShape, problem_shapes
 from kitrobot.workspace.mission_loader import NoProgramError
 
 MOST_PROBLEMS = 100
@@ -49,7 +47,7 @@ def part_offer(studio: ThisStudio, wanted: SelectedShape) -> OfferAnswerShape:
     except SelectionError as error:
         return OfferAnswerShape(offered=None, refused=_refused(error))
     shape = OfferedShape(
-        role=offered.role.value,
+        role=offered.role,
         vertices=list(offered.selection.chain),
         offers=[OfferShape.model_validate(one) for one in offered.offers],
         problems=problem_shapes(offered.diagnostics[:MOST_PROBLEMS]),
@@ -63,7 +61,7 @@ def part(studio: ThisStudio, wanted: PartWishShape) -> PartAnswerShape:
     program, catalogue = _of(studio, wanted)
     look = Appearance(wanted.name, wanted.icon, wanted.colour, wanted.label, wanted.help)
     try:
-        made = make_part(program, wanted.vertices, look, [chosen_from_shape(one) for one in wanted.chosen], catalogue)
+        made = make_part(program, wanted.vertices, look, wanted.chosen, catalogue)
     except (SelectionError, PartError) as error:
         return PartAnswerShape(part=None, refused=_refused(error))
     template = made.constructor.template
@@ -71,7 +69,7 @@ def part(studio: ThisStudio, wanted: PartWishShape) -> PartAnswerShape:
     shape = PartShape(
         constructor=ConstructorShape.model_validate(made.constructor),
         lll=print_template(template),
-        program=_program_shape(made.program),
+        program=made.program,
         vertex=made.vertex,
     )
     return PartAnswerShape(part=shape, refused=None)
@@ -105,7 +103,7 @@ def part_read(studio: ThisStudio, wanted: PartTextShape) -> PartReadShape:
     return PartReadShape(
         constructor=None if read.constructor is None else ConstructorShape.model_validate(read.constructor),
         lll=read.lll,
-        drawing=None if drawing is None else _program_shape(drawing),
+        drawing=drawing,
         problems=problem_shapes(read.diagnostics[:MOST_PROBLEMS]),
     )
 
@@ -116,10 +114,10 @@ def part_file(wanted: PartFileShape) -> TextShape:
     return TextShape(text=write_constructors([own_constructor(one) for one in wanted.constructors]).decode())
 
 
-def _refused(error: KitRobotError) -> FailureShape:
+def _refused(error: KitRobotError) -> RequestFailureShape:
     """What a person can mend is an answer, no failure."""
     problems = problem_shapes(error.diagnostics[:MOST_PROBLEMS])
-    return FailureShape(message=error.message, help=error.help, problems=problems)
+    return RequestFailureShape(message=error.message, help=error.help, problems=problems)
 
 
 def _of(studio: Studio, wanted: SelectedShape) -> tuple[Program, Catalogue]:
@@ -130,7 +128,3 @@ def _of(studio: Studio, wanted: SelectedShape) -> tuple[Program, Catalogue]:
             Sentence("the mission holds no program `{program}`", wanted.program), Sentence("load the page again")
         )
     return program, studio.parts_of(mission, wanted.path)
-
-
-def _program_shape(program: Program) -> ProgramShape:
-    return mission_shape(Mission(programs=[program])).programs[0]

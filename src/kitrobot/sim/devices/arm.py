@@ -70,9 +70,7 @@ def start(k: int, command: Command, deviate: float, state: State) -> None:
     """Begins to do what a command says."""
     actuator = state.actuators.ints
     actuator_floats = state.actuators.floats
-    factor = 1.0 + deviate * actuator_floats[A_NOISE][k]
-    if factor < 0.1:
-        factor = 0.1
+    factor = max(1.0 + deviate * actuator_floats[A_NOISE][k], 0.1)
     actuator_floats[REMAINING_S][k] = actuator_floats[BOX_S][k] * factor
     actuator_floats[WAITS_FOR_ROOM][k] = 0.0
     actuator[A_ACTION][k] = command.procedure

@@ -33,9 +33,7 @@ def start(k: int, command: Command, deviate: float, state: State) -> None:
     """Begins to do what a command says."""
     actuator = state.actuators.ints
     actuator_floats = state.actuators.floats
-    factor = 1.0 + deviate * actuator_floats[A_NOISE][k]
-    if factor < 0.1:
-        factor = 0.1
+    factor = max(1.0 + deviate * actuator_floats[A_NOISE][k], 0.1)
     actuator_floats[CURRENT_TRAVEL_S][k] = actuator_floats[TRAVEL_S][k] * factor
     actuator_floats[TARGET_OPENING][k] = float(command.procedure)
     actuator[A_DONE][k] = 0

@@ -78,11 +78,8 @@ def start(k: int, command: Command, deviate: float, state: State) -> None:
     actuator_floats = state.actuators.floats
     speed = 0.0
     if procedure != _STOP:
-        speed = command.first / 100 * actuator_floats[FULL_SPEED][k]
-        factor = 1.0 + deviate * actuator_floats[A_NOISE][k]
-        if factor < 0.0:
-            factor = 0.0
-        speed *= factor
+        factor = max(1.0 + deviate * actuator_floats[A_NOISE][k], 0.0)
+        speed = command.first / 100 * actuator_floats[FULL_SPEED][k] * factor
     robot = state.actuators.ints[A_ROBOT][k]
     state.robots.floats[TARGET][robot] = -speed if procedure == _REVERSE else speed
 

@@ -47,9 +47,7 @@ def start(k: int, command: Command, deviate: float, state: State) -> None:
     procedure = command.procedure
     actuator = state.actuators.ints
     actuator_floats = state.actuators.floats
-    factor = 1.0 + deviate * actuator_floats[A_NOISE][k]
-    if factor < 0.0:
-        factor = 0.0
+    factor = max(1.0 + deviate * actuator_floats[A_NOISE][k], 0.0)
     rate = 0.0
     if command.arguments > 0 and procedure != _STOP:
         rate = command.last / 100 * actuator_floats[FULL_RATE][k]

@@ -112,10 +112,8 @@ def separate_on_roads(piece: int, robots: Robots, roads: Roads, pairs: list[int]
             continue
         if piece > 0 and not (is_moving(i, piece, robots) or is_moving(j, piece, robots)):
             continue
-        if is_last(i, j, piece, robots) and 2 * count < len(pairs):
-            pairs[2 * count] = i
-            pairs[2 * count + 1] = j
-            count += 1
+        if is_last(i, j, piece, robots):
+            count = add_pair(i, j, pairs, count)
         if ahead[i] >= 0.0:
             continue
         r = road[i]
@@ -188,10 +186,8 @@ def separate_from_walls(piece: int, robots: Robots, walls: Walls, pairs: list[in
             distance = math.sqrt(nx * nx + ny * ny)
             if distance > near or distance == 0.0:
                 continue
-            if is_last(i, i, piece, robots) and 2 * count < len(pairs):
-                pairs[2 * count] = i
-                pairs[2 * count + 1] = -1 - w
-                count += 1
+            if is_last(i, i, piece, robots):
+                count = add_pair(i, -1 - w, pairs, count)
             if distance < radius[i]:
                 x[i] += (radius[i] - distance) * (nx / distance)
                 y[i] += (radius[i] - distance) * (ny / distance)
@@ -210,9 +206,6 @@ def separate_discs(piece: int, robots: Robots, grid: Grid, pairs: list[int], cou
     floats = robots.floats
     x = floats[X]
     y = floats[Y]
-    way = floats[WAY]
-    ux = floats[UX]
-    uy = floats[UY]
     radius = floats[RADIUS]
     starts = grid.starts
     items = grid.items
@@ -239,35 +232,54 @@ def separate_discs(piece: int, robots: Robots, grid: Grid, pairs: list[int], cou
                     continue
                 if piece > 0 and not (is_moving(i, piece, robots) or is_moving(j, piece, robots)):
                     continue
-                if is_last(i, j, piece, robots) and 2 * count < len(pairs):
-                    pairs[2 * count] = min(i, j)
-                    pairs[2 * count + 1] = max(i, j)
-                    count += 1
+                if is_last(i, j, piece, robots):
+                    count = add_pair(min(i, j), max(i, j), pairs, count)
                 if distance >= near or (road[i] >= 0 and road[j] >= 0):
                     continue
-                push = near
-                if distance > 0.0:
-                    push = (near - distance) / distance
-                elif way[i] != 0.0 and road[i] < 0:
-                    # They met middle on middle: each is put back to where it came from.
-                    dx = math.copysign(ux[i], ux[i] * way[i])
-                    dy = math.copysign(uy[i], uy[i] * way[i])
-                elif way[j] != 0.0 and road[j] < 0:
-                    dx = -math.copysign(ux[j], ux[j] * way[j])
-                    dy = -math.copysign(uy[j], uy[j] * way[j])
-                else:
-                    continue
-                first = 0.5
-                if road[i] >= 0:
-                    first = 0.0
-                elif road[j] >= 0:
-                    first = 1.0
-                nudge(i, j, robots)
-                x[i] -= first * push * dx
-                y[i] -= first * push * dy
-                x[j] += (1.0 - first) * push * dx
-                y[j] += (1.0 - first) * push * dy
+                push_apart(i, j, dx, dy, distance, robots)
     return count
+
+
+def push_apart(i: int, j: int, dx: float, dy: float, distance: float, robots: Robots) -> None:
+    """Moves two discs apart that overlap, one of them free; (dx, dy) is from the first to the other."""
+    floats = robots.floats
+    road = robots.ints[ROAD]
+    x = floats[X]
+    y = floats[Y]
+    way = floats[WAY]
+    ux = floats[UX]
+    uy = floats[UY]
+    push = floats[RADIUS][i] + floats[RADIUS][j]
+    if distance > 0.0:
+        push = (push - distance) / distance
+    elif way[i] != 0.0 and road[i] < 0:
+        # They met middle on middle: each is put back to where it came from.
+        dx = math.copysign(ux[i], ux[i] * way[i])
+        dy = math.copysign(uy[i], uy[i] * way[i])
+    elif way[j] != 0.0 and road[j] < 0:
+        dx = -math.copysign(ux[j], ux[j] * way[j])
+        dy = -math.copysign(uy[j], uy[j] * way[j])
+    else:
+        return
+    first = 0.5
+    if road[i] >= 0:
+        first = 0.0
+    elif road[j] >= 0:
+        first = 1.0
+    nudge(i, j, robots)
+    x[i] -= first * push * dx
+    y[i] -= first * push * dy
+    x[j] += (1.0 - first) * push * dx
+    y[j] += (1.0 - first) * push * dy
+
+
+def add_pair(one: int, other: int, pairs: list[int], count: int) -> int:
+    """Writes a pair behind those that are there, as far as there is room; gives how many there are now."""
+    if 2 * count >= len(pairs):
+        return count
+    pairs[2 * count] = one
+    pairs[2 * count + 1] = other
+    return count + 1
 
 
 def news_first(contacts: Contacts, count: int, count_before: int) -> int:

@@ -18,6 +18,9 @@ FEW = 40
 FEW_FIXED = 12
 """So many robots, or walls, stand in one cell: to look at all of them is quicker than to look where they are."""
 
+ACROSS = 1e-12
+"""A ray whose direction has less of x or y goes across it."""
+
 SLACK_MM = 0.3
 """How much further than its disc a robot reaches: those that touch always share a cell."""
 
@@ -31,13 +34,11 @@ def fixed(stretches: Sequence[Sequence[float]], margin: float) -> Grid:
     margin += 1e-6
     left, low = min(*x1, *x2) - margin, min(*y1, *y2) - margin
     width, height = max(*x1, *x2) + margin - left, max(*y1, *y2) + margin - low
-    size, cells_x, cells_y = max(width, height), 1, 1
+    grid = Grid([left, low, max(width, height)], [1, 1], [0], [])
     if count > FEW_FIXED:
-        size = max(math.sqrt(width * height / count), margin, 1.0)
-        cells_x, cells_y = int(width / size) + 1, int(height / size) + 1
-        while cells_x * cells_y > 4 * count + 4:
-            size *= 1.5
-            cells_x, cells_y = int(width / size) + 1, int(height / size) + 1
+        lay_out(grid, left, low, width, height, max(math.sqrt(width * height / count), margin, 1.0), 4 * count + 4)
+    size = grid.frame[2]
+    cells_x, cells_y = grid.shape
     lists: list[list[int]] = [[] for _ in range(cells_x * cells_y)]
     half = size * math.sqrt(0.5) + margin
     for k in range(count):
@@ -52,10 +53,21 @@ def fixed(stretches: Sequence[Sequence[float]], margin: float) -> Grid:
                 middle_x, middle_y = left + (column + 0.5) * size, low + (row + 0.5) * size
                 if abs((middle_x - x1[k]) * across_x + (middle_y - y1[k]) * across_y) <= half:
                     lists[row * cells_x + column].append(k)
-    starts = [0]
     for found in lists:
-        starts.append(starts[-1] + len(found))
-    return Grid([left, low, size], [cells_x, cells_y], starts, [k for found in lists for k in found])
+        grid.starts.append(grid.starts[-1] + len(found))
+        grid.items.extend(found)
+    return grid
+
+
+def lay_out(grid: Grid, left: float, low: float, width: float, height: float, size: float, most: int) -> None:
+    """Gives a grid its lower left corner, and cells of this size; larger ones if they would be more than `most`."""
+    while (math.floor(width / size) + 1.0) * (math.floor(height / size) + 1.0) > most:
+        size *= 1.5
+    grid.frame[0] = left
+    grid.frame[1] = low
+    grid.frame[2] = size
+    grid.shape[0] = int(width / size) + 1
+    grid.shape[1] = int(height / size) + 1
 
 
 def cell_at(x: float, y: float, grid: Grid) -> int:
@@ -76,27 +88,43 @@ def fill(robots: Robots, widest: float, grid: Grid) -> None:
     `starts` has room for 2 cells a disc and 8 more, `items` for 4 entries a disc. LOW_X and LOW_Y of a robot become the
     first column and row that its disc reaches into.
     """
-    who = robots.solid
-    floats = robots.floats
-    x = floats[X]
-    y = floats[Y]
-    radius = floats[RADIUS]
-    ints = robots.ints
-    low_x = ints[LOW_X]
-    low_y = ints[LOW_Y]
-    road = ints[ROAD]
-    starts = grid.starts
-    items = grid.items
-    count = len(who)
-    columns = 1
-    rows = 1
+    left, low, right, high = bounds(robots)
     reach = widest + SLACK_MM
+    left -= reach
+    low -= reach
+    width = right + reach - left
+    height = high + reach - low
+    count = len(robots.solid)
+    if count > FEW:
+        lay_out(grid, left, low, width, height, max(math.sqrt(width * height / count), 2.0 * reach), 2 * count + 4)
+    else:
+        grid.frame[0] = left
+        grid.frame[1] = low
+        grid.frame[2] = max(width, height)
+        grid.shape[0] = 1
+        grid.shape[1] = 1
+    cells = grid.shape[0] * grid.shape[1]
+    if cells == 1:
+        fill_one_cell(robots, grid)
+        return
+    for c in range(cells + 1):
+        grid.starts[c] = 0
+    count_discs(robots, grid)
+    add_up(cells, grid.starts)
+    enter_discs(robots, grid)
+
+
+def bounds(robots: Robots) -> tuple[float, float, float, float]:
+    """The least and the greatest x and y of the middles of discs: left, low, right, high; all 0 where there is none."""
+    x = robots.floats[X]
+    y = robots.floats[Y]
+    road = robots.ints[ROAD]
     left = math.inf
     low = math.inf
     right = -math.inf
     high = -math.inf
-    for k in range(count):
-        i = who[k]
+    for k in range(len(robots.solid)):
+        i = robots.solid[k]
         if road[i] < FREE:
             continue
         if x[i] < left:
@@ -108,60 +136,76 @@ def fill(robots: Robots, widest: float, grid: Grid) -> None:
         if y[i] > high:
             high = y[i]
     if right < left:
-        left = right = low = high = 0.0
-    left -= reach
-    low -= reach
-    width = right + reach - left
-    height = high + reach - low
-    size = max(width, height)
-    if count > FEW:
-        size = max(math.sqrt(width * height / count), 2.0 * reach)
-        columns = int(width / size) + 1
-        rows = int(height / size) + 1
-        while columns * rows > 2 * count + 4:
-            size *= 1.5
-            columns = int(width / size) + 1
-            rows = int(height / size) + 1
-    grid.frame[0] = left
-    grid.frame[1] = low
-    grid.frame[2] = size
-    grid.shape[0] = columns
-    grid.shape[1] = rows
-    if columns * rows == 1:
-        found = 0
-        for k in range(count):
-            low_x[who[k]] = 0
-            low_y[who[k]] = 0
-            if road[who[k]] >= FREE:
-                items[found] = who[k]
-                found += 1
-        starts[0] = 0
-        starts[1] = found
-        return
-    for c in range(columns * rows + 1):
-        starts[c] = 0
-    for k in range(count):
-        i = who[k]
-        if road[i] < FREE:
+        return 0.0, 0.0, 0.0, 0.0
+    return left, low, right, high
+
+
+def fill_one_cell(robots: Robots, grid: Grid) -> None:
+    """Puts all discs into the only cell."""
+    ints = robots.ints
+    found = 0
+    for k in range(len(robots.solid)):
+        i = robots.solid[k]
+        ints[LOW_X][i] = 0
+        ints[LOW_Y][i] = 0
+        if ints[ROAD][i] >= FREE:
+            grid.items[found] = i
+            found += 1
+    grid.starts[0] = 0
+    grid.starts[1] = found
+
+
+def count_discs(robots: Robots, grid: Grid) -> None:
+    """Counts in `starts` the discs that reach into each cell; LOW_X and LOW_Y are the first ones of each disc."""
+    x = robots.floats[X]
+    y = robots.floats[Y]
+    radius = robots.floats[RADIUS]
+    low_x = robots.ints[LOW_X]
+    low_y = robots.ints[LOW_Y]
+    left = grid.frame[0]
+    low = grid.frame[1]
+    size = grid.frame[2]
+    columns = grid.shape[0]
+    rows = grid.shape[1]
+    for k in range(len(robots.solid)):
+        i = robots.solid[k]
+        if robots.ints[ROAD][i] < FREE:
             continue
         r = radius[i] + SLACK_MM
         low_x[i] = int((x[i] - r - left) / size)
         low_y[i] = int((y[i] - r - low) / size)
         for row in range(low_y[i], min(rows - 1, int((y[i] + r - low) / size)) + 1):
             for column in range(low_x[i], min(columns - 1, int((x[i] + r - left) / size)) + 1):
-                starts[row * columns + column] += 1
-    add_up(columns * rows, starts)
-    # From the back, so that each list is ascending and each start ends where its cell begins.
+                grid.starts[row * columns + column] += 1
+
+
+def enter_discs(robots: Robots, grid: Grid) -> None:
+    """Puts the discs into the lists of their cells, of which `starts` has the ends.
+
+    It goes from the back, so that each list is ascending and each start ends where its cell begins.
+    """
+    x = robots.floats[X]
+    y = robots.floats[Y]
+    radius = robots.floats[RADIUS]
+    low_x = robots.ints[LOW_X]
+    low_y = robots.ints[LOW_Y]
+    starts = grid.starts
+    left = grid.frame[0]
+    low = grid.frame[1]
+    size = grid.frame[2]
+    columns = grid.shape[0]
+    rows = grid.shape[1]
+    count = len(robots.solid)
     for back in range(count):
-        i = who[count - 1 - back]
-        if road[i] < FREE:
+        i = robots.solid[count - 1 - back]
+        if robots.ints[ROAD][i] < FREE:
             continue
         r = radius[i] + SLACK_MM
         for row in range(low_y[i], min(rows - 1, int((y[i] + r - low) / size)) + 1):
             for column in range(low_x[i], min(columns - 1, int((x[i] + r - left) / size)) + 1):
                 c = row * columns + column
                 starts[c] -= 1
-                items[starts[c]] = i
+                grid.items[starts[c]] = i
 
 
 def add_up(cells: int, starts: list[int]) -> None:
@@ -187,18 +231,10 @@ def fill_places(robots: Robots, reach: float, grid: Grid) -> None:
         right = max(right, x[i])
         low = min(low, y[i])
         high = max(high, y[i])
-    width = right - left
-    height = high - low
-    size = max(reach, 1.0)
-    while (math.floor(width / size) + 1.0) * (math.floor(height / size) + 1.0) > 2 * count + 4:
-        size *= 1.5
-    columns = int(width / size) + 1
-    rows = int(height / size) + 1
-    grid.frame[0] = left
-    grid.frame[1] = low
-    grid.frame[2] = size
-    grid.shape[0] = columns
-    grid.shape[1] = rows
+    lay_out(grid, left, low, right - left, high - low, max(reach, 1.0), 2 * count + 4)
+    size = grid.frame[2]
+    columns = grid.shape[0]
+    rows = grid.shape[1]
     starts = grid.starts
     for c in range(columns * rows + 1):
         starts[c] = 0
@@ -226,42 +262,16 @@ def cells_on_ray(x: float, y: float, ux: float, uy: float, reach: float, grid: G
     size = grid.frame[2]
     ax = x - grid.frame[0]
     ay = y - grid.frame[1]
-    near = 0.0
-    far = reach
-    if abs(ux) < 1e-12:
-        if ax < 0.0 or ax >= columns * size:
-            return 0
-    else:
-        one = -ax / ux
-        other = (columns * size - ax) / ux
-        near = max(near, min(one, other))
-        far = min(far, max(one, other))
-    if abs(uy) < 1e-12:
-        if ay < 0.0 or ay >= rows * size:
-            return 0
-    else:
-        one = -ay / uy
-        other = (rows * size - ay) / uy
-        near = max(near, min(one, other))
-        far = min(far, max(one, other))
+    near, far = clip_ray(ax, ux, columns * size, 0.0, reach)
+    near, far = clip_ray(ay, uy, rows * size, near, far)
     if near > far:
         return 0
     column = min(max(int((ax + near * ux) / size), 0), columns - 1)
     row = min(max(int((ay + near * uy) / size), 0), rows - 1)
-    next_x = math.inf
-    next_y = math.inf
-    step_x = 1
-    step_y = 1
-    if ux >= 1e-12:
-        next_x = ((column + 1) * size - ax) / ux
-    elif ux <= -1e-12:
-        next_x = (column * size - ax) / ux
-        step_x = -1
-    if uy >= 1e-12:
-        next_y = ((row + 1) * size - ay) / uy
-    elif uy <= -1e-12:
-        next_y = (row * size - ay) / uy
-        step_y = -1
+    next_x = way_to_next_cell(column, ax, ux, size)
+    next_y = way_to_next_cell(row, ay, uy, size)
+    step_x = -1 if ux < 0.0 else 1
+    step_y = -1 if uy < 0.0 else 1
     each_x = size / abs(ux) if next_x < math.inf else math.inf
     each_y = size / abs(uy) if next_y < math.inf else math.inf
     count = 0
@@ -283,3 +293,22 @@ def cells_on_ray(x: float, y: float, ux: float, uy: float, reach: float, grid: G
             if row < 0 or row >= rows:
                 break
     return count
+
+
+def clip_ray(a: float, u: float, width: float, near: float, far: float) -> tuple[float, float]:
+    """The part of a ray from `near` to `far` that lies between 0 and a width in one of x and y; `far` is less if none.
+
+    `a` and `u` are its beginning and its direction in that.
+    """
+    if abs(u) < ACROSS:
+        return (near, far) if 0.0 <= a < width else (1.0, 0.0)
+    one = -a / u
+    other = (width - a) / u
+    return max(near, min(one, other)), min(far, max(one, other))
+
+
+def way_to_next_cell(cell: int, a: float, u: float, size: float) -> float:
+    """How far along a ray it leaves the column or row that it begins in."""
+    if abs(u) < ACROSS:
+        return math.inf
+    return ((cell + 1) * size - a) / u if u > 0.0 else (cell * size - a) / u

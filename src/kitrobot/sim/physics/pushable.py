@@ -202,7 +202,6 @@ def separate_from_pushables(i: int, piece: int, pushables: Pushables) -> int:
     wide = pushables.floats[PUSH_HALF_WIDTH]
     high = pushables.floats[PUSH_HALF_HEIGHT]
     gives = pushables.floats[PUSH_INVERSE_MASS]
-    ball = pushables.ints[PUSH_IS_BALL]
     awake = pushables.ints[PUSH_AWAKE]
     slack = grid.frame[2] * 0.01
     reach_x = wide[i] + pushables.numbers[0] + slack
@@ -215,40 +214,13 @@ def separate_from_pushables(i: int, piece: int, pushables: Pushables) -> int:
                 j = grid.items[k]
                 if j == i or (awake[j] == piece + 1 and j < i):
                     continue
-                dx = xs[j] - xs[i]
-                dy = ys[j] - ys[i]
-                over_x = wide[i] + wide[j] - abs(dx)
-                over_y = high[i] + high[j] - abs(dy)
+                over_x = wide[i] + wide[j] - abs(xs[j] - xs[i])
+                over_y = high[i] + high[j] - abs(ys[j] - ys[i])
                 if over_x <= REST_MM or over_y <= REST_MM:
                     continue
-                nx = 0.0
-                ny = 0.0
-                over = 0.0
-                if ball[i] or ball[j]:
-                    near = wide[i] if ball[i] else 0.0
-                    if ball[j]:
-                        near += wide[j]
-                        if ball[i] == 0:
-                            dx = beyond(dx, wide[i])
-                            dy = beyond(dy, high[i])
-                    else:
-                        dx = beyond(dx, wide[j])
-                        dy = beyond(dy, high[j])
-                    away = math.sqrt(dx * dx + dy * dy)
-                    over = near - away
-                    if over <= REST_MM:
-                        continue
-                    if away > 0.0:
-                        nx = dx / away
-                        ny = dy / away
-                    else:
-                        nx = 1.0
-                elif over_x < over_y:
-                    over = over_x
-                    nx = 1.0 if dx >= 0.0 else -1.0
-                else:
-                    over = over_y
-                    ny = 1.0 if dy >= 0.0 else -1.0
+                nx, ny, over = pushable_overlap(i, j, pushables)
+                if over <= REST_MM:
+                    continue
                 wake(j, piece, pushables)
                 found += 1
                 mine = gives[i] / (gives[i] + gives[j])
@@ -259,67 +231,94 @@ def separate_from_pushables(i: int, piece: int, pushables: Pushables) -> int:
     return found
 
 
+def pushable_overlap(i: int, j: int, pushables: Pushables) -> tuple[float, float, float]:
+    """The direction from object i to object j in which they overlap least, and by how much."""
+    wide = pushables.floats[PUSH_HALF_WIDTH]
+    high = pushables.floats[PUSH_HALF_HEIGHT]
+    ball = pushables.ints[PUSH_IS_BALL]
+    dx = pushables.floats[PUSH_X][j] - pushables.floats[PUSH_X][i]
+    dy = pushables.floats[PUSH_Y][j] - pushables.floats[PUSH_Y][i]
+    if ball[i] or ball[j]:
+        near = wide[i] if ball[i] else 0.0
+        if ball[j]:
+            near += wide[j]
+            if ball[i] == 0:
+                dx = beyond(dx, wide[i])
+                dy = beyond(dy, high[i])
+        else:
+            dx = beyond(dx, wide[j])
+            dy = beyond(dy, high[j])
+        away = math.sqrt(dx * dx + dy * dy)
+        if away > 0.0:
+            return dx / away, dy / away, near - away
+        return 1.0, 0.0, near - away
+    over_x = wide[i] + wide[j] - abs(dx)
+    over_y = high[i] + high[j] - abs(dy)
+    if over_x < over_y:
+        return 1.0 if dx >= 0.0 else -1.0, 0.0, over_x
+    return 0.0, 1.0 if dy >= 0.0 else -1.0, over_y
+
+
 def separate_from_pushable_walls(i: int, pushables: Pushables, walls: Walls) -> int:
     """Pushes an object out of walls."""
     xs = pushables.floats[PUSH_X]
     ys = pushables.floats[PUSH_Y]
+    c = cell_at(xs[i], ys[i], walls.grid)
+    if c < 0 or len(walls.grid.items) == 0:
+        return 0
+    found = 0
+    for k in range(walls.grid.starts[c], walls.grid.starts[c + 1]):
+        nx, ny, over = wall_overlap(i, walls.grid.items[k], pushables, walls)
+        if over > 0.0:
+            found += 1
+            xs[i] += nx * over
+            ys[i] += ny * over
+    return found
+
+
+def wall_overlap(i: int, w: int, pushables: Pushables, walls: Walls) -> tuple[float, float, float]:
+    """The direction in which wall w pushes object i, and how far; 0 where it does not."""
+    x = pushables.floats[PUSH_X][i]
+    y = pushables.floats[PUSH_Y][i]
     wide = pushables.floats[PUSH_HALF_WIDTH][i]
     high = pushables.floats[PUSH_HALF_HEIGHT][i]
     ball = pushables.ints[PUSH_IS_BALL][i]
     was_x = pushables.floats[PUSH_OLD_X][i]
     was_y = pushables.floats[PUSH_OLD_Y][i]
-    c = cell_at(xs[i], ys[i], walls.grid)
-    if c < 0 or len(walls.grid.items) == 0:
-        return 0
-    found = 0
     ends = walls.floats
-    for k in range(walls.grid.starts[c], walls.grid.starts[c + 1]):
-        w = walls.grid.items[k]
-        dx = ends[2][w] - ends[0][w]
-        dy = ends[3][w] - ends[1][w]
-        length = math.sqrt(dx * dx + dy * dy)
-        ux = 1.0
-        uy = 0.0
-        if length > 0.0:
-            ux = dx / length
-            uy = dy / length
-        ax = xs[i] - ends[0][w]
-        ay = ys[i] - ends[1][w]
-        along = ax * ux + ay * uy
-        across = ay * ux - ax * uy
-        before = (was_y - ends[1][w]) * ux - (was_x - ends[0][w]) * uy
-        came = (was_x - ends[0][w]) * ux + (was_y - ends[1][w]) * uy
-        if before * across < 0.0 and 0.0 <= along <= length and 0.0 <= came <= length:
-            # It was pushed onto the wall with more than its half: back to where it came from.
-            side = 1.0 if before > 0.0 else -1.0
-            over = abs(across) + (wide if ball else abs(uy) * wide + abs(ux) * high)
-            nx = -uy * side
-            ny = ux * side
-        elif ball:
-            past = beyond(along - length / 2.0, length / 2.0)
-            away = math.sqrt(past * past + across * across)
-            over = wide - away
-            if over <= REST_MM or away == 0.0:
-                continue
-            nx = (past * ux - across * uy) / away
-            ny = (past * uy + across * ux) / away
-        else:
-            over = abs(uy) * wide + abs(ux) * high - abs(across)
-            end = abs(ux) * wide + abs(uy) * high + length / 2.0 - abs(along - length / 2.0)
-            if over <= REST_MM or end <= REST_MM:
-                continue
-            side = 1.0 if across >= 0.0 else -1.0
-            nx = -uy * side
-            ny = ux * side
-            if end < over:
-                over = end
-                side = 1.0 if along >= length / 2.0 else -1.0
-                nx = ux * side
-                ny = uy * side
-        found += 1
-        xs[i] += nx * over
-        ys[i] += ny * over
-    return found
+    dx = ends[2][w] - ends[0][w]
+    dy = ends[3][w] - ends[1][w]
+    length = math.sqrt(dx * dx + dy * dy)
+    ux = 1.0
+    uy = 0.0
+    if length > 0.0:
+        ux = dx / length
+        uy = dy / length
+    ax = x - ends[0][w]
+    ay = y - ends[1][w]
+    along = ax * ux + ay * uy
+    across = ay * ux - ax * uy
+    before = (was_y - ends[1][w]) * ux - (was_x - ends[0][w]) * uy
+    came = (was_x - ends[0][w]) * ux + (was_y - ends[1][w]) * uy
+    if before * across < 0.0 and 0.0 <= along <= length and 0.0 <= came <= length:
+        # It was pushed onto the wall with more than its half: back to where it came from.
+        side = 1.0 if before > 0.0 else -1.0
+        return -uy * side, ux * side, abs(across) + (wide if ball else abs(uy) * wide + abs(ux) * high)
+    if ball:
+        past = beyond(along - length / 2.0, length / 2.0)
+        away = math.sqrt(past * past + across * across)
+        if wide - away <= REST_MM or away == 0.0:
+            return 0.0, 0.0, 0.0
+        return (past * ux - across * uy) / away, (past * uy + across * ux) / away, wide - away
+    over = abs(uy) * wide + abs(ux) * high - abs(across)
+    end = abs(ux) * wide + abs(uy) * high + length / 2.0 - abs(along - length / 2.0)
+    if over <= REST_MM or end <= REST_MM:
+        return 0.0, 0.0, 0.0
+    if end < over:
+        side = 1.0 if along >= length / 2.0 else -1.0
+        return ux * side, uy * side, end
+    side = 1.0 if across >= 0.0 else -1.0
+    return -uy * side, ux * side, over
 
 
 def ray_to_pushables(x: float, y: float, ux: float, uy: float, reach: float, pushables: Pushables) -> float:

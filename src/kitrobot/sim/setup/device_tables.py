@@ -7,6 +7,8 @@ from dataclasses import dataclass
 
 from kitrobot.primitives.robot import RobotObject
 from kitrobot.sim.devices import Device, Placement, Values
+from kitrobot.sim.tables.columns import A_CELL, A_DELAY
+from kitrobot.sim.tables.state import Actuators, Sensors
 
 
 @dataclass(frozen=True, slots=True)
@@ -49,3 +51,21 @@ class DeviceTables:
     def put_floats(self, k: int, numbers: Sequence[float]) -> None:
         for column, number in enumerate(numbers):
             self.floats[column][k] = number
+
+    def sensors(self) -> Sensors:
+        """The tables of sensors of a state."""
+        return Sensors(self.ints, self.floats, self.bank, [0] * self.room, self.numbers)
+
+    def actuators(self) -> Actuators:
+        """The tables of actuators of a state."""
+        return Actuators(
+            ints=self.ints,
+            floats=self.floats,
+            bank=self.bank,
+            actuator_index=self.actuator_index,
+            waited_for=[k for k, cell in enumerate(self.ints[A_CELL]) if cell >= 0],
+            late=[k for k, delay in enumerate(self.ints[A_DELAY]) if delay],
+            takens=self.takens,
+            outputs=self.outputs,
+            queue=[0] * self.room,
+        )

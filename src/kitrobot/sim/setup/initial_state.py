@@ -31,7 +31,7 @@ from kitrobot.sim.step.fault_schedule import FaultPlan
 from kitrobot.sim.step.pens import pen_tables
 from kitrobot.sim.tables import columns as c
 from kitrobot.sim.tables.random_numbers import keys
-from kitrobot.sim.tables.state import Actuators, Contacts, Faults, Grid, Machines, Rays, Robots, Sensors, State, Team
+from kitrobot.sim.tables.state import Contacts, Faults, Grid, Machines, Rays, Robots, State, Team
 from kitrobot.world.geometry import Pose
 from kitrobot.world.model import World
 
@@ -143,113 +143,110 @@ class Tables:
 
     def state(self, shared: SharedTables) -> State:
         """The state before the first step."""
-        floats, ints = self.floats, self.ints
-        count = len(self.machines)
-        robots = range(count)
-        solid = [i for i in robots if ints[c.SOLID][i]]
-        guided = [i for i in solid if ints[c.ROAD][i] >= 0]
-        free = [i for i in robots if ints[c.ROAD][i] < 0 and (ints[c.SOLID][i] or i in self._turning)]
-        guided.sort(key=lambda i: (ints[c.ROAD][i], floats[c.AT][i]))
-        widest = max((floats[c.RADIUS][i] for i in solid), default=0.0)
-        sizes = [floats[c.RADIUS][i] for i in solid] + [floats[c.LENGTH][i] / 2 for i in guided]
-        sizes += [min(one.width_mm, one.height_mm) / 2 for one in self.world.boxes]
-        smallest = min(sizes + [one.radius_mm for one in self.world.balls], default=math.inf)
-        free_solid = [i for i in free if ints[c.SOLID][i]]
-        together = len(solid) > 1 and (bool(free_solid) or len({ints[c.ROAD][i] for i in guided}) > 1)
-        sensor = self._sensor_tables()
-        actuator = self._actuator_tables()
-        looking = any(
+        floats, ints, world = self.floats, self.ints, self.world
+        robots = self._robot_tables()
+        count, discs = len(self.machines), len(robots.solid)
+        sensor, actuator = self._sensor_tables(), self._actuator_tables()
+        pens = [k for k, one in enumerate(actuator.fitted) if issubclass(one.device, Actuator) and one.device.draws]
+        contacts = contact_tables(discs)
+        most_events = self._most_events(robots, len(contacts.chain), len(pens), shared)
+        widest = max((floats[c.RADIUS][i] for i in robots.solid), default=0.0)
+        roads = {ints[c.ROAD][i] for i in robots.guided}
+        together = discs > 1 and (bool(robots.free_solid) or len(roads) > 1)
+        sees = discs > 1 and any(
             issubclass(item.device, Sensor) and item.device.sees_robots(ints[c.ROAD][item.robot] >= 0)
             for item in self._sensors
         )
-        sees = len(solid) > 1 and looking
-        in_grid = len(solid) if together or sees else 0
-        pairs = 4 * len(solid) + 64 if solid else 0
-        buckets = 64
-        while buckets < 2 * pairs:
-            buckets *= 2
-        variables = len(shared.variables)
-        most_events = count + pairs + len(free_solid) + 2 * len(self._actuators) + variables
-        most_events += self.fault_plan.most_events(count, variables) + len(guided)
-        pens = [k for k, one in enumerate(actuator.fitted) if issubclass(one.device, Actuator) and one.device.draws]
-        most_events += len(pens)
-        if self.team is not None:
-            most_events += self.team.most_events
-        if self.radio is not None:
-            most_events += len(shared.tables.mine) + count
-        clock = [0] * c.CLOCKS
-        clock[c.RUNNING] = clock[c.LIVING] = clock[c.HEALTHY] = count
-        clock[c.REVIVALS] = self.fault_plan.revivals
-        clock[c.PLANS] = len(self.fault_plan.plan[0])
-        clock[c.MOVED] = 1
-        clock[c.CYCLE] = math.lcm(*ints[c.PERIOD])
-        clock[c.UNTIL] = 1
-        clock[c.PATIENCE] = QUIET_STEPS + max(
-            (size * ints[c.PERIOD][i] for size, i in zip(sensor.ints[c.S_SIZE], sensor.ints[c.S_ROBOT], strict=True)),
-            default=0,
-        )
-        if self.radio is not None:
-            # Equal copies, and a majority, are found again with the next beat.
-            step_ms = self.dt * 1000
-            clock[c.PATIENCE] += 2 * beat_steps(step_ms) + delay_steps(self.radio, step_ms)
-        by_hand = [item for item in sensor.fitted if issubclass(item.device, Sensor) and item.device.by_hand]
-        clock[c.CHANCE] = sum(sensor.ints[c.S_RESTLESS]) + len(by_hand)
-        room = max(4 * max(len(self.world.walls), FEW), 2 * in_grid) + 32
+        in_grid = discs if together or sees else 0
+        room = max(4 * max(len(world.walls), FEW), 2 * in_grid) + 32
         state = State(
             fixed=[
                 *(1 if together else 0, 1 if sees else 0, most_events, self.fault_plan.every),
                 *(tuple(BreakdownRule).index(self.breakdown.rule), ticks(self.breakdown.after_s * 1000, self.dt)),
             ],
             fixed_floats=[
-                *(self.dt, widest, self.fault_plan.probability, self.world.width_mm, self.world.height_mm),
-                smallest,
+                *(self.dt, widest, self.fault_plan.probability, world.width_mm, world.height_mm),
+                self._smallest(robots),
             ],
-            clock=clock,
-            events=[0] * (c.EVENT * (2 * most_events + BY_HAND_AT_ONCE + variables)),
-            robots=Robots(
-                floats=floats,
-                ints=ints,
-                solid=solid,
-                guided=guided,
-                free=free,
-                free_solid=free_solid,
-                carriers=[i for i in robots if ints[c.BED][i]],
-            ),
+            clock=self._clock(sensor),
+            events=[0] * (c.EVENT * (2 * most_events + BY_HAND_AT_ONCE + len(shared.variables))),
+            robots=robots,
             machines=self._machine_tables(),
-            sensors=Sensors(sensor.ints, sensor.floats, sensor.bank, [0] * sensor.room, sensor.numbers),
-            actuators=Actuators(
-                ints=actuator.ints,
-                floats=actuator.floats,
-                bank=actuator.bank,
-                actuator_index=actuator.actuator_index,
-                waited_for=[k for k, cell in enumerate(actuator.ints[c.A_CELL]) if cell >= 0],
-                late=[k for k, delay in enumerate(actuator.ints[c.A_DELAY]) if delay],
-                takens=actuator.takens,
-                outputs=actuator.outputs,
-                queue=[0] * actuator.room,
-            ),
+            sensors=sensor.sensors(),
+            actuators=actuator.actuators(),
             shared=shared.tables,
             team=self._team(actuator),
             radio=radio_tables(self.radio, list(self.numbers), ints[c.PERIOD], self.seed, self.dt * 1000, shared),
             faults=Faults(self.fault_plan.with_room(), self.fault_plan.keys),
-            roads=road_tables(self.world),
-            docks=dock_tables(self.world, self.goals),
-            walls=wall_tables(self.world, widest + TOUCH_MM),
-            lines=line_tables(self.world),
-            floors=floor_tables(self.world),
+            roads=road_tables(world),
+            docks=dock_tables(world, self.goals),
+            walls=wall_tables(world, widest + TOUCH_MM),
+            lines=line_tables(world),
+            floors=floor_tables(world),
             grid=Grid([0.0, 0.0, 1.0], [1, 1], starts=[0] * (2 * in_grid + 16), items=[0] * (4 * in_grid)),
             rays=Rays(cells=[0] * room, exits=[0.0] * room),
-            contacts=Contacts(
-                pairs=[0] * (2 * pairs), before=[0] * (2 * pairs), buckets=[-1] * buckets, chain=[0] * pairs
-            ),
+            contacts=contacts,
             pens=pen_tables(pens, [actuator.fitted[k].robot for k in pens], floats[c.X], floats[c.Y]),
-            pushables=pushable_tables(self.world, self.dt),
-            pushable_walls=pushable_walls(wall_tables(self.world, 0.0), self.world),
+            pushables=pushable_tables(world, self.dt),
+            pushable_walls=pushable_walls(wall_tables(world, 0.0), world),
             held=[[0.0] * max(count, len(self._actuators)) for _ in range(HELD_ROWS)],
         )
-        if guided:
+        if robots.guided:
             arrange(state.robots, state.roads)
         return state
+
+    def _robot_tables(self) -> Robots:
+        floats, ints = self.floats, self.ints
+        robots = range(len(self.machines))
+        guided = [i for i in robots if ints[c.SOLID][i] and ints[c.ROAD][i] >= 0]
+        free = [i for i in robots if ints[c.ROAD][i] < 0 and (ints[c.SOLID][i] or i in self._turning)]
+        return Robots(
+            floats=floats,
+            ints=ints,
+            solid=[i for i in robots if ints[c.SOLID][i]],
+            guided=sorted(guided, key=lambda i: (ints[c.ROAD][i], floats[c.AT][i])),
+            free=free,
+            free_solid=[i for i in free if ints[c.SOLID][i]],
+            carriers=[i for i in robots if ints[c.BED][i]],
+        )
+
+    def _smallest(self, robots: Robots) -> float:
+        """Half the width of the smallest body."""
+        sizes = [self.floats[c.RADIUS][i] for i in robots.solid]
+        sizes += [self.floats[c.LENGTH][i] / 2 for i in robots.guided]
+        sizes += [min(one.width_mm, one.height_mm) / 2 for one in self.world.boxes]
+        return min(sizes + [one.radius_mm for one in self.world.balls], default=math.inf)
+
+    def _most_events(self, robots: Robots, pairs: int, pens: int, shared: SharedTables) -> int:
+        """How many events there may be in one step."""
+        count, variables = len(self.machines), len(shared.variables)
+        most = count + pairs + len(robots.free_solid) + 2 * len(self._actuators) + variables
+        most += self.fault_plan.most_events(count, variables) + len(robots.guided) + pens
+        if self.team is not None:
+            most += self.team.most_events
+        if self.radio is not None:
+            most += len(shared.tables.mine) + count
+        return most
+
+    def _clock(self, sensor: DeviceTables) -> list[int]:
+        """The counters of the run before its first step."""
+        periods = self.ints[c.PERIOD]
+        clock = [0] * c.CLOCKS
+        clock[c.RUNNING] = clock[c.LIVING] = clock[c.HEALTHY] = len(self.machines)
+        clock[c.REVIVALS] = self.fault_plan.revivals
+        clock[c.PLANS] = len(self.fault_plan.plan[0])
+        clock[c.MOVED] = 1
+        clock[c.CYCLE] = math.lcm(*periods)
+        clock[c.UNTIL] = 1
+        sizes = zip(sensor.ints[c.S_SIZE], sensor.ints[c.S_ROBOT], strict=True)
+        clock[c.PATIENCE] = QUIET_STEPS + max((size * periods[i] for size, i in sizes), default=0)
+        if self.radio is not None:
+            # Equal copies, and a majority, are found again with the next beat.
+            step_ms = self.dt * 1000
+            clock[c.PATIENCE] += 2 * beat_steps(step_ms) + delay_steps(self.radio, step_ms)
+        by_hand = [item for item in sensor.fitted if issubclass(item.device, Sensor) and item.device.by_hand]
+        clock[c.CHANCE] = sum(sensor.ints[c.S_RESTLESS]) + len(by_hand)
+        return clock
 
     def _team(self, actuator: DeviceTables) -> Team:
         if self.team is None:
@@ -360,6 +357,15 @@ class Tables:
             assert issubclass(item.device, Actuator)
             made.outputs.append(list(item.device.initial_outputs(item.values)))
         return made
+
+
+def contact_tables(discs: int) -> Contacts:
+    """Room for the contacts of so many discs."""
+    pairs = 4 * discs + 64 if discs else 0
+    buckets = 64
+    while buckets < 2 * pairs:
+        buckets *= 2
+    return Contacts(pairs=[0] * (2 * pairs), before=[0] * (2 * pairs), buckets=[-1] * buckets, chain=[0] * pairs)
 
 
 def _halt(fitted: FittedDevice) -> int:

@@ -7,9 +7,8 @@ happens then (simulation).
 from __future__ import annotations
 
 import math
-from collections import Counter, defaultdict
+from collections import Counter
 from collections.abc import Collection, Mapping, Sequence
-from dataclasses import replace
 from functools import reduce
 
 from kitrobot.compiler.compilation import CompiledProgram
@@ -19,33 +18,29 @@ from kitrobot.image.machine import Machine
 from kitrobot.mission.model import ALL, Mission
 from kitrobot.mission.model import Agent as Member
 from kitrobot.primitives.catalogue import Catalogue
+from kitrobot.primitives.image_name import ImageName
 from kitrobot.primitives.robot import Robot, RobotObject
 from kitrobot.primitives.team_objects import with_team
 from kitrobot.sim.devices import Device, Placement, Values
 from kitrobot.sim.devices.base import COUNTS_BOXES, MOVES_BOXES
-from kitrobot.sim.physics.grids import cell_at, fixed
 from kitrobot.sim.setup import rules
 from kitrobot.sim.setup.initial_state import Tables
 from kitrobot.sim.setup.limits import MAX_AGENTS, SimulationError
 from kitrobot.sim.setup.settings import find_device, name_problems, read_conflicts, read_settings
 from kitrobot.sim.setup.shared_tables import SharedTables
+from kitrobot.sim.setup.start_places import StartPlaces
 from kitrobot.sim.setup.team_tables import TeamMember, TeamSetup, assign_roles
-from kitrobot.sim.setup.world_tables import wall_rows
 from kitrobot.sim.step.agents import Agent
 from kitrobot.sim.step.fault_schedule import fault_plan
-from kitrobot.sim.tables.columns import AT, BED, FREE, LENGTH, RADIUS, ROAD, SOLID, X, Y
+from kitrobot.sim.tables.columns import AT, BED, ROAD, SOLID
 from kitrobot.text.collection import collection_paused
 from kitrobot.text.phrases import shown
 from kitrobot.text.sentences import COMMA, Help, Sentence, Series, Word
 from kitrobot.text.suggestions import Suggestions, did_you_mean
-from kitrobot.world.geometry import distance_to_stretch
 from kitrobot.world.model import LOAD, Start, World
 
 MOST_STEP_MS = 20
 """A step is not longer than this, and divides it: so a robot that ticks as ours changes no run of others."""
-
-MAX_OVERLAPS = 100
-"""So many robots in one another's way are told at most; there may be millions of pairs."""
 
 
 def free_start(name: str, free: Sequence[str], suggestions: Suggestions) -> Help:
@@ -68,7 +63,7 @@ class Setup:
         self,
         mission: Mission,
         world: World,
-        images: Mapping[str, CompiledProgram],
+        images: Mapping[ImageName, CompiledProgram],
         catalogue: Catalogue,
         seed: int,
         fail_rate: float = 0.0,
@@ -87,7 +82,7 @@ class Setup:
         self.problems: list[Diagnostic] = []
         self.step_ms = 1
         self.tables = Tables(world, 1, seed)
-        self._machines: dict[str, Machine] = {}
+        self._machines: dict[ImageName, Machine] = {}
         self._placements: dict[tuple[str, str, str], Placement] = {}
         self._checked: dict[tuple[str, str, str], tuple[type[Device] | None, Values | None]] = {}
         self._starts = {start.name: start for start in world.starts}
@@ -143,7 +138,8 @@ class Setup:
         if self.tables.team is not None:
             self._fill_roles(self.tables.team)
         if not self.problems:
-            self._check_overlaps()
+            places = StartPlaces(self.world, self.mission.team, self.agents, self.tables, self._free_starts)
+            self.problems += places.problems()
         if self._check_only:
             return
         self.tables.breakdown = self.mission.breakdown
@@ -166,9 +162,9 @@ class Setup:
                 self.problems.append(rules.ROLE(message, help=help))
 
     def _robot(self, member: Member) -> Robot | None:
-        program_name, image_name = member.program, member.image_name
+        program_name = member.program
         program = self.mission.program(program_name)
-        compiled = self.images.get(image_name)
+        compiled = self.images.get(member.image_name)
         if program is None or compiled is None or compiled.image is None:
             what = Sentence("is not in this mission") if program is None else Sentence("has errors")
             self.problems.append(
@@ -238,7 +234,7 @@ class Setup:
         key = placement.storehouse, placement.road if MOVES_BOXES in handles else -1
         return self._places.setdefault(key, len(self._places))
 
-    def _machine(self, image_name: str, robot: Robot) -> Machine:
+    def _machine(self, image_name: ImageName, robot: Robot) -> Machine:
         """A machine at the beginning of a program; those of one program share what does not change."""
         first = self._machines.get(image_name)
         if first is None:
@@ -303,76 +299,6 @@ class Setup:
             return "loader" if self.world.docks[placement.dock].kind == LOAD else "unloader"
         return "store-manager" if COUNTS_BOXES in handles and not solid else "robot"
 
-    def _check_overlaps(self) -> None:
-        """Robots start apart from one another and from the walls."""
-        floats, ints, world = self.tables.floats, self.tables.ints, self.world
-        solid = [robot for robot in range(len(self.agents)) if ints[SOLID][robot]]
-        walls = wall_rows(world)
-        grid = fixed(walls, max((floats[RADIUS][robot] for robot in solid), default=0.0))
-        for robot in solid if world.walls else ():
-            x, y = floats[X][robot], floats[Y][robot]
-            cell = cell_at(x, y, grid)
-            if ints[ROAD][robot] != FREE or cell < 0:
-                continue
-            for wall in grid.items[grid.starts[cell] : grid.starts[cell + 1]]:
-                away, _ = distance_to_stretch(x, y, *(row[wall] for row in walls))
-                if away < floats[RADIUS][robot]:
-                    message = Sentence("{agent} starts in a wall", self.agents[robot].name)
-                    help = Sentence("move its start away from the wall")
-                    self.problems.append(self._at_start(robot, rules.START(message, help=help)))
-                    break
-        size = max((floats[LENGTH][robot] for robot in solid), default=0.0)
-        cells: defaultdict[tuple[int, int], list[int]] = defaultdict(list)
-        found = 0
-        for robot in solid:
-            column, row = math.floor(floats[X][robot] / size), math.floor(floats[Y][robot] / size)
-            for near in ((column + dx, row + dy) for dx in (-1, 0, 1) for dy in (-1, 0, 1)):
-                for other in cells.get(near, ()):
-                    if self._overlap(robot, other):
-                        message = Sentence(
-                            "{agent} and {other} start in the same place",
-                            self.agents[other].name,
-                            self.agents[robot].name,
-                        )
-                        self.problems.append(
-                            self._at_start(robot, rules.START(message, help=self._apart(other, robot)))
-                        )
-                        found += 1
-                        if found == MAX_OVERLAPS:
-                            return
-            cells[column, row].append(robot)
-
-    def _start_of(self, robot: int) -> str:
-        """The name of the start at which a robot stands."""
-        name = self.agents[robot].name
-        return next((one.start_name for one in self.mission.team.agents if one.name == name), name)
-
-    def _at_start(self, robot: int, item: Diagnostic) -> Diagnostic:
-        """The same, about the start of that robot."""
-        name = self._start_of(robot)
-        at = next((at for at, start in enumerate(self.world.starts) if start.name == name), None)
-        return item if at is None else replace(item, thing=f"start:{at}")
-
-    def _apart(self, one: int, other: int) -> Help:
-        first, second = self._start_of(one), self._start_of(other)
-        if first != second:
-            return Sentence("move one of the two: their starts are {first} and {second}", first, second)
-        free = self._free_starts
-        if not free:
-            return Sentence("every start of this world is taken: add one to it, or take an agent out of the team")
-        return Sentence("give one of them a start that is free: {free}", Series(COMMA, free[:20]))
-
-    def _overlap(self, robot: int, other: int) -> bool:
-        floats, road = self.tables.floats, self.tables.ints[ROAD]
-        if road[robot] != FREE and road[robot] == road[other]:
-            line = self.world.roads[road[robot]].line
-            way = abs(floats[AT][robot] - floats[AT][other])
-            if line.closed:
-                way = min(way, line.length_mm - way)
-            return way < (floats[LENGTH][robot] + floats[LENGTH][other]) / 2
-        away = math.hypot(floats[X][robot] - floats[X][other], floats[Y][robot] - floats[Y][other])
-        return away < floats[RADIUS][robot] + floats[RADIUS][other]
-
 
 def _one_of_each(members: Sequence[Member]) -> list[Member]:
     """The first agent of each image."""
@@ -395,7 +321,7 @@ def shared_tables_of(agents: Sequence[Agent]) -> SharedTables:
 def check_mission(
     mission: Mission,
     world: World,
-    images: Mapping[str, CompiledProgram],
+    images: Mapping[ImageName, CompiledProgram],
     catalogue: Catalogue,
     team: TeamPlan | None = None,
 ) -> None:

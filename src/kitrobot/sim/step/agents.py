@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from kitrobot.image.devices import Command
 from kitrobot.image.machine import Machine
+from kitrobot.primitives.image_name import ImageName
 from kitrobot.primitives.robot import Robot
 from kitrobot.sim.devices import actuators
 from kitrobot.sim.step.actuation import busy
@@ -46,7 +47,8 @@ class Agent:
     def __init__(self, index: int, name: str, program: str, robot: Robot, machine: Machine, period: int) -> None:
         self.index = index
         self.name = name
-        self.program = self.image_name = program
+        self.program = program
+        self.image_name = ImageName(program)
         self.robot = robot
         self.machine = machine
         self.period = period

@@ -56,50 +56,12 @@ PLAN_ROWS = 3
 
 def inject_fault(i: int, kind: int, cause: int, state: State) -> None:
     """Applies a fault to robot i and records the event; a fault that would change nothing is not recorded."""
-    floats = state.robots.floats
     ints = state.robots.ints
     clock = state.clock
-    down = ints[DOWN]
-    muted = ints[MUTED]
-    was_deaf = muted[i] != 0 or down[i] == FAILED
-    was_sound = muted[i] == 0 and down[i] == WELL
-    if kind == FAIL:
-        if down[i] == FAILED:
-            return
-        down[i] = FAILED
-        floats[SAVED_TARGET][i] = floats[TARGET][i]
-        floats[TARGET][i] = 0.0
-        floats[TURN][i] = 0.0
-        if ints[ENDED][i] == 0:
-            clock[LIVING] -= 1
-        count_breakdowns(state)
-    elif kind == STALL:
-        if down[i] != WELL:
-            return
-        down[i] = STALLED
-    elif kind == MUTE:
-        if muted[i]:
-            return
-        muted[i] = 1
-    elif kind == APART:
-        if not has_radio(state) or state.radio.robots[SIDE][i]:
-            return
-        state.radio.robots[SIDE][i] = 1
-    else:
-        is_apart = has_radio(state) and state.radio.robots[SIDE][i] != 0
-        if (down[i] == WELL and muted[i] == 0 and not is_apart) or not may_be_revived(i, state):
-            return
-        if is_apart:
-            state.radio.robots[SIDE][i] = 0
-        had_failed = down[i] == FAILED
-        down[i] = WELL
-        if had_failed:
-            end_breakdown(i, state)
-            floats[TARGET][i] = floats[SAVED_TARGET][i]
-            if ints[ENDED][i] == 0:
-                clock[LIVING] += 1
-        muted[i] = 0
-        ints[ASLEEP][i] = 0
+    was_deaf = is_deaf(i, state)
+    was_sound = is_sound(i, state)
+    if not change_condition(i, kind, state):
+        return
     if kind != MUTE and kind != APART:
         ints[SINCE][i] = clock[TICK]
         ints[CAUSE][i] = cause
@@ -108,15 +70,82 @@ def inject_fault(i: int, kind: int, cause: int, state: State) -> None:
     if ints[ENDED][i] == 0:
         if was_sound:
             clock[HEALTHY] -= 1
-        if muted[i] == 0 and down[i] == WELL:
+        if is_sound(i, state):
             clock[HEALTHY] += 1
-    is_deaf = muted[i] != 0 or down[i] == FAILED
     if has_radio(state):
         return
-    if is_deaf and not was_deaf:
+    if not was_deaf and is_deaf(i, state):
         leave(i, state.shared)
-    elif was_deaf and not is_deaf:
+    elif was_deaf and not is_deaf(i, state):
         rejoin(i, state)
+
+
+def is_deaf(i: int, state: State) -> bool:
+    """Whether robot i has no radio."""
+    return state.robots.ints[MUTED][i] != 0 or state.robots.ints[DOWN][i] == FAILED
+
+
+def is_sound(i: int, state: State) -> bool:
+    """Whether nothing is wrong with robot i itself."""
+    return state.robots.ints[MUTED][i] == 0 and state.robots.ints[DOWN][i] == WELL
+
+
+def change_condition(i: int, kind: int, state: State) -> bool:
+    """Changes what is wrong with robot i; False where that changes nothing."""
+    ints = state.robots.ints
+    down = ints[DOWN]
+    if kind == FAIL:
+        if down[i] == FAILED:
+            return False
+        fail(i, state)
+    elif kind == STALL:
+        if down[i] != WELL:
+            return False
+        down[i] = STALLED
+    elif kind == MUTE:
+        if ints[MUTED][i]:
+            return False
+        ints[MUTED][i] = 1
+    elif kind == APART:
+        if not has_radio(state) or state.radio.robots[SIDE][i]:
+            return False
+        state.radio.robots[SIDE][i] = 1
+    else:
+        return revive(i, state)
+    return True
+
+
+def fail(i: int, state: State) -> None:
+    """Robot i fails for good."""
+    floats = state.robots.floats
+    state.robots.ints[DOWN][i] = FAILED
+    floats[SAVED_TARGET][i] = floats[TARGET][i]
+    floats[TARGET][i] = 0.0
+    floats[TURN][i] = 0.0
+    if state.robots.ints[ENDED][i] == 0:
+        state.clock[LIVING] -= 1
+    count_breakdowns(state)
+
+
+def revive(i: int, state: State) -> bool:
+    """Makes robot i well again; False where nothing is wrong with it, or it may not be."""
+    floats = state.robots.floats
+    ints = state.robots.ints
+    is_apart = has_radio(state) and state.radio.robots[SIDE][i] != 0
+    if (is_sound(i, state) and not is_apart) or not may_be_revived(i, state):
+        return False
+    if is_apart:
+        state.radio.robots[SIDE][i] = 0
+    had_failed = ints[DOWN][i] == FAILED
+    ints[DOWN][i] = WELL
+    if had_failed:
+        end_breakdown(i, state)
+        floats[TARGET][i] = floats[SAVED_TARGET][i]
+        if ints[ENDED][i] == 0:
+            state.clock[LIVING] += 1
+    ints[MUTED][i] = 0
+    ints[ASLEEP][i] = 0
+    return True
 
 
 def inject_scheduled_faults(step: int, state: State) -> None:

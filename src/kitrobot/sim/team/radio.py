@@ -39,7 +39,6 @@ from kitrobot.sim.tables.team_columns import T_ACTUATOR, T_MISSED
 from kitrobot.sim.team.shared_variables import APART_CLOCK, APART_VALUE, APART_WRITER, note
 
 DELAY, BEAT, STALE, ANY_QUORUM = range(4)
-RADIO_NUMBERS = 4
 """Steps that a message takes, and from one beat to the next; 1: robots moved since the grid was filled; 1: somebody
 hears a majority of the team."""
 

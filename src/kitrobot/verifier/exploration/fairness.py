@@ -48,17 +48,17 @@ BUSY, DONE, FAIR, MISSING = range(4)
 """Results of `find_fair_component`: call it again, the round is over, a component was found, a table lacks an entry."""
 
 
-CAN_END, CAN_BEGIN, CAN_FORWARD, CAN_BACKWARD = range(4)
-"""Places in `masks`: the agents, as bits, whose actions may complete in a state, that may begin to roll, that may enter
-the next zone forward, or backward."""
-TAKEN_TICKS, TAKEN_BEGINS, TAKEN_ENDS, TAKEN_ZONES, TAKEN_ABSENCES = range(4, 9)
-"""Places in `masks`: the progress classes of the steps within a component, in the order of a row of `taken`."""
-CAN_PASS = 9
-"""The place in `masks` of the agents that a team may miss, or whose units may become free, in a state."""
+CAN_END, CAN_BEGIN, CAN_FORWARD, CAN_BACKWARD, CAN_PASS = range(5)
+"""Places in `enabled` and `possible`: the agents, as bits, whose actions may complete, that may begin to roll, that may
+enter the next zone forward, or backward; and those that a team may miss, or whose units may become free."""
+TICKS, BEGINS, ENDS, ZONES, ABSENCES = range(5)
+"""Places in `taken` and `starved`: the progress classes, in the order of a row of `Tables.taken`."""
+MASKS = frozenset({"numbers", "enabled", "possible", "taken", "starved"})
+"""The rows of a search that need 64 bits."""
 
 
 class ComponentSearch(NamedTuple):
-    """The data of a search, a number for each state; 32 bits are enough.
+    """The data of a search, a number for each state; 32 bits are enough. In the last four rows agents are bits.
 
     Attributes:
         numbers: see `ROOTS`.
@@ -68,8 +68,10 @@ class ComponentSearch(NamedTuple):
         roots, rest: the states of this round, and those of the next.
         stack: states whose component is not known yet.
         work, edge: the path to the current state, and the next step of each state on it.
-        masks: bits of agents: what may happen in the current state (`CAN_END` …), and the progress classes of the steps
-            within a component (`TAKEN_TICKS` …).
+        enabled: what may happen in the current state (`CAN_END` …).
+        possible: what may happen in a component: somewhere in it, but for absences, which count if they may everywhere.
+        taken: the progress classes of the steps within a component (`TICKS` …).
+        starved: those that are delayed for ever in a component.
     """
 
     numbers: Row
@@ -81,7 +83,10 @@ class ComponentSearch(NamedTuple):
     stack: Row
     work: Row
     edge: Row
-    masks: Row
+    enabled: Row
+    possible: Row
+    taken: Row
+    starved: Row
 
 
 def find_fair_component(t: Tables, g: Graph, s: ComponentSearch, steps: int) -> int:
@@ -149,99 +154,138 @@ def push_state(g: Graph, s: ComponentSearch, state: int) -> None:
 
 def assess_component(t: Tables, g: Graph, s: ComponentSearch, first: int) -> int:
     """Decides whether the top component of the stack is fair; if not, queues what is left of it for the next round."""
-    numbers, masks, stack = s.numbers, s.masks, s.stack
-    n, top, two = t.fixed[AGENTS], numbers[TOP], numbers[TWO] == 1
-    root_order, root_colour = s.order[stack[first]], s.colour[stack[first]]
-    for k in range(TAKEN_TICKS, CAN_PASS + 1):
-        masks[k] = 0
-    ends = begins = forward = backward = 0
-    waited = -1
-    is_left = top - first > 1
-    if not is_left:
-        # Most components are one state, which some event leaves eventually.
-        if not collect_enabled(t, g, s, stack[first], two):
-            return MISSING
-        is_stuck = not (
-            masks[CAN_END] or masks[CAN_BEGIN] or masks[CAN_FORWARD] ^ masks[CAN_BACKWARD] or masks[CAN_PASS]
-        )
-        for e in range(g.first_edge[stack[first]], g.first_edge[stack[first] + 1]):
-            is_stuck = is_stuck or g.targets[e] == stack[first]
-        if not is_stuck:
-            s.order[stack[first]] = -1
-            return DONE
-    for place in range(first, top):
-        state = stack[place]
-        for e in range(g.first_edge[state], g.first_edge[state + 1]):
-            target = g.targets[e]
-            if target == state:
-                is_left = True
-            if target < numbers[EXPANDED] and s.colour[target] == root_colour and s.order[target] >= root_order:
-                for k in range(TAKEN_WIDTH):
-                    masks[TAKEN_TICKS + k] |= t.taken[g.taken[e] * TAKEN_WIDTH + k]
-        if not collect_enabled(t, g, s, state, two):
-            return MISSING
-        ends, begins, forward, backward = (
-            ends | masks[CAN_END],
-            begins | masks[CAN_BEGIN],
-            forward | masks[CAN_FORWARD],
-            backward | masks[CAN_BACKWARD],
-        )
-        waited &= masks[CAN_PASS]
-    if not is_left:
-        state = stack[first]
-        rests = g.first_edge[state] == g.first_edge[state + 1]
-        if rests and is_team_over(t):
-            return FAIR
-        if not rests and t.fixed[TIMING] != LOCKSTEP:
-            decode(t, g.x[state], g.y[state] if two else 0)
-            for i in range(n):
-                if has_ticks(t, i) and not rests:
-                    idle = may_idle(t, i)
-                    if idle < 0:
-                        return MISSING
-                    rests = idle == 1
-        if not rests:
-            s.order[state] = -1
-            return DONE
-    wanted = ~masks[TAKEN_TICKS] & (1 << n) - 1
-    if t.fixed[TIMING] == LOCKSTEP:
-        wanted &= t.fixed[SLOWER]
-    place = first
-    while wanted and place < top:
-        decode(t, g.x[stack[place]], g.y[stack[place]] if two else 0)
-        for i in range(n):
-            if wanted >> i & 1:
-                idle = may_idle(t, i) if has_ticks(t, i) else 1
+    state = s.stack[first]
+    if s.numbers[TOP] - first == 1 and not has_step_to_itself(g, state):
+        found = assess_single_state(t, g, s, state)
+        if found != BUSY:
+            return found
+    if not collect_component(t, g, s, first):
+        return MISSING
+    possible, taken, starved = s.possible, s.taken, s.starved
+    starved[TICKS] = find_starved_ticks(t, g, s, first)
+    if starved[TICKS] < 0:
+        return MISSING
+    starved[BEGINS] = possible[CAN_BEGIN] & ~taken[BEGINS]
+    starved[ENDS] = possible[CAN_END] & ~taken[ENDS]
+    # Robots that roll one way, again and again, and stay in their zones.
+    starved[ZONES] = (possible[CAN_FORWARD] ^ possible[CAN_BACKWARD]) & ~taken[ZONES]
+    # A lease that could end all the time ends eventually; one that could only now and then may never end.
+    starved[ABSENCES] = possible[CAN_PASS] & ~taken[ABSENCES]
+    if not (starved[TICKS] or starved[BEGINS] or starved[ENDS] or starved[ZONES] or starved[ABSENCES]):
+        return FAIR
+    return DONE if queue_rest(t, g, s, first) else MISSING
+
+
+def has_step_to_itself(g: Graph, state: int) -> bool:
+    """Whether a step leads from a state to itself."""
+    at, end = g.first_edge[state], g.first_edge[state + 1]
+    while at < end and g.targets[at] != state:
+        at += 1
+    return at < end
+
+
+def assess_single_state(t: Tables, g: Graph, s: ComponentSearch, state: int) -> int:
+    """Decides about a component of one state without steps to itself; returns `BUSY` if a run may stay in it.
+
+    Most components are one state, which some event leaves eventually.
+    """
+    if not collect_enabled(t, g, s, state):
+        return MISSING
+    enabled = s.enabled
+    rolls = enabled[CAN_BEGIN] or enabled[CAN_FORWARD] ^ enabled[CAN_BACKWARD]
+    if not (rolls or enabled[CAN_END] or enabled[CAN_PASS]):
+        if g.first_edge[state] == g.first_edge[state + 1]:
+            return FAIR if is_team_over(t) else BUSY
+        for i in range(t.fixed[AGENTS] if t.fixed[TIMING] != LOCKSTEP else 0):
+            if has_ticks(t, i):
+                idle = may_idle(t, i)
                 if idle < 0:
                     return MISSING
                 if idle:
-                    wanted &= ~(1 << i)
+                    return BUSY
+    s.order[state] = -1
+    return DONE
+
+
+def collect_component(t: Tables, g: Graph, s: ComponentSearch, first: int) -> bool:
+    """Writes `possible` and `taken` of the top component of the stack; returns False if a table lacks an entry."""
+    enabled, possible, taken = s.enabled, s.possible, s.taken
+    expanded, root = s.numbers[EXPANDED], s.stack[first]
+    order, colour = s.order[root], s.colour[root]
+    for k in range(TAKEN_WIDTH):
+        taken[k] = 0
+    for k in range(CAN_PASS):
+        possible[k] = 0
+    possible[CAN_PASS] = -1
+    for place in range(first, s.numbers[TOP]):
+        state = s.stack[place]
+        for e in range(g.first_edge[state], g.first_edge[state + 1]):
+            target = g.targets[e]
+            if target < expanded and s.colour[target] == colour and s.order[target] >= order:
+                for k in range(TAKEN_WIDTH):
+                    taken[k] |= t.taken[g.taken[e] * TAKEN_WIDTH + k]
+        if not collect_enabled(t, g, s, state):
+            return False
+        for k in range(CAN_PASS):
+            possible[k] |= enabled[k]
+        possible[CAN_PASS] &= enabled[CAN_PASS]
+    return True
+
+
+def find_starved_ticks(t: Tables, g: Graph, s: ComponentSearch, first: int) -> int:
+    """The agents, as bits, whose ticks change something in every state of a component, and are never taken in it.
+
+    It returns -1 if a table lacks an entry.
+    """
+    n = t.fixed[AGENTS]
+    starved = ~s.taken[TICKS] & (1 << n) - 1
+    if t.fixed[TIMING] == LOCKSTEP:
+        starved &= t.fixed[SLOWER]
+    place = first
+    while starved and place < s.numbers[TOP]:
+        decode_state(t, g, s, s.stack[place])
+        for i in range(n):
+            if starved >> i & 1:
+                idle = may_idle(t, i) if has_ticks(t, i) else 1
+                if idle < 0:
+                    return -1
+                if idle:
+                    starved &= ~(1 << i)
         place += 1
-    starved_begins, starved_ends = begins & ~masks[TAKEN_BEGINS], ends & ~masks[TAKEN_ENDS]
-    # A lease that could end all the time ends eventually; one that could only now and then may never end.
-    starved = waited & ~masks[TAKEN_ABSENCES]
-    # Robots that roll one way, again and again, and stay in their zones.
-    caught = (forward ^ backward) & ~masks[TAKEN_ZONES]
-    if not wanted and not starved_begins and not starved_ends and not caught and not starved:
-        return FAIR
+    return starved
+
+
+def queue_rest(t: Tables, g: Graph, s: ComponentSearch, first: int) -> bool:
+    """Queues the states of a component in which nothing starved is possible, under a new colour, for the next round.
+
+    It returns False if a table lacks an entry.
+    """
+    numbers, enabled, starved = s.numbers, s.enabled, s.starved
     numbers[COLOUR] += 1
-    for place in range(first, top):
-        state = stack[place]
-        if not collect_enabled(t, g, s, state, two):
-            return MISSING
+    for place in range(first, numbers[TOP]):
+        state = s.stack[place]
+        if not collect_enabled(t, g, s, state):
+            return False
         s.order[state] = -1
-        keeps = not (
-            starved_begins & masks[CAN_BEGIN]
-            or starved_ends & masks[CAN_END]
-            or caught & (masks[CAN_FORWARD] | masks[CAN_BACKWARD])
-        )
-        if wanted or starved or not keeps:
+        # A tick or an absence that starves is possible in every state.
+        if (
+            starved[TICKS]
+            or starved[ABSENCES]
+            or starved[BEGINS] & enabled[CAN_BEGIN]
+            or starved[ENDS] & enabled[CAN_END]
+            or starved[ZONES] & (enabled[CAN_FORWARD] | enabled[CAN_BACKWARD])
+        ):
             s.colour[state] = 0
         else:
             s.colour[state] = numbers[COLOUR]
             s.rest[numbers[REST]] = state
             numbers[REST] += 1
-    return DONE
+    return True
+
+
+def decode_state(t: Tables, g: Graph, s: ComponentSearch, state: int) -> None:
+    """Writes the fields of a state into `now`."""
+    decode(t, g.x[state], g.y[state] if s.numbers[TWO] else 0)
 
 
 def has_ticks(t: Tables, i: int) -> bool:
@@ -250,29 +294,28 @@ def has_ticks(t: Tables, i: int) -> bool:
     return t.insides[row + I_TICKS] != 0
 
 
-def collect_enabled(t: Tables, g: Graph, s: ComponentSearch, state: int, two: bool) -> bool:
-    """Writes into `masks` what may happen in a state; returns False if a table lacks an entry."""
-    fixed = t.fixed
-    decode(t, g.x[state], g.y[state] if two else 0)
-    for k in range(4):
-        s.masks[k] = 0
-    s.masks[CAN_PASS] = 0
+def collect_enabled(t: Tables, g: Graph, s: ComponentSearch, state: int) -> bool:
+    """Writes into `enabled` what may happen in a state; returns False if a table lacks an entry."""
+    fixed, enabled = t.fixed, s.enabled
+    decode_state(t, g, s, state)
+    for k in range(CAN_PASS + 1):
+        enabled[k] = 0
     if is_team_over(t):
         return True
     if fixed[WATCHED]:
-        s.masks[CAN_PASS] = possible_absences(t)
+        enabled[CAN_PASS] = possible_absences(t)
     for i in range(fixed[AGENTS]):
         row = (i * fixed[INSIDE_STRIDE] + t.now[1 + i]) * fixed[INSIDE_WIDTH]
         if t.insides[row + I_ENDS]:
-            s.masks[CAN_END] |= 1 << i
+            enabled[CAN_END] |= 1 << i
     for road in range(fixed[ROADS]):
         conf = t.now[fixed[ROAD_FIELD] + road]
         row = conf * fixed[CONF_WIDTH]
         if t.confs[row + C_MOVES] < 0 and fill_moves(t, conf) < 0:
             return False
-        s.masks[CAN_BEGIN] |= t.confs[row + C_BEGIN]
-        s.masks[CAN_FORWARD] |= t.confs[row + C_FORWARD]
-        s.masks[CAN_BACKWARD] |= t.confs[row + C_BACKWARD]
+        enabled[CAN_BEGIN] |= t.confs[row + C_BEGIN]
+        enabled[CAN_FORWARD] |= t.confs[row + C_FORWARD]
+        enabled[CAN_BACKWARD] |= t.confs[row + C_BACKWARD]
     return True
 
 

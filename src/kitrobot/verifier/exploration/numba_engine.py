@@ -9,9 +9,9 @@ from typing import Any
 from kitrobot.sim.jit.cache import CALLED, Compilation, folder_of, functions_called, njit
 from kitrobot.sim.jit.table_pointer import TablePointer
 from kitrobot.verifier.exploration import engines
-from kitrobot.verifier.exploration.fairness import ComponentSearch
+from kitrobot.verifier.exploration.fairness import MASKS, ComponentSearch
 
-_INLINED = frozenset({"look_up_change", "decode", "emit_step", "find", "key_hash", "sense_key", "touch"})
+_INLINED = frozenset({"look_up_change", "decode", "emit_step", "find", "key_hash", "sense_key", "touch", "with_field"})
 """Short functions that run many times for each state. Inlining longer ones too makes exploration no faster, and
 compilation half as long again."""
 
@@ -55,7 +55,7 @@ def samples() -> dict[str, tuple[Any, ...]]:
     words, numbers, marks = np.zeros(1, np.int64), np.zeros(1, np.int32), np.zeros(1, np.uint8)
     kinds: dict[str, Any] = {"x": words, "y": words, "taken": np.zeros(1, np.uint16)}
     tables: list[Any] = [words] * len(engines.ArrayTables._fields)
-    rows: list[Any] = [words if name in ("numbers", "masks") else numbers for name in ComponentSearch._fields]
+    rows: list[Any] = [words if name in MASKS else numbers for name in ComponentSearch._fields]
     t = engines.ArrayTables(*tables).pointer
     g = engines.ArrayGraph(*(kinds.get(name, numbers) for name in engines.ArrayGraph._fields)).pointer
     s = TablePointer(ComponentSearch(*rows))

@@ -11,6 +11,7 @@ from collections.abc import Collection, Sequence
 from dataclasses import dataclass, field
 
 from kitrobot.mission.breakdown import BreakdownRule
+from kitrobot.primitives.image_name import ImageName
 from kitrobot.primitives.robot import RobotObject
 from kitrobot.sim.devices import actuators, collision, drive, presence, sensors, sign, work_left
 from kitrobot.sim.devices.base import Discrete
@@ -156,7 +157,7 @@ class _Builder:
         self.free: dict[Label, list[str]] = {}
         """For each sensor that may read anything, by its name on the page: the agents that distinguish its values."""
         self.rows = sensor_names(run.state, run.members)
-        self.tables: dict[str, ProgramTable] = {}
+        self.tables: dict[ImageName, ProgramTable] = {}
         self.numbers: dict[str, int] = {}
         self.agreement: Agreement | None = None
         if run.team_plan is not None:

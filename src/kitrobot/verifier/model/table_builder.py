@@ -26,6 +26,18 @@ from kitrobot.verifier.transitions.simultaneous_ticks import MOST_TOGETHER
 _TIMINGS = {Timing.LOCKSTEP: v.LOCKSTEP, Timing.PROMPT: v.PROMPT, Timing.FREE: v.FREE}
 MOST_TAKEN = 65_535
 
+_LOCKSTEP_SIZES = {
+    "move_sets": 256 * v.MOVE_SET,
+    "log": 256,
+    "taken_slots": 131_072,
+    "pool_slots": 65_536,
+    "given_slots": 65_536,
+    "after_heads": 1024 * v.AFTER_HEAD,
+    "after_slots": 2048,
+    "after": 4096 * v.AFTER,
+}
+"""How long the tables are that only lockstep needs."""
+
 KINDS = {FailureKind.FAIL: v.MAY_CRASH, FailureKind.STALL: v.MAY_STALL, FailureKind.MUTE: v.MAY_MUTE}
 """The possible kinds of faults in a model, and their bits in the tables."""
 USUAL_KINDS = (FailureKind.FAIL, FailureKind.STALL)
@@ -74,34 +86,15 @@ def build(
 
     `watched`: 0, or 1 and how many works the team has that misses members.
     """
-    docks, houses = len(run.world.docks), len(run.world.storehouses)
-    fixed = [0] * v.FIXED
-    acts = max((len(part.acts) for part in parts), default=0)
-    fields = 1 + len(parts) + len(roads.numbers)
-    fixed[v.AGENTS], fixed[v.ROADS], fixed[v.PLACES] = len(parts), len(roads.numbers), roads.places
-    fixed[v.DOCKS], fixed[v.HOUSES], fixed[v.TIMING], fixed[v.ACTS] = docks, houses, _TIMINGS[timing], acts
-    fixed[v.FIELDS], fixed[v.ROAD_FIELD] = fields + (timing is Timing.PROMPT), 1 + len(parts)
-    fixed[v.DUE_FIELD] = fields
-    fixed[v.INSIDE_WIDTH], fixed[v.INSIDE_STRIDE] = v.I_ACT + 2 * acts, 16
-    fixed[v.CONF_WIDTH] = v.C_STAND + docks + 10 * roads.places
-    fixed[v.WATCHED] = watched
-    fixed[v.SHARED_WIDTH] = v.G_STOCK + houses + len(parts) + (v.G_HOLDING + watched - 1 if watched else 0)
-    gaps = max((part.track.gaps.beyond for part in parts if part.track is not None), default=0)
-    fixed[v.USED_BITS] = 2 + 2 * (gaps + 2)
-    fixed[v.POOL_WIDTH] = P_USED + -(-roads.places * fixed[v.USED_BITS] // USED_PER_WORD)
+    docks, acts = len(run.world.docks), max((len(part.acts) for part in parts), default=0)
+    fixed = _fixed(run, parts, roads, timing, acts, watched)
+    fields = fixed[v.DUE_FIELD]
     fixed[v.MAY_FAIL], fixed[v.SLOWER] = may_fail, slower
-    fixed[v.SETTLES] = int(run.team_plan is not None)
     agents, geo, visits, act_rows = _static(run, parts, roads, docks, watched > 0)
-    taken: list[int] = [0] * (
-        v.TAKEN_WIDTH * (MOST_TAKEN if timing is Timing.LOCKSTEP else 1 + v.TAKEN_WIDTH * v.MOST_AGENTS + MOST_TOGETHER)
-    )
     regs = [0] * v.REGS
-    if timing is not Timing.LOCKSTEP:
-        for q in range(v.TAKEN_WIDTH):
-            for i in range(len(parts)):
-                taken[(1 + q * len(parts) + i) * v.TAKEN_WIDTH + q] = 1 << i
-        regs[v.TAKEN] = 1 + v.TAKEN_WIDTH * len(parts)
     is_lockstep = timing is Timing.LOCKSTEP
+    taken = [0] * (v.TAKEN_WIDTH * MOST_TAKEN) if is_lockstep else _single_classes(len(parts))
+    regs[v.TAKEN] = 0 if is_lockstep else 1 + v.TAKEN_WIDTH * len(parts)
     pool = (MOST_AT_ONCE + 2) * fixed[v.POOL_WIDTH] if is_lockstep else 1
     lines = (MOST_AT_ONCE if is_lockstep or may_fail else 4 * v.MOST_AGENTS + 4 * acts * roads.places) * v.LINE
     road_agents = [agents_[k] if k < len(agents_) else -1 for agents_ in roads.agents for k in range(roads.places)]
@@ -126,21 +119,14 @@ def build(
         confs=[0] * (64 * fixed[v.CONF_WIDTH]),
         conf_slots=[0] * 256,
         moves=[0] * (256 * v.MOVE),
-        move_sets=[0] * (256 * v.MOVE_SET if is_lockstep else 1),
-        log=[0] * (256 if is_lockstep else 1),
         taken=taken,
-        taken_slots=[0] * (131_072 if is_lockstep else 1),
         made=[0] * roads.places,
         now=[0] * (fields + 3),
         seen=[0] * (3 * len(parts) + 2 * len(roads.numbers) + 1),
         pool=[0] * pool,
-        pool_slots=[0] * (65_536 if is_lockstep else 1),
-        given_slots=[0] * (65_536 if is_lockstep else 1),
         line=[0] * lines,
         faults=[0] * lines,
-        after_heads=[0] * (1024 * v.AFTER_HEAD if is_lockstep else 1),
-        after_slots=[0] * (2048 if is_lockstep else 1),
-        after=[0] * (4096 * v.AFTER if is_lockstep else 1),
+        **{name: [0] * (size if is_lockstep else 1) for name, size in _LOCKSTEP_SIZES.items()},
         next_x=[0] * 1024,
         next_y=[0] * 1024,
         next_taken=[0] * 1024,
@@ -150,6 +136,37 @@ def build(
         events=[0] * 1024,
     )
     return tables, fields
+
+
+def _fixed(
+    run: Simulation, parts: Sequence[AgentModel], roads: Roads, timing: Timing, acts: int, watched: int
+) -> list[int]:
+    """The sizes of the tables, without those of faults. `acts`: how many actions an agent has at most."""
+    docks, houses = len(run.world.docks), len(run.world.storehouses)
+    fields = 1 + len(parts) + len(roads.numbers)
+    fixed = [0] * v.FIXED
+    fixed[v.AGENTS], fixed[v.ROADS], fixed[v.PLACES] = len(parts), len(roads.numbers), roads.places
+    fixed[v.DOCKS], fixed[v.HOUSES], fixed[v.TIMING], fixed[v.ACTS] = docks, houses, _TIMINGS[timing], acts
+    fixed[v.FIELDS], fixed[v.ROAD_FIELD] = fields + (timing is Timing.PROMPT), 1 + len(parts)
+    fixed[v.DUE_FIELD] = fields
+    fixed[v.INSIDE_WIDTH], fixed[v.INSIDE_STRIDE] = v.I_ACT + 2 * acts, 16
+    fixed[v.CONF_WIDTH] = v.C_STAND + docks + 10 * roads.places
+    fixed[v.WATCHED] = watched
+    fixed[v.SHARED_WIDTH] = v.G_STOCK + houses + len(parts) + (v.G_HOLDING + watched - 1 if watched else 0)
+    gaps = max((part.track.gaps.beyond for part in parts if part.track is not None), default=0)
+    fixed[v.USED_BITS] = 2 + 2 * (gaps + 2)
+    fixed[v.POOL_WIDTH] = P_USED + -(-roads.places * fixed[v.USED_BITS] // USED_PER_WORD)
+    fixed[v.SETTLES] = int(run.team_plan is not None)
+    return fixed
+
+
+def _single_classes(agents: int) -> list[int]:
+    """`taken` without lockstep: a row for each progress class of each agent, and room for ticks at the same time."""
+    taken = [0] * (v.TAKEN_WIDTH * (1 + v.TAKEN_WIDTH * v.MOST_AGENTS + MOST_TOGETHER))
+    for q in range(v.TAKEN_WIDTH):
+        for i in range(agents):
+            taken[(1 + q * agents + i) * v.TAKEN_WIDTH + q] = 1 << i
+    return taken
 
 
 def first_body(part: AgentModel, parts: Sequence[AgentModel], at: Sequence[float]) -> int:

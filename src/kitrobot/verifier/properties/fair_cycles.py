@@ -195,7 +195,8 @@ def _search(space: StateSpace, colour: Any, found: Any, count: int) -> f.Compone
     numbers[f.TWO] = int(space.model.layout.words == 2)
     rows = [engine.zeros(size) for _ in range(6)]
     return f.ComponentSearch(
-        engine.row(numbers), colour, rows[0], rows[1], found, rows[2], rows[3], rows[4], rows[5], engine.row([0] * 10)
+        *(engine.row(numbers), colour, rows[0], rows[1], found, *rows[2:]),
+        *(engine.row([0] * v.TAKEN_WIDTH) for _ in range(4)),
     )
 
 

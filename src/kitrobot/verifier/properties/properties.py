@@ -108,38 +108,36 @@ class Property:
         return self.waits is not None or self.breaks is not None or self.is_wrong is not None
 
 
+_CONTACT = Property(
+    "contact",
+    Sentence("no robot drives into another one on its road"),
+    broken_by=frozenset({Move.TOUCH}),
+    seen_as=(c.COLLISION,),
+    about=frozenset({Move.CLOSER, Move.TOUCH}),
+)
+_EMPTY_STOREHOUSE = Property(
+    "empty-storehouse",
+    Sentence("no arm reaches into an empty storehouse"),
+    broken_by=frozenset({EventKind.NO_BOX}),
+    seen_as=(c.NO_BOX,),
+    about=frozenset(SWINGS),
+)
+_EMPTY_SWING = Property(
+    "empty-swing",
+    Sentence("no arm moves without a carrier that it can load or unload"),
+    broken_by=frozenset({EventKind.NO_EMPTY_CARRIER, EventKind.NO_LOADED_CARRIER}),
+    seen_as=(c.NO_EMPTY_CARRIER, c.NO_LOADED_CARRIER),
+    about=frozenset(SWINGS),
+)
+
+
 def ready_properties(model: Model) -> list[Property]:
     """The properties that fit a mission."""
     found = []
     if any(len(agents) > 1 for agents in model.roads.agents):
-        found.append(
-            Property(
-                "contact",
-                Sentence("no robot drives into another one on its road"),
-                broken_by=frozenset({Move.TOUCH}),
-                seen_as=(c.COLLISION,),
-                about=frozenset({Move.CLOSER, Move.TOUCH}),
-            )
-        )
+        found.append(_CONTACT)
     if any(act.is_arm for part in model.parts for act in part.acts):
-        found.append(
-            Property(
-                "empty-storehouse",
-                Sentence("no arm reaches into an empty storehouse"),
-                broken_by=frozenset({EventKind.NO_BOX}),
-                seen_as=(c.NO_BOX,),
-                about=frozenset(SWINGS),
-            )
-        )
-        found.append(
-            Property(
-                "empty-swing",
-                Sentence("no arm moves without a carrier that it can load or unload"),
-                broken_by=frozenset({EventKind.NO_EMPTY_CARRIER, EventKind.NO_LOADED_CARRIER}),
-                seen_as=(c.NO_EMPTY_CARRIER, c.NO_LOADED_CARRIER),
-                about=frozenset(SWINGS),
-            )
-        )
+        found += [_EMPTY_STOREHOUSE, _EMPTY_SWING]
     found += _stock(model)
     found.append(
         Property(

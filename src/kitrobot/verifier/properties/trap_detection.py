@@ -15,6 +15,7 @@ from functools import lru_cache
 
 from kitrobot.image.instructions import BY_NUMBER, FORK, JOIN
 from kitrobot.image.model import Image
+from kitrobot.primitives.image_name import ImageName
 from kitrobot.sim.simulation import Simulation
 from kitrobot.verifier.exploration.exploration import StateSpace
 from kitrobot.verifier.model.abstraction import Abstraction
@@ -84,7 +85,7 @@ def record_coverage(parts: Abstraction) -> None:
         part.table = watched[id(old)]
 
 
-def unexecuted_instructions(parts: Abstraction) -> dict[str, frozenset[int]]:
+def unexecuted_instructions(parts: Abstraction) -> dict[ImageName, frozenset[int]]:
     """For each image, by name, the instructions that ran in no reaction of any agent; see `record_coverage`."""
     found = {}
     for part in parts.parts:
@@ -156,7 +157,7 @@ def find_traps(space: StateSpace, stop: Callable[[], bool]) -> list[Trap]:
                 out[number] = now
                 changed = True
     every = 2 * reached - 1 if model.goals else reached - 1
-    found: dict[tuple[str, int], Trap] = {}
+    found: dict[tuple[ImageName, int], Trap] = {}
     for number, leaves in enumerate(out):
         if leaves != every and not leaves & reached:
             for agent, slot, loop in places.trapped(leaves, space.state(number)):

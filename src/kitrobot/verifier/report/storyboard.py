@@ -28,7 +28,7 @@ Vertex = tuple[str, str]
 
 @dataclass(frozen=True)
 class SceneRobot:
-    """One robot in a scene: its pose (mm, radians), and the vertices at which its program is."""
+    """One robot in a scene: its pose (mm, radians; rounded), and the vertices at which its program is."""
 
     x_mm: float
     y_mm: float
@@ -49,7 +49,8 @@ class Culprit:
     """A vertex at which a property is broken: its agent, what happens there, and whether it repeats for ever."""
 
     agent: str
-    vertex: Vertex
+    program: str
+    vertex: str
     sentence: Sentence
     repeats: bool
 
@@ -86,7 +87,7 @@ def find_culprits(model: Model, verdict: Verdict) -> tuple[Culprit, ...]:
 
 def _at(model: Model, state: State, agents: tuple[int, ...], sentence: Sentence) -> tuple[Culprit, ...]:
     return tuple(
-        Culprit(model.parts[i].agent.name, vertex, sentence, False)
+        Culprit(model.parts[i].agent.name, *vertex, sentence, False)
         for i in agents[:_MOST_CULPRITS]
         for vertex in _vertices(model, state, i)[:1]
     )
@@ -110,9 +111,9 @@ def _for_ever(model: Model, verdict: Verdict, counterexample: Counterexample) ->
         if not places[0]:
             continue
         if all(one == places[0] for one in places):
-            waits.append(Culprit(name, places[0][0], Sentence("{agent} waits here for ever", name), True))
+            waits.append(Culprit(name, *places[0][0], Sentence("{agent} waits here for ever", name), True))
         else:
-            rounds.append(Culprit(name, places[0][0], Sentence("{agent} goes round here for ever", name), True))
+            rounds.append(Culprit(name, *places[0][0], Sentence("{agent} goes round here for ever", name), True))
     return waits or rounds
 
 
@@ -149,7 +150,7 @@ def _robots(model: Model, state: State) -> tuple[SceneRobot, ...]:
             at = begin + (end - begin) * (behind + 1) / (ahead + behind + 2)
             place = model.run.world.roads[part.road].line.pose_at(at)
             pose = place.x_mm, place.y_mm, place.heading_rad
-        found.append(SceneRobot(*pose, _vertices(model, state, i)))
+        found.append(SceneRobot(round(pose[0], 1), round(pose[1], 1), round(pose[2], 3), _vertices(model, state, i)))
     return tuple(found)
 
 

@@ -122,70 +122,105 @@ def move(t: Tables, bodies: int, k: int, i: int, which: int, behind: int) -> int
     Returns:
         What happens; NOTHING where it cannot.
     """
+    if which == 0:
+        return begin(t, bodies, k, i)
+    if which == 1:
+        return halt(t, bodies, k, i)
+    if which == 2:
+        return enter_zone(t, bodies, k, i, behind)
+    return widen_gap(t, bodies, k, i) if which == 5 else narrow_gap(t, bodies, k, i, which == 3)
+
+
+def neighbour(t: Tables, bodies: int, i: int, column: int) -> int:
+    """The body of the robot ahead of agent i (`A_LEADER`) or behind it (`A_FOLLOWER`); -1 for none."""
+    place = t.agents[i * AGENT + column]
+    return t.confs[bodies + place] if place >= 0 else -1
+
+
+def begin(t: Tables, bodies: int, k: int, i: int) -> int:
+    """A robot begins to roll, as it was told."""
+    me = t.confs[bodies + k]
+    want = want_of(me)
+    if want == 0 or way_of(me) != 0:
+        return NOTHING
+    if is_blocked(want, neighbour(t, bodies, i, A_LEADER), gap_of(me), neighbour(t, bodies, i, A_FOLLOWER)):
+        return NOTHING
+    t.made[k] = after_start(me)
+    return BEGIN
+
+
+def halt(t: Tables, bodies: int, k: int, i: int) -> int:
+    """A robot stops, as it was told, or since it presses on the one ahead."""
+    me = t.confs[bodies + k]
+    way = way_of(me)
+    if way == 0:
+        return NOTHING
+    if want_of(me) == way and not (way > 0 and gap_of(me) == PRESSED and neighbour(t, bodies, i, A_LEADER) >= 0):
+        return NOTHING
+    t.made[k] = after_stop(me)
+    return HALT
+
+
+def enter_zone(t: Tables, bodies: int, k: int, i: int, behind: int) -> int:
+    """A robot rolls into the next zone, or comes to the end of its road."""
     agents, geo, made = t.agents, t.geo, t.made
     a = i * AGENT
-    ahead_at, behind_at = agents[a + A_LEADER], agents[a + A_FOLLOWER]
     me = t.confs[bodies + k]
-    leader = t.confs[bodies + ahead_at] if ahead_at >= 0 else -1
-    follower = t.confs[bodies + behind_at] if behind_at >= 0 else -1
-    want, way, gap, zone = want_of(me), way_of(me), gap_of(me), zone_of(me)
-    beyond = agents[a + A_BEYOND]
-    if which == 0:
-        if want == 0 or way != 0 or is_blocked(want, leader, gap, follower):
-            return NOTHING
-        made[k] = after_start(me)
-        return BEGIN
-    if which == 1:
-        if way == 0 or not (want != way or (way > 0 and gap == PRESSED and leader >= 0)):
+    way, zone = way_of(me), zone_of(me)
+    if way == 0 or (agents[a + A_ZONES] < 2 and agents[a + A_CLOSED]):
+        return NOTHING
+    at = agents[a + A_ZONE_AT] + zone * (ZONE_NUMBERS + t.fixed[DOCKS])
+    if (me & NEW_ZONE and me & TICKS and geo[at]) or (me & HELD_ZONE and geo[at + 1]):
+        return NOTHING
+    to = next_zone(agents, i, zone, way)
+    if to < 0:
+        if want_of(me) != way:
             return NOTHING
         made[k] = after_stop(me)
         return HALT
-    if which == 2:
-        if way == 0 or (agents[a + A_ZONES] < 2 and agents[a + A_CLOSED]):
+    after = after_zone_entry(me, to)
+    leader, follower = neighbour(t, bodies, i, A_LEADER), neighbour(t, bodies, i, A_FOLLOWER)
+    if leader >= 0:
+        further = gap_after_zone(agents, geo, i, gap_of(me), to, zones_ahead(agents, i, me, leader) - way)
+        if further < 0:
             return NOTHING
-        at = agents[a + A_ZONE_AT] + zone * (ZONE_NUMBERS + t.fixed[DOCKS])
-        if (me & NEW_ZONE and me & TICKS and geo[at]) or (me & HELD_ZONE and geo[at + 1]):
+        after = with_gap(after, further)
+    if follower >= 0:
+        theirs = gap_of(follower)
+        ahead = zones_ahead(agents, behind, follower, me) + way
+        nearer = gap_after_zone(agents, geo, behind, theirs, zone_of(follower), ahead)
+        if nearer < 0:
             return NOTHING
-        to = next_zone(agents, i, zone, way)
-        if to < 0:
-            if want != way:
-                return NOTHING
-            made[k] = after_stop(me)
-            return HALT
-        after = after_zone_entry(me, to)
-        if leader >= 0:
-            further = gap_after_zone(agents, geo, i, gap, to, zones_ahead(agents, i, me, leader) - way)
-            if further < 0:
-                return NOTHING
-            after = with_gap(after, further)
-        if follower >= 0:
-            theirs = gap_of(follower)
-            nearer = gap_after_zone(
-                agents, geo, behind, theirs, zone_of(follower), zones_ahead(agents, behind, follower, me) + way
-            )
-            if nearer < 0:
-                return NOTHING
-            if nearer != theirs:
-                made[behind_at] = after_gap_change(follower, nearer)
-        made[k] = after
-        return ZONE
-    if leader < 0 or gap > beyond:
+        if nearer != theirs:
+            made[agents[a + A_FOLLOWER]] = after_gap_change(follower, nearer)
+    made[k] = after
+    return ZONE
+
+
+def widen_gap(t: Tables, bodies: int, k: int, i: int) -> int:
+    """The gap of a robot to the one ahead becomes one class wider."""
+    me, leader = t.confs[bodies + k], neighbour(t, bodies, i, A_LEADER)
+    gap = gap_of(me)
+    if leader < 0 or gap >= t.agents[i * AGENT + A_BEYOND] or not (way_of(leader) > 0 or way_of(me) < 0):
         return NOTHING
-    ahead = zones_ahead(agents, i, me, leader)
-    if which == 5:
-        if (
-            gap >= beyond
-            or not (way_of(leader) > 0 or way < 0)
-            or not is_gap_possible(agents, geo, i, zone, ahead, gap + 1)
-        ):
-            return NOTHING
-        made[k] = after_gap_change(me, gap + 1)
-        return WIDER
-    if gap <= PRESSED or not is_gap_possible(agents, geo, i, zone, ahead, gap - 1):
+    if not is_gap_possible(t.agents, t.geo, i, zone_of(me), zones_ahead(t.agents, i, me, leader), gap + 1):
         return NOTHING
-    if which == 3:
-        at = agents[a + A_GAP_AT] + gap * GAP_NUMBERS
-        if way <= 0 or (me & NEW_GAP and me & TICKS and geo[at]) or (me & HELD_GAP and geo[at + 1]):
+    t.made[k] = after_gap_change(me, gap + 1)
+    return WIDER
+
+
+def narrow_gap(t: Tables, bodies: int, k: int, i: int, approaches: bool) -> int:
+    """The gap of a robot to the one ahead becomes one class narrower: it approaches, or the other one backs up."""
+    agents, geo, made = t.agents, t.geo, t.made
+    me, leader = t.confs[bodies + k], neighbour(t, bodies, i, A_LEADER)
+    gap = gap_of(me)
+    if leader < 0 or gap > agents[i * AGENT + A_BEYOND] or gap <= PRESSED:
+        return NOTHING
+    if not is_gap_possible(agents, geo, i, zone_of(me), zones_ahead(agents, i, me, leader), gap - 1):
+        return NOTHING
+    if approaches:
+        at = agents[i * AGENT + A_GAP_AT] + gap * GAP_NUMBERS
+        if way_of(me) <= 0 or (me & NEW_GAP and me & TICKS and geo[at]) or (me & HELD_GAP and geo[at + 1]):
             return NOTHING
         after = after_approach(me, gap - 1)
         made[k] = after_stop(after) if gap - 1 == PRESSED else after
@@ -194,5 +229,5 @@ def move(t: Tables, bodies: int, k: int, i: int, which: int, behind: int) -> int
             return NOTHING
         made[k] = after_gap_change(me, gap - 1)
         if gap - 1 == PRESSED:
-            made[ahead_at] = after_stop(leader)
+            made[agents[i * AGENT + A_LEADER]] = after_stop(leader)
     return CLOSER if gap - 1 > TOUCHING else TOUCH

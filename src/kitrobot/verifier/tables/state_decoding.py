@@ -62,6 +62,12 @@ def decode(t: Tables, x: int, y: int) -> None:
     now[t.fixed[FIELDS]] = loaded
 
 
+def with_field(t: Tables, f: int, before: int, after: int, x: int, y: int) -> tuple[int, int]:
+    """A key after one of its fields changed."""
+    d = (before ^ after) << t.shift[f]
+    return (x, y ^ d) if t.word[f] else (x ^ d, y)
+
+
 def sense_key(t: Tables, i: int) -> int:
     """The key of agent i's reaction in the state of `now`: everything that decides its tick, and its stored values."""
     fixed, now, agents = t.fixed, t.now, t.agents

@@ -45,7 +45,7 @@ from kitrobot.verifier.tables.columns import (
     WATCHED,
 )
 from kitrobot.verifier.tables.events import FREED, MISSED
-from kitrobot.verifier.tables.state_decoding import decode, look_up_change
+from kitrobot.verifier.tables.state_decoding import decode, look_up_change, with_field
 from kitrobot.verifier.tables.tables import Tables
 from kitrobot.verifier.tables.traffic import conf_after_fault
 
@@ -86,7 +86,7 @@ def detect_absences(t: Tables, first: int, room: int, chosen: int) -> int:
     The last row has the key of the state, even if there is no event. `chosen` selects, as bits, which of the possible
     events happen; `CHOICES` returns how many there are.
     """
-    fixed, now, faults, insides = t.fixed, t.now, t.faults, t.insides
+    fixed, now, faults = t.fixed, t.now, t.faults
     x, y = faults[first * LINE], faults[first * LINE + 1]
     decode(t, x, y)
     shared, may, rows, parent = now[0], 0, 0, first
@@ -105,48 +105,28 @@ def detect_absences(t: Tables, first: int, room: int, chosen: int) -> int:
                     rows += 1
                 may += 1
     for i in range(fixed[AGENTS]):
-        if not team_column(t, shared, G_MEMBERS) >> i & 1:
+        what = absence_change(t, shared, i)
+        if what < 0:
             continue
-        row = (i * fixed[INSIDE_STRIDE] + now[1 + i]) * fixed[INSIDE_WIDTH]
-        is_up = insides[row + I_DOWN] == RUNS
-        is_silent = team_column(t, shared, G_SILENT) >> i & 1 == 1
-        becomes = -1
-        if is_up and not insides[row + I_MUTED]:
-            if is_silent:
-                if team_column(t, shared, G_MISSED) >> i & 1:
-                    becomes = ANEW
-                shared = after_absence(t, shared, i, W_BACK)
-        elif not is_silent:
-            shared = after_absence(t, shared, i, W_SILENT)
-        elif team_column(t, shared, G_PLAYING) >> i & 1:
-            if chosen >> may & 1:
-                becomes = ANEW if is_up else LOST
-                shared = after_absence(t, shared, i, W_ANEW if is_up else W_MISSED)
-                passed |= 1 << i
-                kinds |= 1 << MISSED
-                if not write_event(t, room + rows, parent, MISSED | i << E_AGENT, kinds, passed):
-                    return -1
-                parent = room + rows
-                rows += 1
+        becomes = ANEW if what == W_BACK and team_column(t, shared, G_MISSED) >> i & 1 else -1
+        if what in (W_ANEW, W_MISSED):
             may += 1
+            if not chosen >> may - 1 & 1:
+                continue
+            becomes = ANEW if what == W_ANEW else LOST
+            passed |= 1 << i
+            kinds |= 1 << MISSED
+            if not write_event(t, room + rows, parent, MISSED | i << E_AGENT, kinds, passed):
+                return -1
+            parent = room + rows
+            rows += 1
+        shared = after_absence(t, shared, i, what)
         if shared < 0:
             return -1
         if becomes >= 0:
-            inside = insides[row + I_BEFALLEN + becomes]
-            if inside < 0:
-                t.regs[CODE], t.regs[MISS_A], t.regs[MISS_B] = MISS_DOWN, i, becomes
+            x, y, is_known = key_after_absence(t, i, becomes, x, y)
+            if not is_known:
                 return -1
-            d = (now[1 + i] ^ inside) << t.shift[1 + i]
-            x, y = (x, y ^ d) if t.word[1 + i] else (x ^ d, y)
-            road = t.agents[i * AGENT + A_ROAD]
-            if road >= 0 and becomes == ANEW:
-                f = fixed[ROAD_FIELD] + road
-                before = (y if t.word[f] else x) >> t.shift[f] & t.mask[f]
-                conf = conf_after_fault(t, before, t.agents[i * AGENT + A_PLACE], ANEW)
-                if conf < 0:
-                    return -1
-                d = (before ^ conf) << t.shift[f]
-                x, y = (x, y ^ d) if t.word[f] else (x ^ d, y)
     x ^= (now[0] ^ shared) << t.shift[0]
     t.regs[CHOICES] = may
     if may > MOST_CHOICES or (rows == 0 and not write_event(t, room, -1, 0, kinds, 0)):
@@ -155,6 +135,42 @@ def detect_absences(t: Tables, first: int, room: int, chosen: int) -> int:
     at = (room + max(rows, 1) - 1) * LINE
     faults[at], faults[at + 1] = x, y
     return rows
+
+
+def absence_change(t: Tables, shared: int, i: int) -> int:
+    """The absence event that agent i may have: `W_BACK`, `W_SILENT`, `W_MISSED` or `W_ANEW`; -1 for none."""
+    fixed = t.fixed
+    if not team_column(t, shared, G_MEMBERS) >> i & 1:
+        return -1
+    row = (i * fixed[INSIDE_STRIDE] + t.now[1 + i]) * fixed[INSIDE_WIDTH]
+    is_up = t.insides[row + I_DOWN] == RUNS
+    is_silent = team_column(t, shared, G_SILENT) >> i & 1 == 1
+    if is_up and not t.insides[row + I_MUTED]:
+        return W_BACK if is_silent else -1
+    if not is_silent:
+        return W_SILENT
+    if not team_column(t, shared, G_PLAYING) >> i & 1:
+        return -1
+    return W_ANEW if is_up else W_MISSED
+
+
+def key_after_absence(t: Tables, i: int, becomes: int, x: int, y: int) -> tuple[int, int, bool]:
+    """A key after agent i was missed, or begins anew (`becomes`); False if a table lacks an entry."""
+    fixed, now = t.fixed, t.now
+    inside = t.insides[(i * fixed[INSIDE_STRIDE] + now[1 + i]) * fixed[INSIDE_WIDTH] + I_BEFALLEN + becomes]
+    if inside < 0:
+        t.regs[CODE], t.regs[MISS_A], t.regs[MISS_B] = MISS_DOWN, i, becomes
+        return x, y, False
+    x, y = with_field(t, 1 + i, now[1 + i], inside, x, y)
+    road = t.agents[i * AGENT + A_ROAD]
+    if road >= 0 and becomes == ANEW:
+        f = fixed[ROAD_FIELD] + road
+        before = (y if t.word[f] else x) >> t.shift[f] & t.mask[f]
+        conf = conf_after_fault(t, before, t.agents[i * AGENT + A_PLACE], ANEW)
+        if conf < 0:
+            return x, y, False
+        x, y = with_field(t, f, before, conf, x, y)
+    return x, y, True
 
 
 def write_event(t: Tables, at: int, parent: int, event: int, kinds: int, passed: int) -> bool:

@@ -54,7 +54,6 @@ def fill_move_sets(t: Tables, conf: int) -> int:
     """
     regs, fixed, pool = t.regs, t.fixed, t.pool
     width, conf_width = fixed[POOL_WIDTH], fixed[CONF_WIDTH]
-    used = width - P_USED
     first, first_log = regs[MOVE_SETS], regs[LOG]
     for k in range(width):
         pool[k] = 0
@@ -77,26 +76,9 @@ def fill_move_sets(t: Tables, conf: int) -> int:
                 t.given_slots[slot] = at + 1
                 pool[row + P_GIVEN] = slot
                 code = write_move_set(t, at)
-        begins = t.confs[now * conf_width + C_MOVE]
-        for m in range(begins, begins + moves):
-            after, event = t.moves[m * MOVE], t.moves[m * MOVE + 1]
-            bit = own_bit(t, after, event)
-            new = count * width
-            if pool[row + P_USED + bit // USED_PER_WORD] >> bit % USED_PER_WORD & 1:
-                continue
-            for k in range(used):
-                pool[new + P_USED + k] = pool[row + P_USED + k]
-            pool[new + P_USED + bit // USED_PER_WORD] |= 1 << bit % USED_PER_WORD
-            pool[new + P_CONF], pool[new + P_PARENT], pool[new + P_EVENT], pool[new + P_GIVEN] = after, at, event, -1
-            slot = pool_slot(t, count, False)
-            if t.pool_slots[slot] != 0:
-                continue
-            pool[new + P_SLOT] = slot
-            t.pool_slots[slot] = count + 1
-            count += 1
-            if count > MOST_AT_ONCE:
-                code = TOO_MANY
-                break
+        count = add_moves(t, at, moves, count)
+        if count > MOST_AT_ONCE:
+            code = TOO_MANY
         at += 1
     for k in range(count):
         t.pool_slots[pool[k * width + P_SLOT]] = 0
@@ -109,6 +91,31 @@ def fill_move_sets(t: Tables, conf: int) -> int:
     t.confs[conf * conf_width + C_MOVE_SET] = first
     t.confs[conf * conf_width + C_MOVE_SETS] = regs[MOVE_SETS] - first
     return regs[MOVE_SETS] - first
+
+
+def add_moves(t: Tables, at: int, moves: int, count: int) -> int:
+    """Adds a row to the pool for each move after row `at` that is new; returns how many rows there are then."""
+    pool, width = t.pool, t.fixed[POOL_WIDTH]
+    row = at * width
+    first = t.confs[pool[row + P_CONF] * t.fixed[CONF_WIDTH] + C_MOVE]
+    m = first
+    while m < first + moves and count <= MOST_AT_ONCE:
+        after, event = t.moves[m * MOVE], t.moves[m * MOVE + 1]
+        m += 1
+        bit = own_bit(t, after, event)
+        if pool[row + P_USED + bit // USED_PER_WORD] >> bit % USED_PER_WORD & 1:
+            continue
+        new = count * width
+        for k in range(P_USED, width):
+            pool[new + k] = pool[row + k]
+        pool[new + P_USED + bit // USED_PER_WORD] |= 1 << bit % USED_PER_WORD
+        pool[new + P_CONF], pool[new + P_PARENT], pool[new + P_EVENT], pool[new + P_GIVEN] = after, at, event, -1
+        slot = pool_slot(t, count, False)
+        if t.pool_slots[slot] == 0:
+            pool[new + P_SLOT] = slot
+            t.pool_slots[slot] = count + 1
+            count += 1
+    return count
 
 
 def own_bit(t: Tables, after: int, event: int) -> int:

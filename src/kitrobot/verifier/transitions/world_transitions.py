@@ -59,7 +59,7 @@ from kitrobot.verifier.tables.events import (
     STALL,
     UNLOADED,
 )
-from kitrobot.verifier.tables.state_decoding import find_silenced, look_up_change
+from kitrobot.verifier.tables.state_decoding import find_silenced, look_up_change, with_field
 from kitrobot.verifier.tables.tables import Tables
 from kitrobot.verifier.tables.traffic import conf_after_fault
 
@@ -70,16 +70,13 @@ FAULT_KINDS = 4
 
 def write_completions(t: Tables, x: int, y: int, i: int, first: int) -> int:
     """Writes the possible completions of agent i in the state of `now` into rows of `line`; returns how many."""
-    fixed, now, insides, line = t.fixed, t.now, t.insides, t.line
-    stride, width = fixed[INSIDE_STRIDE], fixed[INSIDE_WIDTH]
-    row = (i * stride + now[1 + i]) * width
+    fixed, now = t.fixed, t.now
+    row = (i * fixed[INSIDE_STRIDE] + now[1 + i]) * fixed[INSIDE_WIDTH] + I_ACT
     found = 0
     for n in range(t.agents[i * AGENT + A_ACTS]):
-        busy = insides[row + I_ACT + 2 * n]
-        if busy == 0:
+        if t.insides[row + 2 * n] == 0:
             continue
-        done = insides[row + I_ACT + 2 * n + 1]
-        if done < 0:
+        if t.insides[row + 2 * n + 1] < 0:
             t.regs[CODE], t.regs[MISS_A], t.regs[MISS_B] = MISS_DONE, i, n
             return -1
         act = (t.agents[i * AGENT + A_ACT] + n) * ACT
@@ -94,45 +91,57 @@ def write_completions(t: Tables, x: int, y: int, i: int, first: int) -> int:
                 while not carriers >> carrier & 1:
                     carrier += 1
                 carriers &= ~(1 << carrier)
-            event, to, write, nx, ny = DONE | i << E_AGENT, -1, 0, x, y
-            loads = busy == 1
-            if t.acts[act]:
-                stock = t.shared[now[0] * fixed[SHARED_WIDTH] + G_STOCK + t.acts[act + 2]]
-                if carrier < 0 or (now[fixed[FIELDS]] >> carrier & 1 == 1) == loads:
-                    what = NO_EMPTY_CARRIER if loads else NO_LOADED_CARRIER
-                    event = what | i << E_AGENT | t.acts[act + 1] + 1 << E_OTHER
-                elif loads and stock == 0:
-                    event = NO_BOX | i << E_AGENT | t.acts[act + 2] + 1 << E_OTHER
-                elif loads or stock < t.acts[act + 4]:
-                    event = (LOADED if loads else UNLOADED) | i << E_AGENT | carrier + 1 << E_OTHER
-                    to = insides[(carrier * stride + now[1 + carrier]) * width + I_LOADED]
-                    if to < 0:
-                        t.regs[CODE], t.regs[MISS_A] = MISS_LOADED, carrier
-                        return -1
-                    write = 1 + 2 * t.acts[act + 2] + (0 if loads else 1)
-                else:
-                    event = 0
-            if event != 0:
-                if (first + found + 1) * LINE > len(line):
-                    t.regs[CODE] = TOO_MANY
-                    return -1
-                if carrier != i or to < 0:
-                    d = (now[1 + i] ^ done) << t.shift[1 + i]
-                    nx, ny = (nx, ny ^ d) if t.word[1 + i] else (nx ^ d, ny)
-                if to >= 0:
-                    d = (now[1 + carrier] ^ to) << t.shift[1 + carrier]
-                    nx, ny = (nx, ny ^ d) if t.word[1 + carrier] else (nx ^ d, ny)
-                if write:
-                    after = look_up_change(t, now[0], write)
-                    if after < 0:
-                        return -1
-                    nx ^= (now[0] ^ after) << t.shift[0]
-                at = (first + found) * LINE
-                line[at], line[at + 1], line[at + 2], line[at + 3] = nx, ny, event, -1
-                found += 1
+            written = write_completion(t, x, y, i, n, carrier, first + found)
+            if written < 0:
+                return -1
+            found += written
             if not carriers:
                 break
     return found
+
+
+def write_completion(t: Tables, x: int, y: int, i: int, n: int, carrier: int, at: int) -> int:
+    """Writes the completion of action n of agent i, of an arm at a carrier (-1: none), into a row of `line`.
+
+    It returns 1; 0 if it cannot be completed there.
+    """
+    fixed, now, insides = t.fixed, t.now, t.insides
+    stride, width = fixed[INSIDE_STRIDE], fixed[INSIDE_WIDTH]
+    row = (i * stride + now[1 + i]) * width + I_ACT + 2 * n
+    act = (t.agents[i * AGENT + A_ACT] + n) * ACT
+    loads, done = insides[row] == 1, insides[row + 1]
+    event, to, write = DONE | i << E_AGENT, -1, 0
+    if t.acts[act]:
+        stock = t.shared[now[0] * fixed[SHARED_WIDTH] + G_STOCK + t.acts[act + 2]]
+        if carrier < 0 or (now[fixed[FIELDS]] >> carrier & 1 == 1) == loads:
+            what = NO_EMPTY_CARRIER if loads else NO_LOADED_CARRIER
+            event = what | i << E_AGENT | t.acts[act + 1] + 1 << E_OTHER
+        elif loads and stock == 0:
+            event = NO_BOX | i << E_AGENT | t.acts[act + 2] + 1 << E_OTHER
+        elif loads or stock < t.acts[act + 4]:
+            event = (LOADED if loads else UNLOADED) | i << E_AGENT | carrier + 1 << E_OTHER
+            to = insides[(carrier * stride + now[1 + carrier]) * width + I_LOADED]
+            if to < 0:
+                t.regs[CODE], t.regs[MISS_A] = MISS_LOADED, carrier
+                return -1
+            write = 1 + 2 * t.acts[act + 2] + (0 if loads else 1)
+        else:
+            return 0
+    if (at + 1) * LINE > len(t.line):
+        t.regs[CODE] = TOO_MANY
+        return -1
+    if carrier != i or to < 0:
+        x, y = with_field(t, 1 + i, now[1 + i], done, x, y)
+    if to >= 0:
+        x, y = with_field(t, 1 + carrier, now[1 + carrier], to, x, y)
+    if write:
+        after = look_up_change(t, now[0], write)
+        if after < 0:
+            return -1
+        x ^= (now[0] ^ after) << t.shift[0]
+    put = at * LINE
+    t.line[put], t.line[put + 1], t.line[put + 2], t.line[put + 3] = x, y, event, -1
+    return 1
 
 
 def write_faults(t: Tables, x: int, y: int, i: int, first: int, since: int) -> int:
@@ -169,8 +178,7 @@ def write_faults(t: Tables, x: int, y: int, i: int, first: int, since: int) -> i
         if inside < 0:
             t.regs[CODE], t.regs[MISS_A], t.regs[MISS_B] = MISS_DOWN, i, to
             return -1
-        d = (now[1 + i] ^ inside) << t.shift[1 + i]
-        nx, ny = (x, y ^ d) if t.word[1 + i] else (x ^ d, y)
+        nx, ny = with_field(t, 1 + i, now[1 + i], inside, x, y)
         if n > 0:
             after = look_up_change(t, now[0], 1 + 2 * fixed[HOUSES])
             if after < 0:
@@ -182,8 +190,7 @@ def write_faults(t: Tables, x: int, y: int, i: int, first: int, since: int) -> i
             conf = conf_after_fault(t, now[f], t.agents[i * AGENT + A_PLACE], to)
             if conf < 0:
                 return -1
-            d = (now[f] ^ conf) << t.shift[f]
-            nx, ny = (nx, ny ^ d) if t.word[f] else (nx ^ d, ny)
+            nx, ny = with_field(t, f, now[f], conf, nx, ny)
         at = (first + found) * LINE
         t.faults[at], t.faults[at + 1], t.faults[at + 2], t.faults[at + 3] = nx, ny, event | i << E_AGENT, -1
         found += 1

@@ -83,7 +83,7 @@ export function Choices({ field, value, label, set, leave, onFocus, testid, focu
         })}
       </span>
       {look === "lights" && chosen !== undefined ? (
-        <span className="choices-large" aria-hidden="true">
+        <span className="choices-large row small-text rigid" aria-hidden="true">
           <svg width="78" height="78" viewBox="-.6 -.6 6 6">
             <path className="lights-off" d={lightsPath("1".repeat(25))} />
             <path className="lights-on" d={lightsPath(chosen.lights ?? "")} />

@@ -53,10 +53,10 @@ export function Dial({ field, value, label, set, leave, onFocus }: ControlProps)
   const rounds = Math.floor(Math.abs(degrees) / 360);
   const [hx, hy] = at(degrees, R);
   return (
-    <span className="field-dial">
+    <span className="field-dial row">
       <svg
         ref={face}
-        className="dial"
+        className="dial rigid"
         width={SIZE}
         height={SIZE}
         viewBox="-62 -62 124 124"
@@ -108,11 +108,11 @@ export function Dial({ field, value, label, set, leave, onFocus }: ControlProps)
         </g>
         <circle className="dial-handle" cx={hx} cy={hy} r="8" />
       </svg>
-      <span className="dial-side">
-        <span className="dial-words">
+      <span className="dial-side column">
+        <span className="dial-words muted">
           {name === undefined ? (rounds > 0 ? t("fields.rounds", { count: rounds }) : "") : t(name)}
         </span>
-        <span className="field-usual">
+        <span className="field-usual wrap">
           {usualAngles(field).map((angle) => {
             const number = Math.round(angle / field.scale);
             return (

@@ -139,7 +139,7 @@ function NumberRow(props: FieldProps) {
 
   const control = { field, value: shown, label, set: put, leave, onFocus };
   const box = (
-    <span className={wrong ? "field-number is-wrong" : "field-number"}>
+    <span className={wrong ? "field-number row rigid is-wrong" : "field-number row rigid"}>
       <input
         ref={input}
         id={id}
@@ -166,12 +166,12 @@ function NumberRow(props: FieldProps) {
           put(within(value + by * (event.shiftKey ? 10 : 1), field));
         }}
       />
-      {unitOf(field) === "" ? null : <span className="field-unit">{unitOf(field)}</span>}
+      {unitOf(field) === "" ? null : <span className="muted rigid">{unitOf(field)}</span>}
     </span>
   );
   return (
-    <div className="field-row" data-field={field.meaning?.field ?? ""}>
-      <label className="field-label" htmlFor={id}>
+    <div className="field-row row wrap" data-field={field.meaning?.field ?? ""}>
+      <label className="field-label muted small-text rigid" htmlFor={id}>
         {label}
       </label>
       <Control {...props} control={control} />
@@ -215,7 +215,7 @@ function Says({ id, field, typed, meant, isDraft, help }: SaysProps) {
   const rounded = meant !== null && isDraft && isRounded(typed, meant, field);
   const says = rounded ? t("fields.nearest", { words: inWords(field, meant) }) : help;
   return says === "" ? null : (
-    <p className="field-help" id={id}>
+    <p className="field-help muted small-text" id={id}>
       {says}
     </p>
   );
@@ -255,10 +255,10 @@ function SwitchRow(props: FieldProps) {
   const { leave, onFocus } = useLeaving(props, set);
   const on = isOn(vertex.settings[field.name] ?? "");
   return (
-    <label className="field-row">
-      <span className="field-label">{text(field.label, field.name)}</span>
+    <label className="field-row row wrap">
+      <span className="field-label muted small-text rigid">{text(field.label, field.name)}</span>
       <span className="field-space" />
-      <span className="field-unit">{t(on ? "parts.on" : "parts.off")}</span>
+      <span className="muted rigid">{t(on ? "parts.on" : "parts.off")}</span>
       <Switch
         on={on}
         label={text(field.label, field.name)}
@@ -297,7 +297,7 @@ export function Switch({ on, label, testid, toggle, focused = false, onFocus, on
       ref={button}
       type="button"
       role="switch"
-      className="switch"
+      className="switch rigid"
       data-inspector-field=""
       data-testid={testid}
       aria-checked={on}
@@ -318,8 +318,8 @@ function TextRow(props: FieldProps) {
     if (typed !== undefined) input.current?.select();
   }, [typed]);
   return (
-    <label className="field-row">
-      <span className="field-label">{text(field.label, field.name)}</span>
+    <label className="field-row row wrap">
+      <span className="field-label muted small-text rigid">{text(field.label, field.name)}</span>
       <input
         ref={input}
         type="text"

@@ -106,7 +106,7 @@ export function NumberInput(props: NumberInputProps) {
         onBlur={() => isStored.current || store()}
       />
       {wrong === "" ? null : (
-        <small className="number-why" id={why} role="alert">
+        <small className="number-why small-text" id={why} role="alert">
           {wrong}
         </small>
       )}

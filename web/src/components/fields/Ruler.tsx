@@ -35,7 +35,7 @@ export function Ruler({
   };
   return (
     <span
-      className="field-ruler"
+      className="field-ruler column"
       role="slider"
       tabIndex={0}
       aria-label={label}
@@ -76,7 +76,7 @@ export function Ruler({
         ))}
         <span className="ruler-handle" style={{ insetInlineStart: share(value) }} />
       </span>
-      <span className="field-marks" aria-hidden="true">
+      <span className="field-marks muted" aria-hidden="true">
         <span>{decimal(min * field.scale)}</span>
         <span>{decimal(((min + max) / 2) * field.scale)}</span>
         <span>{withUnit(decimal(max * field.scale), field)}</span>

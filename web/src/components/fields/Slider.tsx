@@ -62,7 +62,7 @@ export function Slider(props: ControlProps) {
   }
   const place = placeOfTime(value * field.scale);
   return (
-    <span className="field-time">
+    <span className="field-time column">
       <input
         {...common}
         aria-describedby={marks}
@@ -74,7 +74,7 @@ export function Slider(props: ControlProps) {
           set(numberOfTime(event.target.valueAsNumber / FINE, field));
         }}
       />
-      <span className="field-marks" id={marks} aria-hidden="true">
+      <span className="field-marks muted" id={marks} aria-hidden="true">
         {MARKS.map((mark) => (
           <span key={mark}>{mark === MARKS.at(-1) ? withUnit(String(mark), field) : mark}</span>
         ))}

@@ -6,20 +6,13 @@ import { createRoot } from "react-dom/client";
 import type { Drawing } from "../../session/drawing";
 import { loadIcons } from "../../theme";
 import { GraphDrawing } from "./GraphDrawing";
-import { inTheme, onPaper } from "./ink";
+import { inTheme } from "./ink";
 
 /** What an icon looks like whose name is not known yet. */
 export const UNKNOWN_ICON = ".lucide-square-dashed";
 
-interface Wanted {
-  /** The text that the drawing carries. */
-  inside?: string;
-  /** In light colours, whatever the theme. */
-  paper?: boolean;
-}
-
-/** The graph of a program as an `svg` element that stands alone. */
-export async function drawn(drawing: Drawing, { inside = "", paper = false }: Wanted = {}): Promise<Element> {
+/** The graph of a program as an `svg` element that stands alone; `inside` is the text that it carries. */
+export async function drawn(drawing: Drawing, inside: string): Promise<Element> {
   const draw = () => {
     const place = document.createElement("div");
     const root = createRoot(place);
@@ -31,9 +24,8 @@ export async function drawn(drawing: Drawing, { inside = "", paper = false }: Wa
     if (picture === undefined) throw new Error("the graph was not drawn");
     return picture;
   };
-  const now = () => (paper ? onPaper(draw) : inTheme(draw));
-  const first = now();
+  const first = inTheme(draw);
   if (first.querySelector(UNKNOWN_ICON) === null) return first;
   await loadIcons();
-  return now();
+  return inTheme(draw);
 }

@@ -37,9 +37,7 @@ export function Text({ x, y, size, bold = false, colour, children }: TextProps) 
       direction={runsLeft ? "rtl" : "ltr"}
       textAnchor={runsLeft === mirrored() ? "start" : "end"}
       fill={token(colour)}
-      {...(KNOWN.test(children) && width > 0
-        ? { textLength: width, lengthAdjust: "spacingAndGlyphs" }
-        : { "data-room": width })}
+      {...(KNOWN.test(children) && width > 0 ? { textLength: width, lengthAdjust: "spacingAndGlyphs" } : {})}
     >
       {children}
     </text>

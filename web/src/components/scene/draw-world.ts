@@ -3,7 +3,7 @@
  *
  * Measures in px hold where a robot is 54 px long; `unit` is how many real px one of those is.
  */
-import type { Dock, Road, Storehouse } from "../../api/wire";
+import type { DockPose, Road, Storehouse } from "../../api/wire";
 import type { World } from "../../model/types";
 import { fontOf } from "../../theme";
 import { type Camera, type Room, toScreen } from "./camera";
@@ -142,7 +142,7 @@ function drawSigns(brush: Brush, road: Road): void {
   }
 }
 
-function drawDock(brush: Brush, dock: Dock, world: World): void {
+function drawDock(brush: Brush, dock: DockPose, world: World): void {
   const { pen, camera, colours, unit } = brush;
   const road = world.roads.find((one) => one.name === dock.road);
   if (road === undefined) return;

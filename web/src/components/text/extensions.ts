@@ -98,7 +98,7 @@ class Numbered extends GutterMarker {
       box.className = "line-number";
       box.textContent = String(this.line);
     } else {
-      box.className = "token token-small";
+      box.className = "token token-small rigid";
       box.textContent = this.threads;
     }
     return box;

@@ -1,8 +1,8 @@
 /** On a phone: which room is open under the graph. What a narrow page looks like is in narrow.css. */
 import { t } from "../../i18n/words";
 import { type Panel, useLayout } from "../../session/layout";
-import { useNarrow } from "../../session/narrow";
-import { useStage } from "../../session/stage";
+import { toggleRoom, useNarrow } from "../../session/narrow";
+import { enlargeStage } from "../../session/stage";
 import { Icon } from "../../theme";
 
 const ROOMS: readonly [room: Panel, icon: string][] = [
@@ -16,8 +16,8 @@ function open(room: Panel): void {
   const { folded, toggle } = useLayout.getState();
   // It may have been folded away on a wide page.
   if (folded[room]) toggle(room);
-  useStage.setState({ large: false });
-  useNarrow.setState(({ room: before }) => ({ room: before === room ? null : room }));
+  enlargeStage(false);
+  toggleRoom(room);
 }
 
 export function NarrowTabs() {

@@ -8,6 +8,7 @@ import { programInView, useStudio } from "../../model/studio";
 import { text } from "../../model/texts";
 import { isOwn, openDelete, openEdit } from "../../session/custom-blocks";
 import { Tile } from "../../theme";
+import { Button } from "../../ui/Button";
 import { Tool } from "../../ui/Tool";
 import { closeHelp, useAccessibility } from "./state";
 import "../../ui/sheets.css";
@@ -38,7 +39,7 @@ function Card({ shape }: { shape: Shape | null }) {
       }}
     >
       <div className="sheet-body">
-        <div className="sheet-head">
+        <div className="sheet-head row">
           {shape === null ? null : <Tile icon={shape.method?.icon || shape.icon} colour={shape.colour} />}
           <h2 id="part-help-title">{shape === null ? t("part-help.title") : title(shape)}</h2>
           <Tool small icon="x" label={t("help.close")} titled={false} ref={close} onClick={closeHelp} />
@@ -107,12 +108,12 @@ function OwnActions({ name }: { name: string }) {
   };
   return (
     <div className="sheet-foot">
-      <button type="button" className="button" data-testid="help-delete" onClick={go(openDelete)}>
+      <Button testId="help-delete" onClick={go(openDelete)}>
         {t("own.delete")}
-      </button>
-      <button type="button" className="button" data-testid="help-edit" onClick={go(openEdit)}>
+      </Button>
+      <Button testId="help-edit" onClick={go(openEdit)}>
         {t("own.edit")}
-      </button>
+      </Button>
     </div>
   );
 }

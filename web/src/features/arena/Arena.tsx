@@ -25,7 +25,7 @@ import { toWorld } from "../../components/scene/camera";
 import { CROWD } from "../../components/scene/crowd-size";
 import { Painter } from "../../components/scene/painter";
 import { openShown, toggleStage, useStageParts } from "./parts";
-import { choose, follow, openRobotMenu, useRobots } from "./robots";
+import { choose, follow, openRobotMenu, stopFollowing, useRobots } from "./robots";
 import type { Scene } from "../../components/scene/scene";
 import { complain } from "../../session/document";
 import { later } from "../../ui/later";
@@ -68,9 +68,9 @@ function Heading({ scene, painter, stage }: HeadingProps) {
     ["maximize", t("arena.fit"), () => painter?.showAll()],
   ];
   return (
-    <header className="side-head">
+    <header className="side-head row rigid">
       <h2>{t("arena.title")}</h2>
-      <span className="side-note" title={what}>
+      <span className="side-note ellipsis muted small-text" title={what}>
         {what}
       </span>
       {world === undefined ? null : <Seed />}
@@ -108,7 +108,7 @@ function Heading({ scene, painter, stage }: HeadingProps) {
 
 /** Who takes the world into the hand follows nobody any more. */
 function letRobotGo(): void {
-  if (useRobots.getState().followed !== "") useRobots.setState({ followed: "" });
+  if (useRobots.getState().followed !== "") stopFollowing();
 }
 
 export function Arena() {

@@ -9,7 +9,7 @@ import type { Scene } from "../../components/scene/scene";
 import { grouped } from "../../i18n/numbers";
 import { t } from "../../i18n/words";
 import { posesAt } from "../../session/poses";
-import { useRobots } from "./robots";
+import { highlightProgram, useRobots } from "./robots";
 
 export function Crowd({ scene }: { scene: Scene | null }) {
   const program = useRobots((state) => state.program);
@@ -23,13 +23,13 @@ export function Crowd({ scene }: { scene: Scene | null }) {
   const poses = scene.running ? (posesAt(0, false)?.poses ?? []) : [];
   const failed = poses.reduce((sum, pose) => sum + ((pose.flags & FAILED) !== 0 ? 1 : 0), 0);
   return (
-    <div className="arena-crowd" data-testid="crowd">
+    <div className="arena-crowd row rigid" data-testid="crowd">
       <select
         className="field"
         data-testid="crowd-program"
         aria-label={t("arena.crowd-filter")}
         value={program}
-        onChange={(event) => useRobots.setState({ program: event.target.value })}
+        onChange={(event) => highlightProgram(event.target.value)}
       >
         <option value="">{t("arena.crowd-all", { count: grouped(count) })}</option>
         {programs.map(([name, of]) => (
@@ -38,7 +38,11 @@ export function Crowd({ scene }: { scene: Scene | null }) {
           </option>
         ))}
       </select>
-      {failed === 0 ? null : <span className="side-note">{t("arena.crowd-failed", { count: grouped(failed) })}</span>}
+      {failed === 0 ? null : (
+        <span className="side-note ellipsis muted small-text">
+          {t("arena.crowd-failed", { count: grouped(failed) })}
+        </span>
+      )}
     </div>
   );
 }

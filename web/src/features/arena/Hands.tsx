@@ -17,14 +17,19 @@ interface HandsProps {
 export function Hands({ agent, keys, sliders }: HandsProps) {
   const live = useRun((run) => can("force", run) && isLive(run.status));
   return (
-    <div className="arena-hands" role="group" aria-label={t("arena.hands", { name: agent })} data-testid="hands">
+    <div
+      className="arena-hands row wrap rigid"
+      role="group"
+      aria-label={t("arena.hands", { name: agent })}
+      data-testid="hands"
+    >
       {keys.map((key) => (
         <Key key={key.sensor} agent={agent} of={key} live={live} />
       ))}
       {sliders.map((slider) => (
         <Range key={slider.sensor} agent={agent} of={slider} live={live} />
       ))}
-      {live ? null : <span className="arena-hands-note">{t("harm.needs-run")}</span>}
+      {live ? null : <span className="muted small-text">{t("harm.needs-run")}</span>}
     </div>
   );
 }
@@ -35,7 +40,7 @@ function Range({ agent, of: { sensor, label, value, min, max }, live }: { agent:
   const [set, setSet] = useState<{ from: number; to: number } | null>(null);
   const shown = set !== null && set.from === value ? set.to : value;
   return (
-    <label className="arena-slider">
+    <label className="arena-slider row bold">
       {label}
       <input
         type="range"
@@ -58,7 +63,7 @@ function Key({ agent, of: { sensor, label, letter, pressed }, live }: { agent: s
   return (
     <button
       type="button"
-      className="arena-hand"
+      className="arena-hand row bold"
       data-testid={`hand-${sensor}`}
       aria-pressed={held || pressed}
       disabled={!live}

@@ -20,7 +20,7 @@ import { shapeOf } from "../../model/world/shape";
 import { type Kind, partsOfKind, sameThing, type Thing } from "../../model/world/thing";
 import { ARENA_KEYS, keyIn } from "../../session/key-table";
 import { keepMoved } from "../../session/world-edits";
-import { useRobots } from "./robots";
+import { announce } from "./robots";
 import "./placing.css";
 
 const KINDS: readonly Kind[] = ["ball", "box", "wall"];
@@ -150,7 +150,7 @@ export function Placing({ painter, canvas: place, selected }: PlacingProps) {
         const next = things[(at + (event.shiftKey ? things.length - 1 : 1) + things.length) % things.length];
         if (next === undefined) return;
         setTaken(next);
-        useRobots.setState({ said: t("arena.taken", { name: nameOf(world, next) }) });
+        announce(t("arena.taken", { name: nameOf(world, next) }));
       } else if (held !== null && step !== undefined) {
         const mm = event.shiftKey ? 10 : 1;
         const after = moved(world, held, step[0] * mm, step[1] * mm);

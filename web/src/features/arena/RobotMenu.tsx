@@ -7,7 +7,7 @@ import { posesAt } from "../../session/poses";
 import { can, useRun } from "../../session/run";
 import { FloatingMenu } from "../../ui/FloatingMenu";
 import { type MenuEntry, menuItem } from "../../ui/menu-model";
-import { follow, harm, useRobots } from "./robots";
+import { closeRobotMenu, follow, harm, useRobots } from "./robots";
 
 export function RobotMenu({ onClosed }: { onClosed: () => void }) {
   const menu = useRobots((state) => state.menu);
@@ -46,9 +46,9 @@ function Open({ name, x, y, onClosed }: { name: string; x: number; y: number; on
       label={t("harm.menu", { name })}
       at={{ x, y }}
       entries={entries}
-      onLeave={() => useRobots.setState({ menu: null })}
+      onLeave={closeRobotMenu}
       onClose={() => {
-        useRobots.setState({ menu: null });
+        closeRobotMenu();
         onClosed();
       }}
     />

@@ -8,14 +8,14 @@ import "./seed.css";
 import { NumberInput } from "../../components/fields/NumberInput";
 import { decimal } from "../../i18n/numbers";
 import { t } from "../../i18n/words";
-import { areReal, isLive, useRun } from "../../session/run";
+import { areReal, isLive, setSeed, useRun } from "../../session/run";
 import { Icon } from "../../theme";
 import { Tool } from "../../ui/Tool";
 
 const LARGEST = 999_999;
 
 function put(seed: number): void {
-  useRun.setState({ seed });
+  setSeed(seed);
 }
 
 export function Seed() {
@@ -41,7 +41,7 @@ export function Seed() {
       />
       {failRate > 0 ? (
         <span
-          className="seed-chance"
+          className="seed-chance small-text"
           data-testid="chance-on"
           title={t("team.chance-on", { percent: decimal(failRate * 100) })}
         >

@@ -23,11 +23,29 @@ export const useRobots = create<RobotsState>(() => ({ menu: null, followed: "", 
 export function choose({ name, program }: { name: string; program: string }): void {
   useStudio.getState().setActiveProgram(program);
   useRun.getState().selectAgent(name, program);
-  useRobots.setState({ said: t("arena.chosen", { name }) });
+  announce(t("arena.chosen", { name }));
 }
 
 export function openRobotMenu(name: string, x: number, y: number): void {
   useRobots.setState({ menu: { name, x, y } });
+}
+
+export function closeRobotMenu(): void {
+  useRobots.setState({ menu: null });
+}
+
+/** For screen readers. */
+export function announce(said: string): void {
+  useRobots.setState({ said });
+}
+
+/** Robots of that program stand out; "" for all alike. */
+export function highlightProgram(program: string): void {
+  useRobots.setState({ program });
+}
+
+export function stopFollowing(): void {
+  useRobots.setState({ followed: "" });
 }
 
 export function harm(name: string, kind: Harm): void {

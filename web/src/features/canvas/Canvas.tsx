@@ -1,15 +1,13 @@
 /**
  * The graph of the program in view.
  *
- * React Flow is the viewport: it pans, zooms and renders the vertices that can be seen. Places come from the layout,
- * frames and arcs are our own layers (Lines.tsx), selection and edits go through the document's store.
+ * The pane pans and zooms; places come from the layout, and of those what can be seen is drawn (`part.ts`). Selection and
+ * edits go through the document's store.
  */
-import "@xyflow/react/dist/base.css";
 import "./canvas.css";
 import "./vertex.css";
 
-import { Background, BackgroundVariant, ReactFlow, ReactFlowProvider, useReactFlow } from "@xyflow/react";
-import { useEffect, useMemo, useRef } from "react";
+import { useEffect, useRef } from "react";
 
 import { t } from "../../i18n/words";
 import { useStudio } from "../../model/studio";
@@ -21,6 +19,7 @@ import { useView } from "../../session/view";
 import { later } from "../../ui/later";
 import { ActiveVertices } from "./active";
 import { AddPopup } from "./AddPopup";
+import { CameraContext, useCamera } from "./camera";
 import { useClipboard } from "./clipboard";
 import { useContextMenu } from "./context";
 import { useEdgePan } from "./edgePan";
@@ -28,11 +27,13 @@ import { Ghost } from "./Ghost";
 import { useCanvasKeys } from "./keys";
 import { Lines } from "./Lines";
 import { Marquee } from "./Marquee";
-import { type GraphNode, NODE_TYPES, PLAIN_TYPES } from "./Nodes";
+import { Nodes } from "./Nodes";
+import { Pane } from "./Pane";
+import { usePart } from "./part";
 import { usePlain } from "./Plain";
 import { Said } from "./Said";
-import { moved, useViewport } from "./viewport";
-import { leastZoom, MOST_ZOOM } from "./zoom-range";
+import { useFirstCamera, useViewport } from "./viewport";
+import { leastZoom } from "./zoom-range";
 import { ZoomControl } from "./ZoomControl";
 
 const ContextMenu = later(() => import("./ContextMenu").then((chunk) => chunk.ContextMenu), complain);
@@ -50,36 +51,25 @@ export function Canvas() {
   if (drawing === null) return <div className="canvas" />;
   return (
     <div className="canvas-room">
-      <ReactFlowProvider key={drawing.program.name}>
-        <Graph drawing={drawing} />
-      </ReactFlowProvider>
+      <CanvasOf key={drawing.program.name} drawing={drawing} />
       {finding ? <Find /> : null}
     </div>
   );
 }
 
-/** React Flow is named in *About*, with the licences. */
-const PRO_OPTIONS = { hideAttribution: true };
-
-function nodesOf({ layout }: Drawing): GraphNode[] {
-  return layout.nodes.map((node) => ({
-    id: node.id,
-    type: "vertex",
-    position: { x: node.x, y: node.y },
-    width: node.w,
-    height: node.h,
-    // Sizes and (no) handles are known: React Flow need not render a vertex to measure it.
-    measured: { width: node.w, height: node.h },
-    handles: [],
-    data: { node },
-    className: "nopan",
-  }));
+/** Each program has a camera of its own. */
+function CanvasOf({ drawing }: { drawing: Drawing }) {
+  const camera = useFirstCamera(drawing);
+  return (
+    <CameraContext value={camera}>
+      <Graph drawing={drawing} />
+    </CameraContext>
+  );
 }
 
 function Graph({ drawing }: { drawing: Drawing }) {
   const root = useRef<HTMLDivElement>(null);
-  const nodes = useMemo(() => nodesOf(drawing), [drawing]);
-  const { first, onReady } = useViewport(root, drawing);
+  useViewport(root, drawing);
   useDropTargets(root);
   useEdgePan(root);
   useCanvasKeys(root);
@@ -90,6 +80,8 @@ function Graph({ drawing }: { drawing: Drawing }) {
     return target === null || target.place.kind === "arc" || target.place.kind === "void" ? "arcs" : "others";
   });
   const plain = usePlain();
+  const part = usePart(plain);
+  const { layout } = drawing;
   const adding = useView((state) => state.adding);
   const minimap = useView((state) => state.minimap);
   const menu = useView((state) => state.menu !== null);
@@ -110,43 +102,23 @@ function Graph({ drawing }: { drawing: Drawing }) {
       aria-label={t("graph.label", { name: drawing.program.name })}
       data-testid="canvas"
     >
-      <ReactFlow
-        nodes={nodes}
-        nodeTypes={plain ? PLAIN_TYPES : NODE_TYPES}
-        defaultViewport={first}
-        onInit={onReady}
-        onMove={moved}
-        minZoom={leastZoom(drawing.layout.bounds)}
-        maxZoom={MOST_ZOOM}
-        onlyRenderVisibleElements
-        nodesDraggable={false}
-        nodesConnectable={false}
-        nodesFocusable={false}
-        elementsSelectable={false}
-        selectionKeyCode={null}
-        multiSelectionKeyCode={null}
-        deleteKeyCode={null}
-        disableKeyboardA11y
-        ariaLabelConfig={{
-          "node.a11yDescription.default": t("help.keys-walk"),
-          "edge.a11yDescription.default": t("help.keys-insert"),
-        }}
-        zoomOnDoubleClick={false}
-        proOptions={PRO_OPTIONS}
-        onPaneClick={() => {
+      <Pane
+        least={leastZoom(layout.bounds)}
+        dots={!plain}
+        onPress={() => {
           useStudio.getState().select([]);
           useView.setState({ arc: null, adding: null });
         }}
       >
-        {plain ? null : <Background variant={BackgroundVariant.Dots} gap={16} size={2} color="var(--canvas-dot)" />}
-        <Lines drawing={drawing} plain={plain} />
+        <Nodes layout={layout} part={part} plain={plain} />
+        <Lines layout={layout} part={part} plain={plain} />
         {empty ? <EmptyTeaching drawing={drawing} /> : null}
-      </ReactFlow>
+      </Pane>
       <ZoomControl />
       {adding === null ? null : <AddPopup key={drawing.program.name} adding={adding} drawing={drawing} />}
       {noting === null ? null : <NoteEditor key={noting} id={noting} program={drawing.program.name} />}
       {editing === null ? null : <InPlace key={`${editing.vertex} ${editing.slot}`} drawing={drawing} {...editing} />}
-      {minimap ? <Minimap layout={drawing.layout} /> : null}
+      {minimap ? <Minimap layout={layout} /> : null}
       <Marquee root={root} />
       {navigator.maxTouchPoints > 0 ? <Pinch root={root} /> : null}
       <Said />
@@ -166,7 +138,7 @@ function shownBy(drawing: Drawing, id: string | undefined): string | undefined {
 
 /** Tells a drag where its thing would go on this canvas. */
 function useDropTargets(root: React.RefObject<HTMLDivElement | null>): void {
-  const flow = useReactFlow();
+  const camera = useCamera();
   useEffect(() => {
     setResolver((at, payload): Target | null => {
       const drawing = currentDrawing();
@@ -175,15 +147,15 @@ function useDropTargets(root: React.RefObject<HTMLDivElement | null>): void {
       if (at.x < box.left || at.x > box.right || at.y < box.top || at.y > box.bottom) return null;
       const shape = drawing.parts.shape(payload.element);
       const moving = payload.kind === "vertices" ? insideOf(drawing, payload.ids) : new Set<string>();
-      const point = flow.screenToFlowPosition(at, { snapToGrid: false });
+      const point = camera.point(at, box);
       const around = payload.kind === "part" ? wrapTarget(drawing, point, shape, useStudio.getState().selection) : null;
       if (around !== null) return around;
       const slot = slotOnScreen(drawing, root.current, at, shape, moving);
       if (slot !== null) return slot;
-      return targetInLayout(drawing, point, REACH / flow.getZoom(), shape, moving);
+      return targetInLayout(drawing, point, REACH / camera.now().zoom, shape, moving);
     });
     return () => {
       setResolver(() => null);
     };
-  }, [flow, root]);
+  }, [camera, root]);
 }

@@ -1,6 +1,4 @@
 /** Under a new program: what to do first, four parts to begin with, and what other features add (tutorials, examples). */
-import { ViewportPortal } from "@xyflow/react";
-
 import { PanelSlot } from "../../components/Slot";
 import { type Parts, type Shape, shortTitle } from "../../model/parts";
 import { firstSentence, text } from "../../model/texts";
@@ -38,34 +36,32 @@ export function EmptyTeaching({ drawing }: { drawing: Drawing }) {
   const choosing = useDocument((document) => document.overlay === "open");
   const start = drawing.structure.start?.id ?? "start";
   return (
-    <ViewportPortal>
-      <section className="teaching nopan">
-        <h2>{t("graph.first-step")}</h2>
-        <p>{t("graph.first-help")}</p>
-        <ul className="teaching-parts">
-          {firstParts(drawing.parts).map((shape) => (
-            <li key={shape.element}>
-              <button
-                type="button"
-                data-testid={`first-${shape.element}`}
-                onPointerDown={(event) => {
-                  beginDrag(event, { kind: "part", element: shape.element });
-                }}
-                onClick={() => {
-                  if (!justDragged()) addPartAt({ kind: "arc", source: start, out: "next" }, shape.element);
-                }}
-              >
-                <Tile icon={shape.icon} colour={shape.colour} size={36} />
-                <span>
-                  <strong>{shortTitle(shape)}</strong>
-                  <small>{inShort(text(shape.help))}</small>
-                </span>
-              </button>
-            </li>
-          ))}
-        </ul>
-        {choosing ? null : <PanelSlot place="empty-program" />}
-      </section>
-    </ViewportPortal>
+    <section className="teaching">
+      <h2>{t("graph.first-step")}</h2>
+      <p>{t("graph.first-help")}</p>
+      <ul className="teaching-parts">
+        {firstParts(drawing.parts).map((shape) => (
+          <li key={shape.element}>
+            <button
+              type="button"
+              data-testid={`first-${shape.element}`}
+              onPointerDown={(event) => {
+                beginDrag(event, { kind: "part", element: shape.element });
+              }}
+              onClick={() => {
+                if (!justDragged()) addPartAt({ kind: "arc", source: start, out: "next" }, shape.element);
+              }}
+            >
+              <Tile icon={shape.icon} colour={shape.colour} size={36} />
+              <span>
+                <strong>{shortTitle(shape)}</strong>
+                <small>{inShort(text(shape.help))}</small>
+              </span>
+            </button>
+          </li>
+        ))}
+      </ul>
+      {choosing ? null : <PanelSlot place="empty-program" />}
+    </section>
   );
 }

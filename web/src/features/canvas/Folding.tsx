@@ -1,6 +1,4 @@
 /** The small controls that fold a constructor: in the corner of its frame, and on it once it is folded. */
-import { ViewportPortal } from "@xyflow/react";
-
 import { t } from "../../i18n/words";
 import type { LayoutFrame, LayoutNode } from "../../model/layout";
 import { title } from "../../model/parts";
@@ -16,7 +14,7 @@ function named(id: string): string {
 
 export function FoldControls({ frames }: { frames: LayoutFrame[] }) {
   return (
-    <ViewportPortal>
+    <>
       {frames.map(({ id, kind, x, y, w }) => {
         if (kind === "parked") return null;
         // Below the half of the vertex that stands in the frame; a bar has its name tag on the left.
@@ -26,7 +24,7 @@ export function FoldControls({ frames }: { frames: LayoutFrame[] }) {
           <button
             key={id}
             type="button"
-            className="fold nopan"
+            className="fold"
             data-testid={`collapse-${id}`}
             aria-label={words}
             aria-expanded="true"
@@ -44,7 +42,7 @@ export function FoldControls({ frames }: { frames: LayoutFrame[] }) {
           </button>
         );
       })}
-    </ViewportPortal>
+    </>
   );
 }
 

@@ -50,7 +50,7 @@ function Bubble({ text }: { text: string }) {
   const [shift, setShift] = useState(0);
   useEffect(() => {
     const shown = bubble.current;
-    const root = shown?.closest(".react-flow");
+    const root = shown?.closest(".canvas-pane");
     if (side !== "above" || shown == null || root == null) return;
     const observer = new IntersectionObserver(
       ([entry]) => {

@@ -1,5 +1,4 @@
-/** Frames and arcs: drawn by us in two layers of the viewport, frames under the vertices, arcs over them. */
-import { useStore, ViewportPortal } from "@xyflow/react";
+/** Frames and arcs, in two layers: frames under the vertices, arcs over them. */
 import { type CSSProperties, memo, useMemo } from "react";
 
 import { t } from "../../i18n/words";
@@ -12,32 +11,11 @@ import { useView } from "../../session/view";
 import { later } from "../../ui/later";
 import { Leaps } from "./BreakEdges";
 import { FoldControls } from "./Folding";
+import { boxInside, type Part } from "./part";
 
 const Lanes = later(() => import("./Lanes").then((chunk) => chunk.Lanes), complain);
 
-/** What is shown is chosen by tiles, so that panning renders only now and then; from far away they are larger. */
-const TILE = 512;
-const PLAIN_TILE = 4096;
-
-interface Window {
-  x0: number;
-  y0: number;
-  x1: number;
-  y1: number;
-}
-
-function useWindow(size: number): Window {
-  const tiles = useStore(({ transform: [x, y, zoom], width, height }) => {
-    const tile = (value: number) => Math.floor(value / zoom / size);
-    return [tile(-x) - 1, tile(-y) - 1, tile(width - x) + 2, tile(height - y) + 2].join(" ");
-  });
-  return useMemo(() => {
-    const [x0 = 0, y0 = 0, x1 = 0, y1 = 0] = tiles.split(" ").map((tile) => Number(tile) * size);
-    return { x0, y0, x1, y1 };
-  }, [tiles, size]);
-}
-
-function arcInside({ points }: Pick<LayoutArc, "points">, { x0, y0, x1, y1 }: Window): boolean {
+function arcInside({ points }: Pick<LayoutArc, "points">, { x0, y0, x1, y1 }: Part): boolean {
   let [left, top, right, bottom] = [Infinity, Infinity, -Infinity, -Infinity];
   for (const { x, y } of points) {
     left = Math.min(left, x);
@@ -49,38 +27,29 @@ function arcInside({ points }: Pick<LayoutArc, "points">, { x0, y0, x1, y1 }: Wi
 }
 
 /** `plain`: without what could not be read or aimed at from far away. */
-export function Lines({ drawing: { layout }, plain }: { drawing: Drawing; plain: boolean }) {
-  const window = useWindow(plain ? PLAIN_TILE : TILE);
-  const arcs = useMemo(() => layout.arcs.filter((arc) => arcInside(arc, window)), [layout, window]);
-  const frames = useMemo(
-    () =>
-      layout.frames.filter(
-        ({ x, y, w, h }) => x < window.x1 && x + w > window.x0 && y < window.y1 && y + h > window.y0,
-      ),
-    [layout, window],
-  );
-  const leaps = useMemo(() => layout.leaps.filter((leap) => arcInside(leap, window)), [layout, window]);
+export function Lines({ layout, part, plain }: { layout: Drawing["layout"]; part: Part; plain: boolean }) {
+  const arcs = useMemo(() => layout.arcs.filter((arc) => arcInside(arc, part)), [layout, part]);
+  const frames = useMemo(() => layout.frames.filter((frame) => boxInside(frame, part)), [layout, part]);
+  const leaps = useMemo(() => layout.leaps.filter((leap) => arcInside(leap, part)), [layout, part]);
   const seen = new Set<string>();
   return (
     <>
       {plain ? null : <FoldControls frames={frames} />}
-      <ViewportPortal>
-        <svg className="frames" width="1" height="1" aria-hidden="true">
-          {frames.map((frame) => (
-            <Frame key={`${frame.kind} ${frame.id}`} frame={frame} />
-          ))}
-        </svg>
-        {layout.lanes.length > 0 ? <Lanes lanes={layout.lanes} /> : null}
-        <svg className="arcs" width="1" height="1">
-          <Leaps leaps={leaps} />
-          {arcs.map((arc) => {
-            // An arc that is drawn in two strokes (around the place of a new program) is one arc to hands and tests.
-            const again = seen.has(arc.id);
-            seen.add(arc.id);
-            return <Arc key={again ? `${arc.id} 2` : arc.id} arc={arc} again={again} plain={plain} />;
-          })}
-        </svg>
-      </ViewportPortal>
+      <svg className="frames" width="1" height="1" aria-hidden="true">
+        {frames.map((frame) => (
+          <Frame key={`${frame.kind} ${frame.id}`} frame={frame} />
+        ))}
+      </svg>
+      {layout.lanes.length > 0 ? <Lanes lanes={layout.lanes} /> : null}
+      <svg className="arcs" width="1" height="1">
+        <Leaps leaps={leaps} />
+        {arcs.map((arc) => {
+          // An arc that is drawn in two strokes (around the place of a new program) is one arc to hands and tests.
+          const again = seen.has(arc.id);
+          seen.add(arc.id);
+          return <Arc key={again ? `${arc.id} 2` : arc.id} arc={arc} again={again} plain={plain} />;
+        })}
+      </svg>
     </>
   );
 }

@@ -1,11 +1,11 @@
 /** Shift-drag on the void draws a box; what it touches is selected, besides what was. */
-import { useReactFlow } from "@xyflow/react";
 import { type RefObject, useEffect, useState } from "react";
 
 import type { Point } from "../../model/layout";
 import { useStudio } from "../../model/studio";
 import { currentDrawing, type Drawing } from "../../session/drawing";
 import { holdingStill, useView } from "../../session/view";
+import { useCamera } from "./camera";
 
 interface Rect {
   x: number;
@@ -27,7 +27,7 @@ export function touched({ layout }: Drawing, box: Rect): string[] {
 }
 
 export function Marquee({ root }: { root: RefObject<HTMLDivElement | null> }) {
-  const flow = useReactFlow();
+  const camera = useCamera();
   const [box, setBox] = useState<Rect | null>(null);
 
   useEffect(() => {
@@ -43,11 +43,7 @@ export function Marquee({ root }: { root: RefObject<HTMLDivElement | null> }) {
       setBox({ ...drawn, x: drawn.x - corner.left, y: drawn.y - corner.top });
       const drawing = currentDrawing();
       if (drawing === null) return;
-      const exact = { snapToGrid: false };
-      const inside = touched(
-        drawing,
-        between(flow.screenToFlowPosition(from, exact), flow.screenToFlowPosition(to, exact)),
-      );
+      const inside = touched(drawing, between(camera.point(from, corner), camera.point(to, corner)));
       holdingStill(() => {
         useStudio.getState().select([...new Set([...before, ...inside])]);
       });
@@ -65,18 +61,17 @@ export function Marquee({ root }: { root: RefObject<HTMLDivElement | null> }) {
     const down = (event: MouseEvent) => {
       const { target } = event;
       if (!event.shiftKey || event.button !== 0) return;
-      if (!(target instanceof Element) || !target.classList.contains("react-flow__pane")) return;
-      // Neither the viewport moves, nor does the click at the end clear the selection.
+      if (!(target instanceof Element) || !target.classList.contains("canvas-pane")) return;
       event.preventDefault();
-      event.stopPropagation();
       from = { x: event.clientX, y: event.clientY };
       before = useStudio.getState().selection;
       window.addEventListener("pointermove", move);
       window.addEventListener("pointerup", end);
       window.addEventListener("pointercancel", end);
     };
+    // The click at the end does not clear the selection.
     const click = (event: MouseEvent) => {
-      if (event.shiftKey && event.target instanceof Element && event.target.classList.contains("react-flow__pane"))
+      if (event.shiftKey && event.target instanceof Element && event.target.classList.contains("canvas-pane"))
         event.stopPropagation();
     };
     canvas.addEventListener("mousedown", down, true);
@@ -86,7 +81,7 @@ export function Marquee({ root }: { root: RefObject<HTMLDivElement | null> }) {
       canvas.removeEventListener("mousedown", down, true);
       canvas.removeEventListener("click", click, true);
     };
-  }, [flow, root]);
+  }, [camera, root]);
 
   return box === null ? null : (
     <div

@@ -1,20 +1,18 @@
 /** The whole program, small, and what of it is in view; a press or drag goes there. */
 import "./minimap.css";
 
-import { useReactFlow, useStore } from "@xyflow/react";
 import type { PointerEvent } from "react";
 
 import { t } from "../../i18n/words";
 import type { Drawing } from "../../session/drawing";
 import { restFollowing } from "../../session/view";
+import { useCamera, useCameraState } from "./camera";
 
 const EDGE = 40;
 
 export function Minimap({ layout }: { layout: Drawing["layout"] }) {
-  const flow = useReactFlow();
-  const [x, y, zoom] = useStore((state) => state.transform);
-  const width = useStore((state) => state.width);
-  const height = useStore((state) => state.height);
+  const camera = useCamera();
+  const { x, y, zoom, width, height } = useCameraState((state) => state);
   const { bounds } = layout;
   const box = [bounds.x - EDGE, bounds.y - EDGE, bounds.w + 2 * EDGE, bounds.h + 2 * EDGE];
 
@@ -24,7 +22,7 @@ export function Minimap({ layout }: { layout: Drawing["layout"] }) {
     if (matrix === null) return;
     const point = new DOMPoint(event.clientX, event.clientY).matrixTransform(matrix.inverse());
     restFollowing();
-    void flow.setCenter(point.x, point.y, { zoom });
+    camera.jump({ x: width / 2 - point.x * zoom, y: height / 2 - point.y * zoom, zoom });
   };
 
   return (

@@ -1,9 +1,8 @@
-/** The node kinds of the graph, as React Flow is given them. Each takes its place and size from the layout. */
-import type { Node, NodeProps, NodeTypes } from "@xyflow/react";
+/** The vertices of the graph. Each takes its place and size from the layout. */
 import { memo, useMemo } from "react";
 
 import { t } from "../../i18n/words";
-import type { LayoutNode } from "../../model/layout";
+import type { Layout, LayoutNode } from "../../model/layout";
 import type { Block } from "../../model/structure";
 import { useStudio } from "../../model/studio";
 import { chipOf } from "../../model/vertex-content";
@@ -14,13 +13,33 @@ import { Icon } from "../../theme";
 import { useThreadsAmong, useThreadsAt } from "./active";
 import { Threads, Trouble } from "./Badges";
 import { NoteStrip } from "./Notes";
+import { boxInside, type Part } from "./part";
 import { PlainNode } from "./Plain";
 import { ChipView, selectVertex, Vertex } from "./Vertex";
 import { waitedVertices } from "./waiting";
 
-export type GraphNode = Node<{ node: LayoutNode }, "vertex">;
+/** Those that stand in a part of the graph; `plain` as they are looked at from far away. */
+export function Nodes({ layout, part, plain }: { layout: Layout; part: Part; plain: boolean }) {
+  return layout.nodes
+    .filter((node) => boxInside(node, part))
+    .map((node) => (
+      <div
+        key={node.id}
+        className="canvas-node"
+        data-id={node.id}
+        style={{
+          width: node.w,
+          height: node.h,
+          transform: `translate(${String(node.x)}px, ${String(node.y)}px)`,
+        }}
+      >
+        <NodeView node={node} plain={plain} />
+      </div>
+    ));
+}
 
-function NodeView({ data: { node } }: NodeProps<GraphNode>) {
+const NodeView = memo(function NodeView({ node, plain }: { node: LayoutNode; plain: boolean }) {
+  if (plain && node.kind !== "place") return <PlainNode node={node} />;
   switch (node.kind) {
     case "start":
     case "stop":
@@ -36,16 +55,7 @@ function NodeView({ data: { node } }: NodeProps<GraphNode>) {
     case "hexagon":
       return <Vertex node={node} />;
   }
-}
-
-function PlainView(props: NodeProps<GraphNode>) {
-  const { node } = props.data;
-  return node.kind === "place" ? <FirstPlace node={node} /> : <PlainNode node={node} />;
-}
-
-export const NODE_TYPES: NodeTypes = { vertex: memo(NodeView) };
-/** For a graph that is looked at from far away. */
-export const PLAIN_TYPES: NodeTypes = { vertex: memo(PlainView) };
+});
 
 function Terminal({ node }: { node: LayoutNode }) {
   const { vertex: id, kind, w, h } = node;

@@ -2,7 +2,6 @@
  * Vertices from far away: their shape and colour, nothing in them; what happens to them (selected, active, wrong) stays to be
  * seen. Below `PLAIN_ZOOM` words would be smaller than can be read, and a screen holds many vertices.
  */
-import { useStore } from "@xyflow/react";
 import { memo } from "react";
 
 import type { LayoutNode } from "../../model/layout";
@@ -10,6 +9,7 @@ import { useStudio } from "../../model/studio";
 import { justDragged, useDrag } from "../../session/drag";
 import { spoken } from "../../session/spoken";
 import { useThreadsAt } from "./active";
+import { useCameraState } from "./camera";
 import { useTroubled, useTroubles } from "./problem-badges";
 import { dragVertices, selectVertex } from "./Vertex";
 import "./plain.css";
@@ -19,7 +19,7 @@ export const PLAIN_ZOOM = 0.4;
 
 /** Whether the graph is looked at from far away. */
 export function usePlain(): boolean {
-  return useStore((state) => state.transform[2] < PLAIN_ZOOM);
+  return useCameraState((state) => state.zoom < PLAIN_ZOOM);
 }
 
 const NOTHING: string[] = [];

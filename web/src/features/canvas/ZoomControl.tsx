@@ -1,13 +1,12 @@
 /** Out, how much, in, everything: the small box in the corner. */
-import { useStore } from "@xyflow/react";
-
 import { t } from "../../i18n/words";
 import { keyFor } from "../../session/key-table";
 import { follows, toggleFollowing, toggleMinimap, useView } from "../../session/view";
 import { Icon } from "../../theme";
+import { useCameraState } from "./camera";
 
 export function ZoomControl() {
-  const zoom = useStore(({ transform }) => Math.round(transform[2] * 100));
+  const zoom = useCameraState((state) => Math.round(state.zoom * 100));
   const viewport = useView((state) => state.viewport);
   const minimap = useView((state) => state.minimap);
   const following = useView(follows);

@@ -23,7 +23,7 @@ function vertexAt(element: Element): string | null {
   const { vertex, slot } = chip?.dataset ?? {};
   const filler = drawing?.program.arcs.find((arc) => slot !== "" && arc.target === vertex && arc.at === slot);
   if (filler !== undefined) return filler.source;
-  const node = element.closest<HTMLElement>(".react-flow__node")?.dataset["id"];
+  const node = element.closest<HTMLElement>(".canvas-node")?.dataset["id"];
   const found = node === undefined ? "" : (drawing?.nodes.get(node)?.vertex ?? "");
   return found === "" ? null : found;
 }

@@ -1,8 +1,8 @@
 /** While something is dragged near the canvas's edge, the graph moves, so that every place can be reached. */
-import { useReactFlow } from "@xyflow/react";
 import { type RefObject, useEffect } from "react";
 
 import { retarget, useDrag } from "../../session/drag";
+import { useCamera } from "./camera";
 
 const NEAR = 40;
 const MOST_A_FRAME = 12;
@@ -13,7 +13,7 @@ function pull(inside: number): number {
 }
 
 export function useEdgePan(root: RefObject<HTMLDivElement | null>): void {
-  const flow = useReactFlow();
+  const camera = useCamera();
   useEffect(() => {
     let frame = 0;
     /** A drag that comes in over the edge pans only once it has been further inside. */
@@ -32,8 +32,7 @@ export function useEdgePan(root: RefObject<HTMLDivElement | null>): void {
       const dx = pull(left) - pull(right);
       const dy = pull(top) - pull(bottom);
       if (!armed || (dx === 0 && dy === 0) || Math.min(left, right, top, bottom) < 0) return;
-      const { x, y, zoom } = flow.getViewport();
-      void flow.setViewport({ x: x + dx, y: y + dy, zoom });
+      camera.pan(dx, dy);
       retarget();
     };
     const stop = useDrag.subscribe(({ payload }) => {
@@ -45,5 +44,5 @@ export function useEdgePan(root: RefObject<HTMLDivElement | null>): void {
       stop();
       cancelAnimationFrame(frame);
     };
-  }, [flow, root]);
+  }, [camera, root]);
 }

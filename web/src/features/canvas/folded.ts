@@ -44,7 +44,7 @@ function holdersOf(id: string): string[] {
 }
 
 useStudio.subscribe((state, before) => {
-  if (state.change !== before.change && state.change.kind === "open") useFolded.setState({ folded: new Map() });
+  if (state.change !== before.change && state.change.kind === "open") useFolded.getState().unfoldAll();
   if (state.selection === before.selection) return;
   const folded = foldedIn(state.activeProgram);
   if (folded.size === 0) return;

@@ -3,7 +3,8 @@ import { describe, expect, it } from "vitest";
 import { layoutStructure } from "../../model/layout";
 import { readStructure } from "../../model/structure";
 import { CARRIER, CARRIER_PARTS as PARTS } from "../../model/testing/missions";
-import { afterResize, homeOf, LEAST_READABLE, type Size, wholeOf } from "./home";
+import type { Size } from "./camera";
+import { afterResize, homeOf, LEAST_READABLE, wholeOf } from "./home";
 
 const layout = layoutStructure(readStructure(CARRIER, PARTS));
 const carrier = { layout, nodes: new Map(layout.nodes.map((node) => [node.id, node])) };

@@ -1,12 +1,6 @@
 /** Where the canvas looks at first: all of a program as large as can be read, else its Start. Pure: px of the canvas. */
-import type { Viewport as Camera } from "@xyflow/react";
-
 import type { Drawing } from "../../session/drawing";
-
-export interface Size {
-  width: number;
-  height: number;
-}
+import type { Camera, Size } from "./camera";
 
 /** What of a drawing places the camera. */
 type Drawn = Pick<Drawing, "layout" | "nodes">;

@@ -1,39 +1,48 @@
 /** Where the canvas looks: at first as `home.ts` says, remembered for each program, moved only as far as needed. */
-import { useReactFlow, useStoreApi, type Viewport as Camera } from "@xyflow/react";
-import { type RefObject, useEffect, useRef, useState } from "react";
+import { type RefObject, useEffect, useEffectEvent, useLayoutEffect, useRef, useState } from "react";
+import { create } from "zustand";
 
 import { useStudio } from "../../model/studio";
 import type { Drawing } from "../../session/drawing";
 import { currentDrawing, nodeOf } from "../../session/drawing";
 import { restFollowing, standsStill, useView } from "../../session/view";
-import { afterResize, homeOf, LEAST_READABLE, type Size, type Whole, wholeOf } from "./home";
+import { type Camera, type CanvasCamera, createCamera, type Size, useCamera, zoomed } from "./camera";
+import { afterResize, homeOf, LEAST_READABLE, type Whole, wholeOf } from "./home";
 import { spotOfArc } from "./Lines";
+import { leastZoom, MOST_ZOOM } from "./zoom-range";
 
-const remembered = new Map<string, Camera>();
 const MARGIN = 48;
-const MOVE_MS = 140;
 /** A small selection does not fill the canvas. */
 const CLOSEST = 1.25;
+const STEP = 1.2;
+/** What is left free around all of a program, as a part of the canvas. */
+const AROUND = 0.03;
 
-/** How large the canvas was when it was last opened: the first guess for the next time. */
-let last: Size = { width: 904, height: 840 };
-let opened = "";
+/** The cameras that programs of a mission were left with, by name; those of one mission at a time. */
+const useLeftCameras = create<{ file: string; cameras: ReadonlyMap<string, Camera> }>(() => ({
+  file: "",
+  cameras: new Map(),
+}));
 
-/** Clears the remembered viewports when another mission is opened. */
-useStudio.subscribe((state, before) => {
-  if (state.file.path !== before.file.path || state.file.revision === "") return;
-  if (opened !== state.file.path) remembered.clear();
-  opened = state.file.path;
-});
+function leftCamera(file: string, program: string): Camera | undefined {
+  const left = useLeftCameras.getState();
+  return left.file === file ? left.cameras.get(program) : undefined;
+}
+
+function leaveCamera(file: string, program: string, camera: Camera): void {
+  const left = useLeftCameras.getState();
+  const cameras = new Map(left.file === file ? left.cameras : []).set(program, camera);
+  useLeftCameras.setState({ file, cameras });
+}
 
 function sizeOf(element: HTMLElement | null): Size {
   return { width: element?.clientWidth ?? 0, height: element?.clientHeight ?? 0 };
 }
 
-/** How large the canvas will be: its panel is on the page before it. */
+/** How large the canvas will be: its panel is on the page before it, but for one that is covered. */
 function roomNow(): Size {
   const room = sizeOf(document.getElementById("canvas-panel"));
-  return room.width > 0 ? room : last;
+  return room.width > 0 ? room : { width: 904, height: 840 };
 }
 
 /** How small a program may open: readable, and with fingers everything that is pressed keeps its 44 px. */
@@ -41,67 +50,90 @@ function leastAtFirst(): number {
   return matchMedia("(pointer: coarse)").matches ? 1 : LEAST_READABLE;
 }
 
-let lastByHand: MouseEvent | TouchEvent | null = null;
-
-/**
- * The canvas was moved, by that event if by hand; a move by hand rests following. Until d3-zoom ends a turn of the wheel,
- * 150 ms later, it gives the wheel's event with moves of the program too: an event counts once.
- */
-export function moved(event: MouseEvent | TouchEvent | null): void {
-  if (event === null || event === lastByHand) return;
-  lastByHand = event;
-  restFollowing();
+/** The camera with which a canvas begins. */
+export function useFirstCamera(drawing: Drawing): CanvasCamera {
+  const [camera] = useState(() => {
+    const [file, room] = [useStudio.getState().file.path, roomNow()];
+    return createCamera(leftCamera(file, drawing.program.name) ?? wholeOf(room, drawing, leastAtFirst()), room);
+  });
+  return camera;
 }
 
-/** The first camera, the callback for the ready viewport, and the viewport as `useView` has it. */
-export function useViewport(
-  root: RefObject<HTMLDivElement | null>,
-  drawing: Drawing,
-): { first: Camera; onReady: () => void } {
-  const flow = useReactFlow();
-  const store = useStoreApi();
+/** The camera that shows a box whole and in the middle. */
+function cameraOn(box: Box, { width, height }: Size, zoom: number): Camera {
+  return { x: width / 2 - (box.x + box.w / 2) * zoom, y: height / 2 - (box.y + box.h / 2) * zoom, zoom };
+}
+
+/** Keeps the camera as the canvas and the program change, and gives `useView` the calls that move it. */
+export function useViewport(root: RefObject<HTMLDivElement | null>, drawing: Drawing): void {
+  const camera = useCamera();
   const { name } = drawing.program;
-  const [first] = useState<Camera>(() => remembered.get(name) ?? wholeOf(roomNow(), drawing, leastAtFirst()));
+  const file = useStudio((state) => state.file.path);
   /** How wide the canvas was for its camera, and the camera that showed all, if that was the last one asked for. */
   const stood = useRef<{ width: number; whole: Whole | null } | null>(null);
 
   useEffect(
     () => () => {
-      remembered.set(name, flow.getViewport());
+      leaveCamera(file, name, camera.now());
     },
-    [flow, name],
+    [camera, file, name],
   );
+
+  const begin = useEffectEvent(() => {
+    const size = sizeOf(root.current);
+    const isNew = size.width > 0 && leftCamera(file, name) === undefined;
+    const least = leastAtFirst();
+    const whole = isNew ? { camera: wholeOf(size, drawing, least), least } : null;
+    stood.current = { width: size.width, whole };
+    if (size.width > 0) camera.resize(size);
+    if (whole !== null) camera.jump(whole.camera);
+  });
+  useLayoutEffect(() => {
+    begin();
+  }, [camera]);
 
   useEffect(() => {
     const size = () => sizeOf(root.current);
-    const animated = { duration: matchMedia("(prefers-reduced-motion: reduce)").matches ? 0 : MOVE_MS };
+    const zoomBy = (factor: number) => {
+      const now = currentDrawing();
+      const [{ width, height }, { zoom }] = [size(), camera.now()];
+      const least = now === null ? zoom : leastZoom(now.layout.bounds);
+      const next = Math.min(MOST_ZOOM, Math.max(least, zoom * factor));
+      camera.glide(zoomed(camera.now(), next, { x: width / 2, y: height / 2 }));
+    };
     useView.setState({
       viewport: {
-        zoomIn: () => void flow.zoomIn(animated),
-        zoomOut: () => void flow.zoomOut(animated),
+        zoomIn: () => {
+          zoomBy(STEP);
+        },
+        zoomOut: () => {
+          zoomBy(1 / STEP);
+        },
         home: () => {
           restFollowing();
           const now = currentDrawing();
-          if (now !== null) void flow.setViewport(homeOf(size(), now), animated);
+          if (now !== null) camera.glide(homeOf(size(), now));
         },
         fit: () => {
           const now = currentDrawing();
           if (now === null) return;
-          const { x, y, w, h } = now.layout.bounds;
-          void flow.fitBounds({ x, y, width: w, height: h }, { padding: 0.06, ...animated });
+          const { bounds } = now.layout;
+          const { width, height } = size();
+          const zoom = (1 - 2 * AROUND) * Math.min(width / bounds.w, height / bounds.h);
+          camera.glide(cameraOn(bounds, size(), Math.min(MOST_ZOOM, Math.max(leastZoom(bounds), zoom))));
         },
         whole: () => {
-          const before = flow.getViewport();
+          const before = camera.now();
           const whole = stood.current?.whole ?? null;
           const now = currentDrawing();
           if (now !== null) {
-            const camera = wholeOf(size(), now, 0.5);
-            stood.current = { width: size().width, whole: { camera, least: 0.5 } };
-            void flow.setViewport(camera);
+            const all = wholeOf(size(), now, 0.5);
+            stood.current = { width: size().width, whole: { camera: all, least: 0.5 } };
+            camera.jump(all);
           }
           return () => {
             stood.current = { width: size().width, whole };
-            void flow.setViewport(before);
+            camera.jump(before);
           };
         },
         zoomToSelection: () => {
@@ -115,8 +147,7 @@ export function useViewport(
           const { width, height } = size();
           const room = 2 * MARGIN;
           const zoom = Math.min(CLOSEST, Math.max(0.1, Math.min((width - room) / box.w, (height - room) / box.h)));
-          const middle = { x: box.x + box.w / 2, y: box.y + box.h / 2 };
-          void flow.setViewport({ x: width / 2 - middle.x * zoom, y: height / 2 - middle.y * zoom, zoom }, animated);
+          camera.glide(cameraOn(box, size(), zoom));
         },
         reveal: (id) => {
           const now = currentDrawing();
@@ -125,26 +156,23 @@ export function useViewport(
           const { width: all, height } = size();
           // The find panel covers the right side.
           const width = useView.getState().finding && all > 840 ? all - 412 : all;
-          const { x, y, zoom } = flow.getViewport();
+          const { x, y, zoom } = camera.now();
           const nudge = (from: number, long: number, room: number) => {
             if (from < MARGIN) return MARGIN - from;
             return from + long > room - MARGIN ? Math.max(room - MARGIN - from - long, MARGIN - from) : 0;
           };
           const dx = nudge(node.x * zoom + x, node.w * zoom, width);
           const dy = nudge(node.y * zoom + y, node.h * zoom, height);
-          if (dx !== 0 || dy !== 0) void flow.setViewport({ x: x + dx, y: y + dy, zoom }, animated);
+          if (dx !== 0 || dy !== 0) camera.glide({ x: x + dx, y: y + dy, zoom });
         },
-        place: (point) => {
-          const [x, y, zoom] = store.getState().transform;
-          return { x: point.x * zoom + x, y: point.y * zoom + y };
-        },
+        place: camera.place,
         focus: () => root.current?.focus({ preventScroll: true }),
       },
     });
     return () => {
       useView.setState({ viewport: null });
     };
-  }, [flow, store, root]);
+  }, [camera, root]);
 
   useEffect(
     () =>
@@ -159,50 +187,47 @@ export function useViewport(
   useEffect(() => {
     const canvas = root.current;
     if (canvas === null) return;
-    // React Flow undoes scrolling, so what the browser scrolled into view (focus, find in page) would go out of it again.
+    // The browser scrolls to what it shows (focus, find in page): the camera goes there in its place.
     const pan = ({ target }: Event) => {
-      if (!(target instanceof HTMLElement) || !target.classList.contains("react-flow")) return;
+      if (!(target instanceof HTMLElement) || !target.classList.contains("canvas-pane")) return;
       const { scrollLeft, scrollTop } = target;
       target.scrollTo({ left: 0, top: 0, behavior: "instant" });
-      const { x, y, zoom } = flow.getViewport();
-      void flow.setViewport({ x: x - scrollLeft, y: y - scrollTop, zoom });
+      camera.pan(-scrollLeft, -scrollTop);
     };
     canvas.addEventListener("scroll", pan, true);
     return () => {
       canvas.removeEventListener("scroll", pan, true);
     };
-  }, [flow, root]);
+  }, [camera, root]);
   useEffect(() => {
     const canvas = root.current;
     if (canvas === null) return;
     // A window, a phone that is turned, a line that is dragged: what was in view stays in view.
     const watcher = new ResizeObserver(() => {
       const [size, was, now] = [sizeOf(canvas), stood.current, currentDrawing()];
-      if (size.width === 0 || was === null || was.width === size.width || now === null) return;
-      const { camera, whole } = afterResize(flow.getViewport(), was.width, size, now, was.whole);
-      stood.current = { width: size.width, whole };
-      void flow.setViewport(camera);
+      if (size.width === 0) return;
+      camera.resize(size);
+      if (was === null || was.width === size.width || now === null) return;
+      const next = afterResize(camera.now(), was.width, size, now, was.whole);
+      stood.current = { width: size.width, whole: next.whole };
+      camera.jump(next.camera);
     });
     watcher.observe(canvas);
     return () => {
       watcher.disconnect();
     };
-  }, [flow, root]);
-  const onReady = () => {
-    const now = sizeOf(root.current);
-    const guessed = now.width === last.width && now.height === last.height;
-    const least = leastAtFirst();
-    const isNew = !remembered.has(name) && now.width > 0;
-    const camera = isNew && !guessed ? wholeOf(now, drawing, least) : first;
-    if (camera !== first) void flow.setViewport(camera);
-    stood.current = { width: now.width, whole: isNew ? { camera, least } : null };
-    last = now;
-  };
-  return { first, onReady };
+  }, [camera, root]);
+}
+
+interface Box {
+  x: number;
+  y: number;
+  w: number;
+  h: number;
 }
 
 /** The box around vertices and the frames they own, or null for none. */
-function boundsOf(drawing: Drawing, ids: string[]): { x: number; y: number; w: number; h: number } | null {
+function boundsOf(drawing: Drawing, ids: string[]): Box | null {
   const nodes = ids.flatMap((id) => nodeOf(drawing, id) ?? []);
   const owners = new Set(nodes.map((node) => node.id));
   const boxes = [...nodes, ...drawing.layout.frames.filter((frame) => owners.has(frame.id))];

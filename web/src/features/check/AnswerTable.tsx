@@ -8,7 +8,7 @@ import { Said } from "../../i18n/Said";
 import { cellName, useGridWalk } from "../../ui/use-grid-walk";
 import { USUAL, withKinds } from "./kinds";
 import { type Assumption, type Cell, columnAt, sameAssumption, type Shape, shapeOf } from "./table";
-import { useCheck } from "./verifying";
+import { openAnswer, useCheck } from "./verifying";
 
 function stepsWords({ steps, repeats_from: from }: CheckedProperty): string {
   const words = t("check.steps", { count: from < 0 ? steps : from });
@@ -21,7 +21,7 @@ function detail(answer: CheckedProperty | undefined): string {
 }
 
 function Mark({ shape }: { shape: Shape }) {
-  return <span className="check-mark" data-shape={shape} aria-hidden="true" />;
+  return <span className="check-mark rigid" data-shape={shape} aria-hidden="true" />;
 }
 
 interface HeadProps {
@@ -36,11 +36,11 @@ function Head({ assumption, column, now }: HeadProps) {
   return (
     <th scope="col" data-now={now}>
       <span className="check-timing">{t(`check.${timing}`)}</span>
-      <span className="check-means">
+      <span className="check-means muted">
         {failures === 0 ? t(`check.${timing}-means`) : withKinds(t("check.head-failures", { count: failures }), kinds)}
       </span>
       {column === undefined ? null : (
-        <span className="check-means check-numbers">
+        <span className="check-means check-numbers muted">
           {t("check.explored", {
             states: grouped(column.states),
             seconds: decimal(Math.round(column.seconds * 10) / 10),
@@ -48,7 +48,7 @@ function Head({ assumption, column, now }: HeadProps) {
         </span>
       )}
       {column === undefined || column.cut === null ? null : (
-        <span className="check-means" data-testid={`cut-${timing}-${String(failures)}`}>
+        <span className="check-means muted" data-testid={`cut-${timing}-${String(failures)}`}>
           {t(`check.cut-${column.cut}`)}
         </span>
       )}
@@ -67,7 +67,7 @@ export function AnswerTable() {
 
   const choose = (cell: Cell) => {
     const answer = found[cell.column]?.properties[cell.row];
-    useCheck.setState({ open: answer?.answer === "broken" ? cell : null });
+    openAnswer(answer?.answer === "broken" ? cell : null);
   };
   const { at, table } = useGridWalk({ row: rows.length, column: plan.length }, choose);
 
@@ -77,8 +77,14 @@ export function AnswerTable() {
   }, [open, table.ref]);
 
   return (
-    <div className="check-scroll">
-      <table className="check-table" role="grid" aria-label={t("check.table")} data-testid="check-table" {...table}>
+    <div className="check-scroll rigid">
+      <table
+        className="check-table small-text"
+        role="grid"
+        aria-label={t("check.table")}
+        data-testid="check-table"
+        {...table}
+      >
         <thead>
           <tr>
             <th scope="col">{t("check.property")}</th>
@@ -114,11 +120,11 @@ export function AnswerTable() {
                     tabIndex={at.row === row && at.column === column ? 0 : -1}
                     aria-selected={open?.row === row && open.column === column}
                   >
-                    <span className="check-word">
+                    <span className="check-word row">
                       <Mark shape={shape} />
                       {t(`check.is-${shape}`)}
                     </span>
-                    <span className="check-detail">{detail(answer)}</span>
+                    <span className="check-detail muted">{detail(answer)}</span>
                   </td>
                 );
               })}

@@ -7,16 +7,17 @@ import { Said } from "../../i18n/Said";
 import { t } from "../../i18n/words";
 import { useStudio } from "../../model/studio";
 import { isHeldByRobots } from "../../session/confirming-run";
-import { useGuilty } from "../../session/guilty";
+import { markVertices } from "../../session/guilty";
 import { useRun } from "../../session/run";
 import { closeTeam } from "../../session/team-view";
 import { useView } from "../../session/view";
 import { Icon } from "../../theme";
+import { Button } from "../../ui/Button";
 import { Tool } from "../../ui/Tool";
 import { StepArena } from "./StepArena";
 import { type Cell, guiltyMarks, stretches } from "./table";
 import { assumptionWords } from "./Verdict";
-import { answerAt, play, useCheck } from "./verifying";
+import { answerAt, openAnswer, play, useCheck } from "./verifying";
 import "./broken-run.css";
 
 export function BrokenRun({ cell }: { cell: Cell }) {
@@ -40,8 +41,8 @@ export function BrokenRun({ cell }: { cell: Cell }) {
       wrong,
       mission.agents.map(({ name }) => name),
     );
-    useGuilty.setState({ marks });
-    return () => useGuilty.setState({ marks: [] });
+    markVertices(marks);
+    return () => markVertices([]);
   }, [wrong, mission]);
   const first = wrong?.guilty[0];
   useEffect(() => {
@@ -50,16 +51,10 @@ export function BrokenRun({ cell }: { cell: Cell }) {
   if (shown === null || mission === undefined) return null;
   const { answer, column } = shown;
   return (
-    <section className="check-run" ref={place} data-testid="check-run" aria-label={t("check.run")}>
-      <header className="check-run-head">
+    <section className="check-run column" ref={place} data-testid="check-run" aria-label={t("check.run")}>
+      <header className="check-run-head row">
         <h3>{t("check.broken-under", { assumption: assumptionWords(column) })}</h3>
-        <Tool
-          small
-          icon="x"
-          label={t("check.run-close")}
-          titled={false}
-          onClick={() => useCheck.setState({ open: null })}
-        />
+        <Tool small icon="x" label={t("check.run-close")} titled={false} onClick={() => openAnswer(null)} />
       </header>
       <p className="check-sentence">
         <Said text={answer.sentence} />
@@ -96,7 +91,7 @@ function Seen({ answer }: { answer: CheckedProperty }) {
     const words = searched ? t("check.not-reproduced") : busy ? t("check.searching") : t("check.not-searched");
     return (
       <p className="check-seen" data-testid="check-seen" data-confirmed="false">
-        <span className="check-dashed" aria-hidden="true" />
+        <span className="check-dashed rigid" aria-hidden="true" />
         {words}
       </p>
     );
@@ -112,13 +107,12 @@ function Seen({ answer }: { answer: CheckedProperty }) {
           ))}
         </span>
       </p>
-      <p className="check-play">
-        <button type="button" className="button" data-testid="check-play" disabled={held} onClick={() => play(run)}>
-          <Icon name="play" size={16} />
+      <p className="check-play row wrap">
+        <Button icon="play" testId="check-play" disabled={held} onClick={() => play(run)}>
           {t("check.play")}
-        </button>
-        {played ? <span className="check-note">{t("check.plays", { time: clock(run.seconds) })}</span> : null}
-        {held ? <span className="check-note check-warning">{t("check.real")}</span> : null}
+        </Button>
+        {played ? <span className="check-note muted">{t("check.plays", { time: clock(run.seconds) })}</span> : null}
+        {held ? <span className="check-note check-warning muted">{t("check.real")}</span> : null}
       </p>
     </>
   );
@@ -142,7 +136,7 @@ function Story({ answer }: { answer: CheckedProperty }) {
         </div>
       ))}
       {last !== undefined && !last.repeats && last.events.length === 0 ? (
-        <p className="check-note">{t("check.at-once")}</p>
+        <p className="check-note muted">{t("check.at-once")}</p>
       ) : null}
     </div>
   );
@@ -155,8 +149,10 @@ function Events({ events, leftOut }: { events: readonly CheckedEvent[]; leftOut:
     <ol>
       {events.map(({ step, text }, index) => (
         <li key={index}>
-          {index === gap ? <span className="check-left-out">{t("check.left-out", { count: leftOut })}</span> : null}
-          <span className="check-step">{events[index - 1]?.step === step ? "" : grouped(step + 1)}</span>
+          {index === gap ? (
+            <span className="check-left-out muted">{t("check.left-out", { count: leftOut })}</span>
+          ) : null}
+          <span className="check-step muted">{events[index - 1]?.step === step ? "" : grouped(step + 1)}</span>
           <span>
             <Said text={text} />
           </span>

@@ -5,8 +5,8 @@ import { Refused } from "../../components/Refused";
 import { decimal, grouped, readWhole } from "../../i18n/numbers";
 import { t } from "../../i18n/words";
 import { useStudio } from "../../model/studio";
-import { closeBelow, useAlone } from "../../session/below-alone";
-import { Icon } from "../../theme";
+import { closeDock } from "../../session/dock";
+import { Button } from "../../ui/Button";
 import { Select } from "../../ui/Select";
 import { Tool } from "../../ui/Tool";
 import { AnswerTable } from "./AnswerTable";
@@ -22,22 +22,26 @@ const SECONDS = ["10", "60", "300", "1800"];
 const MEGA = 1_000_000;
 
 export function CheckPanel() {
-  useAlone();
   const refused = useCheck((check) => check.refused);
   const asked = useCheck((check) => check.asked);
   const open = useCheck((check) => check.open);
   const shown = useCheck((check) => answerAt(check, check.open) !== null);
   return (
-    <section className="dock-panel check-panel" id="check-panel" data-testid="check" aria-label={t("check.title")}>
-      <header className="dock-head check-head">
+    <section
+      className="dock-panel check-panel column rigid"
+      id="check-panel"
+      data-testid="check"
+      aria-label={t("check.title")}
+    >
+      <header className="dock-head check-head row rigid">
         <h2>{t("check.title")}</h2>
         <Asking />
-        <Tool small icon="x" label={t("check.close")} titled={false} onClick={closeBelow} />
+        <Tool small icon="x" label={t("check.close")} titled={false} onClick={closeDock} />
       </header>
       <div className="check-body" data-run={shown}>
-        <div className="check-answers">
+        <div className="check-answers column">
           <Refused refused={refused} />
-          {asked === null ? <p className="check-note check-what">{t("check.what")}</p> : <Answers />}
+          {asked === null ? <p className="check-note check-what muted">{t("check.what")}</p> : <Answers />}
           <Properties />
         </div>
         {shown && open !== null ? <BrokenRun key={`${String(open.row)} ${String(open.column)}`} cell={open} /> : null}
@@ -50,11 +54,11 @@ function Answers() {
   const columns = useCheck((check) => check.columns.length);
   const busy = useCheck((check) => check.busy);
   const changed = useStudio(({ mission }) => mission !== useCheck.getState().asked?.mission);
-  if (columns === 0) return busy ? <p className="check-note check-what">{t("check.begins")}</p> : null;
+  if (columns === 0) return busy ? <p className="check-note check-what muted">{t("check.begins")}</p> : null;
   return (
     <>
       <Verdict />
-      {changed ? <p className="check-note check-warning">{t("check.changed")}</p> : null}
+      {changed ? <p className="check-note check-warning muted">{t("check.changed")}</p> : null}
       <AnswerTable />
       <Limits />
     </>
@@ -72,7 +76,7 @@ function Asking() {
   if (busy) return <Progress />;
   return (
     <form
-      className="check-asking"
+      className="check-asking row wrap small-text"
       onSubmit={(event) => {
         event.preventDefault();
         begin(readWhole(failures) ?? 0, kindsOf(kinds), readWhole(seconds) ?? 0);
@@ -104,11 +108,10 @@ function Asking() {
           keep={setSeconds}
         />
       </label>
-      <button type="submit" className="button" data-testid="check-begin" disabled={agents === 0}>
-        <Icon name="clipboard-check" size={16} />
+      <Button icon="clipboard-check" type="submit" testId="check-begin" disabled={agents === 0}>
         {asked === null ? t("check.begin") : t("check.again")}
-      </button>
-      {agents === 0 ? <span className="check-note">{t("check.nobody")}</span> : null}
+      </Button>
+      {agents === 0 ? <span className="check-note muted">{t("check.nobody")}</span> : null}
     </form>
   );
 }
@@ -117,12 +120,11 @@ function Progress() {
   const progress = useCheck((check) => check.progress);
   const stopping = useCheck((check) => check.stopping);
   return (
-    <div className="check-asking" data-testid="check-progress">
+    <div className="check-asking row wrap small-text" data-testid="check-progress">
       <span className="check-count">{progress === null ? t("check.preparing") : said(progress)}</span>
-      <button type="button" className="button" data-testid="check-stop" disabled={stopping} onClick={breakOff}>
-        <Icon name="square" size={16} />
+      <Button icon="square" testId="check-stop" disabled={stopping} onClick={breakOff}>
         {t("check.stop")}
-      </button>
+      </Button>
     </div>
   );
 }

@@ -82,7 +82,7 @@ export function ConditionField({ label, testId, value, keep }: FieldProps) {
         onKeyDown={pressed}
       />
       <span
-        className="check-suggestions"
+        className="check-suggestions wrap"
         role="listbox"
         id={`${id}-list`}
         aria-label={label}

@@ -5,7 +5,7 @@ import { freePropertyName, setProperties } from "../../model/commands/changeProp
 import { useStudio } from "../../model/studio";
 import { typedName } from "../../model/typed-name";
 import type { AskedProperty } from "../../model/types";
-import { Icon } from "../../theme";
+import { Button } from "../../ui/Button";
 import { Tool } from "../../ui/Tool";
 import { ConditionField } from "./ConditionField";
 
@@ -32,7 +32,7 @@ function Row({ one, at }: { one: AskedProperty; at: number }) {
   const change = (what: Partial<AskedProperty>) =>
     put((before) => before.map((other, index) => (index === at ? { ...other, ...what } : other)));
   return (
-    <li className="check-property" data-testid={`property-${String(at)}`}>
+    <li className="check-property row wrap small-text" data-testid={`property-${String(at)}`}>
       <input
         className="field check-name"
         key={one.name}
@@ -51,7 +51,7 @@ function Row({ one, at }: { one: AskedProperty; at: number }) {
         const part = hole === 0 ? "first" : "second";
         const value = one[part] ?? "";
         return (
-          <span className="check-hole" key={word}>
+          <span className="check-hole row" key={word}>
             <span>{t(word)}</span>
             <ConditionField
               key={value}
@@ -97,19 +97,20 @@ export function Properties() {
           <Said text={message} />. <Said text={help} />
         </p>
       ))}
-      <p className="check-add">
-        <span className="check-note">{t("check.add")}</span>
+      <p className="check-add row wrap small-text">
+        <span className="check-note muted">{t("check.add")}</span>
         {FORMS.map((form) => (
-          <button
+          <Button
+            icon="plus"
+            iconSize={14}
+            className="check-form"
             key={form}
-            type="button"
-            className="button check-form"
-            data-testid={`property-add-${form}`}
+
+            testId={`property-add-${form}`}
             onClick={() => add(form)}
           >
-            <Icon name="plus" size={14} />
             {t(`check.form-${form}`)}
-          </button>
+          </Button>
         ))}
       </p>
     </section>

@@ -77,7 +77,12 @@ export function StepArena({ answer, mission }: { answer: CheckedProperty; missio
           ))}
         </svg>
       </div>
-      <div className="check-steps-row" role="group" aria-label={t("check.zone-by-zone")} onKeyDown={pressed}>
+      <div
+        className="check-steps-row row small-text"
+        role="group"
+        aria-label={t("check.zone-by-zone")}
+        onKeyDown={pressed}
+      >
         <Tool small icon="step-back" label={t("check.step-back")} disabled={at === 0} onClick={() => go(at - 1)} />
         <Tool
           small
@@ -104,7 +109,7 @@ export function StepArena({ answer, mission }: { answer: CheckedProperty; missio
           {repeats ? <Icon name="infinity" size={14} label={t("check.repeats")} /> : null}
         </span>
       </div>
-      <p className="check-note check-step-said">
+      <p className="check-note check-step-said muted small-text">
         {said.map(({ text }, index) => (
           <span key={index}>
             <Said text={text} />{" "}

@@ -2,10 +2,10 @@
 import type { VerifyColumnMessage } from "../../api/generated";
 import { t } from "../../i18n/words";
 import { Said } from "../../i18n/Said";
-import { Icon } from "../../theme";
 import { USUAL, withKinds } from "./kinds";
 import type { Assumption } from "./table";
 import { begin, useCheck } from "./verifying";
+import { Button } from "../../ui/Button";
 
 const MOST_FAILURES = 3;
 
@@ -41,18 +41,17 @@ export function Verdict() {
   const words = broken > 0 ? t("check.broken-count", { count: broken }) : cut ? cutWords(columns) : t("check.all-hold");
   const most = asked.failures ?? 0;
   return (
-    <p className="check-verdict" role="status" data-testid="check-verdict">
+    <p className="check-verdict row wrap" role="status" data-testid="check-verdict">
       <strong>{words}</strong>
       {broken === 0 && !cut && most < MOST_FAILURES ? (
-        <button
-          type="button"
-          className="button"
-          data-testid="check-more-failures"
+        <Button
+          icon="plus"
+
+          testId="check-more-failures"
           onClick={() => begin(most + 1, asked.kinds ?? USUAL, asked.seconds)}
         >
-          <Icon name="plus" size={16} />
           {t("check.let-fail", { count: most + 1 })}
-        </button>
+        </Button>
       ) : null}
     </p>
   );
@@ -62,7 +61,7 @@ export function Limits() {
   const limits = useCheck((check) => check.limits);
   if (limits === null || limits.length === 0) return null;
   return (
-    <details className="check-limits" data-testid="check-limits">
+    <details className="check-limits muted small-text" data-testid="check-limits">
       <summary>{t("check.limits", { count: limits.length })}</summary>
       <ul>
         {limits.map((limit) => (

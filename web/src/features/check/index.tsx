@@ -1,7 +1,7 @@
 /** Check: what can go wrong in the mission, whatever the order of events; a broken property is played as a run. */
 import { t } from "../../i18n/words";
 import { useStudio } from "../../model/studio";
-import { useBelow } from "../../session/below";
+import { openDock } from "../../session/dock";
 import { complain } from "../../session/document";
 import type { Feature } from "../../session/features";
 import { keyFor } from "../../session/key-table";
@@ -10,11 +10,7 @@ import { menuItem } from "../../ui/menu-model";
 
 const CheckPanel = later(() => import("./CheckPanel").then((chunk) => chunk.CheckPanel), complain);
 
-function CheckDock() {
-  return useBelow((below) => below.open === "check") ? <CheckPanel /> : null;
-}
-
-const open = () => useBelow.setState({ open: "check" });
+const open = () => openDock("check-panel");
 
 /** The check while one draws is fetched at the first edit. */
 function start(): () => void {
@@ -37,7 +33,7 @@ function start(): () => void {
 
 export const check: Feature = {
   name: "check",
-  slots: { below: CheckDock },
+  docks: { "check-panel": CheckPanel },
   commands: { check: open },
   start,
   useMenu: () => ({ sweep: [menuItem("run-check", t("run.check"), keyFor.page("check"), open)] }),

@@ -117,6 +117,11 @@ export function answerAt(
   return column === undefined || answer === undefined ? null : { column, answer };
 }
 
+/** Opens the run of an answer, or closes the one that is open. */
+export function openAnswer(open: Checking["open"]): void {
+  useCheck.setState({ open });
+}
+
 /** Plays the run that breaks a property, up to the moment in which it does. */
 export function play(run: ConfirmingRun): void {
   const { asked } = useCheck.getState();

@@ -9,6 +9,7 @@ import { t } from "../../i18n/words";
 import { Icon } from "../../theme";
 import { fetchAhead } from "./ahead";
 import { forgetLeft } from "./left";
+import { Button } from "../../ui/Button";
 import "./class.css";
 
 const ASK_MS = 2000;
@@ -105,7 +106,7 @@ export function Join() {
 
   return (
     <main className="join" aria-label={t("class.join-title", { name: about?.name ?? "" })}>
-      <form className="join-card" onSubmit={join} data-testid="join">
+      <form className="join-card surface" onSubmit={join} data-testid="join">
         <h1>{t("class.join-title", { name: `\u2068${about?.name ?? "…"}\u2069` })}</h1>
         {about?.joining === false ? <p>{t("class.no-joining")}</p> : null}
         <Field label={t("class.code")} help={t("class.code-help")}>
@@ -168,28 +169,20 @@ export function Join() {
           )}
         </p>
         {asked === "" ? null : (
-          <p role="status" className="join-asking">
+          <p role="status" className="join-asking row">
             <Icon name="hourglass" size={18} /> {t("class.asking")}
           </p>
         )}
-        <div className="join-foot">
-          <button type="submit" className="button button-ink" disabled={busy} data-testid="join-go">
+        <div className="join-foot wrap">
+          <Button ink type="submit" disabled={busy} testId="join-go">
             {t(taken === "" ? "class.join" : "class.come-back")}
-          </button>
+          </Button>
           {taken === "" ? null : (
             <>
-              <button
-                type="button"
-                className="button"
-                onClick={askTeacher}
-                disabled={asked !== ""}
-                data-testid="join-ask"
-              >
+              <Button onClick={askTeacher} disabled={asked !== ""} testId="join-ask">
                 {t("class.ask-teacher")}
-              </button>
-              <button type="button" className="button" onClick={again}>
-                {t("class.other-name")}
-              </button>
+              </Button>
+              <Button onClick={again}>{t("class.other-name")}</Button>
             </>
           )}
         </div>

@@ -5,6 +5,7 @@ import { createPortal } from "react-dom";
 import { Said } from "../../i18n/Said";
 import { type Key, t } from "../../i18n/words";
 import { Icon } from "../../theme";
+import { Button } from "../../ui/Button";
 import type { MenuEntry } from "../../ui/menu-model";
 import { menuItem } from "../../ui/menu-model";
 import { MenuButton } from "../../ui/MenuButton";
@@ -20,24 +21,20 @@ const WORDS: Record<Offer["kind"], (words: string) => string> = {
 function OfferRow({ offer }: { offer: Offer }) {
   const { open } = offer;
   return (
-    <div className="banner banner-note" role="status" data-testid={`class-${offer.kind}`}>
+    <div className="banner banner-note row rigid" role="status" data-testid={`class-${offer.kind}`}>
       <Icon name={offer.kind === "note" ? "message-circle" : "send"} size={18} />
       <p dir="auto">{WORDS[offer.kind](offer.words)}</p>
       {open === null ? null : (
-        <button
-          type="button"
-          className="button"
+        <Button
           onClick={() => {
             done(offer);
             open();
           }}
         >
           {t("class.open")}
-        </button>
+        </Button>
       )}
-      <button type="button" className="button" onClick={() => done(offer)}>
-        {t(open === null ? "class.read" : "class.later")}
-      </button>
+      <Button onClick={() => done(offer)}>{t(open === null ? "class.read" : "class.later")}</Button>
     </div>
   );
 }
@@ -86,23 +83,21 @@ export function PupilBar() {
         <OfferRow key={offer.kind} offer={offer} />
       ))}
       {news?.turn === "asked" ? (
-        <div className="banner banner-question" role="alert" data-testid="class-turn">
+        <div className="banner banner-question row rigid" role="alert" data-testid="class-turn">
           <Icon name="pencil" size={18} />
           <p>{t("class.asks-to-edit")}</p>
-          <button type="button" className="button" data-testid="class-let-edit" onClick={() => letEdit(true)}>
+          <Button testId="class-let-edit" onClick={() => letEdit(true)}>
             {t("class.let-edit")}
-          </button>
-          <button type="button" className="button" onClick={() => letEdit(false)}>
-            {t("class.not-edit")}
-          </button>
+          </Button>
+          <Button onClick={() => letEdit(false)}>{t("class.not-edit")}</Button>
         </div>
       ) : null}
       {frozen ? <Held icon="snowflake" title={t("class.frozen")} help={t("class.frozen-help")} /> : null}
       {!frozen && connected && news?.turn === "teacher" ? (
         <Held icon="pencil" title={t("class.edits")} help={t("class.edits-help")}>
-          <button type="button" className="button" data-testid="class-take-back" onClick={() => letEdit(false)}>
+          <Button testId="class-take-back" onClick={() => letEdit(false)}>
             {t("class.take-back")}
-          </button>
+          </Button>
         </Held>
       ) : null}
     </>
@@ -119,7 +114,7 @@ function KeptWords() {
   const { kept, problem, connected } = useClassroom();
   if (kept === "refused") {
     return (
-      <span className="class-kept" role="status" data-testid="class-kept" data-kept="refused">
+      <span className="class-kept muted small-text rigid" role="status" data-testid="class-kept" data-kept="refused">
         <Icon name="triangle-alert" size={16} />
         <Said text={t("class.not-kept", { why: problem })} />
       </span>
@@ -129,7 +124,7 @@ function KeptWords() {
   const away = words === "class.kept-here";
   return (
     <span
-      className="class-kept"
+      className="class-kept muted small-text rigid"
       role="status"
       data-testid="class-kept"
       data-kept={connected ? kept : "here"}
@@ -153,16 +148,21 @@ export function PupilKept() {
   ];
   const up = t(hand ? "class.hand-up" : "class.hand");
   return (
-    <div className="class-pupil">
+    <div className="class-pupil row rigid">
       <KeptWords />
       {looked ? (
-        <span className="class-looked" role="status" title={t("class.looked")} data-testid="class-looked">
+        <span
+          className="class-looked muted small-text rigid"
+          role="status"
+          title={t("class.looked")}
+          data-testid="class-looked"
+        >
           <Icon name="eye" size={16} label={t("class.looked")} />
         </span>
       ) : null}
       <button
         type="button"
-        className="tool tool-named class-hand"
+        className="tool tool-named class-hand rigid"
         aria-pressed={hand}
         data-testid="class-hand"
         onClick={() => putHand(!hand)}
@@ -173,7 +173,7 @@ export function PupilKept() {
       <MenuButton
         id="class-me"
         label={t("class.you", { name, class: of })}
-        className="tool tool-named class-me"
+        className="tool tool-named class-me rigid"
         entries={entries}
       >
         <Icon name="user-round" size={18} />

@@ -60,14 +60,14 @@ export function Code() {
   const loaded = found !== undefined;
   return (
     <div className="code" data-testid="code">
-      <header className="side-tabs">
+      <header className="side-tabs row rigid">
         <div role="tablist" aria-label={t("view.code")} className="side-tablist">
           {sides.map((one) => (
             <button
               key={one}
               type="button"
               role="tab"
-              className="side-tab"
+              className="side-tab ellipsis muted"
               id={`code-tab-${one}`}
               title={t(`code.${one}`)}
               data-testid={`code-tab-${one}`}

@@ -27,8 +27,7 @@ function StateLine({ draft }: { draft: Draft | undefined }) {
         <>
           <Icon name="octagon-x" size={16} />
           <span>
-            <span className="code-state-graph">{t("code.stale")}</span>{" "}
-            <Said text={sentence(why ?? first?.message ?? "")} />
+            <span className="muted">{t("code.stale")}</span> <Said text={sentence(why ?? first?.message ?? "")} />
           </span>
         </>
       ) : null}
@@ -124,7 +123,7 @@ export function Lll({
     [program, spans],
   );
   return (
-    <div className="code-lll">
+    <div className="code-lll column">
       <TextEditor
         text={text}
         label={t("code.label", { name: program })}

@@ -79,7 +79,7 @@ export default function Projection() {
     const social = mission.programs.some((one) => one.level === "social");
     const why = !social ? "projection.no-social" : behind ? "projection.waits" : "projection.none";
     return (
-      <p className="projection-none" role="status" data-testid="projection-none">
+      <p className="projection-none muted" role="status" data-testid="projection-none">
         {t(why)}
       </p>
     );
@@ -95,14 +95,14 @@ export default function Projection() {
   };
   return (
     <div className="projection" data-testid="projection">
-      <div className="projection-head">
+      <div className="projection-head row small-text">
         <div className="side-tablist" role="tablist" aria-label={t("projection.kinds")} onKeyDown={onKey}>
           {projections.map(({ robot }) => (
             <button
               key={robot}
               type="button"
               role="tab"
-              className="side-tab"
+              className="side-tab ellipsis muted"
               id={`projection-${robot}`}
               title={robot}
               data-testid={`projection-${robot}`}
@@ -115,7 +115,7 @@ export default function Projection() {
             </button>
           ))}
         </div>
-        <small className="projection-read">
+        <small className="projection-read row muted rigid">
           <Icon name="eye" size={14} /> {t("projection.read-only")}
         </small>
       </div>

@@ -2,7 +2,7 @@
 import { useState } from "react";
 
 import { t } from "../../i18n/words";
-import { openDelete, openEdit, useOwn } from "../../session/custom-blocks";
+import { closeMenu, openDelete, openEdit, useOwn } from "../../session/custom-blocks";
 import { complain } from "../../session/document";
 import { FloatingMenu } from "../../ui/FloatingMenu";
 import { later } from "../../ui/later";
@@ -36,9 +36,9 @@ function PartMenu({ name, x, y }: { name: string; x: number; y: number }) {
         { kind: "line", id: "own-1" },
         menuItem("own-share", t("own.share"), null, shareParts),
       ]}
-      onLeave={() => useOwn.setState({ menu: null })}
+      onLeave={closeMenu}
       onClose={() => {
-        useOwn.setState({ menu: null });
+        closeMenu();
         if (before instanceof HTMLElement) before.focus();
       }}
     />

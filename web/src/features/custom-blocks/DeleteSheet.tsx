@@ -9,6 +9,7 @@ import type { Program } from "../../model/types";
 import { reveal } from "../../session/actions";
 import { closeSheet } from "../../session/custom-blocks";
 import { Icon } from "../../theme";
+import { Button } from "../../ui/Button";
 import { Sheet } from "../../ui/Sheet";
 import { ownPart } from "./naming";
 import { whyNot } from "./SaveSheet";
@@ -56,7 +57,7 @@ export function DeleteSheet({ name }: { name: string }) {
           <li key={program}>
             <button
               type="button"
-              className="open-entry"
+              className="open-entry row"
               data-testid={`own-use-${program}`}
               onClick={() => {
                 closeSheet();
@@ -69,20 +70,18 @@ export function DeleteSheet({ name }: { name: string }) {
           </li>
         ))}
       </ul>
-      <p className="sheet-note">{t("own.delete-how")}</p>
-      <p className="own-failure" role="status">
+      <p className="sheet-note muted small-text">{t("own.delete-how")}</p>
+      <p className="own-failure row small-text" role="status">
         {failure}
       </p>
       <div className="sheet-foot">
-        <button type="button" className="button" onClick={closeSheet}>
-          {t("open.cancel")}
-        </button>
-        <button type="button" className="button" data-testid="own-leave" onClick={leave}>
+        <Button onClick={closeSheet}>{t("open.cancel")}</Button>
+        <Button testId="own-leave" onClick={leave}>
           {t("own.leave")}
-        </button>
-        <button type="button" className="button button-ink" data-testid="own-dissolve" onClick={() => void dissolve()}>
+        </Button>
+        <Button ink testId="own-dissolve" onClick={() => void dissolve()}>
           {t("own.dissolve")}
-        </button>
+        </Button>
       </div>
     </Sheet>
   );

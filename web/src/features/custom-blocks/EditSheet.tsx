@@ -132,7 +132,7 @@ function Editing({ name, part }: { name: string; part: Constructor }) {
           </div>
           <div>
             <h3>{t("own.lll")}</h3>
-            <div className="own-code own-code-edit">
+            <div className="own-code own-code-edit small-text">
               <TextEditor
                 text={code ?? part.code}
                 label={t("own.lll")}
@@ -147,7 +147,7 @@ function Editing({ name, part }: { name: string; part: Constructor }) {
                 onPoint={nothing}
               />
             </div>
-            <p className="sheet-note">{t("own.slots-how")}</p>
+            <p className="sheet-note muted small-text">{t("own.slots-how")}</p>
           </div>
         </div>
         <Slots slots={slots} onChange={setSlots} />

@@ -31,7 +31,7 @@ export function Look({ look, wrong, onChange }: LookProps) {
   const icons = first === "" ? CHOICES : [first, ...CHOICES.filter((name) => name !== first)];
   return (
     <>
-      <label className="field-label" htmlFor={`${id}-name`}>
+      <label className="field-label muted small-text rigid" htmlFor={`${id}-name`}>
         {t("own.name")}
       </label>
       <input
@@ -49,10 +49,10 @@ export function Look({ look, wrong, onChange }: LookProps) {
         onFocus={(event) => event.target.select()}
         onChange={(event) => onChange({ ...look, name: event.target.value })}
       />
-      <p className="own-wrong" id={`${id}-wrong`} role="status">
+      <p className="own-wrong small-text" id={`${id}-wrong`} role="status">
         {wrong}
       </p>
-      <label className="field-label" htmlFor={`${id}-help`}>
+      <label className="field-label muted small-text rigid" htmlFor={`${id}-help`}>
         {t("own.help")}
       </label>
       <input
@@ -66,7 +66,7 @@ export function Look({ look, wrong, onChange }: LookProps) {
         onChange={(event) => onChange({ ...look, help: event.target.value })}
       />
       <fieldset className="own-colours">
-        <legend className="field-label">{t("own.colour")}</legend>
+        <legend className="field-label muted small-text rigid">{t("own.colour")}</legend>
         {COLOURS.map((colour) => (
           <label key={colour} title={t(`own.colour-${colour}` as Key)}>
             <input
@@ -82,7 +82,7 @@ export function Look({ look, wrong, onChange }: LookProps) {
         ))}
       </fieldset>
       <fieldset className="own-icons">
-        <legend className="field-label">{t("own.icon")}</legend>
+        <legend className="field-label muted small-text rigid">{t("own.icon")}</legend>
         <div>
           {icons.map((icon) => (
             <label key={icon} title={icon}>

@@ -23,7 +23,7 @@ export function Openings({ program, openings, onChange }: OpeningsProps) {
   return (
     <fieldset className="own-openings">
       <legend>{t("own.open-title")}</legend>
-      {rows.length === 0 ? <p className="sheet-note">{t("own.open-none")}</p> : null}
+      {rows.length === 0 ? <p className="sheet-note muted small-text">{t("own.open-none")}</p> : null}
       <ul>
         {rows.map(({ opening, depth }) => (
           <Row
@@ -65,7 +65,7 @@ function Row({ opening, depth, program, onChange }: RowProps) {
   const what = offer.slot === "" ? t("own.open-vertex", { part }) : t("own.open-slot", { slot, part });
   return (
     <li style={{ paddingInlineStart: depth * 16 }} data-testid={`opening-${opening.key.replace(" ", "-")}`}>
-      <label className="own-check">
+      <label className="own-check row">
         <input
           type="checkbox"
           checked={on}
@@ -73,10 +73,10 @@ function Row({ opening, depth, program, onChange }: RowProps) {
           onChange={(event) => onChange({ on: event.target.checked })}
         />
         <span>{what}</span>
-        <span className="own-aside">{offer.is_open ? t("own.must") : now}</span>
+        <span className="own-aside muted small-text">{offer.is_open ? t("own.must") : now}</span>
       </label>
       {on ? (
-        <div className="own-opening">
+        <div className="own-opening wrap">
           <label htmlFor={`${id}-name`} className="own-named">
             <span>{t("own.name")}</span>
             <input

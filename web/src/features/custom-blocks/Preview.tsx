@@ -61,7 +61,7 @@ function boundsOf(boxes: readonly Box[]): Box {
 
 export function PartCode({ lll }: { lll: string }) {
   return (
-    <div className="own-code" data-testid="own-lll">
+    <div className="own-code small-text" data-testid="own-lll">
       <TextView text={lll.trimEnd()} label={t("own.lll")} extensions={lllExtensions} />
     </div>
   );

@@ -145,7 +145,9 @@ export function SaveSheet({ program, vertices }: { program: string; vertices: st
           <div>
             <h3>{t("own.preview")}</h3>
             {made === null || withPart === null ? (
-              <p className="sheet-note">{offered === null && failure === "" ? t("own.waiting") : "…"}</p>
+              <p className="sheet-note muted small-text">
+                {offered === null && failure === "" ? t("own.waiting") : "…"}
+              </p>
             ) : (
               <>
                 <Preview
@@ -161,7 +163,7 @@ export function SaveSheet({ program, vertices }: { program: string; vertices: st
           </div>
         </div>
         {offered === null ? null : <Openings program={program} openings={openings} onChange={setOpenings} />}
-        <label className="own-check">
+        <label className="own-check row">
           <input
             type="checkbox"
             checked={inPlace}

@@ -3,6 +3,7 @@ import { Said } from "../../i18n/Said";
 import { t } from "../../i18n/words";
 import { closeSheet } from "../../session/custom-blocks";
 import { Icon } from "../../theme";
+import { Button } from "../../ui/Button";
 
 interface SheetEndProps {
   /** "" when nothing stands in the way. */
@@ -15,7 +16,7 @@ interface SheetEndProps {
 export function SheetEnd({ why, keep, disabled }: SheetEndProps) {
   return (
     <>
-      <p className="own-failure" role="status" data-testid="own-failure">
+      <p className="own-failure row small-text" role="status" data-testid="own-failure">
         {why === "" ? null : (
           <>
             <Icon name="triangle-alert" size={16} /> <Said text={why} />
@@ -23,12 +24,10 @@ export function SheetEnd({ why, keep, disabled }: SheetEndProps) {
         )}
       </p>
       <div className="sheet-foot">
-        <button type="button" className="button" onClick={closeSheet}>
-          {t("open.cancel")}
-        </button>
-        <button type="submit" className="button button-ink" data-testid="own-save" disabled={disabled}>
+        <Button onClick={closeSheet}>{t("open.cancel")}</Button>
+        <Button ink type="submit" testId="own-save" disabled={disabled}>
           {keep}
-        </button>
+        </Button>
       </div>
     </>
   );

@@ -34,7 +34,7 @@ export function Slots({ slots, onChange }: SlotsProps) {
   return (
     <fieldset className="own-openings">
       <legend>{t("own.slots")}</legend>
-      {slots.length === 0 ? <p className="sheet-note">{t("own.slots-none")}</p> : null}
+      {slots.length === 0 ? <p className="sheet-note muted small-text">{t("own.slots-none")}</p> : null}
       <ul>
         {slots.map((slot) => {
           const range = {
@@ -45,11 +45,11 @@ export function Slots({ slots, onChange }: SlotsProps) {
           };
           return (
             <li key={slot.name} data-testid={`slot-${slot.name}`}>
-              <div className="own-slot">
+              <div className="own-slot row">
                 <code dir="ltr">{`{${slot.name}}`}</code>
-                <span className="own-aside">{t(`own.kind-${slot.kind}` as Key)}</span>
+                <span className="own-aside muted small-text">{t(`own.kind-${slot.kind}` as Key)}</span>
               </div>
-              <div className="own-opening">
+              <div className="own-opening wrap">
                 <label className="own-named">
                   <span>{t("own.name")}</span>
                   <input

@@ -1,6 +1,6 @@
 /** What is left open in a part that is made from a selection: the server's offers, and what the person chose of them. */
 import { readWhole } from "../../i18n/numbers";
-import type { Chosen, Offer } from "../../api/generated";
+import type { ChosenSlot, Offer } from "../../api/generated";
 
 export interface Opening {
   offer: Offer;
@@ -63,7 +63,7 @@ export function defaultOf(kind: string, first: string): string {
 }
 
 /** What is sent to the server. */
-export function chosenOf(openings: readonly Opening[]): Chosen[] {
+export function chosenOf(openings: readonly Opening[]): ChosenSlot[] {
   const depths = depthsOf(openings);
   return openings
     .filter((one, at) => one.on && (depths[at] ?? 0) >= 0)

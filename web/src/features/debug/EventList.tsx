@@ -79,7 +79,7 @@ function EventTable({ shown, tickMs, goes }: { shown: RunEvent[]; tickMs: number
                 {event.kind === "outside" ? null : `${t(`strip.${event.kind}`)}: `}
                 <Said text={withoutCause(event)} />
               </td>
-              <td className="watch-cause">{t(`debug.cause-${event.cause}`)}</td>
+              <td className="muted">{t(`debug.cause-${event.cause}`)}</td>
             </tr>
           );
         })}

@@ -43,7 +43,7 @@ export function Plot({ agent, object, label, value }: Props) {
         </g>
       </svg>
       {/* As on an axis: the most above, the least below; what is there now is set apart, and said once. */}
-      <span className="watch-figures">
+      <span className="watch-figures muted">
         <span data-now={value === most}>{flat ? null : said.most}</span>
         <span data-now>{flat || (value !== least && value !== most) ? said.now : null}</span>
         <span data-now={value === least}>{flat ? null : said.least}</span>

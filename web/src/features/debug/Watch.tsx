@@ -15,8 +15,8 @@ import { useStudio } from "../../model/studio";
 import { text } from "../../model/texts";
 import type { RobotObject } from "../../model/types";
 import { valueWords } from "../../model/words";
+import { closeDock } from "../../session/dock";
 import { can, type RunAgent, useRun, watchedAgent } from "../../session/run";
-import { useWatch } from "../../session/watching";
 import { Icon } from "../../theme";
 import { Tool } from "../../ui/Tool";
 import { EventList } from "./EventList";
@@ -28,12 +28,17 @@ export function WatchPanel() {
   const chosen = useRun((run) => watchedAgent(run, program));
   const agent = chosen ?? agents[0];
   return (
-    <section className="dock-panel watch-panel" id="watch-panel" data-testid="watch" aria-label={t("debug.watch")}>
-      <header className="dock-head">
+    <section
+      className="dock-panel watch-panel column rigid"
+      id="watch-panel"
+      data-testid="watch"
+      aria-label={t("debug.watch")}
+    >
+      <header className="dock-head row rigid">
         <h2>{t("debug.watch")}</h2>
         {agents.length < 2 || agent === undefined ? null : (
           <select
-            className="watched"
+            className="watched small-text"
             aria-label={t("debug.agent")}
             data-testid="watch-agent"
             value={agent.name}
@@ -50,15 +55,9 @@ export function WatchPanel() {
           </select>
         )}
         <span className="watch-space" />
-        <Tool
-          small
-          icon="x"
-          label={t("debug.watch-close")}
-          titled={false}
-          onClick={() => useWatch.getState().show(false)}
-        />
+        <Tool small icon="x" label={t("debug.watch-close")} titled={false} onClick={closeDock} />
       </header>
-      {agent === undefined ? <p className="dock-none">{t("debug.watch-nothing")}</p> : <Values agent={agent} />}
+      {agent === undefined ? <p className="dock-none muted">{t("debug.watch-nothing")}</p> : <Values agent={agent} />}
     </section>
   );
 }
@@ -69,7 +68,7 @@ function Values({ agent }: { agent: RunAgent }) {
   const sensors = objects.filter((object) => object.category === "sensor" && object.name in agent.inputs);
   const variables = objects.filter((object) => object.category === "variable" && object.name in agent.values);
   return (
-    <div className="watch-columns">
+    <div className="watch-columns wrap">
       <Column title={t("parts.variables")} objects={variables} agent={agent} sensors={false} />
       <Column title={t("parts.sensors")} objects={sensors} agent={agent} sensors />
       <EventList />

@@ -1,13 +1,18 @@
 /** The watch: values of variables and sensors over time; breakpoints that the run follows. */
 import { reveal } from "../../session/actions";
 import { followBreakpoints } from "../../session/breakpoints";
+import { complain } from "../../session/document";
 import type { Feature } from "../../session/features";
+import { later } from "../../ui/later";
 import { takeSamples } from "./samples";
-import { WatchButton, WatchDock } from "./WatchDock";
+import { WatchButton } from "./WatchButton";
+
+const WatchPanel = later(() => import("./Watch").then((chunk) => chunk.WatchPanel), complain);
 
 export const debug: Feature = {
   name: "debug",
-  slots: { below: WatchDock, bottom: WatchButton },
+  docks: { "watch-panel": WatchPanel },
+  slots: { bottom: WatchButton },
   start: () => {
     const ends = [followBreakpoints(reveal), takeSamples()];
     return () => ends.forEach((end) => end());

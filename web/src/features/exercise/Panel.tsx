@@ -7,6 +7,7 @@ import { t } from "../../i18n/words";
 import { useStudio } from "../../model/studio";
 import { text } from "../../model/texts";
 import { Icon } from "../../theme";
+import { Button } from "../../ui/Button";
 import { Tool } from "../../ui/Tool";
 import {
   begin,
@@ -34,28 +35,29 @@ const WORDS = {
 function Goal({ label, mark, at }: { label: string; mark: Mark; at: number }) {
   const seconds = mark.seconds === null ? null : mark.seconds.toFixed(1);
   return (
-    <li className="exercise-goal" data-state={mark.state} data-testid={`exercise-goal-${String(at + 1)}`}>
+    <li className="exercise-goal wrap" data-state={mark.state} data-testid={`exercise-goal-${String(at + 1)}`}>
       <Icon name={ICONS[mark.state]} size={18} label={t(WORDS[mark.state])} />
-      <span className="exercise-goal-words">
+      <span className="exercise-goal-words column">
         <span>{label}</span>
         {mark.why === "" ? null : (
-          <span className="exercise-why">
+          <span className="exercise-why muted small-text">
             <Said text={mark.why} />
           </span>
         )}
       </span>
       {mark.seed === null ? null : (
-        <button
-          type="button"
-          className="button small"
+        <Button
+          icon="play"
+          iconSize={14}
+          className="small"
+
           disabled={isHeldByRobots()}
           onClick={() => {
             play(mark);
           }}
         >
-          <Icon name="play" size={14} />
           {seconds === null ? t("exercise.play") : t("exercise.play-at", { seconds })}
-        </button>
+        </Button>
       )}
     </li>
   );
@@ -97,22 +99,20 @@ export function ExercisePanel() {
       data-testid="exercise"
       aria-label={t("exercise.of", { name: text(shown.label) })}
     >
-      <header className="exercise-head">
+      <header className="exercise-head row wrap">
         <Icon name={shown.icon} size={18} />
         <h2>{text(shown.label)}</h2>
-        <span className="exercise-count" data-testid="exercise-count">
+        <span className="exercise-count muted small-text" data-testid="exercise-count">
           {t("exercise.reached", { done, total: shown.goals.length })}
         </span>
         {busy === null ? (
-          <button type="button" className="button small" data-testid="exercise-judge" onClick={judgeAll}>
-            <Icon name="list-checks" size={16} />
+          <Button icon="list-checks" className="small" testId="exercise-judge" onClick={judgeAll}>
             {t("exercise.judge")}
-          </button>
+          </Button>
         ) : (
-          <button type="button" className="button small" data-testid="exercise-stop" onClick={stopJudging}>
-            <Icon name="square" size={16} />
+          <Button icon="square" className="small" testId="exercise-stop" onClick={stopJudging}>
             {t("exercise.stop")}
-          </button>
+          </Button>
         )}
         <Tool
           small
@@ -130,7 +130,7 @@ export function ExercisePanel() {
         ))}
       </ol>
       {busy === null ? null : <progress aria-label={said} max={Math.max(1, busy.total)} value={busy.done} />}
-      <p className="exercise-basis" role="status" data-testid="exercise-basis">
+      <p className="exercise-basis muted small-text" role="status" data-testid="exercise-basis">
         {said}
       </p>
     </section>
@@ -141,7 +141,7 @@ function Card({ exercise }: { exercise: Exercise }) {
   return (
     <button
       type="button"
-      className="exercise-card"
+      className="exercise-card row"
       data-testid={`exercise-card-${exercise.name}`}
       onClick={() => {
         begin(exercise);
@@ -160,7 +160,7 @@ function Card({ exercise }: { exercise: Exercise }) {
 function Broken({ exercise: { name, problems } }: { exercise: Exercise }) {
   const [first] = problems;
   return (
-    <div className="exercise-card is-broken" data-testid={`exercise-card-${name}`}>
+    <div className="exercise-card is-broken row" data-testid={`exercise-card-${name}`}>
       <Icon name="triangle-alert" size={20} />
       <span>
         <strong dir="auto">{name}</strong>

@@ -14,7 +14,7 @@ import { complain, show } from "../../session/document";
 import { openPath } from "../../session/open-requests";
 import { isLive, useRun } from "../../session/run";
 import { type Mark, noMarks, pieces, withVerdicts } from "./marks";
-import { remember, useOpenExercise } from "../../session/open-exercise";
+import { remember, setGoals, useOpenExercise } from "../../session/open-exercise";
 
 /** What the marks are of: nothing yet, one run, every run, or as far as judging came before it was stopped. */
 export type Basis =
@@ -189,7 +189,7 @@ export function keepExercise(): () => void {
   const offMarks = useExercise.subscribe(({ marks }, before) => {
     if (marks === before.marks) return;
     const goals = marks.map(({ state, why }) => ({ reached: state === "open" ? null : state === "reached", why }));
-    useOpenExercise.setState({ goals });
+    setGoals(goals);
   });
   const onFocus = () => void lookForExercises();
   window.addEventListener("focus", onFocus);

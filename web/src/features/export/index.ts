@@ -1,21 +1,34 @@
 /** Files to keep and sheets to print; what makes them is fetched on demand. */
 import { t } from "../../i18n/words";
 import { useStudio } from "../../model/studio";
+import { complain, show } from "../../session/document";
 import type { Feature } from "../../session/features";
 import { keyFor } from "../../session/key-table";
 import type { MenuEntries } from "../../session/menu-table";
 import { menuItem } from "../../ui/menu-model";
+import { later } from "../../ui/later";
 import { preparePrinting, printSheet } from "./print";
 
 const pictures = () => import("./pictures");
 const images = () => import("./images");
+const PdfSheet = later(
+  () => import("./PdfSheet").then((chunk) => chunk.PdfSheet),
+  (cause) => {
+    show(null);
+    complain(cause);
+  },
+);
+
+declare module "../../session/document" {
+  interface Overlays {
+    pdf: true;
+  }
+}
 
 function useMenu(): MenuEntries {
   const program = useStudio((studio) => studio.activeProgram);
-  const only = useStudio((studio) => studio.mission.programs.length === 1);
   const kri = t("out.download-kri", { name: program });
   const kra = t("out.download-kra", { name: program });
-  const all = t("out.export-pdf-all");
   return {
     image: [
       menuItem("file-download-kri", kri, null, () => images().then((out) => out.downloadImage())),
@@ -24,11 +37,18 @@ function useMenu(): MenuEntries {
     picture: [
       menuItem("file-export-svg", t("file.export-svg"), null, () => pictures().then((out) => out.exportSvg())),
       menuItem("file-export-png", t("file.export-png"), null, () => pictures().then((out) => out.exportPng())),
-      menuItem("file-export-pdf", t("out.export-pdf"), null, () => pictures().then((out) => out.exportPdf())),
-      menuItem("file-export-pdf-all", all, null, () => pictures().then((out) => out.exportPdfOfAll()), only),
+      menuItem("file-export-pdf", t("out.export-pdf"), null, () => {
+        show("pdf");
+      }),
     ],
     print: [menuItem("file-print", t("out.print"), keyFor.page("print"), printSheet)],
   };
 }
 
-export const exporting: Feature = { name: "export", commands: { print: printSheet }, useMenu, start: preparePrinting };
+export const exporting: Feature = {
+  name: "export",
+  commands: { print: printSheet },
+  useMenu,
+  sheets: { pdf: PdfSheet },
+  start: preparePrinting,
+};

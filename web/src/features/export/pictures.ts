@@ -1,20 +1,16 @@
 /**
- * Programs as files to keep: SVG and PNG of the one in view, PDF of it or of all, each with the whole mission inside, so
- * that it opens again.
+ * The program in view as a file to keep, SVG or PNG, with the whole mission inside, so that it opens again.
  *
- * The drawing is made for the occasion, outside of the page. A PNG has two dots for each px, fewer where the browser's
- * canvas would be too small for it. SVG and PNG have the colours of the theme; a PDF is paper, and has a page as large as
- * the graph: nothing is cut, and for sheets of A4 there is Print.
+ * The drawing is made for the occasion, outside of the page, in the colours of the theme. A PNG has two dots for each px,
+ * fewer where the browser's canvas would be too small for it.
  */
 import { api } from "../../api/client";
 import { drawn } from "../../components/graph/drawn";
-import { languageInUse, t } from "../../i18n/words";
+import { t } from "../../i18n/words";
 import { useStudio } from "../../model/studio";
-import { text } from "../../model/texts";
-import { complain, fileName } from "../../session/document";
-import { currentDrawing, type Drawing, drawProgram } from "../../session/drawing";
+import { complain } from "../../session/document";
+import { currentDrawing } from "../../session/drawing";
 import { download } from "../../ui/download";
-import { pdfOf } from "./pdf/pages";
 import { withText } from "./png";
 
 const KEYWORD = "kitrobot-mission";
@@ -30,15 +26,11 @@ interface Made {
   height: number;
 }
 
-async function missionText(): Promise<string> {
-  return (await api.missionText(useStudio.getState().mission)).text;
-}
-
 async function make(): Promise<Made | null> {
   const drawing = currentDrawing();
   if (drawing === null) return null;
-  const mission = await missionText();
-  const picture = await drawn(drawing, { inside: mission });
+  const { text: mission } = await api.missionText(useStudio.getState().mission);
+  const picture = await drawn(drawing, mission);
   const svg = new XMLSerializer().serializeToString(picture);
   const [width, height] = [Number(picture.getAttribute("width")), Number(picture.getAttribute("height"))];
   return { name: drawing.program.name, svg, mission, width, height };
@@ -80,32 +72,4 @@ export async function exportPng(): Promise<void> {
   } catch (cause) {
     complain(cause);
   }
-}
-
-async function exportPages(drawings: readonly Drawing[], name: string): Promise<void> {
-  try {
-    const mission = await missionText();
-    const pages = [];
-    for (const drawing of drawings) {
-      pages.push({ title: drawing.program.name, svg: await drawn(drawing, { paper: true }) });
-    }
-    const attached = { name: fileName().replace(/(\.krt)?$/i, ".krt"), text: mission };
-    const title = text(useStudio.getState().mission.label ?? {}, name);
-    download(`${name}.pdf`, await pdfOf(pages, { title, language: languageInUse(), attached }), "application/pdf");
-  } catch (cause) {
-    complain(cause);
-  }
-}
-
-/** The program in view. */
-export async function exportPdf(): Promise<void> {
-  const drawing = currentDrawing();
-  if (drawing !== null) await exportPages([drawing], drawing.program.name);
-}
-
-/** Every program of the mission, a page each. */
-export async function exportPdfOfAll(): Promise<void> {
-  const state = useStudio.getState();
-  const drawings = state.mission.programs.map((program) => drawProgram(state, program));
-  await exportPages(drawings, fileName().replace(/\.krt$/i, ""));
 }

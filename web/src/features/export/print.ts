@@ -6,30 +6,25 @@
  */
 import { moreWords, t } from "../../i18n/words";
 import { complain } from "../../session/document";
-import type * as sheetModule from "./sheet/sheet";
 
-type Sheet = typeof sheetModule;
+const fetchSheet = once(async () => {
+  const [sheet] = await Promise.all([import("./sheet/sheet"), moreWords()]);
+  return sheet.keepSheet();
+});
 
-let fetched: Promise<Sheet> | null = null;
-
-function fetchSheet(): Promise<Sheet> {
-  fetched ??= Promise.all([import("./sheet/sheet"), moreWords()]).then(
-    ([sheet]) => {
-      sheet.keepSheet();
-      return sheet;
-    },
-    (cause: unknown) => {
-      // Cut off from the server: the next wish tries again.
-      fetched = null;
+/** Does it once; what has failed (cut off from the server) is tried again by the next wish. */
+function once<T>(act: () => Promise<T>): () => Promise<T> {
+  let done: Promise<T> | null = null;
+  return () =>
+    (done ??= act().catch((cause: unknown) => {
+      done = null;
       throw cause;
-    },
-  );
-  return fetched;
+    }));
 }
 
 export function printSheet(): void {
   fetchSheet()
-    .then((sheet) => sheet.print())
+    .then((print) => print())
     .catch(() => {
       complain(new Error(t("out.print-failed")));
     });

@@ -61,7 +61,7 @@ export function Card({ entry, choose, brief = false, plays = false, onKeyDown }:
     <button
       type="button"
       ref={card}
-      className="card"
+      className="card surface column"
       data-path={entry.path}
       data-testid={`example-${entry.name}`}
       onClick={choose}

@@ -20,7 +20,7 @@ export function Examples() {
     <section className="examples" aria-label={t("open.examples")}>
       <div className="gallery-head">
         <h2>{t("examples.or")}</h2>
-        <button type="button" className="gallery-all" data-testid="all-examples" onClick={() => show("open")}>
+        <button type="button" className="gallery-all muted" data-testid="all-examples" onClick={() => show("open")}>
           {t("examples.all")}
         </button>
       </div>

@@ -8,6 +8,7 @@ import { text } from "../../model/texts";
 import { Icon } from "../../theme";
 import { Card } from "./Card";
 import { ALL, byLevel, fitting, robotsOf, topicsOf, type Wish } from "./filter";
+import { Button } from "../../ui/Button";
 import { nextCard } from "../../ui/grid";
 import { playsAlways, usePlays } from "./plays";
 
@@ -22,7 +23,13 @@ interface ChipProps {
 
 function Chip({ label, pressed, testId, choose }: ChipProps) {
   return (
-    <button type="button" className="gallery-chip" aria-pressed={pressed} data-testid={testId} onClick={choose}>
+    <button
+      type="button"
+      className="gallery-chip small-text"
+      aria-pressed={pressed}
+      data-testid={testId}
+      onClick={choose}
+    >
       {label}
     </button>
   );
@@ -57,7 +64,7 @@ export function Gallery({ examples, open }: GalleryProps) {
 
   return (
     <section className="gallery-room" aria-label={t("open.examples")} ref={room} data-testid="gallery">
-      <div className="gallery-tools">
+      <div className="gallery-tools row wrap">
         <label className="gallery-find">
           <Icon name="search" size={16} />
           <span className="only-spoken">{t("gallery.find")}</span>
@@ -98,7 +105,7 @@ export function Gallery({ examples, open }: GalleryProps) {
             </option>
           ))}
         </select>
-        <label className="gallery-plays">
+        <label className="gallery-plays row">
           <input
             type="checkbox"
             data-testid="gallery-plays"
@@ -108,7 +115,7 @@ export function Gallery({ examples, open }: GalleryProps) {
           {t("gallery.move")}
         </label>
       </div>
-      <div className="gallery-chips" role="group" aria-label={t("gallery.level")}>
+      <div className="gallery-chips row wrap" role="group" aria-label={t("gallery.level")}>
         <Chip
           label={t("gallery.level-all")}
           pressed={wish.level === 0}
@@ -125,7 +132,7 @@ export function Gallery({ examples, open }: GalleryProps) {
           />
         ))}
       </div>
-      <div className="gallery-chips" role="group" aria-label={t("gallery.topic")}>
+      <div className="gallery-chips row wrap" role="group" aria-label={t("gallery.topic")}>
         <Chip
           label={t("gallery.topic-all")}
           pressed={wish.topic === ""}
@@ -142,13 +149,13 @@ export function Gallery({ examples, open }: GalleryProps) {
           />
         ))}
       </div>
-      <p className="gallery-count" role="status" data-testid="gallery-count">
+      <p className="gallery-count muted small-text" role="status" data-testid="gallery-count">
         {found.length === 0 ? t("gallery.none") : t("gallery.count", { count: found.length })}
       </p>
       {found.length === 0 ? (
-        <button type="button" className="button" data-testid="gallery-show-all" onClick={() => setWish(ALL)}>
+        <Button testId="gallery-show-all" onClick={() => setWish(ALL)}>
           {t("gallery.show-all")}
-        </button>
+        </Button>
       ) : null}
       {byLevel(found).map(({ level, entries }) => (
         <div key={level} className="gallery-level">

@@ -21,12 +21,12 @@ export function Jumps() {
     return () => observer.disconnect();
   }, []);
   return (
-    <nav ref={nav} className="open-jumps" aria-label={t("open.jumps")}>
+    <nav ref={nav} className="open-jumps wrap" aria-label={t("open.jumps")}>
       {headings.map((heading) => (
         <button
           key={heading.textContent}
           type="button"
-          className="gallery-chip"
+          className="gallery-chip small-text"
           dir="auto"
           onClick={() => {
             heading.scrollIntoView();

@@ -10,6 +10,7 @@ import { languageInUse, t } from "../../i18n/words";
 import { closeOverlay, show, shownName, useDocument } from "../../session/document";
 import { openFromComputer, openLeft, openPath } from "../../session/open-requests";
 import { useOpenable } from "./missions";
+import { Button } from "../../ui/Button";
 import { Sheet } from "../../ui/Sheet";
 
 // One chunk: an empty program shows a few of what the sheet shows all of.
@@ -34,13 +35,13 @@ function Entry({ entry: { path, problem }, icon, title }: EntryProps) {
   };
   return (
     <li>
-      <button type="button" className="open-entry" data-path={path} disabled={problem !== ""} onClick={choose}>
+      <button type="button" className="open-entry row" data-path={path} disabled={problem !== ""} onClick={choose}>
         <Icon name={problem === "" ? icon : "triangle-alert"} size={18} />
-        <span className="open-title" dir="auto" title={title}>
+        <span className="open-title ellipsis" dir="auto" title={title}>
           {title}
         </span>
-        {problem === "" ? null : <span className="open-problem">{problem}</span>}
-        <span className="open-path" dir="auto" title={path}>
+        {problem === "" ? null : <span className="open-problem muted small-text">{problem}</span>}
+        <span className="open-path ellipsis muted small-text" dir="auto" title={path}>
           {path}
         </span>
       </button>
@@ -52,7 +53,7 @@ function Entry({ entry: { path, problem }, icon, title }: EntryProps) {
 function Lists() {
   const openable = useOpenable();
   const workspace = useDocument((document) => document.session?.workspace ?? "");
-  if (openable === null) return <p className="sheet-note">{t("open.loading")}</p>;
+  if (openable === null) return <p className="sheet-note muted small-text">{t("open.loading")}</p>;
   const { left, missions, recordings } = openable;
   const own = missions.filter((entry) => entry.example === null);
   const examples = missions.filter((entry) => entry.example !== null);
@@ -66,7 +67,7 @@ function Lists() {
               <li key={journal}>
                 <button
                   type="button"
-                  className="open-entry"
+                  className="open-entry row"
                   disabled={problem !== ""}
                   onClick={() => {
                     show(null);
@@ -74,8 +75,8 @@ function Lists() {
                   }}
                 >
                   <Icon name={problem === "" ? "file" : "triangle-alert"} size={18} />
-                  <span className="open-title">{problem || shownName(name)}</span>
-                  <span className="open-path">
+                  <span className="open-title ellipsis">{problem || shownName(name)}</span>
+                  <span className="open-path ellipsis muted small-text">
                     {path} {new Date(modified).toLocaleString(languageInUse())}
                   </span>
                 </button>
@@ -85,7 +86,7 @@ function Lists() {
         </>
       )}
       <h3>{t("open.workspace", { folder: workspace })}</h3>
-      {own.length === 0 ? <p className="sheet-note">{t("open.workspace-empty")}</p> : null}
+      {own.length === 0 ? <p className="sheet-note muted small-text">{t("open.workspace-empty")}</p> : null}
       <ul>
         {own.map((entry) => (
           <Entry key={entry.path} entry={entry} icon="file" title={entry.title || entry.name} />
@@ -132,13 +133,10 @@ export function OpenSheet() {
             openFromComputer(file);
           }}
         />
-        <button type="button" className="button" onClick={() => chooser.current?.click()}>
-          <Icon name="upload" size={16} />
+        <Button icon="upload" onClick={() => chooser.current?.click()}>
           {t("open.computer")}
-        </button>
-        <button type="button" className="button" onClick={() => show(null)}>
-          {t("open.cancel")}
-        </button>
+        </Button>
+        <Button onClick={() => show(null)}>{t("open.cancel")}</Button>
       </div>
     </Sheet>
   );

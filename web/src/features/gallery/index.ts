@@ -12,6 +12,12 @@ const OpenSheet = later(
   },
 );
 
+declare module "../../session/document" {
+  interface Overlays {
+    open: true;
+  }
+}
+
 export const gallery: Feature = {
   name: "gallery",
   panels: { "empty-program": Examples },

@@ -11,9 +11,18 @@ import { type Key, languageInUse, t } from "../../i18n/words";
 import { changeWorld, sameWorld } from "../../model/commands/changeWorld";
 import { useStudio } from "../../model/studio";
 import { addProgramFor } from "../../session/actions";
-import { type Banner, type BannerAction, dismissBanner, question, useDocument } from "../../session/document";
+import {
+  type Banner,
+  type BannerAction,
+  dismissBanner,
+  note,
+  putBanner,
+  question,
+  useDocument,
+} from "../../session/document";
 import { openFromComputer } from "../../session/open-requests";
-import { useProblemList } from "../../session/problem-walk";
+import { openDock } from "../../session/dock";
+import { PROBLEMS } from "../../session/problem-walk";
 import { showDifference } from "../../session/saving";
 import { openTeam } from "../../session/team-view";
 import { readParts } from "../../session/world-files";
@@ -139,7 +148,7 @@ function nextFor({ file, kind, names }: PartsFile): BannerAction[] {
     },
   });
   if (name === undefined) {
-    return [action(t("parts.see-problems"), () => useProblemList.setState({ open: true }))];
+    return [action(t("parts.see-problems"), () => openDock(PROBLEMS))];
   }
   if (kind === "robot" && !mission.programs.some((program) => program.robot === name)) {
     return [action(t("parts.write-program"), () => addProgramFor(name))];
@@ -162,10 +171,10 @@ function tell(added: readonly PartsFile[], refused: readonly { message: string; 
   const [only] = added;
   const actions = added.length === 1 && only !== undefined ? nextFor(only) : [];
   if (refused.length === 0) {
-    useDocument.setState({ banner: { kind: "note", message: good, help: "", actions } });
+    note(good, "", actions);
     return;
   }
   const message = refused.map((one) => one.message).join(" ");
   const help = [refused[0]?.help ?? "", good].filter((words) => words !== "").join(" ");
-  useDocument.setState({ banner: { kind: "error", message, help, actions } });
+  putBanner({ kind: "error", message, help, actions });
 }

@@ -67,9 +67,9 @@ function ValueRow({ drawing, block, field }: { drawing: Drawing; block: Block; f
   const filler = block.plugs.find((plug) => plug.slot === field.name)?.block ?? null;
   if (filler === null) return <FieldRow drawing={drawing} vertex={block.vertex} field={field} />;
   return (
-    <div className="inspector-row">
-      <span className="inspector-label">{text(field.label, field.name)}</span>
-      <span className="inspector-plugged">{t("inspector.from-value", { what: wordsOf(filler) })}</span>
+    <div className="inspector-row row">
+      <span className="inspector-label rigid">{text(field.label, field.name)}</span>
+      <span className="inspector-plugged muted">{t("inspector.from-value", { what: wordsOf(filler) })}</span>
       <button
         type="button"
         className="inspector-small"
@@ -112,8 +112,8 @@ function SlotRow({ drawing, owner, plug, label, children }: SlotRowProps) {
   };
   return (
     <>
-      <label className="inspector-row">
-        <span className="inspector-label">{label}</span>
+      <label className="inspector-row row">
+        <span className="inspector-label rigid">{label}</span>
         <select
           data-inspector-field=""
           data-testid={`choose-${owner.vertex.id}.${plug.name}`}

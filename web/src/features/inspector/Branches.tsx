@@ -18,10 +18,10 @@ export function Branches({ block }: { block: Block }) {
   const last = bodies.findLast((body) => body.chain.length === 0) ?? bodies.at(-1);
   const less = last === undefined ? null : removeBranch(program, parts, id, last.out);
   return (
-    <div className="inspector-row" role="group" aria-label={t("inspector.branches")}>
-      <span className="inspector-label">{t("inspector.branches")}</span>
+    <div className="inspector-row row" role="group" aria-label={t("inspector.branches")}>
+      <span className="inspector-label rigid">{t("inspector.branches")}</span>
       <span className="inspector-space" />
-      <span className="inspector-count">
+      <span className="inspector-count row">
         <button
           type="button"
           aria-label={t("inspector.remove-branch")}

@@ -33,8 +33,8 @@ function Editor({ drawing, vertex }: { drawing: Drawing; vertex: string }) {
   };
   return (
     <section className="breakpoint-editor" aria-label={t("debug.breakpoint")}>
-      <div className="breakpoint-row">
-        <span className="breakpoint-name">
+      <div className="breakpoint-row row">
+        <span className="breakpoint-name row">
           <span className="breakpoint-dot" data-off={breakpoint === undefined} aria-hidden="true" />
           {t("debug.breakpoint")}
         </span>
@@ -84,8 +84,8 @@ function When({ breakpoint, put }: Part) {
     if (text.trim() !== when) put({ ...breakpoint, when: text.trim() });
   };
   return (
-    <label className="breakpoint-row">
-      <span className="breakpoint-name">{t("debug.when")}</span>
+    <label className="breakpoint-row row">
+      <span className="breakpoint-name row">{t("debug.when")}</span>
       <input
         type="text"
         dir="ltr"
@@ -109,8 +109,8 @@ function When({ breakpoint, put }: Part) {
 function Hits({ breakpoint, put }: Part) {
   const { hits = 1 } = breakpoint;
   return (
-    <label className="breakpoint-row">
-      <span className="breakpoint-name">{t("debug.hits")}</span>
+    <label className="breakpoint-row row">
+      <span className="breakpoint-name row">{t("debug.hits")}</span>
       <NumberInput
         className="breakpoint-hits"
         testId="breakpoint-hits"
@@ -137,9 +137,9 @@ function Who({ breakpoint, put }: Part) {
   };
   return (
     <>
-      <fieldset className="breakpoint-row breakpoint-who">
-        <legend className="breakpoint-name">{t("debug.who")}</legend>
-        <span className="breakpoint-agents">
+      <fieldset className="breakpoint-row breakpoint-who row">
+        <legend className="breakpoint-name row">{t("debug.who")}</legend>
+        <span className="breakpoint-agents wrap">
           {names.map((name) => (
             <label key={name}>
               <input
@@ -154,8 +154,8 @@ function Who({ breakpoint, put }: Part) {
         </span>
       </fieldset>
       {watched.length < 2 ? null : (
-        <div className="breakpoint-row">
-          <span className="breakpoint-name">{t("debug.every")}</span>
+        <div className="breakpoint-row row">
+          <span className="breakpoint-name row">{t("debug.every")}</span>
           <Switch
             on={every}
             label={t("debug.every")}

@@ -38,10 +38,10 @@ export function Inspector() {
 function Nothing() {
   return (
     <div className="inspector">
-      <header className="inspector-head">
+      <header className="inspector-head row">
         <h2>{t("inspector.title")}</h2>
       </header>
-      <div className="inspector-nothing">
+      <div className="inspector-nothing muted">
         <Icon name="mouse-pointer-2" size={18} />
         <p>
           <strong>{t("inspector.nothing")}</strong>
@@ -55,10 +55,10 @@ function Nothing() {
 function Terminal({ name, help }: { name: string; help: string }) {
   return (
     <div className="inspector">
-      <header className="inspector-head">
+      <header className="inspector-head row">
         <h2>{name}</h2>
       </header>
-      <p className="inspector-help">{help}</p>
+      <p className="inspector-help muted small-text">{help}</p>
     </div>
   );
 }
@@ -66,7 +66,7 @@ function Terminal({ name, help }: { name: string; help: string }) {
 function Many({ count }: { count: number }) {
   return (
     <div className="inspector">
-      <header className="inspector-head">
+      <header className="inspector-head row">
         <h2>{t("inspector.many", { count })}</h2>
         <Tools />
       </header>

@@ -22,9 +22,9 @@ export function Marks({ drawing, spot }: { drawing: Drawing; spot: Spot }) {
   if (around === undefined && !(canMark(spot) && inBranch(spot))) return null;
   const offered = around === undefined ? parts.marks : parts.marks.filter((mark) => mark === around.block.shape);
   return offered.map((mark) => (
-    <div key={mark.element} className="inspector-mark">
+    <div key={mark.element} className="inspector-mark row">
       <span
-        className="inspector-disc"
+        className="inspector-disc rigid"
         style={{ background: `var(--${mark.colour}-tile)`, color: `var(--${mark.colour}-on-tile)` }}
       >
         <svg width="20" height="20" viewBox="0 0 24 24" aria-hidden="true">
@@ -32,7 +32,7 @@ export function Marks({ drawing, spot }: { drawing: Drawing; spot: Spot }) {
         </svg>
       </span>
       <span>
-        <strong>{shortTitle(mark)}</strong> <span className="inspector-what">{text(mark.help)}</span>
+        <strong>{shortTitle(mark)}</strong> <span className="muted small-text">{text(mark.help)}</span>
       </span>
       <Switch
         on={around !== undefined}

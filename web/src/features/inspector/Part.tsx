@@ -24,22 +24,22 @@ export function Part({ drawing, spot }: { drawing: Drawing; spot: Spot }) {
   const help = text(shape.help);
   return (
     <div className="inspector" data-testid="inspector">
-      <header className="inspector-head">
+      <header className="inspector-head row">
         <Tile icon={icon} colour={shape.colour} size={22} />
         <h2>{title(shape)}</h2>
         {shape.kind === "unknown" || shape.element === title(shape) ? null : (
-          <code className="inspector-element" title={t("fields.in-lll", { name: shape.element })}>
+          <code className="inspector-element ellipsis muted" title={t("fields.in-lll", { name: shape.element })}>
             {shape.element}
           </code>
         )}
-        {line === null ? null : <span className="inspector-line">{t("inspector.line", { line })}</span>}
+        {line === null ? null : <span className="muted rigid">{t("inspector.line", { line })}</span>}
         <Tools />
       </header>
       <BlockEditor drawing={drawing} spot={spot} />
       {shape.kind === "unknown" ? (
-        <p className="inspector-help">{t("inspector.unknown", { element: shape.element })}</p>
+        <p className="inspector-help muted small-text">{t("inspector.unknown", { element: shape.element })}</p>
       ) : null}
-      {help === "" ? null : <p className="inspector-help">{help}</p>}
+      {help === "" ? null : <p className="inspector-help muted small-text">{help}</p>}
       <Branches block={spot.block} />
       <Marks drawing={drawing} spot={spot} />
       <NoteField vertex={vertex} />

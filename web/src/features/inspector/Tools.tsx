@@ -5,7 +5,7 @@ import { Tool } from "../../ui/Tool";
 
 export function Tools() {
   return (
-    <span className="inspector-tools">
+    <span className="inspector-tools muted">
       <Tool icon="copy" label={t("inspector.duplicate")} onClick={duplicateSelection} />
       <Tool icon="trash-2" label={t("inspector.delete")} onClick={deleteSelection} />
     </span>

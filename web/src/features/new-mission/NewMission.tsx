@@ -65,7 +65,7 @@ interface CardProps {
 
 function Card({ row, value, label, help, chosen, reason = "", choose, children }: CardProps) {
   return (
-    <label className="new-card" data-chosen={chosen} data-off={reason !== ""}>
+    <label className="new-card surface column" data-chosen={chosen} data-off={reason !== ""}>
       <input
         type="radio"
         className="only-spoken"
@@ -92,7 +92,7 @@ function Row({ number, title, children }: { number: number; title: string; child
   return (
     <fieldset className="new-row">
       <legend>
-        <span className="new-number" aria-hidden="true">
+        <span className="new-number small-text" aria-hidden="true">
           {number}
         </span>
         {title}
@@ -239,15 +239,15 @@ function Form({ all }: { all: Beginnings }) {
           ))}
         </Row>
       </main>
-      <aside className="new-side" aria-label={t("new.yours")}>
-        <div className="new-side-head">
+      <aside className="new-side column" aria-label={t("new.yours")}>
+        <div className="new-side-head row">
           <h2>{t("new.yours")}</h2>
           <Tool small icon="x" label={t("help.close")} titled={false} onClick={closeOverlay} />
         </div>
-        <div className="new-stage">
+        <div className="new-stage rigid">
           <RunOf key={`${choice.robotSet} ${choice.starter}`} run={runOf(choice.starter)} plays />
         </div>
-        <p className="new-sentence" role="status">
+        <p className="new-sentence bold" role="status">
           {t(choice.starter === NOTHING ? "new.sentence-nothing" : "new.sentence", {
             robot: robotSet === undefined ? "" : text(robotSet.label, robotSet.name),
             place: place === undefined ? "" : text(place.label, place.name),
@@ -266,8 +266,8 @@ function Form({ all }: { all: Beginnings }) {
             </section>
           )}
         </div>
-        <div className="new-end">
-          <label className="field-label" htmlFor="new-name">
+        <div className="new-end column">
+          <label className="field-label muted small-text rigid" htmlFor="new-name">
             {t("new.name")}
           </label>
           <input
@@ -281,12 +281,12 @@ function Form({ all }: { all: Beginnings }) {
             onFocus={(event) => event.target.select()}
             onChange={(event) => setName(event.target.value)}
           />
-          <button type="submit" className="new-begin" data-testid="new-begin">
+          <button type="submit" className="new-begin row bold" data-testid="new-begin">
             <Icon name="arrow-right" size={18} />
             {t("new.begin")}
             <kbd aria-hidden="true">Enter</kbd>
           </button>
-          <button type="button" className="new-all" onClick={() => show("open")}>
+          <button type="button" className="new-all muted" onClick={() => show("open")}>
             {t("examples.all")}
           </button>
         </div>

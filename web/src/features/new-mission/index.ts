@@ -11,4 +11,10 @@ const NewMission = later(
   },
 );
 
+declare module "../../session/document" {
+  interface Overlays {
+    new: true;
+  }
+}
+
 export const newMission: Feature = { name: "new-mission", sheets: { new: NewMission } };

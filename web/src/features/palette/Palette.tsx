@@ -116,7 +116,7 @@ export function Palette() {
   return (
     <div className="palette">
       <RobotButton />
-      <label className="palette-find">
+      <label className="palette-find row muted rigid">
         <Icon name="search" />
         <input
           ref={find}
@@ -140,7 +140,7 @@ export function Palette() {
         />
         <kbd aria-hidden="true">/</kbd>
       </label>
-      {rows.length === 0 ? <p className="palette-none">{t("parts.none", { query })}</p> : null}
+      {rows.length === 0 ? <p className="palette-none muted">{t("parts.none", { query })}</p> : null}
       <div
         ref={tree}
         role="tree"
@@ -153,7 +153,7 @@ export function Palette() {
       >
         {rows.map((row) =>
           row.kind === "heading" ? (
-            <div key={row.key} className="palette-heading" role="presentation">
+            <div key={row.key} className="palette-heading muted" role="presentation">
               {row.label}
             </div>
           ) : (
@@ -208,7 +208,12 @@ function RowView({ row, robot, focused, onFocus, onFold, onNamed }: RowProps) {
   };
   if (row.kind === "new") {
     return (
-      <div {...common} className="palette-part palette-new" data-testid="new-variable" onClick={() => newVariable()}>
+      <div
+        {...common}
+        className="palette-part palette-new row muted"
+        data-testid="new-variable"
+        onClick={() => newVariable()}
+      >
         <Icon name="plus" size={16} />
         <span className="palette-name">{row.label}</span>
       </div>
@@ -220,7 +225,7 @@ function RowView({ row, robot, focused, onFocus, onFold, onNamed }: RowProps) {
       <div
         {...common}
         {...(variable === null ? {} : { ...variableHandlers(variable), "data-removable": true })}
-        className="palette-fold"
+        className="palette-fold row"
         aria-expanded={row.open}
         data-testid={`fold-${row.label}`}
         onClick={onFold}
@@ -232,7 +237,7 @@ function RowView({ row, robot, focused, onFocus, onFold, onNamed }: RowProps) {
         ) : (
           <span className="palette-name">{row.label}</span>
         )}
-        {row.aside === "" ? null : <span className="palette-aside">{row.aside}</span>}
+        {row.aside === "" ? null : <span className="palette-aside ellipsis muted">{row.aside}</span>}
         {row.object === null ? null : <Live object={row.object} />}
       </div>
     );
@@ -242,7 +247,7 @@ function RowView({ row, robot, focused, onFocus, onFold, onNamed }: RowProps) {
   return (
     <div
       {...common}
-      className="palette-part"
+      className="palette-part row"
       data-testid={`part-${shape.element}`}
       title={text(shape.help)}
       {...(isOwn(shape) ? { ...ownHandlers(shape.element), "data-removable": true } : {})}
@@ -256,7 +261,7 @@ function RowView({ row, robot, focused, onFocus, onFold, onNamed }: RowProps) {
     >
       <Tile icon={icon} colour={shape.colour} size={22} />
       <span className="palette-name">{row.label}</span>
-      {row.aside === "" ? null : <span className="palette-aside">{row.aside}</span>}
+      {row.aside === "" ? null : <span className="palette-aside ellipsis muted">{row.aside}</span>}
       {isOwn(shape) ? <CustomBlockMore name={shape.element} /> : null}
     </div>
   );
@@ -280,5 +285,5 @@ function Live({ object }: { object: RobotObject }) {
     return object.category === "sensor" ? agent?.inputs[object.name] : agent?.values[object.name];
   });
   if (value === undefined) return null;
-  return <span className="palette-live">{valueWords(object, value)}</span>;
+  return <span className="palette-live rigid">{valueWords(object, value)}</span>;
 }

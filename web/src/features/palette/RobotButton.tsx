@@ -34,7 +34,12 @@ export function RobotButton() {
     run: () => takeRobot(name),
   }));
   return (
-    <MenuButton id="palette-robot" label={t("parts.change-robot")} className="palette-robot" entries={entries}>
+    <MenuButton
+      id="palette-robot"
+      label={t("parts.change-robot")}
+      className="palette-robot row bold rigid"
+      entries={entries}
+    >
       <span className="palette-name">{kinds.find(({ name }) => name === robot)?.label ?? robot}</span>
       <Icon name="chevron-down" size={14} />
     </MenuButton>

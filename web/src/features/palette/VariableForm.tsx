@@ -7,8 +7,9 @@ import { Said } from "../../i18n/Said";
 import { t } from "../../i18n/words";
 import { useStudio } from "../../model/studio";
 import { text } from "../../model/texts";
-import { keepVariable, ownVariable, useVariables } from "../../session/variables";
+import { closeForm, keepVariable, ownVariable } from "../../session/variables";
 import { Icon } from "../../theme";
+import { Button } from "../../ui/Button";
 
 const USUAL = { type: "integer", min: "0", max: "100", initial: "0", shared: false } as const;
 
@@ -45,7 +46,7 @@ export function VariableForm({ robot, was, name }: { robot: string; was: string;
   }, []);
 
   const close = () => {
-    useVariables.setState({ form: null });
+    closeForm();
     if (back instanceof HTMLElement && back.isConnected) back.focus();
   };
   const change = (part: Partial<Typed>) => {
@@ -63,7 +64,7 @@ export function VariableForm({ robot, was, name }: { robot: string; was: string;
       : [0, 1, typed.initial === "0" ? 0 : 1];
     try {
       await keepVariable({ robot, was, name: typed.name, type: typed.type, min, max, initial, shared: typed.shared });
-      if (was === "") useVariables.setState({ form: null });
+      if (was === "") closeForm();
       else close();
     } catch (cause) {
       setWhy(cause instanceof ApiError ? `${cause.message} ${cause.help}` : String(cause));
@@ -72,7 +73,7 @@ export function VariableForm({ robot, was, name }: { robot: string; was: string;
   const title = was === "" ? t("variable.new") : t("variable.change", { name: was });
   const number = (part: "min" | "max" | "initial", words: string) => (
     <label>
-      <span className="field-label">{words}</span>
+      <span className="field-label muted small-text rigid">{words}</span>
       <input
         className="field"
         inputMode="numeric"
@@ -86,7 +87,7 @@ export function VariableForm({ robot, was, name }: { robot: string; was: string;
 
   return (
     <form
-      className="variable-form"
+      className="variable-form column"
       data-testid="variable-form"
       aria-labelledby={`${id}-title`}
       onSubmit={(event: FormEvent) => {
@@ -103,7 +104,7 @@ export function VariableForm({ robot, was, name }: { robot: string; was: string;
       <h2 id={`${id}-title`}>{title}</h2>
       <p>{t("variable.of", { robot: text(label ?? {}, robot) })}</p>
       <label>
-        <span className="field-label">{t("variable.name")}</span>
+        <span className="field-label muted small-text rigid">{t("variable.name")}</span>
         <input
           className="field"
           ref={first}
@@ -118,7 +119,7 @@ export function VariableForm({ robot, was, name }: { robot: string; was: string;
         />
       </label>
       <label>
-        <span className="field-label">{t("variable.type")}</span>
+        <span className="field-label muted small-text rigid">{t("variable.type")}</span>
         <select
           className="field"
           data-testid="variable-type"
@@ -138,7 +139,7 @@ export function VariableForm({ robot, was, name }: { robot: string; was: string;
           </>
         ) : (
           <label>
-            <span className="field-label">{t("variable.initial")}</span>
+            <span className="field-label muted small-text rigid">{t("variable.initial")}</span>
             <select
               className="field"
               data-testid="variable-initial"
@@ -151,7 +152,7 @@ export function VariableForm({ robot, was, name }: { robot: string; was: string;
           </label>
         )}
       </div>
-      <label className="variable-shared">
+      <label className="variable-shared row">
         <input
           type="checkbox"
           data-testid="variable-shared"
@@ -160,20 +161,20 @@ export function VariableForm({ robot, was, name }: { robot: string; was: string;
         />
         {t("variable.shared")}
       </label>
-      <p className="variable-why" id={`${id}-why`} role="alert" data-testid="variable-why">
+      <p className="variable-why small-text" id={`${id}-why`} role="alert" data-testid="variable-why">
         {why === "" ? null : (
           <>
             <Icon name="triangle-alert" size={14} /> <Said text={why} />
           </>
         )}
       </p>
-      <div className="variable-foot">
-        <button type="button" className="button" data-testid="variable-cancel" onClick={close}>
+      <div className="variable-foot wrap">
+        <Button testId="variable-cancel" onClick={close}>
           {t("variable.cancel")}
-        </button>
-        <button type="submit" className="button variable-keep" data-testid="variable-keep">
+        </Button>
+        <Button className="variable-keep bold" type="submit" testId="variable-keep">
           {t(was === "" ? "variable.add" : "variable.keep")}
-        </button>
+        </Button>
       </div>
     </form>
   );

@@ -1,6 +1,13 @@
 /** The menu of a variable in the palette: by the right button, the menu key, or a finger that rests. */
 import { t } from "../../i18n/words";
-import { editVariable, newVariable, renameVariable, takeAway, useVariables } from "../../session/variables";
+import {
+  editVariable,
+  newVariable,
+  openVariableMenu,
+  renameVariable,
+  takeAway,
+  useVariables,
+} from "../../session/variables";
 import { FloatingMenu } from "../../ui/FloatingMenu";
 import { type MenuEntry, menuItem } from "../../ui/menu-model";
 
@@ -11,7 +18,7 @@ export function VariableMenu() {
 }
 
 function Open({ robot, name, x, y }: { robot: string; name: string; x: number; y: number }) {
-  const close = () => useVariables.setState({ menu: null });
+  const close = () => openVariableMenu(null);
   const of = { robot, name };
   const entries: MenuEntry[] = [
     menuItem("variable-rename", t("variable.rename"), "F2", () => renameVariable(of)),

@@ -5,7 +5,7 @@ import { ApiError } from "../../api/client";
 import { Said } from "../../i18n/Said";
 import { t } from "../../i18n/words";
 import { typedName } from "../../model/typed-name";
-import { keepVariable, type Named, ownVariable, useVariables, wantedLike } from "../../session/variables";
+import { keepVariable, type Named, ownVariable, stopRenaming, wantedLike } from "../../session/variables";
 import "./variables.css";
 
 export function VariableName({ of, done }: { of: Named; done: (name: string) => void }) {
@@ -23,7 +23,7 @@ export function VariableName({ of, done }: { of: Named; done: (name: string) => 
     said.current?.scrollIntoView({ block: "nearest" });
   }, [why]);
   const stop = (name: string) => {
-    useVariables.setState({ renaming: null });
+    stopRenaming();
     done(name);
   };
   const keep = async () => {
@@ -42,7 +42,7 @@ export function VariableName({ of, done }: { of: Named; done: (name: string) => 
     busy.current = false;
   };
   return (
-    <span className="variable-rename">
+    <span className="variable-rename column">
       <input
         ref={input}
         dir="auto"
@@ -70,7 +70,7 @@ export function VariableName({ of, done }: { of: Named; done: (name: string) => 
         }}
       />
       {why === "" ? null : (
-        <span className="variable-why" id={id} role="alert" ref={said}>
+        <span className="variable-why small-text" id={id} role="alert" ref={said}>
           <Said text={why} />
         </span>
       )}

@@ -1,12 +1,12 @@
 /** What a variable's row of the palette does besides folding: by double click, right button and a finger that rests. */
 import type { MouseEvent, PointerEvent } from "react";
 
-import { type Named, renameVariable, useVariables } from "../../session/variables";
+import { type Named, openVariableMenu, renameVariable } from "../../session/variables";
 import { whenFingerRests } from "../../ui/rest";
 
 /** Handlers for the row. */
 export function variableHandlers(of: Named) {
-  const open = (x: number, y: number) => useVariables.setState({ menu: { ...of, x, y } });
+  const open = (x: number, y: number) => openVariableMenu({ ...of, x, y });
   return {
     // The graph leaves Delete to it.
     "data-removable": true,

@@ -7,7 +7,7 @@ import { moreWords } from "../../i18n/words";
 import { useStudio } from "../../model/studio";
 import { fileOf, growProgram, missionOf } from "../../model/testing/missions";
 import type { Fix, Problem } from "../../model/types";
-import { useProblemList, walkProblems } from "../../session/problem-walk";
+import { standAt, walkProblems } from "../../session/problem-walk";
 import { ProblemList } from "./ProblemList";
 
 (globalThis as { IS_REACT_ACT_ENVIRONMENT?: boolean }).IS_REACT_ACT_ENVIRONMENT = true;
@@ -26,7 +26,7 @@ async function list(...problems: Problem[]): Promise<void> {
   const mission = missionOf(growProgram(1, 3, true));
   useStudio.getState().openMission({ ...fileOf(mission), problems: [] });
   useStudio.getState().setReport({ programs: [], problems });
-  useProblemList.setState({ open: true, at: -1 });
+  standAt(-1);
   root = createRoot(place);
   act(() => root.render(<ProblemList />));
 }

@@ -7,7 +7,8 @@ import { sentence, t } from "../../i18n/words";
 import type { Problem } from "../../model/types";
 import { isHeldByRobots, runOf } from "../../session/confirming-run";
 import { applyFix, canFix } from "../../session/fixes";
-import { goTo, useProblemList, useProblems } from "../../session/problem-walk";
+import { closeDock } from "../../session/dock";
+import { goTo, standAt, useProblems, useProblemWalk } from "../../session/problem-walk";
 import { useRun } from "../../session/run";
 import { Icon } from "../../theme";
 import { Tool } from "../../ui/Tool";
@@ -28,7 +29,7 @@ function Row({ problem, index, at }: { problem: Problem; index: number; at: numb
   const held = useRun(isHeldByRobots);
   const place = problem.program !== "" ? problem.program : (problem.file.split(/[\\/]/).at(-1) ?? "");
   return (
-    <li className="problem-row">
+    <li className="problem-row row">
       <button
         type="button"
         ref={button}
@@ -36,7 +37,7 @@ function Row({ problem, index, at }: { problem: Problem; index: number; at: numb
         data-testid={`problem-${String(index + 1)}`}
         aria-current={current}
         onClick={() => {
-          useProblemList.setState({ at: index });
+          standAt(index);
           goTo(problem);
         }}
       >
@@ -51,21 +52,21 @@ function Row({ problem, index, at }: { problem: Problem; index: number; at: numb
             <Said text={sentence(problem.message)} />
           </span>
           {problem.help === "" ? null : (
-            <span className="problem-help">
+            <span className="problem-help muted small-text">
               <Said text={sentence(problem.help)} />
             </span>
           )}
         </span>
-        <span className="problem-place">
+        <span className="problem-place muted small-text">
           {place}
           {problem.line > 0 ? `:${String(problem.line)}` : ""}
         </span>
-        <code className="problem-code">{problem.code}</code>
+        <code className="problem-code muted">{problem.code}</code>
       </button>
       {play === null ? null : (
         <button
           type="button"
-          className="problem-fix"
+          className="problem-fix rigid"
           data-testid={`show-${String(index + 1)}`}
           disabled={held}
           title={held ? t("check.real") : undefined}
@@ -82,7 +83,7 @@ function Row({ problem, index, at }: { problem: Problem; index: number; at: numb
       {canFix(problem) ? (
         <button
           type="button"
-          className="problem-fix"
+          className="problem-fix rigid"
           data-testid={`fix-${String(index + 1)}`}
           title={`${t("problems.fix")} (${FIX_KEY})`}
           aria-label={t("problems.fix-this", { message: sentence(problem.message) })}
@@ -98,24 +99,18 @@ function Row({ problem, index, at }: { problem: Problem; index: number; at: numb
 
 export function ProblemList() {
   const problems = useProblems();
-  const at = useProblemList((list) => list.at);
+  const at = useProblemWalk((walk) => walk.at);
   const [shown, setShown] = useState(ROWS);
   const count = Math.max(shown, Math.ceil((at + 1) / ROWS) * ROWS);
   const left = problems.length - count;
   return (
     <>
-      <header className="dock-head">
+      <header className="dock-head row rigid">
         <h2>{problems.length === 0 ? t("problems.title") : t("problems.count", { count: problems.length })}</h2>
-        <Tool
-          small
-          icon="x"
-          label={t("problems.close")}
-          titled={false}
-          onClick={() => useProblemList.setState({ open: false })}
-        />
+        <Tool small icon="x" label={t("problems.close")} titled={false} onClick={closeDock} />
       </header>
       {problems.length === 0 ? (
-        <p className="dock-none">{t("problems.none")}</p>
+        <p className="dock-none muted">{t("problems.none")}</p>
       ) : (
         <ol>
           {problems.slice(0, count).map((problem, index) => (

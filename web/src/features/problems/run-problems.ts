@@ -4,16 +4,16 @@
  * of them.
  */
 import { useStudio } from "../../model/studio";
-import { useProblemList } from "../../session/problem-walk";
-import { useRun } from "../../session/run";
+import { showFirstProblem } from "../../session/problem-walk";
+import { forgetRunProblems, useRun } from "../../session/run";
 
 /** Watches for it; the returned function ends that. */
 export function showRunProblems(): () => void {
   const offRun = useRun.subscribe((run, before) => {
-    if (run.problems !== before.problems && run.problems.length > 0) useProblemList.setState({ open: true, at: 0 });
+    if (run.problems !== before.problems && run.problems.length > 0) showFirstProblem();
   });
   const offMission = useStudio.subscribe((state, before) => {
-    if (state.mission !== before.mission && useRun.getState().problems.length > 0) useRun.setState({ problems: [] });
+    if (state.mission !== before.mission) forgetRunProblems();
   });
   return () => {
     offRun();

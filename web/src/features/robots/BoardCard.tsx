@@ -3,7 +3,7 @@ import { useId } from "react";
 
 import { StateShape } from "../../components/StateShape";
 import { useStudio } from "../../model/studio";
-import { useProblemList } from "../../session/problem-walk";
+import { showFirstProblem } from "../../session/problem-walk";
 import { Icon } from "../../theme";
 import { Said } from "../../i18n/Said";
 import { grouped } from "../../i18n/numbers";
@@ -11,7 +11,6 @@ import { t } from "../../i18n/words";
 import {
   beginBench,
   cancelSending,
-  chooseProgram,
   connectBoard,
   disconnectBoard,
   goToFault,
@@ -23,7 +22,7 @@ import {
   stopBoard,
   watchBoard,
 } from "./actions";
-import { isMine, type Place, programFor, useBoards } from "./boards";
+import { chooseProgram, isMine, type Place, programFor, useBoards } from "./boards";
 import { dropBoard } from "./serial";
 import { Act, Sending, TroubleBox, WayOut } from "./parts";
 import { KitChoice } from "./KitChoice";
@@ -45,7 +44,7 @@ function SmallTool({
   return (
     <button
       type="button"
-      className="tool small"
+      className="tool small rigid"
       aria-label={label}
       title={label}
       data-testid={testId}
@@ -78,7 +77,7 @@ function Stands({ board }: { board: Board | null }) {
   if (board === null) {
     // Its line is there before anything is known, so that what comes moves nothing.
     return (
-      <p className="robot-stands">
+      <p className="robot-stands wrap muted small-text">
         <span>{stateWords(board)}</span>
       </p>
     );
@@ -86,7 +85,12 @@ function Stands({ board }: { board: Board | null }) {
   const open = board.phase === "open";
   const named = board.program !== "" || board.installed === "" || board.installed === "-";
   return (
-    <p className="robot-stands" data-testid="robot-state" data-phase={board.phase} data-state={board.state}>
+    <p
+      className="robot-stands wrap muted small-text"
+      data-testid="robot-state"
+      data-phase={board.phase}
+      data-state={board.state}
+    >
       <span role="status">{stateWords(board)}</span>
       {open && board.program !== "" ? <span>{board.program}</span> : null}
       {open && !named ? <span>{t("boards.other-program")}</span> : null}
@@ -140,7 +144,7 @@ function Trouble({ place: { address, board, firmware } }: { place: Place }) {
           type="button"
           className="robot-link"
           data-testid="robot-problems"
-          onClick={() => useProblemList.setState({ open: true, at: 0 })}
+          onClick={showFirstProblem}
         >
           {t("boards.problems", { count: said.problems.length })}
         </button>
@@ -163,7 +167,7 @@ function Program({ address, disabled }: { address: string; disabled: boolean }) 
   const state = useBoards();
   const names = programs.map(({ name }) => name);
   return (
-    <label className="robot-program">
+    <label className="robot-program row muted">
       <span>{t("boards.program")}</span>
       <select
         data-testid="robot-program"
@@ -188,7 +192,7 @@ function Acts({ place: { address, board }, title }: { place: Place; title: strin
   if (board?.phase === "sending") return null;
   // While it is greeted they keep their place, and wait.
   return (
-    <fieldset className="robot-acts" disabled={board?.phase === "connecting"} aria-labelledby={title}>
+    <fieldset className="robot-acts row wrap" disabled={board?.phase === "connecting"} aria-labelledby={title}>
       {board?.phase === "lost" ? (
         <Act
           ink
@@ -251,7 +255,7 @@ function Acts({ place: { address, board }, title }: { place: Place; title: strin
 function Recorded({ board }: { board: Board | null }) {
   if (board?.recorded !== true || board.phase === "sending") return null;
   return (
-    <div className="robot-acts robot-recorded" data-testid="robot-recorded">
+    <div className="robot-acts robot-recorded row wrap" data-testid="robot-recorded">
       <Act
         icon="clapperboard"
         label={t("boards.play-recording")}
@@ -282,15 +286,15 @@ export function BoardCard({ place }: { place: Place }) {
   const state = board === null || board.phase !== "open" ? "idle" : SHAPES[board.state];
   return (
     <li className="robot" data-testid="robot" data-address={address} aria-labelledby={title}>
-      <div className="robot-head">
+      <div className="robot-head row">
         <StateShape state={board?.phase === "lost" ? "stalled" : state} size={10} />
         <h3 id={title}>{name}</h3>
         {atPage ? (
-          <span className="robots-note" data-testid="robot-at-page">
+          <span className="robots-note muted" data-testid="robot-at-page">
             {t("boards.at-page")}
           </span>
         ) : address.endsWith(name) ? null : (
-          <span className="robot-address" dir="ltr" title={description}>
+          <span className="robot-address ellipsis muted" dir="ltr" title={description}>
             {address}
           </span>
         )}
@@ -341,8 +345,8 @@ export function BoardCard({ place }: { place: Place }) {
           <Recorded board={board} />
         </>
       ) : (
-        <div className="robot-acts">
-          <span className="robots-note">{t("boards.another-page")}</span>
+        <div className="robot-acts row wrap">
+          <span className="robots-note muted">{t("boards.another-page")}</span>
           <Act ink icon="square" label={t("boards.stop")} testId="robot-stop" onPress={() => stopBoard(address)} />
         </div>
       )}

@@ -1,8 +1,8 @@
 /** A button with which the reader lets the page use a board of this computer; where it cannot, why, and what can. */
 import { t } from "../../i18n/words";
-import { Icon } from "../../theme";
 import { useBoards } from "./boards";
 import { findBoard, reach } from "./serial";
+import { Button } from "../../ui/Button";
 
 export function FindBoard() {
   const you = useBoards((state) => state.you);
@@ -10,18 +10,17 @@ export function FindBoard() {
   const now = reach();
   if (now !== "there") {
     return (
-      <p className="robots-note" data-testid="find-board-not">
+      <p className="robots-note muted" data-testid="find-board-not">
         {t(now === "none" ? "boards.find-none" : "boards.find-unsafe")}
       </p>
     );
   }
   return (
-    <div className="robots-find">
-      <button type="button" className="button" data-testid="find-board" onClick={() => void findBoard()}>
-        <Icon name="radio" size={16} />
+    <div className="robots-find row wrap">
+      <Button icon="radio" testId="find-board" onClick={() => void findBoard()}>
         {t("boards.find")}
-      </button>
-      <span className="robots-note">{t("boards.find-help")}</span>
+      </Button>
+      <span className="robots-note muted">{t("boards.find-help")}</span>
     </div>
   );
 }

@@ -31,7 +31,7 @@ export function FirmwareNeed({ kit, has, page }: NeedProps) {
   const href = kit.firmware || page || "https://micropython.org/download/";
   return (
     <p
-      className={older ? "robot-need is-older" : "robot-need"}
+      className={older ? "robot-need muted small-text is-older" : "robot-need muted small-text"}
       role={older ? "alert" : undefined}
       data-testid="robot-need"
       data-met={has === "" ? "unknown" : older ? "no" : "yes"}
@@ -99,7 +99,7 @@ function Flashing() {
   };
   return (
     <div ref={place} className="robot-flash" data-testid="firmware">
-      <p className="robots-note">
+      <p className="robots-note muted">
         {t("firmware.about")}{" "}
         {page === "" ? null : (
           <a className="robot-link" href={page} target="_blank" rel="noreferrer">
@@ -108,12 +108,12 @@ function Flashing() {
         )}
       </p>
       {drives === null ? null : drives.length === 0 ? (
-        <p className="robots-note" data-testid="firmware-none">
+        <p className="robots-note muted" data-testid="firmware-none">
           {t("firmware.none")}
         </p>
       ) : (
         <>
-          <label className="robot-program" htmlFor={ids[0]}>
+          <label className="robot-program row muted" htmlFor={ids[0]}>
             <span>{t("firmware.drive")}</span>
             <select
               id={ids[0]}
@@ -129,7 +129,7 @@ function Flashing() {
               ))}
             </select>
           </label>
-          <label className="robot-program" htmlFor={ids[1]}>
+          <label className="robot-program row muted" htmlFor={ids[1]}>
             <span>{t("firmware.file")}</span>
             <input
               id={ids[1]}
@@ -149,7 +149,7 @@ function Flashing() {
           <Said text={done} />
         </p>
       )}
-      <div className="robot-acts">
+      <div className="robot-acts row wrap">
         {drives !== null && drives.length > 0 ? (
           <Act
             ink

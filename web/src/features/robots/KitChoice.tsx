@@ -5,6 +5,7 @@ import { text } from "../../model/texts";
 import { kitFor, knowsKit, useBoards } from "./boards";
 import { FirmwareNeed } from "./Firmware";
 import { askKit, useKitsAt } from "./kits";
+import { Button } from "../../ui/Button";
 
 interface KitProps {
   address: string;
@@ -24,13 +25,11 @@ export function KitChoice({ address, disabled, has, page }: KitProps) {
   const name = chosen === "" ? own : text(kit?.label ?? {}, chosen);
   return (
     <>
-      <p className="robot-program">
+      <p className="robot-program row muted">
         <span>{t("boards.kit")}</span>
         <strong title={text(kit?.help ?? {})}>{name}</strong>
-        <button
-          type="button"
-          className="button"
-          data-testid="robot-kit"
+        <Button
+          testId="robot-kit"
           data-kit={chosen}
           disabled={disabled}
           aria-label={t("kits.change-from", { name })}
@@ -38,7 +37,7 @@ export function KitChoice({ address, disabled, has, page }: KitProps) {
           onClick={() => askKit(address)}
         >
           {t("kits.change")}
-        </button>
+        </Button>
       </p>
       {kit === undefined ? null : <FirmwareNeed kit={kit} has={has} page={page} />}
     </>

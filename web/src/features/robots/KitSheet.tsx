@@ -45,7 +45,7 @@ function Fit({ fit }: { fit: KitFit | undefined }) {
   const { missing, problem } = fit;
   const runs = problem === "";
   return (
-    <span className="kit-fit" data-runs={runs}>
+    <span className="kit-fit muted small-text" data-runs={runs}>
       <Icon name={runs ? "check" : "x"} size={14} />
       <span>
         {runs ? (
@@ -120,7 +120,7 @@ function Question({ address }: { address: string }) {
   };
   return (
     <Sheet title={t("kits.title")} testId="kit-question" wide onClose={dropKitQuestion}>
-      <p className="sheet-note">
+      <p className="sheet-note muted small-text">
         <Said text={t("kits.help", { program })} />
       </p>
       <ul className="kit-cards" ref={list}>
@@ -128,7 +128,7 @@ function Question({ address }: { address: string }) {
           <li key={kit}>
             <button
               type="button"
-              className="kit-card"
+              className="kit-card column"
               data-testid="kit-card"
               data-kit={kit}
               aria-pressed={kit === chosen}

@@ -9,7 +9,6 @@ import "./boards.css";
 import { type FormEvent, useEffect, useState } from "react";
 
 import { inPage } from "../../api/line";
-import { Icon } from "../../theme";
 import { Said } from "../../i18n/Said";
 import { t } from "../../i18n/words";
 import { addAddress, runOnAll } from "./actions";
@@ -24,6 +23,7 @@ import { connect, send } from "./socket";
 import { TeamPart } from "./Team";
 import { stopEverything } from "../../session/features";
 import { showRobots } from "./state";
+import { Button } from "../../ui/Button";
 import { Tool } from "../../ui/Tool";
 
 function useLooking(): void {
@@ -49,10 +49,9 @@ function Barred() {
         </strong>{" "}
         <Said text={barred.help} />
       </p>
-      <button type="button" className="button" onClick={connect}>
-        <Icon name="refresh-cw" size={16} />
+      <Button icon="refresh-cw" onClick={connect}>
         {t("boards.again")}
-      </button>
+      </Button>
     </div>
   );
 }
@@ -85,11 +84,11 @@ function Network() {
           setWrong(false);
         }}
       />
-      <button type="submit" className="button" data-testid="robots-add" disabled={text.trim() === ""}>
+      <Button type="submit" testId="robots-add" disabled={text.trim() === ""}>
         {t("boards.connect")}
-      </button>
+      </Button>
       {wrong ? (
-        <p className="robots-wrong" id="robots-address-wrong" role="alert">
+        <p className="robots-wrong muted small-text" id="robots-address-wrong" role="alert">
           {t("boards.network-wrong")}
         </p>
       ) : null}
@@ -105,26 +104,26 @@ function Together() {
   if (Object.keys(state.boards).length < 2) return null;
   return (
     <>
-      <button
-        type="button"
-        className="button"
-        data-testid="robots-run-all"
+      <Button
+        icon="play"
+        iconSize={14}
+
+        testId="robots-run-all"
         disabled={mine.length < 2}
         onClick={runOnAll}
       >
-        <Icon name="play" size={14} />
         {t("boards.run-all")}
-      </button>
-      <button
-        type="button"
-        className="button"
-        data-testid="robots-stop-all"
+      </Button>
+      <Button
+        icon="square"
+        iconSize={14}
+
+        testId="robots-stop-all"
         disabled={!running}
         onClick={stopEverything}
       >
-        <Icon name="square" size={14} />
         {t("boards.stop-all")}
-      </button>
+      </Button>
     </>
   );
 }
@@ -146,7 +145,7 @@ function Places() {
       )}
       <FindBoard />
       {inPage() ? (
-        <p className="robots-note" data-testid="robots-in-page">
+        <p className="robots-note muted" data-testid="robots-in-page">
           {t("boards.in-page")}
         </p>
       ) : (
@@ -164,7 +163,7 @@ export function Robots() {
   const looking = useBoards((state) => state.ports === null && state.barred === null && placesOf(state).length === 0);
   return (
     <section className="robots" data-testid="robots" aria-label={t("boards.title")}>
-      <header className="robots-head">
+      <header className="robots-head row rigid">
         <h2>{t("boards.title")}</h2>
         <span className="robots-space" />
         <Together />
@@ -174,7 +173,7 @@ export function Robots() {
       <div className="robots-body">
         <Barred />
         {inPage() ? null : <TeamPart />}
-        {looking ? <p className="robots-note">{t("boards.looking")}</p> : <Places />}
+        {looking ? <p className="robots-note muted">{t("boards.looking")}</p> : <Places />}
       </div>
     </section>
   );

@@ -48,7 +48,7 @@ function Message({ standing }: { standing: TeamAgent }) {
   if (standing.message === "") return null;
   if (!standing.failed)
     return (
-      <p className="crew-said">
+      <p className="crew-said muted small-text">
         <Said text={standing.message} />
       </p>
     );
@@ -69,7 +69,7 @@ function Member({ name, disabled }: { name: string; disabled: boolean }) {
     <li className="crew-member" data-testid="crew-member" data-agent={name} data-state={standing?.state ?? "idle"}>
       <div className="crew-row">
         <StateShape state={standing?.failed === true ? "failed" : SHAPES[standing?.state ?? "idle"]} size={10} />
-        <span className="crew-name" id={label}>
+        <span className="crew-name ellipsis" id={label}>
           {name}
         </span>
         <select
@@ -86,7 +86,7 @@ function Member({ name, disabled }: { name: string; disabled: boolean }) {
             </option>
           ))}
         </select>
-        <span className="crew-state">{stateWords(standing)}</span>
+        <span className="muted small-text">{stateWords(standing)}</span>
       </div>
       {standing?.state === "sending" ? <Sending progress={standing.progress} testId="crew-progress" /> : null}
       {standing === undefined ? null : <Message standing={standing} />}
@@ -101,7 +101,12 @@ function Status({ team, other }: { team: Team | null; other: boolean }) {
   const phase: Key | null = team === null || team.phase === "idle" ? null : `crew.phase-${team.phase}`;
   return (
     <>
-      <p className="crew-status" role="status" data-testid="crew-status" data-phase={team?.phase ?? "idle"}>
+      <p
+        className="crew-status muted small-text wrap"
+        role="status"
+        data-testid="crew-status"
+        data-phase={team?.phase ?? "idle"}
+      >
         {phase === null ? null : <strong>{t(phase)}</strong>}
         {other && phase !== null ? <span>{t("crew.other", { mission: team?.path ?? "" })}</span> : null}
         {trouble === null && team !== null && !other && team.message !== "" ? <Said text={team.message} /> : null}
@@ -115,13 +120,13 @@ function Acts({ team, boards, ready }: { team: Team | null; boards: number; read
   const busy = isBusy(team);
   if (busy && team?.phase !== "sending")
     return (
-      <div className="robot-acts">
+      <div className="robot-acts row wrap">
         <Act ink icon="square" label={t("crew.stop")} testId="crew-stop" onPress={stopEverything} />
         <Act icon="eye" label={t("crew.watch")} testId="crew-watch" onPress={() => showRobots(false)} />
       </div>
     );
   return (
-    <div className="robot-acts">
+    <div className="robot-acts row wrap">
       {busy ? <Act icon="x" label={t("boards.cancel")} testId="crew-cancel" onPress={cancelTeam} /> : null}
       <Act
         ink
@@ -158,7 +163,7 @@ export function TeamPart() {
   return (
     <section className="crew" data-testid="crew" aria-labelledby={title}>
       <h3 id={title}>{t("crew.title")}</h3>
-      <p className="robots-note">
+      <p className="robots-note muted">
         {tooMany ? t("crew.too-many", { most: MOST_AGENTS, count: agents.length }) : t("crew.about")}
       </p>
       <Status team={team} other={other} />

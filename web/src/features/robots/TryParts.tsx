@@ -40,7 +40,7 @@ function Step({
     <li className="bench-step" data-testid="bench-step" data-going={going} data-failed={failure !== undefined}>
       <button
         type="button"
-        className="tool small"
+        className="tool small rigid"
         aria-pressed={going}
         aria-label={t(going ? "boards.try-end" : "boards.try-begin", { part: name })}
         title={t(going ? "boards.try-end" : "boards.try-begin", { part: name })}
@@ -50,7 +50,7 @@ function Step({
         <Icon name={going ? "square" : "play"} size={16} />
       </button>
       <div className="bench-words">
-        <p className="bench-name">
+        <p className="bench-name wrap">
           <strong>{name}</strong>
           {step.call === "" ? null : <code dir="ltr">{step.call}</code>}
           {going && value !== null ? (
@@ -83,7 +83,7 @@ export function TryParts({ board }: { board: Board }) {
   if (known === undefined || bench === null) return null;
   return (
     <section className="bench" aria-label={t("boards.try")} data-testid="bench">
-      <p className="bench-first">{t("boards.try-wheels")}</p>
+      <p className="bench-first bold">{t("boards.try-wheels")}</p>
       <ol>
         {known.steps.map((step, at) => (
           <Step
@@ -99,7 +99,7 @@ export function TryParts({ board }: { board: Board }) {
         ))}
       </ol>
       {known.left_out.map((part) => (
-        <p key={part.part} className="robots-note" data-testid="bench-left-out">
+        <p key={part.part} className="robots-note muted" data-testid="bench-left-out">
           {t("boards.try-left-out", { part: nameOf(part) })} <Said text={part.why} />
         </p>
       ))}

@@ -2,8 +2,21 @@
 import { useStudio } from "../../model/studio";
 import { useRun } from "../../session/run";
 import { reveal } from "../../session/actions";
-import { useWatch } from "../../session/watching";
-import { type Given, isMine, kitFor, networkAddress, placesOf, programFor, useBoards, without } from "./boards";
+import { openDock } from "../../session/dock";
+import {
+  forgetAddress,
+  forgetRefusal,
+  forgetSteps,
+  type Given,
+  isMine,
+  kitFor,
+  networkAddress,
+  placesOf,
+  programFor,
+  rememberAddress,
+  setGiven,
+  useBoards,
+} from "./boards";
 import { withKit } from "./kits";
 import { send } from "./socket";
 import { agentAt, keepShown } from "./shown";
@@ -21,11 +34,7 @@ function given(address: string): Given {
 function give(address: string): Given {
   keepShown();
   const what = given(address);
-  useBoards.setState((state) => ({
-    // The newest stands last.
-    given: { ...without(state.given, address), [address]: what },
-    refused: without(state.refused, address),
-  }));
+  setGiven(address, what);
   return what;
 }
 
@@ -58,11 +67,8 @@ export function beginBench(address: string, way: Board["way"] = ""): void {
 function benchNow(address: string, way: Board["way"]): void {
   keepShown();
   const { path, program, kit, mission } = given(address);
-  useBoards.setState((state) => ({
-    // What it had before is on it no more.
-    given: without(state.given, address),
-    refused: without(state.refused, address),
-  }));
+  // What it had before is on it no more.
+  setGiven(address, null);
   send({ type: "bench", address, path, program, kit, mission, replace: way === "replace" });
 }
 
@@ -74,7 +80,7 @@ export function tryStep(address: string, step: number | null): void {
 /** No more parts are tried; the robot stands. */
 export function endBench(address: string): void {
   stopBoard(address);
-  useBoards.setState((state) => ({ steps: without(state.steps, address) }));
+  forgetSteps(address);
 }
 
 /** A robot takes the canvas from a simulated run. */
@@ -101,7 +107,7 @@ export function runOn(address: string, held = true): void {
     return;
   }
   takeCanvas();
-  useBoards.setState((state) => ({ refused: without(state.refused, address) }));
+  forgetRefusal(address);
   send({ type: "start", address, held });
 }
 
@@ -126,7 +132,7 @@ export function watchBoard(address: string): void {
     useStudio.getState().setActiveProgram(agent.program);
     useRun.getState().selectAgent(agent.name, agent.program);
   }
-  useWatch.getState().show(true);
+  openDock("watch-panel");
 }
 
 export function cancelSending(address: string): void {
@@ -137,24 +143,17 @@ export function identify(address: string): void {
   send({ type: "identify", address });
 }
 
-export function chooseProgram(address: string, program: string): void {
-  useBoards.setState((state) => ({ chosen: { ...without(state.chosen, address), [address]: program } }));
-}
-
 /** Adds an address on the network and greets the robot there; false when it is no address. */
 export function addAddress(text: string): boolean {
   const address = networkAddress(text);
   if (address === null) return false;
-  useBoards.setState(({ typed }) => ({ typed: [...typed.filter((one) => one !== address), address] }));
+  rememberAddress(address);
   connectBoard(address);
   return true;
 }
 
 export function removeAddress(address: string): void {
-  useBoards.setState(({ typed, refused }) => ({
-    typed: typed.filter((one) => one !== address),
-    refused: without(refused, address),
-  }));
+  forgetAddress(address);
   if (useBoards.getState().boards[address] !== undefined) disconnectBoard(address);
 }
 

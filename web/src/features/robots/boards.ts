@@ -137,6 +137,64 @@ useBoards.subscribe(({ chosen, kits, typed, bodies }, before) => {
 });
 
 /** The record without one entry; the same object where there is none. */
+/** Changes what is known of robots. */
+const set = useBoards.setState;
+
+/** The connection ended: refused before it began, or broken. */
+export function boardsLost(why: Refusal): void {
+  set((state) => ({ ...NOBODY, given: {}, barred: state.barred ?? why }));
+}
+
+export function boardsConnecting(): void {
+  set({ barred: null });
+}
+
+export function takeMessage(message: BoardsMessage): void {
+  set((state) => applyMessage(state, message));
+}
+
+/** That robot is given this, or with null nothing that we know; what it refused before holds no more. */
+export function setGiven(address: string, given: Given | null): void {
+  set((state) => {
+    const others = without(state.given, address);
+    // The newest stands last.
+    return {
+      given: given === null ? others : { ...others, [address]: given },
+      refused: without(state.refused, address),
+    };
+  });
+}
+
+export function forgetRefusal(address: string): void {
+  set(({ refused }) => ({ refused: without(refused, address) }));
+}
+
+export function forgetSteps(address: string): void {
+  set(({ steps }) => ({ steps: without(steps, address) }));
+}
+
+export function chooseProgram(address: string, program: string): void {
+  set(({ chosen }) => ({ chosen: { ...without(chosen, address), [address]: program } }));
+}
+
+/** The next robot is taken for one of the same kit. */
+export function setKit(address: string, kit: string): void {
+  set(({ kits }) => ({ kits: { ...without(without(kits, address), ""), [address]: kit, "": kit } }));
+}
+
+export function rememberAddress(address: string): void {
+  set(({ typed }) => ({ typed: [...typed.filter((one) => one !== address), address] }));
+}
+
+export function forgetAddress(address: string): void {
+  set(({ typed }) => ({ typed: typed.filter((one) => one !== address) }));
+  forgetRefusal(address);
+}
+
+export function setBodies(change: (bodies: BoardsState["bodies"]) => BoardsState["bodies"]): void {
+  set(({ bodies }) => ({ bodies: change(bodies) }));
+}
+
 export function without<Value>(record: Record<string, Value>, key: string): Record<string, Value> {
   if (!(key in record)) return record;
   return Object.fromEntries(Object.entries(record).filter(([one]) => one !== key));

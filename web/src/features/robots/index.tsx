@@ -28,10 +28,10 @@ function RobotsOrArena({ children }: { children: ReactNode }) {
 function RunOnRobots() {
   return (
     <>
-      <span className="tool-line" data-fold={5} />
+      <span className="tool-line rigid" data-fold={5} />
       <button
         type="button"
-        className="tool tool-named"
+        className="tool tool-named rigid"
         data-testid="run-on-robot"
         data-fold={5}
         aria-label={t("boards.run")}

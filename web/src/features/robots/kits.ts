@@ -9,7 +9,7 @@ import { create } from "zustand";
 
 import type { KitEntry } from "../../api/generated";
 import { partsApi } from "../../api/parts";
-import { knowsKit, useBoards, without } from "./boards";
+import { knowsKit, setKit, useBoards } from "./boards";
 
 const useKits = create<{ path: string | null; kits: readonly KitEntry[] | null }>(() => ({ path: null, kits: null }));
 
@@ -59,7 +59,7 @@ export function dropKitQuestion(): void {
 
 /** The answer; the next robot is taken for one of the same kit. What waited goes on. */
 export function chooseKit(address: string, kit: string): void {
-  useBoards.setState((state) => ({ kits: { ...without(without(state.kits, address), ""), [address]: kit, "": kit } }));
+  setKit(address, kit);
   const { asking } = useKitQuestion.getState();
   dropKitQuestion();
   for (const go of asking?.waiting ?? []) go();

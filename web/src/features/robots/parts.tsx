@@ -4,6 +4,7 @@ import { type ReactNode, useId } from "react";
 import { Said } from "../../i18n/Said";
 import { t } from "../../i18n/words";
 import { Icon } from "../../theme";
+import { Button } from "../../ui/Button";
 import type { Board } from "./wire";
 
 interface ActProps {
@@ -16,19 +17,11 @@ interface ActProps {
   title?: string;
 }
 
-export function Act({ icon, label, testId, onPress, ink = false, disabled = false, title }: ActProps) {
+export function Act({ icon, label, testId, onPress, ...rest }: ActProps) {
   return (
-    <button
-      type="button"
-      className={ink ? "button button-ink" : "button"}
-      data-testid={testId}
-      disabled={disabled}
-      title={title}
-      onClick={onPress}
-    >
-      <Icon name={icon} size={14} />
+    <Button icon={icon} iconSize={14} testId={testId} onClick={onPress} {...rest}>
       {label}
-    </button>
+    </Button>
   );
 }
 
@@ -45,7 +38,7 @@ export function Sending({
   const label = useId();
   const { step, done, total } = progress ?? { step: "connect" as const, done: 0, total: 0 };
   return (
-    <div className="robot-progress" data-testid={testId}>
+    <div className="robot-progress small-text" data-testid={testId}>
       <span id={label}>{t(`boards.step-${step}`)}</span>
       <progress aria-labelledby={label} value={total > 0 ? done : undefined} max={Math.max(total, 1)} />
       {children}

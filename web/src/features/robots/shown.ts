@@ -8,7 +8,7 @@
 import { useStudio } from "../../model/studio";
 import { isLive, type RunAgent, useRun } from "../../session/run";
 import { type BoardsState, type Given, isMine, useBoards } from "./boards";
-import { useRobotsPanel } from "./state";
+import { setRunning } from "./state";
 import type { Board } from "./wire";
 
 /** The robots that the canvas can show. */
@@ -78,7 +78,7 @@ export function keepShown(): void {
   useBoards.subscribe(({ boards, team }, before) => {
     if (boards === before.boards && team === before.team) return;
     const running = Object.values(boards).filter(isRunning).length + Number(team?.phase === "running");
-    useRobotsPanel.setState({ running });
+    setRunning(running);
     show();
   });
   useRun.subscribe(({ name }, before) => {

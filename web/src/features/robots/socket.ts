@@ -5,8 +5,8 @@
 import { socketAddress } from "../../api/address";
 import { talk } from "../../api/line";
 import { t } from "../../i18n/words";
-import { applyMessage, NOBODY, useBoards } from "./boards";
-import { useRobotsPanel } from "./state";
+import { boardsConnecting, boardsLost, takeMessage } from "./boards";
+import { setStopAll } from "./state";
 import type { BoardsMessage, BoardsRequest } from "./wire";
 
 let socket: WebSocket | null = null;
@@ -16,11 +16,7 @@ let waiting: BoardsRequest[] = [];
 function lost(): void {
   socket = null;
   waiting = [];
-  useBoards.setState((state) => ({
-    ...NOBODY,
-    given: {},
-    barred: state.barred ?? { message: t("boards.server-lost"), help: t("boards.server-lost-help"), problems: [] },
-  }));
+  boardsLost({ message: t("boards.server-lost"), help: t("boards.server-lost-help"), problems: [] });
 }
 
 /** Opens the socket, if it is not. */
@@ -28,15 +24,15 @@ export function connect(): void {
   if (socket !== null) return;
   const opened = talk().socket(socketAddress("api/boards"));
   socket = opened;
-  useBoards.setState({ barred: null });
-  useRobotsPanel.setState({ stopAll: () => send({ type: "stop", address: "" }) });
+  boardsConnecting();
+  setStopAll(() => send({ type: "stop", address: "" }));
   opened.addEventListener("open", () => {
     for (const request of waiting) opened.send(JSON.stringify(request));
     waiting = [];
   });
   opened.addEventListener("message", (event: MessageEvent<string>) => {
     if (socket !== opened) return;
-    useBoards.setState((state) => applyMessage(state, JSON.parse(event.data) as BoardsMessage));
+    takeMessage(JSON.parse(event.data) as BoardsMessage);
   });
   opened.addEventListener("close", () => {
     if (socket === opened) lost();

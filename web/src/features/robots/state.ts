@@ -4,7 +4,7 @@
  */
 import { create } from "zustand";
 
-import { useNarrow } from "../../session/narrow";
+import { openRoom } from "../../session/narrow";
 import { useLayout } from "../../session/layout";
 
 interface Robots {
@@ -18,11 +18,21 @@ interface Robots {
 
 export const useRobotsPanel = create<Robots>(() => ({ open: false, running: 0, stopAll: null }));
 
+/** So many robots run, of those whose state is shown. */
+export function setRunning(running: number): void {
+  useRobotsPanel.setState({ running });
+}
+
+/** How STOP reaches the robots, once the page talks with them. */
+export function setStopAll(stopAll: Robots["stopAll"]): void {
+  useRobotsPanel.setState({ stopAll });
+}
+
 export function showRobots(open = true): void {
   const { folded, toggle } = useLayout.getState();
   // It stands where the arena does; that may have been folded away.
   if (open && folded.arena) toggle("arena");
   // On a phone one room is open at a time.
-  if (open) useNarrow.setState({ room: "arena" });
+  if (open) openRoom("arena");
   useRobotsPanel.setState({ open });
 }

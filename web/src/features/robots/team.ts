@@ -1,7 +1,7 @@
 /** The team of the mission that is open, as processes: which agent has which board, sending to all of them, starting it. */
 import { useStudio } from "../../model/studio";
 import { useRun } from "../../session/run";
-import { type BoardsState, type Place, placesOf, useBoards, without } from "./boards";
+import { type BoardsState, forgetRefusal, type Place, placesOf, setBodies, useBoards, without } from "./boards";
 import { keepShown } from "./shown";
 import { send } from "./socket";
 import type { Board, Team, TeamAgent } from "./wire";
@@ -33,7 +33,7 @@ export function withBody(bodies: BoardsState["bodies"], path: string, agent: str
 
 export function chooseBody(agent: string, address: string): void {
   const { path } = useStudio.getState().file;
-  useBoards.setState(({ bodies }) => ({ bodies: withBody(bodies, path, agent, address) }));
+  setBodies((bodies) => withBody(bodies, path, agent, address));
 }
 
 /** The places that can be chosen for an agent: those that are listed, and the chosen one though it is not there. */
@@ -66,7 +66,7 @@ function boardsOf(state: BoardsState, ways: Record<string, Board["way"]> = {}) {
 /** `ways`: what else may be done at the boards of agents that refused before. */
 export function sendToAll(ways: Record<string, Board["way"]> = {}): void {
   const { mission, file } = useStudio.getState();
-  useBoards.setState((state) => ({ refused: without(state.refused, TEAM) }));
+  forgetRefusal(TEAM);
   send({ type: "team-send", mission, path: file.path, boards: boardsOf(useBoards.getState(), ways) });
 }
 
@@ -79,7 +79,7 @@ export function startTeam(): void {
   keepShown();
   const { mission, file } = useStudio.getState();
   const state = useBoards.getState();
-  useBoards.setState(({ refused }) => ({ refused: without(refused, TEAM) }));
+  forgetRefusal(TEAM);
   const { stop, robots, seed } = useRun.getState();
   stop();
   robots({ type: "fleet", mission, path: file.path, holder: state.you, boards: boardsOf(state), seed });

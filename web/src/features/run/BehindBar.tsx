@@ -3,19 +3,19 @@ import { clock } from "../../i18n/numbers";
 import { t } from "../../i18n/words";
 import { useRun } from "../../session/run";
 import { Icon } from "../../theme";
+import { Button } from "../../ui/Button";
 
 export function BehindBar() {
   const time = useRun((run) => clock(run.seconds));
   const watching = useRun((run) => run.watching);
   return (
-    <div className="banner banner-note" data-testid="behind-bar">
+    <div className="banner banner-note row rigid" data-testid="behind-bar">
       <Icon name="radio" size={18} />
       <p>{t("robots.behind", { time })}</p>
       {watching ? null : (
-        <button type="button" className="button" data-testid="follow" onClick={useRun.getState().follow}>
-          <Icon name="play" size={16} />
+        <Button icon="play" testId="follow" onClick={useRun.getState().follow}>
           {t("robots.now")}
-        </button>
+        </Button>
       )}
     </div>
   );

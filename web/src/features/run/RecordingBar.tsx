@@ -6,6 +6,7 @@ import { shownName } from "../../session/document";
 import { type OpenRecording, playAgain, runRecorded } from "../../session/recordings";
 import { isLive, useRun } from "../../session/run";
 import { Icon } from "../../theme";
+import { Button } from "../../ui/Button";
 
 export function RecordingBar({ open }: { open: OpenRecording }) {
   const playing = useRun((run) => run.recording);
@@ -14,7 +15,7 @@ export function RecordingBar({ open }: { open: OpenRecording }) {
   const name = shownName(open.path);
   const what = playing ? (open.real ? "recording.real" : "recording.playing") : "recording.live";
   return (
-    <div className="banner banner-note" role="status" data-testid="recording-bar" data-playing={playing}>
+    <div className="banner banner-note row rigid" role="status" data-testid="recording-bar" data-playing={playing}>
       <Icon name="clapperboard" size={18} />
       <p>
         <strong>
@@ -24,15 +25,14 @@ export function RecordingBar({ open }: { open: OpenRecording }) {
         {playing && stops ? t("recording.breakpoints") : null}
       </p>
       {playing && live ? null : (
-        <button type="button" className="button" data-testid="play-recording" onClick={playAgain}>
+        <Button testId="play-recording" onClick={playAgain}>
           {t(playing ? "recording.again" : "recording.play")}
-        </button>
+        </Button>
       )}
       {playing ? (
-        <button type="button" className="button" data-testid="run-recorded" onClick={runRecorded}>
-          <Icon name="play" size={16} />
+        <Button icon="play" testId="run-recorded" onClick={runRecorded}>
           {t("recording.run")}
-        </button>
+        </Button>
       ) : null}
     </div>
   );

@@ -49,7 +49,7 @@ function Whole({ text }: { text: string }) {
   const button = useRef<HTMLButtonElement>(null);
   return (
     <span
-      className="run-status-more"
+      className="rigid"
       onKeyDown={(event) => {
         if (event.key !== "Escape" || !open) return;
         event.stopPropagation();
@@ -70,7 +70,7 @@ function Whole({ text }: { text: string }) {
         onClick={() => setOpen(!open)}
       />
       {open ? (
-        <span className="run-status-whole" tabIndex={-1} data-testid="status-whole">
+        <span className="run-status-whole surface" tabIndex={-1} data-testid="status-whole">
           <Said text={text} />
         </span>
       ) : null}
@@ -98,7 +98,7 @@ export function RunStatus() {
         ? t("debug.paused-at", { agent: hit.agent, visit: hit.visit })
         : t(key);
   return (
-    <div className="run-status" data-testid="status" data-status={status} title={said}>
+    <div className="run-status row" data-testid="status" data-status={status} title={said}>
       <StateShape state={SHAPES[status]} />
       <span className="run-status-words" role="status" ref={words}>
         <Said text={said} />
@@ -116,7 +116,7 @@ export function RunStatus() {
         </span>
       ) : null}
       {timed ? (
-        <span className="run-status-time" aria-hidden={status === "running"}>
+        <span className="run-status-time bold" aria-hidden={status === "running"}>
           {time}
         </span>
       ) : null}

@@ -21,7 +21,7 @@ export function RunTools() {
     <>
       <button
         type="button"
-        className="run-button"
+        className="run-button bold rigid"
         data-testid="run-button"
         disabled={(live && !paused) || choosing}
         title={`${paused ? t("run.resume") : t("run.run")} (${keyFor.page("run")})`}
@@ -80,7 +80,7 @@ export function RunTools() {
         data-fold={6}
         onClick={stopEverything}
       />
-      <span className="tool-line" data-fold={5} />
+      <span className="tool-line rigid" data-fold={5} />
       <SpeedControl />
     </>
   );

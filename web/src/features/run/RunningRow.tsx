@@ -45,7 +45,7 @@ export function RunningRow({ threads, names, chosen }: { threads: Thread[]; name
     <div className="tabs-end" ref={row}>
       {threads.length === 0 ? null : (
         <>
-          <span className="tabs-running" data-fold={1}>
+          <span className="tabs-running muted small-text" data-fold={1}>
             {t("tabs.running")}
           </span>
           {threads.map(({ slot, label, go }) => (
@@ -67,7 +67,7 @@ export function RunningRow({ threads, names, chosen }: { threads: Thread[]; name
       )}
       {names.length < 2 ? null : (
         <select
-          className="watched"
+          className="watched small-text"
           data-testid="watched-agent"
           aria-label={t("tabs.watch")}
           title={chosen}

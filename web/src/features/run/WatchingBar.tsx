@@ -3,30 +3,29 @@ import { t } from "../../i18n/words";
 import { useStudio } from "../../model/studio";
 import { useRun } from "../../session/run";
 import { Icon } from "../../theme";
+import { Button } from "../../ui/Button";
 
 export function WatchingBar({ run }: { run: string }) {
   const watching = useRun((state) => state.watching);
   const another = useRun((state) => state.another);
   return (
-    <div className="banner banner-note" role="status" data-testid="watching-bar" data-watching={watching}>
+    <div className="banner banner-note row rigid" role="status" data-testid="watching-bar" data-watching={watching}>
       <Icon name="eye" size={18} />
       <p>
         <strong>{t(watching ? "watching.on" : "watching.offer")}</strong>{" "}
         {watching && another ? t("watching.another") : null}
       </p>
       {watching ? (
-        <button type="button" className="button" data-testid="watch-leave" onClick={useRun.getState().reset}>
+        <Button testId="watch-leave" onClick={useRun.getState().reset}>
           {t("watching.leave")}
-        </button>
+        </Button>
       ) : (
-        <button
-          type="button"
-          className="button"
-          data-testid="watch-run"
+        <Button
+          testId="watch-run"
           onClick={() => useRun.getState().watch({ mission: useStudio.getState().mission, run })}
         >
           {t("watching.watch")}
-        </button>
+        </Button>
       )}
     </div>
   );

@@ -7,7 +7,7 @@ import { Said } from "../../i18n/Said";
 import { t } from "../../i18n/words";
 import { useStudio } from "../../model/studio";
 import { useRun } from "../../session/run";
-import { Icon } from "../../theme";
+import { Button } from "../../ui/Button";
 import { cellName, useGridWalk } from "../../ui/use-grid-walk";
 import { countsOf, ENDINGS, rowsOf, SIGNS } from "./map";
 import { isHeldByRobots, play, type Swept, useSweep } from "./sweeping";
@@ -74,18 +74,18 @@ export function SweepMap({ swept }: { swept: Swept }) {
   const field = rows[at.agent]?.[at.moment] ?? null;
 
   return (
-    <div className="sweep-found">
-      <p className="sweep-note">
+    <div className="sweep-found column">
+      <p className="sweep-note muted">
         {t("sweep.baseline")} <Said text={map.sentence} />
       </p>
-      {changed ? <p className="sweep-note sweep-warning">{t("sweep.changed")}</p> : null}
-      {held ? <p className="sweep-note sweep-warning">{t("sweep.real")}</p> : null}
+      {changed ? <p className="sweep-note sweep-warning muted">{t("sweep.changed")}</p> : null}
+      {held ? <p className="sweep-note sweep-warning muted">{t("sweep.real")}</p> : null}
       {counts.none > 0 ? (
-        <p className="sweep-note sweep-warning">
+        <p className="sweep-note sweep-warning muted">
           {t("sweep.cut", { done: grouped(map.fields.length), total: grouped(map.total) })}
         </p>
       ) : null}
-      <ul className="sweep-legend" data-testid="sweep-legend">
+      <ul className="sweep-legend plain-list wrap" data-testid="sweep-legend">
         {ENDINGS.filter((ending) => ending === "done" || counts[ending] > 0).map((ending) => (
           <li key={ending} data-testid={`sweep-count-${ending}`}>
             <span className="sweep-field" data-ending={ending} aria-hidden="true">
@@ -94,14 +94,14 @@ export function SweepMap({ swept }: { swept: Swept }) {
             {t(`sweep.${ending}`)} <strong>{grouped(counts[ending])}</strong>
           </li>
         ))}
-        {counts.done === map.total ? <li className="sweep-all">{t("sweep.all-done")}</li> : null}
+        {counts.done === map.total ? <li className="sweep-all bold">{t("sweep.all-done")}</li> : null}
       </ul>
-      <p className="sweep-note" id="sweep-how">
+      <p className="sweep-note muted" id="sweep-how">
         {t("sweep.how")}
       </p>
       <div className="sweep-scroll">
         <table
-          className="sweep-map"
+          className="sweep-map small-text"
           role="grid"
           aria-label={t("sweep.map")}
           aria-describedby="sweep-how"
@@ -135,11 +135,10 @@ export function SweepMap({ swept }: { swept: Swept }) {
           </tbody>
         </table>
       </div>
-      <div className="sweep-chosen" data-testid="sweep-chosen">
-        <button type="button" className="button" data-testid="sweep-play" disabled={held} onClick={() => play(at)}>
-          <Icon name="play" size={16} />
+      <div className="sweep-chosen row wrap" data-testid="sweep-chosen">
+        <Button icon="play" testId="sweep-play" disabled={held} onClick={() => play(at)}>
           {t("sweep.play")}
-        </button>
+        </Button>
         <p>
           {played?.agent === at.agent && played.moment === at.moment ? <strong>{t("sweep.plays")} </strong> : null}
           <bdi>{said(map.agents[at.agent] ?? "", map.moments[at.moment] ?? 0, field)}</bdi>

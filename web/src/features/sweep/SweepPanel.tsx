@@ -6,8 +6,8 @@ import { grouped, readNumber, readWhole } from "../../i18n/numbers";
 import { Said } from "../../i18n/Said";
 import { t } from "../../i18n/words";
 import { useStudio } from "../../model/studio";
-import { closeBelow, useAlone } from "../../session/below-alone";
-import { Icon } from "../../theme";
+import { closeDock } from "../../session/dock";
+import { Button } from "../../ui/Button";
 import { Tool } from "../../ui/Tool";
 import { Select } from "../../ui/Select";
 import { SweepMap } from "./SweepMap";
@@ -19,16 +19,20 @@ const LONGEST_S = 36_000;
 const PAIRS = "kitrobot run … --fail-sweep --pairs";
 
 export function SweepPanel() {
-  useAlone();
   const swept = useSweep((sweep) => sweep.swept);
   const refused = useSweep((sweep) => sweep.refused);
   return (
-    <section className="dock-panel sweep-panel" id="sweep-panel" data-testid="sweep" aria-label={t("sweep.title")}>
-      <header className="dock-head">
+    <section
+      className="dock-panel sweep-panel column rigid"
+      id="sweep-panel"
+      data-testid="sweep"
+      aria-label={t("sweep.title")}
+    >
+      <header className="dock-head row rigid">
         <h2>{t("sweep.title")}</h2>
-        <Tool small icon="x" label={t("sweep.close")} titled={false} onClick={closeBelow} />
+        <Tool small icon="x" label={t("sweep.close")} titled={false} onClick={closeDock} />
       </header>
-      <div className="sweep-body">
+      <div className="sweep-body column">
         <Asking />
         <Refused refused={refused} />
         {swept === null ? null : <SweepMap swept={swept} />}
@@ -46,17 +50,17 @@ function Asking() {
   const [typed, setTyped] = useState(() => String(swept?.asked.seconds ?? 600));
   const seconds = readNumber(typed) ?? 0;
   const wrong = !(seconds > 0 && seconds <= LONGEST_S);
-  if (agents === 0 && swept === null) return <p className="sweep-note">{t("sweep.nobody")}</p>;
+  if (agents === 0 && swept === null) return <p className="sweep-note muted">{t("sweep.nobody")}</p>;
   if (busy !== null) return <Progress {...busy} />;
   return (
     <>
       {swept === null ? (
-        <p className="sweep-note">
+        <p className="sweep-note muted">
           {t("sweep.what")} <Said text={t("sweep.pairs", { command: `\`${PAIRS}\`` })} />
         </p>
       ) : null}
       <form
-        className="sweep-asking"
+        className="sweep-asking row wrap"
         onSubmit={(event) => {
           event.preventDefault();
           if (!wrong) begin(readWhole(moments) ?? 0, seconds);
@@ -86,10 +90,9 @@ function Asking() {
             onChange={(event) => setTyped(event.target.value)}
           />
         </label>
-        <button type="submit" className="button" data-testid="sweep-begin" disabled={wrong || agents === 0}>
-          <Icon name="play" size={16} />
+        <Button icon="play" type="submit" testId="sweep-begin" disabled={wrong || agents === 0}>
           {t("sweep.begin", { count: agents * (readWhole(moments) ?? 0) })}
-        </button>
+        </Button>
         {wrong ? (
           <p className="sweep-wrong" id="sweep-seconds-wrong" role="alert">
             {t("sweep.seconds-wrong", { most: grouped(LONGEST_S) })}
@@ -103,13 +106,12 @@ function Asking() {
 function Progress({ done, total }: { done: number; total: number }) {
   const said = total === 0 ? t("sweep.preparing") : t("sweep.progress", { done: grouped(done), total: grouped(total) });
   return (
-    <div className="sweep-asking" data-testid="sweep-progress">
+    <div className="sweep-asking row wrap" data-testid="sweep-progress">
       <progress aria-label={t("sweep.title")} max={Math.max(total, 1)} {...(total === 0 ? {} : { value: done })} />
       <span className="sweep-count">{said}</span>
-      <button type="button" className="button" data-testid="sweep-break-off" onClick={breakOff}>
-        <Icon name="square" size={16} />
+      <Button icon="square" testId="sweep-break-off" onClick={breakOff}>
         {t("sweep.break-off")}
-      </button>
+      </Button>
     </div>
   );
 }

@@ -13,9 +13,9 @@ export function About() {
     if (command !== null) useStudio.getState().execute(command);
   };
   return (
-    <section className="team-part" aria-labelledby="team-about">
+    <section className="team-part surface" aria-labelledby="team-about">
       <h2 id="team-about">{t("team.about")}</h2>
-      <label className="field-label" htmlFor="team-title">
+      <label className="field-label muted small-text rigid" htmlFor="team-title">
         {t("team.title")}
       </label>
       <input
@@ -27,7 +27,7 @@ export function About() {
         placeholder={label?.[""] ?? ""}
         onChange={(event) => change("label", event.target.value)}
       />
-      <label className="field-label" htmlFor="team-help">
+      <label className="field-label muted small-text rigid" htmlFor="team-help">
         {t("team.help")}
       </label>
       <textarea

@@ -22,6 +22,7 @@ import { text } from "../../model/texts";
 import type { Agent } from "../../model/types";
 import type { addStarting } from "../../session/world-edits";
 import { Icon } from "../../theme";
+import { Button } from "../../ui/Button";
 import { Select } from "../../ui/Select";
 import { Tool } from "../../ui/Tool";
 import { nameLike, withoutStart } from "./starts";
@@ -109,7 +110,7 @@ function Row({ agent, at, onKey, focus }: RowProps) {
         wrong={wrongName}
         keep={(wanted) => execute(renameAgent(now(), at, wanted, useStudio.getState().catalogue))}
       />
-      <span className="team-runs">
+      <span className="team-runs column">
         <Select
           label={`${t("team.program")}: ${name}`}
           testId={`agent-program-${String(at)}`}
@@ -140,7 +141,7 @@ function Row({ agent, at, onKey, focus }: RowProps) {
         wrong={lost}
         keep={(wanted) => execute(giveStart(now(), at, wanted))}
       />
-      <span className="team-tools">
+      <span className="team-tools row">
         {tools.map(([what, icon, label, disabled, act]) => (
           <Tool
             key={what}
@@ -192,13 +193,13 @@ export function Agents() {
   };
 
   return (
-    <section className="team-part" aria-labelledby="team-agents">
+    <section className="team-part surface" aria-labelledby="team-agents">
       <h2 id="team-agents">{t("team.agents")}</h2>
       {agents.length === 0 ? (
-        <p className="team-note">{t("team.agents-none")}</p>
+        <p className="team-note muted">{t("team.agents-none")}</p>
       ) : (
         <>
-          <div className="team-row team-agent team-heads" aria-hidden="true">
+          <div className="team-row team-agent team-heads muted small-text" aria-hidden="true">
             <span>{t("team.agent")}</span>
             <span>{t("team.program")}</span>
             <span>{t("team.start")}</span>
@@ -211,20 +212,20 @@ export function Agents() {
         </>
       )}
       {lost > 0 ? (
-        <p className="team-note team-hint" role="status">
+        <p className="team-note team-hint muted row wrap" role="status">
           <Icon name="triangle-alert" size={16} /> {t("team.place-help", { count: lost })}{" "}
           {place === null ? null : (
-            <button type="button" className="button" data-testid="place-agents" onClick={() => execute(place)}>
+            <Button testId="place-agents" onClick={() => execute(place)}>
               {t("team.place")}
-            </button>
+            </Button>
           )}
         </p>
       ) : null}
-      <button
-        type="button"
-        className="button"
+      <Button
+        icon="plus"
+
         ref={button}
-        data-testid="add-agent"
+        testId="add-agent"
         onClick={() => {
           void newAgent().then(() =>
             requestAnimationFrame(() => {
@@ -235,8 +236,9 @@ export function Agents() {
           );
         }}
       >
-        <Icon name="plus" size={16} /> {t("team.add-agent")}
-      </button>
+        {" "}
+        {t("team.add-agent")}
+      </Button>
     </section>
   );
 }

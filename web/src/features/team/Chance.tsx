@@ -5,7 +5,7 @@
  */
 import { NumberInput } from "../../components/fields/NumberInput";
 import { t } from "../../i18n/words";
-import { isLive, useRun } from "../../session/run";
+import { isLive, setFailRate, useRun } from "../../session/run";
 
 /** A probability in percent, without a tail of zeros. */
 function percentOf(rate: number): number {
@@ -26,11 +26,11 @@ export function Chance() {
           max={100}
           disabled={live}
           value={percentOf(rate)}
-          keep={(percent) => useRun.setState({ failRate: Math.round(percent * 1000) / 100_000 })}
+          keep={(percent) => setFailRate(Math.round(percent * 1000) / 100_000)}
         />
         <span aria-hidden="true">%</span>
       </label>
-      <p className="team-note" id="team-chance-help">
+      <p className="team-note muted" id="team-chance-help">
         {t("team.chance-help")}
       </p>
     </div>

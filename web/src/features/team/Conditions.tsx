@@ -19,7 +19,7 @@ type AmountProps = ComponentProps<typeof NumberInput> & { label: string; unit: s
 /** A number with its unit. */
 function Amount({ label, unit, ...number }: AmountProps) {
   return (
-    <label className="team-amount">
+    <label className="team-amount row">
       <span>{label}</span>
       <NumberInput {...number} />
       <span>{unit}</span>
@@ -47,9 +47,9 @@ export function Conditions() {
   const radio = useStudio((studio) => studio.mission.radio ?? null);
   const breakdown = useStudio((studio) => studio.mission.breakdown ?? STAY);
   return (
-    <section className="team-part" aria-labelledby="team-conditions" data-testid="conditions">
+    <section className="team-part surface" aria-labelledby="team-conditions" data-testid="conditions">
       <h2 id="team-conditions">{t("team.conditions")}</h2>
-      <label className="team-switch">
+      <label className="row">
         <input
           type="checkbox"
           data-testid="radio-on"
@@ -59,11 +59,11 @@ export function Conditions() {
         />
         {t("team.radio")}
       </label>
-      <p className="team-note" id="team-radio-help">
+      <p className="team-note muted" id="team-radio-help">
         {t(radio === null ? "team.radio-off" : "team.radio-help")}
       </p>
       {radio === null ? null : (
-        <div className="team-amounts">
+        <div className="team-amounts wrap">
           <Amount
             label={t("team.radio-range")}
             unit="mm"
@@ -96,8 +96,8 @@ export function Conditions() {
           />
         </div>
       )}
-      <div className="team-amounts">
-        <label className="team-amount">
+      <div className="team-amounts wrap">
+        <label className="team-amount row">
           <span>{t("team.breakdown")}</span>
           <Select
             label={t("team.breakdown")}

@@ -81,14 +81,14 @@ export function Failures() {
   const note =
     failures.length > 0 ? "team.failures-help" : first === undefined ? "team.failures-nobody" : "team.failures-none";
   return (
-    <section className="team-part" aria-labelledby="team-failures" data-testid="failures">
+    <section className="team-part surface" aria-labelledby="team-failures" data-testid="failures">
       <h2 id="team-failures">{t("team.failures")}</h2>
-      <p className="team-note">{t(note)}</p>
+      <p className="team-note muted">{t(note)}</p>
       <RowList
         items={failures}
         Row={Row}
         heads={
-          <div className="team-row team-heads team-failure-heads" aria-hidden="true">
+          <div className="team-row team-heads team-failure-heads muted small-text" aria-hidden="true">
             <span>{t("team.failure-who")}</span>
             <span>{t("team.failure-what")}</span>
             <span>{t("team.failure-when")}</span>

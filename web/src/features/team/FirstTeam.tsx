@@ -2,19 +2,20 @@
 import { t } from "../../i18n/words";
 import { useStudio } from "../../model/studio";
 import { startTeam } from "../../session/first-team";
-import { Icon } from "../../theme";
+import { Button } from "../../ui/Button";
 
 export function FirstTeam() {
   const there = useStudio((studio) => studio.mission.programs.some((one) => one.level === "social"));
   if (there) return null;
   return (
-    <section className="team-part" aria-labelledby="first-team" data-testid="first-team">
+    <section className="team-part surface" aria-labelledby="first-team" data-testid="first-team">
       <h2 id="first-team">{t("first-team.title")}</h2>
-      <p className="team-note">{t("first-team.what")}</p>
-      <p className="team-hint">
-        <button type="button" className="button" data-testid="start-team" onClick={() => void startTeam()}>
-          <Icon name="users" size={16} /> {t("first-team.start")}
-        </button>
+      <p className="team-note muted">{t("first-team.what")}</p>
+      <p className="team-hint row wrap">
+        <Button icon="users" testId="start-team" onClick={() => void startTeam()}>
+          {" "}
+          {t("first-team.start")}
+        </Button>
         <span>{t("first-team.start-help")}</span>
       </p>
     </section>

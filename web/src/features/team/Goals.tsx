@@ -76,9 +76,9 @@ export function Goals() {
   const none = houses === undefined || houses.length === 0;
   const first = houses?.find((house) => !goals.some((goal) => goal.storehouse === house.name)) ?? houses?.[0];
   return (
-    <section className="team-part" aria-labelledby="team-goals">
+    <section className="team-part surface" aria-labelledby="team-goals">
       <h2 id="team-goals">{t("team.goals")}</h2>
-      <p className="team-note">
+      <p className="team-note muted">
         {goals.length > 0 ? t("team.goals-help") : none ? t("team.no-houses") : t("team.goals-none")}
       </p>
       <RowList

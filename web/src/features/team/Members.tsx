@@ -8,7 +8,8 @@ import { StateShape } from "../../components/StateShape";
 import { clock } from "../../i18n/numbers";
 import { Said } from "../../i18n/Said";
 import { t } from "../../i18n/words";
-import { changesOf, showMembers } from "../../session/members";
+import { closeDock } from "../../session/dock";
+import { changesOf, MEMBERS } from "../../session/members";
 import { meetingSaid } from "../../session/meetings";
 import { can, useRun } from "../../session/run";
 import { Tool } from "../../ui/Tool";
@@ -43,16 +44,16 @@ export function Members() {
   const waits = team.meetings.filter((one) => one.missing.length > 0);
   return (
     <section
-      className="dock-panel members-panel"
-      id="members-panel"
+      className="dock-panel members-panel column rigid"
+      id={MEMBERS}
       data-testid="members"
       aria-label={t("members.title")}
     >
-      <header className="dock-head">
+      <header className="dock-head row rigid">
         <h2>{t("members.title")}</h2>
-        <Tool small icon="x" label={t("members.close")} titled={false} onClick={() => showMembers(false)} />
+        <Tool small icon="x" label={t("members.close")} titled={false} onClick={closeDock} />
       </header>
-      <div className="members-columns">
+      <div className="members-columns wrap">
         <table className="members-table" data-testid="members-table">
           <thead>
             <tr>
@@ -74,7 +75,7 @@ export function Members() {
                   </th>
                   <td>
                     {role === "" ? (
-                      <span className="members-quiet">{t(missed ? "members.missed" : "members.spare")}</span>
+                      <span className="muted">{t(missed ? "members.missed" : "members.spare")}</span>
                     ) : stands_for === name || stands_for === "" ? (
                       <bdi>{role}</bdi>
                     ) : (
@@ -93,14 +94,18 @@ export function Members() {
         </table>
         <div>
           {waits.map((meeting) => (
-            <p key={meeting.point} className="members-wait">
+            <p key={meeting.point} className="members-wait bold">
               {meetingSaid(meeting)}
             </p>
           ))}
           {changes.length === 0 ? (
-            <p className="members-quiet">{t("members.unchanged")}</p>
+            <p className="muted">{t("members.unchanged")}</p>
           ) : (
-            <ol className="members-changes" aria-label={t("members.changes")} data-testid="members-changes">
+            <ol
+              className="members-changes plain-list column"
+              aria-label={t("members.changes")}
+              data-testid="members-changes"
+            >
               {changes
                 .slice(-SHOWN)
                 .reverse()

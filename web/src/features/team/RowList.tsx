@@ -1,7 +1,7 @@
 /** Rows that can be added and removed: a goal, a failure. The focus goes to what was added, or back to the button. */
 import { type ComponentType, type ReactNode, useRef } from "react";
 
-import { Icon } from "../../theme";
+import { Button } from "../../ui/Button";
 import { Tool } from "../../ui/Tool";
 
 export interface RowProps<Item> {
@@ -39,16 +39,17 @@ export function RowList<Item>({ items, Row, heads, add }: RowListProps<Item>) {
         </>
       )}
       {add === null ? null : (
-        <button
-          type="button"
-          className="button"
+        <Button
+          icon="plus"
+
           ref={button}
-          data-testid={add.testId}
+          testId={add.testId}
           disabled={!add.can}
           onClick={press}
         >
-          <Icon name="plus" size={16} /> {add.label}
-        </button>
+          {" "}
+          {add.label}
+        </Button>
       )}
     </>
   );
@@ -57,7 +58,7 @@ export function RowList<Item>({ items, Row, heads, add }: RowListProps<Item>) {
 /** The end of a row. */
 export function RemoveTool({ testId, label, onClick }: { testId: string; label: string; onClick: () => void }) {
   return (
-    <span className="team-tools">
+    <span className="team-tools row">
       <Tool small icon="trash-2" label={label} testId={testId} data-what="remove" onClick={onClick} />
     </span>
   );

@@ -31,7 +31,7 @@ export default function Team() {
   }, [wanted]);
   return (
     <div className="team" id="team-panel" role="tabpanel" aria-label={t("team.tab")} data-testid="team" ref={root}>
-      <div className="team-body">
+      <div className="team-body column">
         <Agents />
         <FirstTeam />
         <Goals />

@@ -13,6 +13,7 @@ import { foreseeWorld, useFiles } from "../../session/world-files";
 import { editWorld } from "../../session/world-edits";
 import { openWorld } from "../../session/world-view";
 import { Icon } from "../../theme";
+import { Button } from "../../ui/Button";
 import { later } from "../../ui/later";
 
 const WorldPicture = later(() => import("../../components/WorldPicture").then((chunk) => chunk.WorldPicture), complain);
@@ -48,15 +49,15 @@ function Card({ entry, chosen }: { entry: WorldEntry; chosen: boolean }) {
   const size = (mm: number) => decimal(mm / 1000);
   const starts = t("team.starts", { count: world?.starts.length ?? 0 });
   return (
-    <label className="team-world" data-testid={`world-${stemOf(href)}`} title={text(help)}>
-      <span className="team-world-picture">
+    <label className="team-world column" data-testid={`world-${stemOf(href)}`} title={text(help)}>
+      <span className="team-world-picture muted">
         {world === null ? (
           <Icon name="map" size={24} />
         ) : (
           <WorldPicture world={world} agents={world.starts.map((start) => start.name)} />
         )}
       </span>
-      <span className="team-world-name">
+      <span className="team-world-name row">
         <input
           type="radio"
           name="team-world"
@@ -87,24 +88,25 @@ export function Worlds() {
   const worlds = useWorlds();
   const missing = own === null && worlds.length > 0 && !worlds.some((one) => sameWorld(one.href, chosen));
   return (
-    <section className="team-part" aria-labelledby="team-world">
+    <section className="team-part surface" aria-labelledby="team-world">
       <h2 id="team-world">{t("team.world")}</h2>
-      <p className="team-note">
+      <p className="team-note muted">
         {own === null ? null : `${t("world.mine")} `}
-        <button
-          type="button"
-          className="button"
-          data-testid="team-open-world"
+        <Button
+          icon="pencil"
+
+          testId="team-open-world"
           onClick={() => {
             openWorld();
             void editWorld();
           }}
         >
-          <Icon name="pencil" size={16} /> {t("world.edit")}
-        </button>
+          {" "}
+          {t("world.edit")}
+        </Button>
       </p>
       {missing ? (
-        <p className="team-note team-hint" role="status">
+        <p className="team-note team-hint muted row wrap" role="status">
           <Icon name="triangle-alert" size={16} /> {t("team.world-missing", { name: chosen })}
         </p>
       ) : null}

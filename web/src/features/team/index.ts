@@ -1,18 +1,24 @@
 /** The team: agents, goals, failures and the world they are in. */
 import { t } from "../../i18n/words";
+import { complain } from "../../session/document";
 import type { Feature } from "../../session/features";
 import { keyFor } from "../../session/key-table";
+import { MEMBERS } from "../../session/members";
 import { openTeam } from "../../session/team-view";
+import { later } from "../../ui/later";
 import { menuItem } from "../../ui/menu-model";
-import { MembersButton, MembersDock } from "./MembersDock";
+import { MembersButton } from "./MembersButton";
 import { TeamSide } from "./TeamSide";
 import { teamTab } from "./TeamTab";
+
+const Members = later(() => import("./Members").then((chunk) => chunk.Members), complain);
 
 export const team: Feature = {
   name: "team",
   tab: teamTab,
   panels: { palette: TeamSide },
-  slots: { below: MembersDock, bottom: MembersButton },
+  docks: { [MEMBERS]: Members },
+  slots: { bottom: MembersButton },
   commands: { team: () => openTeam() },
   useMenu: () => ({
     team: [menuItem("program-team", t("team.open"), keyFor.page("team"), () => openTeam())],

@@ -22,16 +22,16 @@ function Card({ tutorial, brief }: { tutorial: Tutorial; brief: boolean }) {
   return (
     <button
       type="button"
-      className="tutorial-card"
+      className="tutorial-card surface"
       data-testid={`tutorial-card-${tutorial.name}`}
       onClick={() => void begin(tutorial)}
     >
-      <span className="tutorial-card-icon">
+      <span className="tutorial-card-icon rigid">
         <Icon name={tutorial.icon} size={22} />
       </span>
       <span>
         <strong>{text(tutorial.label)}</strong>
-        {brief ? null : <span className="tutorial-card-help">{text(tutorial.help)}</span>}
+        {brief ? null : <span className="tutorial-card-help muted small-text">{text(tutorial.help)}</span>}
         <small>{state(tutorial)}</small>
       </span>
     </button>
@@ -45,7 +45,7 @@ function Teachers({ page }: { page: TeacherPage }) {
     { title: t("tutorial.questions"), texts: page.questions },
   ];
   return (
-    <details className="tutorial-teachers">
+    <details className="tutorial-teachers small-text">
       <summary>{t("tutorial.teachers", { count: page.minutes })}</summary>
       <p>{text(page.aim)}</p>
       {lists
@@ -68,13 +68,13 @@ function Teachers({ page }: { page: TeacherPage }) {
 function Broken({ tutorial: { name, problems } }: { tutorial: Tutorial }) {
   const [first] = problems;
   return (
-    <div className="tutorial-card is-broken" data-testid={`tutorial-card-${name}`}>
-      <span className="tutorial-card-icon">
+    <div className="tutorial-card is-broken surface" data-testid={`tutorial-card-${name}`}>
+      <span className="tutorial-card-icon rigid">
         <Icon name="triangle-alert" size={22} />
       </span>
       <span>
         <strong>{name}</strong>
-        <span className="tutorial-card-help">
+        <span className="tutorial-card-help muted small-text">
           {t("tutorial.broken")}{" "}
           {first === undefined ? null : <Said text={t("banner.line", { line: first.line, message: first.message })} />}
         </span>

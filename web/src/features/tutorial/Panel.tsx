@@ -7,6 +7,7 @@ import { partsOf } from "../../model/parts";
 import { programInView, useStudio } from "../../model/studio";
 import { text } from "../../model/texts";
 import { Icon } from "../../theme";
+import { Button } from "../../ui/Button";
 import { Tool } from "../../ui/Tool";
 import { begin, beginAnew } from "./opening";
 import { goToPoint, type Page, selectorOf, told, wordsOf } from "./points";
@@ -35,7 +36,7 @@ interface StepProps {
 function Steps({ tutorial, done, page }: StepProps) {
   const { at, skipped } = useTutorial((state) => state.progress);
   return (
-    <ol className="tutorial-steps" aria-label={t("tutorial.steps")}>
+    <ol className="tutorial-steps plain-list wrap" aria-label={t("tutorial.steps")}>
       {done.map((is, step) => {
         const state = is ? "done" : skipped.includes(step) ? "skipped" : "open";
         const words = { number: step + 1, name: nameOf(tutorial, step, page) };
@@ -47,7 +48,7 @@ function Steps({ tutorial, done, page }: StepProps) {
           <li key={step}>
             <button
               type="button"
-              className="tutorial-dot"
+              className="tutorial-dot muted"
               data-state={state}
               data-testid={`tutorial-step-${String(step + 1)}`}
               aria-label={label}
@@ -104,44 +105,38 @@ function StepView({ tutorial, done, page }: StepProps) {
           </p>
         ) : null}
         {hinted ? (
-          <ul className="tutorial-points">
+          <ul className="tutorial-points wrap">
             {points.map((point) => (
               <li key={`${point.kind} ${point.name}`}>
-                <button
-                  type="button"
-                  className="button small"
-                  data-testid={`tutorial-go-${point.kind}-${point.name}`}
+                <Button
+                  icon="crosshair"
+                  iconSize={14}
+                  className="small"
+
+                  testId={`tutorial-go-${point.kind}-${point.name}`}
                   onClick={() => {
                     goToPoint(point, page);
                   }}
                 >
-                  <Icon name="crosshair" size={14} />
                   {t("tutorial.go", { what: wordsOf(point, page) })}
-                </button>
+                </Button>
               </li>
             ))}
           </ul>
         ) : null}
       </div>
-      <div className="tutorial-ways">
+      <div className="tutorial-ways rigid">
         {is || hinted || (hint === "" && points.length === 0) ? null : (
-          <button type="button" className="button" data-testid="tutorial-show" onClick={showHint}>
-            <Icon name="lightbulb" size={16} />
+          <Button icon="lightbulb" testId="tutorial-show" onClick={showHint}>
             {t("tutorial.show-me")}
-          </button>
+          </Button>
         )}
-        <button
-          type="button"
-          className="button"
-          data-testid="tutorial-back"
-          disabled={progress.at === 0}
-          onClick={goBack}
-        >
+        <Button testId="tutorial-back" disabled={progress.at === 0} onClick={goBack}>
           {t("tutorial.back")}
-        </button>
-        <button type="button" className="button" data-testid="tutorial-next" onClick={goForward}>
+        </Button>
+        <Button testId="tutorial-next" onClick={goForward}>
           {t(is || read ? "tutorial.next" : "tutorial.skip")}
-        </button>
+        </Button>
       </div>
     </>
   );
@@ -164,45 +159,41 @@ function End({ tutorial, done, page }: StepProps) {
         <h3>{whole ? t("tutorial.finished", { name: text(tutorial.label) }) : t("tutorial.left-over")}</h3>
         <p>{whole ? t("tutorial.finished-help") : t("tutorial.open-again", { number: open + 1 })}</p>
       </div>
-      <div className="tutorial-ways">
+      <div className="tutorial-ways rigid">
         {next === null ? null : (
-          <button
+          <Button
+            ink
             ref={button}
-            type="button"
-            className="button button-ink"
+
             onClick={() => void begin(next)}
-            data-testid="tutorial-next-one"
+            testId="tutorial-next-one"
           >
             {t("tutorial.next-one", { name: text(next.label) })}
             <Icon name="arrow-right" size={16} />
-          </button>
+          </Button>
         )}
         {whole ? (
-          <button
-            type="button"
-            className="button"
+          <Button
             onClick={() => {
               beginAnew(tutorial);
             }}
-            data-testid="tutorial-again"
+            testId="tutorial-again"
           >
             {t("tutorial.again")}
-          </button>
+          </Button>
         ) : (
-          <button
-            type="button"
-            className="button"
+          <Button
             onClick={() => {
               goTo(open);
             }}
-            data-testid="tutorial-open-step"
+            testId="tutorial-open-step"
           >
             {t("tutorial.step", { number: open + 1, name: nameOf(tutorial, open, page) })}
-          </button>
+          </Button>
         )}
-        <button type="button" className="button" onClick={leave} data-testid="tutorial-close">
+        <Button onClick={leave} testId="tutorial-close">
           {t("tutorial.leave")}
-        </button>
+        </Button>
       </div>
     </>
   );
@@ -240,17 +231,17 @@ export function TutorialPanel() {
       data-step={progress.at + 1}
       aria-label={t("tutorial.of", { name: text(tutorial.label) })}
     >
-      <header className="tutorial-head">
+      <header className="tutorial-head row wrap">
         <Icon name={tutorial.icon} size={18} />
         <h2>{text(tutorial.label)}</h2>
         <Steps tutorial={tutorial} done={done} page={page} />
-        <span className="tutorial-count" data-testid="tutorial-count">
+        <span className="muted small-text" data-testid="tutorial-count">
           {t("tutorial.done-of", { done: count, total: done.length })}
         </span>
         {progress.at < done.length && undone >= 0 ? (
           <button
             type="button"
-            className="tutorial-undone"
+            className="tutorial-undone small-text"
             data-testid="tutorial-undone"
             onClick={() => {
               goTo(undone);
@@ -269,7 +260,7 @@ export function TutorialPanel() {
           onClick={leave}
         />
       </header>
-      <div className="tutorial-body">
+      <div className="tutorial-body wrap">
         {progress.at < done.length ? (
           <StepView tutorial={tutorial} done={done} page={page} />
         ) : (

@@ -4,6 +4,7 @@ import { useStudio } from "../../model/studio";
 import { text } from "../../model/texts";
 import { useDocument } from "../../session/document";
 import { Icon } from "../../theme";
+import { Button } from "../../ui/Button";
 import { Tool } from "../../ui/Tool";
 import { begin } from "./opening";
 import { useTutorial, welcome } from "./state";
@@ -23,9 +24,9 @@ export function Welcome() {
       <p>
         <strong>{t("tutorial.welcome")}</strong> <span className="welcome-help">{t("tutorial.welcome-help")}</span>
       </p>
-      <button type="button" className="button" data-testid="welcome-tutorial" onClick={() => void begin(first)}>
+      <Button testId="welcome-tutorial" onClick={() => void begin(first)}>
         {text(first.label)}
-      </button>
+      </Button>
       <Tool small icon="x" label={t("tutorial.not-now")} testId="welcome-close" onClick={welcome} />
     </section>
   );

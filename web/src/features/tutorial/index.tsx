@@ -6,7 +6,7 @@ import { text } from "../../model/texts";
 import { complain } from "../../session/document";
 import type { Feature } from "../../session/features";
 import type { MenuEntries } from "../../session/menu-table";
-import { useStage } from "../../session/stage";
+import { setLesson } from "../../session/stage";
 import { later } from "../../ui/later";
 import { menuItem } from "../../ui/menu-model";
 import { begin, lookForTutorials } from "./opening";
@@ -40,5 +40,5 @@ export const tutorial: Feature = {
   slots: { above: Tutorials, "open-lists": AllCards },
   panels: { "empty-program": Invitation },
   useMenu,
-  start: () => useTutorial.subscribe(({ tutorial }) => useStage.setState({ lesson: tutorial !== null })),
+  start: () => useTutorial.subscribe(({ tutorial }) => setLesson(tutorial !== null)),
 };

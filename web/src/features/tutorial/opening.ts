@@ -12,7 +12,7 @@ import { complain, show, useDocument } from "../../session/document";
 import { openPath } from "../../session/open-requests";
 import { loadFromDisk } from "../../session/opening";
 import { begun, openTutorial, type Progress, rememberedProgress } from "./progress";
-import { enter, leave, movedTo, useTutorial } from "./state";
+import { enter, leave, movedTo, setTutorials, useTutorial } from "./state";
 
 /** What is to be entered as soon as its mission is open; `anew`: without the work that was left on it. */
 let waiting: { tutorial: Tutorial; progress: Progress; anew: boolean } | null = null;
@@ -20,11 +20,11 @@ let waiting: { tutorial: Tutorial; progress: Progress; anew: boolean } | null = 
 /** Asks which tutorials there are; a folder may have got another one. */
 export async function lookForTutorials(): Promise<void> {
   try {
-    useTutorial.setState({ all: await tutorialApi.all() });
+    setTutorials(await tutorialApi.all());
   } catch (cause) {
     // An older list stays; the failure is shown only without one.
     if (useTutorial.getState().all !== null) return;
-    useTutorial.setState({ all: [] });
+    setTutorials([]);
     complain(cause);
   }
 }

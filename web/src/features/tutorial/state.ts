@@ -42,6 +42,11 @@ const NOTHING = {
 export const useTutorial = create<TutorialState>(() => ({ all: null, ...NOTHING, welcomed: isWelcomed() }));
 
 const set = useTutorial.setState;
+
+export function setTutorials(all: readonly Tutorial[]): void {
+  set({ all });
+}
+
 /** Whether the shown step was done already when it was opened: then the tutorial does not go on by itself. */
 let wasDone = false;
 

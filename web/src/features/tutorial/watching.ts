@@ -9,7 +9,8 @@ import { TEAM_ROBOT } from "../../model/team-robot";
 import type { Mission } from "../../model/types";
 import { makeChecker } from "../../session/checking";
 import { useCodeSide } from "../../session/code-side";
-import { useMembers } from "../../session/members";
+import { useDock } from "../../session/dock";
+import { MEMBERS } from "../../session/members";
 import { isLive, type RunState, type RunStatus, useRun } from "../../session/run";
 import { heardEvent, heardFits, useTutorial } from "./state";
 
@@ -53,7 +54,7 @@ export function eventsOfTeam(run: TeamRun, before: TeamRun): string[] {
 /** What is shown as the page is now, in the words of tutorials: as long as it is, steps that want it are done. */
 function shownNow(): string[] {
   const found: string[] = [];
-  if (useMembers.getState().open && missed(useRun.getState().team).length > 0) found.push("members-shown");
+  if (useDock.getState().open === MEMBERS && missed(useRun.getState().team).length > 0) found.push("members-shown");
   const isTeam = useStudio.getState().mission.programs.some((one) => one.robot === TEAM_ROBOT);
   if (isTeam && useCodeSide.getState().side === "projection") found.push("projection-shown");
   return found;
@@ -123,14 +124,14 @@ export function keepWatching(): () => void {
     if (events.length > 0) void happened(events, running);
     if (state.team !== before.team) look();
   });
-  const offMembers = useMembers.subscribe(look);
+  const offDock = useDock.subscribe(look);
   const offCode = useCodeSide.subscribe(look);
   again();
   return () => {
     offTutorial();
     offStudio();
     offRun();
-    offMembers();
+    offDock();
     offCode();
   };
 }

@@ -29,7 +29,7 @@ export function Corners({ world, thing, part }: PartProps<Part<"line"> | Part<"f
       <legend>{t("world.corners")}</legend>
       {points.map((point, at) => (
         <div className="world-corner" key={at}>
-          <span className="world-corner-number">{at + 1}</span>
+          <span className="world-corner-number muted">{at + 1}</span>
           {(["x", "y", "radius"] as const).map((name) => (
             <NumberField
               key={name}
@@ -74,7 +74,7 @@ export function Corners({ world, thing, part }: PartProps<Part<"line"> | Part<"f
 
 export function Closed({ world, thing, part }: PartProps<Part<"line"> | Part<"road">>) {
   return (
-    <label className="world-check">
+    <label className="row">
       <input
         type="checkbox"
         data-testid="world-closed"

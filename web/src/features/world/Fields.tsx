@@ -24,7 +24,7 @@ function WorldItself({ world }: { world: OwnWorld }) {
       ),
     );
   return (
-    <section className="world-chosen" aria-labelledby="world-itself">
+    <section className="world-chosen column" aria-labelledby="world-itself">
       <h2 id="world-itself">{t("world.tab")}</h2>
       <NameCell
         name={world.name}
@@ -47,7 +47,7 @@ function WorldItself({ world }: { world: OwnWorld }) {
           />
         ))}
       </div>
-      <p className="world-hint">{t("world.hint")}</p>
+      <p className="muted small-text">{t("world.hint")}</p>
     </section>
   );
 }
@@ -65,18 +65,18 @@ export function Fields({ world }: { world: OwnWorld }) {
   });
   const several = chosen.length > 1;
   return (
-    <section className="world-chosen" aria-labelledby="world-chosen" data-testid="world-chosen">
-      <header className="world-chosen-head">
+    <section className="world-chosen column" aria-labelledby="world-chosen" data-testid="world-chosen">
+      <header className="world-chosen-head row">
         <h2 id="world-chosen">{several ? t("world.things", { count: chosen.length }) : kindName(thing.kind)}</h2>
         <Tool small icon="copy" label={t("world.duplicate")} testId="world-duplicate" onClick={duplicateChosen} />
         <Tool small icon="trash-2" label={t("world.delete")} testId="world-delete" onClick={removeChosen} />
       </header>
       {several ? (
-        <p className="world-hint">{t("world.several")}</p>
+        <p className="muted small-text">{t("world.several")}</p>
       ) : (
         <>
           {problems.map((problem, index) => (
-            <p key={index} className="world-problem" role="alert">
+            <p key={index} className="world-problem small-text" role="alert">
               <Icon name="circle-x" size={16} /> {sentence(problem.message)}{" "}
               {problem.help === "" ? null : <small>{sentence(problem.help)}</small>}
             </p>

@@ -4,28 +4,24 @@ import { type ReactNode, useState } from "react";
 import { t } from "../../i18n/words";
 import { saveWorldFile } from "../../session/world-edits";
 import { ownWorld } from "../../session/world-view";
+import { Button } from "../../ui/Button";
 
 export function Keep({ templates }: { templates: ReactNode }) {
   const [name, setName] = useState<string | null>(null);
   const [why, setWhy] = useState("");
   if (name === null) {
     return (
-      <div className="world-keep">
-        <button
-          type="button"
-          className="button"
-          data-testid="save-world"
-          onClick={() => setName(ownWorld()?.name ?? "")}
-        >
+      <div className="world-keep column">
+        <Button testId="save-world" onClick={() => setName(ownWorld()?.name ?? "")}>
           {t("world.save-file")}
-        </button>
+        </Button>
         {templates}
       </div>
     );
   }
   return (
     <form
-      className="world-keep"
+      className="world-keep column"
       onSubmit={(event) => {
         event.preventDefault();
         void saveWorldFile(name).then((wrong) => {
@@ -34,10 +30,10 @@ export function Keep({ templates }: { templates: ReactNode }) {
         });
       }}
     >
-      <label className="field-label" htmlFor="world-file">
+      <label className="field-label muted small-text rigid" htmlFor="world-file">
         {t("world.file-name")}
       </label>
-      <span className="world-file">
+      <span className="world-file row">
         <input
           id="world-file"
           className="field"
@@ -61,9 +57,9 @@ export function Keep({ templates }: { templates: ReactNode }) {
           {why}
         </p>
       )}
-      <button type="submit" className="button" data-testid="world-file-save">
+      <Button type="submit" testId="world-file-save">
         {t("world.file-keep")}
-      </button>
+      </Button>
     </form>
   );
 }

@@ -19,9 +19,9 @@ interface NumberFieldProps {
 export function NumberField({ label, unit = "mm", step = 10, ...number }: NumberFieldProps) {
   const id = useId();
   return (
-    <span className="world-field">
+    <span className="world-field column small-text">
       <label htmlFor={id}>{label}</label>
-      <span className="world-number">
+      <span className="world-number row">
         <NumberInput id={id} step={step} {...number} />
         {unit === "" ? null : <small dir="ltr">{unit}</small>}
       </span>

@@ -21,7 +21,7 @@ import { KIND_ICONS, kindName, nameOf } from "../../model/world/names";
 import { type Kind, sameThing, type Thing, thingsOf } from "../../model/world/thing";
 import { keyIn, WORLD_KEYS } from "../../session/key-table";
 import { called, change, duplicateChosen, nudge, put, removeChosen } from "../../session/world-edits";
-import { choose, chosenIn, useWorld } from "../../session/world-view";
+import { choose, chosenIn, putDown, setDraft, useWorld } from "../../session/world-view";
 import { Icon, useTheme } from "../../theme";
 import { watchPinch } from "../../ui/pinch";
 import { Overlay } from "./Overlay";
@@ -96,7 +96,7 @@ export function Stage() {
     return watchPinch(box, {
       begin: () => {
         drag.current = null;
-        useWorld.setState({ draft: null });
+        setDraft(null);
         return true;
       },
       move: (before, now) => {
@@ -106,7 +106,7 @@ export function Stage() {
     });
   }, [painter]);
   // A draft belongs to a drag of this stage.
-  useEffect(() => () => useWorld.setState({ draft: null, tool: null }), []);
+  useEffect(() => putDown, []);
 
   const spot = (event: PointerEvent): Spot => {
     const place = frame.current?.getBoundingClientRect();
@@ -173,7 +173,7 @@ export function Stage() {
       }
       case "grip": {
         const to = held.grip.startsWith("cut") ? at : snap(event, at, [held.thing]);
-        useWorld.setState({ draft: dragged(held.began, held.thing, held.grip, to.x, to.y) });
+        setDraft(dragged(held.began, held.thing, held.grip, to.x, to.y));
         return;
       }
       case "move": {
@@ -186,14 +186,14 @@ export function Stage() {
         const wanted = { x: anchor.x + at.x - held.from.x, y: anchor.y + at.y - held.from.y };
         const to = first?.kind === "dock" ? wanted : snap(event, wanted, held.things);
         const [dx, dy] = [to.x - anchor.x, to.y - anchor.y];
-        useWorld.setState({ draft: held.things.reduce((one, thing) => moved(one, thing, dx, dy), held.began) });
+        setDraft(held.things.reduce((one, thing) => moved(one, thing, dx, dy), held.began));
         return;
       }
       case "new": {
         if (Math.hypot(event.clientX - held.x, event.clientY - held.y) < CLICK_PX) return;
         const to = snap(event, at, []);
         const from = held.tool === "start" || held.tool === "dock" ? to : held.from;
-        useWorld.setState({ draft: drawNew(held.began, held.tool, from, to)?.world ?? null });
+        setDraft(drawNew(held.began, held.tool, from, to)?.world ?? null);
       }
     }
   };
@@ -203,7 +203,7 @@ export function Stage() {
     drag.current = null;
     if (held === null) return;
     const made = useWorld.getState().draft;
-    useWorld.setState({ draft: null });
+    setDraft(null);
     if (held.what === "pan") {
       if (!held.moved) choose([]);
     } else if (held.what === "new") {
@@ -222,7 +222,7 @@ export function Stage() {
   const stop = () => {
     const busy = drag.current !== null || tool !== null;
     drag.current = null;
-    useWorld.setState({ draft: null, tool: null });
+    putDown();
     if (!busy) choose([]);
   };
 
@@ -281,7 +281,7 @@ export function Stage() {
       onPointerUp={onPointerUp}
       onPointerCancel={() => {
         drag.current = null;
-        useWorld.setState({ draft: null });
+        setDraft(null);
       }}
     >
       <canvas ref={canvas} aria-hidden="true" />
@@ -289,7 +289,7 @@ export function Stage() {
         <Overlay world={now} camera={camera} chosen={chosenIn(now, chosen)} mission={mission} />
       )}
       {tool === null ? null : (
-        <p className="world-tip" aria-hidden="true">
+        <p className="world-tip row small-text" aria-hidden="true">
           <Icon name={KIND_ICONS[tool]} size={14} /> {t("world.draw", { kind: kindName(tool) })}
         </p>
       )}

@@ -28,11 +28,11 @@ export function Templates({ done }: { done: () => void }) {
   }, [seed]);
   return (
     <section className="world-templates" aria-labelledby="world-templates" data-testid="world-templates">
-      <header className="world-chosen-head">
+      <header className="world-chosen-head row">
         <h2 id="world-templates">{t("world.templates")}</h2>
         <Tool small icon="x" label={t("world.templates-close")} testId="world-templates-close" onClick={done} />
       </header>
-      <p className="world-hint">{t("world.templates-help")}</p>
+      <p className="muted small-text">{t("world.templates-help")}</p>
       <ul>
         {templates.map(({ name, world }) => (
           <li key={name}>

@@ -57,7 +57,7 @@ export function Things({ world }: { world: OwnWorld }) {
       <ul role="tree" aria-labelledby="world-things" aria-multiselectable="true" ref={tree} onKeyDown={onKeyDown}>
         {groups.map(({ kind, count }) => (
           <li key={kind} role="none">
-            <span className="world-kind" aria-hidden="true">
+            <span className="world-kind row muted" aria-hidden="true">
               <Icon name={KIND_ICONS[kind]} size={14} /> {kindName(kind)}
             </span>
             <ul role="group" aria-label={kindName(kind)}>
@@ -72,7 +72,7 @@ export function Things({ world }: { world: OwnWorld }) {
                   <li
                     key={at}
                     role="treeitem"
-                    className="world-row"
+                    className="world-row row"
                     data-thing={`${kind}:${String(at)}`}
                     data-testid={`thing-${kind}-${String(at)}`}
                     aria-selected={chosen.some((one) => sameThing(one, thing))}

@@ -7,7 +7,7 @@ import { useStudio } from "../../model/studio";
 import { KIND_ICONS, kindName } from "../../model/world/names";
 import { type Kind, KINDS } from "../../model/world/thing";
 import { put } from "../../session/world-edits";
-import { useWorld } from "../../session/world-view";
+import { takeTool, useWorld } from "../../session/world-view";
 import { Icon } from "../../theme";
 import { Tool } from "../../ui/Tool";
 
@@ -19,9 +19,9 @@ function middle(): { x: number; y: number } {
 
 export function Tools() {
   const tool = useWorld((state) => state.tool);
-  const take = (wanted: Kind | null) => useWorld.setState({ tool: wanted });
+  const take = (wanted: Kind | null) => takeTool(wanted);
   return (
-    <div className="world-tools" role="toolbar" aria-label={t("world.tools")}>
+    <div className="world-tools row wrap rigid" role="toolbar" aria-label={t("world.tools")}>
       <Tool
         icon="mouse-pointer-2"
         label={t("world.choose")}
@@ -35,7 +35,7 @@ export function Tools() {
           <button
             key={kind}
             type="button"
-            className="tool world-tool"
+            className="tool world-tool rigid"
             data-testid={`world-tool-${kind}`}
             aria-pressed={tool === kind}
             aria-label={label}

@@ -8,7 +8,7 @@ import { useEffect, useState } from "react";
 
 import { t } from "../../i18n/words";
 import { useStudio } from "../../model/studio";
-import { useNarrow } from "../../session/narrow";
+import { openRoom } from "../../session/narrow";
 import { isLive, useRun } from "../../session/run";
 import { closeTeam } from "../../session/team-view";
 import { editWorld } from "../../session/world-edits";
@@ -19,6 +19,7 @@ import { Stage } from "./Stage";
 import { Things } from "./Things";
 import { Templates } from "./Templates";
 import { Tools } from "./Tools";
+import { Button } from "../../ui/Button";
 import "./world.css";
 
 function FromFile({ templates }: { templates: () => void }) {
@@ -29,10 +30,10 @@ function FromFile({ templates }: { templates: () => void }) {
       <h2 id="world-from-file">{world?.name ?? t("world.tab")}</h2>
       <p>{href === "" ? t("world.of-empty") : t("world.of-file", { file: href })}</p>
       <p>{t("world.copy-help")}</p>
-      <div className="world-choices">
-        <button type="button" className="button" data-testid="edit-world" onClick={() => void editWorld()}>
+      <div className="world-choices wrap">
+        <Button testId="edit-world" onClick={() => void editWorld()}>
           {t("world.edit")}
-        </button>
+        </Button>
         <OpenTemplates open={templates} />
       </div>
     </section>
@@ -41,9 +42,9 @@ function FromFile({ templates }: { templates: () => void }) {
 
 function OpenTemplates({ open }: { open: () => void }) {
   return (
-    <button type="button" className="button" data-testid="world-templates-open" onClick={open}>
+    <Button testId="world-templates-open" onClick={open}>
       {t("world.templates-open")}
-    </button>
+    </Button>
   );
 }
 
@@ -52,7 +53,7 @@ export default function World() {
   const openTemplates = () => setTemplates(true);
   const own = useStudio((studio) => studio.mission.own_world ?? null);
   const said = useWorld((state) => state.said);
-  useEffect(() => useNarrow.setState({ room: null }), []);
+  useEffect(() => openRoom(null), []);
   // Who starts a run wants to see it.
   useEffect(
     () =>
@@ -68,11 +69,11 @@ export default function World() {
   }, [own]);
   return (
     <div className="world" id="world-panel" role="tabpanel" aria-label={t("world.tab")} data-testid="world">
-      <div className="world-place">
+      <div className="world-place column">
         {own === null ? null : <Tools />}
         <Stage />
       </div>
-      <div className="world-side">
+      <div className="world-side column">
         {templates ? (
           <Templates done={() => setTemplates(false)} />
         ) : own === null ? (

@@ -53,7 +53,7 @@ export function Numbers<P extends Part<Thing["kind"]>>({
 /** A choice with its label before it. */
 export function Choice(props: ComponentProps<typeof Select>) {
   return (
-    <label className="world-field">
+    <label className="world-field column small-text">
       <span>{props.label}</span>
       <Select {...props} />
     </label>

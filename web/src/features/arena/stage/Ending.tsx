@@ -17,6 +17,7 @@ import { useStage } from "../../../session/stage";
 import { Icon } from "../../../theme";
 import { reachedGoal } from "./confetti";
 import { causeOf } from "./cause";
+import { Button } from "../../../ui/Button";
 
 export function Ending() {
   const run = useRun();
@@ -29,7 +30,7 @@ export function Ending() {
   const seeks = can("seek", run);
   const Sign = well ? CircleCheck : CircleX;
   return (
-    <section className="stage-ending" data-large={large} data-testid="ending" aria-label={t("arena.result")}>
+    <section className="stage-ending rigid" data-large={large} data-testid="ending" aria-label={t("arena.result")}>
       <Sign size={20} aria-hidden="true" />
       <div className="stage-ending-words">
         <p>
@@ -44,12 +45,10 @@ export function Ending() {
           </p>
         )}
         {seeks ? (
-          <span className="stage-ending-ways">
+          <span className="stage-ending-ways wrap">
             {cause === null || cause.tick >= tick ? null : (
-              <button
-                type="button"
-                className="button"
-                data-testid="go-to-cause"
+              <Button
+                testId="go-to-cause"
                 onClick={() => {
                   const program = run.agents.find((agent) => agent.name === cause.agent)?.program;
                   if (program !== undefined) {
@@ -61,12 +60,10 @@ export function Ending() {
               >
                 <Locate size={16} aria-hidden="true" />
                 {t("arena.go-to-cause")}
-              </button>
+              </Button>
             )}
-            <button
-              type="button"
-              className="button"
-              data-testid="watch-again"
+            <Button
+              testId="watch-again"
               onClick={() => {
                 run.seek(0);
                 run.resume();
@@ -74,13 +71,13 @@ export function Ending() {
             >
               <Play size={16} aria-hidden="true" />
               {t("arena.watch-again")}
-            </button>
+            </Button>
           </span>
         ) : null}
       </div>
       <button
         type="button"
-        className="tool small"
+        className="tool small rigid"
         aria-label={t("arena.close-result")}
         data-testid="ending-close"
         onClick={() => setClosed(name)}

@@ -31,7 +31,7 @@ export function Switches() {
           <button
             key={id}
             type="button"
-            className="stage-switch"
+            className="stage-switch muted small-text"
             data-testid={`show-${id}`}
             aria-pressed={on[id]}
             title={t(label)}
@@ -44,7 +44,7 @@ export function Switches() {
       })}
       <button
         type="button"
-        className="stage-switch stage-keep"
+        className="stage-switch stage-keep muted small-text"
         data-testid="arena-keep"
         aria-haspopup="menu"
         title={t("arena.keep")}

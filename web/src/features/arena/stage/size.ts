@@ -2,8 +2,8 @@
 import { flushSync } from "react-dom";
 
 import { useLayout } from "../../../session/layout";
-import { useNarrow } from "../../../session/narrow";
-import { useStage } from "../../../session/stage";
+import { openRoom } from "../../../session/narrow";
+import { enlargeStage, useStage } from "../../../session/stage";
 import { useView } from "../../../session/view";
 
 const MOVE_MS = 140;
@@ -17,8 +17,8 @@ export function toggle(): void {
   flushSync(() => {
     // It may have been folded away, or be another room on a phone.
     if (large && folded.arena) fold("arena");
-    if (large) useNarrow.setState({ room: "arena" });
-    useStage.setState({ large });
+    if (large) openRoom("arena");
+    enlargeStage(large);
   });
   const { viewport } = useView.getState();
   if (large) goBack = viewport?.whole() ?? null;

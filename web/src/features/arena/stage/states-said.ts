@@ -5,7 +5,7 @@ import { FAILED, MUTED, STALLED } from "../../../api/wire";
 import type { Scene } from "../../../components/scene/scene";
 import { t } from "../../../i18n/words";
 import { posesAt, watchFrames } from "../../../session/poses";
-import { useRobots } from "../robots";
+import { announce } from "../robots";
 import { states } from "../summary";
 
 /** So many are named at once. */
@@ -47,7 +47,7 @@ export function useStatesSaid(scene: Scene | null): void {
       const now = statesOf(latest.current);
       const words = newStates(before, now);
       before = now;
-      if (words.length > 0) useRobots.setState({ said: words.join(". ") });
+      if (words.length > 0) announce(words.join(". "));
     });
   }, []);
 }

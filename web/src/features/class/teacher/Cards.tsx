@@ -11,7 +11,7 @@ import { look, useDesk } from "./store";
 export function Boxes({ goals, count }: { goals: Seen["pupil"]["goals"]; count: number }) {
   if (count === 0) return null;
   return (
-    <span className="class-boxes" aria-hidden="true">
+    <span className="class-boxes rigid" aria-hidden="true">
       {Array.from({ length: Math.min(count, 10) }, (_, at) => (
         <span key={at} className="class-box" data-met={goals[at]?.reached === true}>
           {goals[at]?.reached === true ? <Icon name="check" size={10} /> : null}
@@ -38,7 +38,7 @@ const Card = memo(function Card({ seen, goals, now, chosen, tab }: CardProps) {
   return (
     <button
       type="button"
-      className="class-card"
+      className="class-card surface column"
       data-card={pupil.folder}
       data-testid={`card-${pupil.folder}`}
       data-state={pupil.state}
@@ -52,7 +52,7 @@ const Card = memo(function Card({ seen, goals, now, chosen, tab }: CardProps) {
       <span className="class-picture" aria-hidden="true">
         {picture === null ? null : <GraphPicture program={picture} />}
       </span>
-      <span className="class-name">
+      <span className="class-name row small-text rigid">
         <strong dir="auto">{pupil.name}</strong>
         {pupil.frozen ? (
           <>
@@ -62,11 +62,11 @@ const Card = memo(function Card({ seen, goals, now, chosen, tab }: CardProps) {
         ) : null}
         {asked === null || asked === 0 ? null : <small>{t("teacher.minutes", { count: asked })}</small>}
       </span>
-      <span className="class-state">
+      <span className="class-state row small-text rigid muted">
         <Icon name={icon} size={14} />
         <span>{words}</span>
       </span>
-      <span className="class-goals">
+      <span className="class-goals row small-text rigid">
         <Boxes goals={pupil.goals} count={goals} />
         {goals === 0 ? (
           <small dir="auto">{pupil.file}</small>
@@ -99,7 +99,7 @@ export function Cards({ folders, now }: { folders: readonly string[]; now: numbe
     cards[to]?.focus();
   };
 
-  if (folders.length === 0) return <p className="class-nobody">{t("teacher.nobody")}</p>;
+  if (folders.length === 0) return <p className="class-nobody muted">{t("teacher.nobody")}</p>;
   return (
     <div className="class-cards" role="group" aria-label={t("teacher.cards")} ref={grid} onKeyDown={onKeyDown}>
       {folders.map((folder) => {

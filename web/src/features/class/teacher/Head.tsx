@@ -83,7 +83,7 @@ function GradeTool({ folders }: { folders: readonly string[] | null }) {
   const grading = news?.grading ?? null;
   if (grading !== null && grading.page === "" && grading.done < grading.total) {
     return (
-      <span className="tool-named class-grading" role="status">
+      <span className="tool-named class-grading muted" role="status">
         {t("teacher.grading", { done: grading.done, total: grading.total })}
       </span>
     );
@@ -92,7 +92,7 @@ function GradeTool({ folders }: { folders: readonly string[] | null }) {
     <>
       <button
         type="button"
-        className="tool tool-named"
+        className="tool tool-named rigid"
         data-testid="grade"
         disabled={news?.exercise === ""}
         onClick={() => act(classApi.grade(folders))}
@@ -101,7 +101,7 @@ function GradeTool({ folders }: { folders: readonly string[] | null }) {
         {folders === null ? t("teacher.grade") : t("teacher.grade-some", { count: folders.length })}
       </button>
       {grading !== null && grading.page !== "" ? (
-        <button type="button" className="tool tool-named" data-testid="grades" onClick={openGrades}>
+        <button type="button" className="tool tool-named rigid" data-testid="grades" onClick={openGrades}>
           <Icon name="file" size={18} />
           {t("teacher.grades")}
         </button>
@@ -121,7 +121,7 @@ function FreezeTool({ folders }: { folders: readonly string[] | null }) {
   return (
     <button
       type="button"
-      className="tool tool-named"
+      className="tool tool-named rigid"
       data-testid="freeze"
       aria-pressed={frozen}
       disabled={folders !== null && count === 0}
@@ -140,24 +140,24 @@ export function Head({ open, folders, here, away }: HeadProps) {
   const { menus } = useEntries(open);
   const some = folders === null ? null : folders.length;
   return (
-    <header className="class-head">
-      <div className="class-head-menu">
+    <header className="class-head rigid">
+      <div className="class-head-menu row">
         {menus.map(([id, label, entries]) => (
-          <MenuButton key={id} id={id} label={label} entries={entries} className="menubar-title">
+          <MenuButton key={id} id={id} label={label} entries={entries} className="menubar-title small-text">
             {label}
           </MenuButton>
         ))}
         <h1 dir="auto">{news?.name ?? ""}</h1>
       </div>
-      <div className="class-tools" role="toolbar" aria-label={t("teacher.menu-class")}>
-        <button type="button" className="run-button" data-testid="send" onClick={() => open("send")}>
+      <div className="class-tools row wrap" role="toolbar" aria-label={t("teacher.menu-class")}>
+        <button type="button" className="run-button bold rigid" data-testid="send" onClick={() => open("send")}>
           <Icon name="send" size={18} />
           {some === null ? t("teacher.send") : t("teacher.send-some", { count: some })}
         </button>
         <FreezeTool folders={folders} />
         <button
           type="button"
-          className="tool tool-named"
+          className="tool tool-named rigid"
           data-testid="collect"
           onClick={() => collect(folders, news?.folder ?? "class")}
         >
@@ -165,12 +165,12 @@ export function Head({ open, folders, here, away }: HeadProps) {
           {some === null ? t("teacher.collect") : t("teacher.collect-some", { count: some })}
         </button>
         <GradeTool folders={folders} />
-        <span className="tool-line" />
-        <button type="button" className="tool tool-named" data-testid="add" onClick={() => open("add")}>
+        <span className="tool-line rigid" />
+        <button type="button" className="tool tool-named rigid" data-testid="add" onClick={() => open("add")}>
           <Icon name="user-plus" size={18} />
           {t("teacher.add")}
         </button>
-        <p className="class-there" data-testid="class-there">
+        <p className="class-there row" data-testid="class-there">
           <Icon name="circle-dot" size={14} />
           {t("teacher.here", { count: here })}
           <Icon name="circle-dashed" size={14} />

@@ -14,7 +14,7 @@ function Qr({ rows }: { rows: readonly string[] }) {
     .join("");
   return (
     <svg
-      className="class-qr"
+      className="class-qr rigid"
       viewBox={`-2 -2 ${String(size + 4)} ${String(size + 4)}`}
       role="img"
       aria-label={t("teacher.qr")}
@@ -35,10 +35,10 @@ export function JoinCard({ large, onLarge }: { large: boolean; onLarge?: () => v
   if (news === null) return null;
   const address = news.address.replace(/^http:\/\//, "").replace(/\/$/, "");
   return (
-    <section className="class-join" data-large={large} data-testid="class-join">
+    <section className="class-join surface row rigid" data-large={large} data-testid="class-join">
       <Qr rows={news.qr} />
-      <div className="class-join-words">
-        <span className="class-muted">{t("teacher.join-at")}</span>
+      <div className="class-join-words column">
+        <span className="class-muted muted small-text">{t("teacher.join-at")}</span>
         <code dir="ltr">{address}</code>
         {news.code === "" ? (
           <strong>{t("teacher.no-code")}</strong>

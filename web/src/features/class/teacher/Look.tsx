@@ -15,6 +15,7 @@ import { useStudio } from "../../../model/studio";
 import { text } from "../../../model/texts";
 import type { Program } from "../../../model/types";
 import { Icon, useTheme } from "../../../theme";
+import { Button } from "../../../ui/Button";
 import { Tool } from "../../../ui/Tool";
 import { codeWords } from "./JoinCard";
 import { stateWords } from "./order";
@@ -49,7 +50,7 @@ function Write({ folder, name }: { folder: string; name: string }) {
     );
   };
   return (
-    <form className="class-write" onSubmit={send}>
+    <form className="class-write rigid" onSubmit={send}>
       <input
         className="field"
         data-testid="write"
@@ -60,10 +61,9 @@ function Write({ folder, name }: { folder: string; name: string }) {
         aria-label={t("teacher.write", { name })}
         onChange={(event) => setWords(event.target.value)}
       />
-      <button type="submit" className="button">
-        <Icon name="send" size={16} />
+      <Button icon="send" type="submit">
         {t("teacher.write-send")}
-      </button>
+      </Button>
     </form>
   );
 }
@@ -73,7 +73,7 @@ function Goals({ folder }: { folder: string }) {
   const goals = seen.get(folder)?.pupil.goals ?? [];
   if (news === null || news.goals.length === 0) return null;
   return (
-    <ul className="class-look-goals">
+    <ul className="class-look-goals rigid">
       {news.goals.map(({ label }, at) => {
         const goal = goals[at];
         const reached = goal?.reached === true;
@@ -122,13 +122,13 @@ function Arena({ name }: { name: string }) {
       });
   return (
     <figure
-      className="class-arena"
+      className="class-arena rigid"
       data-testid="look-arena"
       data-running={running}
       aria-label={t("teacher.arena", { name })}
     >
       <figcaption>
-        <strong>{t("teacher.arena", { name })}</strong> <span className="class-muted">{words}</span>
+        <strong>{t("teacher.arena", { name })}</strong> <span className="class-muted muted small-text">{words}</span>
       </figcaption>
       <WorldPicture world={shown} agents={agents}>
         <polyline className="class-way" points={points} style={{ strokeWidth: Math.max(4, world.width_mm / 300) }} />
@@ -157,21 +157,16 @@ function Turn({ folder, copy }: { folder: string; copy: string }) {
     );
   }
   return (
-    <p className="class-turn" role="status" data-testid="turn">
+    <p className="class-turn row wrap" role="status" data-testid="turn">
       {t(turn === "asked" ? "teacher.asked-to-edit" : "teacher.may-edit", { name })}{" "}
       {turn === "asked" ? null : (
         <a className="button button-ink" href={copy} target="_blank" rel="noopener" data-testid="edit">
           {t("teacher.edit")}
         </a>
       )}
-      <button
-        type="button"
-        className="button"
-        data-testid="give-back"
-        onClick={() => act(classApi.turn(folder, false))}
-      >
+      <Button testId="give-back" onClick={() => act(classApi.turn(folder, false))}>
         {t(turn === "asked" ? "teacher.ask-no-more" : "teacher.give-back")}
-      </button>
+      </Button>
     </p>
   );
 }
@@ -182,7 +177,7 @@ function Word({ name, word }: { name: string; word: string }) {
   return (
     <>
       {open ? (
-        <span className="class-muted" data-testid="look-word">
+        <span className="class-muted muted small-text" data-testid="look-word">
           {t("teacher.word", { name, word: codeWords(word) })}
         </span>
       ) : null}
@@ -210,47 +205,44 @@ export function Look({ now }: { now: number }) {
   const program = pictures.get(folder)?.program ?? null;
   const copy = `studio?token=${encodeURIComponent(token())}&open=${encodeURIComponent(`${folder}/${file}`)}`;
   return (
-    <aside className="class-look" aria-label={name} data-testid="look">
-      <header className="class-look-head">
+    <aside className="class-look column rigid" aria-label={name} data-testid="look">
+      <header className="class-look-head row rigid">
         <h2 dir="auto">{name}</h2>
-        <span className="class-muted" dir="auto">
+        <span className="class-muted muted small-text" dir="auto">
           {file}
         </span>
-        <span className="class-look-state">
+        <span className="class-look-state small-text bold rigid">
           <Icon name={icon} size={14} />
           {words}
         </span>
         {state === "asks" ? (
-          <button type="button" className="button" onClick={() => act(classApi.handDown(folder))}>
-            {t("teacher.was-there")}
-          </button>
+          <Button onClick={() => act(classApi.handDown(folder))}>{t("teacher.was-there")}</Button>
         ) : null}
-        <button
-          type="button"
-          className="button"
+        <Button
+          icon="snowflake"
+
           aria-pressed={frozen}
-          data-testid="look-freeze"
+          testId="look-freeze"
           onClick={() => freeze(!frozen, [folder])}
         >
-          <Icon name="snowflake" size={16} />
           {t(frozen ? "teacher.go-on" : "teacher.freeze-one")}
-        </button>
+        </Button>
         <Tool small icon="x" label={t("help.close")} titled={false} onClick={() => look("")} />
       </header>
       {turn === "teacher" ? null : (
-        <p className="class-look-note">
+        <p className="class-look-note row small-text rigid">
           <Icon name="eye" size={16} />
           {t("teacher.look-on", { name })}
         </p>
       )}
       {program === null ? (
-        <p className="class-nobody">{t("teacher.look-none")}</p>
+        <p className="class-nobody muted">{t("teacher.look-none")}</p>
       ) : (
         <Graph program={program} name={name} />
       )}
       <Arena name={name} />
       <Goals folder={folder} />
-      <div className="class-look-more">
+      <div className="class-look-more row wrap rigid">
         <Turn folder={folder} copy={copy} />
         {file === "" ? null : (
           <a className="class-plain" href={copy} target="_blank" rel="noopener" data-testid="look-copy">
@@ -262,9 +254,9 @@ export function Look({ now }: { now: number }) {
         {removing === folder ? (
           <p role="alert" className="class-look-sure">
             {t("teacher.remove-sure", { name })}{" "}
-            <button type="button" className="button" data-removes="" onClick={() => act(classApi.remove(folder))}>
+            <Button data-removes="" onClick={() => act(classApi.remove(folder))}>
               {t("teacher.remove-yes")}
-            </button>
+            </Button>
           </p>
         ) : (
           <button type="button" className="class-plain" onClick={() => setRemoving(folder)}>

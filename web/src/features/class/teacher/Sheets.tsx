@@ -8,6 +8,7 @@ import type { Exercise, MissionEntry } from "../../../api/generated";
 import { t } from "../../../i18n/words";
 import { text } from "../../../model/texts";
 import { Icon } from "../../../theme";
+import { Button } from "../../../ui/Button";
 import { Sheet } from "../../../ui/Sheet";
 import { act, fail, look, say, useDesk } from "./store";
 
@@ -40,16 +41,16 @@ function Send({ onClose, folders }: SheetProps) {
   };
   return (
     <Sheet title={t("teacher.send-title")} testId="sheet-send" onClose={onClose} wide>
-      <p className="sheet-note">{t("teacher.send-help")}</p>
+      <p className="sheet-note muted small-text">{t("teacher.send-help")}</p>
       <ul>
         {[...own, ...examples].map((one) => (
           <li key={one.path}>
-            <button type="button" className="open-entry" data-path={one.path} onClick={() => send(one.path)}>
+            <button type="button" className="open-entry row" data-path={one.path} onClick={() => send(one.path)}>
               <Icon name="file" size={16} />
-              <span className="open-title" dir="auto">
+              <span className="open-title ellipsis" dir="auto">
                 {text(one.label, one.title || one.name)}
               </span>
-              <span className="open-path" dir="auto">
+              <span className="open-path ellipsis muted small-text" dir="auto">
                 {one.example ? text(one.help) : one.path}
               </span>
             </button>
@@ -81,20 +82,20 @@ function ChooseExercise({ onClose }: SheetProps) {
   const usable = [...own, ...some.filter(({ name }) => isShipped(name))];
   return (
     <Sheet title={t("teacher.exercise-title")} testId="sheet-exercise" onClose={onClose} wide>
-      <p className="sheet-note">{t("teacher.exercise-help")}</p>
+      <p className="sheet-note muted small-text">{t("teacher.exercise-help")}</p>
       <ul>
         {usable.map(({ name, label, icon, goals }) => (
           <li key={name}>
             <button
               type="button"
-              className="open-entry"
+              className="open-entry row"
               aria-pressed={name === now}
               data-path={name}
               onClick={() => choose(name)}
             >
               <Icon name={icon} size={18} />
-              <span className="open-title">{text(label)}</span>
-              <span className="open-path" dir="auto">
+              <span className="open-title ellipsis">{text(label)}</span>
+              <span className="open-path ellipsis muted small-text" dir="auto">
                 {[t("exercise.count", { count: goals.length }), ...(isShipped(name) ? [] : [name])].join(" · ")}
               </span>
               {name === now ? <Icon name="check" size={16} /> : null}
@@ -102,9 +103,9 @@ function ChooseExercise({ onClose }: SheetProps) {
           </li>
         ))}
         <li>
-          <button type="button" className="open-entry" onClick={() => choose("")}>
+          <button type="button" className="open-entry row" onClick={() => choose("")}>
             <Icon name="circle-slash-2" size={18} />
-            <span className="open-title">{t("teacher.no-exercise-more")}</span>
+            <span className="open-title ellipsis">{t("teacher.no-exercise-more")}</span>
           </button>
         </li>
       </ul>
@@ -123,9 +124,9 @@ function Add({ onClose }: SheetProps) {
   return (
     <Sheet title={t("teacher.add-title")} testId="sheet-add" onClose={onClose}>
       <form onSubmit={add}>
-        <p className="sheet-note">{t("teacher.add-help")}</p>
+        <p className="sheet-note muted small-text">{t("teacher.add-help")}</p>
         <label>
-          <span className="field-label">{t("teacher.add-name")}</span>
+          <span className="field-label muted small-text rigid">{t("teacher.add-name")}</span>
           <input
             className="field"
             value={name}
@@ -137,9 +138,9 @@ function Add({ onClose }: SheetProps) {
           />
         </label>
         <div className="sheet-foot">
-          <button type="submit" className="button button-ink">
+          <Button ink type="submit">
             {t("teacher.add")}
-          </button>
+          </Button>
         </div>
       </form>
     </Sheet>

@@ -9,6 +9,7 @@ import { type Key, t } from "../../../i18n/words";
 import { useStudio } from "../../../model/studio";
 import { text } from "../../../model/texts";
 import { Icon } from "../../../theme";
+import { Button } from "../../../ui/Button";
 import { Select } from "../../../ui/Select";
 import { Tool } from "../../../ui/Tool";
 import { Cards } from "./Cards";
@@ -17,7 +18,7 @@ import { JoinCard, LargeJoin } from "./JoinCard";
 import { Look } from "./Look";
 import { counts, type Filter, FILTERS, met, type Order, ORDERS, shown } from "./order";
 import { type SheetName, SHEETS } from "./Sheets";
-import { act, fail, keepDesk, look, pupilsOf, sortBy, useDesk } from "./store";
+import { act, dismissNotice, fail, filterCards, findPupils, keepDesk, look, pupilsOf, sortBy, useDesk } from "./store";
 import "./teacher.css";
 
 const TICK_MS = 5000;
@@ -41,16 +42,16 @@ function Bars({ change }: { change: () => void }) {
   const count = pupils.length;
   const whole = pupils.filter((one) => news.goals.length > 0 && met(one) === news.goals.length).length;
   return (
-    <section className="class-exercise" data-testid="class-exercise">
+    <section className="class-exercise surface" data-testid="class-exercise">
       <header>
         <Icon name="graduation-cap" size={18} />
         <h2>{news.exercise === "" ? t("teacher.no-exercise") : text(news.exercise_label)}</h2>
-        <span className="class-muted">
+        <span className="class-muted muted small-text">
           {news.exercise === "" ? t("teacher.no-exercise-help") : t("teacher.all-met", { done: whole, count })}
         </span>
-        <button type="button" className="button" data-testid="change-exercise" onClick={change}>
+        <Button testId="change-exercise" onClick={change}>
           {t(news.exercise === "" ? "teacher.choose-exercise" : "teacher.change-exercise")}
-        </button>
+        </Button>
       </header>
       {news.goals.length === 0 ? null : (
         <ol>
@@ -59,7 +60,7 @@ function Bars({ change }: { change: () => void }) {
             return (
               <li key={at}>
                 <strong title={text(label)}>{text(label)}</strong>
-                <span className="class-muted">{t("teacher.goal-met", { done, count })}</span>
+                <span className="class-muted muted small-text">{t("teacher.goal-met", { done, count })}</span>
                 <progress max={Math.max(1, count)} value={done} aria-label={text(label)} />
               </li>
             );
@@ -83,25 +84,25 @@ function Choice({ field }: { field: RefObject<HTMLInputElement | null> }) {
   const { filter, order, find, news } = desk;
   const found = counts(pupilsOf(desk), news?.goals.length ?? 0);
   return (
-    <div className="class-choice">
-      <div className="class-filters" role="group" aria-label={t("teacher.filter")}>
+    <div className="class-choice row wrap">
+      <div className="class-filters wrap" role="group" aria-label={t("teacher.filter")}>
         {FILTERS.map((one) => (
           <button
             key={one}
             type="button"
-            className="tool tool-named"
+            className="tool tool-named rigid"
             aria-pressed={filter === one}
             data-testid={`filter-${one}`}
-            onClick={() => useDesk.setState({ filter: one })}
+            onClick={() => filterCards(one)}
           >
             {FILTER_ICONS[one] === "" ? null : <Icon name={FILTER_ICONS[one]} size={16} />}
             {t(`teacher.filter-${one}` satisfies Key)}
-            <span className="class-muted">{found[one]}</span>
+            <span className="class-muted muted small-text">{found[one]}</span>
           </button>
         ))}
       </div>
-      <label className="class-sort">
-        <span className="class-muted">{t("teacher.sort")}</span>
+      <label className="class-sort row">
+        <span className="class-muted muted small-text">{t("teacher.sort")}</span>
         <Select
           label={t("teacher.sort")}
           testId="sort"
@@ -110,7 +111,7 @@ function Choice({ field }: { field: RefObject<HTMLInputElement | null> }) {
           keep={(one) => sortBy(one as Order)}
         />
       </label>
-      <label className="class-find">
+      <label className="class-find row">
         <Icon name="search" size={16} />
         <input
           className="field"
@@ -120,7 +121,7 @@ function Choice({ field }: { field: RefObject<HTMLInputElement | null> }) {
           dir="auto"
           placeholder={t("teacher.find")}
           aria-label={t("teacher.find")}
-          onChange={(event) => useDesk.setState({ find: event.target.value })}
+          onChange={(event) => findPupils(event.target.value)}
         />
       </label>
     </div>
@@ -133,7 +134,7 @@ function Notices() {
   return (
     <>
       {refused || (lost !== null && news !== null) ? (
-        <div className="banner" role="alert" data-testid="class-lost">
+        <div className="banner row rigid" role="alert" data-testid="class-lost">
           <Icon name="triangle-alert" size={18} />
           <p>
             <Said text={t(refused ? "teacher.wrong-key" : "teacher.lost")} />{" "}
@@ -142,30 +143,20 @@ function Notices() {
         </div>
       ) : null}
       {said === null ? null : (
-        <div className="banner banner-note" role="status" data-testid="class-said">
+        <div className="banner banner-note row rigid" role="status" data-testid="class-said">
           <Icon name="info" size={18} />
           <p>
             <Said text={said.words} /> <Said text={said.help} />
           </p>
-          <Tool
-            small
-            icon="x"
-            label={t("banner.close")}
-            titled={false}
-            onClick={() => useDesk.setState({ said: null })}
-          />
+          <Tool small icon="x" label={t("banner.close")} titled={false} onClick={dismissNotice} />
         </div>
       )}
       {news?.asking.map(({ asked, name }) => (
-        <div key={asked} className="banner banner-question" role="alert" data-testid="class-asks-in">
+        <div key={asked} className="banner banner-question row rigid" role="alert" data-testid="class-asks-in">
           <Icon name="door-open" size={18} />
           <p dir="auto">{t("teacher.asks-in", { name })}</p>
-          <button type="button" className="button" onClick={() => act(classApi.answer(asked, true))}>
-            {t("teacher.let-in")}
-          </button>
-          <button type="button" className="button" onClick={() => act(classApi.answer(asked, false))}>
-            {t("teacher.not-in")}
-          </button>
+          <Button onClick={() => act(classApi.answer(asked, true))}>{t("teacher.let-in")}</Button>
+          <Button onClick={() => act(classApi.answer(asked, false))}>{t("teacher.not-in")}</Button>
         </div>
       ))}
     </>
@@ -181,7 +172,7 @@ function Foot({ now, count, open }: { now: number; count: number; open: (sheet: 
   if (news === null) return null;
   const seconds = kept === null ? null : Math.max(0, Math.round((now - kept) / 1000));
   return (
-    <footer className="class-foot">
+    <footer className="class-foot row wrap rigid">
       <span className="class-foot-kept" data-testid="class-all-kept">
         <Icon name={lost === null ? "circle-check" : "triangle-alert"} size={16} />
         {seconds === null
@@ -194,7 +185,7 @@ function Foot({ now, count, open }: { now: number; count: number; open: (sheet: 
         <Icon name="clipboard-list" size={16} />
         {t("teacher.log")}
       </button>
-      <span className="class-muted class-foot-folder">
+      <span className="class-muted class-foot-folder muted small-text">
         <span dir="auto">{t("teacher.folder", { folder: news.folder, count, size: size(news.bytes) })}</span>
         {" · "}
         <Said text={news.reach} />
@@ -235,7 +226,7 @@ export function Teacher() {
   const here = pupils.filter(({ pages }) => pages > 0).length;
   const Open = sheet === null ? null : SHEETS[sheet];
   return (
-    <div className="class-page" data-testid="teacher">
+    <div className="class-page column" data-testid="teacher">
       <Head open={setSheet} folders={some} here={here} away={pupils.length - here} />
       <Notices />
       <div className="class-middle">
@@ -246,14 +237,14 @@ export function Teacher() {
               <JoinCard large />
               <p>{news === null ? "" : t("teacher.empty")}</p>
               {news === null ? null : (
-                <p className="class-muted">
+                <p className="class-muted muted small-text">
                   <Said text={news.reach} />
                 </p>
               )}
             </div>
           ) : (
             <>
-              <div className="class-top">
+              <div className="class-top wrap">
                 <Bars change={() => setSheet("exercise")} />
                 <JoinCard large={false} onLarge={() => setLarge(true)} />
               </div>

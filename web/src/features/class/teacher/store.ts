@@ -50,6 +50,18 @@ export const useDesk = create<Desk>(() => ({
   said: null,
 }));
 
+export function filterCards(filter: Filter): void {
+  useDesk.setState({ filter });
+}
+
+export function findPupils(find: string): void {
+  useDesk.setState({ find });
+}
+
+export function dismissNotice(): void {
+  useDesk.setState({ said: null });
+}
+
 const set = useDesk.setState;
 let socket: ClassSocket<LookMessage> | null = null;
 

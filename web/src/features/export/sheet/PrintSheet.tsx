@@ -5,10 +5,13 @@ import { type StudioState } from "../../../model/studio";
 import { text } from "../../../model/texts";
 import type { Program } from "../../../model/types";
 import { drawProgram } from "../../../session/drawing";
-import { type Paper, partsOf } from "./cuts";
+import type { PrintChoice } from "../choice";
+import { type Paper, partsOf, wholePage } from "./cuts";
 
 /** What A4 and Letter both have inside of margins of 15 mm, with a line for what the part is called. */
 const PAPER: Paper = { width: 680, height: 910, heading: 64, largest: 0.8, smallest: 0.4 };
+/** The same sheets turned, for a graph that is wider than high and shown whole. */
+const LANDSCAPE: Paper = { ...PAPER, width: 940, height: 640 };
 /** A text that is not longer stays on one page. */
 const LINES_OF_A_PAGE = 50;
 
@@ -55,25 +58,29 @@ function Team({ state: { mission, catalogue } }: { state: StudioState }) {
   );
 }
 
-function ProgramPages({ program, state }: { program: Program; state: StudioState }) {
-  const parts = partsOf(drawProgram(state, program).layout, PAPER, MARGIN);
+function ProgramPages({ program, state, fit }: { program: Program; state: StudioState; fit: boolean }) {
+  const { layout: all } = drawProgram(state, program);
+  const whole = fit ? wholePage(all, [PAPER, LANDSCAPE], MARGIN) : null;
+  const parts = whole === null ? partsOf(all, PAPER, MARGIN) : [{ layout: all, width: whole.width }];
   const code = state.report?.programs.find((one) => one.name === program.name)?.lll ?? "";
   const { name } = program;
   return (
     <section className="sheet-program">
-      <h2>
-        <bdi>{name}</bdi>
-      </h2>
-      {parts.map(({ layout, width }, index) => (
-        <figure key={index} className="sheet-part" aria-label={t("sheet.graph", { name })}>
-          {parts.length > 1 ? (
-            <figcaption>{t("sheet.part", { name, number: index + 1, total: parts.length })}</figcaption>
-          ) : null}
-          <div style={{ width }}>
-            <GraphDrawing layout={layout} title={name} inside="" />
-          </div>
-        </figure>
-      ))}
+      <div className={whole?.paper === LANDSCAPE ? "sheet-landscape" : ""}>
+        <h2>
+          <bdi>{name}</bdi>
+        </h2>
+        {parts.map(({ layout, width }, index) => (
+          <figure key={index} className="sheet-part" aria-label={t("sheet.graph", { name })}>
+            {parts.length > 1 ? (
+              <figcaption>{t("sheet.part", { name, number: index + 1, total: parts.length })}</figcaption>
+            ) : null}
+            <div style={{ width }}>
+              <GraphDrawing layout={layout} title={name} inside="" />
+            </div>
+          </figure>
+        ))}
+      </div>
       <h3>{t("code.lll")}</h3>
       {code === "" ? (
         <p>{t("sheet.no-code")}</p>
@@ -87,8 +94,10 @@ function ProgramPages({ program, state }: { program: Program; state: StudioState
 }
 
 /** `title` is that of the mission, or its file's name. */
-export function PrintSheet({ state, title, file }: { state: StudioState; title: string; file: string }) {
-  const { mission, world } = state;
+export function PrintSheet(props: { state: StudioState; choice: PrintChoice; title: string; file: string }) {
+  const { state, choice, title, file } = props;
+  const { mission, world, activeProgram } = state;
+  const programs = mission.programs.filter(({ name }) => !choice.one || name === activeProgram);
   const help = text(mission.help ?? {});
   return (
     <article>
@@ -100,9 +109,9 @@ export function PrintSheet({ state, title, file }: { state: StudioState; title: 
         </p>
         {help === "" ? null : <p>{help}</p>}
       </header>
-      <Team state={state} />
-      {mission.programs.map((program) => (
-        <ProgramPages key={program.name} program={program} state={state} />
+      {choice.one ? null : <Team state={state} />}
+      {programs.map((program) => (
+        <ProgramPages key={program.name} program={program} state={state} fit={choice.fit} />
       ))}
     </article>
   );

@@ -1,7 +1,7 @@
 import { describe, expect, it } from "vitest";
 
 import type { Layout, LayoutNode } from "../../../model/layout";
-import { cuts, type Paper, partsOf } from "./cuts";
+import { cuts, type Paper, partsOf, wholePage } from "./cuts";
 
 const stack = (count: number, tall = 50, gap = 30) =>
   Array.from({ length: count }, (_, index) => ({ from: index * (tall + gap), to: index * (tall + gap) + tall }));
@@ -82,5 +82,28 @@ describe("a graph on paper", () => {
       expect((part.bounds.h + 64) * scale).toBeLessThanOrEqual(PAPER.height + 1);
       expect(scale).toBeGreaterThanOrEqual(PAPER.smallest - 1e-9);
     }
+  });
+});
+
+describe("a graph that is shown whole", () => {
+  const papers = [
+    { width: 680, height: 910, heading: 60, largest: 0.8, smallest: 0.4 },
+    { width: 940, height: 640, heading: 60, largest: 0.8, smallest: 0.4 },
+  ];
+  const on = (w: number, h: number) => {
+    const { paper, width } = wholePage({ bounds: { x: 0, y: 0, w: w - 64, h: h - 64 } }, papers, 32);
+    return [papers.indexOf(paper), width];
+  };
+
+  it("is as large as its words need, and upright where both are the same", () => {
+    expect(on(500, 600)).toEqual([0, 400]);
+  });
+
+  it("is as small as its page needs, however small that is", () => {
+    expect(on(500, 85_000)).toEqual([0, 5]);
+  });
+
+  it("lies on its side where it is larger there", () => {
+    expect(on(2350, 400)).toEqual([1, 940]);
   });
 });

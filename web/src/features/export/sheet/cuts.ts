@@ -87,13 +87,15 @@ export function partsOf(layout: Layout, paper: Paper, margin: number): Part[] {
   if (whole < scale && whole >= Math.max(paper.smallest, scale * WORTH_ONE_PAGE)) scale = whole;
   const boxes = layout.nodes.map((node) => {
     const above = node.note === "" ? 0 : NOTE;
-    return { x: node.x, y: node.y - above, w: node.w, h: node.h + above };
+    return { kind: node.kind, x: node.x, y: node.y - above, w: node.w, h: node.h + above };
   });
+  // A bar reaches over all its branches, and is cut between two of them.
+  const standing = boxes.filter(({ kind }) => kind !== "bar" && kind !== "barEnd");
   const across = cuts(
     x - margin,
     x + w + margin,
     () => paper.width / scale + ROUNDING,
-    boxes.map((box) => ({ from: box.x, to: box.x + box.w })),
+    standing.map((box) => ({ from: box.x, to: box.x + box.w })),
   );
   return across.flatMap((column, index) =>
     cuts(
@@ -106,6 +108,20 @@ export function partsOf(layout: Layout, paper: Paper, margin: number): Part[] {
       return { layout: within(layout, seen, margin), width: seen.w * scale };
     }),
   );
+}
+
+/** The paper on which all of a graph is largest, and its width there in px of CSS. */
+export function wholePage(
+  { bounds }: Pick<Layout, "bounds">,
+  papers: readonly Paper[],
+  margin: number,
+): { paper: Paper; width: number } {
+  const [wide, tall] = [bounds.w + 2 * margin, bounds.h + 2 * margin];
+  const all = papers.map((paper) => ({
+    paper,
+    width: wide * Math.min(paper.largest, paper.width / wide, (paper.height - paper.heading) / tall),
+  }));
+  return all.reduce((best, one) => (one.width > best.width ? one : best));
 }
 
 /** What is seen of a layout in an area; a drawing puts its margin around the bounds again. */

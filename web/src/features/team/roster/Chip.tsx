@@ -49,7 +49,10 @@ export function DragGhost() {
   const { thing, at } = useDragged();
   if (thing === null) return null;
   return createPortal(
-    <div className="member-ghost" style={{ transform: `translate(${String(at.x + 10)}px, ${String(at.y + 12)}px)` }}>
+    <div
+      className="member-ghost small-text"
+      style={{ transform: `translate(${String(at.x + 10)}px, ${String(at.y + 12)}px)` }}
+    >
       <strong>{thing.name}</strong>
     </div>,
     document.body,
@@ -90,7 +93,7 @@ export function Chip({ thing, places }: ChipProps) {
     <>
       <button
         type="button"
-        className="member-chip"
+        className="member-chip row small-text"
         ref={button}
         data-testid={`chip-${thing.from === undefined ? "" : `${thing.from}-`}${name}`}
         data-state={state}

@@ -25,7 +25,7 @@ function GroupCard({ group, at }: { group: TeamGroup; at: number }) {
       goal={{ kind: "group", name }}
       fields={null}
     >
-      <div className="chips">
+      <div className="chips wrap">
         {members.map((member) => (
           <Chip
             key={member}
@@ -33,9 +33,9 @@ function GroupCard({ group, at }: { group: TeamGroup; at: number }) {
             places={placesSaid(mission, member, cast.get(member))}
           />
         ))}
-        <span className="chip-place">{t("roster.drop")}</span>
+        <span className="chip-place row small-text muted">{t("roster.drop")}</span>
       </div>
-      <fieldset className="card-policy">
+      <fieldset className="card-policy column small-text">
         <legend>{t("roster.failure")}</legend>
         {POLICIES.map((policy) => (
           <label key={policy}>

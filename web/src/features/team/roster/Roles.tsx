@@ -69,11 +69,13 @@ function RoleCard({ role, at, players }: { role: Role; at: number; players: read
         </>
       }
     >
-      <div className="chips">
+      <div className="chips wrap">
         {players.map((agent) => (
           <Chip key={agent} thing={{ name: agent, isAgent: true }} places={placesSaid(mission, agent, name)} />
         ))}
-        {players.length < role.most ? <span className="chip-place">{t("roster.drop")}</span> : null}
+        {players.length < role.most ? (
+          <span className="chip-place row small-text muted">{t("roster.drop")}</span>
+        ) : null}
       </div>
     </Card>
   );
@@ -112,21 +114,21 @@ export function Spare() {
   const others = mission.agents.filter((one) => !isOfTeam(mission, one));
   const row = (agents: typeof others, title: string, help: string) => (
     <>
-      <div className="card-head">
+      <div className="card-head row">
         <strong>{title}</strong>
         <small>{help}</small>
       </div>
-      <div className="chips">
+      <div className="chips wrap">
         {agents.map(({ name }) => (
           <Chip key={name} thing={{ name, isAgent: true }} places={placesSaid(mission, name, undefined)} />
         ))}
-        {agents.length === 0 ? <span className="chip-place">{t("roster.drop")}</span> : null}
+        {agents.length === 0 ? <span className="chip-place row small-text muted">{t("roster.drop")}</span> : null}
       </div>
     </>
   );
   return (
     <div
-      className="card card-spare"
+      className="card card-spare surface column"
       data-testid="card-spare"
       data-goal="spare"
       data-name=""
@@ -135,7 +137,7 @@ export function Spare() {
       {row(spare, t("roster.spare"), t("roster.spare-help"))}
       {others.length === 0 ? null : row(others, t("roster.others"), t("roster.others-help"))}
       {over && why !== "" ? (
-        <p className="card-why" role="status">
+        <p className="card-why small-text" role="status">
           {why}
         </p>
       ) : null}

@@ -10,7 +10,7 @@ import { useStudio } from "../../../model/studio";
 import { Tool } from "../../../ui/Tool";
 import { DragGhost } from "./Chip";
 import { addedGroup, Groups } from "./Groups";
-import { usePut } from "./moving";
+import { forgetSaid, usePut } from "./moving";
 import { addedRole, Roles, Spare } from "./Roles";
 import { addedWork, Works } from "./Works";
 import "./roster.css";
@@ -58,7 +58,7 @@ function Section({ what, title, none, empty, add, can, children }: SectionProps)
           }}
         />
       </header>
-      {empty ? <p className="roster-none">{none}</p> : null}
+      {empty ? <p className="roster-none muted small-text">{none}</p> : null}
       <ul ref={list}>{children}</ul>
     </section>
   );
@@ -70,7 +70,7 @@ function useSaid(): string {
   useEffect(() => {
     if (said === "") return;
     return useStudio.subscribe((state, before) => {
-      if (state.mission !== before.mission) usePut.setState({ said: "" });
+      if (state.mission !== before.mission) forgetSaid();
     });
   }, [said]);
   return said;
@@ -113,7 +113,7 @@ export default function Roster() {
       >
         <Works />
       </Section>
-      <p className="roster-said" role="status" data-testid="roster-said">
+      <p className="roster-said small-text" role="status" data-testid="roster-said">
         {said}
       </p>
       <DragGhost />

@@ -48,7 +48,7 @@ function WorkCard({ work, at }: { work: Work; at: number }) {
       }
     >
       {units > DRAWN ? null : (
-        <div className="units" aria-hidden="true">
+        <div className="units wrap" aria-hidden="true">
           {Array.from({ length: units }, (_, unit) => (
             <span key={unit} />
           ))}

@@ -12,6 +12,11 @@ import { type MenuEntry, menuItem } from "../../../ui/menu-model";
 /** What was done last, or why not, in words. */
 export const usePut = create<{ said: string }>(() => ({ said: "" }));
 
+/** What was said of a change holds no more. */
+export function forgetSaid(): void {
+  usePut.setState({ said: "" });
+}
+
 /** What is put elsewhere: an agent, a role or a group by its name, and the group that it is taken from, if any. */
 export interface Thing {
   name: string;

@@ -51,7 +51,7 @@ function Trouble({ name }: { name: string }) {
   const one = found ?? elsewhere;
   if (one === undefined) return null;
   return (
-    <p className="card-trouble" role="status" data-testid={`trouble-${name}`}>
+    <p className="card-trouble small-text" role="status" data-testid={`trouble-${name}`}>
       <Icon name={one.severity === "error" ? "octagon-x" : "triangle-alert"} size={14} />{" "}
       <span>
         <Said text={sentence(one.message)} />
@@ -79,12 +79,12 @@ export function Card({ name, note, icon, work = false, goal, fields, children }:
   const place = goal === undefined ? {} : { "data-goal": goal.kind, "data-name": goal.name };
   return (
     <li
-      className="card"
+      className="card surface column"
       data-testid={`card-${name}`}
       data-over={over ? (why === "" ? "takes" : "refuses") : undefined}
       {...place}
     >
-      <div className="card-head">
+      <div className="card-head row">
         <Icon name={icon} size={16} />
         <strong dir="auto" title={name}>
           {name}
@@ -101,7 +101,7 @@ export function Card({ name, note, icon, work = false, goal, fields, children }:
         />
       </div>
       {open ? (
-        <div className="card-fields">
+        <div className="card-fields column">
           <div className="card-name">
             <NameCell
               name={name}
@@ -126,7 +126,7 @@ export function Card({ name, note, icon, work = false, goal, fields, children }:
       ) : null}
       {children}
       {over && why !== "" ? (
-        <p className="card-why" role="status" data-testid="drop-why">
+        <p className="card-why small-text" role="status" data-testid="drop-why">
           {why}
         </p>
       ) : null}
@@ -138,7 +138,7 @@ export function Card({ name, note, icon, work = false, goal, fields, children }:
 /** A whole number of a declaration. */
 export function Count({ label, title, ...number }: ComponentProps<typeof NumberInput> & { title?: string }) {
   return (
-    <label className="card-count" title={title}>
+    <label className="card-count column muted" title={title}>
       {label}
       <NumberInput {...number} whole />
     </label>

@@ -1,0 +1,25 @@
+"""Arguments and options that several commands have."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+MissionFile = Annotated[Path, typer.Argument(metavar="FILE.krt", help="The mission.", show_default=False)]
+RunSeconds = Annotated[float, typer.Option(help="Simulated seconds after which the run is out of time.")]
+ResultAsJson = Annotated[bool, typer.Option("--json", help="Give the result as one JSON object.")]
+ProgramName = Annotated[
+    str | None,
+    typer.Option("--program", metavar="NAME", help="Which program of a `.krt` with several.", show_default=False),
+]
+RobotName = Annotated[
+    str | None,
+    typer.Option(metavar="NAME|FILE.robot.xml", help="The robot; a `.krt` names its own.", show_default=False),
+]
+Replace = Annotated[bool, typer.Option("--replace", help="Overwrite a `main.py` on the board that is not KitRobot's.")]
+ListenPort = Annotated[
+    int | None,
+    typer.Option(min=0, max=65535, help="The port to listen on; 0 is any free one.", show_default="8765 or near"),
+]
