@@ -20,6 +20,13 @@ if sys.platform != "win32":
 CACHE = Path(__file__).resolve().parents[1] / "build" / "cache"
 FIXTURE = "with_numba"
 """What tests that need it ask for."""
+COMPILE = """
+from kitrobot.sim.jit.compiler import step
+from tests.compiled_step import alone
+with alone():
+    step.is_kept() or step.wait()
+"""
+"""A text: what is imported here is imported by the tests of every room."""
 
 
 @contextmanager
@@ -39,13 +46,5 @@ def begin() -> subprocess.Popen[bytes] | None:
     environment = {**os.environ, "KITROBOT_COMPILE": "", "PYTHONPATH": os.pathsep.join(filter(None, sys.path))}
     nothing = subprocess.DEVNULL
     return subprocess.Popen(
-        [sys.executable, "-m", __name__], env=environment, stdin=nothing, stdout=nothing, stderr=nothing
+        [sys.executable, "-c", COMPILE], env=environment, stdin=nothing, stdout=nothing, stderr=nothing
     )
-
-
-if __name__ == "__main__":
-    from kitrobot.sim.jit.compiler import step
-
-    with alone():
-        if not step.is_kept():
-            step.wait()
