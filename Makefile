@@ -14,7 +14,7 @@ SOURCES := $(wildcard src tests tools benchmarks hatch_build.py)
 .NOTPARALLEL:
 .DELETE_ON_ERROR:
 .DEFAULT_GOAL := help
-.PHONY: help install page run test thorough check format docs bench pictures site lock clean
+.PHONY: help install page run quick near test thorough check format docs bench pictures site lock clean
 
 help: ## list the tasks
 	@awk -F ':.*## ' '/^[a-z]+:.*## / { printf "make %-8s %s\n", $$1, $$2 }' $(MAKEFILE_LIST)
@@ -26,7 +26,15 @@ run: $(STAMP) page ## install, build the page, open the studio with an example t
 	$(BIN)/kitrobot examples/transport/transport.krt
 
 # Each of the many processes that the tests start would translate all modules again.
-test: export PYTHONDONTWRITEBYTECODE :=
+quick near test: export PYTHONDONTWRITEBYTECODE :=
+quick: install ## run the page's own tests and those of the rooms of the language, within a minute
+	$(PAGE) npm run test
+	$(BIN)/pytest -q -n auto $(foreach room,text lll graph compiler image,tests/$(room))
+
+SINCE ?= HEAD
+near: install ## run the tests that the changed files reach, the nearest first; SINCE=main: since another commit
+	$(PY) -m tools.near_tests $(SINCE)
+
 test: install page ## run every test: the page's, Python's and those in a browser
 	$(PAGE) npm run test
 	@$(PY) -m tools.chromium --install

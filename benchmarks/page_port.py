@@ -29,7 +29,7 @@ from kitrobot.server.first_missions import first_missions
 from tests.boards.qemu import running
 from tests.studio.conftest import EXAMPLES, IS_OPEN
 from tests.studio.serial_ports import MICROBIT, STAND_IN, Bridge
-from tests.studio.test_site import MEMORY, PATH, FileServer, link
+from tests.studio.sites import MEMORY, PATH, FileServer, link
 from tools import chromium
 from tools.site_parts import PARTS, ROOT
 

@@ -5,13 +5,15 @@ from __future__ import annotations
 import gc
 import os
 import signal
+import subprocess
 import tempfile
-from collections.abc import Generator
+from collections.abc import Callable, Generator
 
 import hypothesis
 import pytest
 
 from kitrobot.text.collection import collection_paused
+from tests import compiled_step
 from tests.effort import THOROUGH
 from tests.shares import in_shares
 from tools import chromium, firefox, pico
@@ -26,6 +28,7 @@ os.environ.setdefault("KITROBOT_STATE", _STATE.name)
 
 # Compiling the step would take the time of other tests; those that are about it ask for `with_numba`.
 os.environ.setdefault("KITROBOT_COMPILE", "no")
+os.environ.setdefault("KITROBOT_CACHE", str(compiled_step.CACHE))
 
 # No deadlines: on a busy machine they fail tests that are right.
 hypothesis.settings.register_profile("ci", max_examples=20, deadline=None, derandomize=True, print_blob=True)
@@ -53,7 +56,8 @@ def pytest_collection() -> Generator[None, object, object]:
 def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:
     """Leaves out what only the thorough profile tries, what needs firmware that nobody names; none is skipped.
 
-    The workers of pytest-xdist get those with a browser first.
+    The workers of pytest-xdist get those with a browser first, and last those that need the compiled step, which the
+    first of them has made meanwhile.
     """
     names = [name for name, wanted in (("thorough", THOROUGH), ("pico", pico.find() is not None)) if not wanted]
     left_out = [item for item in items if any(item.get_closest_marker(name) for name in names)]
@@ -63,9 +67,24 @@ def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item
     workers = getattr(config, "workerinput", {}).get("workercount", 1)
     if workers > 1:
         parted: dict[bool, list[pytest.Item]] = {True: [], False: []}
+        compiled = [item for item in items if compiled_step.FIXTURE in getattr(item, "fixturenames", ())]
         for item in items:
-            parted[any(item.get_closest_marker(name) for name in ("browser", "slow"))].append(item)
-        items[:] = in_shares(parted[True], parted[False], workers)
+            if item not in compiled:
+                parted[any(item.get_closest_marker(name) for name in ("browser", "slow"))].append(item)
+        items[:] = in_shares(parted[True], [*parted[False], *compiled], workers)
+        if compiled and config.workerinput["workerid"] == "gw0":  # type: ignore[attr-defined]
+            config.add_cleanup(_ended_by(compiled_step.begin()))
+
+
+def _ended_by(process: subprocess.Popen[bytes] | None) -> Callable[[], None]:
+    """Ends a process, if it has not ended by itself."""
+
+    def end() -> None:
+        if process is not None:
+            process.kill()
+            process.wait()
+
+    return end
 
 
 @pytest.fixture(scope="session")

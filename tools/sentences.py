@@ -30,7 +30,7 @@ LANGUAGES = ("fr", "ur")
 
 TERMINAL = (
     "cli/",
-    "files/forms.py",
+    "files/program_formats.py",
     "image/",
     "server/studio_server.py",
     "workspace/file_check.py",

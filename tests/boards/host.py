@@ -77,10 +77,8 @@ def write_pulse(folder: Path, broken: bool = False) -> Path:
     return folder / "pulse.krt"
 
 
-HELD_PACE = 0.2
-"""Who holds a robot must be heard every 0.8 s of its clock, which a busy machine does not grant: so it goes slower."""
 SEEN_PACE = 0.1
-"""The same where two pages of a browser run beside it."""
+"""Where pages of a browser are to see what a robot does before it does the next thing, it goes slower."""
 
 
 @dataclass
@@ -97,21 +95,30 @@ class HostBoard:
 
 
 @contextmanager
-def host_board(mission: Path, program: str, pace: float = 1.0) -> Iterator[HostBoard]:
-    """A board that has a program of a mission.
-
-    `pace`: how fast its clock goes.
-    """
-    with board_with(load_board_program(mission, program=program).file.to_bytes(), pace) as board:
+def host_board(mission: Path, program: str, pace: float = 1.0, *, waits: bool = False) -> Iterator[HostBoard]:
+    """A board that has a program of a mission; `pace` and `waits` as of `board_with`."""
+    with board_with(load_board_program(mission, program=program).file.to_bytes(), pace, waits=waits) as board:
         yield board
 
 
 @contextmanager
-def board_with(data: bytes, pace: float = 1.0) -> Iterator[HostBoard]:
-    """A board that has that program file."""
+def board_with(data: bytes, pace: float = 1.0, *, waits: bool = False) -> Iterator[HostBoard]:
+    """A board that has that program file.
+
+    Args:
+        data: the file.
+        pace: how fast its clock goes.
+        waits: its clock goes with the traffic instead (`clocks.TrafficClock`), for hosts that hold it.
+    """
     with tempfile.TemporaryDirectory() as held:
         lay(Path(held), data, generation=1)
-        command = [sys.executable, "-m", "tests.boards.host_board", held, "--pace", str(pace)]
+        command = [
+            sys.executable,
+            "-m",
+            "tests.boards.host_board",
+            held,
+            *(["--waits"] if waits else ["--pace", str(pace)]),
+        ]
         process = subprocess.Popen(command, cwd=ROOT, stdout=subprocess.PIPE, text=True)
         assert process.stdout is not None
         try:

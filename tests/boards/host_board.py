@@ -1,10 +1,10 @@
 """A board on CPython: the loop that runs on real boards, with a TCP socket on loopback for its serial line.
 
-    python -m tests.boards.host_board FOLDER [--port N] [--pace P]
+    python -m tests.boards.host_board FOLDER [--port N] [--pace P | --waits]
 
 prints its address (`socket://127.0.0.1:PORT`) once it runs, and serves one host after the other until one of them says
 `q`. What lies on it was laid into FOLDER (`tests.boards.booting.lay`); its drivers are those of `tests.boards.drivers`,
-by their plain names. Its clock goes P times as fast as that of the wall.
+by their plain names. Its clock goes P times as fast as that of the wall, or waits for a host that is busy.
 """
 
 from __future__ import annotations
@@ -12,17 +12,17 @@ from __future__ import annotations
 import argparse
 import select
 import socket
-import time
 from pathlib import Path
 
+from tests.boards.clocks import Clock, TrafficClock, WallClock
 from tests.boards.started import started
 
 
 class SocketPort:
     """The port of `kitrobot_onboard.robot` over a listening socket; a host that goes is like a cable that is pulled."""
 
-    def __init__(self, port: int = 0, pace: float = 1.0) -> None:
-        self.pace = pace
+    def __init__(self, port: int = 0, clock: Clock | None = None) -> None:
+        self.clock = clock or WallClock()
         self.listener = socket.create_server(("127.0.0.1", port))
         self.peer: socket.socket | None = None
         self.shows = False
@@ -32,7 +32,7 @@ class SocketPort:
         return f"socket://127.0.0.1:{self.listener.getsockname()[1]}"
 
     def ticks(self) -> int:
-        return int(time.monotonic() * 1000 * self.pace)
+        return int(self.clock.ms())
 
     def diff(self, later: int, earlier: int) -> int:
         return later - earlier
@@ -42,11 +42,12 @@ class SocketPort:
 
     def read(self, ms: int) -> bytes:
         sockets = [self.listener] if self.peer is None else [self.listener, self.peer]
-        ready, _, _ = select.select(sockets, [], [], ms / 1000 / self.pace)
+        ready, _, _ = select.select(sockets, [], [], ms / 1000 / self.clock.pace)
         if self.listener in ready:
             self.drop()
             self.peer, _ = self.listener.accept()
             self.peer.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)
+            self.clock.heard()
             return b""
         if self.peer is None or self.peer not in ready:
             return b""
@@ -54,7 +55,9 @@ class SocketPort:
             data = self.peer.recv(64)
         except OSError:
             data = b""
-        if not data:
+        if data:
+            self.clock.heard()
+        else:
             self.drop()
         return data
 
@@ -69,6 +72,7 @@ class SocketPort:
         if self.peer is not None:
             self.peer.close()
             self.peer = None
+            self.clock.left()
 
     def identify(self, on: bool) -> None:
         self.shows = on
@@ -82,8 +86,9 @@ def main() -> None:
     parser.add_argument("folder", type=Path)
     parser.add_argument("--port", type=int, default=0)
     parser.add_argument("--pace", type=float, default=1.0)
+    parser.add_argument("--waits", action="store_true")
     given = parser.parse_args()
-    port = SocketPort(given.port, given.pace)
+    port = SocketPort(given.port, TrafficClock() if given.waits else WallClock(given.pace))
     robot, run = started(port, given.folder)
     print(port.address, flush=True)
     run(robot)

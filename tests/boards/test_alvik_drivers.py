@@ -81,6 +81,31 @@ trip(STANDING)
 trip(TURNED)
 result.append(Clock.slept)
 """,
+    "by": """
+ready()
+turn, drive = make("machine.alvik_turn"), make("machine.alvik_drive", speed="1000")
+result = []
+for procedure, arguments in (("AbsoluteTurn", [25, 50]), ("LeftBy", [90]), ("RightBy", [90])):
+    turn.stop()
+    said.append(STANDING)
+    turn.done()
+    written()
+    turn.do(procedure, arguments)
+    turn.done()
+    result.append(written())
+turn.stop()
+import kitrobot_onboard.drivers.machine.alvik_drive as alvik_drive
+alvik_drive.time = Clock
+for procedure in ("DriveBy", "BackBy"):
+    drive.do("Stop", [])
+    written()
+    drive.do(procedure, [30])
+    told = [drive.done(), written()]
+    Clock.now += 599
+    told.append(drive.done())
+    Clock.now += 1
+    result.append(told + [drive.done(), written()])
+""",
     "turns that end": """
 ready()
 turn = make("machine.alvik_turn", rate="200")
@@ -172,6 +197,19 @@ def test_an_alvik_that_is_off_or_silent_is_a_fault_that_says_so_and_is_told_to_s
     assert nothing == still_nothing == []
     assert 6000 < slept < 6200
     assert stopped == STOPPED
+
+
+def test_degrees_are_told_as_they_are_and_distances_go_by_the_clock(found: dict[str, Any]) -> None:
+    quarter, left, right, ahead, back = found["by"]
+    assert left == quarter
+    assert right != left
+    assert len(right) == len(left)
+    for told, other in ((ahead, back), (back, ahead)):
+        begun, going, nearly, ended, stood = told
+        assert (begun, nearly, ended) == (False, False, True)
+        assert going
+        assert going != other[1]
+        assert stood == other[4]
 
 
 def test_wheels_drive_and_turn_at_once_and_what_is_known_is_not_told_again(found: dict[str, Any]) -> None:

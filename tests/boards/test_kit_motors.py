@@ -68,6 +68,38 @@ result += (turn.done(),)
 turn.stop()
 result += (turn.done(),)
 """,
+    "distances": """
+drive = make("machine.drive", speed="5000", **DRV8833)
+result = []
+for procedure, arguments in (("DriveBy", [50]), ("BackBy", [50]), ("DriveBy", [0])):
+    begun = time.ticks_ms()
+    drive.do(procedure, arguments)
+    going = duties()
+    while not drive.done(): pass
+    result.append((going, time.ticks_diff(time.ticks_ms(), begun), duties()))
+drive.do("DriveBy", [500])
+drive.do("Stop", [])
+result.append((drive.done(), duties()))
+""",
+    "degrees": """
+turn = make("machine.turn", rate="2000", **DRV8833)
+result = []
+for procedure, arguments in (("LeftBy", [90]), ("RightBy", [90]), ("RightBy", [0])):
+    begun = time.ticks_ms()
+    turn.do(procedure, arguments)
+    going = duties()
+    while not turn.done(): pass
+    result.append((going, time.ticks_diff(time.ticks_ms(), begun), duties()))
+""",
+    "right by encoders": """
+turn = make("machine.turn", counts="360", **dict(DRV8833, **{"left-count": "10", "right-count": "11"}))
+turn.do("RightBy", [45])
+edges = 0
+while not turn.done():
+    machine.watchers[10 + edges % 2](None)
+    edges += 1
+result = edges, duties()
+""",
     "turn by encoders": """
 turn = make("machine.turn", counts="400", **dict(DRV8833, **{"left-count": "10", "right-count": "11"}))
 turn.do("AbsoluteTurn", [50, 30])
@@ -162,6 +194,18 @@ def test_a_turn_by_the_clock_lasts_as_long_as_its_angle_takes(found: dict[str, A
     assert going == [0, 50, 50, 0]
     assert 90 <= gone < 1000
     assert stopped == [0, 0, 0, 0]
+
+
+def test_a_distance_and_an_angle_last_as_long_as_they_take_at_half_speed(found: dict[str, Any]) -> None:
+    (ahead, needed, stood), (back, _, _), (_, nothing, _), stopped = found["distances"]
+    assert (ahead, back, stood) == ([50, 0, 50, 0], [0, 50, 0, 50], [0, 0, 0, 0])
+    assert 200 <= needed < 1100
+    assert nothing < 900
+    assert stopped == (True, [0, 0, 0, 0])
+    (left, needed, stood), (right, _, _), _ = found["degrees"]
+    assert (left, right, stood) == ([0, 50, 50, 0], [50, 0, 0, 50], [0, 0, 0, 0])
+    assert 90 <= needed < 1000
+    assert found["right by encoders"] == (45, [0, 0, 0, 0])
 
 
 def test_a_turn_by_encoders_ends_with_the_edge_that_completes_its_angle(found: dict[str, Any]) -> None:

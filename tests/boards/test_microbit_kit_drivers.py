@@ -38,6 +38,17 @@ turn.tend()
 while not turn.done(): pass
 turn.tend()
 found["turn"] = time.ticks_diff(time.ticks_ms(), begun), taken()[-1]
+found["by"] = []
+for part, procedure, arguments in (
+    (turn, "RightBy", [90]), (make("microbit.drive", kit=kit, speed="5000"), "BackBy", [50]), (turn, "LeftBy", [0])
+):
+    begun = time.ticks_ms()
+    part.do(procedure, arguments)
+    part.tend()
+    going = taken()
+    while not part.done(): pass
+    part.tend()
+    found["by"].append((going, time.ticks_diff(time.ticks_ms(), begun), taken()))
 line = make("microbit.line", pin="13", dark="low", min="1")
 seen = []
 for level in (0, 1):
@@ -136,6 +147,16 @@ def test_a_turn_lasts_as_long_as_its_angle_takes_and_then_the_motors_stand(found
     gone, last = found["turn"]
     assert 90 <= gone < 1000
     assert last[2][1] == 0
+
+
+def test_degrees_and_distances_are_done_at_half_speed_and_then_the_motors_stand(found: dict[str, Any]) -> None:
+    (right, turned, stood), (back, driven, end), _ = found["by"]
+    right_sent, back_sent = bytes_of([right, back], 0x62)
+    assert right_sent[-4:] == [(5, 0), (4, 127), (3, 0), (2, 127)]
+    assert back_sent[-4:] == [(4, 0), (5, 127), (3, 0), (2, 127)]
+    assert 90 <= turned < 1000
+    assert 200 <= driven < 1100
+    assert stood[-1][2][1] == end[-1][2][1] == 0
 
 
 def test_eyes_range_finder_lamps_and_servos_do_what_their_kits_say(found: dict[str, Any]) -> None:

@@ -12,7 +12,7 @@ from kitrobot.classroom.record import read_record, unread_sentence
 from kitrobot.classroom.teacher_actions import TeacherActions
 from kitrobot.diagnostics.model import KitRobotError
 from kitrobot.files.disk import FileError
-from kitrobot.files.quota import QuotaError
+from kitrobot.files.folder_quota import QuotaError
 from tests.classroom.conftest import join
 
 

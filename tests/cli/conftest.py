@@ -11,8 +11,10 @@ from typing import Any
 
 import pytest
 
+from kitrobot.cli import output
 from kitrobot.cli.app import main
 from kitrobot.files.examples import examples_folder
+from tests.boards.host import host_board, write_pulse
 
 _EXAMPLES = examples_folder()
 assert _EXAMPLES is not None
@@ -84,3 +86,50 @@ def program(here: Path) -> Path:
     path = here / "drive.lll"
     path.write_text(LLL, encoding="utf-8")
     return path
+
+
+@pytest.fixture
+def no_boards(monkeypatch, tmp_path):
+    """Nothing is known of boards."""
+    monkeypatch.setenv("KITROBOT_STATE", str(tmp_path / "state"))
+    monkeypatch.delenv("KITROBOT_BOARDS", raising=False)
+
+
+@pytest.fixture
+def pulse(here):
+    """The mission of a program that counts."""
+    return write_pulse(here)
+
+
+@pytest.fixture
+def robot(pulse):
+    """A robot that has it, and runs it."""
+    with host_board(pulse, "pulse") as board:
+        yield board
+
+
+@pytest.fixture
+def broken(here):
+    """A robot whose display fails."""
+    with host_board(write_pulse(here, broken=True), "pulse") as board:
+        yield board
+
+
+@pytest.fixture
+def watch(kitrobot, monkeypatch):
+    """Watches until that holds of what was given up to then, and presses Ctrl-C."""
+
+    def call(*arguments, until):
+        given = []
+
+        def print_data(text):
+            output.print_data(text)
+            given.append(text)
+            if until("".join(given)):
+                raise KeyboardInterrupt
+
+        with monkeypatch.context() as patched:
+            patched.setattr("kitrobot.cli.watch.print_data", print_data)
+            return kitrobot("watch", *arguments)
+
+    return call

@@ -17,37 +17,13 @@ import sys
 import pytest
 
 from kitrobot.boards.programs import load_board_program
-from kitrobot.cli import output
 from kitrobot.deploy.line import repl
 from kitrobot.deploy.line.line import Line
-from tests.boards.host import ROOT, host_board, write_pulse
+from tests.boards.host import ROOT, host_board
 from tests.boards.watching import LONG_S
+from tests.cli.watched_lines import counts_of, objects, vertices_of
 
-
-@pytest.fixture(autouse=True)
-def _no_boards(monkeypatch, tmp_path):
-    monkeypatch.setenv("KITROBOT_STATE", str(tmp_path / "state"))
-    monkeypatch.delenv("KITROBOT_BOARDS", raising=False)
-
-
-@pytest.fixture
-def pulse(here):
-    """The mission of a program that counts."""
-    return write_pulse(here)
-
-
-@pytest.fixture
-def robot(pulse):
-    """A robot that has it, and runs it."""
-    with host_board(pulse, "pulse") as board:
-        yield board
-
-
-@pytest.fixture
-def broken(here):
-    """A robot whose display fails."""
-    with host_board(write_pulse(here, broken=True), "pulse") as board:
-        yield board
+pytestmark = pytest.mark.usefixtures("no_boards")
 
 
 @pytest.fixture
@@ -58,38 +34,6 @@ def nobody(monkeypatch):
         now = Line.now
         monkeypatch.setattr(Line, "now", lambda line: now(line) * (50 if line.address == address else 1))
         yield address
-
-
-@pytest.fixture
-def watch(kitrobot, monkeypatch):
-    """Watches until that holds of what was given up to then, and presses Ctrl-C."""
-
-    def call(*arguments, until):
-        given = []
-
-        def print_data(text):
-            output.print_data(text)
-            given.append(text)
-            if until("".join(given)):
-                raise KeyboardInterrupt
-
-        with monkeypatch.context() as patched:
-            patched.setattr("kitrobot.cli.watch.print_data", print_data)
-            return kitrobot("watch", *arguments)
-
-    return call
-
-
-def objects(given: str) -> list[dict]:
-    return [json.loads(line) for line in given.splitlines()]
-
-
-def counts_of(lines: list[dict]) -> list[int]:
-    return [line["variables"]["Count"] for line in lines if "Count" in line.get("variables", {})]
-
-
-def vertices_of(lines: list[dict]) -> set[str]:
-    return {place["vertex"] for line in lines for place in line.get("active", [])}
 
 
 def state_of(kitrobot, address: str) -> dict:

@@ -1,7 +1,5 @@
 """What robots do, recorded for the studio."""
 
-# ruff: noqa: F811 (fixtures of test_boards)
-
 from __future__ import annotations
 
 import json
@@ -14,7 +12,9 @@ import pytest
 
 from tests.boards.host import host_board
 from tests.boards.watching import LONG_S, line_with
-from tests.cli.test_boards import _no_boards, broken, counts_of, objects, pulse, robot, vertices_of, watch  # noqa: F401
+from tests.cli.watched_lines import counts_of, objects, vertices_of
+
+pytestmark = pytest.mark.usefixtures("no_boards")
 
 
 def test_watching_records_what_the_studio_plays(kitrobot, watch, robot, pulse, here):

@@ -123,16 +123,15 @@ def test_a_closed_error_output_leaves_the_data_clean(arguments):
     assert ended.stdout == b"" or arguments.startswith("check")
 
 
-WORK = [
-    "run $1 --seconds 5 --trace made.krtrace",
-    "verify $1 --seconds 1",
-    "grade hand --exercise $2 --html made.html",
-    "check $1",
-    "replay made.krtrace",
-    "convert $1 made.lll --program carrier",
-    "nonsense",
-    "run --none",
-]
+WORK = cases(
+    [
+        "run $1 --seconds 5 --trace made.krtrace",
+        "grade hand --exercise $2 --html made.html",
+        "convert $1 made.lll --program carrier",
+        "nonsense",
+    ],
+    ["check $1", "verify $1 --seconds 1", "replay made.krtrace", "run --none"],
+)
 EXERCISE = EXAMPLE.parents[1] / "exercises" / "03-square.exercise.xml"
 
 

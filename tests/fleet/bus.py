@@ -11,10 +11,6 @@ from dataclasses import dataclass, field
 from types import SimpleNamespace
 from typing import Any
 
-import pytest
-
-from kitrobot.fleet import agent_process
-from kitrobot.fleet import team_process as team_processes
 from kitrobot.fleet.agent_process import AgentProcess, RunEnd
 from kitrobot.fleet.charter import FleetError
 from kitrobot.fleet.envelopes import TEAM_PROCESS
@@ -132,12 +128,3 @@ class Bus:
 
 def _nothing(run: object) -> None:
     """Steps of the world are not looked at."""
-
-
-@pytest.fixture
-def bus(monkeypatch: pytest.MonkeyPatch) -> Bus:
-    one = Bus()
-    monkeypatch.setattr(agent_process, "milliseconds", lambda: one.now)
-    monkeypatch.setattr(team_processes, "milliseconds", lambda: one.now)
-    monkeypatch.setattr(team_processes, "time", SimpleNamespace(sleep=lambda seconds: one.pass_by()))
-    return one

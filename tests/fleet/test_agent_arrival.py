@@ -11,9 +11,7 @@ from kitrobot.fleet import envelopes as kinds
 from kitrobot.fleet.charter import FleetError
 from kitrobot.fleet.envelopes import EVERYBODY
 from kitrobot.fleet.roster import Answer, Roster
-from tests.fleet.bus import Bus, bus
-
-__all__ = ["bus"]
+from tests.fleet.bus import Bus
 
 FIVE_MINUTES = 5 * 60 * 50
 """In turns."""

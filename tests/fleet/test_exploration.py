@@ -20,8 +20,8 @@ from kitrobot.sim.tables.state import State
 from kitrobot.sim.tables.state import Team as TeamTables
 from kitrobot.sim.tables.team_columns import HAS_UNIT, LOST_UNIT, P_MEMBERS, T_AT, W_LEFT, W_TAKEN
 from kitrobot.sim.team import meetings
-from kitrobot.team import decision, membership
-from kitrobot.team.decision import Decision
+from kitrobot.team import consensus, membership
+from kitrobot.team.consensus import Decision
 from tests.effort import cases
 from tests.fleet.agent_laws import LAWS, all_is_done, what_stays_undone
 from tests.fleet.three_agents import Faults, Plan, Team, ThreeAgents
@@ -122,11 +122,11 @@ def test_the_first_states_of_longer_runs_keep_the_laws_and_settle(plan: Plan) ->
     assert undone == set()
 
 
-_count_promise = decision._count_promise
+_count_promise = consensus._count_promise
 
 
 def _forgets_votes(state: Decision, rank: int, *vote: object) -> object:
-    return _count_promise(state, rank, decision.NO_BALLOT, ())
+    return _count_promise(state, rank, consensus.NO_BALLOT, ())
 
 
 def _anybody_alone(ranks: Collection[int], voters: int) -> bool:
@@ -153,7 +153,7 @@ def _for_ever(*what: object) -> int:
     ("room", "name", "wrong", "plan", "law"),
     [
         pytest.param(
-            decision,
+            consensus,
             "is_quorum",
             _anybody_alone,
             Plan(ROLE, Faults(cuts=1), 6, True),
@@ -161,7 +161,7 @@ def _for_ever(*what: object) -> int:
             id="a view agreed without a majority",
         ),
         pytest.param(
-            decision,
+            consensus,
             "_count_promise",
             _forgets_votes,
             Plan(MEETING, Faults(crashes=1, late=1), 3, True),

@@ -11,10 +11,8 @@ from kitrobot.fleet.envelopes import Envelope, VersionError, seal, unseal
 from kitrobot.fleet.refusals import MOST_KINDS, NOBODY, Refusals
 from kitrobot.fleet.transport import MOST_REASONS
 from kitrobot.text.sentences import Sentence
-from tests.fleet.bus import KEY, Bus, bus
+from tests.fleet.bus import KEY, Bus
 from tests.fleet.test_agent_arrival import turns
-
-__all__ = ["bus"]
 
 HELLO_OF_VERSION_3 = struct.pack("<2sBBQHHQ", b"KF", 3, 3, 0, 2, 0xFFFF, 1) + b'["robot-3", "abc"]' + bytes(16)
 

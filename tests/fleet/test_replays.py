@@ -9,10 +9,8 @@ import pytest
 from kitrobot.fleet import envelopes as kinds
 from kitrobot.fleet.charter import FleetError
 from kitrobot.fleet.envelopes import unseal
-from tests.fleet.bus import KEY, Bus, bus
+from tests.fleet.bus import KEY, Bus
 from tests.fleet.test_agent_arrival import turns
-
-__all__ = ["bus"]
 
 ALL = (kinds.MEMBER, kinds.HELLO, kinds.WELCOME, kinds.BEGIN, kinds.FRAME, kinds.REPLY, kinds.STOP, kinds.BYE)
 

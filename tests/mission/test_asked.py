@@ -9,7 +9,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from kitrobot.mission.model import Mission
-from kitrobot.mission.property_xml import AskedProperty, Form
+from kitrobot.mission.property_forms import AskedProperty, Form
 from kitrobot.mission.reader import read_mission
 from kitrobot.mission.writer import write_mission
 from kitrobot.versions.comparison import differences

@@ -15,7 +15,7 @@ from kitrobot.robots.run import RobotsRun
 from kitrobot.robots.session import InstalledProgram, RobotSession
 from kitrobot.trace.model import TickRecord
 from kitrobot.trace.source import AbilityError, RunSource, walk
-from kitrobot.translation.languages import override_language, translate
+from kitrobot.translation.reader_language import override_language, translate
 from tests.boards.host import write_pulse
 from tests.robots.twin import Clock, Twin
 

@@ -15,7 +15,7 @@ from kitrobot.robots.names import BoardNames, NoNameError
 from kitrobot.robots.session import LOOK_S, InstalledProgram, NotConnectedError, RobotSession
 from kitrobot.robots.state import Activity, Change, ChangeKind
 from kitrobot.robots.view import WatchedRobot
-from kitrobot.translation.languages import override_language, translate
+from kitrobot.translation.reader_language import override_language, translate
 from tests.robots.twin import Clock, Twin
 
 NAMES = BoardNames("walk", "rover", 20, {"Eye": 1}, {"Count": 2}, ("Motor",), (0,), (("v1", 1, "Motor.Go();"),))

@@ -3,24 +3,20 @@
 from __future__ import annotations
 
 import shutil
-import warnings
+from collections.abc import Callable, Iterator
+from contextlib import ExitStack, contextmanager
 from pathlib import Path
+from typing import Any
 
 import pytest
 
-with warnings.catch_warnings():
-    # It asks for a successor of httpx that is not needed yet.
-    warnings.simplefilter("ignore")
-    from starlette.testclient import TestClient
-
 from kitrobot.files.examples import examples_folder
 from kitrobot.server.app import create_app
+from tests.boards.host import HostBoard, host_board, write_pulse
+from tests.server.pages import ADDRESS, FOREVER, HOST, SOCKET, TOKEN, Page, TestClient, Watcher
 
 __all__ = ["HOST", "SHORT", "SOCKET", "TOKEN", "TestClient"]
 
-TOKEN = "the-right-token"
-HOST = "http://127.0.0.1:8765"
-SOCKET = "ws://127.0.0.1:8765"
 SHORT = """<kitrobot version="1">
   <program name="blink" robot="mini-robot">
     <vertex id="start" element="Start"/>
@@ -76,3 +72,59 @@ def stranger(app):
 def page(app):
     """The page: a client with the token."""
     return TestClient(app, base_url=HOST, headers={"X-KitRobot-Token": TOKEN})
+
+
+@pytest.fixture
+def connect(page):
+    """Opens a watched socket."""
+
+    @contextmanager
+    def connected():
+        with page.websocket_connect(f"{SOCKET}/api/run?token={TOKEN}") as socket:
+            yield Watcher(socket)
+
+    return connected
+
+
+@pytest.fixture
+def mission(page):
+    """The mission of a path of the workspace."""
+
+    def read(path="blink.krt"):
+        return page.get("/api/mission", params={"path": path}).json()["mission"]
+
+    return read
+
+
+@pytest.fixture
+def forever(page):
+    """A mission that never ends."""
+    return page.post("/api/mission/read", content=FOREVER.encode()).json()["mission"]
+
+
+@pytest.fixture
+def visit(app, folder) -> Iterator[Callable[..., Any]]:
+    """Opens a page in this studio: on this machine, or on the one of that address."""
+    with ExitStack() as stack:
+        clients: dict[str, TestClient] = {}
+
+        @contextmanager
+        def visit(host: str = "127.0.0.1", language: str = "en", broken: bool = False) -> Iterator[Page]:
+            write_pulse(folder, broken)
+            if host not in clients:
+                made = TestClient(app, base_url=HOST, headers={"X-KitRobot-Token": TOKEN}, client=(host, 50000))
+                # One event loop for all pages, as in a server.
+                clients[host] = stack.enter_context(made)
+            mission = clients[host].get("/api/mission?path=pulse.krt").json()["mission"]
+            with clients[host].websocket_connect(f"{ADDRESS}&language={language}") as socket:
+                yield Page(socket, mission, clients[host])
+
+        yield visit
+
+
+@pytest.fixture
+def robot(folder) -> Iterator[HostBoard]:
+    """A robot on the network with the program `pulse`."""
+    write_pulse(folder)
+    with host_board(folder / "pulse.krt", "pulse", waits=True) as board:
+        yield board

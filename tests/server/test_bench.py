@@ -8,14 +8,12 @@ from pathlib import Path
 from kitrobot.boards.bench import bench_of
 from kitrobot.boards.bench_run import BenchRun
 from kitrobot.live.robot_bench import RobotBench, steps_message
-from kitrobot.translation.languages import override_language, translate
+from kitrobot.translation.reader_language import override_language, translate
 from kitrobot.workspace.kit_files import find_kit
 from kitrobot.workspace.robots import find_robot
 from tests.boards.modern import ModernBoard
 from tests.boards.test_bench import UNPLUGGED
-from tests.server.test_boards import visit
 
-__all__ = ["visit"]
 ROBOT = """<robot name="harbour" version="1">
   <actuator name="Crane"><board driver="crane"/>
     <label>Crane arm</label><label xml:lang="ur">کرین کا بازو</label>

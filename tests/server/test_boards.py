@@ -2,122 +2,17 @@
 
 from __future__ import annotations
 
-import contextlib
 import json
 import time
-from collections.abc import Callable, Iterator
-from typing import Any
 
 import pytest
-from pydantic import TypeAdapter
 
 from kitrobot.deploy.firmware.ports import BOARDS_VARIABLE
 from kitrobot.deploy.line.board import Hello
 from kitrobot.deploy.line.news import News
 from kitrobot.live.robot_gateway import SerialGateway
 from kitrobot.live.robot_registry import RobotRegistry
-from kitrobot.wire.board import BoardsMessage
-from tests.boards.host import HELD_PACE, HostBoard, host_board, write_pulse
-from tests.server.conftest import HOST, SOCKET, TOKEN, TestClient
-from tests.server.test_run import Watcher
-
-MESSAGE: TypeAdapter[Any] = TypeAdapter(BoardsMessage)
-ADDRESS = f"{SOCKET}/api/boards?token={TOKEN}"
-
-
-class RunPage(Watcher):
-    """The page's end of a run of robots."""
-
-    def __init__(self, socket) -> None:
-        super().__init__(socket)
-        self.begun: dict[str, Any] = {}
-        self.agents: dict[str, dict[str, Any]] = {}
-
-    def next(self) -> dict[str, Any]:
-        said = super().next()
-        if said["type"] == "tick":
-            self.agents |= said["agents"]
-        return said
-
-    def report(self, wanted: Callable[[dict[str, Any]], bool], name: str = "") -> dict[str, Any]:
-        """What a robot does, or the only one, once `wanted` holds."""
-        while True:
-            told = self.agents.get(name) or next(iter(self.agents.values()), None)
-            if told is not None and wanted(told):
-                return told
-            self.until("tick")
-
-
-class Page:
-    """The page's end of a socket. Every message is held against its published shape."""
-
-    def __init__(self, socket, mission, client: TestClient) -> None:
-        self.socket = socket
-        self.mission = mission
-        self.client = client
-        self.first = self.next()
-        self.you = self.first.get("you", "")
-
-    def send(self, kind: str, address: str, **more) -> None:
-        self.socket.send_text(json.dumps({"type": kind, "address": address, **more}))
-
-    def give(self, kind: str, address: str, **more) -> None:
-        """A request that brings the mission along."""
-        self.send(kind, address, mission=self.mission, path="pulse.krt", program="pulse", **more)
-
-    @contextlib.contextmanager
-    def run(self, *addresses: str, **more) -> Iterator[RunPage]:
-        """Watches robots that this page holds, as a run; it is on."""
-        with self.client.websocket_connect(f"{SOCKET}/api/run?token={TOKEN}") as socket:
-            page = RunPage(socket)
-            request = {"mission": self.mission, "path": "pulse.krt", "holder": self.you, "speed": 1}
-            page.send(type="robots", addresses=list(addresses), **request, **more)
-            page.begun = page.until("started")
-            yield page
-
-    def next(self) -> dict[str, Any]:
-        said: dict[str, Any] = json.loads(self.socket.receive_text())
-        MESSAGE.validate_python(said)
-        return said
-
-    def until(self, kind: str, wanted: Callable[[dict[str, Any]], bool] = lambda said: True) -> dict[str, Any]:
-        """The next message of that type for which `wanted` holds; those before it are passed over."""
-        while True:
-            said = self.next()
-            if said["type"] == kind and wanted(said):
-                return said
-
-    def board(self, **fields) -> dict[str, Any]:
-        """The next message of a robot with these fields."""
-        return self.until("board", lambda said: all(said[name] == value for name, value in fields.items()))
-
-
-@pytest.fixture
-def visit(app, folder) -> Iterator[Callable[..., Any]]:
-    """Opens a page in this studio: on this machine, or on the one of that address."""
-    with contextlib.ExitStack() as stack:
-        clients: dict[str, TestClient] = {}
-
-        @contextlib.contextmanager
-        def visit(host: str = "127.0.0.1", language: str = "en", broken: bool = False) -> Iterator[Page]:
-            write_pulse(folder, broken)
-            if host not in clients:
-                made = TestClient(app, base_url=HOST, headers={"X-KitRobot-Token": TOKEN}, client=(host, 50000))
-                # One event loop for all pages, as in a server.
-                clients[host] = stack.enter_context(made)
-            mission = clients[host].get("/api/mission?path=pulse.krt").json()["mission"]
-            with clients[host].websocket_connect(f"{ADDRESS}&language={language}") as socket:
-                yield Page(socket, mission, clients[host])
-
-        yield visit
-
-
-@pytest.fixture
-def robot(folder) -> Iterator[HostBoard]:
-    """A robot on the network with the program `pulse`."""
-    write_pulse(folder)
-    with host_board(folder / "pulse.krt", "pulse", HELD_PACE) as board:
-        yield board
+from tests.boards.host import host_board, write_pulse
 
 
 def test_a_robot_says_what_it_has(visit, robot) -> None:

@@ -11,8 +11,8 @@ import pytest
 from kitrobot.live import runs
 from kitrobot.live.watched_simulation import WatchedSimulation
 from tests.server.conftest import SOCKET, TOKEN
-from tests.server.test_run import FOREVER
-from tests.server.test_run import Watcher as Page
+from tests.server.pages import FOREVER
+from tests.server.pages import Watcher as Page
 
 PATH = "forever.krt"
 

@@ -4,11 +4,9 @@ from __future__ import annotations
 
 import pytest
 
-from tests.server.test_run import Watcher, connect, forever, mission  # noqa: F401
+from tests.server.pages import Watcher
 
 # The fixtures are those of test_run.
-# ruff: noqa: F811
-
 REVERSE = {"program": "polling", "vertex": "v5"}
 
 

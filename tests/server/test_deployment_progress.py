@@ -1,7 +1,5 @@
 """Sending a program to a robot: how far it is, breaking it off, a refusal."""
 
-# ruff: noqa: F811 (fixtures of test_boards)
-
 from __future__ import annotations
 
 import itertools
@@ -14,8 +12,7 @@ from kitrobot.diagnostics.model import KitRobotError
 from kitrobot.live.robot_gateway import SerialGateway
 from kitrobot.live.robot_registry import RobotRegistry
 from kitrobot.text.sentences import Sentence
-from tests.boards.host import HELD_PACE, PULSER, host_board, write_pulse
-from tests.server.test_boards import robot, visit  # noqa: F401
+from tests.boards.host import PULSER, host_board, write_pulse
 
 
 class SlowSending(SerialGateway):
@@ -91,7 +88,7 @@ def test_what_a_program_shares_with_its_team_is_told_once_it_was_sent(visit, app
 
     app.state.studio.boards = RobotRegistry(Sent())
     write_pulse(folder)
-    with host_board(folder / "pulse.krt", "pulse", HELD_PACE) as robot, visit() as page:
+    with host_board(folder / "pulse.krt", "pulse", waits=True) as robot, visit() as page:
         page.give("send", robot.address, then="held")
         said = page.until("board", lambda said: "shared" in said["message"])
         assert "line 3, vertex `v4`" in said["message"]

@@ -8,11 +8,9 @@ from typing import Any
 import pytest
 
 from kitrobot.sim.agent_views import FAILED, MOVING, MUTED, STALLED
-from tests.server.test_run import Watcher, connect, forever, mission  # noqa: F401
+from tests.server.pages import Watcher
 
 # The fixtures are those of test_run.
-# ruff: noqa: F811
-
 ROBOT = "carrier-1"
 
 

@@ -26,7 +26,7 @@ from tests.boards.proxy import Proxy
 from tests.fleet.test_processes import CONVOY, NAMES, is_there
 from tests.patience import PATIENCE_S
 from tests.server.conftest import HOST, SOCKET, TOKEN, TestClient
-from tests.server.test_boards import ADDRESS, Page, RunPage
+from tests.server.pages import ADDRESS, Page, RunPage
 
 PATH = "convoy.krt"
 

@@ -23,11 +23,8 @@ from kitrobot.server.routes import exercise as exercise_routes
 from kitrobot.text.sentences import Sentence
 from tests.server.conftest import HOST, SOCKET, TOKEN
 from tests.server.in_page_scenario import environment
-from tests.server.test_run import connect  # noqa: F401
 
 # The fixture is that of test_run.
-# ruff: noqa: F811
-
 SCENARIO = Path(__file__).with_name("long_work_in_page.py")
 HOURS = 10**7
 WAITS_BESIDE = """<kitrobot version="1">

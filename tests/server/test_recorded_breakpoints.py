@@ -19,11 +19,8 @@ from kitrobot.sim.recorder import simulate
 from kitrobot.trace.source import walk
 from kitrobot.workspace.traces import open_trace
 from tests.effort import THOROUGH
-from tests.server.test_run import connect, mission  # noqa: F401
 
 # The fixtures are those of test_run.
-# ruff: noqa: F811
-
 EXAMPLES = Path(__file__).resolve().parents[2] / "examples"
 TRANSPORT = kitrobot.open(EXAMPLES / "transport" / "transport.krt")
 CARRIER = TRANSPORT.program("carrier")

@@ -28,7 +28,6 @@ from kitrobot.trace.source import walk
 from kitrobot.workspace.mission_run import RunOptions
 from kitrobot.workspace.traces import open_trace
 from tests.patience import PATIENCE_S
-from tests.server.test_run import FOREVER, connect, forever, mission  # noqa: F401
 
 EXAMPLES = Path(__file__).resolve().parents[2] / "examples"
 TRANSPORT = kitrobot.open(EXAMPLES / "transport" / "transport.krt")
@@ -137,7 +136,7 @@ def opened(page, data: bytes, name: str = "mine.krtrace") -> dict[str, Any]:
     return found
 
 
-def test_a_recording_brings_its_mission_along_and_plays_to_its_end(page, connect, recorded):  # noqa: F811
+def test_a_recording_brings_its_mission_along_and_plays_to_its_end(page, connect, recorded):
     found = opened(page, recorded)
     assert (found["seed"], found["cut"]) == (5, False)
     file = found["file"]
@@ -171,7 +170,7 @@ def test_a_recording_brings_its_mission_along_and_plays_to_its_end(page, connect
         assert watcher.until("state", status="done")["tick"] == end["tick"]
 
 
-def test_the_run_so_far_is_saved_with_what_was_done_to_it(page, connect, mission, transport):  # noqa: F811
+def test_the_run_so_far_is_saved_with_what_was_done_to_it(page, connect, mission, transport):
     with connect() as watcher:
         run = watcher.start(mission(transport), path=transport, seed=2, speed=0.1)["run"]
         watcher.send(type="pause")
@@ -225,7 +224,7 @@ def test_a_recording_is_read_only(page, recorded):
     assert "recording" in answer.json()["message"]
 
 
-def test_a_cut_recording_plays_up_to_the_cut(page, connect, recorded):  # noqa: F811
+def test_a_cut_recording_plays_up_to_the_cut(page, connect, recorded):
     found = opened(page, recorded[: len(recorded) * 2 // 3])
     assert found["cut"] is True
     with connect() as watcher:
@@ -235,7 +234,7 @@ def test_a_cut_recording_plays_up_to_the_cut(page, connect, recorded):  # noqa: 
         assert "cut off" in end["sentence"]
 
 
-def test_a_recording_that_is_damaged_inside_is_told_when_it_comes_to_it(page, connect, recorded):  # noqa: F811
+def test_a_recording_that_is_damaged_inside_is_told_when_it_comes_to_it(page, connect, recorded):
     at = recorded.rindex(b"KRCH") + layout.CHUNK.size + 20
     found = opened(page, recorded[:at] + bytes([recorded[at] ^ 255]) + recorded[at + 1 :])
     with connect() as watcher:
@@ -290,7 +289,7 @@ def test_files_that_a_recording_brings_along_stay_in_its_folder(page, recorded, 
     assert sorted(path.name for path in place.iterdir()) == ["evil.krt", "fine.robot.xml", "ring.world.xml"]
 
 
-def test_numbers_beyond_all_sense_are_cut_to_what_a_page_can_hold(page, connect, recorded, tmp_path):  # noqa: F811
+def test_numbers_beyond_all_sense_are_cut_to_what_a_page_can_hold(page, connect, recorded, tmp_path):
     from kitrobot.trace.model import TickRecord, TraceEvent
     from kitrobot.trace.writer import TraceWriter
 
@@ -313,7 +312,7 @@ def test_numbers_beyond_all_sense_are_cut_to_what_a_page_can_hold(page, connect,
         assert watcher.until("state", status="end")["tick"] == 3
 
 
-def test_own_robots_and_constructors_travel_with_the_recording(page, folder, connect):  # noqa: F811
+def test_own_robots_and_constructors_travel_with_the_recording(page, folder, connect):
     from tests.server.conftest import SHORT
 
     shipped = (Path(kitrobot.__file__).parent / "primitives" / "shipped" / "mini-robot.robot.xml").read_text()
@@ -361,7 +360,7 @@ def test_a_recording_may_be_larger_than_a_mission(app):
     assert guard.largest_trace_bytes > guard.largest_body_bytes
 
 
-def test_two_saves_at_once_both_come(page, connect, forever):  # noqa: F811
+def test_two_saves_at_once_both_come(page, connect, forever):
     with page, connect() as watcher:  # in one loop, as in a server
         run = watcher.start(forever, speed=0.1)["run"]
         answers: list[bytes] = []

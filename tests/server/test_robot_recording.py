@@ -16,7 +16,6 @@ from kitrobot.trace.reader import TraceReader
 from tests.boards.host import host_board, write_pulse
 from tests.robots.twin import Twin
 from tests.server.conftest import HOST, SOCKET, TOKEN, TestClient
-from tests.server.test_boards import robot, visit  # noqa: F401  (fixtures)
 
 HEADERS = {"X-KitRobot-Token": TOKEN}
 
@@ -40,7 +39,7 @@ def events_of(reader: TraceReader) -> list[tuple[str, str, str]]:
     return [(event.kind, event.text, event.cause) for _, event in reader.events]
 
 
-def test_a_run_is_recorded_with_what_was_done_to_it_and_saved_on_the_way_and_after(visit, robot, saved) -> None:  # noqa: F811
+def test_a_run_is_recorded_with_what_was_done_to_it_and_saved_on_the_way_and_after(visit, robot, saved) -> None:
     with visit() as page:
         page.give("connect", robot.address)
         page.board(phase="open", recorded=True)
@@ -80,7 +79,7 @@ def test_a_run_is_recorded_with_what_was_done_to_it_and_saved_on_the_way_and_aft
             assert reader.outcome["outcome"] == "stopped"
 
 
-def test_a_fault_ends_the_recording_where_it_happened(visit, folder, saved) -> None:  # noqa: F811
+def test_a_fault_ends_the_recording_where_it_happened(visit, folder, saved) -> None:
     write_pulse(folder, broken=True)
     with host_board(folder / "pulse.krt", "pulse") as board, visit(broken=True) as page:
         page.give("connect", board.address)
@@ -99,7 +98,7 @@ def test_a_fault_ends_the_recording_where_it_happened(visit, folder, saved) -> N
             assert reader.outcome["outcome"] == "failed"
 
 
-def test_a_lost_link_stands_in_the_recording(visit, robot, saved) -> None:  # noqa: F811
+def test_a_lost_link_stands_in_the_recording(visit, robot, saved) -> None:
     with visit() as page:
         page.give("connect", robot.address)
         page.board(phase="open")
@@ -116,7 +115,7 @@ def test_a_lost_link_stands_in_the_recording(visit, robot, saved) -> None:  # no
             assert "is lost: its motors stop within one second" in text
 
 
-def test_without_a_run_there_is_nothing_to_save_and_strangers_get_nothing(visit, app, folder, tmp_path, robot) -> None:  # noqa: F811
+def test_without_a_run_there_is_nothing_to_save_and_strangers_get_nothing(visit, app, folder, tmp_path, robot) -> None:
     here = TestClient(app, base_url=HOST, headers=HEADERS, client=("127.0.0.1", 50000))
     away = TestClient(app, base_url=HOST, headers=HEADERS, client=("192.168.1.7", 50000))
     ask = {"params": {"address": robot.address}}
@@ -145,7 +144,7 @@ def test_a_robot_of_which_nothing_is_known_is_not_recorded(tmp_path) -> None:
     last.close()
 
 
-def test_the_socket_of_runs_plays_it(visit, robot, saved, app, tmp_path) -> None:  # noqa: F811
+def test_the_socket_of_runs_plays_it(visit, robot, saved, app, tmp_path) -> None:
     with visit() as page:
         page.give("connect", robot.address)
         page.board(phase="open")

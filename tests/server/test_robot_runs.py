@@ -5,9 +5,9 @@ from __future__ import annotations
 from pathlib import Path
 
 from kitrobot.trace.reader import TraceReader
-from tests.boards.host import HELD_PACE, host_board, write_pulse
+from tests.boards.host import host_board, write_pulse
 from tests.server.conftest import SOCKET, TOKEN
-from tests.server.test_boards import RunPage, robot, visit  # noqa: F401  (fixtures)
+from tests.server.pages import RunPage
 
 
 def name_of(address: str) -> str:
@@ -22,7 +22,7 @@ def held(page, address: str) -> None:
     page.board(state="running", held=True)
 
 
-def test_it_is_told_like_every_run_by_the_programs_names(visit, robot) -> None:  # noqa: F811
+def test_it_is_told_like_every_run_by_the_programs_names(visit, robot) -> None:
     with visit() as page:
         held(page, robot.address)
         with page.run(robot.address) as run:
@@ -35,7 +35,7 @@ def test_it_is_told_like_every_run_by_the_programs_names(visit, robot) -> None: 
             assert (told["inputs"], told["forced"], told["state"]) == ({"ButtonA": 0}, [], "running")
 
 
-def test_a_variable_is_set_and_a_sensor_forced_and_let_go_and_what_it_has_not_is_refused(visit, robot) -> None:  # noqa: F811
+def test_a_variable_is_set_and_a_sensor_forced_and_let_go_and_what_it_has_not_is_refused(visit, robot) -> None:
     name = name_of(robot.address)
     with visit() as page:
         held(page, robot.address)
@@ -62,7 +62,7 @@ def test_a_variable_is_set_and_a_sensor_forced_and_let_go_and_what_it_has_not_is
             assert ended["sentence"] == "The program of each robot has ended."
 
 
-def test_what_was_forced_is_let_go_with_the_page(visit, robot) -> None:  # noqa: F811
+def test_what_was_forced_is_let_go_with_the_page(visit, robot) -> None:
     with visit() as page:
         page.give("connect", robot.address)
         page.board(phase="open")
@@ -77,7 +77,7 @@ def test_what_was_forced_is_let_go_with_the_page(visit, robot) -> None:  # noqa:
             assert (told["inputs"]["ButtonA"], told["forced"]) == (0, [])
 
 
-def test_another_window_watches_it_and_may_do_nothing(visit, robot) -> None:  # noqa: F811
+def test_another_window_watches_it_and_may_do_nothing(visit, robot) -> None:
     with visit() as page, visit() as other:
         held(page, robot.address)
         with page.run(robot.address) as run, other.client.websocket_connect(f"{SOCKET}/api/run?token={TOKEN}") as line:
@@ -100,7 +100,7 @@ def test_another_window_watches_it_and_may_do_nothing(visit, robot) -> None:  # 
                 assert window.until("tick", again=True)["latest"] < 50
 
 
-def test_it_is_paused_and_gone_back_in_while_the_robot_goes_on(visit, robot) -> None:  # noqa: F811
+def test_it_is_paused_and_gone_back_in_while_the_robot_goes_on(visit, robot) -> None:
     with visit() as page:
         held(page, robot.address)
         with page.run(robot.address) as run:
@@ -122,7 +122,7 @@ def test_it_is_paused_and_gone_back_in_while_the_robot_goes_on(visit, robot) -> 
             run.report(lambda said: said["values"]["Count"] >= 5)
 
 
-def test_it_is_held_at_a_breakpoint_and_the_robot_goes_on(visit, robot) -> None:  # noqa: F811
+def test_it_is_held_at_a_breakpoint_and_the_robot_goes_on(visit, robot) -> None:
     with visit() as page:
         held(page, robot.address)
         with page.run(robot.address) as run:
@@ -141,7 +141,7 @@ def test_it_is_held_at_a_breakpoint_and_the_robot_goes_on(visit, robot) -> None:
             assert run.until("tick")["tick"] < said["tick"] + 30
 
 
-def test_it_is_followed_again_from_its_beginning_when_the_robot_is_started_anew(visit, robot) -> None:  # noqa: F811
+def test_it_is_followed_again_from_its_beginning_when_the_robot_is_started_anew(visit, robot) -> None:
     with visit() as page:
         held(page, robot.address)
         with page.run(robot.address) as run:
@@ -164,7 +164,7 @@ def test_it_is_followed_again_from_its_beginning_when_the_robot_is_started_anew(
             run.report(lambda said: said["values"]["Count"] >= 3)
 
 
-def test_it_is_saved_as_a_recording(visit, robot, tmp_path: Path) -> None:  # noqa: F811
+def test_it_is_saved_as_a_recording(visit, robot, tmp_path: Path) -> None:
     with visit() as page:
         held(page, robot.address)
         with page.run(robot.address) as run:
@@ -178,9 +178,9 @@ def test_it_is_saved_as_a_recording(visit, robot, tmp_path: Path) -> None:  # no
                 assert last[name_of(robot.address)]["variable Count"] > 1
 
 
-def test_the_link_is_lost_and_back_while_it_is_watched(visit, folder) -> None:  # noqa: F811
+def test_the_link_is_lost_and_back_while_it_is_watched(visit, folder) -> None:
     write_pulse(folder)
-    with visit() as page, host_board(folder / "pulse.krt", "pulse", HELD_PACE) as robot:  # noqa: F811
+    with visit() as page, host_board(folder / "pulse.krt", "pulse", waits=True) as robot:
         page.give("connect", robot.address)
         page.send("start", robot.address, held=False)
         page.board(state="running", held=False)
@@ -196,12 +196,12 @@ def test_the_link_is_lost_and_back_while_it_is_watched(visit, folder) -> None:  
             run.until("state", status="failed")
 
 
-def test_two_that_are_called_alike_are_told_apart_in_one_run(visit, app, folder) -> None:  # noqa: F811
+def test_two_that_are_called_alike_are_told_apart_in_one_run(visit, app, folder) -> None:
     write_pulse(folder)
     with (
         visit() as page,
-        host_board(folder / "pulse.krt", "pulse", HELD_PACE) as one,
-        host_board(folder / "pulse.krt", "pulse", HELD_PACE) as two,
+        host_board(folder / "pulse.krt", "pulse", waits=True) as one,
+        host_board(folder / "pulse.krt", "pulse", waits=True) as two,
     ):
         for board in (one, two):
             held(page, board.address)
@@ -216,7 +216,7 @@ def test_two_that_are_called_alike_are_told_apart_in_one_run(visit, app, folder)
             run.until("state", status="stopped")
 
 
-def test_who_does_not_have_the_robot_cannot_begin_its_run(visit, robot) -> None:  # noqa: F811
+def test_who_does_not_have_the_robot_cannot_begin_its_run(visit, robot) -> None:
     with visit() as page, visit() as other, visit("192.168.1.7") as away:
         held(page, robot.address)
 

@@ -3,109 +3,17 @@
 from __future__ import annotations
 
 import asyncio
-import contextlib
 import itertools
-import json
 import re
 import struct
 from concurrent.futures import ThreadPoolExecutor
 from typing import Any
 
 import pytest
-from pydantic import TypeAdapter
 
 from kitrobot.live import runs
 from kitrobot.live.watched_simulation import WatchedSimulation
-from kitrobot.wire.run import RunMessage
-from tests.server.conftest import SOCKET, TOKEN
-
-MESSAGE: TypeAdapter[Any] = TypeAdapter(RunMessage)
-FOREVER = """<kitrobot version="1">
-  <program name="polling" robot="mini-robot">
-    <vertex id="start" element="Start"/>
-    <vertex id="v1" element="While"/>
-    <vertex id="v2" element="Run.IsTrue"/>
-    <vertex id="v3" element="Wheel.Advance"><set name="speed">5</set></vertex>
-    <vertex id="v4" element="Wait"><set name="duration">1</set></vertex>
-    <vertex id="v5" element="Wheel.Reverse"><set name="speed">5</set></vertex>
-    <vertex id="v6" element="Wait"><set name="duration">1</set></vertex>
-    <vertex id="stop" element="Stop"/>
-    <arc from="start" to="v1"/>
-    <arc from="v2" to="v1" at="condition"/>
-    <arc from="v1" out="body" to="v3"/>
-    <arc from="v3" to="v4"/>
-    <arc from="v4" to="v5"/>
-    <arc from="v5" to="v6"/>
-    <arc from="v6" to="v1" at="return"/>
-    <arc from="v1" to="stop"/>
-  </program>
-  <team>
-    <agent name="robot-1" program="polling"/>
-  </team>
-</kitrobot>
-"""
-
-
-class Watcher:
-    """The page's end of a socket. Every message is held against its published shape."""
-
-    def __init__(self, socket) -> None:
-        self.socket = socket
-        self.frames: list[bytes] = []
-
-    def send(self, **message) -> None:
-        self.socket.send_text(json.dumps(message))
-
-    def next(self) -> dict[str, Any]:
-        """The next JSON message; frames before it are kept."""
-        while True:
-            message = self.socket.receive()
-            assert message["type"] == "websocket.send", message
-            if message.get("bytes") is not None:
-                self.frames.append(message["bytes"])
-                continue
-            said: dict[str, Any] = json.loads(message["text"])
-            MESSAGE.validate_python(said)
-            return said
-
-    def until(self, kind: str, **fields) -> dict[str, Any]:
-        """The next message of that type with these fields; those before it are passed over."""
-        while True:
-            said = self.next()
-            if said["type"] == kind and all(said[name] == value for name, value in fields.items()):
-                return said
-
-    def start(self, mission, path="", seed=1, speed=0.0) -> dict[str, Any]:
-        self.send(type="start", mission=mission, path=path, seed=seed, speed=speed)
-        return self.until("started")
-
-
-@pytest.fixture
-def connect(page):
-    """Opens a watched socket."""
-
-    @contextlib.contextmanager
-    def connected():
-        with page.websocket_connect(f"{SOCKET}/api/run?token={TOKEN}") as socket:
-            yield Watcher(socket)
-
-    return connected
-
-
-@pytest.fixture
-def mission(page):
-    """The mission of a path of the workspace."""
-
-    def read(path="blink.krt"):
-        return page.get("/api/mission", params={"path": path}).json()["mission"]
-
-    return read
-
-
-@pytest.fixture
-def forever(page):
-    """A mission that never ends."""
-    return page.post("/api/mission/read", content=FOREVER.encode()).json()["mission"]
+from tests.server.pages import FOREVER, TOKEN
 
 
 @pytest.fixture

@@ -12,7 +12,7 @@ from kitrobot.live import runs
 from kitrobot.live.feed import ChannelClosedError
 from kitrobot.live.runs import MOST_RUNS, RunSession
 from tests import coroutines
-from tests.server.test_run import FOREVER
+from tests.server.pages import FOREVER
 
 MANY = 50
 

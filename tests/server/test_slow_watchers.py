@@ -10,7 +10,7 @@ import orjson
 
 from kitrobot.live.broadcast import RunUpdate, Watcher
 from kitrobot.live.feed import ChannelClosedError, Feed
-from kitrobot.translation.languages import override_language
+from kitrobot.translation.reader_language import override_language
 from kitrobot.wire.run import ErrorMessage, StateMessage
 from tests import coroutines
 

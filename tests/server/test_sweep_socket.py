@@ -12,11 +12,8 @@ from pydantic import TypeAdapter
 from kitrobot.server.routes import sweep as sweep_socket
 from kitrobot.wire.sweep import SweepMessage
 from tests.server.conftest import SOCKET, TOKEN
-from tests.server.test_run import FOREVER, Watcher, connect, forever, mission  # noqa: F401
 
 # The fixtures are those of test_run.
-# ruff: noqa: F811
-
 MESSAGE: TypeAdapter[Any] = TypeAdapter(SweepMessage)
 
 

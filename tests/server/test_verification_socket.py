@@ -11,12 +11,9 @@ from pydantic import TypeAdapter
 
 from kitrobot.wire.verification import VerifyMessage
 from tests.server.conftest import SOCKET, TOKEN
-from tests.server.test_run import Watcher, connect, mission  # noqa: F401
 from tests.verifier.check_fixtures import EXAMPLES
 
 # The fixtures are those of test_run.
-# ruff: noqa: F811
-
 MESSAGE: TypeAdapter[Any] = TypeAdapter(VerifyMessage)
 
 

@@ -140,6 +140,10 @@ def robot(number: int) -> Robot:
                 length="{rng.choice((60, 120))}" width="50" {some()}>
                 <procedure name="Advance" stop="Stop"><parameter name="speed" min="0" max="100"/></procedure>
                 <procedure name="Reverse" stop="Stop"><parameter name="speed" min="0" max="100"/></procedure>
+                <procedure name="DriveBy" completes="later" stop="Stop">
+                <parameter name="distance" min="0" max="60"/></procedure>
+                <procedure name="BackBy" completes="later" stop="Stop">
+                <parameter name="distance" min="0" max="60"/></procedure>
                 <procedure name="Stop"/></actuator>"""
             )
             parts.append(
@@ -147,6 +151,8 @@ def robot(number: int) -> Robot:
                 <procedure name="AbsoluteTurn" completes="later" stop="Stop">
                 <parameter name="angle" min="0" max="100"/><parameter name="speed" min="0" max="100"/></procedure>
                 <procedure name="Turn" stop="Stop"><parameter name="speed" min="0" max="100"/></procedure>
+                <procedure name="RightBy" completes="later" stop="Stop">
+                <parameter name="angle" min="0" max="360"/></procedure>
                 <procedure name="Stop"/></actuator>"""
             )
         parts.append(

@@ -2,46 +2,30 @@
 
 from __future__ import annotations
 
-import asyncio
-import secrets
 import shutil
-import socket
-import threading
-from collections.abc import Generator, Iterator
-from contextlib import suppress
-from dataclasses import dataclass
+from collections.abc import Callable, Generator, Iterator
+from contextlib import ExitStack, suppress
 from pathlib import Path
 from typing import Any
 
 import pytest
-import uvicorn
-from fastapi import FastAPI
-from playwright.sync_api import Browser, Locator, Page, expect, sync_playwright
+from playwright.sync_api import Browser, BrowserContext, expect, sync_playwright
 from playwright.sync_api import Error as PlaywrightError
-from starlette.types import Receive, Scope, Send
 
-from kitrobot.server.app import create_app
-from kitrobot.server.web_server import server_config
-from tests.effort import THOROUGH
-from tests.patience import PATIENCE_S, STATE_MS
+from tests.boards.host import SEEN_PACE, HostBoard, host_board
+from tests.patience import STATE_MS
+from tests.sites import made_site
+from tests.studio.robot_rows import write_quick_pulse
+from tests.studio.servers import ServedStudio, ServerThread
+from tests.studio.sites import PATH, FileServer, Visit
+from tests.studio.studio_page import EXAMPLES, HEIGHT, IS_OPEN, LOOKS, WIDTH, Studio, begin_new
+from tests.studio.studio_processes import MISSION, Server, Start
 from tests.studio.tabs import HANDS_MS, NOTHING, Tab, Tabs
 from tools.chromium import FLAGS
 
-EXAMPLES = Path(__file__).resolve().parents[2] / "examples"
-WIDTH, HEIGHT = 1600, 1000
+__all__ = ["EXAMPLES", "HEIGHT", "IS_OPEN", "LOOKS", "WIDTH", "ServerThread", "Studio", "begin_new"]
+
 expect.set_options(timeout=STATE_MS)
-
-IS_OPEN = """() => {
-    const at = (id) => document.querySelector(`[data-testid="${id}"]`);
-    return at("run-button")?.checkVisibility() && at("canvas")?.checkVisibility()
-        && at("code")?.querySelector(".cm-line")?.textContent;
-}"""
-"""Looked at in each frame: Playwright's `expect` waits up to half a second between two looks, and each look at what is
-not there yet makes a description of the whole page."""
-
-
-LOOKS = [("light",), *([("dark", "ur"), ("contrast", "fr")] if THOROUGH else [])]
-"""Theme and language that axe looks at whole; it holds the contrast of each screen in one of the themes, by turns."""
 
 
 ENGINE = "--js-flags=--no-opt"
@@ -89,171 +73,12 @@ def tabs(browser: Browser) -> Iterator[Tabs]:
     tabs.close()
 
 
-async def answer_nothing(send: Send) -> None:
-    """An empty page."""
-    headers = [(b"content-type", b"text/html"), (b"cache-control", b"no-store")]
-    await send({"type": "http.response.start", "status": 200, "headers": headers})
-    await send({"type": "http.response.body", "body": b'<link rel="icon" href="data:,">'})
-
-
-class Slot:
-    """One address, at which the studios of a worker's tests are served one after another.
-
-    The same address lets the browser keep what it has compiled of the page.
-    """
-
-    def __init__(self, loop: asyncio.AbstractEventLoop) -> None:
-        self.app: FastAPI | None = None
-        listening = socket.create_server(("127.0.0.1", 0))
-        self.address = f"http://127.0.0.1:{listening.getsockname()[1]}"
-        self._server = uvicorn.Server(server_config(self))
-        self._ended = asyncio.run_coroutine_threadsafe(self._server.serve([listening]), loop)
-
-    async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
-        if scope.get("path") == NOTHING:
-            await answer_nothing(send)
-            return
-        assert self.app is not None, "a request to a studio whose test has ended"
-        await self.app(scope, receive, send)
-
-    def close(self) -> None:
-        self._server.should_exit = True
-        self._ended.result(PATIENCE_S)
-
-
-class ServerThread:
-    """One event loop on a thread, which serves the studios of a worker's tests.
-
-    What only a process shows (a kill, a restart, its first line) has tests with processes: test_journal.py.
-    """
-
-    def __init__(self) -> None:
-        self._loop = asyncio.new_event_loop()
-        self._thread = threading.Thread(target=self._loop.run_forever, name="studios", daemon=True)
-        self._thread.start()
-        self._slots: list[Slot] = []
-
-    def serve(self, target: Path) -> ServedStudio:
-        """Serves the studio on a mission's file or a folder, as `kitrobot studio` does."""
-        token = secrets.token_urlsafe(24)
-        folder, mission = (target, None) if target.is_dir() else (target.parent, target)
-        slot = next((slot for slot in self._slots if slot.app is None), None)
-        if slot is None:
-            slot = Slot(self._loop)
-            self._slots.append(slot)
-        slot.app = create_app(folder, mission, token)
-        return ServedStudio(f"{slot.address}/?token={token}", slot)
-
-    def close(self) -> None:
-        for slot in self._slots:
-            slot.close()
-        self._loop.call_soon_threadsafe(self._loop.stop)
-        self._thread.join(PATIENCE_S)
-
-
-@dataclass(frozen=True)
-class ServedStudio:
-    """A studio that is being served."""
-
-    address: str
-    slot: Slot
-
-    def close(self) -> None:
-        self.slot.app = None
-
-
 @pytest.fixture(scope="session")
 def servers() -> Iterator[ServerThread]:
     """The thread that serves the studios of a worker's tests."""
     thread = ServerThread()
     yield thread
     thread.close()
-
-
-def begin_new(page: Page) -> None:
-    """A new mission without parts, chosen from the pictures that are shown."""
-    page.locator("label", has=page.get_by_test_id("new-starter-nothing")).click()
-    page.get_by_test_id("new-name").fill("mission")
-    page.get_by_test_id("new-begin").click()
-
-
-@dataclass
-class Studio:
-    """A page of the studio, and the folder it works in."""
-
-    page: Page
-    folder: Path
-    faults: list[str]
-    address: str = ""
-
-    def at(self, testid: str) -> Locator:
-        """The element of that test id."""
-        return self.page.get_by_test_id(testid)
-
-    def code(self) -> str:
-        """The LLL beside the graph, a line break a line."""
-        return "\n".join(self.page.locator('[data-testid="code"] .cm-line').all_inner_texts())
-
-    def expect_whole_code(self, text: str) -> None:
-        """Waits until the LLL is this: lines that come into view are drawn in the frame after."""
-        lines = self.page.locator('[data-testid="code"] .cm-line')
-        expect(lines).to_have_text(text.split("\n"), use_inner_text=True)
-        assert self.code() == text
-
-    def edit_code(self) -> None:
-        """Gives the LLL the focus, once it can be edited."""
-        expect(self.at("code-editor")).to_have_attribute("data-writable", "true")
-        self.at("code").locator(".cm-content").focus()
-
-    def expect_code(self, text: str) -> None:
-        """Waits until a stretch of text stands in the LLL."""
-        expect(self.at("code")).to_contain_text(text)
-
-    def drag(self, source: Locator, target: Locator) -> None:
-        """Drags with the mouse as a hand does: press, move in steps, let go over the middle of the target."""
-        source.scroll_into_view_if_needed()
-        begin, end = source.bounding_box(), target.bounding_box()
-        assert begin is not None
-        assert end is not None
-        mouse = self.page.mouse
-        mouse.move(begin["x"] + begin["width"] / 2, begin["y"] + begin["height"] / 2)
-        mouse.down()
-        mouse.move(begin["x"] + begin["width"] / 2 + 12, begin["y"] + begin["height"] / 2 + 12, steps=3)
-        mouse.move(end["x"] + end["width"] / 2, end["y"] + end["height"] / 2, steps=12)
-        mouse.up()
-
-    def drop(self, part: str, target: str) -> None:
-        """Drags a part of the palette onto something of that test id."""
-        self.drag(self.at(f"part-{part}"), self.at(target))
-
-    def new_mission(self) -> None:
-        """File, New, and a program from nothing."""
-        self.at("menu-File").click()
-        self.at("menu-file-new").click()
-        begin_new(self.page)
-        self.expect_opened()
-
-    def expect_opened(self) -> None:
-        """Waits until the mission that was asked for is there."""
-        expect(self.page.locator(".studio")).to_have_attribute("aria-busy", "false")
-
-    def take_back(self) -> None:
-        """Undoes all that was edited, for the next fact of the same test."""
-        undo = self.at("undo")
-        while undo.is_enabled():
-            undo.click()
-
-    def built_of(self, kit: str) -> None:
-        """Answers the question what a robot is built of; "" as its own file says."""
-        self.page.locator(f'[data-testid="kit-card"][data-kit="{kit}"]').click()
-
-    def full_speed(self) -> None:
-        """As fast as it goes: the last notch of the speed slider."""
-        self.at("speed").press("End")
-
-    def wait_until_done(self) -> None:
-        """Waits until the run has ended as done."""
-        expect(self.at("status")).to_contain_text("Done")
 
 
 @pytest.fixture
@@ -295,3 +120,105 @@ def open_studio(tabs: Tabs, servers: ServerThread, tmp_path: Path, monkeypatch: 
         tabs.give_back(tab, running.slot.address)
         running.close()
     assert faults == [], "the page reported errors of its own"
+
+
+@pytest.fixture
+def pulse(open_studio: Callable[..., Studio], tmp_path: Path) -> Callable[..., Studio]:
+    """Opens the studio on the mission `pulse`, with its robot; `broken` as in `write_pulse`."""
+
+    def opened(broken: bool = False, **device: object) -> Studio:
+        source = tmp_path / "source"
+        source.mkdir()
+        # An absolute path stays what it is when it is joined to the folder of the examples.
+        return open_studio(str(write_quick_pulse(source, broken)), **device)
+
+    return opened
+
+
+@pytest.fixture
+def robots(tmp_path: Path) -> Iterator[Callable[..., HostBoard]]:
+    """Starts robots on the network that have `pulse`."""
+    with ExitStack() as stack:
+
+        def robot(broken: bool = False) -> HostBoard:
+            folder = tmp_path / "robots"
+            folder.mkdir(exist_ok=True)
+            return stack.enter_context(host_board(write_quick_pulse(folder, broken), "pulse", SEEN_PACE))
+
+        yield robot
+
+
+@pytest.fixture(scope="module")
+def site(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """The root of a file server with the site in it."""
+    root = tmp_path_factory.mktemp("web")
+    shutil.copytree(made_site(tmp_path_factory.getbasetemp()), root / PATH.strip("/"))
+    return root
+
+
+@pytest.fixture
+def server(site: Path) -> Iterator[FileServer]:
+    """Hands out the site."""
+    server = FileServer(site)
+    yield server
+    server.end()
+
+
+@pytest.fixture
+def visit(browser: Browser, server: FileServer) -> Iterator[Callable[..., Visit]]:
+    """A function that begins a visit to the site, which asks nobody else for anything and reports no errors."""
+    visits: list[Visit] = []
+
+    def begin(**device: Any) -> Visit:
+        words = {"viewport": {"width": WIDTH, "height": HEIGHT}, "reduced_motion": "reduce", **device}
+        visits.append(Visit(browser.new_context(**words)))
+        return visits[-1]
+
+    yield begin
+    for one in visits:
+        one.context.close()
+    own = (server.address, "data:", "blob:")
+    assert [address for one in visits for address in one.asked if not address.startswith(own)] == []
+    assert [fault for one in visits for fault in one.faults] == [], "the page reported errors of its own"
+
+
+@pytest.fixture
+def mission(tmp_path: Path) -> Path:
+    """A mission of one Wait, in a folder of its own."""
+    path = tmp_path / "missions" / "blink.krt"
+    path.parent.mkdir()
+    path.write_text(MISSION.format(2))
+    return path
+
+
+@pytest.fixture
+def start(tmp_path: Path) -> Iterator[Start]:
+    """Starts the studio on a mission or a folder, in a process of its own."""
+    servers: list[Server] = []
+
+    def run(target: Path) -> Server:
+        servers.append(Server(target, tmp_path / "state"))
+        return servers[-1]
+
+    yield run
+    for server in servers:
+        if server.process.returncode is None:
+            server.kill()
+
+
+@pytest.fixture
+def context(browser: Browser) -> Iterator[BrowserContext]:
+    """A window of the browser in which nothing was opened before."""
+    context = browser.new_context(viewport={"width": WIDTH, "height": HEIGHT})
+    context.set_default_timeout(STATE_MS)
+    yield context
+    context.close()
+
+
+@pytest.fixture
+def studio(open_studio: Callable[..., Studio], tmp_path: Path) -> Studio:
+    """The studio on a copy of that mission, without a process of its own."""
+    source = tmp_path / "source"
+    source.mkdir()
+    (source / "blink.krt").write_text(MISSION.format(2))
+    return open_studio(str(source / "blink.krt"))

@@ -8,7 +8,7 @@ import pytest
 from playwright.sync_api import expect
 
 from tests.studio.conftest import Studio
-from tests.studio.test_reach import find_nothing
+from tests.studio.looks import find_nothing
 
 pytestmark = pytest.mark.browser
 

@@ -9,7 +9,7 @@ from playwright.sync_api import expect
 
 from kitrobot.server.routes import drawing_check as drawing_check_socket
 from tests.patience import PATIENCE_S
-from tests.studio.test_reach import find_nothing
+from tests.studio.looks import find_nothing
 from tests.verifier.check_fixtures import EXAMPLES
 from tests.workspace.test_drawing_check import WAIT
 

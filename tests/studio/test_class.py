@@ -15,7 +15,7 @@ from playwright.sync_api import Browser, Page, expect
 
 from tests.patience import PATIENCE_S, STATE_MS
 from tests.studio.conftest import HEIGHT, WIDTH
-from tests.studio.test_reach import find_nothing
+from tests.studio.looks import find_nothing
 
 pytestmark = pytest.mark.browser
 

@@ -13,7 +13,7 @@ from playwright.sync_api import Position, expect
 from tests.effort import THOROUGH, cases
 from tests.studio.clipping import amiss
 from tests.studio.conftest import Studio, begin_new
-from tests.studio.test_reach import choose
+from tests.studio.looks import choose
 from tests.studio.test_widths import SETTLED
 
 pytestmark = pytest.mark.browser

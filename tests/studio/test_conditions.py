@@ -10,6 +10,9 @@ from tests.studio.test_team import OpenStudio, undo_all
 pytestmark = pytest.mark.browser
 
 
+@pytest.mark.thorough(
+    "web/src/features/team/tab.test.tsx: the conditions, wrong ones and undone; in the file: tests/forms/test_pairs.py"
+)
 def test_radio_and_breakdown_are_set_saved_undone_and_refused_when_wrong(open_studio: OpenStudio) -> None:
     studio = open_studio("transport/transport.krt")
     studio.at("tab-of-team").click()

@@ -9,7 +9,7 @@ import pytest
 from playwright.sync_api import Page, expect
 
 from tests.patience import PATIENCE_S
-from tests.studio.test_reach import find_nothing
+from tests.studio.looks import find_nothing
 
 pytestmark = pytest.mark.browser
 JAM = "exercise-card-example:exercises/12-no-jam.exercise.xml"

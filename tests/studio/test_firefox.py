@@ -14,7 +14,7 @@ import pytest
 from tests.sites import made_site
 from tests.studio.conftest import EXAMPLES, IS_OPEN, ServerThread
 from tests.studio.firefox import Firefox, Tab
-from tests.studio.test_site import BLINK, PATH, FileServer, link
+from tests.studio.sites import BLINK, PATH, FileServer, link
 
 pytestmark = pytest.mark.firefox
 

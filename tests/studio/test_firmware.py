@@ -11,7 +11,7 @@ from playwright.sync_api import expect
 from kitrobot.deploy.firmware import uf2
 from tests.deploy.test_firmware import INFO, RP2350, whole
 from tests.studio.conftest import Studio
-from tests.studio.test_reach import find_nothing
+from tests.studio.looks import find_nothing
 from tests.studio.test_variables import forgive_refusals
 
 pytestmark = pytest.mark.browser

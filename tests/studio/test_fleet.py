@@ -11,7 +11,7 @@ import pytest
 from playwright.sync_api import expect
 
 from tests.studio.conftest import EXAMPLES, Studio
-from tests.studio.test_reach import find_nothing
+from tests.studio.looks import find_nothing
 from tests.studio.test_watching import another_window, status_is
 
 pytestmark = pytest.mark.browser

@@ -8,7 +8,7 @@ import pytest
 from playwright.sync_api import Locator, expect
 
 from tests.studio.conftest import EXAMPLES, LOOKS, Studio
-from tests.studio.test_reach import choose, find_nothing
+from tests.studio.looks import choose, find_nothing
 
 pytestmark = pytest.mark.browser
 

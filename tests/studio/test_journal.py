@@ -7,128 +7,17 @@ import re
 import shutil
 import subprocess
 import sys
-from collections.abc import Callable, Iterator
 from pathlib import Path
 
 import pytest
-from playwright.sync_api import Browser, BrowserContext, Page, Response, expect
+from playwright.sync_api import BrowserContext, Response, expect
 
-from tests.patience import PATIENCE_S, STATE_MS
-from tests.studio.conftest import HEIGHT, WIDTH, Studio, begin_new
+from tests.patience import PATIENCE_S
+from tests.studio.conftest import Studio, begin_new
+from tests.studio.studio_processes import MISSION, Start, another_tab, edit_and_keep, expect_wait, wait_for
 from tests.studio.test_variables import forgive_refusals
 
 pytestmark = pytest.mark.browser
-
-MISSION = """<kitrobot version="1">
-  <program name="blink" robot="mini-robot">
-    <vertex id="start" element="Start"/>
-    <vertex id="v1" element="Wait"><set name="duration">{}</set></vertex>
-    <vertex id="stop" element="Stop"/>
-    <arc from="start" to="v1"/>
-    <arc from="v1" to="stop"/>
-  </program>
-  <team>
-    <agent name="robot-1" program="blink"/>
-  </team>
-</kitrobot>
-"""
-Start = Callable[..., "Server"]
-
-
-class Server:
-    """A studio's process and its address."""
-
-    def __init__(self, target: Path, state: Path) -> None:
-        command = [sys.executable, "-m", "kitrobot", "studio", str(target), "--no-browser", "--port", "0"]
-        self.process = subprocess.Popen(
-            command,
-            stdout=subprocess.PIPE,
-            stderr=subprocess.DEVNULL,
-            text=True,
-            env={**os.environ, "KITROBOT_STATE": str(state)},
-        )
-        assert self.process.stdout is not None
-        found = re.search(r"http://\S+", self.process.stdout.readline())
-        assert found is not None
-        self.address = found.group(0)
-
-    def open(self, context: BrowserContext) -> Page:
-        """A new tab of the studio."""
-        page = context.new_page()
-        page.goto(self.address)
-        expect(page.get_by_test_id("canvas")).to_be_visible()
-        return page
-
-    def kill(self) -> None:
-        """Ends it as a power cut would."""
-        self.process.kill()
-        self.process.wait(PATIENCE_S)
-        assert self.process.stdout is not None
-        self.process.stdout.close()
-
-
-@pytest.fixture
-def mission(tmp_path: Path) -> Path:
-    path = tmp_path / "missions" / "blink.krt"
-    path.parent.mkdir()
-    path.write_text(MISSION.format(2))
-    return path
-
-
-@pytest.fixture
-def start(tmp_path: Path) -> Iterator[Start]:
-    servers: list[Server] = []
-
-    def run(target: Path) -> Server:
-        servers.append(Server(target, tmp_path / "state"))
-        return servers[-1]
-
-    yield run
-    for server in servers:
-        if server.process.returncode is None:
-            server.kill()
-
-
-@pytest.fixture
-def context(browser: Browser) -> Iterator[BrowserContext]:
-    context = browser.new_context(viewport={"width": WIDTH, "height": HEIGHT})
-    context.set_default_timeout(STATE_MS)
-    yield context
-    context.close()
-
-
-@pytest.fixture
-def studio(open_studio: Callable[..., Studio], tmp_path: Path) -> Studio:
-    """The studio on a copy of that mission, without a process of its own."""
-    source = tmp_path / "source"
-    source.mkdir()
-    (source / "blink.krt").write_text(MISSION.format(2))
-    return open_studio(str(source / "blink.krt"))
-
-
-def another_tab(studio: Studio) -> Page:
-    """A new tab on the same studio."""
-    page = studio.page.context.new_page()
-    page.goto(studio.address)
-    expect(page.get_by_test_id("canvas")).to_be_visible()
-    return page
-
-
-def wait_for(page: Page, value: int) -> None:
-    """Sets the duration of the one Wait, in tenths of a second."""
-    page.locator(".vertex", has_text="Wait").first.click()
-    page.get_by_test_id("inspector").locator('input:not([type="range"])').first.fill(f"{value / 10} s")
-    page.keyboard.press("Enter")
-    expect(page.get_by_test_id("code")).to_contain_text(f"WAIT({value})")
-
-
-def expect_wait(page: Page, value: int) -> None:
-    expect(page.get_by_test_id("code")).to_contain_text(f"WAIT({value})")
-
-
-def edit_and_keep(page: Page, value: int) -> None:
-    with page.expect_response(re.compile("/api/journal$")):
-        wait_for(page, value)
 
 
 def saved_journal(answer: Response) -> bool:
@@ -236,6 +125,10 @@ def test_work_that_is_discarded_is_gone_for_good(studio: Studio) -> None:
     expect(page.get_by_test_id("banner")).to_have_count(0)
 
 
+@pytest.mark.thorough(
+    "web/src/session/journal.test.ts: a mission is brought back with its undo; loaded again: "
+    "test_a_page_goes_on_with_the_studio_that_started_after_a_kill"
+)
 def test_a_page_that_is_loaded_again_goes_on(studio: Studio) -> None:
     page = studio.page
     edit_and_keep(page, 9)
@@ -266,6 +159,10 @@ def test_a_new_mission_that_was_never_saved_comes_back(start: Start, mission: Pa
     expect(page.get_by_test_id("title")).to_contain_text("not saved")
 
 
+@pytest.mark.thorough(
+    "web/src/session/disk.test.ts asks; document.test.ts takes the one on disk; tests/server/test_journal.py: a "
+    "page hears that its file changed"
+)
 def test_a_file_changed_on_disk_is_offered_when_nothing_is_unsaved(studio: Studio) -> None:
     page, mission = studio.page, studio.folder / "blink.krt"
     expect_wait(page, 2)
@@ -339,6 +236,10 @@ def test_two_windows_know_of_each_other_and_overwrite_nothing_silently(studio: S
     assert first.get_by_test_id("banner").count() == 0
 
 
+@pytest.mark.thorough(
+    "tests/files/test_recovery.py: a damaged journal gives what is whole and is kept aside; "
+    "web/src/session/journal.test.ts: what is missing is said"
+)
 def test_a_damaged_journal_opens_what_is_whole_of_it(start: Start, mission: Path, context: BrowserContext) -> None:
     server = start(mission)
     page = server.open(context)

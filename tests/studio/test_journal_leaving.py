@@ -1,7 +1,5 @@
 """Work that is left without saving, saved elsewhere, or changed while it is saved."""
 
-# ruff: noqa: F811 (fixtures of test_journal)
-
 from __future__ import annotations
 
 import re
@@ -11,17 +9,7 @@ import pytest
 from playwright.sync_api import BrowserContext, Page, expect
 
 from tests.studio.conftest import Studio, begin_new
-from tests.studio.test_journal import (  # noqa: F401
-    MISSION,
-    Start,
-    another_tab,
-    context,
-    expect_wait,
-    mission,
-    start,
-    studio,
-    wait_for,
-)
+from tests.studio.studio_processes import MISSION, Start, another_tab, expect_wait, wait_for
 from tests.studio.test_variables import forgive_refusals
 
 pytestmark = pytest.mark.browser

@@ -10,7 +10,7 @@ from playwright.sync_api import expect
 
 from tests.effort import THOROUGH, cases
 from tests.studio.conftest import EXAMPLES, Studio
-from tests.studio.test_reach import CUT_OFF, choose
+from tests.studio.looks import CUT_OFF, choose
 
 pytestmark = pytest.mark.browser
 

@@ -8,9 +8,9 @@ import pytest
 from playwright.sync_api import expect
 
 from tests.studio.conftest import Studio
+from tests.studio.looks import find_nothing
 from tests.studio.test_gallery import IS_DRAWN
 from tests.studio.test_parts import ROBOT
-from tests.studio.test_reach import find_nothing
 
 pytestmark = pytest.mark.browser
 

@@ -10,8 +10,8 @@ from playwright.sync_api import Locator, expect
 
 from tests.effort import cases
 from tests.studio.conftest import LOOKS, Studio
-from tests.studio.test_reach import choose as axe_look
-from tests.studio.test_reach import find_nothing
+from tests.studio.looks import choose as axe_look
+from tests.studio.looks import find_nothing
 
 pytestmark = pytest.mark.browser
 

@@ -1,7 +1,5 @@
 """A board at the reader's own computer, behind a port of the page: its MicroPython is sent to, runs, stops, is lost."""
 
-# ruff: noqa: F811 (a fixture of test_robots)
-
 from __future__ import annotations
 
 import re
@@ -16,8 +14,8 @@ from kitrobot.deploy.line.line import Line
 from tests.boards import qemu
 from tests.boards.modern import ModernBoard, onboard_files
 from tests.studio.conftest import Studio
+from tests.studio.robot_rows import ACTIVE, OpenStudio, expect_robot
 from tests.studio.serial_ports import MICROBIT, PICO, Bridge
-from tests.studio.test_robots import ACTIVE, OpenStudio, expect_robot, pulse  # noqa: F401
 from tests.studio.test_watching import another_window
 
 pytestmark = pytest.mark.browser

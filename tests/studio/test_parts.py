@@ -11,7 +11,7 @@ import pytest
 from playwright.sync_api import expect
 
 from tests.studio.conftest import EXAMPLES, Studio
-from tests.studio.test_reach import choose, find_nothing
+from tests.studio.looks import choose, find_nothing
 from tests.studio.test_variables import forgive_refusals, row
 
 pytestmark = pytest.mark.browser

@@ -12,7 +12,7 @@ from playwright.sync_api import expect
 
 import kitrobot
 from tests.studio.conftest import EXAMPLES, LOOKS, Studio
-from tests.studio.test_reach import choose, find_nothing
+from tests.studio.looks import choose, find_nothing
 
 pytestmark = pytest.mark.browser
 

@@ -3,86 +3,18 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Iterator
-from contextlib import ExitStack
-from pathlib import Path
+from collections.abc import Callable
 
 import pytest
 from playwright.sync_api import Locator, expect
 
-from tests.boards.host import SEEN_PACE, HostBoard, host_board, write_pulse
+from tests.boards.host import HostBoard
 from tests.studio.conftest import Studio
-from tests.studio.test_reach import choose, find_nothing
+from tests.studio.looks import choose, find_nothing
+from tests.studio.robot_rows import ACTIVE, OpenStudio, again, connect, expect_robot, run_anew
 from tests.studio.test_watching import another_window
 
 pytestmark = pytest.mark.browser
-
-OpenStudio = Callable[..., Studio]
-ACTIVE = ".vertex.is-active"
-
-
-def write_quick_pulse(folder: Path, broken: bool = False) -> Path:
-    """The mission `pulse` with short waits, for its robots go at a tenth of their pace; and its robot, as files."""
-    mission = write_pulse(folder, broken)
-    mission.write_text(mission.read_text().replace('<set name="duration">3</set>', '<set name="duration">1</set>'))
-    return mission
-
-
-@pytest.fixture
-def pulse(open_studio: OpenStudio, tmp_path: Path) -> Callable[..., Studio]:
-    """Opens the studio on the mission `pulse`, with its robot; `broken` as in `write_pulse`."""
-
-    def opened(broken: bool = False, **device: object) -> Studio:
-        source = tmp_path / "source"
-        source.mkdir()
-        # An absolute path stays what it is when it is joined to the folder of the examples.
-        return open_studio(str(write_quick_pulse(source, broken)), **device)
-
-    return opened
-
-
-@pytest.fixture
-def robots(tmp_path: Path) -> Iterator[Callable[..., HostBoard]]:
-    """Starts robots on the network that have `pulse`."""
-    with ExitStack() as stack:
-
-        def robot(broken: bool = False) -> HostBoard:
-            folder = tmp_path / "robots"
-            folder.mkdir(exist_ok=True)
-            return stack.enter_context(host_board(write_quick_pulse(folder, broken), "pulse", SEEN_PACE))
-
-        yield robot
-
-
-def connect(studio: Studio, robot: HostBoard) -> Locator:
-    """Greets a robot on the network; its place in the panel."""
-    if not studio.at("robots").is_visible():
-        studio.page.keyboard.press("Alt+r")
-    studio.at("robots-address").fill(robot.address)
-    studio.page.keyboard.press("Enter")
-    found = studio.page.locator(f'[data-testid="robot"][data-address="{robot.address}"]')
-    expect_robot(found, phase="open")
-    return found
-
-
-def again(studio: Studio, robot: HostBoard) -> Locator:
-    """Loads the page again and opens the panel; the robot's place there."""
-    studio.page.reload()
-    expect(studio.page.locator('[data-testid="code"] .cm-line').first).not_to_be_empty()
-    studio.page.keyboard.press("Alt+r")
-    return studio.page.locator(f'[data-testid="robot"][data-address="{robot.address}"]')
-
-
-def expect_robot(robot: Locator, **states: str) -> None:
-    for name, value in states.items():
-        expect(robot.get_by_test_id("robot-state")).to_have_attribute(f"data-{name}", value)
-
-
-def run_anew(robot: Locator) -> None:
-    robot.get_by_test_id("robot-stop").click()
-    expect_robot(robot, state="ready")
-    robot.get_by_test_id("robot-run").click()
-    expect_robot(robot, state="running")
 
 
 def a_robot_runs_glows_is_watched_and_stopped(studio: Studio, robot: Locator) -> None:

@@ -1,7 +1,5 @@
 """Real robots that are lost or fail in the studio, and their recordings: saved, played, what they say of a fault."""
 
-# ruff: noqa: F811 (fixtures of test_robots)
-
 from __future__ import annotations
 
 import re
@@ -13,16 +11,8 @@ from playwright.sync_api import Locator, expect
 from kitrobot.workspace.traces import open_trace
 from tests.boards.host import HostBoard
 from tests.studio.conftest import Studio
-from tests.studio.test_reach import find_nothing
-from tests.studio.test_robots import (  # noqa: F401
-    ACTIVE,
-    OpenStudio,
-    connect,
-    expect_robot,
-    pulse,
-    robots,
-    run_anew,
-)
+from tests.studio.looks import find_nothing
+from tests.studio.robot_rows import ACTIVE, OpenStudio, connect, expect_robot, run_anew
 
 pytestmark = pytest.mark.browser
 

@@ -10,7 +10,7 @@ from playwright.sync_api import expect
 
 from tests.effort import cases
 from tests.studio.conftest import LOOKS, Studio
-from tests.studio.test_reach import AXE, choose, find_nothing
+from tests.studio.looks import AXE, choose, find_nothing
 
 pytestmark = pytest.mark.browser
 

@@ -12,10 +12,10 @@ from kitrobot.workspace.traces import open_trace
 from tests.boards.modern import ModernBoard
 from tests.boards.qemu import running
 from tests.boards.test_bench import UNPLUGGED
+from tests.studio.robot_rows import expect_robot
 from tests.studio.serial_ports import PICO, Bridge
+from tests.studio.sites import FileServer, Visit, example, follow_link, opened
 from tests.studio.test_page_ports import DEPLOY_MS, expect_stop_when_pulled
-from tests.studio.test_robots import expect_robot
-from tests.studio.test_site import FileServer, Visit, example, follow_link, opened, server, site, visit  # noqa: F401
 
 pytestmark = [
     pytest.mark.browser,
@@ -29,8 +29,8 @@ pytestmark = [
 
 
 def test_boards_are_sent_to_watched_stopped_and_tried_by_python_in_the_page(
-    server: FileServer,  # noqa: F811
-    visit: Callable[..., Visit],  # noqa: F811
+    server: FileServer,
+    visit: Callable[..., Visit],
     tmp_path: Path,
 ) -> None:
     with (

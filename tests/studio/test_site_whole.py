@@ -9,11 +9,11 @@ import pytest
 from playwright.sync_api import Page, expect
 
 from tests.studio.conftest import IS_OPEN, Studio
+from tests.studio.sites import MEMORY, FileServer, Visit, follow_link, opened
 from tests.studio.test_check import greedy_text
 from tests.studio.test_exercises import JAM
 from tests.studio.test_files_out import keep
 from tests.studio.test_recordings import drop, expect_tick, value
-from tests.studio.test_site import MEMORY, FileServer, Visit, follow_link, opened, server, site, visit  # noqa: F401
 from tests.studio.test_tutorials import at_step, begin, first_steps_until_run
 
 pytestmark = [
@@ -127,8 +127,8 @@ def with_each_tab_alone_where_there_are_no_locks(page: Page, address: str) -> Pa
 
 
 def test_all_of_the_studio_runs_in_a_site_and_what_is_damaged_loses_nothing(
-    server: FileServer,  # noqa: F811
-    visit: Callable[..., Visit],  # noqa: F811
+    server: FileServer,
+    visit: Callable[..., Visit],
     tmp_path: Path,
 ) -> None:
     made = visit()
@@ -153,7 +153,7 @@ def test_all_of_the_studio_runs_in_a_site_and_what_is_damaged_loses_nothing(
     what_was_kept_and_cannot_be_read_is_told_and_not_written_over(studio, server)
 
 
-def what_was_kept_and_cannot_be_read_is_told_and_not_written_over(studio: Studio, server: FileServer) -> None:  # noqa: F811
+def what_was_kept_and_cannot_be_read_is_told_and_not_written_over(studio: Studio, server: FileServer) -> None:
     page = studio.page
     page.goto(f"{server.address}site.json")
     page.evaluate(LATER)

@@ -6,7 +6,7 @@ import pytest
 from playwright.sync_api import expect
 
 from tests.patience import PATIENCE_S
-from tests.studio.test_reach import find_nothing
+from tests.studio.looks import find_nothing
 
 pytestmark = pytest.mark.browser
 

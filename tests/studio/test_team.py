@@ -9,7 +9,7 @@ import pytest
 from playwright.sync_api import expect
 
 from tests.studio.conftest import EXAMPLES, LOOKS, Studio
-from tests.studio.test_reach import choose, find_nothing
+from tests.studio.looks import choose, find_nothing
 from tests.studio.test_variables import save
 
 pytestmark = pytest.mark.browser
@@ -32,6 +32,10 @@ def undo_all(studio: Studio) -> None:
     raise AssertionError("undo never ends")
 
 
+@pytest.mark.thorough(
+    "web/src/features/team/tab.test.tsx: robots are named, moved, added, copied and removed, each undone; a start "
+    "of its own: web/src/session/add-starting.test.ts"
+)
 def test_robots_are_added_named_given_a_program_moved_copied_and_removed(open_studio: OpenStudio) -> None:
     studio = open_studio(TRANSPORT)
     file = "transport.krt"
@@ -116,6 +120,10 @@ def robots_without_a_start_are_put_on_free_ones_by_one_click(studio: Studio) -> 
     assert 'world href="ring.world.xml"' in save(studio, "square.krt")
 
 
+@pytest.mark.thorough(
+    "web/src/features/team/tab.test.tsx: title and help are written in the language of the page; in the file: "
+    "tests/forms/test_pairs.py"
+)
 def test_the_title_is_written_in_the_language_of_the_page(open_studio: OpenStudio) -> None:
     studio = open_studio(SQUARE)
     before = (studio.folder / "square.krt").read_text(encoding="utf-8")

@@ -30,6 +30,10 @@ def let_fail(studio: Studio, robot: str) -> None:
     studio.at("menu-harm-fail").click()
 
 
+@pytest.mark.thorough(
+    "tests/server/test_tutorials.py: a team's program is held against a tutorial; "
+    "web/src/features/tutorial/watching.test.ts: a member waits; by hand: test_when_one_fails"
+)
 def test_together_step_by_step(open_studio: OpenStudio) -> None:
     studio = open_studio(BLINK)
     begin(studio, "together-in-step")

@@ -8,7 +8,7 @@ import pytest
 from playwright.sync_api import expect
 
 from tests.studio.conftest import LOOKS, Studio
-from tests.studio.test_reach import choose, find_nothing
+from tests.studio.looks import choose, find_nothing
 from tests.studio.test_variables import save
 
 pytestmark = pytest.mark.browser

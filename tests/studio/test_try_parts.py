@@ -12,7 +12,7 @@ from kitrobot.workspace.kit_files import kits_at_hand
 from tests.boards.modern import ModernBoard
 from tests.boards.test_bench import SLOW, UNPLUGGED
 from tests.studio.conftest import Studio
-from tests.studio.test_reach import find_nothing
+from tests.studio.looks import find_nothing
 
 pytestmark = pytest.mark.browser
 

@@ -8,7 +8,7 @@ import pytest
 from playwright.sync_api import expect
 
 from tests.studio.conftest import LOOKS, Studio
-from tests.studio.test_reach import choose, find_nothing
+from tests.studio.looks import choose, find_nothing
 
 pytestmark = pytest.mark.browser
 
@@ -166,6 +166,10 @@ def test_first_steps_by_keyboard_alone_in_urdu(open_studio: OpenStudio) -> None:
     done(studio, *range(1, 10))
 
 
+@pytest.mark.thorough(
+    "tests/tutorial/test_shipped.py: each step of sensing, and a wrong way; web/src/features/tutorial/Panel.test.tsx: "
+    "what is undone is open again; progress.test.ts: what was run, was run"
+)
 def test_sensing_with_a_wrong_way_and_undo(open_studio: OpenStudio) -> None:
     studio = open_studio(BLINK)
     begin(studio, "sensing")
@@ -236,6 +240,10 @@ def test_together_with_two_branches_and_two_programs(open_studio: OpenStudio) ->
     done(studio, *range(1, 9))
 
 
+@pytest.mark.thorough(
+    "web/src/features/tutorial/state.test.ts: it jumps over what was done before its time; "
+    "tests/server/test_tutorials.py: another right way; more than asked: tests/tutorial/test_matching.py"
+)
 def test_later_steps_first_another_right_way_and_more_than_was_asked(open_studio: OpenStudio) -> None:
     studio = open_studio(BLINK)
     begin(studio, "first-steps")

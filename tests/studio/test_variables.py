@@ -9,7 +9,7 @@ import pytest
 from playwright.sync_api import expect
 
 from tests.studio.conftest import Studio
-from tests.studio.test_reach import choose, find_nothing
+from tests.studio.looks import choose, find_nothing
 
 pytestmark = pytest.mark.browser
 

@@ -9,7 +9,7 @@ from playwright.sync_api import expect
 
 from tests.effort import THOROUGH, cases
 from tests.studio.conftest import Studio
-from tests.studio.test_reach import choose, find_nothing
+from tests.studio.looks import choose, find_nothing
 
 pytestmark = pytest.mark.browser
 

@@ -9,8 +9,8 @@ import pytest
 from playwright.sync_api import expect
 
 from tests.studio.conftest import LOOKS, Studio
-from tests.studio.test_reach import choose as choose_look
-from tests.studio.test_reach import find_nothing
+from tests.studio.looks import choose as choose_look
+from tests.studio.looks import find_nothing
 from tests.studio.test_undo import press_until_nothing_is_left, save
 
 pytestmark = pytest.mark.browser

@@ -12,7 +12,7 @@ from dataclasses import dataclass, field
 from kitrobot.team.changes import AppliedNote, Change
 from kitrobot.team.charter import Charter
 from kitrobot.team.commands import Note, Seat
-from kitrobot.team.decision import is_quorum
+from kitrobot.team.consensus import is_quorum
 from kitrobot.team.events import Event, IncomingMessage, Time, Write
 from kitrobot.team.member import step
 from kitrobot.team.messages import EVERYONE, Message

@@ -12,7 +12,7 @@ from typing import cast
 import pytest
 
 from kitrobot.team.commands import Batch, Command, Note, Seat
-from kitrobot.team.decision import Decision, SynodMessage, attempt, is_quorum, receive
+from kitrobot.team.consensus import Decision, SynodMessage, attempt, is_quorum, receive
 from kitrobot.team.messages import EVERYONE, Ballot, Chosen, OutgoingMessage, Propose
 from tests.effort import cases
 

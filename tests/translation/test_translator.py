@@ -13,7 +13,7 @@ from kitrobot.text.phrases import one_of
 from kitrobot.text.sentences import COMMA, SEMICOLON, Label, Recorded, Sentence, Series, Word
 from kitrobot.translation import translator
 from kitrobot.translation.catalogue import Catalogue
-from kitrobot.translation.languages import best_language, override_language, reader_language, translate
+from kitrobot.translation.reader_language import best_language, override_language, reader_language, translate
 from kitrobot.translation.recorded import LONGEST, recalled
 from kitrobot.translation.translator import translate_to
 

@@ -39,6 +39,19 @@ DRAWN = {
         {"draw": f"Pen.Colour(3); Pen.PenDown(); 5*({SIDE}; Motor.AbsoluteTurn(40, 50));"},
         {},
     ),
+    "sensing": (
+        None,
+        {"look": "*[Captor.GreaterThan(40)]();"},
+        {"look": "*[Captor.GreaterThan(40)](Wheel.Advance(50));"},
+        {"look": "*[Captor.GreaterThan(40)](Wheel.Advance(50)); Wheel.Stop();"},
+        {},
+        {"look": f"*[Captor.GreaterThan(40)](Wheel.Advance(50)); Wheel.Stop(); {TURN};"},
+        {
+            "look": f"*[Captor.GreaterThan(40)](Wheel.Advance(50)); Wheel.Stop(); {TURN}; "
+            "[Captor.GreaterThan(40)](Light.LightOn());"
+        },
+        {},
+    ),
     "faster": (
         {},
         {"faster": "6*(Wheel.Advance(Level.Value()); WAIT(5)); Wheel.Stop();"},
@@ -78,27 +91,38 @@ def done(tutorial: Tutorial, opened: OpenMission, mission: Mission) -> list[bool
     return watched(tutorial, mission, opened.catalogue)
 
 
-@pytest.mark.parametrize("name", DRAWN)
-def test_each_step_is_done_by_what_it_asks_for_and_not_before(name: str, tmp_path: Path) -> None:
-    studio = Studio(tmp_path, None)
+def opened(name: str, folder: Path) -> tuple[Tutorial, OpenMission]:
+    """A tutorial and the mission that it begins with."""
+    studio = Studio(folder, None)
     tutorial, start = studio.tutorials.usable(f"example:tutorials/{name}/{name}.tutorial.xml")
     data, _ = studio.folder.read(start)
-    opened = studio.read(data, start, start)
-    mission = opened.mission
+    return tutorial, studio.read(data, start, start)
+
+
+@pytest.mark.parametrize("name", DRAWN)
+def test_each_step_is_done_by_what_it_asks_for_and_not_before(name: str, tmp_path: Path) -> None:
+    tutorial, start = opened(name, tmp_path)
+    mission = start.mission
     steps = DRAWN[name]
     assert len(steps) == len(tutorial.steps)
     for at, texts in enumerate(steps):
         if texts is None:
             continue
         if texts:
-            assert not done(tutorial, opened, mission)[at], tutorial.steps[at].label[""]
-        mission = with_programs(opened, mission, texts)
-        assert done(tutorial, opened, mission)[at], tutorial.steps[at].label[""]
+            assert not done(tutorial, start, mission)[at], tutorial.steps[at].label[""]
+        mission = with_programs(start, mission, texts)
+        assert done(tutorial, start, mission)[at], tutorial.steps[at].label[""]
         assert bool(tutorial.steps[at].events) == (texts == {})
-    assert all(done(tutorial, opened, mission)[at] for at, texts in enumerate(steps) if texts != {})
-    made = replace(opened, mission=mission).run(seconds=60)
+    assert all(done(tutorial, start, mission)[at] for at, texts in enumerate(steps) if texts != {})
+    made = replace(start, mission=mission).run(seconds=60)
     assert made.outcome == "done", made.sentence
     assert made.seconds < 45
+
+
+def test_what_stands_behind_a_loop_is_not_what_is_wanted_in_it(tmp_path: Path) -> None:
+    tutorial, start = opened("sensing", tmp_path)
+    behind = with_programs(start, start.mission, {"look": "*[Captor.GreaterThan(40)](); Wheel.Advance(50);"})
+    assert done(tutorial, start, behind)[:3] == [True, True, False]
 
 
 def test_what_an_unchanged_start_does_is_seen_to_its_end() -> None:

@@ -8,7 +8,7 @@ import tracemalloc
 import pytest
 
 from kitrobot.exercise.exercise_xml import PROPERTIES
-from kitrobot.mission.property_xml import READY, READY_OF_AGENTS, is_ready
+from kitrobot.mission.property_forms import READY, READY_OF_AGENTS, is_ready
 from kitrobot.sim.simulation import Simulation
 from kitrobot.verifier.exploration import exploration
 from kitrobot.verifier.exploration.budget import Budget, CutReason

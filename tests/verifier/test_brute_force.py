@@ -17,7 +17,7 @@ import pytest
 
 from kitrobot.image.machine import Machine
 from kitrobot.lll.printer import print_program
-from kitrobot.mission.property_xml import AskedProperty, Form
+from kitrobot.mission.property_forms import AskedProperty, Form
 from kitrobot.sim.simulation import Simulation
 from kitrobot.sim.tables.state import numbers
 from kitrobot.sim.team.shared_variables import SHARED_VALUE

@@ -18,7 +18,7 @@ import pytest
 
 from kitrobot.lll.printer import print_program
 from kitrobot.mission.model import Goal
-from kitrobot.mission.property_xml import AskedProperty, Form
+from kitrobot.mission.property_forms import AskedProperty, Form
 from kitrobot.sim.simulation import Simulation
 from kitrobot.verifier.exploration.budget import Budget
 from kitrobot.verifier.exploration.exploration import explore

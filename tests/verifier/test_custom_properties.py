@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from kitrobot.mission.property_xml import AskedProperty, Form
+from kitrobot.mission.property_forms import AskedProperty, Form
 from kitrobot.sim.simulation import Simulation
 from kitrobot.verifier.exploration.budget import Budget
 from kitrobot.verifier.model.abstraction import abstract_run

@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 
 from kitrobot.checking.verification import VerificationOptions, verify
-from kitrobot.mission.property_xml import AskedProperty, Form
+from kitrobot.mission.property_forms import AskedProperty, Form
 from kitrobot.verifier.exploration.budget import Budget
 from kitrobot.verifier.model.abstraction import abstract_run
 from kitrobot.verifier.model.model import Model

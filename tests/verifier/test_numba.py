@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import pytest
 
-from kitrobot.mission.property_xml import AskedProperty, Form
+from kitrobot.mission.property_forms import AskedProperty, Form
 from kitrobot.verifier.exploration.budget import Budget
 from kitrobot.verifier.exploration.engines import PLAIN, Engine
 from kitrobot.verifier.exploration.exploration import StateSpace, explore

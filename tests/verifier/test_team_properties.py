@@ -9,7 +9,7 @@ from typing import Any
 import pytest
 
 from kitrobot.lll.parse_results import parse_team
-from kitrobot.mission.property_xml import AskedProperty, Form
+from kitrobot.mission.property_forms import AskedProperty, Form
 from kitrobot.sim.simulation import Simulation
 from kitrobot.verifier.exploration.budget import Budget
 from kitrobot.verifier.model.abstraction import abstract_run

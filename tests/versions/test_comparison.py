@@ -12,7 +12,7 @@ from kitrobot.diagnostics.problems import ProblemsError
 from kitrobot.graph.model import Arc, Vertex
 from kitrobot.lll.tree import RoleDeclaration, WorkDeclaration
 from kitrobot.primitives.levels import Level
-from kitrobot.translation.languages import override_language, translate
+from kitrobot.translation.reader_language import override_language, translate
 from kitrobot.versions.comparison import differences
 from kitrobot.versions.file_comparison import CompareError, compare_files
 from kitrobot.versions.mission_merge import merge_missions

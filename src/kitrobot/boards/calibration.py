@@ -33,6 +33,9 @@ USUAL_RATE = 180
 
 MOST_MM, MOST_DEGREES = 20_000, 3600
 LEAST_RATE, MOST_RATE = 10, 2000
+MOST_SPEED = 5000
+"""Millimetres a second at full speed that a driver takes."""
+
 LEAST_COUNTS, MOST_COUNTS = 20, 100_000
 _WAIT_S = 0.1
 _MOST_NOISE = 50.0
@@ -111,6 +114,7 @@ def calibrated(kit: Kit, answers: Answers) -> Kit:
         _refuse_outside(answers.distances, 1, MOST_MM, Sentence("millimetres"))
         full = fmean(answers.distances) / (note.lasts * _WAIT_S) * 100 / note.arguments[0]
         told = {"speed": _written(full), **_noise(answers.distances)}
+        made = _driving(made, full)
         measured |= {"drive": told, "wheel": told}
     if answers.turns:
         note = notes["turn"]
@@ -179,6 +183,20 @@ def _rewired(part: KitPart, swapped: bool, backward: set[str]) -> KitPart:
         settings[name] = "no" if settings.get(name) == "yes" else "yes"
     kept = {name: value for name, value in settings.items() if (name, value) not in _USUAL}
     return replace(part, board=replace(part.board, settings=kept))
+
+
+def _driving(kit: Kit, full_mm_s: float) -> Kit:
+    """The kit whose driver knows how fast it drives at full speed; one that follows a road drives no distances."""
+    speed = {"speed": str(max(LEAST_RATE, min(round(full_mm_s), MOST_SPEED)))}
+    return replace(
+        kit,
+        parts=tuple(
+            replace(part, board=replace(part.board, settings={**part.board.settings, **speed}))
+            if part.category is Category.ACTUATOR and not part.is_missing and "drive" in part.devices and not part.when
+            else part
+            for part in kit.parts
+        ),
+    )
 
 
 def _turning(kit: Kit, part_turned: float) -> tuple[Kit, dict[str, str]]:

@@ -15,7 +15,7 @@ from kitrobot.diagnostics.problems import ProblemsError
 from kitrobot.files.disk import read_text
 from kitrobot.files.embedded_mission import is_picture
 from kitrobot.files.examples import find_mission
-from kitrobot.files.forms import Form, form_of
+from kitrobot.files.program_formats import Form, form_of
 from kitrobot.primitives.kit import Kit
 from kitrobot.primitives.robot import Robot
 from kitrobot.robots import board_operations

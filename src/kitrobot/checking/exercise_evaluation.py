@@ -3,7 +3,7 @@
 The work is bounded by steps: each run ends after the exercise's simulated seconds, each check after its states. `stop`
 ends it between two stretches of a run or within a check; results found until then are returned. The result contains
 nothing that depends on wall-clock time. Left to others: what a goal is (`exercise`), processes and tables for a class
-(`class_grader`).
+(`classroom.grading`).
 """
 
 from __future__ import annotations

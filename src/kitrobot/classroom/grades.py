@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from dataclasses import asdict, dataclass
 from typing import Any, Final
 
-from kitrobot.translation.languages import override_language, translate
+from kitrobot.translation.reader_language import override_language, translate
 from kitrobot.translation.translator import LANGUAGES
 
 LONGEST_TEXT: Final = 500

@@ -11,8 +11,8 @@ from kitrobot.classroom.names import ENDING, free_name, key_of, work_name
 from kitrobot.classroom.pupil_status import HandIn
 from kitrobot.files.disk import FileError, read_bytes, write_atomic
 from kitrobot.files.folder import revision_of
+from kitrobot.files.folder_quota import QuotaError
 from kitrobot.files.listing import utc_moment
-from kitrobot.files.quota import QuotaError
 from kitrobot.text.sentences import Sentence
 
 MOST_FILES: Final = 100

@@ -70,7 +70,7 @@ def try_parts(
     from kitrobot.boards.bench import bench_of
     from kitrobot.boards.bench_run import BenchRun
     from kitrobot.boards.calibration import bench_robot
-    from kitrobot.translation.languages import override_language
+    from kitrobot.translation.reader_language import override_language
     from kitrobot.workspace.kit_files import find_kit
     from kitrobot.workspace.robots import find_robot
 
@@ -153,7 +153,7 @@ def _try_step(
 ) -> tuple[dict[str, Any], KitRobotError | None]:
     """Tries one step for `seconds` and returns its result; `gone`: why it cannot be tried any more."""
     from kitrobot.primitives.value_format import format_value
-    from kitrobot.translation.languages import translate
+    from kitrobot.translation.reader_language import translate
 
     values: list[int] = []
     error = gone
@@ -183,7 +183,7 @@ def _try_step(
 
 
 def _table(rows: list[dict[str, Any]], bench: Bench) -> None:
-    from kitrobot.translation.languages import translate
+    from kitrobot.translation.reader_language import translate
 
     words = [(_step_name(row["part"], row["call"]), row) for row in rows]
     width = max(len(name) for name, _ in words)
@@ -216,7 +216,7 @@ def _control_by_keys(run: BenchRun, bench: Bench) -> None:
     from kitrobot.boards.bench_run import OF_THE_BOARD
     from kitrobot.cli.key_input import ESCAPE, read_keys
     from kitrobot.primitives.value_format import format_value
-    from kitrobot.translation.languages import translate
+    from kitrobot.translation.reader_language import translate
 
     print_message(_HELP)
     for part, why in bench.left_out:

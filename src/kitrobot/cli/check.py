@@ -41,7 +41,7 @@ def check_files(
     """
     from kitrobot.diagnostics.problems import with_help, written_out
     from kitrobot.diagnostics.renderer import to_json
-    from kitrobot.translation.languages import override_language
+    from kitrobot.translation.reader_language import override_language
     from kitrobot.workspace.file_check import check_file
     from kitrobot.workspace.robots import find_robot
 

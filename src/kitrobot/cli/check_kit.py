@@ -43,7 +43,7 @@ def _programs(path: Path, kit: Kit, robot: str | None) -> list[ProgramOnKit]:
     from kitrobot.boards.kits import mission_on_kit, text_on_kit
     from kitrobot.boards.programs import no_robot
     from kitrobot.files.embedded_mission import is_picture
-    from kitrobot.files.forms import Form, form_of
+    from kitrobot.files.program_formats import Form, form_of
     from kitrobot.workspace.mission_loader import open_mission
 
     if is_picture(path.name) or form_of(path, (Form.TEXT, Form.MISSION)) is Form.MISSION:
@@ -54,7 +54,7 @@ def _programs(path: Path, kit: Kit, robot: str | None) -> list[ProgramOnKit]:
 
 
 def _write(program: ProgramOnKit, kit: Kit) -> None:
-    from kitrobot.translation.languages import translate
+    from kitrobot.translation.reader_language import translate
 
     heading = f"{sanitize(program.program)} (robot {sanitize(program.robot)}) on {sanitize(kit.name)}:"
     table = [_row(one) for one in program.parts]
@@ -77,7 +77,7 @@ def _row(one: PartOnKit) -> tuple[str, str, str]:
 
 
 def _words(one: PartOnKit) -> str:
-    from kitrobot.translation.languages import translate
+    from kitrobot.translation.reader_language import translate
 
     if one.found is None or one.found.is_missing:
         why = translated(one.found.help) if one.found is not None else ""
@@ -92,7 +92,7 @@ def _words(one: PartOnKit) -> str:
 
 
 def _object(program: ProgramOnKit) -> dict[str, Any]:
-    from kitrobot.translation.languages import translate
+    from kitrobot.translation.reader_language import translate
 
     return {
         "program": program.program,

@@ -35,6 +35,6 @@ Language = Annotated[
 def translated(texts: Texts) -> str:
     """The text in the reader's language (`kitrobot.translation`), else in English, else ""."""
     from kitrobot.text.sentences import Label
-    from kitrobot.translation.languages import translate
+    from kitrobot.translation.reader_language import translate
 
     return translate(Label("", texts))

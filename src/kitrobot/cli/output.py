@@ -60,7 +60,7 @@ def failure_json() -> str:
 def error_object(error: KitRobotError) -> dict[str, Any]:
     """`message`, `help`, and `diagnostics` as `kitrobot check --json` prints them."""
     from kitrobot.diagnostics.renderer import to_json
-    from kitrobot.translation.languages import translate
+    from kitrobot.translation.reader_language import translate
 
     return {
         "message": translate(error.message),
@@ -207,7 +207,7 @@ def print_diagnostics(diagnostics: Iterable[Diagnostic], sources: Iterable[Sourc
 
 def print_error(error: KitRobotError) -> None:
     """Prints an error on standard error: its diagnostics, its sentence and its help."""
-    from kitrobot.translation.languages import translate
+    from kitrobot.translation.reader_language import translate
 
     record_error(error.message, error.help)
     place: Place | None = getattr(error, "place", None)

@@ -21,7 +21,7 @@ from kitrobot.diagnostics.model import Diagnostic, KitRobotError, Place, Severit
 from kitrobot.diagnostics.read_files import expect_output
 from kitrobot.diagnostics.regular import expect_regular, open_regular
 from kitrobot.files.file_lock import FileLock
-from kitrobot.files.quota import expect_room, expect_room_for_folder
+from kitrobot.files.folder_quota import expect_room, expect_room_for_folder
 from kitrobot.text.forms import line_feeds, no_text, older_copy
 from kitrobot.text.sentences import Help, Sentence, Word
 

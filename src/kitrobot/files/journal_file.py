@@ -24,7 +24,7 @@ from typing import Any
 
 from kitrobot.diagnostics.model import KitRobotError
 from kitrobot.files.disk import FileError, read_bytes, write_atomic
-from kitrobot.files.quota import expect_room_for_more
+from kitrobot.files.folder_quota import expect_room_for_more
 from kitrobot.text.sentences import Sentence, Word
 
 FORMAT = b"kitrobot journal 1\n"

@@ -22,7 +22,7 @@ from kitrobot.mission.trial import FailureKind
 from kitrobot.sim.event_text import Event
 from kitrobot.sim.host_step import TickResult, begin_hosted_step, finish_hosted_step, fits, report_write
 from kitrobot.sim.simulation import Simulation
-from kitrobot.sim.step.faults import AWAY, HELD
+from kitrobot.sim.step.fault_injection import AWAY, HELD
 from kitrobot.sim.tables.columns import (
     CAUSE,
     DOWN,

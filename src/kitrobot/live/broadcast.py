@@ -19,7 +19,7 @@ from kitrobot.live.feed import Channel, Feed
 from kitrobot.live.run_encoder import MOST_EVENTS_SENT
 from kitrobot.mission.model import Mission
 from kitrobot.text.json_text import to_json
-from kitrobot.translation.languages import reader_language, translate
+from kitrobot.translation.reader_language import reader_language, translate
 from kitrobot.wire.run import ErrorMessage, StartedMessage, StateMessage
 
 MOST_WATCHERS = 200

@@ -15,7 +15,7 @@ from kitrobot.wire.board import BoardWay
 
 if TYPE_CHECKING:
     from kitrobot.deploy.firmware.ports import Port
-    from kitrobot.robots.link import Link
+    from kitrobot.robots.board_link import Link
     from kitrobot.robots.program import BoardProgram
 
 Progress = Callable[[str, int, int], None]

@@ -26,7 +26,7 @@ from kitrobot.live.robot_gateway import RobotGateway
 from kitrobot.live.robot_subscriber import AT_PAGE, MOST_BOARDS, RobotSubscriber
 from kitrobot.live.team_controller import TeamController
 from kitrobot.text.sentences import Sentence
-from kitrobot.translation.languages import reader_language
+from kitrobot.translation.reader_language import reader_language
 from kitrobot.wire.board import BoardGoneMessage, BoardPortShape, BoardPortsMessage
 
 if TYPE_CHECKING:

@@ -14,7 +14,7 @@ from dataclasses import dataclass, field
 from kitrobot.graph.model import Program
 from kitrobot.lll.tree import GroupDeclaration, RoleDeclaration, WorkDeclaration
 from kitrobot.mission.breakdown import Breakdown
-from kitrobot.mission.property_xml import AskedProperty
+from kitrobot.mission.property_forms import AskedProperty
 from kitrobot.mission.radio import Radio
 from kitrobot.mission.trial import Breakpoint, Failure
 from kitrobot.primitives.constructors import Constructor

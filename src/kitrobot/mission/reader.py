@@ -14,7 +14,7 @@ from kitrobot.mission.breakdown import BREAKDOWN, the_breakdown
 from kitrobot.mission.declarations import DECLARATIONS
 from kitrobot.mission.migrations import migrate
 from kitrobot.mission.model import ALL, VERSION, Agent, Goal, Mission, Team
-from kitrobot.mission.property_xml import PROPERTIES, AskedProperty
+from kitrobot.mission.property_forms import PROPERTIES, AskedProperty
 from kitrobot.mission.radio import RADIO, Radio
 from kitrobot.mission.trial import TRIAL, Breakpoint, Failure, check_trial
 from kitrobot.primitives.constructors import Constructor

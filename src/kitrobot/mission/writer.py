@@ -14,7 +14,7 @@ from kitrobot.graph.graph_xml import write_program
 from kitrobot.mission.breakdown import write_breakdown
 from kitrobot.mission.declarations import write_declarations
 from kitrobot.mission.model import Mission, Team
-from kitrobot.mission.property_xml import write_property
+from kitrobot.mission.property_forms import write_property
 from kitrobot.mission.radio import write_radio
 from kitrobot.mission.trial import write_breakpoint, write_failure
 from kitrobot.primitives.own_xml import write_constructor, write_variable

@@ -17,7 +17,7 @@ from pathlib import Path
 from kitrobot.diagnostics.model import KitRobotError
 from kitrobot.files.disk import make_folder, write_atomic
 from kitrobot.text.sentences import Sentence
-from kitrobot.translation.languages import override_language, translate
+from kitrobot.translation.reader_language import override_language, translate
 from kitrobot.translation.translator import ENGLISH, LANGUAGES
 
 COMMENT = Sentence("Draw programs for small robots, and run them")

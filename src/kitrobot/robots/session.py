@@ -17,8 +17,8 @@ from kitrobot.deploy.line.board import Hello
 from kitrobot.deploy.line.news import Fault, News, Text
 from kitrobot.diagnostics.model import KitRobotError
 from kitrobot.primitives.value_format import held_by_hand, set_by_hand
+from kitrobot.robots.board_link import Link
 from kitrobot.robots.faults import fault_event
-from kitrobot.robots.link import Link
 from kitrobot.robots.names import BoardNames
 from kitrobot.robots.recording_context import RecordingContext
 from kitrobot.robots.state import Change, ChangeKind, RobotEvent, RobotState

@@ -10,7 +10,7 @@ from kitrobot.deploy.errors import LineError, SilentError
 from kitrobot.deploy.line.board import Hello, is_slow
 from kitrobot.deploy.line.news import Fault, News, Text
 from kitrobot.diagnostics.model import KitRobotError
-from kitrobot.robots.link import Link
+from kitrobot.robots.board_link import Link
 from kitrobot.robots.names import BoardNames
 from kitrobot.robots.records import active_of
 from kitrobot.robots.session import InstalledProgram, RobotSession

@@ -16,7 +16,7 @@ from starlette.exceptions import HTTPException
 from kitrobot.diagnostics.model import KitRobotError
 from kitrobot.files.disk import FileError
 from kitrobot.files.folder import ConflictError, MissionNameError, ReadOnlyError
-from kitrobot.files.quota import QuotaError
+from kitrobot.files.folder_quota import QuotaError
 from kitrobot.live.studio import Studio
 from kitrobot.server import fallback_pages
 from kitrobot.server.deadlines import DeadlineMiddleware

@@ -5,7 +5,7 @@ from __future__ import annotations
 import html
 import re
 
-from kitrobot.translation.languages import reader_language
+from kitrobot.translation.reader_language import reader_language
 from kitrobot.translation.translator import DIRECTIONS
 from kitrobot.wire.sentences import spoken
 

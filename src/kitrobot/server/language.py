@@ -5,7 +5,7 @@ from __future__ import annotations
 from starlette.datastructures import Headers, QueryParams
 from starlette.types import ASGIApp, Receive, Scope, Send
 
-from kitrobot.translation.languages import best_language, override_language
+from kitrobot.translation.reader_language import best_language, override_language
 
 
 class LanguageMiddleware:

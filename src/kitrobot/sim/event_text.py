@@ -8,9 +8,9 @@ from typing import Literal
 
 from kitrobot.primitives.robot import RobotObject
 from kitrobot.sim.step.agents import Agent
-from kitrobot.sim.step.breakdowns import BOX_BACK, BOX_LOST, PASSED
+from kitrobot.sim.step.failed_robots import BOX_BACK, BOX_LOST, PASSED
+from kitrobot.sim.step.fault_injection import REVIVE
 from kitrobot.sim.step.fault_schedule import describe_fault
-from kitrobot.sim.step.faults import REVIVE
 from kitrobot.sim.tables import columns as c
 from kitrobot.sim.tables.state import State, numbers
 from kitrobot.text.sentences import Recorded
@@ -19,7 +19,7 @@ from kitrobot.world.model import World
 Cause = Literal["program", "world", "person", "mission", "chance"]
 
 _CAUSES: tuple[Cause, ...] = ("person", "mission", "chance", "world", "world")
-"""Of the faults of a robot, in the order of their numbers in `faults`."""
+"""Of the faults of a robot, in the order of their numbers in `fault_injection`."""
 
 
 @dataclass(frozen=True, slots=True)

@@ -45,13 +45,13 @@ from kitrobot.sim.setup.limits import SimulationError, check_limits, whole_numbe
 from kitrobot.sim.setup.setup import Setup, shared_tables_of
 from kitrobot.sim.snapshots import SNAPSHOT_VERSION, damaged, sealed, unsealed
 from kitrobot.sim.step.deadlock_detection import mark_activity
+from kitrobot.sim.step.fault_injection import BY_HAND
 from kitrobot.sim.step.fault_schedule import (
     discard_reported_events,
     has_event_room,
     inject_fault_by_hand,
     schedule_faults,
 )
-from kitrobot.sim.step.faults import BY_HAND
 from kitrobot.sim.step.pens import drawn_marks
 from kitrobot.sim.step.step_loop import advance, are_goals_reached, can_continue
 from kitrobot.sim.tables.columns import ASLEEP, EVENTS, STUCK, TICK
@@ -303,7 +303,8 @@ class Simulation(RunView):
         """Lets an agent fail, stall or lose its radio, or makes it well again (see faults); told with the next step.
 
         Who fails stops its motors at once. A run that ended because nobody could go on does when somebody is revived.
-        Gives whether that changed anything. `cause`: by hand, or what became of an agent that is elsewhere (faults).
+        Gives whether that changed anything. `cause`: by hand, or what became of an agent that is elsewhere
+        (fault_injection).
 
         Raises:
             KitRobotError: there is no such agent or kind, or too much was done to this run between two steps.

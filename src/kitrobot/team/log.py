@@ -19,7 +19,7 @@ from kitrobot.team import decision as synod
 from kitrobot.team.changes import Change, LogGap, Refusal, SlotDecision
 from kitrobot.team.charter import Charter
 from kitrobot.team.commands import Batch, Body, Command, Seat, ViewChange
-from kitrobot.team.decision import FIRST, NO_BALLOT, Decision, SynodMessage, is_quorum
+from kitrobot.team.consensus import FIRST, NO_BALLOT, Decision, SynodMessage, is_quorum
 from kitrobot.team.messages import (
     Behind,
     Chosen,

@@ -20,7 +20,7 @@ from msgspec.structs import replace
 
 from kitrobot.team.charter import Charter
 from kitrobot.team.commands import Seat, ViewChange
-from kitrobot.team.decision import first_quorum, is_quorum
+from kitrobot.team.consensus import first_quorum, is_quorum
 from kitrobot.team.messages import Echo, Heartbeat
 from kitrobot.team.tables import View
 

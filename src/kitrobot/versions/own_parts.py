@@ -7,7 +7,7 @@ from dataclasses import fields
 from typing import Any
 
 from kitrobot.mission.model import Mission
-from kitrobot.mission.property_xml import AskedProperty
+from kitrobot.mission.property_forms import AskedProperty
 from kitrobot.mission.trial import Breakpoint, Failure
 from kitrobot.primitives.constructors import Constructor
 from kitrobot.primitives.own_xml import OwnVariable

@@ -12,7 +12,7 @@ from kitrobot.lll.tree import MAX_NUMBER, GroupDeclaration, Members, RoleDeclara
 from kitrobot.lll.tree import Failure as GroupFailure
 from kitrobot.mission.breakdown import Breakdown
 from kitrobot.mission.model import Mission, Team
-from kitrobot.mission.property_xml import AskedProperty
+from kitrobot.mission.property_forms import AskedProperty
 from kitrobot.mission.radio import Radio
 from kitrobot.mission.trial import Breakpoint, Failure
 from kitrobot.primitives.own_xml import MOST_OWN

@@ -9,7 +9,7 @@ from pydantic import PlainSerializer, SkipValidation, ValidationError
 
 from kitrobot.diagnostics.model import KitRobotError
 from kitrobot.text.sentences import Sentence, Series
-from kitrobot.translation.languages import reader_language, translate
+from kitrobot.translation.reader_language import reader_language, translate
 from kitrobot.translation.translator import STOPS
 
 

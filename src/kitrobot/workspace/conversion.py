@@ -25,7 +25,7 @@ from kitrobot.diagnostics.model import Diagnostic, KitRobotError, Place, Severit
 from kitrobot.diagnostics.read_files import expect_output
 from kitrobot.files.disk import read_text, saving_in, write_atomic
 from kitrobot.files.embedded_mission import is_picture
-from kitrobot.files.forms import Form, form_of
+from kitrobot.files.program_formats import Form, form_of
 from kitrobot.graph.model import Program
 from kitrobot.image.listing import disassemble
 from kitrobot.image.model import Image

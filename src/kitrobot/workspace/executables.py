@@ -10,7 +10,7 @@ from kitrobot.compiler.target import robot_of
 from kitrobot.diagnostics.model import Diagnostic, KitRobotError, Source
 from kitrobot.files.disk import read_text
 from kitrobot.files.embedded_mission import is_picture
-from kitrobot.files.forms import Form, form_of
+from kitrobot.files.program_formats import Form, form_of
 from kitrobot.image.machine import Machine
 from kitrobot.image.model import Image
 from kitrobot.primitives.robot import Robot

@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from kitrobot.diagnostics.model import Diagnostic, Place
 from kitrobot.files.places import Places
 from kitrobot.mission.model import Mission
-from kitrobot.mission.property_xml import is_ready
+from kitrobot.mission.property_forms import is_ready
 from kitrobot.mission.rules import PROPERTY
 from kitrobot.primitives.catalogue import Catalogue
 from kitrobot.primitives.robot import Robot

@@ -1,7 +1,7 @@
 """The elements of a world's XML, each turned into its part by itself.
 
 A part with a mistake is made all the same, so that what names it is not blamed too; its element says that it is faulty.
-Left to others: what needs the whole file (reading).
+Left to others: what needs the whole file (xml_reader).
 """
 
 from __future__ import annotations

@@ -15,7 +15,7 @@ from starlette.websockets import WebSocketDisconnect
 
 from kitrobot.classroom.assignments import pack
 from kitrobot.classroom.class_room import ClassRoom
-from kitrobot.files.quota import measured
+from kitrobot.files.folder_quota import measured
 from kitrobot.server.app import create_app
 from kitrobot.server.classroom import gateway as class_gateway
 from kitrobot.server.classroom import sockets as class_sockets

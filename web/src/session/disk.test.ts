@@ -1,7 +1,7 @@
-import { afterEach, beforeEach, expect, it } from "vitest";
+import { afterEach, beforeEach, expect, it, vi } from "vitest";
 
 import { useStudio } from "../model/studio";
-import { CARRIER, missionOf } from "../model/testing/missions";
+import { CARRIER, fileOf, missionOf } from "../model/testing/missions";
 import { hearOfDisk, useDisk, watchDisk } from "./disk";
 import { useDocument } from "./document";
 
@@ -46,4 +46,22 @@ it("asks about what somebody else has written", () => {
   saved("first");
   hear("theirs");
   expect(isAsked()).toBe(true);
+});
+
+it("loads what somebody else has written when it is wanted", async () => {
+  const choose = (label: string) =>
+    useDocument
+      .getState()
+      .banner?.actions.find((one) => one.label === label)
+      ?.run();
+  hear("later");
+  expect(isAsked()).toBe(true);
+  const found = { ...fileOf(missionOf({ ...CARRIER, name: "loaded" })), path: PATH, revision: "later" };
+  const asked = vi.fn(() => Promise.resolve(Response.json(found)));
+  vi.stubGlobal("fetch", asked);
+  choose("Load it");
+  await vi.waitFor(() => expect(useStudio.getState().mission.programs[0]?.name).toBe("loaded"));
+  expect(asked).toHaveBeenCalledOnce();
+  expect(isAsked()).toBe(false);
+  vi.unstubAllGlobals();
 });

@@ -3,8 +3,8 @@
 The walk goes down the program with the set of those who are there: everybody at first, in a block its members. All that
 is said about a program is said of its text; circles of programs are looked for among all programs of a mission.
 
-Left to others: names of objects and methods (checker), declarations (team_names), groups that robots move out of
-(team_moves), what a program becomes.
+Left to others: names of objects and methods (checker), declarations (compiler.team.names), groups that robots move
+out of (compiler.team.moves), what a program becomes.
 """
 
 from __future__ import annotations

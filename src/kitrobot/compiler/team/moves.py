@@ -11,7 +11,7 @@ takes its place.
 Of a team with more groups and places that move or look for robots than `MOST_PAIRS` allows nothing is told: all are
 held against each other.
 
-Left to others: groups that one failure empties without a MOVE (team_names).
+Left to others: groups that one failure empties without a MOVE (names).
 """
 
 from __future__ import annotations

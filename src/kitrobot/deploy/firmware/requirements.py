@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from kitrobot.deploy.errors import FirmwareError
-from kitrobot.deploy.firmware.chips import PLATFORMS
+from kitrobot.deploy.firmware.chip_pins import PLATFORMS
 from kitrobot.text.sentences import Sentence
 
 EVERYWHERE = "https://micropython.org/download/"

@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, replace
 
 from kitrobot.deploy.errors import PackageError
-from kitrobot.deploy.firmware.chips import refuse_pin
+from kitrobot.deploy.firmware.chip_pins import refuse_pin
 from kitrobot.deploy.kits.waves import SLICES, Wave, clash, waves_of
 from kitrobot.deploy.package.declarations import (
     DriverDeclaration,

@@ -3,7 +3,7 @@
 One lock guards the line, so that one thread may wait for news while another sends a stop. Messages that arrive
 unrequested while an answer is awaited are queued for `news`. A request is repeated until it is answered; the board
 recognises repetitions by their number and executes a request once. Left to others: how long an answer is waited for
-(patience), the first greeting (connecting), names for numbers (kitrobot.robots), installing (installing).
+(retry_timer), the first greeting (handshake), names for numbers (kitrobot.robots), installing (deploy.installation).
 """
 
 from __future__ import annotations

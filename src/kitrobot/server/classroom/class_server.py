@@ -20,7 +20,7 @@ from kitrobot.server.hosts import host_number, is_loopback
 from kitrobot.server.presence import Presence
 from kitrobot.server.studio_server import ServerError, has_screen, listen, print_address
 from kitrobot.text.sentences import Sentence
-from kitrobot.translation.languages import translate
+from kitrobot.translation.reader_language import translate
 
 if TYPE_CHECKING:
     from kitrobot.classroom.overview import JoinAddress

@@ -29,7 +29,7 @@ from starlette.types import ASGIApp, Message, Receive, Scope, Send
 from kitrobot.classroom.class_room import ClassRoom
 from kitrobot.classroom.pupil import Pupil
 from kitrobot.classroom.rate_limits import RateLimit
-from kitrobot.files.quota import writing_within
+from kitrobot.files.folder_quota import writing_within
 from kitrobot.server.classroom.studios import PupilStudios
 from kitrobot.server.hosts import host_number, is_loopback, named_host
 from kitrobot.server.security import TOKEN_HEADER, add_security_headers, refuse

@@ -17,7 +17,7 @@ from fastapi import FastAPI
 from kitrobot.classroom.class_room import STUDIOS, ClassRoom
 from kitrobot.classroom.exercises import copy_exercise
 from kitrobot.diagnostics.model import KitRobotError
-from kitrobot.files.quota import Quota
+from kitrobot.files.folder_quota import Quota
 from kitrobot.live.gallery import Gallery
 from kitrobot.server.app import create_app
 

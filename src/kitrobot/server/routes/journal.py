@@ -17,7 +17,7 @@ from kitrobot.live.background import run_in_background
 from kitrobot.live.studio import Studio
 from kitrobot.mission.writer import write_mission
 from kitrobot.server.routes.api_router import ThisStudio, api_router, studio_of
-from kitrobot.translation.languages import translate
+from kitrobot.translation.reader_language import translate
 from kitrobot.versions.comparison import Difference, differences
 from kitrobot.wire.journal import (
     ClaimShape,

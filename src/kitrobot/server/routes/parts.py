@@ -12,7 +12,7 @@ from kitrobot.diagnostics.model import KitRobotError
 from kitrobot.primitives.robot import ValueType
 from kitrobot.server.routes.api_router import ThisStudio, api_router
 from kitrobot.text.sentences import Sentence, Series
-from kitrobot.translation.languages import translate
+from kitrobot.translation.reader_language import translate
 from kitrobot.wire.files import ConflictShape, TextShape
 from kitrobot.wire.mission import mission_from_shape
 from kitrobot.wire.own_parts import OwnVariableShape, own_variable
@@ -33,8 +33,8 @@ from kitrobot.wire.part_files import (
 )
 from kitrobot.wire.problem import problem_shapes
 from kitrobot.wire.world import world_shape
+from kitrobot.workspace.imported_files import add_parts, part_differences
 from kitrobot.workspace.kit_files import kits_at_hand
-from kitrobot.workspace.part_imports import add_parts, part_differences
 from kitrobot.workspace.variables import WantedVariable, make_variable
 from kitrobot.workspace.worlds import FoundWorld, read_world_file, worlds_at_hand
 from kitrobot.world.maze import MOST_SEED

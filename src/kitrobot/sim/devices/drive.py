@@ -2,14 +2,19 @@
 
 from __future__ import annotations
 
+import math
+
 from kitrobot.primitives.robot import RobotObject
 from kitrobot.sim.devices.base import LATENCY, LOST_COMMANDS, Actuator, Command, Discrete, DisplayKind, Setting, Values
 from kitrobot.sim.tables.columns import (
+    A_DONE,
     A_NOISE,
     A_OWN,
     A_ROBOT,
     ACCELERATION,
     BRAKING,
+    DOWN,
+    FAILED,
     FREE,
     LENGTH,
     RADIUS,
@@ -21,18 +26,26 @@ from kitrobot.sim.tables.columns import (
 from kitrobot.sim.tables.state import State
 from kitrobot.text.sentences import Sentence
 
-FULL_SPEED = A_OWN[0]
-"""Column of a drive: full speed in mm/s."""
+FULL_SPEED, DISTANCE_LEFT, CRUISE, ROLLED = A_OWN
+"""Columns of a drive, in mm/s and mm: full speed; of a distance that it drives, how much is left, the speed that it
+takes, negative for backward, and the speed along it now."""
 
-_STOP, _ADVANCE, _REVERSE = range(3)
+_STOP, _ADVANCE, _REVERSE, _DRIVE_BY, _BACK_BY = range(5)
+_CRUISE = 0.5
+"""The part of full speed at which a distance is driven."""
+
+_NOTHING_MM = 1e-9
+"""What is left of a distance that is done."""
 
 
 class Drive(Actuator):
-    """`Advance(speed)`, `Reverse(speed)` in percent of full speed, `Stop()`."""
+    """`Advance(speed)`, `Reverse(speed)` in percent of full speed, `Stop()`; `DriveBy(distance)` and
+    `BackBy(distance)` in centimetres end by themselves, where the wheels have rolled that far.
+    """
 
     name = "drive"
     discrete = Discrete.MOTION
-    procedures = ("Stop", "Advance", "Reverse")
+    procedures = ("Stop", "Advance", "Reverse", "DriveBy", "BackBy")
     drives = True
     settings = (
         LATENCY,
@@ -76,12 +89,73 @@ def start(k: int, command: Command, deviate: float, state: State) -> None:
     """Begins to do what a command says; `deviate` is a normal deviate."""
     procedure = command.procedure
     actuator_floats = state.actuators.floats
+    floats = state.robots.floats
+    robot = state.actuators.ints[A_ROBOT][k]
+    factor = max(1.0 + deviate * actuator_floats[A_NOISE][k], 0.0)
+    state.actuators.ints[A_DONE][k] = 1
+    if procedure in (_DRIVE_BY, _BACK_BY):
+        distance = command.first * 10.0 * factor
+        if procedure == _BACK_BY:
+            distance = -distance
+        cruise = _CRUISE * actuator_floats[FULL_SPEED][k]
+        actuator_floats[CRUISE][k] = -cruise if distance < 0.0 else cruise
+        actuator_floats[DISTANCE_LEFT][k] = abs(distance)
+        actuator_floats[ROLLED][k] = -floats[SPEED][robot] if distance < 0.0 else floats[SPEED][robot]
+        state.actuators.ints[A_DONE][k] = 0
+        return
     speed = 0.0
     if procedure != _STOP:
-        factor = max(1.0 + deviate * actuator_floats[A_NOISE][k], 0.0)
         speed = command.first / 100 * actuator_floats[FULL_SPEED][k] * factor
-    robot = state.actuators.ints[A_ROBOT][k]
-    state.robots.floats[TARGET][robot] = -speed if procedure == _REVERSE else speed
+    floats[TARGET][robot] = -speed if procedure == _REVERSE else speed
+
+
+def advance(first: int, last: int, dt: float, state: State) -> None:
+    """Goes on for a step with the devices `first` … `last` - 1 that drive a distance.
+
+    The robot is told the mean speed of the step, which it has at once. It brakes so that it stands where the distance
+    ends, exactly and whatever the step. What counts is how far its wheels roll, so a distance ends at a wall too.
+    """
+    actuator = state.actuators.ints
+    done = actuator[A_DONE]
+    floats = state.robots.floats
+    down = state.robots.ints[DOWN]
+    for k in range(first, last):
+        if done[k]:
+            continue
+        i = actuator[A_ROBOT][k]
+        v = state.actuators.floats[ROLLED][k]
+        left = state.actuators.floats[DISTANCE_LEFT][k]
+        cruise = state.actuators.floats[CRUISE][k]
+        if down[i] == FAILED:
+            state.actuators.floats[ROLLED][k] = -floats[SPEED][i] if cruise < 0.0 else floats[SPEED][i]
+            continue
+        if left <= 0.0:
+            floats[SPEED][i] = -v if cruise < 0.0 else v
+            floats[TARGET][i] = 0.0
+            done[k] = 1
+            continue
+        after = _next_speed(v, left, abs(cruise), dt, floats[ACCELERATION][i], floats[BRAKING][i])
+        way = (v + after) / 2.0 * dt
+        if way >= left or left - way < _NOTHING_MM:
+            way = left
+        state.actuators.floats[DISTANCE_LEFT][k] = left - way
+        state.actuators.floats[ROLLED][k] = after
+        mean = way / dt
+        if cruise < 0.0:
+            mean = -mean
+        floats[SPEED][i] = mean
+        floats[TARGET][i] = mean
+
+
+def _next_speed(v: float, left: float, cruise: float, dt: float, acceleration: float, braking: float) -> float:
+    """The speed at the end of a step, mm/s, from which the robot can still brake within what is left."""
+    if v < 0.0:  # it rolls the other way, and brakes
+        return min(0.0, v + braking * dt)
+    rest = left - v * dt / 2.0
+    after = 0.0
+    if rest > 0.0:
+        after = braking * (math.sqrt(dt * dt / 4.0 + 2.0 * rest / braking) - dt / 2.0)
+    return max(max(v - braking * dt, 0.0), min(after, min(cruise, v + acceleration * dt)))
 
 
 def is_busy(k: int, state: State) -> bool:

@@ -11,17 +11,23 @@ from kitrobot.sim.tables.state import State
 from kitrobot.text.sentences import Sentence
 
 FULL_RATE, RATE, ANGLE_LEFT = A_OWN[:3]
-"""Columns of a turning motor, in rad/s and rad: the full rate, the rate now, the angle that is left."""
+"""Columns of a turning motor, in rad/s and rad: the full rate, the rate now (negative: clockwise), the angle that is
+left."""
 
-_STOP, _TURN, _ABSOLUTE = range(3)
+_STOP, _TURN, _ABSOLUTE, _LEFT_BY, _RIGHT_BY = range(5)
+_PART = 0.5
+"""The part of the full rate at which degrees are turned."""
 
 
 class Turn(Actuator):
-    """`AbsoluteTurn(angle, speed)` turns by a part of a full turn, `Turn(speed)` goes on until `Stop()`; in percent."""
+    """`AbsoluteTurn(angle, speed)` turns by a part of a full turn, `Turn(speed)` goes on until `Stop()`; in percent.
+
+    `LeftBy(angle)` and `RightBy(angle)` turn by degrees.
+    """
 
     name = "turn"
     discrete = Discrete.MOTION
-    procedures = ("Stop", "Turn", "AbsoluteTurn")
+    procedures = ("Stop", "Turn", "AbsoluteTurn", "LeftBy", "RightBy")
     drives = True
     turns = True
     settings = (
@@ -48,6 +54,15 @@ def start(k: int, command: Command, deviate: float, state: State) -> None:
     actuator = state.actuators.ints
     actuator_floats = state.actuators.floats
     factor = max(1.0 + deviate * actuator_floats[A_NOISE][k], 0.0)
+    if procedure in (_LEFT_BY, _RIGHT_BY):
+        angle = command.first * math.pi / 180.0 * factor
+        if procedure == _RIGHT_BY:
+            angle = -angle
+        rate = _PART * actuator_floats[FULL_RATE][k]
+        actuator_floats[RATE][k] = -rate if angle < 0.0 else rate
+        actuator_floats[ANGLE_LEFT][k] = abs(angle)
+        actuator[A_DONE][k] = 0
+        return
     rate = 0.0
     if command.arguments > 0 and procedure != _STOP:
         rate = command.last / 100 * actuator_floats[FULL_RATE][k]
@@ -76,11 +91,11 @@ def advance(first: int, last: int, dt: float, state: State) -> None:
         if (done[k] and rate == 0.0) or down[robots[k]] == FAILED:
             turn[robots[k]] = 0.0
             continue
-        step = rate * dt
+        step = abs(rate) * dt
         left = lefts[k]
         if left < step:
             step = left
-        turn[robots[k]] = step
+        turn[robots[k]] = -step if rate < 0.0 else step
         if left < math.inf:
             left -= step
             lefts[k] = left

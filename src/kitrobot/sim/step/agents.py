@@ -9,8 +9,8 @@ from kitrobot.primitives.robot import Robot
 from kitrobot.sim.devices import actuators
 from kitrobot.sim.step.actuation import busy
 from kitrobot.sim.step.dispatch import KINDS
+from kitrobot.sim.step.fault_injection import HELD
 from kitrobot.sim.step.fault_schedule import CAUSES
-from kitrobot.sim.step.faults import HELD
 from kitrobot.sim.tables.columns import (
     A_FRESH,
     A_KIND,

@@ -1,4 +1,4 @@
-"""Failures as missions and people speak of them, for the loops in `faults`: names, seconds, chances a minute."""
+"""Failures as missions and people speak of them, for `fault_injection`: names, seconds, chances a minute."""
 
 from __future__ import annotations
 
@@ -8,14 +8,25 @@ from collections.abc import Sequence
 from dataclasses import dataclass, field
 
 from kitrobot.mission.trial import Failure, FailureKind
-from kitrobot.sim.step.faults import APART, AWAY, BY_HAND, FAIL, HELD, MUTE, PLAN_ROWS, REVIVE, STALL, inject_fault
+from kitrobot.sim.step.fault_injection import (
+    APART,
+    AWAY,
+    BY_HAND,
+    FAIL,
+    HELD,
+    MUTE,
+    PLAN_ROWS,
+    REVIVE,
+    STALL,
+    inject_fault,
+)
 from kitrobot.sim.tables import columns as c
 from kitrobot.sim.tables.random_numbers import keys
 from kitrobot.sim.tables.state import State
 from kitrobot.text.sentences import Recorded
 
 KINDS = tuple(FailureKind)
-"""The kinds in the order of their numbers in `faults`."""
+"""The kinds in the order of their numbers in `fault_injection`."""
 
 CAUSES = (
     Recorded("by hand"),
@@ -24,7 +35,7 @@ CAUSES = (
     Recorded("its agent is away"),
     Recorded("it hears too few of its team"),
 )
-"""How it comes about, in the order of their numbers in `faults`."""
+"""How it comes about, in the order of their numbers in `fault_injection`."""
 
 MINUTE_MS = 60_000
 MORE_PLANNED = 2

@@ -16,7 +16,6 @@ from __future__ import annotations
 from kitrobot.sim.physics.grids import fill
 from kitrobot.sim.physics.step import move
 from kitrobot.sim.step.actuation import busy, deliver_commands
-from kitrobot.sim.step.breakdowns import clear_roads
 from kitrobot.sim.step.deadlock_detection import (
     detect_deadlock,
     is_device_working,
@@ -27,7 +26,8 @@ from kitrobot.sim.step.deadlock_detection import (
 )
 from kitrobot.sim.step.dispatch import AGREES, advance_all, sense_all
 from kitrobot.sim.step.execution import react
-from kitrobot.sim.step.faults import inject_random_faults, inject_scheduled_faults
+from kitrobot.sim.step.failed_robots import clear_roads
+from kitrobot.sim.step.fault_injection import inject_random_faults, inject_scheduled_faults
 from kitrobot.sim.step.pens import draw
 from kitrobot.sim.step.sampling import sample, sample_done
 from kitrobot.sim.step.substitution import detect_silent_robots, finish_team_step

@@ -18,8 +18,8 @@ program anew at once, as a spare one; any other does so when it is revived. Its 
 from __future__ import annotations
 
 from kitrobot.sim.devices.base import Command
-from kitrobot.sim.step.breakdowns import count_breakdowns, end_breakdown, is_towed
 from kitrobot.sim.step.dispatch import start
+from kitrobot.sim.step.failed_robots import count_breakdowns, end_breakdown, is_towed
 from kitrobot.sim.step.program_ends import end_program
 from kitrobot.sim.tables.columns import (
     A_DONE,

@@ -11,7 +11,7 @@ are side by side (see `devices`); each kind of device names its own columns (S_O
 from __future__ import annotations
 
 FREE = -1
-"""The road of a robot that moves freely; less is that of one that was taken off a road (breakdowns)."""
+"""The road of a robot that moves freely; less is that of one that was taken off a road (failed_robots)."""
 
 # ---- robots, numbers with a fraction: state.robots.floats
 

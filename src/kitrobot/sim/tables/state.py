@@ -5,7 +5,7 @@ arrays of them, for Numba. Nothing outside it decides how a run goes on: `state_
 bytes, the same bytes for both forms, and puts it back.
 
 What the columns of tables mean is in `columns`, those of docks in `docks`, of shared variables in
-`shared_variables`, of the schedule of failures in `faults`; grids are explained in `grids`.
+`shared_variables`, of the schedule of failures in `fault_injection`; grids are explained in `grids`.
 """
 
 from __future__ import annotations

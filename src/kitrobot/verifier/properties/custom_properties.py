@@ -11,7 +11,7 @@ from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
 from kitrobot.mission.model import Team
-from kitrobot.mission.property_xml import AskedProperty, Form
+from kitrobot.mission.property_forms import AskedProperty, Form
 from kitrobot.sim.breakpoints import Condition as Test
 from kitrobot.sim.devices.base import Discrete
 from kitrobot.sim.simulation import Simulation
@@ -29,7 +29,7 @@ from kitrobot.verifier.properties.conditions import (
     parse_condition,
 )
 from kitrobot.verifier.properties.properties import Property, SensedCondition
-from kitrobot.verifier.properties.run_monitors import RunMonitor, waited_long_enough
+from kitrobot.verifier.properties.ready_monitors import RunMonitor, waited_long_enough
 
 
 def team_of(run: Simulation) -> list[Member]:

@@ -15,7 +15,7 @@ from kitrobot.sim.tables import columns as c
 from kitrobot.sim.tables.team_columns import HAS_UNIT
 from kitrobot.text.sentences import Sentence
 from kitrobot.verifier.model.model import Model, SharedState
-from kitrobot.verifier.properties.run_monitors import RunMonitor, loose_action_monitor, loss_monitor, meeting_monitor
+from kitrobot.verifier.properties.ready_monitors import RunMonitor, loose_action_monitor, loss_monitor, meeting_monitor
 from kitrobot.verifier.tables.bodies import FAILED, RUNS, Inside
 from kitrobot.verifier.tables.events import SWINGS, EventKind
 from kitrobot.verifier.tables.motion import Move

@@ -5,7 +5,7 @@
 from kitrobot_onboard.drivers.machine.shared.alvik import robot
 
 SETTINGS = {"rate": "10..2000 = 180"}
-PROCEDURES = "AbsoluteTurn Turn Stop"
+PROCEDURES = "AbsoluteTurn Turn LeftBy RightBy Stop"
 
 
 class Turn:
@@ -23,6 +23,11 @@ class Turn:
             self.stands = arguments[0] > 0 and arguments[-1] <= 0
             if arguments[0] > 0 and not self.stands:
                 self.robot.turn(arguments[0] * 3.6 * 180 / self.rate)  # from percent of a full turn
+        elif procedure in ("LeftBy", "RightBy"):
+            self.robot.want("turn", 0, 0)
+            if arguments[0]:
+                degrees = arguments[0] if procedure == "LeftBy" else -arguments[0]
+                self.robot.turn(degrees * 180 / self.rate)
         else:
             speed = 0 if procedure == "Stop" else arguments[-1]
             self.robot.want("turn", -speed, speed)

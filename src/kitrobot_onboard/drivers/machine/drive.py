@@ -1,5 +1,8 @@
 # A robot that drives straight on with two motors (see `shared.bridges` for how they are wired). Where
-# encoders are named it keeps both wheels at one rate, from tick to tick.
+# encoders are named it keeps both wheels at one rate, from tick to tick. A distance it drives by the clock, at half
+# speed: `speed` is how fast it is at full speed, in millimetres a second.
+
+import time
 
 from kitrobot_onboard.drivers.machine.shared.motors import base_of
 
@@ -26,6 +29,7 @@ SETTINGS = {
     "left-count": "input?",
     "right-count": "input?",
     "straight": "0..20 = 3",
+    "speed": "10..5000 = 400",
 }
 WAVES = {
     "left-forward": "frequency !left-power !motors=pca9685",
@@ -35,13 +39,15 @@ WAVES = {
     "right-backward": "frequency !right-power !bridge=direction !motors=pca9685",
     "right-power": "frequency !motors=pca9685",
 }
-PROCEDURES = "Advance Reverse Stop"
+PROCEDURES = "Advance Reverse DriveBy BackBy Stop"
 
 
 class Drive:
     def __init__(self, settings):
         self.base = base_of(settings)
+        self.full = int(settings.get("speed", "400"))
         self.speed = 0
+        self.needed = None  # milliseconds that a distance takes
         self.straight = None
         if "counts" in settings:
             from kitrobot_onboard.drivers.machine.shared.encoders import Straight
@@ -50,10 +56,16 @@ class Drive:
 
     def do(self, procedure, arguments):
         speed = 0
+        self.needed = None
         if procedure == "Advance":
             speed = arguments[0]
         elif procedure == "Reverse":
             speed = -arguments[0]
+        elif procedure in ("DriveBy", "BackBy"):
+            distance = arguments[0] if procedure == "DriveBy" else -arguments[0]
+            speed = 50 if distance > 0 else -50
+            self.needed = abs(distance) * 20000 // self.full
+            self.since = time.ticks_ms()
         if self.straight and speed * self.speed <= 0:  # told again on the way, it keeps its direction
             self.straight.begin()
         self.speed = speed
@@ -61,6 +73,11 @@ class Drive:
             self.tend()
         else:
             self.base.want("drive", speed, speed)
+
+    def done(self):
+        if self.needed is not None and time.ticks_diff(time.ticks_ms(), self.since) >= self.needed:
+            self.do("Stop", ())
+        return self.needed is None
 
     def tend(self):
         """Is called at each tick."""
@@ -73,6 +90,7 @@ class Drive:
 
     def stop(self):
         self.speed = 0
+        self.needed = None
         self.base.stop()
 
 

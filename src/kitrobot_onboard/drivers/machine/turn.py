@@ -41,7 +41,7 @@ WAVES = {
     "right-backward": "frequency !right-power !bridge=direction !motors=pca9685",
     "right-power": "frequency !motors=pca9685",
 }
-PROCEDURES = "AbsoluteTurn Turn Stop"
+PROCEDURES = "AbsoluteTurn Turn LeftBy RightBy Stop"
 
 
 class Clock:
@@ -83,11 +83,15 @@ class Turn:
             speed = arguments[-1]
             if procedure == "AbsoluteTurn":
                 self.goal = arguments[0] * 3600  # from percent of a full turn
+            elif procedure in ("LeftBy", "RightBy"):
+                self.goal = abs(speed) * 1000
+                speed = 50 if (speed > 0) == (procedure == "LeftBy") else -50
+            if self.goal is not None:
                 self.measure.begin(speed)
             self.base.want("turn", -speed, speed)
 
     def done(self):
-        if self.goal is not None and self.measure.turned() >= self.goal:
+        if self.goal is not None and abs(self.measure.turned()) >= self.goal:
             self.goal = None
             self.base.want("turn", 0, 0)
         return self.goal is None

@@ -1,5 +1,6 @@
 # A kit of a micro:bit that drives straight on: Maqueen (DFRobot), Cutebot (ELECFREAKS), :MOVE Motor (Kitronik),
-# or two motors at a motor board that is wired to pins.
+# or two motors at a motor board that is wired to pins. A distance it drives by the clock, at half speed: at full speed
+# `speed` millimetres a second.
 
 from kitrobot_onboard.drivers.microbit.shared.motors import Motors
 
@@ -11,8 +12,9 @@ SETTINGS = {
     "right-forward": "shared where kit=pins",
     "right-backward": "shared where kit=pins",
     "right-power": "shared? where kit=pins",
+    "speed": "10..5000 = 400",
 }
-PROCEDURES = "Advance Reverse Stop"
+PROCEDURES = "Advance Reverse DriveBy BackBy Stop"
 
 
 def make(settings):

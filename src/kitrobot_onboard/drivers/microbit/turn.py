@@ -12,7 +12,7 @@ SETTINGS = {
     "right-power": "shared? where kit=pins",
     "rate": "10..2000 = 180",
 }
-PROCEDURES = "AbsoluteTurn Turn Stop"
+PROCEDURES = "AbsoluteTurn Turn LeftBy RightBy Stop"
 
 
 def make(settings):

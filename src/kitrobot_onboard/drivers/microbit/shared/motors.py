@@ -37,7 +37,7 @@ class Motors:
     def __init__(self, settings, at):
         self.kit = kit = settings["kit"]
         self.at = at
-        self.rate = int(settings.get("rate", "180"))
+        self.rate = int(settings.get("rate", settings.get("speed", "180" if at else "400")))
         self.goal = None
         if kit == "move":
             for pair in (b"\0\0", b"\1\4", b"\x08\xaa"):
@@ -59,11 +59,17 @@ class Motors:
             wanted[self.at] = -arguments[0]
         if procedure == "AbsoluteTurn":
             self.goal = arguments[0] * 360
-            self.since = running_time()
+        if procedure in ("LeftBy", "RightBy", "DriveBy", "BackBy"):
+            wanted[self.at] = 50 if (arguments[0] > 0) == (procedure in ("LeftBy", "DriveBy")) else -50
+            self.goal = abs(arguments[0]) * (100 if self.at else 1000)
+        self.since = running_time()
 
     def done(self):
-        # In hundredths of a degree: percent of a full turn, and speed in percent.
-        if self.goal is not None and (running_time() - self.since) * self.rate * wanted[self.at] // 1000 >= self.goal:
+        # In hundredths of a degree or a millimetre: time, full rate, and speed in percent.
+        if (
+            self.goal is not None
+            and (running_time() - self.since) * self.rate * abs(wanted[self.at]) // 1000 >= self.goal
+        ):
             self.goal = None
             wanted[self.at] = 0
         return self.goal is None

@@ -1,7 +1,7 @@
 """Fault injection: crash, stall, radio loss and recovery of robots, on schedule and by chance.
 
 *Failed*: it stops reacting for good. Its wheels brake as at `Stop()`, its other devices stand as they are, and it stays
-where it is, in everybody's way, unless the mission says what becomes of it on a road (breakdowns). *Stalled*: its
+where it is, in everybody's way, unless the mission says what becomes of it on a road (failed_robots). *Stalled*: its
 program misses its ticks; the devices continue with their last commands.
 *Muted*: it has lost its radio, as a failed one has: shared variables neither come nor go (`shared_variables`).
 *Apart*, in a mission with a radio: it hears only others that are apart too. *Revived*: all of that is over; program and
@@ -14,8 +14,8 @@ outside, between two steps, `Simulation.inject_fault` calls `inject_fault` here.
 
 from __future__ import annotations
 
-from kitrobot.sim.step.breakdowns import count_breakdowns, end_breakdown, may_be_revived
 from kitrobot.sim.step.deadlock_detection import mark_activity
+from kitrobot.sim.step.failed_robots import count_breakdowns, end_breakdown, may_be_revived
 from kitrobot.sim.tables.columns import (
     ASLEEP,
     CAUSE,
