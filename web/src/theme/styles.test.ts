@@ -30,7 +30,7 @@ it("every class that has a rule stands in the source, whole or as `beginning-${â
   const beginnings = [...found(source, /([\w-]+-)(?:\$\{|"(?: \+|,))/g)];
   const classes = [...found(css.replaceAll(/\{[^{}]*\}/g, "{}"), /\.([A-Za-z_][\w-]*)/g)];
   expect(classes.length).toBeGreaterThan(500);
-  const ofOthers = /^(cm|react-flow|lucide)-/;
+  const ofOthers = /^(cm|lucide)-/;
   expect(
     classes.filter(
       (name) => !words.has(name) && !ofOthers.test(name) && !beginnings.some((one) => name.startsWith(one)),
