@@ -15,7 +15,7 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 from typing import NamedTuple
 
-from kitrobot.team import decision as synod
+from kitrobot.team import consensus as synod
 from kitrobot.team.changes import Change, LogGap, Refusal, SlotDecision
 from kitrobot.team.charter import Charter
 from kitrobot.team.commands import Batch, Body, Command, Seat, ViewChange
