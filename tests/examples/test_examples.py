@@ -223,10 +223,12 @@ ACHIEVED: dict[str, Callable[[Watched], bool]] = {
     "rooms": lambda seen: way(seen) > 1500,
     "search": is_found,
     "shared-search": lambda seen: all(is_searched(seen, room) for room in range(7)),
-    "square": lambda seen: math.dist(seen.path()[0], seen.path()[-1]) < 30 and way(seen) > 600,
+    "square": lambda seen: math.dist(seen.path()[0], seen.path()[-1]) < 30 and way(seen) == pytest.approx(1200, abs=5),
     "dance": lambda seen: seen.lamps_lit() == 12 and way(seen) > 3000,
-    "draw-square": lambda seen: math.dist(seen.path()[0], seen.path()[-1]) < 30 and 1500 < way(seen) < 3000,
-    "flower": lambda seen: way(seen) > 6000 and math.dist(seen.path()[0], seen.path()[-1]) < 150,
+    "draw-square": lambda seen: (
+        math.dist(seen.path()[0], seen.path()[-1]) < 5 and way(seen) == pytest.approx(1200, abs=5)
+    ),
+    "flower": lambda seen: way(seen) > 6000 and math.dist(seen.path()[0], seen.path()[-1]) < 5,
     "star": lambda seen: math.dist(seen.path()[0], seen.path()[-1]) < 60 and seen.lamps_lit() == 15,
     "stripes": lambda seen: variable(seen, "Count") == 4 and 1500 < seen.path()[-1][0] < 1850,
     "sumo": is_a_match,

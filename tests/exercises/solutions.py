@@ -33,17 +33,14 @@ LINE = """*[!(LeftEye.IsGreen() | RightEye.IsGreen())](
 LeftWheel.Stop();
 RightWheel.Stop();
 """
-TO_THE_FIELD = "Wheel.Advance(50); WAIT(40); Wheel.Stop();"
+TO_THE_FIELD = "Wheel.DriveBy(80);"
+BY_THE_CLOCK = "Wheel.Advance(50); WAIT(40); Wheel.Stop();"
 
 SOLVED: dict[str, Programs] = {
     "01-first-drive": {"first-drive": TO_THE_FIELD},
-    "02-round-the-corner": {
-        "round-the-corner": f"{TO_THE_FIELD} Motor.AbsoluteTurn(25, 50); Wheel.Advance(50); WAIT(30); Wheel.Stop();"
-    },
-    "03-square": {"a-square": "4*( Wheel.Advance(50); WAIT(15); Wheel.Stop(); Motor.AbsoluteTurn(25, 50); );"},
-    "04-five-corners": {
-        "five-corners": "5*( Wheel.Advance(50); WAIT(15); Wheel.Stop(); Motor.AbsoluteTurn(20, 50); );"
-    },
+    "02-round-the-corner": {"round-the-corner": f"{TO_THE_FIELD} Motor.LeftBy(90); Wheel.DriveBy(60);"},
+    "03-square": {"a-square": "4*( Wheel.DriveBy(30); Motor.LeftBy(90); );"},
+    "04-five-corners": {"five-corners": "5*( Wheel.DriveBy(30); Motor.LeftBy(72); );"},
     "05-before-the-wall": {"before-the-wall": "Wheel.Advance(50); <Captor.LessThan(20)>(); Wheel.Stop();"},
     "06-blink-and-drive": {
         "blink-and-drive-there": f"//( {TO_THE_FIELD}, 3*( Light.LightOn(); WAIT(5); Light.LightOff(); WAIT(5); ); );"
@@ -64,17 +61,26 @@ SOLVED: dict[str, Programs] = {
     "12-no-jam": {"ring-carrier": CARRIER},
 }
 
+KEEPS_DRIVING: dict[str, Programs] = {
+    "01-first-drive": {"first-drive": BY_THE_CLOCK},
+    "02-round-the-corner": {
+        "round-the-corner": f"{BY_THE_CLOCK} Motor.AbsoluteTurn(25, 50); Wheel.Advance(50); WAIT(30); Wheel.Stop();"
+    },
+    "03-square": {"a-square": "4*( Wheel.Advance(50); WAIT(15); Wheel.Stop(); Motor.AbsoluteTurn(25, 50); );"},
+    "04-five-corners": {
+        "five-corners": "5*( Wheel.Advance(50); WAIT(15); Wheel.Stop(); Motor.AbsoluteTurn(20, 50); );"
+    },
+}
+"""Other right ways: what keeps driving is stopped by the clock, and turns by hundredths of a full turn."""
+
 WRONG: dict[str, tuple[Programs, list[int]]] = {
-    "01-first-drive": ({"first-drive": "Wheel.Advance(50); WAIT(15); Wheel.Stop();"}, [2]),
+    "01-first-drive": ({"first-drive": "Wheel.DriveBy(30);"}, [2]),
     "02-round-the-corner": ({"round-the-corner": TO_THE_FIELD}, [3]),
     "03-square": (
-        {"a-square": "3*( Wheel.Advance(50); WAIT(15); Wheel.Stop(); Motor.AbsoluteTurn(25, 50); );"},
+        {"a-square": "3*( Wheel.DriveBy(30); Motor.LeftBy(90); );"},
         [2],
     ),
-    "04-five-corners": (
-        {"five-corners": "5*( Wheel.Advance(50); WAIT(15); Wheel.Stop(); Motor.AbsoluteTurn(25, 50); );"},
-        [1],
-    ),
+    "04-five-corners": ({"five-corners": "5*( Wheel.DriveBy(30); Motor.LeftBy(90); );"}, [1]),
     "05-before-the-wall": ({"before-the-wall": "Wheel.Advance(50); WAIT(80); Wheel.Stop();"}, [2, 4, 5]),
     "06-blink-and-drive": (
         {"blink-and-drive-there": f"3*( Light.LightOn(); WAIT(5); Light.LightOff(); WAIT(5); ); {TO_THE_FIELD}"},

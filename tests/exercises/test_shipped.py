@@ -15,7 +15,7 @@ from kitrobot.workspace.exercises import programs_of
 from kitrobot.workspace.mission_loader import open_mission
 from kitrobot.workspace.search_path import SearchPath
 from tests.exercises.handing_in import FOLDER, exercise_file, submission
-from tests.exercises.solutions import SOLVED, WRONG, Programs
+from tests.exercises.solutions import KEEPS_DRIVING, SOLVED, WRONG, Programs
 
 NAMES = sorted(SOLVED)
 
@@ -45,6 +45,12 @@ def test_a_model_solution_reaches_every_goal_and_a_wrong_one_is_told_which_it_mi
     assert graded(begun, begun).points == 0
     assert graded(solved, begun).points == graded(solved, begun).of
     assert graded(wrong, begun).points < graded(wrong, begun).of
+
+
+@pytest.mark.parametrize("name", KEEPS_DRIVING)
+def test_who_keeps_driving_and_stops_by_the_clock_reaches_every_goal_too(name: str) -> None:
+    made = judged(name, KEEPS_DRIVING[name])
+    assert missed(made) == [], [verdict.why for verdict in made.verdicts]
 
 
 def graded(made: Evaluation, begun: Evaluation) -> Grade:

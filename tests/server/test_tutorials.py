@@ -61,14 +61,14 @@ def test_what_a_tutorial_begins_with_is_no_example(page):
 
 
 def test_the_square_is_the_whole_first_tutorial_and_a_triangle_is_not(page):
-    mission = mission_of(page, "example:square/square.krt")
-    advance = next(vertex for vertex in mission["programs"][0]["vertices"] if vertex["element"] == "Wheel.Advance")
-    assert watch(page, FIRST, mission).json()["fits"] == [True, False, *[True] * 7]
-    advance["settings"]["speed"] = "60"
-    assert watch(page, FIRST, mission).json()["fits"] == [True] * 9
+    mission = mission_of(page, "example:draw-square/draw-square.krt")
+    assert watch(page, FIRST, mission).json()["fits"] == [True] * 7
     loop = next(vertex for vertex in mission["programs"][0]["vertices"] if vertex["element"] == "Repetition")
     loop["settings"]["count"] = "3"
-    assert watch(page, FIRST, mission).json()["fits"] == [True] * 7 + [False, False]
+    assert watch(page, FIRST, mission).json()["fits"] == [True, True, True, True, False, True, False]
+    # Nothing is drawn without a pen, and the rest is done all the same.
+    mission = mission_of(page, "example:square/square.krt")
+    assert watch(page, FIRST, mission).json()["fits"] == [False, False, False, True, True, True, False]
 
 
 def test_a_program_with_mistakes_is_watched_too(page):

@@ -18,11 +18,21 @@ from tools.teacher_pages import main as teacher_pages
 
 EXAMPLES = Path(__file__).parents[2] / "examples" / "tutorials"
 TURN = "Motor.AbsoluteTurn(25, 50)"
-SIDE = "Wheel.Advance(60); WAIT(12); Wheel.Stop(); WAIT(5)"
+SIDE = "Wheel.DriveBy(30)"
+CORNER = "Motor.LeftBy(90)"
 FELT = "<Button.IsPressed()>()"
 DRIVE = "Wheel.Advance(60); WAIT(20); Wheel.Stop()"
 
 DRAWN = {
+    "first-steps": (
+        {"first": "Pen.PenDown();"},
+        {"first": f"Pen.PenDown(); {SIDE};"},
+        {},
+        {"first": f"Pen.PenDown(); 10*({SIDE});"},
+        {"first": f"Pen.PenDown(); 4*({SIDE});"},
+        {"first": f"Pen.PenDown(); 4*({SIDE}; {CORNER});"},
+        {},
+    ),
     "dance": (
         {"dance": f"{TURN};"},
         {"dance": f"{TURN}; Light.LightOn();"},
@@ -32,11 +42,11 @@ DRAWN = {
         {},
     ),
     "draw": (
-        {"draw": f"Pen.PenDown(); 4*({SIDE}; {TURN});"},
+        {"draw": f"Pen.PenDown(); 4*({SIDE}; {CORNER});"},
         {},
-        {"draw": f"Pen.Colour(3); Pen.PenDown(); 4*({SIDE}; {TURN});"},
-        {"draw": f"Pen.Colour(3); Pen.PenDown(); 5*({SIDE}; {TURN});"},
-        {"draw": f"Pen.Colour(3); Pen.PenDown(); 5*({SIDE}; Motor.AbsoluteTurn(40, 50));"},
+        {"draw": f"Pen.Colour(3); Pen.PenDown(); 4*({SIDE}; {CORNER});"},
+        {"draw": f"Pen.Colour(3); Pen.PenDown(); 5*({SIDE}; {CORNER});"},
+        {"draw": f"Pen.Colour(3); Pen.PenDown(); 5*({SIDE}; Motor.LeftBy(144));"},
         {},
     ),
     "sensing": (
@@ -117,6 +127,26 @@ def test_each_step_is_done_by_what_it_asks_for_and_not_before(name: str, tmp_pat
     made = replace(start, mission=mission).run(seconds=60)
     assert made.outcome == "done", made.sentence
     assert made.seconds < 45
+
+
+@pytest.mark.parametrize(
+    ("name", "program", "corner", "sides"),
+    [
+        ("first-steps", "first", "Motor.RightBy(90)", 4),
+        ("first-steps", "first", TURN, 4),
+        ("draw", "draw", "Motor.RightBy(144)", 5),
+        ("draw", "draw", "Motor.AbsoluteTurn(40, 50)", 5),
+    ],
+)
+def test_a_figure_may_turn_the_other_way_or_be_driven_by_the_clock(
+    name: str, program: str, corner: str, sides: int, tmp_path: Path
+) -> None:
+    tutorial, start = opened(name, tmp_path)
+    side = "Wheel.Advance(60); WAIT(12); Wheel.Stop(); WAIT(5)" if "Absolute" in corner else SIDE
+    text = f"Pen.Colour(3); Pen.PenDown(); {sides}*({side}; {corner});"
+    assert all(done(tutorial, start, with_programs(start, start.mission, {program: text})))
+    wrong = text.replace(corner, corner.replace("(", "(1"))
+    assert not all(done(tutorial, start, with_programs(start, start.mission, {program: wrong})))
 
 
 def test_what_stands_behind_a_loop_is_not_what_is_wanted_in_it(tmp_path: Path) -> None:
