@@ -15,15 +15,15 @@ EXAMPLES = Path(__file__).resolve().parents[2] / "examples"
 MOTORS = (2, 3, 4, 5)
 
 
-def until_it_did_150_ticks(board: Board) -> None:
-    while (hello := board.greet()).state == 2 and hello.tick < 150:
+def until_it_did(board: Board, ticks: int) -> None:
+    while (hello := board.greet()).state == 2 and hello.tick < ticks:
         board.news(0.2)
 
 
 def test_square_drives_and_turns_on_a_pico_with_two_motors_and_stop_stops_them(kit: ModernBoard) -> None:
     deploy_by_command(EXAMPLES / "square" / "square.krt", kit, "--board", "pico")
     with connect(kit.address, PATIENCE_S) as board:
-        until_it_did_150_ticks(board)
+        until_it_did(board, 150)
         board.stop()
         assert board.last_fault() is None
     duties = dict.fromkeys(MOTORS, 0)
@@ -75,7 +75,7 @@ partners[1] = stm32
     with ModernBoard({"lib/machine.py": onboard_files()["machine.py"] + robot.encode()}) as board:
         deploy_by_command(EXAMPLES / "square" / "square.krt", board, "--board", "alvik")
         with connect(board.address, PATIENCE_S) as line:
-            until_it_did_150_ticks(line)
+            until_it_did(line, 300)  # 30 cm take it 4.8 seconds
             line.stop()
             assert line.last_fault() is None
         told = [value for _, what, value in pins_told(board) if what == "write"]

@@ -82,11 +82,11 @@ TUTORIAL = "menu-help-tutorial-example:tutorials/first-steps/first-steps.tutoria
 EXERCISE = "exercise-card-example:exercises/03-square.exercise.xml"
 FIRST_HOUR: list[Screen] = [
     ("a first program", (), "canvas"),
-    ("a field", ("vertex-v8", "key 7"), "in-place"),
+    ("a field", ("vertex-v4", "key 7"), "in-place"),
     ("a menu of a part", ("vertex-v4", "key Shift+F10"), "context-menu"),
     ("find", ("key Control+f",), "find-input"),
     ("done", (Studio.full_speed, "run-button"), "ending"),
-    ("a question", ("vertex-v7", "key Delete", ask_for_new), "banner"),
+    ("a question", ("vertex-v5", "key Delete", ask_for_new), "banner"),
     ("nothing yet", (go_on_without_saving,), "first-place"),
     ("a part is added", ("vertex-start", "key /"), "add-find"),
     ("gallery", (open_gallery_at(1),), "gallery-count"),

@@ -15,7 +15,7 @@ pytestmark = pytest.mark.browser
 
 OpenStudio = Callable[..., Studio]
 
-SQUARE = "Pen.PenDown();10*(  Wheel.Advance(50);  WAIT(10);  Motor.AbsoluteTurn(25, 50););"
+SQUARE = "Pen.PenDown();10*(  Wheel.DriveBy(30);  Motor.LeftBy(90););"
 
 
 class Hands:
@@ -75,7 +75,7 @@ def expect_square(studio: Studio) -> None:
     assert height == pytest.approx(width, rel=0.2)
 
 
-def test_fourteen_clicks_and_drags_are_enough(open_studio: OpenStudio) -> None:
+def test_nine_clicks_and_drags_are_enough(open_studio: OpenStudio) -> None:
     studio = new_sheet(open_studio)
     hands = Hands(studio)
     hands.click(studio.page.locator("label", has=studio.at("new-starter-nothing")))
@@ -85,28 +85,27 @@ def test_fourteen_clicks_and_drags_are_enough(open_studio: OpenStudio) -> None:
         hands.click(f"fold-{name}")
     hands.drop("Repetition", "first-place")
     hands.drop("Pen.PenDown", "arc-start.next")
-    hands.drop("Wheel.Advance", studio.page.locator('.first-place[data-testid$=".body"]'))
-    for part in ("Wait", "Motor.AbsoluteTurn"):
-        before = studio.page.locator(".vertex.is-selected").get_attribute("data-testid") or ""
-        hands.drop(part, f"arc-{before.removeprefix('vertex-')}.next")
+    hands.drop("Wheel.DriveBy", studio.page.locator('.first-place[data-testid$=".body"]'))
+    drive = studio.page.locator(".vertex.is-selected").get_attribute("data-testid") or ""
+    hands.drop("Motor.LeftBy", f"arc-{drive.removeprefix('vertex-')}.next")
     hands.click("run-button")
     expect_square(studio)
-    assert hands.made <= 14
+    assert hands.made <= 9
 
 
-def test_twenty_five_keys_are_enough(open_studio: OpenStudio) -> None:
+def test_twenty_two_keys_are_enough(open_studio: OpenStudio) -> None:
     studio = new_sheet(open_studio)
     hands = Hands(studio)
     hands.keys("Tab", "Tab", "ArrowUp", "Enter")
     studio.expect_opened()
-    for letters in ("pe", "re", "dr", "wa", "tu"):
+    for letters in ("pe", "re", "dr", "lef"):
         hands.keys("/", *letters, "Enter")
     hands.keys("F5")
     expect_square(studio)
-    assert hands.made <= 25
+    assert hands.made <= 22
 
 
-def test_sixteen_taps_on_a_phone_are_enough(open_studio: OpenStudio) -> None:
+def test_ten_taps_on_a_phone_are_enough(open_studio: OpenStudio) -> None:
     studio = new_sheet(open_studio, viewport={"width": 390, "height": 800}, has_touch=True, is_mobile=True)
     hands = Hands(studio)
     hands.tap(studio.page.locator("label", has=studio.at("new-starter-nothing")))
@@ -115,11 +114,11 @@ def test_sixteen_taps_on_a_phone_are_enough(open_studio: OpenStudio) -> None:
     hands.tap("room-palette")
     for name in ("Pen", "Wheels"):
         hands.tap(f"fold-{name}")
-    for part in ("Pen.PenDown", "Repetition", "Wheel.Advance", "Wait", "Motor.AbsoluteTurn"):
+    for part in ("Pen.PenDown", "Repetition", "Wheel.DriveBy", "Motor.LeftBy"):
         hands.tap(f"part-{part}")
     hands.tap("run-button")
     expect_square(studio)
-    assert hands.made <= 16
+    assert hands.made <= 10
 
 
 SEEN = """(row) => {
@@ -156,7 +155,7 @@ def test_the_whole_program_stays_in_view_when_the_window_is_another_one(open_stu
     studio = open_studio("square/square.krt", viewport={"width": 1440, "height": 900})
     for width, height in ((390, 844), (1024, 768), (1600, 1000)):
         studio.page.set_viewport_size({"width": width, "height": height})
-        for vertex in ("start", "v1", "v5", "stop"):
+        for vertex in ("start", "v1", "v3", "stop"):
             expect(studio.at(f"vertex-{vertex}")).to_be_in_viewport(ratio=1)
     # The arena's own tools too.
     studio.page.set_viewport_size({"width": 1024, "height": 768})

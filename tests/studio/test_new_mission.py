@@ -69,6 +69,17 @@ def test_what_does_not_fit_gives_way_and_says_so_and_escape_keeps_what_was_open(
     assert studio.code() == code
 
 
+def a_name_that_a_file_has_is_not_taken_by_a_new_mission(studio: Studio) -> None:
+    (studio.folder / "my-first-mission.krt").write_text("<kitrobot/>", encoding="utf-8")
+    (studio.folder / "Maze.krt").write_text("<kitrobot/>", encoding="utf-8")
+    studio.page.keyboard.press("Control+Alt+n")
+    expect(studio.at("new-name")).to_have_value("my-first-mission-2")
+    studio.at("new-name").fill("maze")
+    studio.at("new-begin").click()
+    studio.expect_opened()
+    expect(studio.at("title")).to_contain_text("maze-2.krt")
+
+
 def the_robot_of_a_team_and_its_place_are_what_was_chosen(studio: Studio) -> None:
     studio.page.keyboard.press("Control+Alt+n")
     choose(studio, "new-robots-line-follower")
@@ -99,5 +110,6 @@ def test_a_mission_begins_with_two_keys_with_what_was_chosen_and_with_a_robot_of
 ) -> None:
     studio = open_studio(None)
     two_keys_lead_from_nothing_to_a_square_that_is_driven(studio)
+    a_name_that_a_file_has_is_not_taken_by_a_new_mission(studio)
     the_robot_of_a_team_and_its_place_are_what_was_chosen(studio)
     a_robot_of_the_folder_is_one_to_begin_with(studio)

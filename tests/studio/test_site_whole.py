@@ -109,7 +109,7 @@ def a_tutorial_follows_what_is_drawn(studio: Studio) -> None:
     begin(studio, "first-steps")
     first_steps_until_run(studio)
     studio.at("run-button").click()
-    at_step(studio, 6)
+    at_step(studio, 4)
 
 
 def with_each_tab_alone_where_there_are_no_locks(page: Page, address: str) -> Page:

@@ -146,6 +146,15 @@ export function asMissionPath(text: string): string {
   return name === "" || name.toLowerCase().endsWith(".krt") ? name : `${name}.krt`;
 }
 
+/** The name of a new mission, without its ending; one that a file or unsaved work has is given a number: `walk-2`. */
+export function freeMissionName(typed: string, taken: readonly string[]): string {
+  const stem = asMissionPath(typed).replace(/\.krt$/i, "");
+  const used = new Set(taken.map((name) => name.toLowerCase()));
+  let name = stem;
+  for (let number = 2; used.has(`${name}.krt`.toLowerCase()); number++) name = `${stem}-${String(number)}`;
+  return name;
+}
+
 /** A file's name without its folders. */
 export function shownName(name: string): string {
   return name.split("/").at(-1) || t("file.untitled");

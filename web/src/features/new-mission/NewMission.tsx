@@ -7,10 +7,12 @@ import { type ReactNode, useCallback, useEffect, useRef, useState } from "react"
 import { create } from "zustand";
 
 import { beginningsApi } from "../../api/beginnings";
+import { api } from "../../api/client";
 import type { Ability, Beginnings, Preview, RunPreview } from "../../api/generated";
+import { journalApi } from "../../api/journal";
 import { t } from "../../i18n/words";
 import { firstSentence, text } from "../../model/texts";
-import { closeOverlay, complain, show } from "../../session/document";
+import { closeOverlay, complain, freeMissionName, show } from "../../session/document";
 import { beginMission } from "../../session/open-requests";
 import { Icon } from "../../theme";
 import { later } from "../../ui/later";
@@ -34,6 +36,16 @@ function useBeginnings(): Beginnings | null {
     complain(cause);
     return null;
   });
+}
+
+async function namesTaken(): Promise<string[]> {
+  const [missions, left] = await Promise.all([api.missions(), journalApi.left()]);
+  return [...missions.map(({ path }) => path), ...left.map(({ name }) => name)];
+}
+
+function noNames(cause: unknown): string[] {
+  complain(cause);
+  return [];
 }
 
 const NO_PREVIEWS: Preview[] = [];
@@ -135,12 +147,13 @@ function PlaceOf({ all, name }: { all: Beginnings; name: string | undefined }) {
 
 export function NewMission() {
   const all = useBeginnings();
-  return all === null || all.robot_sets.length === 0 ? null : <Form all={all} />;
+  const taken = useFetched(namesTaken, noNames);
+  return all === null || taken === null || all.robot_sets.length === 0 ? null : <Form all={all} taken={taken} />;
 }
 
-function Form({ all }: { all: Beginnings }) {
+function Form({ all, taken }: { all: Beginnings; taken: readonly string[] }) {
   const choice = settled(all, useLastChoice());
-  const [name, setName] = useState(t("new.name-first"));
+  const [name, setName] = useState(() => freeMissionName(t("new.name-first"), taken));
   const form = useRef<HTMLFormElement>(null);
   const previews = usePreviews(choice);
   const runOf = (name: string) => previews.find(({ starter }) => starter === name)?.run;
@@ -171,7 +184,8 @@ function Form({ all }: { all: Beginnings }) {
       onSubmit={(event) => {
         event.preventDefault();
         closeOverlay();
-        beginMission(() => beginningsApi.mission(choice.robotSet, choice.place, choice.starter), name);
+        const { robotSet, place, starter } = choice;
+        beginMission(() => beginningsApi.mission(robotSet, place, starter), freeMissionName(name, taken));
       }}
     >
       <main className="new-rows">
