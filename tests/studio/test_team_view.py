@@ -136,10 +136,10 @@ def test_the_projection_follows_each_edit_and_leads_to_vertices_and_back(open_st
     expect(studio.at("projection-mini-robot")).to_have_text("square")
     # A line of the program that stands in the team's leads there, and the other way round.
     lines = studio.page.locator('[data-testid="projection"] .cm-line')
-    lines.filter(has_text="Wheel.Advance").first.click()
+    lines.filter(has_text="Wheel.DriveBy").first.click()
     expect(studio.at("tab-square")).to_have_attribute("aria-selected", "true")
     expect(studio.page.locator(".vertex.is-selected")).to_contain_text("Drive")
-    expect(text.locator(".line-selected")).to_contain_text(["Wheel.Advance"])
+    expect(text.locator(".line-selected")).to_contain_text(["Wheel.DriveBy"])
     studio.at("tab-team").click()
     studio.page.locator(".vertex", has_text="Each on its own").first.click()
     expect(text.locator(".line-selected").first).to_contain_text("Team.Enter(0);")

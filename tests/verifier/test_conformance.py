@@ -20,7 +20,7 @@ from kitrobot.verifier.model.abstraction import abstract_run
 from kitrobot.world.geometry import Corner
 from kitrobot.world.model import Dock, Road, Start, Storehouse, World
 from tests.effort import cases
-from tests.sim.building import WHEEL, avatar, run_of, transport
+from tests.sim.building import WHEEL, avatar, catalogue, empty_world, run_of, transport
 from tests.verifier.check_fixtures import EXAMPLES, prepared
 from tests.verifier.reference.model import Model, State
 from tests.verifier.reference.timing import Clock, Timing
@@ -117,6 +117,12 @@ def injected_faults(state: State, now: Any, model: Model) -> set[State]:
 @pytest.mark.parametrize("seed", cases([1, 2], list(range(3, 60))))
 def test_the_transport_mission_does_nothing_that_the_model_does_not(seed: int) -> None:
     assert follow(transport(seed, stock=3, carriers=3), 4000) > 50
+
+
+def test_distances_and_angles_take_a_while_in_the_model_too() -> None:
+    robot = catalogue().robots["mini-robot"]
+    program = "2*( Wheel.DriveBy(5); Wheel.BackBy(3); Motor.LeftBy(20); Motor.RightBy(5); );"
+    assert follow(run_of({"a": (robot, program)}, empty_world(a=(1000, 1000, 0))), 400) > 8
 
 
 @pytest.mark.parametrize("name", ["merge", "passing-loop"])

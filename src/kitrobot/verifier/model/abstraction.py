@@ -26,8 +26,8 @@ from kitrobot.verifier.model.programs import ProgramTable, greatest_argument, va
 from kitrobot.verifier.model.team_agreement import Agreement
 from kitrobot.verifier.tables.roads import Gaps, Track, Zones, zones_of
 
-_WAYS = (0, 1, -1)
-"""The directions of the procedures of wheels: stop, forward, back."""
+_WAYS = (0, 1, -1, 1, -1)
+"""The directions of the procedures of wheels: stop, forward, back, a distance forward, a distance back."""
 
 NOISE_DEVIATIONS = 4.0
 """The most standard deviations by which a speed may differ from its nominal value."""
