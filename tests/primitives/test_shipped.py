@@ -165,7 +165,7 @@ def described(robot: Robot) -> list[str]:
     return lines
 
 
-def test_the_mini_robot_has_every_object_of_the_paper(catalogue: Catalogue) -> None:
+def test_the_mini_robot_has_every_object_of_the_paper_and_drives_and_turns_by_a_measure(catalogue: Catalogue) -> None:
     robot = catalogue.robot("mini-robot")
     assert (robot.tick_ms, robot.wait_unit_ms) == (20, 100)
     assert [(v.name, v.type.value, v.minimum, v.maximum, v.initial) for v in robot.variables] == [
@@ -178,9 +178,13 @@ def test_the_mini_robot_has_every_object_of_the_paper(catalogue: Catalogue) -> N
         "actuator Motor.AbsoluteTurn(angle 0…100, speed 0…100) later → Stop",
         "actuator Motor.Turn(speed 0…100) → Stop",
         "actuator Motor.Stop()",
+        "actuator Motor.LeftBy(angle 0…360) later → Stop",
+        "actuator Motor.RightBy(angle 0…360) later → Stop",
         "actuator Wheel.Advance(speed 0…100) → Stop",
         "actuator Wheel.Reverse(speed 0…100) → Stop",
         "actuator Wheel.Stop()",
+        "actuator Wheel.DriveBy(distance 0…500) later → Stop",
+        "actuator Wheel.BackBy(distance 0…500) later → Stop",
         "actuator Door.Open() later",
         "actuator Door.Close() later",
         "actuator Light.LightOn() → LightOff",
