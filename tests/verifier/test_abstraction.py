@@ -141,8 +141,7 @@ def test_a_distance_and_an_angle_are_done_at_any_time_and_have_no_length_on_a_ro
     assert {one.property.name: one.answer.value for one in made.verdicts}["deadlock"] == "holds"
     for act in parts.parts[0].acts:
         if act.busy >= 0:
-            assert act.later == set(act.ways)
-            assert min(act.ways.values()) >= 0  # one more is what is busy; 0 is done
+            assert min(act.ways[command] for command in act.later) >= 0  # one more is what is busy; 0 is done
     by = '<procedure name="DriveBy" completes="later"><parameter name="distance" min="0" max="100"/></procedure>'
     guided = WHEEL.format(settings='guide="road"').replace("</actuator>", f"{by}</actuator>")
     ring = shipped_world("ring")
