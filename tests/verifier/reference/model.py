@@ -244,7 +244,7 @@ class Model:
                 if actuator == part.drive:
                     want = act.ways[command] if argument else 0
                 elif act.busy >= 0 and command in act.later:
-                    busy[act.busy] = 1 + abs(act.ways[command])
+                    busy[act.busy] = 1 + act.ways[command]
             own = reaction.shared if inside.own else ()
             stopped, left = reaction.stops
             loose = inside.loose & ~stopped | left

@@ -74,7 +74,7 @@ def after_reaction(part: AgentModel, inside: Inside, reaction: Reaction) -> tupl
         if actuator == part.drive:
             want = act.ways[command] if argument else 0
         elif act.busy >= 0 and command in act.later:
-            busy[act.busy] = 1 + abs(act.ways[command])
+            busy[act.busy] = 1 + act.ways[command]
     own = reaction.shared if inside.is_muted else ()
     stopped, left = reaction.stops
     loose = inside.loose & ~stopped | left
