@@ -195,7 +195,7 @@ def test_every_choice_and_unit_of_letters_that_is_shipped_speaks_each_language(c
         ("No", "Not"),
         ("Parallelism", "At the same time"),
         ("Motor.AbsoluteTurn", "Turn by"),
-        ("Wheel.Advance", "Drive"),
+        ("Wheel.Advance", "Keep driving"),
         ("Captor", "Distance sensor"),
     ],
 )

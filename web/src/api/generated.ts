@@ -1474,7 +1474,9 @@ export interface ProblemsMessage {
   problems: Problem[];
 }
 
-/** A graph, and what it is for: `target` names the kind of robot of the agents that run it, "" for a team's. */
+/**
+ * A graph, and what it is for: `target` names the kind of robot of the agents that run it, "" for a team's. Examples:
+ */
 export interface Program {
   name: string;
   robot: string;
