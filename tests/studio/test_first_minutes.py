@@ -75,14 +75,12 @@ def expect_square(studio: Studio) -> None:
     assert height == pytest.approx(width, rel=0.2)
 
 
-def test_fourteen_clicks_and_drags_are_enough(open_studio: OpenStudio) -> None:
+def test_twelve_clicks_and_drags_are_enough(open_studio: OpenStudio) -> None:
     studio = new_sheet(open_studio)
     hands = Hands(studio)
     hands.click(studio.page.locator("label", has=studio.at("new-starter-nothing")))
     hands.click("new-begin")
     studio.expect_opened()
-    for name in ("Pen", "Wheels"):
-        hands.click(f"fold-{name}")
     hands.drop("Repetition", "first-place")
     hands.drop("Pen.PenDown", "arc-start.next")
     hands.drop("Wheel.Advance", studio.page.locator('.first-place[data-testid$=".body"]'))
@@ -91,7 +89,7 @@ def test_fourteen_clicks_and_drags_are_enough(open_studio: OpenStudio) -> None:
         hands.drop(part, f"arc-{before.removeprefix('vertex-')}.next")
     hands.click("run-button")
     expect_square(studio)
-    assert hands.made <= 14
+    assert hands.made <= 12
 
 
 def test_twenty_five_keys_are_enough(open_studio: OpenStudio) -> None:
@@ -106,24 +104,22 @@ def test_twenty_five_keys_are_enough(open_studio: OpenStudio) -> None:
     assert hands.made <= 25
 
 
-def test_sixteen_taps_on_a_phone_are_enough(open_studio: OpenStudio) -> None:
+def test_fourteen_taps_on_a_phone_are_enough(open_studio: OpenStudio) -> None:
     studio = new_sheet(open_studio, viewport={"width": 390, "height": 800}, has_touch=True, is_mobile=True)
     hands = Hands(studio)
     hands.tap(studio.page.locator("label", has=studio.at("new-starter-nothing")))
     hands.tap("new-begin")
     studio.expect_opened()
     hands.tap("room-palette")
-    for name in ("Pen", "Wheels"):
-        hands.tap(f"fold-{name}")
     for part in ("Pen.PenDown", "Repetition", "Wheel.Advance", "Wait", "Motor.AbsoluteTurn"):
         hands.tap(f"part-{part}")
     hands.tap("run-button")
     expect_square(studio)
-    assert hands.made <= 16
+    assert hands.made <= 14
 
 
 SEEN = """(row) => {
-    const [at, list] = [row.getBoundingClientRect(), row.closest('.parts').getBoundingClientRect()];
+    const [at, list] = [row.getBoundingClientRect(), row.closest('.palette-list').getBoundingClientRect()];
     return at.top >= list.top - 1 && at.bottom <= list.bottom + 1 && at.right <= list.right;
 }"""
 
@@ -141,14 +137,14 @@ def test_the_list_of_parts_is_scrolled_with_the_wheel_and_shows_what_sensors_say
     studio.wait_until_done()
     box = page.locator(".parts").bounding_box()
     assert box is not None
-    sensor = studio.at("fold-Distance sensor")
+    sensor = studio.at("object-Captor")
     assert not sensor.evaluate(SEEN)
     page.mouse.move(box["x"] + box["width"] / 2, box["y"] + box["height"] - 40)
     # By hand: what a test scrolls into view goes there also where nobody else can go.
     while not sensor.evaluate(SEEN):
-        before = page.locator(".parts").evaluate("(one) => one.scrollTop")
+        before = page.locator(".palette-list").evaluate("(one) => one.scrollTop")
         page.mouse.wheel(0, 100)
-        page.wait_for_function("(was) => document.querySelector('.parts').scrollTop > was", arg=before)
+        page.wait_for_function("(was) => document.querySelector('.palette-list').scrollTop > was", arg=before)
     assert sensor.locator(".palette-live").evaluate(SEEN)
 
 
@@ -170,7 +166,7 @@ def test_the_robot_is_changed_above_its_parts_and_undo_gives_back_the_one_before
     expect(studio.at("menu-robot-mini-robot").locator(".picture")).to_be_visible()
     studio.at("menu-robot-line-follower").click()
     expect(studio.at("palette-robot")).to_have_text("Line follower")
-    expect(studio.at("fold-Left wheel")).to_be_visible()
+    expect(studio.at("object-LeftWheel")).to_be_visible()
     expect(studio.at("problems")).to_contain_text("2")
     studio.at("undo").click()
     expect(studio.at("palette-robot")).to_have_text("Mini-robot")

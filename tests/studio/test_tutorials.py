@@ -37,20 +37,6 @@ def done(studio: Studio, *numbers: int) -> None:
         expect(studio.at(f"tutorial-step-{number}")).to_have_attribute("data-state", "done")
 
 
-def open_part(studio: Studio, object_: str) -> None:
-    """Opens an object of the palette ("actuator Wheel"), if it is folded."""
-    row = studio.page.locator(f'[data-row="object {object_}"]')
-    if row.get_attribute("aria-expanded") == "false":
-        row.click()
-
-
-def drop(studio: Studio, part: str, target: str, object_: str = "") -> None:
-    """Drags a part onto something, its object opened before."""
-    if object_:
-        open_part(studio, object_)
-    studio.drop(part, target)
-
-
 def run(studio: Studio) -> None:
     """Presses Run."""
     studio.at("run-button").click()
@@ -63,14 +49,14 @@ def set_field(studio: Studio, field: str, value: str) -> None:
 
 def first_steps_until_run(studio: Studio) -> None:
     """The first four steps with the mouse."""
-    drop(studio, "Wheel.Advance", "first-place", "actuator Wheel")
+    studio.drop("Wheel.Advance", "first-place")
     at_step(studio, 2)
     studio.at("vertex-v1").click()
     set_field(studio, "v1.speed", "60")
     at_step(studio, 3)
     studio.drop("Wait", "arc-v1.next")
     at_step(studio, 4)
-    drop(studio, "Wheel.Stop", "arc-v2.next", "actuator Wheel")
+    studio.drop("Wheel.Stop", "arc-v2.next")
     at_step(studio, 5)
 
 
@@ -82,7 +68,7 @@ def test_first_steps_with_the_mouse(open_studio: OpenStudio) -> None:
     studio.full_speed()
     run(studio)
     at_step(studio, 6)
-    drop(studio, "Motor.AbsoluteTurn", "arc-v3.next", "actuator Motor")
+    studio.drop("Motor.AbsoluteTurn", "arc-v3.next")
     at_step(studio, 7)
     studio.at("canvas").focus()
     studio.page.keyboard.press("Control+a")
@@ -113,7 +99,7 @@ def test_first_steps_by_keyboard_alone_in_urdu(open_studio: OpenStudio) -> None:
     # Names of parts stand there as the palette has them.
     expect(panel).not_to_contain_text("{")
     expect(panel.locator("p").first).to_contain_text(
-        studio.page.locator('[data-row="object actuator Wheel"]').inner_text()
+        studio.at("part-Wheel.Advance").locator(".palette-name").inner_text()
     )
 
     def add(part: str) -> None:
@@ -175,17 +161,17 @@ def test_sensing_with_a_wrong_way_and_undo(open_studio: OpenStudio) -> None:
     begin(studio, "sensing")
     studio.drop("While", "first-place")
     at_step(studio, 2)
-    drop(studio, "Captor.GreaterThan", "slot-v1.condition", "sensor Captor")
+    studio.drop("Captor.GreaterThan", "slot-v1.condition")
     at_step(studio, 3)
     # A wrong way: the robot would begin to drive after the loop.
-    drop(studio, "Wheel.Advance", "arc-v1.next", "actuator Wheel")
+    studio.drop("Wheel.Advance", "arc-v1.next")
     studio.expect_code("Wheel.Advance(50);")
     done(studio, 1, 2)
     at_step(studio, 3)
     studio.page.keyboard.press("Control+z")
-    drop(studio, "Wheel.Advance", "arc-v1.body", "actuator Wheel")
+    studio.drop("Wheel.Advance", "arc-v1.body")
     at_step(studio, 4)
-    drop(studio, "Wheel.Stop", "arc-v1.next", "actuator Wheel")
+    studio.drop("Wheel.Stop", "arc-v1.next")
     at_step(studio, 5)
     studio.full_speed()
     run(studio)
@@ -198,13 +184,13 @@ def test_sensing_with_a_wrong_way_and_undo(open_studio: OpenStudio) -> None:
     studio.page.keyboard.press("Control+y")
     done(studio, 1, 2, 3, 4, 5)
     stop = studio.page.locator('.vertex[aria-label*="Stop"]').first.get_attribute("data-testid") or ""
-    drop(studio, "Motor.AbsoluteTurn", f"arc-{stop.removeprefix('vertex-')}.next", "actuator Motor")
+    studio.drop("Motor.AbsoluteTurn", f"arc-{stop.removeprefix('vertex-')}.next")
     at_step(studio, 7)
     turn = studio.page.locator('.vertex[aria-label*="Turn by"]').get_attribute("data-testid") or ""
     studio.drop("If Then", f"arc-{turn.removeprefix('vertex-')}.next")
     choice = (studio.page.locator('.vertex[aria-label*="If Then"]').get_attribute("data-testid") or "")[7:]
-    drop(studio, "Captor.GreaterThan", f"slot-{choice}.condition", "sensor Captor")
-    drop(studio, "Light.LightOn", f"arc-{choice}.then", "actuator Light")
+    studio.drop("Captor.GreaterThan", f"slot-{choice}.condition")
+    studio.drop("Light.LightOn", f"arc-{choice}.then")
     at_step(studio, 8)
     run(studio)
     expect(studio.at("tutorial-end")).to_be_visible()
@@ -216,12 +202,12 @@ def test_together_with_two_branches_and_two_programs(open_studio: OpenStudio) ->
     begin(studio, "together")
     studio.drop("Parallelism", "first-place")
     at_step(studio, 2)
-    drop(studio, "Wheel.Advance", "arc-v1.branch.2", "actuator Wheel")
+    studio.drop("Wheel.Advance", "arc-v1.branch.2")
     studio.drop("Wait", "arc-v2.next")
     at_step(studio, 3)
-    drop(studio, "Light.LightOn", "arc-v1.branch.1", "actuator Light")
+    studio.drop("Light.LightOn", "arc-v1.branch.1")
     at_step(studio, 4)
-    drop(studio, "Wheel.Stop", "arc-v1.next", "actuator Wheel")
+    studio.drop("Wheel.Stop", "arc-v1.next")
     at_step(studio, 5)
     studio.full_speed()
     run(studio)
@@ -229,11 +215,11 @@ def test_together_with_two_branches_and_two_programs(open_studio: OpenStudio) ->
     studio.at("add-program").click()
     studio.at("menu-add-mini-robot").click()
     expect(studio.at("tab-program-1")).to_be_visible()
-    drop(studio, "Wheel.Advance", "first-place", "actuator Wheel")
+    studio.drop("Wheel.Advance", "first-place")
     at_step(studio, 7)
     studio.drop("Wait", "arc-v1.next")
     done(studio, *range(1, 7))
-    drop(studio, "Wheel.Stop", "arc-v2.next", "actuator Wheel")
+    studio.drop("Wheel.Stop", "arc-v2.next")
     at_step(studio, 8)
     run(studio)
     expect(studio.at("tutorial-end")).to_be_visible()
@@ -264,13 +250,12 @@ def test_later_steps_first_another_right_way_and_more_than_was_asked(open_studio
 def test_hints_come_when_asked_for_and_lead_to_what_is_meant(open_studio: OpenStudio) -> None:
     studio = open_studio(BLINK)
     begin(studio, "first-steps")
-    row = studio.page.locator('[data-row="object actuator Wheel"]')
-    expect(row).to_have_css("outline-style", "dashed")
+    part = studio.at("part-Wheel.Advance")
+    expect(part).to_have_css("outline-style", "dashed")
     expect(studio.at("tutorial-hint")).to_have_count(0)
     studio.at("tutorial-show").click()
     expect(studio.at("tutorial-hint")).to_contain_text("press /, type Drive")
     studio.at("tutorial-go-part-Wheel.Advance").click()
-    part = studio.at("part-Wheel.Advance")
     expect(part).to_be_focused()
     expect(part).to_have_css("outline-style", "dashed")
     studio.page.keyboard.press("Enter")
@@ -286,7 +271,7 @@ def test_hints_come_when_asked_for_and_lead_to_what_is_meant(open_studio: OpenSt
 def test_skip_back_leave_and_come_back(open_studio: OpenStudio) -> None:
     studio = open_studio(BLINK)
     begin(studio, "first-steps")
-    drop(studio, "Wheel.Advance", "first-place", "actuator Wheel")
+    studio.drop("Wheel.Advance", "first-place")
     at_step(studio, 2)
     studio.at("tutorial-next").click()
     at_step(studio, 3)
@@ -323,7 +308,7 @@ def test_skip_back_leave_and_come_back(open_studio: OpenStudio) -> None:
 def test_what_was_saved_elsewhere_is_where_it_goes_on(open_studio: OpenStudio) -> None:
     studio = open_studio(BLINK)
     begin(studio, "first-steps")
-    drop(studio, "Wheel.Advance", "first-place", "actuator Wheel")
+    studio.drop("Wheel.Advance", "first-place")
     at_step(studio, 2)
     studio.page.keyboard.press("Control+Shift+s")
     studio.page.locator('[data-testid="save-dialog"] input').first.fill("mine.krt")
