@@ -97,7 +97,7 @@ def test_twenty_five_keys_are_enough(open_studio: OpenStudio) -> None:
     hands = Hands(studio)
     hands.keys("Tab", "Tab", "ArrowUp", "Enter")
     studio.expect_opened()
-    for letters in ("pe", "re", "dr", "wa", "tu"):
+    for letters in ("pe", "re", "ad", "wa", "tu"):
         hands.keys("/", *letters, "Enter")
     hands.keys("F5")
     expect_square(studio)

@@ -5,7 +5,7 @@
  * place comes first in its tab; the other methods of a robot's object stand under its name.
  */
 import { t } from "../../i18n/words";
-import { inWords } from "../../model/meaning";
+import { inWords, storedNumber } from "../../model/meaning";
 import { type Parts, type Shape, shortTitle, title } from "../../model/parts";
 import { rank } from "../../model/part-search";
 import { TEAM_ROBOT } from "../../model/team-robot";
@@ -113,6 +113,6 @@ function newRow({ robot }: Parts): Row[] {
 
 function partRow(shape: Shape, label: string, level: number): Row {
   const [field] = shape.fields;
-  const aside = field?.kind === "integer" && field.default !== "" ? inWords(field, Number(field.default)) : "";
+  const aside = field?.kind === "integer" && field.default !== "" ? inWords(field, storedNumber(field.default) ?? field.min) : "";
   return { kind: "part", key: rowOfPart(shape.element), level, label, shape, aside };
 }
