@@ -37,9 +37,12 @@ describe("the palette's tabs", () => {
     expect(labels("Conditions")).toContain("Run");
   });
 
-  it("end with the way to a new variable where variables are", () => {
+  it("have the way to a new variable behind the variables", () => {
     const rows = tabsOf(CARRIER, "").find(({ name }) => name === "Conditions")?.rows;
-    expect(rows?.at(-1)).toMatchObject({ kind: "new" });
+    const fresh = rows?.findIndex(({ kind }) => kind === "new") ?? -1;
+    expect(rows?.slice(0, fresh).some((row) => row.kind === "object" && row.object.category === "system")).toBe(false);
+    const behind = rows?.slice(fresh + 1).filter(({ kind }) => kind === "object") ?? [];
+    expect(behind.every((row) => row.kind === "object" && row.object.category === "system")).toBe(true);
   });
 
   it("hold an object, and a method, in the group that it names", () => {

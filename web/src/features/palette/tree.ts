@@ -69,7 +69,11 @@ export function tabsOf(parts: Parts, query: string): Tab[] {
   return groups.flatMap((group): Tab[] => {
     const found = byGroup.get(group) ?? [];
     const rows = searching ? foundRows(found) : allRows(found);
-    if (!searching && group?.holds === "values") rows.push(...newRow(parts));
+    if (!searching && group?.holds === "values") {
+      // New ones are made where the others are.
+      const after = rows.findIndex((row) => row.kind === "object" && row.object.category === "system");
+      rows.splice(after < 0 ? rows.length : after, 0, ...newRow(parts));
+    }
     if (rows.length === 0) return [];
     // What no file has a tab for stands at the end.
     const { name, label, icon = "", colour } = group ?? { name: "", label: {}, colour: "action" as const };
@@ -113,6 +117,7 @@ function newRow({ robot }: Parts): Row[] {
 
 function partRow(shape: Shape, label: string, level: number): Row {
   const [field] = shape.fields;
-  const aside = field?.kind === "integer" && field.default !== "" ? inWords(field, storedNumber(field.default) ?? field.min) : "";
+  const aside =
+    field?.kind === "integer" && field.default !== "" ? inWords(field, storedNumber(field.default) ?? field.min) : "";
   return { kind: "part", key: rowOfPart(shape.element), level, label, shape, aside };
 }
