@@ -9,7 +9,7 @@ import pytest
 
 import kitrobot.world
 from kitrobot.primitives.catalogue import Catalogue, load_catalogue
-from kitrobot.primitives.robot import Texts
+from kitrobot.primitives.robot import Category, SearchWords, Texts
 from kitrobot.world.xml_reader import read_world
 
 WORLDS = sorted((Path(kitrobot.world.__file__).parent / "shipped").glob("*.xml"))
@@ -57,6 +57,59 @@ def test_a_phrase_with_words_is_there_in_each_language_with_the_same_holes(catal
                 for phrase in method.phrase.values():
                     assert sorted(holes.findall(phrase)) == sorted(holes.findall(english)), phrase
     assert found > 10
+
+
+def test_what_is_found_by_words_is_found_by_words_in_each_language(catalogue: Catalogue) -> None:
+    silent = [name for name, one in catalogue.constructors.items() if set(one.words) != ALL]
+    for robot in catalogue.robots.values():
+        for part in robot.objects:
+            if part.category in (Category.ACTUATOR, Category.SENSOR) and set(part.words) != ALL:
+                silent.append(f"{robot.name} {part.name}")
+            silent += [f"{part.name}.{one.name}" for one in part.methods if one.words and set(one.words) != ALL]
+    assert silent == []
+
+
+def found(catalogue: Catalogue, robot: str, word: str) -> set[str]:
+    """The methods of a robot, and the constructors, that a word of the XML finds."""
+
+    def has(*words: SearchWords) -> bool:
+        return any(word in one for each in words for one in each.values())
+
+    methods = {
+        f"{part.name}.{method.name}"
+        for part in catalogue.robots[robot].objects
+        for method in part.methods
+        if has(part.words, method.words)
+    }
+    return methods | {name for name, one in catalogue.constructors.items() if has(one.words)}
+
+
+@pytest.mark.parametrize(
+    ("robot", "word", "part"),
+    [
+        ("mini-robot", "left", "Motor.LeftBy"),
+        ("mini-robot", "droite", "Motor.RightBy"),
+        ("mini-robot", "سیدھا", "Wheel.DriveBy"),
+        ("mini-robot", "back", "Wheel.BackBy"),
+        ("mini-robot", "spin", "Motor.Turn"),
+        ("mini-robot", "draw", "Pen.PenDown"),
+        ("mini-robot", "blink", "Light.LightOn"),
+        ("mini-robot", "wall", "Captor.LessThan"),
+        ("mini-robot", "colour", "Light.IsRed"),
+        ("kit-robot", "forward", "LeftWheel.Forward"),
+        ("line-follower", "see", "LeftEye.IsRed"),
+        ("carrier", "go", "Wheel.Advance"),
+        ("microbit", "music", "Music.Play"),
+        ("microbit", "beep", "Music.Tone"),
+        ("microbit", "random", "Dice.Value"),
+        ("microbit", "toujours", "Forever"),
+        ("microbit", "always", "Forever"),
+        ("loader", "انتظار", "Wait"),
+        ("loader", "repeat", "Repetition"),
+    ],
+)
+def test_what_a_child_types_finds_the_part(catalogue: Catalogue, robot: str, word: str, part: str) -> None:
+    assert part in found(catalogue, robot, word)
 
 
 @pytest.mark.parametrize("path", WORLDS, ids=lambda path: path.name)

@@ -75,14 +75,12 @@ def expect_square(studio: Studio) -> None:
     assert height == pytest.approx(width, rel=0.2)
 
 
-def test_nine_clicks_and_drags_are_enough(open_studio: OpenStudio) -> None:
+def test_seven_clicks_and_drags_are_enough(open_studio: OpenStudio) -> None:
     studio = new_sheet(open_studio)
     hands = Hands(studio)
     hands.click(studio.page.locator("label", has=studio.at("new-starter-nothing")))
     hands.click("new-begin")
     studio.expect_opened()
-    for name in ("Pen", "Wheels"):
-        hands.click(f"fold-{name}")
     hands.drop("Repetition", "first-place")
     hands.drop("Pen.PenDown", "arc-start.next")
     hands.drop("Wheel.DriveBy", studio.page.locator('.first-place[data-testid$=".body"]'))
@@ -90,7 +88,7 @@ def test_nine_clicks_and_drags_are_enough(open_studio: OpenStudio) -> None:
     hands.drop("Motor.LeftBy", f"arc-{drive.removeprefix('vertex-')}.next")
     hands.click("run-button")
     expect_square(studio)
-    assert hands.made <= 9
+    assert hands.made <= 7
 
 
 def test_twenty_two_keys_are_enough(open_studio: OpenStudio) -> None:
@@ -105,24 +103,22 @@ def test_twenty_two_keys_are_enough(open_studio: OpenStudio) -> None:
     assert hands.made <= 22
 
 
-def test_ten_taps_on_a_phone_are_enough(open_studio: OpenStudio) -> None:
+def test_eight_taps_on_a_phone_are_enough(open_studio: OpenStudio) -> None:
     studio = new_sheet(open_studio, viewport={"width": 390, "height": 800}, has_touch=True, is_mobile=True)
     hands = Hands(studio)
     hands.tap(studio.page.locator("label", has=studio.at("new-starter-nothing")))
     hands.tap("new-begin")
     studio.expect_opened()
     hands.tap("room-palette")
-    for name in ("Pen", "Wheels"):
-        hands.tap(f"fold-{name}")
     for part in ("Pen.PenDown", "Repetition", "Wheel.DriveBy", "Motor.LeftBy"):
         hands.tap(f"part-{part}")
     hands.tap("run-button")
     expect_square(studio)
-    assert hands.made <= 10
+    assert hands.made <= 8
 
 
 SEEN = """(row) => {
-    const [at, list] = [row.getBoundingClientRect(), row.closest('.parts').getBoundingClientRect()];
+    const [at, list] = [row.getBoundingClientRect(), row.closest('.palette-list').getBoundingClientRect()];
     return at.top >= list.top - 1 && at.bottom <= list.bottom + 1 && at.right <= list.right;
 }"""
 
@@ -140,14 +136,14 @@ def test_the_list_of_parts_is_scrolled_with_the_wheel_and_shows_what_sensors_say
     studio.wait_until_done()
     box = page.locator(".parts").bounding_box()
     assert box is not None
-    sensor = studio.at("fold-Distance sensor")
+    sensor = studio.at("object-Captor")
     assert not sensor.evaluate(SEEN)
     page.mouse.move(box["x"] + box["width"] / 2, box["y"] + box["height"] - 40)
     # By hand: what a test scrolls into view goes there also where nobody else can go.
     while not sensor.evaluate(SEEN):
-        before = page.locator(".parts").evaluate("(one) => one.scrollTop")
+        before = page.locator(".palette-list").evaluate("(one) => one.scrollTop")
         page.mouse.wheel(0, 100)
-        page.wait_for_function("(was) => document.querySelector('.parts').scrollTop > was", arg=before)
+        page.wait_for_function("(was) => document.querySelector('.palette-list').scrollTop > was", arg=before)
     assert sensor.locator(".palette-live").evaluate(SEEN)
 
 
@@ -169,7 +165,7 @@ def test_the_robot_is_changed_above_its_parts_and_undo_gives_back_the_one_before
     expect(studio.at("menu-robot-mini-robot").locator(".picture")).to_be_visible()
     studio.at("menu-robot-line-follower").click()
     expect(studio.at("palette-robot")).to_have_text("Line follower")
-    expect(studio.at("fold-Left wheel")).to_be_visible()
+    expect(studio.at("object-LeftWheel")).to_be_visible()
     expect(studio.at("problems")).to_contain_text("2")
     studio.at("undo").click()
     expect(studio.at("palette-robot")).to_have_text("Mini-robot")

@@ -102,7 +102,7 @@ def a_robot_of_the_folder_is_one_to_begin_with(studio: Studio) -> None:
     card.click()
     studio.at("new-begin").click()
     studio.expect_opened()
-    expect(studio.at("fold-Lamp")).to_be_visible()
+    expect(studio.at("object-Lamp")).to_be_visible()
 
 
 def test_a_mission_begins_with_two_keys_with_what_was_chosen_and_with_a_robot_of_the_folder(

@@ -184,13 +184,14 @@ def test_a_file_that_changes_on_disk_is_followed_while_the_studio_runs(open_stud
     file.write_text(CONSTRUCTORS)
     studio.at("part-Twice").click()
     studio.expect_code("2*(")
-    # The palette keeps what is folded and who has the focus.
-    studio.at("fold-Choices").click()
+    # The palette keeps what is searched for and who has the focus.
+    studio.at("part-find").fill("while")
     studio.at("part-While").focus()
     file.write_text(CONSTRUCTORS.replace("2*(", "5*("))
     studio.expect_code("5*(")
-    expect(studio.at("fold-Choices")).to_have_attribute("aria-expanded", "false")
+    expect(studio.at("part-find")).to_have_value("while")
     expect(studio.at("part-While")).to_be_focused()
+    studio.at("part-find").fill("")
 
     file.write_text("<constructors")
     expect(studio.at("part-Twice")).to_have_count(0)

@@ -7,7 +7,7 @@ from playwright.sync_api import expect
 
 from tests.studio.conftest import Studio
 from tests.studio.test_failure_lab import choose
-from tests.studio.test_tutorials import BLINK, OpenStudio, at_step, begin, done, drop, run
+from tests.studio.test_tutorials import BLINK, OpenStudio, at_step, begin, done, run
 
 pytestmark = pytest.mark.browser
 
@@ -45,7 +45,7 @@ def test_together_step_by_step(open_studio: OpenStudio) -> None:
     at_step(studio, 2)
     studio.full_speed()
     studio.wait_until_done()
-    drop(studio, "Light.LightOn", "arc-v2.next", "actuator Light")
+    studio.drop("Light.LightOn", "arc-v2.next")
     at_step(studio, 3)
     run(studio)
     at_step(studio, 4)

@@ -110,7 +110,7 @@ def a_swipe_over_parts_scrolls_them_and_drags_none(studio: Studio) -> None:
     hand.move(((x, y), (x + 4, y - 160)), steps=8)
     expect(studio.page.locator(".ghost")).to_have_count(0)
     hand.put("touchEnd")
-    studio.page.wait_for_function("document.querySelector('.parts').scrollTop > 60")
+    studio.page.wait_for_function("document.querySelector('.palette-list').scrollTop > 60")
     expect(studio.at("saved-state")).to_have_text("saved")
 
 

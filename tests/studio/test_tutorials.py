@@ -37,20 +37,6 @@ def done(studio: Studio, *numbers: int) -> None:
         expect(studio.at(f"tutorial-step-{number}")).to_have_attribute("data-state", "done")
 
 
-def open_part(studio: Studio, object_: str) -> None:
-    """Opens an object of the palette ("actuator Wheel"), if it is folded."""
-    row = studio.page.locator(f'[data-row="object {object_}"]')
-    if row.get_attribute("aria-expanded") == "false":
-        row.click()
-
-
-def drop(studio: Studio, part: str, target: str, object_: str = "") -> None:
-    """Drags a part onto something, its object opened before."""
-    if object_:
-        open_part(studio, object_)
-    studio.drop(part, target)
-
-
 def run(studio: Studio) -> None:
     """Presses Run."""
     studio.at("run-button").click()
@@ -63,17 +49,17 @@ def set_field(studio: Studio, field: str, value: str) -> None:
 
 def first_steps_until_run(studio: Studio) -> None:
     """The first two steps with the mouse."""
-    drop(studio, "Pen.PenDown", "first-place", "actuator Pen")
+    studio.drop("Pen.PenDown", "first-place")
     at_step(studio, 2)
-    drop(studio, "Wheel.DriveBy", "arc-v1.next", "actuator Wheel")
+    studio.drop("Wheel.DriveBy", "arc-v1.next")
     at_step(studio, 3)
 
 
-def test_first_steps_draw_a_square_with_nine_actions_of_the_mouse(open_studio: OpenStudio) -> None:
+def test_first_steps_draw_a_square_with_seven_actions_of_the_mouse(open_studio: OpenStudio) -> None:
     studio = open_studio(BLINK)
     begin(studio, "first-steps")
     studio.full_speed()
-    # An action each: to open an object, to drop a part, to type a number, to run.
+    # An action each: to drop a part, to type a number, to run.
     first_steps_until_run(studio)
     expect(studio.at("tutorial-said")).to_contain_text("Done: Drive 30 cm. Step 3: Run it.")
     run(studio)
@@ -82,7 +68,7 @@ def test_first_steps_draw_a_square_with_nine_actions_of_the_mouse(open_studio: O
     at_step(studio, 5)
     set_field(studio, "v3.count", "4")
     at_step(studio, 6)
-    drop(studio, "Motor.LeftBy", "arc-v2.next", "actuator Motor")
+    studio.drop("Motor.LeftBy", "arc-v2.next")
     at_step(studio, 7)
     done(studio, 1, 2, 3, 4, 5, 6)
     run(studio)
@@ -90,7 +76,9 @@ def test_first_steps_draw_a_square_with_nine_actions_of_the_mouse(open_studio: O
     done(studio, *range(1, 8))
 
 
-@pytest.mark.thorough("test_first_steps_draw_a_square_with_nine_actions_of_the_mouse; test_first_minutes.py, with keys")
+@pytest.mark.thorough(
+    "test_first_steps_draw_a_square_with_seven_actions_of_the_mouse; test_first_minutes.py, with keys"
+)
 def test_first_steps_by_keyboard_alone_in_urdu(open_studio: OpenStudio) -> None:
     studio = open_studio(BLINK)
     choose(studio, "ur")
@@ -156,17 +144,17 @@ def test_sensing_with_a_wrong_way_and_undo(open_studio: OpenStudio) -> None:
     begin(studio, "sensing")
     studio.drop("While", "first-place")
     at_step(studio, 2)
-    drop(studio, "Captor.GreaterThan", "slot-v1.condition", "sensor Captor")
+    studio.drop("Captor.GreaterThan", "slot-v1.condition")
     at_step(studio, 3)
     # A wrong way: the robot would begin to drive after the loop.
-    drop(studio, "Wheel.Advance", "arc-v1.next", "actuator Wheel")
+    studio.drop("Wheel.Advance", "arc-v1.next")
     studio.expect_code("Wheel.Advance(50);")
     done(studio, 1, 2)
     at_step(studio, 3)
     studio.page.keyboard.press("Control+z")
-    drop(studio, "Wheel.Advance", "arc-v1.body", "actuator Wheel")
+    studio.drop("Wheel.Advance", "arc-v1.body")
     at_step(studio, 4)
-    drop(studio, "Wheel.Stop", "arc-v1.next", "actuator Wheel")
+    studio.drop("Wheel.Stop", "arc-v1.next")
     at_step(studio, 5)
     studio.full_speed()
     run(studio)
@@ -179,13 +167,13 @@ def test_sensing_with_a_wrong_way_and_undo(open_studio: OpenStudio) -> None:
     studio.page.keyboard.press("Control+y")
     done(studio, 1, 2, 3, 4, 5)
     stop = studio.page.locator('.vertex[aria-label*="Stop"]').first.get_attribute("data-testid") or ""
-    drop(studio, "Motor.AbsoluteTurn", f"arc-{stop.removeprefix('vertex-')}.next", "actuator Motor")
+    studio.drop("Motor.AbsoluteTurn", f"arc-{stop.removeprefix('vertex-')}.next")
     at_step(studio, 7)
     turn = studio.page.locator('.vertex[aria-label*="Turn by"]').get_attribute("data-testid") or ""
     studio.drop("If Then", f"arc-{turn.removeprefix('vertex-')}.next")
     choice = (studio.page.locator('.vertex[aria-label*="If Then"]').get_attribute("data-testid") or "")[7:]
-    drop(studio, "Captor.GreaterThan", f"slot-{choice}.condition", "sensor Captor")
-    drop(studio, "Light.LightOn", f"arc-{choice}.then", "actuator Light")
+    studio.drop("Captor.GreaterThan", f"slot-{choice}.condition")
+    studio.drop("Light.LightOn", f"arc-{choice}.then")
     at_step(studio, 8)
     run(studio)
     expect(studio.at("tutorial-end")).to_be_visible()
@@ -197,12 +185,12 @@ def test_together_with_two_branches_and_two_programs(open_studio: OpenStudio) ->
     begin(studio, "together")
     studio.drop("Parallelism", "first-place")
     at_step(studio, 2)
-    drop(studio, "Wheel.Advance", "arc-v1.branch.2", "actuator Wheel")
+    studio.drop("Wheel.Advance", "arc-v1.branch.2")
     studio.drop("Wait", "arc-v2.next")
     at_step(studio, 3)
-    drop(studio, "Light.LightOn", "arc-v1.branch.1", "actuator Light")
+    studio.drop("Light.LightOn", "arc-v1.branch.1")
     at_step(studio, 4)
-    drop(studio, "Wheel.Stop", "arc-v1.next", "actuator Wheel")
+    studio.drop("Wheel.Stop", "arc-v1.next")
     at_step(studio, 5)
     studio.full_speed()
     run(studio)
@@ -210,11 +198,11 @@ def test_together_with_two_branches_and_two_programs(open_studio: OpenStudio) ->
     studio.at("add-program").click()
     studio.at("menu-add-mini-robot").click()
     expect(studio.at("tab-program-1")).to_be_visible()
-    drop(studio, "Wheel.Advance", "first-place", "actuator Wheel")
+    studio.drop("Wheel.Advance", "first-place")
     at_step(studio, 7)
     studio.drop("Wait", "arc-v1.next")
     done(studio, *range(1, 7))
-    drop(studio, "Wheel.Stop", "arc-v2.next", "actuator Wheel")
+    studio.drop("Wheel.Stop", "arc-v2.next")
     at_step(studio, 8)
     run(studio)
     expect(studio.at("tutorial-end")).to_be_visible()
@@ -267,7 +255,7 @@ def test_hints_come_when_asked_for_and_lead_to_what_is_meant(open_studio: OpenSt
 def test_skip_back_leave_and_come_back(open_studio: OpenStudio) -> None:
     studio = open_studio(BLINK)
     begin(studio, "first-steps")
-    drop(studio, "Pen.PenDown", "first-place", "actuator Pen")
+    studio.drop("Pen.PenDown", "first-place")
     at_step(studio, 2)
     studio.at("tutorial-next").click()
     at_step(studio, 3)
@@ -282,7 +270,7 @@ def test_skip_back_leave_and_come_back(open_studio: OpenStudio) -> None:
     with studio.page.expect_response(
         lambda answer: "journal" in answer.url and answer.ok and "Add Drive" in (answer.request.post_data or "")
     ):
-        drop(studio, "Wheel.DriveBy", "arc-v1.next", "actuator Wheel")
+        studio.drop("Wheel.DriveBy", "arc-v1.next")
     at_step(studio, 3)
     studio.page.reload()
     at_step(studio, 3)
@@ -304,7 +292,7 @@ def test_skip_back_leave_and_come_back(open_studio: OpenStudio) -> None:
 def test_what_was_saved_elsewhere_is_where_it_goes_on(open_studio: OpenStudio) -> None:
     studio = open_studio(BLINK)
     begin(studio, "first-steps")
-    drop(studio, "Pen.PenDown", "first-place", "actuator Pen")
+    studio.drop("Pen.PenDown", "first-place")
     at_step(studio, 2)
     studio.page.keyboard.press("Control+Shift+s")
     studio.page.locator('[data-testid="save-dialog"] input').first.fill("mine.krt")

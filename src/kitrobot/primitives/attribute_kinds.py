@@ -72,5 +72,8 @@ RANGE = {
 }
 """The ends of a range of numbers."""
 
+HOLDS = one("actuators", "sensors", "values", name="held-parts")
+"""Which parts of a robot stand in a tab of the palette: values are variables, and what every robot has."""
+
 LEVEL = one(*Level, name="level")
 """Of whom a program speaks."""

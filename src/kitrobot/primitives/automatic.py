@@ -13,6 +13,7 @@ from kitrobot.primitives.robot import (
     Method,
     Parameter,
     RobotObject,
+    SearchWords,
     Texts,
     ValueType,
 )
@@ -34,6 +35,11 @@ def _label(french: str, urdu: str, english: str = "") -> Texts:
     return {"": english, "fr": french, "ur": urdu} if english else {"fr": french, "ur": urdu}
 
 
+def _words(english: str, french: str, urdu: str) -> SearchWords:
+    """The words that find a part in the palette, as `<word>` holds them."""
+    return {"": tuple(english.split(", ")), "fr": tuple(french.split(", ")), "ur": tuple(urdu.split("، "))}
+
+
 def comparison(test: str, right: str) -> Texts:
     """The phrase of a chip for a test against a number or a parameter (`{value}`)."""
     return {"": f"{{object}} {_SIGNS[test]} {right}"}
@@ -47,6 +53,7 @@ _TESTS = (
         "equal",
         _label("Égal à", "برابر", "Equal to"),
         texts("Is it exactly this number?", "Est-ce exactement ce nombre ?", "کیا یہ بالکل یہی عدد ہے؟"),
+        _words("same, is, equals", "même, pareil, est", "ایک جیسا، وہی"),
     ),
     (
         "LessThan",
@@ -54,6 +61,7 @@ _TESTS = (
         "chevron-left",
         _label("Plus petit que", "سے کم", "Less than"),
         texts("Is it smaller than this number?", "Est-ce plus petit que ce nombre ?", "کیا یہ اس عدد سے چھوٹا ہے؟"),
+        _words("smaller, fewer, under", "moins, inférieur", "چھوٹا، نیچے"),
     ),
     (
         "GreaterThan",
@@ -61,6 +69,7 @@ _TESTS = (
         "chevron-right",
         _label("Plus grand que", "سے زیادہ", "Greater than"),
         texts("Is it bigger than this number?", "Est-ce plus grand que ce nombre ?", "کیا یہ اس عدد سے بڑا ہے؟"),
+        _words("bigger, more, over", "plus, supérieur", "بڑا، اوپر"),
     ),
 )
 _VALUE_LABEL = _label("valeur", "قدر")
@@ -68,7 +77,9 @@ _VALUE_HELP = texts("The number to use.", "Le nombre à utiliser.", "استعم�
 _TRUTH_HELP = texts("0 is false, 1 is true.", "0 veut dire faux, 1 veut dire vrai.", "0 کا مطلب غلط، 1 کا مطلب درست۔")
 
 
-def _change(name: str, parameter: Parameter, icon: str, label: Texts, help: Texts, phrase: str) -> Method:
+def _change(
+    name: str, parameter: Parameter, icon: str, label: Texts, help: Texts, phrase: str, words: SearchWords
+) -> Method:
     """A procedure of a variable that changes it; its action has its name."""
     return Method(
         name,
@@ -79,11 +90,13 @@ def _change(name: str, parameter: Parameter, icon: str, label: Texts, help: Text
         label=label,
         help=help,
         phrase={"": phrase},
+        words=words,
     )
 
 
 def _set_method(value: Parameter, help: Texts) -> Method:
-    return _change("Set", value, "pencil", _label("Mettre", "رکھو"), help, "{object} := {value}")
+    words = _words("put, make, change, becomes", "changer, donner, devient", "بدلنا، بنانا، ہو جائے")
+    return _change("Set", value, "pencil", _label("Mettre", "رکھو"), help, "{object} := {value}", words)
 
 
 _VALUE = Method(
@@ -95,6 +108,7 @@ _VALUE = Method(
         "The number that the variable holds now.", "Le nombre que contient la variable.", "متغیر میں موجود عدد۔"
     ),
     phrase={"": "{object}"},
+    words=_words("number, read", "nombre, lire", "عدد، پڑھنا"),
 )
 
 
@@ -123,6 +137,7 @@ def integer_methods(minimum: int, maximum: int, initial: int) -> tuple[Method, .
                 "متغیر میں ایک عدد جمع کرتا ہے۔",
             ),
             "{object} + {value}",
+            _words("plus, more, count, increase, bigger", "plus, compter, augmenter", "زیادہ، گننا، بڑھانا"),
         ),
         _change(
             "Sub",
@@ -135,6 +150,7 @@ def integer_methods(minimum: int, maximum: int, initial: int) -> tuple[Method, .
                 "متغیر میں سے ایک عدد گھٹاتا ہے۔",
             ),
             "{object} − {value}",
+            _words("minus, less, fewer, take away, decrease", "moins, retirer, diminuer", "منفی، کم، نکالنا"),
         ),
         _VALUE,
         *(
@@ -147,8 +163,9 @@ def integer_methods(minimum: int, maximum: int, initial: int) -> tuple[Method, .
                 label=label,
                 help=help,
                 phrase=comparison(test, "{value}"),
+                words=words,
             )
-            for name, test, icon, label, help in _TESTS
+            for name, test, icon, label, help, words in _TESTS
         ),
     )
 
@@ -179,6 +196,7 @@ def boolean_methods(initial: int) -> tuple[Method, ...]:
             label=_label("Est vrai", "درست ہے", "Is true"),
             help=texts("Is the variable true?", "La variable est-elle vraie ?", "کیا متغیر درست ہے؟"),
             phrase=texts("{object} is true", "{object} est vrai", "{object} درست ہے"),
+            words=_words("yes, on", "oui, vrai", "ہاں، سچ"),
         ),
         Method(
             "IsFalse",
@@ -189,6 +207,7 @@ def boolean_methods(initial: int) -> tuple[Method, ...]:
             label=_label("Est faux", "غلط ہے", "Is false"),
             help=texts("Is the variable false?", "La variable est-elle fausse ?", "کیا متغیر غلط ہے؟"),
             phrase=texts("{object} is false", "{object} est faux", "{object} غلط ہے"),
+            words=_words("no, off", "non, faux", "نہ، جھوٹ"),
         ),
     )
 

@@ -25,7 +25,8 @@ from kitrobot.primitives.constructors_xml import read_constructors
 from kitrobot.primitives.crew import Crew, team_robot
 from kitrobot.primitives.levels import Level
 from kitrobot.primitives.match_template import is_more_specific
-from kitrobot.primitives.own_xml import OWN_GROUP, OWN_LABEL, OwnVariable
+from kitrobot.primitives.own_xml import OWN_GROUP, OWN_ICON, OWN_LABEL, OwnVariable
+from kitrobot.primitives.palette_xml import unknown_groups
 from kitrobot.primitives.robot import Robot, RobotObject
 from kitrobot.primitives.robot_xml import read_robot
 from kitrobot.primitives.templates import Shape, inverse_shape, shape, shape_drawn
@@ -131,7 +132,7 @@ class Catalogue:
         own = {constructor.name for constructor in constructors}
         groups = [replace(group, constructors=_without(group.constructors, own)) for group in self.groups]
         if constructors:
-            groups.append(Group(OWN_GROUP, "action", tuple(constructors), OWN_LABEL))
+            groups.append(Group(OWN_GROUP, "action", tuple(constructors), OWN_LABEL, OWN_ICON))
         robots, problems = dict(self.robots), list(self.problems)
         taken: dict[str, set[str]] = {}
         added: dict[str, list[RobotObject]] = {}
@@ -263,7 +264,8 @@ class _CatalogueLoader:
         for group in groups:
             known = self.groups.get(group.name, group)
             label = {**known.label, **group.label}
-            self.groups[group.name] = Group(group.name, group.colour, (), label)
+            icon, holds = group.icon or known.icon, group.holds or known.holds
+            self.groups[group.name] = Group(group.name, group.colour, (), label, icon, holds)
             for constructor in group.constructors:
                 self.constructors[constructor.name] = (constructor, Place(str(path)))
         return [
@@ -291,11 +293,9 @@ class _CatalogueLoader:
                     self.problems.append(rules.ADDS(message, place, help=help))
                     continue
             members[constructor.group].append(constructor)
-        groups = [
-            Group(group.name, group.colour, tuple(members[name]), group.label)
-            for name, group in self.groups.items()
-            if members[name]
-        ]
+        # One without constructors is a tab of the palette for parts of robots.
+        groups = [replace(group, constructors=tuple(members[name])) for name, group in self.groups.items()]
+        self.problems += unknown_groups([*self.robots.values()], groups)
         files = {name: Path(place.file) for name, (_, place) in self.constructors.items()}
         return Catalogue(self.robots, groups, self.problems, self.robot_files, files)
 

@@ -15,7 +15,7 @@ from kitrobot.lll.tree import And, Condition, Instr, Or, Seq
 from kitrobot.lll.walk import nodes
 from kitrobot.primitives.levels import Level
 from kitrobot.primitives.meaning import Meaning
-from kitrobot.primitives.robot import Texts
+from kitrobot.primitives.robot import LAST_PLACE, SearchWords, Texts
 
 
 class SlotKind(StrEnum):
@@ -64,6 +64,7 @@ class Constructor:
 
     It stands in programs of its `level` and of those behind it.
     `reads` are other templates with the same slots: LLL made from one is drawn as this constructor too.
+    `order` is its place under its heading of the palette; `words` find it there.
     """
 
     name: str
@@ -79,6 +80,8 @@ class Constructor:
     help: Texts = field(default_factory=dict)
     reads: tuple[Instr | Condition, ...] = ()
     level: Level = Level.AGENT
+    order: int = LAST_PLACE
+    words: SearchWords = field(default_factory=dict)
 
     def slot(self, name: str) -> Slot | None:
         """The slot of that name, or None."""
@@ -103,9 +106,11 @@ class Constructor:
 
 @dataclass(frozen=True)
 class Group:
-    """A heading of the palette and the constructors under it."""
+    """A tab of the palette and its constructors. `holds` says which parts of a robot that name no group are there."""
 
     name: str
     colour: str
     constructors: tuple[Constructor, ...]
     label: Texts = field(default_factory=dict)
+    icon: str = ""
+    holds: str = ""

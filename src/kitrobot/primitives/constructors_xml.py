@@ -17,11 +17,12 @@ from kitrobot.lll.printer import print_template
 from kitrobot.lll.tree import And, Call, Joint, Not, Or, Seq, TeamInstr
 from kitrobot.lll.walk import nodes, without_comments
 from kitrobot.primitives import rules
-from kitrobot.primitives.attribute_kinds import COLOUR, COLOURS, IDENTIFIER, LEVEL, ROBOT_NUMBER
+from kitrobot.primitives.attribute_kinds import COLOUR, COLOURS, HOLDS, IDENTIFIER, LEVEL, ROBOT_NUMBER
 from kitrobot.primitives.constructors import Constructor, Group, Role, Slot, SlotKind
 from kitrobot.primitives.levels import Level
 from kitrobot.primitives.meaning_xml import MEANING_ATTRIBUTES, MEANING_PARTS, read_meaning
-from kitrobot.primitives.robot import LARGEST_VALUE
+from kitrobot.primitives.palette_xml import ORDER, WORD, search_words
+from kitrobot.primitives.robot import LARGEST_VALUE, LAST_PLACE
 from kitrobot.primitives.template_xml import LONGEST_CODE, Template, read_template
 from kitrobot.primitives.templates import holes, named_by
 from kitrobot.text.phrases import one_of, shown
@@ -185,6 +186,7 @@ def _constructor(element: Element) -> Constructor | None:
         if also.template is not None and not element.faulty:
             _check_holes(element, around, also.template)
     picture = icon(element)
+    words = search_words(element)
     template = codes[0].template if codes else None
     level = Level(element.choice("level"))
     if level is Level.AGENT and template is not None and not element.faulty:
@@ -208,6 +210,8 @@ def _constructor(element: Element) -> Constructor | None:
         icon=picture,
         label=element.texts.get("label", {}),
         help=element.texts.get("help", {}),
+        order=element.integer("order", LAST_PLACE),
+        words=words,
     )
 
 
@@ -232,7 +236,8 @@ def _role(template: Template | None) -> Role:
 def _group(element: Element) -> Group:
     name = element.required("name")
     colour = element.choice("colour")
-    return Group(name, colour, tuple(element.found(Constructor)), element.texts.get("label", {}))
+    label, holds = element.texts.get("label", {}), element.choice("holds", "")
+    return Group(name, colour, tuple(element.found(Constructor)), label, icon(element), holds)
 
 
 def _distinct(root: Element) -> list[Group]:
@@ -294,9 +299,11 @@ CONSTRUCTOR = Tag(
         "icon": optional(ICON),
         "colour": optional(COLOUR, about="When it is not the colour of the group."),
         "level": optional(LEVEL, Level.AGENT, about="Of the programs it stands in, the narrowest level."),
+        **ORDER,
     },
     {
         **TEXTS,
+        **WORD,
         **_SLOTS,
         "code": Tag(_code, text=True, about="LLL with a hole {name} for each slot."),
         "adds": Tag(
@@ -317,9 +324,14 @@ _READS = Tag(
 )
 _GROUP = Tag(
     _group,
-    {"name": needed(NAME), "colour": needed(COLOUR)},
+    {
+        "name": needed(NAME),
+        "colour": needed(COLOUR),
+        "icon": optional(ICON),
+        "holds": optional(HOLDS, about="Which parts of a robot stand in it that say no group."),
+    },
     {**TEXTS, "constructor": replace(CONSTRUCTOR, children={**CONSTRUCTOR.children, "reads": _READS})},
-    about="A heading of the palette. Groups of the same name in several files become one.",
+    about="A tab of the palette. Groups of the same name in several files become one.",
 )
 CONSTRUCTORS = {
     "constructors": Tag(

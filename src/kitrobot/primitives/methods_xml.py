@@ -13,7 +13,8 @@ from kitrobot.primitives.attribute_kinds import IDENTIFIER, ROBOT_NUMBER, USUAL_
 from kitrobot.primitives.automatic import comparison
 from kitrobot.primitives.constructors_xml import icon
 from kitrobot.primitives.meaning_xml import MEANING_ATTRIBUTES, MEANING_PARTS, read_meaning
-from kitrobot.primitives.robot import Kind, Method, Parameter, Texts, ValueType
+from kitrobot.primitives.palette_xml import GROUP, ORDER, WORD, search_words
+from kitrobot.primitives.robot import LAST_PLACE, Kind, Method, Parameter, Texts, ValueType
 from kitrobot.text.phrases import shown
 from kitrobot.text.sentences import Sentence
 from kitrobot.xml import rules as xml_rules
@@ -97,6 +98,9 @@ def _method(element: Element, kind: Kind, phrase: Texts) -> Method:
         help=texts(element, "help"),
         phrase=given or phrase,
         alone=element.flag("alone"),
+        group=element.optional("group"),
+        order=element.integer("order", LAST_PLACE),
+        words=search_words(element),
         place=element.place("name"),
     )
 
@@ -160,6 +164,7 @@ _PARAMETER = Tag(
 )
 _METHOD_PARTS = {
     **TEXTS,
+    **WORD,
     "phrase": replace(TEXT, about="Words for a chip, with {object} and {PARAMETER} as holes."),
     "parameter": _PARAMETER,
 }
@@ -167,8 +172,13 @@ _COMPLETES = optional(
     one("now", "later"), "now", about="now: the program goes on at once. later: when the device says done."
 )
 _STOP = optional(IDENTIFIER, about="The procedure of the same actuator, without parameters, that ends the effect.")
-_ALONE = {"alone": optional(YES_NO, "no", about="Whether its label says all: the part's name is not shown beside it.")}
-PROCEDURE = Tag(_procedure, {**NAMED, "completes": _COMPLETES, "stop": _STOP, **PICTURE, **_ALONE}, _METHOD_PARTS)
+_SHOWN = {
+    **PICTURE,
+    "alone": optional(YES_NO, "no", about="Whether its label says all: the part's name is not shown beside it."),
+    **GROUP,
+    **ORDER,
+}
+PROCEDURE = Tag(_procedure, {**NAMED, "completes": _COMPLETES, "stop": _STOP, **_SHOWN}, _METHOD_PARTS)
 OPERATION = Tag(
     _operation,
     {
@@ -176,8 +186,7 @@ OPERATION = Tag(
         "value": optional(YES_NO, "no"),
         "test": optional(one("equal", "less", "greater")),
         "to": optional(ROBOT_NUMBER),
-        **PICTURE,
-        **_ALONE,
+        **_SHOWN,
     },
     _METHOD_PARTS,
     about="A value, or a test with either to or one parameter.",

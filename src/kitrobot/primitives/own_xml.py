@@ -19,7 +19,8 @@ from kitrobot.primitives.attribute_kinds import NAMED_ROBOT
 from kitrobot.primitives.constructors import Constructor, Slot, SlotKind
 from kitrobot.primitives.constructors_xml import CONSTRUCTOR
 from kitrobot.primitives.meaning_xml import meaning_attributes, meaning_elements
-from kitrobot.primitives.robot import RobotObject, Texts, ValueType
+from kitrobot.primitives.palette_xml import word_elements
+from kitrobot.primitives.robot import LAST_PLACE, RobotObject, Texts, ValueType
 from kitrobot.primitives.robot_xml import VARIABLE
 from kitrobot.text.phrases import shown
 from kitrobot.text.sentences import Sentence
@@ -35,6 +36,8 @@ MOST_OWN = 500
 
 OWN_GROUP = "Own"
 """The heading of the palette under which the constructors of a mission are."""
+
+OWN_ICON = "package"
 
 OWN_LABEL: Texts = {"": "My parts", "fr": "Mes pièces", "ur": "میرے پرزے"}
 
@@ -115,8 +118,10 @@ def write_constructor(constructor: Constructor, indent: str = "  ") -> list[str]
         ("icon", constructor.icon or None),
         ("colour", constructor.colour or None),
         ("level", constructor.level if constructor.level.is_team else None),
+        ("order", constructor.order if constructor.order != LAST_PLACE else None),
     )
     inside = [*_texts("label", constructor.label), *_texts("help", constructor.help)]
+    inside += [text_element("word", language, words) for language, words in word_elements(constructor.words)]
     inside += [_slot(slot) for slot in constructor.slots]
     if constructor.adds is not None:
         inside.append(f"<adds{attributes(('constructor', constructor.adds[0]), ('slot', constructor.adds[1]))}/>")
@@ -128,7 +133,10 @@ def write_constructor(constructor: Constructor, indent: str = "  ") -> list[str]
 def write_constructors(constructors: Sequence[Constructor]) -> bytes:
     """A constructors file with these parts in one group, which any folder of parts can hold."""
     label = "".join(_texts("label", OWN_LABEL))
-    head = ['<constructors version="1">', f"  <group{attributes(('name', OWN_GROUP), ('colour', 'action'))}>{label}"]
+    head = [
+        '<constructors version="1">',
+        f"  <group{attributes(('name', OWN_GROUP), ('colour', 'action'), ('icon', OWN_ICON))}>{label}",
+    ]
     lines = [line for constructor in constructors for line in write_constructor(constructor, "    ")]
     return ("\n".join([*head, *lines, "  </group>", "</constructors>"]) + "\n").encode()
 

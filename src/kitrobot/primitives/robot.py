@@ -22,6 +22,9 @@ from kitrobot.primitives.meaning import Meaning
 LARGEST_VALUE = 2**29 - 1
 """How far from zero a number of a robot may lie: the sum of two still fits the word of the smallest board (31 bits)."""
 
+LAST_PLACE = 1000
+"""The place in its tab of the palette of a part that gives none: after all that do, in the order of the file."""
+
 LONGEST_SETTING = 60
 """Characters of a driver's name, of the name of one of its settings and of its value, at most."""
 
@@ -30,6 +33,9 @@ MOST_SETTINGS = 24
 
 Texts = Mapping[str, str]
 """Language tag → text; the empty tag is the default (English)."""
+
+SearchWords = Mapping[str, tuple[str, ...]]
+"""Language tag → the words that find a part in the palette, besides its names."""
 
 
 class Category(StrEnum):
@@ -79,6 +85,7 @@ class Method:
     `test` is equal, less or greater for a test; `to` is the number it compares with when that is not a parameter.
     `stop` names the procedure that ends the effect of this one (for a marked action), or None. `place` is where it
     stands in the robot's file, None where it stands in none. `alone`: its label says all, without the object's name.
+    `group` is its tab of the palette ("": that of its object), `order` its place there; `words` find it.
     """
 
     name: str
@@ -94,6 +101,9 @@ class Method:
     help: Texts = field(default_factory=dict)
     phrase: Texts = field(default_factory=dict)
     alone: bool = False
+    group: str = ""
+    order: int = LAST_PLACE
+    words: SearchWords = field(default_factory=dict)
     place: Place | None = field(default=None, compare=False, repr=False)
 
     @property
@@ -125,7 +135,8 @@ class RobotObject:
     `model` is the device of the simulator that stands for it, the `device` itself unless `<simulate>` names another,
     and `settings` are its settings. `board` is what the driver of a real robot is told. Variables and the system have
     no model and no driver. `place` is where an actuator or a sensor stands in the robot's file. `unit` and `meaning`
-    are those of a sensor's number.
+    are those of a sensor's number. `group` is its tab of the palette ("": that of its category); `words` find its
+    methods there.
     """
 
     name: str
@@ -145,6 +156,8 @@ class RobotObject:
     help: Texts = field(default_factory=dict)
     unit: str = ""
     meaning: Meaning | None = None
+    group: str = ""
+    words: SearchWords = field(default_factory=dict)
     place: Place | None = field(default=None, compare=False, repr=False)
 
     def method(self, name: str) -> Method | None:

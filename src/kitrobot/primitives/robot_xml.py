@@ -26,6 +26,7 @@ from kitrobot.primitives.constructors_xml import icon
 from kitrobot.primitives.meaning import Meaning
 from kitrobot.primitives.meaning_xml import MEANING_ATTRIBUTES, MEANING_PARTS, read_meaning
 from kitrobot.primitives.methods_xml import NAMED, OPERATION, PICTURE, PROCEDURE, TYPE, inside, range_of, texts, truth
+from kitrobot.primitives.palette_xml import GROUP, WORD, search_words
 from kitrobot.primitives.robot import (
     Board,
     Category,
@@ -88,6 +89,8 @@ def _device(element: Element, category: Category) -> RobotObject:
         icon=icon(element),
         label=texts(element, "label"),
         help=texts(element, "help"),
+        group=element.optional("group"),
+        words=search_words(element),
         place=element.place("device"),
     )
 
@@ -215,20 +218,20 @@ VARIABLE = Tag(
 )
 """One variable of a robot."""
 
-_DEVICE = {**NAMED, "device": optional(about="The simulator's model and the robot's driver."), **PICTURE}
+_DEVICE = {**NAMED, "device": optional(about="The simulator's model and the robot's driver."), **PICTURE, **GROUP}
 _SIMULATE = Tag(
     _simulated,
     {"as": needed(about="A device of the simulator.")},
     free_attributes=True,
     about="At most one: what stands for the part in the simulator. Attributes beside as are settings of that device.",
 )
-_DEVICE_PARTS = {**TEXTS, "board": BOARD, "simulate": _SIMULATE}
+_DEVICE_PARTS = {**TEXTS, **WORD, "board": BOARD, "simulate": _SIMULATE}
 _ACTUATOR = Tag(
     _actuator,
     _DEVICE,
     {**_DEVICE_PARTS, "procedure": PROCEDURE},
     free_attributes=True,
-    about="Acts upon the world. Attributes beside name, device and icon are settings of the device.",
+    about="Acts upon the world. Attributes beside name, device, icon and group are settings of the device.",
 )
 _SENSOR = Tag(
     _sensor,

@@ -52,6 +52,20 @@ PHRASE = rule(
     "A phrase may hold `{object}` and `{NAME}` for each parameter.",
 )
 
+SEARCH_WORD = rule(
+    "palette-word",
+    Severity.WARNING,
+    "A word that finds a part cannot be used",
+    "`<word>` holds words that find a part in the palette besides its names, with commas between: 30 of them at most "
+    "in one language, of 30 characters at most. The part is there, and is found by the other words.",
+)
+PALETTE_GROUP = rule(
+    "palette-group",
+    Severity.WARNING,
+    "A part stands in a tab of the palette that is not there",
+    '`group="…"` of an actuator, a sensor, a procedure or an operation is the name of a `<group>` of a constructors '
+    "file. The part stands where it would without it.",
+)
 MEANING = rule(
     "robot-meaning",
     Severity.ERROR,

@@ -4,14 +4,23 @@ from __future__ import annotations
 
 from typing import Annotated, Literal
 
-from pydantic import BaseModel
+from pydantic import BaseModel, Field
 
 from kitrobot.primitives.automatic import work_object
 from kitrobot.primitives.catalogue import Catalogue
 from kitrobot.primitives.constructors import Role, Slot
 from kitrobot.primitives.levels import Level
 from kitrobot.primitives.meaning import Meaning
-from kitrobot.primitives.robot import Category, Kind, Parameter, Robot, Texts, ValueType
+from kitrobot.primitives.robot import (
+    LAST_PLACE,
+    Category,
+    Kind,
+    Parameter,
+    Robot,
+    SearchWords,
+    Texts,
+    ValueType,
+)
 from kitrobot.sim.devices import DisplayKind, ManualControl
 from kitrobot.sim.setup.settings import appearance_of, length_of
 from kitrobot.wire.problem import ProblemShape, problem_shapes
@@ -45,14 +54,18 @@ class ConstructorShape(View):
     adds: AddsShape | None
     code: str
     level: Level = Level.AGENT
+    order: int = LAST_PLACE
+    words: SearchWords = Field(default_factory=dict)
 
 
 class GroupShape(View):
-    """A heading of the palette."""
+    """A tab of the palette. `holds`: which parts of a robot that say no group are in it too."""
 
     name: str
     colour: Colour
     label: Texts
+    icon: str = ""
+    holds: Literal["", "actuators", "sensors", "values"] = ""
     constructors: list[ConstructorShape]
 
 
@@ -71,6 +84,9 @@ class MethodShape(View):
     test: Literal["", "equal", "less", "greater"] = ""
     to: int | None = None
     alone: bool = False
+    group: str = ""
+    order: int = LAST_PLACE
+    words: SearchWords = Field(default_factory=dict)
 
 
 class RayShape(BaseModel):
@@ -99,6 +115,8 @@ class RobotObjectShape(View):
     shared: bool
     unit: str = ""
     meaning: Meaning | None = None
+    group: str = ""
+    words: SearchWords = Field(default_factory=dict)
 
 
 class RobotShape(View):

@@ -74,6 +74,8 @@ def raw_constructor(shape: ConstructorShape) -> Constructor:
         shape.label,
         shape.help,
         level=shape.level,
+        order=shape.order,
+        words=shape.words,
     )
 
 

@@ -582,6 +582,8 @@ export interface Constructor {
   adds: Adds | null;
   code: string;
   level?: Level;
+  order?: number;
+  words?: Record<string, string[]>;
 }
 
 /** A point of a line as people give it; a radius rounds it off. */
@@ -870,11 +872,13 @@ export interface GradingState {
   page: string;
 }
 
-/** A heading of the palette. */
+/** A tab of the palette. `holds`: which parts of a robot that say no group are in it too. */
 export interface Group {
   name: string;
   colour: "loop" | "choice" | "parallel" | "action" | "test" | "team";
   label: Record<string, string>;
+  icon?: string;
+  holds?: "" | "actuators" | "sensors" | "values";
   constructors: Constructor[];
 }
 
@@ -1127,6 +1131,9 @@ export interface Method {
   test?: "" | "equal" | "less" | "greater";
   to?: number | null;
   alone?: boolean;
+  group?: string;
+  order?: number;
+  words?: Record<string, string[]>;
 }
 
 /**
@@ -1680,6 +1687,8 @@ export interface RobotObject {
   shared: boolean;
   unit?: string;
   meaning?: Meaning | null;
+  group?: string;
+  words?: Record<string, string[]>;
 }
 
 /** Robots to begin with; `places` are the names of those they fit, `can` and `feels` their actuators and sensors. */

@@ -69,14 +69,14 @@ export const EDITOR_EN = {
 
   "parts.change-robot": "Change the robot",
   "parts.find": "Find a part",
-  "parts.constructors": "Control",
+  "parts.find-example": "turn, music, forever…",
   "parts.robot": "Robot",
-  "parts.actuators": "Actions",
   "parts.sensors": "Sensors",
   "parts.variables": "Variables",
-  "parts.system": "System",
   "parts.none": "No part is called “{query}”.",
+  "parts.elsewhere": "{robot} can do it: {parts}.",
   "parts.tree": "Parts",
+  "parts.tabs": "Kinds of parts",
   "parts.on": "true",
   "parts.off": "false",
 

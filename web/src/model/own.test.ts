@@ -7,7 +7,7 @@ import { PARTS as CATALOGUE } from "./testing/parts";
 import type { Constructor, Mission, OwnVariable } from "./types";
 
 const robot = CATALOGUE.robots[0];
-const [group] = CATALOGUE.groups;
+const group = CATALOGUE.groups.find(({ constructors }) => constructors.length > 0);
 
 function constructorNamed(name: string): Constructor {
   const some = group?.constructors[0];

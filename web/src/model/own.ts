@@ -43,7 +43,13 @@ export function catalogueOf(files: Catalogue, mission: Mission): Catalogue {
     ...group,
     constructors: group.constructors.filter((one) => !names.has(one.name)),
   }));
-  const own: Group = { name: OWN_GROUP, colour: "action", label: OWN_LABEL, constructors: [...constructors] };
+  const own: Group = {
+    name: OWN_GROUP,
+    colour: "action",
+    icon: "package",
+    label: OWN_LABEL,
+    constructors: [...constructors],
+  };
   return {
     ...files,
     groups: constructors.length === 0 ? files.groups : [...groups, own],

@@ -1,4 +1,4 @@
-/** Asks the palette to show a part, whatever is folded or searched for, and to give it the focus. */
+/** Asks the palette to show a part, whatever is searched for, and to give it the focus. */
 import { create } from "zustand";
 
 interface RevealState {

@@ -56,6 +56,8 @@ import Maximize from "lucide-react/icons/maximize";
 import Maximize2 from "lucide-react/icons/maximize-2";
 import MessageCircle from "lucide-react/icons/message-circle";
 import Minus from "lucide-react/icons/minus";
+import MoveDown from "lucide-react/icons/move-down";
+import MoveUp from "lucide-react/icons/move-up";
 import MousePointer2 from "lucide-react/icons/mouse-pointer-2";
 import OctagonX from "lucide-react/icons/octagon-x";
 import Package from "lucide-react/icons/package";
@@ -150,6 +152,8 @@ export const ICONS: Readonly<Record<string, LucideIcon>> = {
   "message-circle": MessageCircle,
   minus: Minus,
   "mouse-pointer-2": MousePointer2,
+  "move-down": MoveDown,
+  "move-up": MoveUp,
   "octagon-x": OctagonX,
   package: Package,
   "package-open": PackageOpen,

@@ -4,6 +4,7 @@ import { useEffect, useMemo, useRef, useState } from "react";
 import { t } from "../../i18n/words";
 import { wraps } from "../../model/commands/wrapParts";
 import { fits, type Shape, title } from "../../model/parts";
+import { rank } from "../../model/part-search";
 import { text } from "../../model/texts";
 import type { Drawing } from "../../session/drawing";
 import { addPart, addPartAt, wrapSelection } from "../../session/edits";
@@ -14,16 +15,6 @@ import { anchorOf } from "./viewport";
 
 const WIDTH = 288;
 const MOST = 40;
-
-/** How well a part answers what was typed: 0 is best, null is not at all. */
-export function rank(shape: Shape, query: string): number | null {
-  const wanted = query.trim().toLowerCase();
-  if (wanted === "") return 0;
-  const names = [title(shape), shape.method?.name ?? "", shape.element].map((name) => name.toLowerCase());
-  if (names.some((name) => name.startsWith(wanted))) return 0;
-  if (names.some((name) => name.split(/[\s.]/).some((word) => word.startsWith(wanted)))) return 1;
-  return names.some((name) => name.includes(wanted)) ? 2 : null;
-}
 
 /** For a test, what a robot feels comes before what puts tests together. */
 function order(shape: Shape, forSlot: boolean): number {

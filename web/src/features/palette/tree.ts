@@ -1,125 +1,123 @@
 /**
- * The palette as rows: constructors by group, then the robot's actuators, sensors and variables with their methods.
+ * The palette as tabs: constructors and the robot's parts by the group that their XML names, in the order of that XML.
  *
- * Pure: the catalogue, what is folded and what is searched go in, rows come out in the order of the screen.
+ * Pure: the catalogue and what is searched go in, tabs with rows come out in the order of the screen. What says its
+ * place comes first in its tab; the other methods of a robot's object stand under its name.
  */
-import { type Key, t } from "../../i18n/words";
+import { t } from "../../i18n/words";
+import { inWords, storedNumber } from "../../model/meaning";
 import { type Parts, type Shape, shortTitle, title } from "../../model/parts";
+import { rank } from "../../model/part-search";
 import { TEAM_ROBOT } from "../../model/team-robot";
 import { text } from "../../model/texts";
-import type { RobotObject } from "../../model/types";
+import type { Colour, Group, RobotObject } from "../../model/types";
 
 export type Row =
-  | { kind: "heading"; key: string; label: string }
-  | {
-      kind: "fold";
-      key: string;
-      level: number;
-      label: string;
-      open: boolean;
-      aside: string;
-      object: RobotObject | null;
-    }
+  | { kind: "object"; key: string; label: string; object: RobotObject }
   | { kind: "part"; key: string; level: number; label: string; shape: Shape; aside: string }
-  | { kind: "new"; key: string; level: number; label: string };
+  | { kind: "new"; key: string; label: string };
 
-/** Folded rows by key; what is not in it is as it is at first. */
-export type Folded = Readonly<Record<string, boolean>>;
-
-const SECTIONS: readonly { category: RobotObject["category"]; label: Key }[] = [
-  { category: "actuator", label: "parts.actuators" },
-  { category: "sensor", label: "parts.sensors" },
-  { category: "variable", label: "parts.variables" },
-  { category: "system", label: "parts.system" },
-];
-
-/** Whether a part's names hold every word that was typed. */
-export function matches(shape: Shape, query: string): boolean {
-  const names = `${title(shape)} ${shape.element} ${shape.constructor_?.group ?? ""}`.toLowerCase();
-  return query
-    .toLowerCase()
-    .split(/\s+/)
-    .every((word) => names.includes(word));
+export interface Tab {
+  name: string;
+  label: string;
+  icon: string;
+  colour: Colour;
+  rows: Row[];
 }
 
-export function rowsOf(parts: Parts, query: string, folded: Folded): Row[] {
-  const wanted = query.trim();
-  const shown = parts.all.filter((shape) => wanted === "" || matches(shape, wanted));
-  const constructors = constructorRows(parts, shown, wanted !== "", folded);
-  const objects = robotRows(parts, shown, wanted !== "", folded);
-  const heading = (key: string, label: Key): Row => ({ kind: "heading", key, label: t(label) });
-  const ofTeam = parts.robot?.name === TEAM_ROBOT;
+const HELD = { actuator: "actuators", sensor: "sensors", variable: "values", system: "values" } as const;
+
+const LAST_PLACE = 1000;
+
+/** The tab of a part: the one it names, the one of its object, or the one for parts of its kind. */
+function groupOf({ groups }: Parts, { constructor_, method, object }: Shape): Group | undefined {
+  const named = [constructor_?.group, method?.group, object?.group];
+  const held = object === null ? "" : HELD[object.category];
+  return (
+    named.flatMap((name) => groups.find((group) => group.name === name) ?? [])[0] ??
+    groups.find((group) => held !== "" && group.holds === held)
+  );
+}
+
+/** What was typed may be found in a name, or only in a word. */
+interface Found {
+  shape: Shape;
+  at: number;
+}
+
+const placeOf = ({ constructor_, method }: Shape): number => constructor_?.order ?? method?.order ?? LAST_PLACE;
+
+/** Whether its name alone says what it does, or its place is its own: it needs no heading. */
+function standsAlone(shape: Shape): boolean {
+  const { object, method } = shape;
+  if (object === null) return true;
+  return object.category === "actuator" && (method?.alone === true || placeOf(shape) < LAST_PLACE);
+}
+
+export function tabsOf(parts: Parts, query: string): Tab[] {
+  const searching = query.trim() !== "";
+  const byGroup = new Map<Group | undefined, Found[]>();
+  for (const shape of parts.all) {
+    const at = rank(shape, query);
+    if (at === null) continue;
+    const group = groupOf(parts, shape);
+    byGroup.set(group, [...(byGroup.get(group) ?? []), { shape, at }]);
+  }
+  const best = (group: Group | undefined) => Math.min(...(byGroup.get(group) ?? []).map(({ at }) => at));
+  const groups: (Group | undefined)[] = [...parts.groups, undefined];
+  if (searching) groups.sort((a, b) => (byGroup.has(a) && byGroup.has(b) ? best(a) - best(b) : 0));
+  return groups.flatMap((group): Tab[] => {
+    const found = byGroup.get(group) ?? [];
+    const rows = searching ? foundRows(found) : allRows(found);
+    if (!searching && group?.holds === "values") {
+      // New ones are made where the others are.
+      const after = rows.findIndex((row) => row.kind === "object" && row.object.category === "system");
+      rows.splice(after < 0 ? rows.length : after, 0, ...newRow(parts));
+    }
+    if (rows.length === 0) return [];
+    // What no file has a tab for stands at the end.
+    const { name, label, icon = "", colour } = group ?? { name: "", label: {}, colour: "action" as const };
+    return [{ name, label: text(label, name || t("parts.robot")), icon: icon || "boxes", colour, rows }];
+  });
+}
+
+/** The key of the row that shows a part. */
+export function rowOfPart(element: string): string {
+  return `part ${element}`;
+}
+
+/** What answers a search, the best first, each by its whole name. */
+function foundRows(found: Found[]): Row[] {
+  return [...found].sort((a, b) => a.at - b.at).map(({ shape }) => partRow(shape, title(shape), 1));
+}
+
+function allRows(found: Found[]): Row[] {
+  const shapes = found.map(({ shape }) => shape);
+  const alone = shapes.filter(standsAlone).sort((a, b) => placeOf(a) - placeOf(b));
+  const others = shapes.filter((shape) => !standsAlone(shape));
+  const objects = [...new Set(others.flatMap(({ object }) => object ?? []))];
   return [
-    ...(constructors.length > 0 ? [heading("constructors", "parts.constructors"), ...constructors] : []),
-    ...(objects.length > 0 ? [heading("robot", ofTeam ? "team.tab" : "parts.robot"), ...objects] : []),
+    ...alone.map((shape) => partRow(shape, shortTitle(shape), 1)),
+    ...objects.flatMap((object): Row[] => [
+      {
+        kind: "object",
+        key: `object ${object.category} ${object.name}`,
+        label: text(object.label, object.name),
+        object,
+      },
+      ...others.filter((shape) => shape.object === object).map((shape) => partRow(shape, shortTitle(shape), 2)),
+    ]),
   ];
 }
 
-/** What has to be unfolded so that a part can be seen. */
-export function unfoldedFor(parts: Parts, element: string): Folded {
-  const shape = parts.all.find((one) => one.element === element);
-  if (shape === undefined) return {};
-  if (shape.object === null) return { [`group ${shape.constructor_?.group ?? ""}`]: false };
-  const { category, name } = shape.object;
-  return { [`section ${category}`]: false, [`object ${category} ${name}`]: false };
+function newRow({ robot }: Parts): Row[] {
+  if (robot === null || robot.name === TEAM_ROBOT) return [];
+  return [{ kind: "new", key: "new variable", label: t("variable.new") }];
 }
 
-function constructorRows(parts: Parts, shown: Shape[], searching: boolean, folded: Folded): Row[] {
-  return parts.groups.flatMap((group): Row[] => {
-    const members = shown.filter((shape) => group.constructors.some((one) => one === shape.constructor_));
-    if (members.length === 0) return [];
-    const key = `group ${group.name}`;
-    // Conditions stand in chips, not in the flow: they are looked for less often.
-    const open = searching || !(folded[key] ?? members.every((shape) => shape.role === "condition"));
-    const aside = open ? "" : members.map(shortTitle).join(" · ");
-    const head: Row = { kind: "fold", key, level: 1, label: text(group.label, group.name), open, aside, object: null };
-    return open ? [head, ...members.map((shape) => partRow(shape, 2))] : [head];
-  });
-}
-
-function robotRows(parts: Parts, shown: Shape[], searching: boolean, folded: Folded): Row[] {
-  const objects = parts.robot?.objects ?? [];
-  let first = true;
-  return SECTIONS.flatMap(({ category, label }): Row[] => {
-    const here = objects.filter((object) => object.category === category);
-    const inside = here.flatMap((object): Row[] => {
-      const methods = shown.filter((shape) => shape.object === object);
-      if (methods.length === 0) return [];
-      const key = `object ${category} ${object.name}`;
-      const open = searching || !(folded[key] ?? !first);
-      first = false;
-      const head: Row = {
-        kind: "fold",
-        key,
-        level: 2,
-        label: text(object.label, object.name),
-        open,
-        aside: "",
-        object,
-      };
-      return open ? [head, ...methods.map((shape) => partRow(shape, 3))] : [head];
-    });
-    // New ones are made where the others are, and where there is none yet.
-    const fresh: Row[] =
-      category === "variable" && !searching && parts.robot !== null && parts.robot.name !== TEAM_ROBOT
-        ? [{ kind: "new", key: "new variable", level: 2, label: t("variable.new") }]
-        : [];
-    if (inside.length + fresh.length === 0) return [];
-    const key = `section ${category}`;
-    const open = searching || folded[key] !== true;
-    const head: Row = { kind: "fold", key, level: 1, label: t(label), open, aside: "", object: null };
-    return open ? [head, ...inside, ...fresh] : [head];
-  });
-}
-
-function partRow(shape: Shape, level: number): Row {
-  const aside = shape.fields.map((field) => text(field.label, field.name)).join(", ");
-  return {
-    kind: "part",
-    key: `part ${shape.element}`,
-    level,
-    label: shortTitle(shape),
-    shape,
-    aside: level === 3 ? aside : "",
-  };
+function partRow(shape: Shape, label: string, level: number): Row {
+  const [field] = shape.fields;
+  const aside =
+    field?.kind === "integer" && field.default !== "" ? inWords(field, storedNumber(field.default) ?? field.min) : "";
+  return { kind: "part", key: rowOfPart(shape.element), level, label, shape, aside };
 }

@@ -1,4 +1,4 @@
-/** What a variable's row of the palette does besides folding: by double click, right button and a finger that rests. */
+/** What a variable's row of the palette does: by double click, right button and a finger that rests. */
 import type { MouseEvent, PointerEvent } from "react";
 
 import { type Named, openVariableMenu, renameVariable } from "../../session/variables";

@@ -65,13 +65,8 @@ function ofTeam(selector: string): string {
 /** What the ring goes around; "" where there is nothing of the kind. */
 export function selectorOf(point: Point, page: Page): string {
   switch (point.kind) {
-    case "part": {
-      const row = byTestid(`part-${point.name}`);
-      const object = page.parts.all.find((one) => one.element === point.name)?.object;
-      if (object == null) return row;
-      // In a folded object, its heading is what can be seen.
-      return `${row}, [data-row="${CSS.escape(`object ${object.category} ${object.name}`)}"][aria-expanded="false"]`;
-    }
+    case "part":
+      return byTestid(`part-${point.name}`);
     case "vertex": {
       const [first] = vertices(point, page);
       if (first === undefined) return "";

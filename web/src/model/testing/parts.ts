@@ -195,10 +195,13 @@ const comparisons = (max: number) => [
 export const PARTS: Catalogue = {
   problems: [],
   groups: [
+    { name: "Move", colour: "action", label: {}, icon: "arrow-up", constructors: [] },
+    { name: "Sense", colour: "test", label: {}, icon: "radar", holds: "sensors", constructors: [] },
+    { name: "Actions", colour: "action", label: {}, icon: "zap", holds: "actuators", constructors: [] },
     { name: "Loops", colour: "loop", label: {}, constructors: loops },
     { name: "Choices", colour: "choice", label: {}, constructors: choices },
     { name: "Parallel", colour: "parallel", label: {}, constructors: parallels },
-    { name: "Conditions", colour: "test", label: {}, constructors: conditions },
+    { name: "Conditions", colour: "test", label: {}, holds: "values", constructors: conditions },
   ],
   robots: [
     {
