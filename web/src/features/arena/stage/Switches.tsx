@@ -5,6 +5,7 @@ import Radar from "lucide-react/icons/radar";
 import Radio from "lucide-react/icons/radio";
 import Route from "lucide-react/icons/route";
 import Navigation from "lucide-react/icons/navigation";
+import Hourglass from "lucide-react/icons/hourglass";
 import Tag from "lucide-react/icons/tag";
 import Volume2 from "lucide-react/icons/volume-2";
 
@@ -18,6 +19,7 @@ const ICONS: Readonly<Record<Shows, LucideIcon>> = {
   ahead: Navigation,
   radio: Radio,
   names: Tag,
+  tag: Hourglass,
   sound: Volume2,
 };
 
