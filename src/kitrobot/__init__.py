@@ -42,8 +42,9 @@ if TYPE_CHECKING:
     from kitrobot.sim.simulation import Simulation
     from kitrobot.workspace.execution import ExecutionTick, execute
     from kitrobot.workspace.inputs import Change, Inputs
-    from kitrobot.workspace.mission_loader import OpenMission, Report
+    from kitrobot.workspace.mission_loader import OpenMission
     from kitrobot.workspace.mission_run import Run, RunOptions, Timing
+    from kitrobot.workspace.program_report import Report
     from kitrobot.world.geometry import Corner, Pose
     from kitrobot.world.model import (
         Ball,
@@ -106,15 +107,13 @@ else:
             "Change",
             "Inputs",
         ),
-        "workspace.mission_loader": (
-            "OpenMission",
-            "Report",
-        ),
+        "workspace.mission_loader": ("OpenMission",),
         "workspace.mission_run": (
             "Run",
             "RunOptions",
             "Timing",
         ),
+        "workspace.program_report": ("Report",),
         "world.geometry": (
             "Corner",
             "Pose",

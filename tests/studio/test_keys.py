@@ -223,7 +223,7 @@ def f7_goes_through_the_rooms_and_the_arena_answers_keys(studio: Studio) -> None
     sides = ".side-inspector, .side-code, .side-arena"
     selectors = f"'.menubar, .toolbar, .parts, .tabs, .canvas, {sides}, footer.bottom-bar'"
     for _ in range(9):
-        rooms.append(studio.page.evaluate(f"document.activeElement.closest({selectors})?.className.split(' ').at(-1)"))
+        rooms.extend(studio.page.evaluate(f"[...(document.activeElement.closest({selectors})?.classList ?? [])]"))
         keys.press("F7")
         if rooms.count("canvas") == 2:
             break

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import random
+from dataclasses import replace
 
 import pytest
 from hypothesis import assume, given, settings
@@ -15,11 +16,11 @@ from kitrobot.verifier.exploration.budget import Budget
 from kitrobot.verifier.model.abstraction import abstract_run
 from kitrobot.verifier.model.model import Model
 from kitrobot.verifier.model.programs import AbstractionError, ProgramTable, value_classes
-from kitrobot.verifier.properties.properties import AgentFact, Property
+from kitrobot.verifier.properties.properties import AgentFact, Property, ready_properties
 from kitrobot.verifier.properties.verdicts import check_properties
 from kitrobot.verifier.tables.roads import Gaps, possible, possible_everywhere, zones_of
 from tests.effort import examples
-from tests.sim.building import WHEEL, avatar, catalogue, empty_world, run_of
+from tests.sim.building import WHEEL, avatar, catalogue, empty_world, run_of, shipped_world
 
 
 def table(text: str, robot: str = "mini-robot") -> ProgramTable:
@@ -129,3 +130,23 @@ def test_who_ticks_more_slowly_may_miss_a_moment_of_lockstep_and_never_all_of_th
 
     assert answer(True) == "holds"
     assert answer(False) == "broken"
+
+
+def test_a_distance_and_an_angle_are_done_at_any_time_and_have_no_length_on_a_road() -> None:
+    robot = catalogue().robots["mini-robot"]
+    text = "Wheel.DriveBy(30); Motor.LeftBy(90); Motor.AbsoluteTurn(25, 50); Wheel.BackBy(5); Motor.RightBy(1);"
+    run = run_of({"a": (robot, text)}, empty_world(a=(200.0, 200.0, 0.0)))
+    parts = abstract_run(run)
+    made = check_properties(Model(run, parts), ready_properties(Model(run, parts)), Budget(10_000))
+    assert {one.property.name: one.answer.value for one in made.verdicts}["deadlock"] == "holds"
+    for act in parts.parts[0].acts:
+        if act.busy >= 0:
+            assert min(act.ways[command] for command in act.later) >= 0  # one more is what is busy; 0 is done
+    by = '<procedure name="DriveBy" completes="later"><parameter name="distance" min="0" max="100"/></procedure>'
+    guided = WHEEL.format(settings='guide="road"').replace("</actuator>", f"{by}</actuator>")
+    ring = shipped_world("ring")
+    start = next(one for one in ring.starts if one.road)
+    world = replace(ring, starts=[replace(start, name="a")])
+    run = run_of({"a": (avatar(guided), "Wheel.DriveBy(30);")}, world)
+    with pytest.raises(AbstractionError, match=r"`a` drives a distance or turns on a road \(`Wheel\.DriveBy`\)"):
+        abstract_run(run)

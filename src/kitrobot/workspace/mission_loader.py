@@ -17,6 +17,7 @@ from typing import TYPE_CHECKING
 from kitrobot.compiler.compilation import CompiledProgram, compile_program, not_compiled
 from kitrobot.compiler.graph.expansion_limit import left_out, oversize_in_mission
 from kitrobot.compiler.program.team_check import program_circles
+from kitrobot.compiler.team.points import TeamPlan
 from kitrobot.compiler.team_compilation import CompiledTeam, compile_team
 from kitrobot.diagnostics.model import Diagnostic, KitRobotError, Place, Severity, Source, rule
 from kitrobot.diagnostics.problems import ProblemsError
@@ -31,10 +32,12 @@ from kitrobot.primitives.catalogue import Catalogue
 from kitrobot.primitives.image_name import ImageName
 from kitrobot.primitives.robot import Robot
 from kitrobot.primitives.team_objects import has_team
+from kitrobot.sim.setup.limits import SimulationError
+from kitrobot.sim.setup.setup import check_mission
 from kitrobot.text.forms import name_form
 from kitrobot.text.sentences import COMMA, Sentence, Series
 from kitrobot.workspace.mission_check import mission_problems
-from kitrobot.workspace.program_report import ProgramReport, ProjectionReport, program_report, projection_report
+from kitrobot.workspace.program_report import Report, program_report, projection_report
 from kitrobot.workspace.property_check import property_problems
 from kitrobot.workspace.robots import find_robot
 from kitrobot.workspace.search_path import SearchPath
@@ -58,24 +61,6 @@ NEW_PROGRAM, NEW_ROBOT, NEW_AGENT = "program-1", "mini-robot", "robot-1"
 
 class NoProgramError(KitRobotError):
     """A mission has no such program, or several where one must be chosen."""
-
-
-@dataclass(frozen=True)
-class Report:
-    """A mission looked through: each program, every problem, and the texts that the problems point into.
-
-    `projections` are what the program of the whole team is for each kind of robot that runs it.
-    """
-
-    programs: tuple[ProgramReport, ...]
-    problems: tuple[Diagnostic, ...]
-    sources: tuple[Source, ...] = ()
-    projections: tuple[ProjectionReport, ...] = ()
-
-    @property
-    def ok(self) -> bool:
-        """Whether the mission can run."""
-        return not any(problem.is_error for problem in self.problems)
 
 
 @dataclass(frozen=True)
@@ -210,7 +195,7 @@ class OpenMission:
     @property
     def all_sources(self) -> tuple[Source, ...]:
         """The texts of its files and of its programs."""
-        return (*self.sources, *(compiled.source for compiled in self.images.values()))
+        return (*self.sources, *(one.source for one in self.images.values()))
 
     @cached_property
     def before_setup(self) -> tuple[Diagnostic, ...]:
@@ -228,14 +213,29 @@ class OpenMission:
             found += self.placed(self.team.diagnostics)
         return tuple(found)
 
-    def _stage_problems(self) -> tuple[Diagnostic, ...]:
-        """What keeps a team from taking its places in the world."""
-        from kitrobot.workspace.mission_run import validate_setup
+    @property
+    def plan(self) -> TeamPlan | None:
+        """What the agents agree on, when they run the program of a team."""
+        return self.team.plan if self.team is not None else None
 
+    def setup_problems(self, error: SimulationError) -> tuple[Diagnostic, ...]:
+        """What keeps a team from taking its places in the world, with the mission's file where it has no place."""
+        return tuple(one if one.place or self.text is None else self._located(one) for one in error.diagnostics)
+
+    def _located(self, item: Diagnostic) -> Diagnostic:
+        if item.program:
+            return self.placed([item])[0]
+        start = None
+        if item.thing.startswith("start:") and self.mission.own_world is not None and self.places is not None:
+            start = self.places.start(int(item.thing.removeprefix("start:")))
+        return replace(item, place=start or Place(self.name))
+
+    def _stage_problems(self) -> tuple[Diagnostic, ...]:
+        assert self.world is not None, "a mission without its world has an error"
         try:
-            validate_setup(self)
-        except ProblemsError as error:
-            return error.diagnostics
+            check_mission(self.mission, self.world, self.images, self.catalogue, self.plan)
+        except SimulationError as error:
+            return self.setup_problems(error)
         return ()
 
     def prepare(self, options: RunOptions | None = None) -> PreparedRun:

@@ -8,8 +8,7 @@ from dataclasses import asdict, dataclass, replace
 from pathlib import Path
 from typing import Any, Literal
 
-from kitrobot.compiler.team.points import TeamPlan
-from kitrobot.diagnostics.model import Diagnostic, Place, Source
+from kitrobot.diagnostics.model import Diagnostic, Source
 from kitrobot.diagnostics.problems import ProblemsError
 from kitrobot.diagnostics.read_files import expect_output
 from kitrobot.mission.model import DEFAULT_SEED
@@ -18,7 +17,6 @@ from kitrobot.primitives.kit import Kit, as_measured
 from kitrobot.sim.recorder import simulate, strokes_now
 from kitrobot.sim.run_spec import RunSpec
 from kitrobot.sim.setup.limits import SimulationError, check_limits
-from kitrobot.sim.setup.setup import check_mission
 from kitrobot.sim.simulation import Simulation
 from kitrobot.sim.step.pens import pens_of
 from kitrobot.text.sentences import Sentence
@@ -203,7 +201,7 @@ def _spec(opened: OpenMission, options: RunOptions) -> RunSpec:
         options.seed,
         options.seconds,
         options.fail_rate,
-        _plan(opened),
+        opened.plan,
     )
 
 
@@ -215,35 +213,6 @@ def _catalogue(opened: OpenMission, kit: Kit | None) -> Catalogue:
     return replace(opened.catalogue, robots=robots)
 
 
-def _plan(opened: OpenMission) -> TeamPlan | None:
-    return opened.team.plan if opened.team is not None else None
-
-
-def validate_setup(opened: OpenMission) -> None:
-    """Sets a mission that has no other errors up in its world, without making the run.
-
-    Raises:
-        ProblemsError: it does not fit its world.
-    """
-    assert opened.world is not None, "a mission without its world has an error"
-    try:
-        check_mission(opened.mission, opened.world, opened.images, opened.catalogue, _plan(opened))
-    except SimulationError as error:
-        raise _refused(opened, error) from None
-
-
 def _refused(opened: OpenMission, error: SimulationError) -> ProblemsError:
-    found = tuple(_placed(opened, item) for item in error.diagnostics)
+    found = opened.setup_problems(error)
     return ProblemsError(Sentence("`{mission}` cannot be run", opened.name), "", found, opened.sources)
-
-
-def _placed(opened: OpenMission, item: Diagnostic) -> Diagnostic:
-    """What the stage found, with the mission's file as its place where it has none."""
-    if item.place is not None or opened.text is None:
-        return item
-    if item.program:
-        return opened.placed([item])[0]
-    kind, _, number = item.thing.partition(":")
-    own = opened.mission.own_world is not None and opened.places is not None and kind == "start"
-    start = opened.places.start(int(number)) if own and opened.places is not None else None
-    return replace(item, place=start or Place(opened.name))

@@ -1,4 +1,4 @@
-"""What a program becomes, as it is shown beside its graph: LLL with the place of each vertex."""
+"""What a mission and its programs become, as it is shown beside the graph: LLL with the place of each vertex."""
 
 from __future__ import annotations
 
@@ -7,6 +7,7 @@ from dataclasses import dataclass
 
 from kitrobot.compiler.compilation import CompiledProgram
 from kitrobot.compiler.graph.vertex_places import VertexPlace
+from kitrobot.diagnostics.model import Diagnostic, Source
 from kitrobot.lll.tree import Instruction
 from kitrobot.lll.walk import nodes
 
@@ -39,6 +40,24 @@ class ProjectionReport:
     robot: str
     lll: str
     spans: tuple[ProjectionSpan, ...]
+
+
+@dataclass(frozen=True)
+class Report:
+    """A mission looked through: each program, every problem, and the texts that the problems point into.
+
+    `projections` are what the program of the whole team is for each kind of robot that runs it.
+    """
+
+    programs: tuple[ProgramReport, ...]
+    problems: tuple[Diagnostic, ...]
+    sources: tuple[Source, ...] = ()
+    projections: tuple[ProjectionReport, ...] = ()
+
+    @property
+    def ok(self) -> bool:
+        """Whether the mission can run."""
+        return not any(problem.is_error for problem in self.problems)
 
 
 def projection_report(robot: str, compiled: CompiledProgram) -> ProjectionReport:

@@ -127,8 +127,8 @@ export function question(message: string, choices: [Key, () => void][], kind: Ba
   const actions = choices.map(([key, run]) => ({
     label: t(key),
     run: () => {
-      dismissBanner();
-      run();
+      run(); // first: whoever asks as soon as no question is open knows the answer then
+      if (useDocument.getState().banner?.actions === actions) dismissBanner();
     },
   }));
   set({ banner: { kind, message, help, actions } });

@@ -107,7 +107,7 @@ export function closeCanvasMenu(): void {
   useView.setState({ menu: null });
 }
 
-export function openNote(vertex: string): void {
+export function showNote(vertex: string): void {
   useView.setState({ noting: vertex, adding: null });
 }
 

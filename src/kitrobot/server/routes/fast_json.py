@@ -20,7 +20,7 @@ from kitrobot.lll.tree import TeamProgram
 from kitrobot.text.json_text import to_json
 from kitrobot.wire.mission import DeclaredShape
 from kitrobot.wire.problem import problem_shapes
-from kitrobot.workspace.mission_loader import Report
+from kitrobot.workspace.program_report import Report
 
 
 def report_answer(report: Report) -> Response:

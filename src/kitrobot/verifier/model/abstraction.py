@@ -22,12 +22,9 @@ from kitrobot.sim.step.agents import Agent
 from kitrobot.sim.tables import columns as c
 from kitrobot.sim.tables.state import State
 from kitrobot.text.sentences import COMMA, Label, Sentence, Series
-from kitrobot.verifier.model.programs import ProgramTable, greatest_argument, value_classes
+from kitrobot.verifier.model.programs import ProgramTable, direction_on_road, greatest_argument, value_classes
 from kitrobot.verifier.model.team_agreement import Agreement
 from kitrobot.verifier.tables.roads import Gaps, Track, Zones, zones_of
-
-_WAYS = (0, 1, -1)
-"""The directions of the procedures of wheels: stop, forward, back."""
 
 NOISE_DEVIATIONS = 4.0
 """The most standard deviations by which a speed may differ from its nominal value."""
@@ -186,8 +183,8 @@ class _Builder:
             if table is None:
                 table = ProgramTable(agent.machine.image, agent.robot, self.observed)
                 self.tables[agent.image_name] = table
-            acts = self._acts(agent)
             road = int(self.state.robots.ints[c.ROAD][agent.index])
+            acts = self._acts(agent, road)
             part = AgentModel(agent, table, [], acts, self._shared(agent), road)
             part.drive = next((at for at, act in enumerate(acts) if road >= 0 and act.discrete is Discrete.MOTION), -1)
             part.senses = self._senses(agent, acts, zones.get(road))
@@ -292,7 +289,7 @@ class _Builder:
 
     # -- devices
 
-    def _acts(self, agent: Agent) -> list[ActuatorModel]:
+    def _acts(self, agent: Agent, road: int) -> list[ActuatorModel]:
         acts: list[ActuatorModel] = []
         busy = 0
         known = actuators()
@@ -303,7 +300,8 @@ class _Builder:
             for at, (whose, _, procedure) in enumerate(commands):
                 if whose == number:
                     listed = device.procedures.index(procedure) if procedure in device.procedures else 0
-                    ways[at] = _WAYS[listed] if device.drives else listed
+                    on_road = road >= 0 and device.drives
+                    ways[at] = direction_on_road(listed, agent.name, part.name, procedure) if on_road else listed
             k = self._row(agent, number)
             agrees = device.agrees and self.agreement is not None
             waits = part.name in agent.machine.layout.done and not agrees

@@ -31,6 +31,28 @@ class AbstractionError(KitRobotError):
     """A part of a mission has no discrete form that can be explored."""
 
 
+_DIRECTIONS = (0, 1, -1)
+"""The directions of the procedures of wheels: stop, forward, back."""
+
+
+def direction_on_road(procedure: int, agent: str, part: str, name: str) -> int:
+    """The direction in which a procedure of wheels moves a robot along its road.
+
+    Raises:
+        AbstractionError: it ends by itself after a length; the model has no lengths there.
+    """
+    if procedure < len(_DIRECTIONS):
+        return _DIRECTIONS[procedure]
+    raise AbstractionError(
+        Sentence(
+            "`{agent}` drives a distance or turns on a road (`{call}`), and Check knows no lengths there",
+            agent,
+            f"{part}.{name}",
+        ),
+        Sentence("let it drive on until a sensor says where it is"),
+    )
+
+
 @dataclass(frozen=True, slots=True)
 class Reaction:
     """The result of one tick: the state after it, its commands, and the shared variables after it.

@@ -9,7 +9,7 @@ import { noteText } from "../../model/notes";
 import { programInView, useStudio } from "../../model/studio";
 import type { Program } from "../../model/types";
 import { currentDrawing, nodeOf } from "../../session/drawing";
-import { holdingStill, openNote, useView } from "../../session/view";
+import { holdingStill, showNote, useView } from "../../session/view";
 import { Icon } from "../../theme";
 
 /** The vertex whose note is meant: the mark around an action where that one has the note, else what is shown. */
@@ -27,7 +27,7 @@ export function openNote(id: string | undefined = useStudio.getState().selection
   const start = currentDrawing()?.structure.start?.id;
   if (id === undefined || id === start) return false;
   useView.getState().viewport?.reveal(id);
-  openNote(ownerOf(id));
+  showNote(ownerOf(id));
   return true;
 }
 
@@ -77,7 +77,7 @@ export function NoteStrip({ node: { note, noteWidth, w, vertex } }: { node: Layo
         holdingStill(() => {
           useStudio.getState().select([vertex]);
         });
-        openNote(vertex);
+        showNote(vertex);
       }}
     >
       <Icon name="message-circle" size={12} />

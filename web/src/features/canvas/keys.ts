@@ -18,7 +18,6 @@ import {
   editSelected,
   openAdding,
   openField,
-  openNote,
   toggleFollowing,
   toggleMinimap,
   useView,
