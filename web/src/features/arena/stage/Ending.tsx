@@ -22,7 +22,11 @@ import { causeOf } from "./cause";
 import { Button } from "../../../ui/Button";
 
 /** What is known of the run that ended last, and its name. */
-export const useFacts = create<{ facts: Facts | null; run: string }>(() => ({ facts: null, run: "" }));
+const useFacts = create<{ facts: Facts | null; run: string }>(() => ({ facts: null, run: "" }));
+
+export function setFacts(facts: Facts, run: string): void {
+  useFacts.setState({ facts, run });
+}
 
 const SIGNS = { goal: CircleCheck, plain: CircleCheck, nothing: TriangleAlert, failure: CircleX } satisfies Record<
   Tone,

@@ -7,7 +7,7 @@ import { useOpenExercise } from "../../../session/open-exercise";
 import { recordFrames, watchFrames } from "../../../session/poses";
 import { isEnded, useRun } from "../../../session/run";
 import { useStage } from "../../../session/stage";
-import { useFacts } from "./Ending";
+import { setFacts } from "./Ending";
 import { useGamepad } from "./gamepad";
 import { StageLayers } from "./layers";
 import { ShownMenu } from "./shown-menu";
@@ -38,7 +38,7 @@ export function Shown({ scene, selected, painter }: ShownProps) {
   useEffect(() => {
     const account = () => {
       const now = useRun.getState();
-      if (isEnded(now.status)) useFacts.setState({ facts: layers.facts(now), run: now.name });
+      if (isEnded(now.status)) setFacts(layers.facts(now), now.name);
     };
     account();
     const ends = [useRun.subscribe(account), watchFrames(account), useOpenExercise.subscribe(account)];

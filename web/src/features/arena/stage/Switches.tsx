@@ -5,7 +5,6 @@ import Radar from "lucide-react/icons/radar";
 import Radio from "lucide-react/icons/radio";
 import Route from "lucide-react/icons/route";
 import Navigation from "lucide-react/icons/navigation";
-import Hourglass from "lucide-react/icons/hourglass";
 import Tag from "lucide-react/icons/tag";
 import Volume2 from "lucide-react/icons/volume-2";
 
@@ -13,13 +12,13 @@ import { t } from "../../../i18n/words";
 import { openKeep } from "./shown-menu";
 import { flip, SHOWS, type Shows, useOn } from "./switches";
 
-const ICONS: Readonly<Record<Shows, LucideIcon>> = {
+/** On a large arena nothing is said beside a robot: there is no tag to switch. */
+const ICONS: Readonly<Partial<Record<Shows, LucideIcon>>> = {
   trails: Route,
   rays: Radar,
   ahead: Navigation,
   radio: Radio,
   names: Tag,
-  tag: Hourglass,
   sound: Volume2,
 };
 
@@ -29,6 +28,7 @@ export function Switches() {
     <span className="stage-switches" role="group" aria-label={t("arena.show")}>
       {SHOWS.map(({ id, label }) => {
         const Picture = ICONS[id];
+        if (Picture === undefined) return null;
         return (
           <button
             key={id}
