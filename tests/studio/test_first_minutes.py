@@ -63,8 +63,6 @@ def expect_square(studio: Studio) -> None:
     studio.at("menu-Run").click()
     studio.at("menu-run-as-fast").click()
     studio.wait_until_done()
-    if studio.at("room-arena").is_visible():
-        studio.at("room-arena").tap()
     studio.at("arena-show").click()
     with studio.page.expect_download() as drawing:
         studio.at("menu-drawing").click()

@@ -8,7 +8,7 @@ from collections.abc import Callable
 import pytest
 from playwright.sync_api import expect
 
-from tests.studio.conftest import Studio
+from tests.studio.conftest import WIDTH, Studio
 
 pytestmark = pytest.mark.browser
 
@@ -38,9 +38,65 @@ def test_one_key_makes_the_arena_large_and_shows_the_robot_that_is_watched(open_
     expect(studio.at("ending")).to_have_count(0)
     studio.at("arena-large").click()
     expect(studio.page.locator(".studio")).to_have_attribute("data-stage", "false")
-    assert studio.at("arena-canvas").evaluate(WIDTH_OF) == small
+    # After a run it has more room than before, without the text.
+    assert small < studio.at("arena-canvas").evaluate(WIDTH_OF) == pytest.approx(0.4 * WIDTH, rel=0.02)
     studio.at("arena-show").click()
     expect(studio.at("menu-show-rays")).to_have_attribute("aria-checked", "false")
+
+
+SEEN = """([canvas, red, green, blue]) => {
+    const { width, height } = canvas, { data } = canvas.getContext("2d").getImageData(0, 0, width, height);
+    const xs = [], ys = [];
+    for (let at = 0; at < data.length; at += 4) {
+        if (data[at] !== red || data[at + 1] !== green || data[at + 2] !== blue) continue;
+        xs.push((at / 4) % width);
+        ys.push(Math.floor(at / 4 / width));
+    }
+    const place = canvas.getBoundingClientRect(), ratio = width / place.width;
+    const at = (list, from, end) => from + list.reduce((a, b) => end(a, b)) / ratio;
+    const [left, right] = [Math.min, Math.max].map((end) => at(xs, place.left, end));
+    const [top, bottom] = [Math.min, Math.max].map((end) => at(ys, place.top, end));
+    const corners = [[left, top], [right, top], [left, bottom], [right, bottom]];
+    return { width: right - left, height: bottom - top,
+        free: corners.every(([x, y]) => document.elementFromPoint(x, y) === canvas),
+        inside: left > place.left && right < place.right - 1 && top > place.top && bottom < place.bottom - 1 };
+}"""
+"""How large what has a colour is on the arena, whether its corners are free, and whether it is all on the screen."""
+ORANGE, LID = (0xE0, 0x7A, 0x1F), (0xF7, 0xA1, 0x54)
+"""Of the pen, and of the first robot."""
+
+
+@pytest.mark.parametrize(("width", "height", "least"), [(1440, 900, 300), (390, 844, 200)])
+def test_what_the_first_program_draws_is_large_and_free_beside_the_card(
+    open_studio: OpenStudio, width: int, height: int, least: int
+) -> None:
+    studio = open_studio("draw-square/draw-square.krt", viewport={"width": width, "height": height})
+    studio.at("menu-Run").click()
+    studio.at("menu-run-as-fast").click()
+    studio.at("run-button").click()
+    expect(studio.at("ending")).to_contain_text("You drew a closed shape.")
+    expect(studio.at("ending")).to_contain_text(re.compile(r"4 sides of \d+ cm, 4 corners of 90°"))
+    expect(studio.at("ending")).to_have_attribute("data-tone", "plain")
+    expect(studio.at("arena-canvas")).to_be_in_viewport(ratio=1)
+    # The camera stands where it stays once the card has its size and what was drawn is there.
+    studio.page.evaluate("() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done)))")
+    canvas = studio.at("arena-canvas").element_handle()
+    drawing, robot = (studio.page.evaluate(SEEN, [canvas, *colour]) for colour in (ORANGE, LID))
+    assert drawing["width"] >= least
+    assert drawing["height"] == pytest.approx(drawing["width"], rel=0.05)
+    assert drawing["free"]
+    assert drawing["inside"]
+    assert robot["inside"]
+    if width > 900:
+        box = studio.at("arena").bounding_box()
+        assert box is not None
+        assert box["width"] == pytest.approx(0.4 * width, rel=0.02)
+        # The text is one press away, and stays with the next run.
+        studio.at("arena-text").click()
+        expect(studio.at("code")).to_be_visible()
+        studio.at("run-button").click()
+        studio.wait_until_done()
+        expect(studio.at("code")).to_be_visible()
 
 
 @pytest.mark.thorough(

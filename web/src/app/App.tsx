@@ -109,7 +109,11 @@ const ROOM = 200;
 const LINES = 2;
 
 function Side() {
-  const { sizes, folded } = useLayout();
+  const { sizes, folded: chosen } = useLayout();
+  const beside = useStage((stage) => stage.beside);
+  const selects = useStudio((studio) => studio.selection.length > 0);
+  // While something runs the arena has what only a selected part takes from it.
+  const folded = beside ? { ...chosen, arena: false, code: true, inspector: chosen.inspector || !selects } : chosen;
   // Inspector and code share what they have together, so that another part leaves the arena as it is; where one of them is
   // folded away the last open panel takes what the others leave.
   const last = !folded.arena ? "arena" : !folded.code ? "code" : "inspector";
@@ -123,7 +127,7 @@ function Side() {
     return { flex: `0 1 ${size === 0 ? "auto" : `${String(size)}px`}` };
   };
   return (
-    <div className="side" style={{ width: sizes.side }}>
+    <div className="side" data-beside={beside} style={beside ? {} : { width: sizes.side }}>
       {folded.inspector ? null : (
         <section className="side-part side-inspector column" style={flex("inspector")} aria-label={t("view.inspector")}>
           <PanelSlot place="inspector" />
@@ -168,8 +172,8 @@ function Studio() {
   const covered = useDocument((document) => document.overlay === "new");
   const room = useNarrow((narrow) => narrow.room);
   const team = useTeam((state) => state.open || state.world);
-  const large = useStage((stage) => stage.large);
-  const side = !(folded.inspector && folded.code && folded.arena);
+  const { large, beside } = useStage();
+  const side = beside || !(folded.inspector && folded.code && folded.arena);
 
   return (
     <div

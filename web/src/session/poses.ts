@@ -16,8 +16,30 @@ const JUMP_MM = 600;
 
 let before: Arrived | null = null;
 let last: Arrived | null = null;
-let way: readonly PoseFrame[] = [];
+/** All frames of the run so far, while nobody records them. */
+let early: PoseFrame[] = [];
+/** So many places of robots are kept for who comes late. */
+const MOST_EARLY = 400_000;
+let recorder: Recorder | null = null;
 const watchers = new Set<() => void>();
+
+/** `joined`: somebody saw which way led there from the frame before. */
+type Recorder = (frame: PoseFrame, joined: boolean) => void;
+
+/** Calls back with each frame of a run from its first one, however late somebody asks; the returned function ends it. */
+export function recordFrames(record: Recorder): () => void {
+  early.forEach((frame, at) => record(frame, at > 0));
+  early = [];
+  recorder = record;
+  return () => {
+    if (recorder === record) recorder = null;
+  };
+}
+
+function keep(frame: PoseFrame, joined: boolean): void {
+  if (recorder !== null) recorder(frame, joined);
+  else if (early.length * frame.poses.length < MOST_EARLY) early.push(frame);
+}
 
 /** Calls back whenever there is something new to draw; the returned function ends it. */
 export function watchFrames(callback: () => void): () => void {
@@ -29,20 +51,16 @@ export function watchFrames(callback: () => void): () => void {
 export function pushFrame(frame: PoseFrame, now: number, gone: readonly PoseFrame[] = []): void {
   before = last !== null && last.poses.length === frame.poses.length && frame.tick >= last.tick ? last : null;
   last = { ...frame, at: now };
-  way = gone;
+  for (const one of gone) keep(one, true);
+  keep(frame, gone.length > 0);
   for (const callback of watchers) callback();
 }
 
 export function clearFrames(): void {
   before = null;
   last = null;
-  way = [];
+  early = [];
   for (const callback of watchers) callback();
-}
-
-/** Where the robots were on the way to the last frame, from the one before; empty where that was short. */
-export function wayToLast(): readonly PoseFrame[] {
-  return way;
 }
 
 /** The last frame that came; null before the first. */

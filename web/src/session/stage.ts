@@ -1,7 +1,30 @@
-/** Whether the arena is large and the program small beside it, and whether a tutorial is on, in which the arena shows more. */
+/**
+ * How much room the arena has, and whether a tutorial is on, in which the arena shows more.
+ *
+ * `beside`: it has the right column to itself while something runs and after that, until somebody asks for the text;
+ * `large`: the program is small beside it.
+ */
 import { create } from "zustand";
 
-export const useStage = create<{ large: boolean; lesson: boolean }>(() => ({ large: false, lesson: false }));
+interface Stage {
+  large: boolean;
+  beside: boolean;
+  /** Somebody wants the text beside the arena, whatever runs. */
+  text: boolean;
+  lesson: boolean;
+}
+
+export const useStage = create<Stage>(() => ({ large: false, beside: false, text: false, lesson: false }));
+
+/** Something runs, or nothing does any more. */
+export function setBeside(beside: boolean): void {
+  useStage.setState(({ text }) => ({ beside: beside && !text }));
+}
+
+/** The text comes back beside the arena and stays there, or goes again. */
+export function toggleText(): void {
+  useStage.setState(({ beside }) => ({ beside: !beside, text: beside }));
+}
 
 export function enlargeStage(large: boolean): void {
   useStage.setState({ large });

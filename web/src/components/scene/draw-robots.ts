@@ -143,9 +143,8 @@ function drawSeen(usual: Brush, one: Seen, selected: boolean, { boards, figures 
   const real = robotUnit(usual.camera, actor.length_mm);
   const brush = { ...usual, unit: board === null ? real : board.boardUnit(usual.unit, count) };
   const { pen, camera, colours, unit } = brush;
-  const [x, y] = toScreen(camera, pose.x_mm, pose.y_mm);
   pen.save();
-  pen.translate(x, y);
+  pen.translate(...toScreen(camera, pose.x_mm, pose.y_mm));
   pen.save();
   pen.rotate(-pose.heading_rad);
   if (actor.face !== null) board?.drawBoard(brush, one, selected);
@@ -155,18 +154,25 @@ function drawSeen(usual: Brush, one: Seen, selected: boolean, { boards, figures 
   if (board === null && actor.role === "robot" && unit < LEAST_SEEN) drawHalo(brush, one);
   const away = board === null ? ringOf(actor, unit) : board.boardReach(unit);
   boards?.drawIndicators(brush, actor, away);
-  if (selected && actor.face === null) {
-    pen.beginPath();
-    pen.arc(0, 0, away, 0, Math.PI * 2);
-    line(brush, 2, colours.ink);
-  }
   pen.restore();
+}
+
+/** Around the one of several that is watched: on the floor, under what is drawn there. */
+export function drawRing(usual: Brush, seen: readonly Seen[], selected: string): void {
+  const one = seen.length < 2 ? undefined : seen.find(({ actor }) => actor.name === selected);
+  if (one === undefined || one.actor.face !== null || one.actor.role === "keeper") return;
+  const { pen, camera, colours } = usual;
+  const [x, y] = toScreen(camera, one.pose.x_mm, one.pose.y_mm);
+  pen.beginPath();
+  pen.arc(x, y, ringOf(one.actor, robotUnit(camera, one.actor.length_mm)), 0, Math.PI * 2);
+  line(usual, 2, colours.ink);
 }
 
 /** What is said of a robot beside it: after everybody was drawn, so that no arm covers it. */
 function drawTag(usual: Brush, one: Seen, selected: boolean, { boards }: Seldom, count: number, said: Said): void {
   const { actor, pose } = one;
-  if (actor.role !== "robot" || actor.indicators.length > 0 || (!selected && count > MOST_NAMED)) return;
+  // One alone needs no number, and what it draws stays free.
+  if (count < 2 || actor.role !== "robot" || actor.indicators.length > 0 || (!selected && count > MOST_NAMED)) return;
   const board = actor.face === null ? null : boards;
   const unit = board === null ? robotUnit(usual.camera, actor.length_mm) : board.boardUnit(usual.unit, count);
   const brush = { ...usual, unit };

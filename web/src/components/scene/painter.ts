@@ -1,21 +1,23 @@
 /**
  * Paints the arena on a canvas when something has changed, and only then.
  *
- * It keeps the camera: fitted to the panel until the person zooms or pans, then left alone. Robots are on the move between
- * two frames, so painting goes on until they stand where the last frame says.
+ * Where the camera is says `Viewpoint`. Robots are on the move between two frames, so painting goes on until they stand where
+ * the last frame says.
  */
 import { moreWords } from "../../i18n/words";
 import type { World } from "../../model/types";
 import { drawnByPens } from "../../session/pen-marks";
 import { posesAt } from "../../session/poses";
-import { type Camera, fit, fitBox, type Room, toScreen, toWorld, zoomAt } from "./camera";
+import { type Box, type Camera, fit, fitBox, type Room, toScreen, toWorld, zoomAt } from "./camera";
 import { readColours, type Colours } from "./colours";
 import { CROWD } from "./crowd-size";
-import { type Boards, drawActors, ringOf, type Said, type Seldom } from "./draw-robots";
+import { type Boards, drawActors, drawRing, ringOf, type Said, type Seldom } from "./draw-robots";
 import { type Brush, drawWorld, robotUnit, unitOf } from "./draw-world";
+import { EMPTY, subjectOf } from "./framing";
 import { contentOf } from "./geometry";
 import type * as OnFloorChunk from "./on-floor";
 import { lookAt, type Scene, type Seen } from "./scene";
+import { Viewpoint } from "./viewpoint";
 
 type OnFloor = typeof OnFloorChunk;
 
@@ -24,21 +26,23 @@ const WALL_MARGIN = 26;
 const LEAST_REACH = 18;
 /** How close the camera goes to follow somebody: times the scale that shows the whole world. */
 const FOLLOW = 2;
-const ORIGIN: Camera = { scale: 1, x: 0, y: 0 };
 
 /** What is drawn besides, under the robots and over them; true when it goes on moving by itself. */
 export interface Layers {
   /** Under what pens drew. */
-  ground: (brush: Brush, scene: Scene) => void;
+  ground: (brush: Brush, scene: Scene, seen: readonly Seen[]) => void;
   under: (brush: Brush, scene: Scene, seen: readonly Seen[]) => boolean;
   over: (brush: Brush, scene: Scene, seen: readonly Seen[]) => boolean;
+  /** Where robots have been. */
+  been: () => Box;
+  /** Closes what is said of a robot at a point of the canvas; false where nothing is. */
+  closeTagAt: (x: number, y: number) => boolean;
 }
 
 export class Painter {
   private readonly canvas: HTMLCanvasElement;
   private room: Room = { width: 0, height: 0 };
-  private camera: Camera = ORIGIN;
-  private moved = false;
+  readonly viewpoint = new Viewpoint({ whole: () => this.whole(), subject: () => this.subject() });
   private scene: Scene | null = null;
   private selected = "";
   private program = "";
@@ -84,7 +88,11 @@ export class Painter {
 
   /** Where the eye is. */
   get view(): Camera {
-    return this.camera;
+    return this.viewpoint.camera;
+  }
+
+  private get camera(): Camera {
+    return this.viewpoint.camera;
   }
 
   setScene(scene: Scene, selected: string): void {
@@ -95,7 +103,7 @@ export class Painter {
     this.scene = scene;
     this.selected = selected;
     this.fetchSeldom(scene);
-    if (other) this.showAll();
+    if (other) this.viewpoint.begin();
     this.paintSoon();
   }
 
@@ -127,34 +135,59 @@ export class Painter {
     const ratio = window.devicePixelRatio || 1;
     this.canvas.width = Math.round(width * ratio);
     this.canvas.height = Math.round(height * ratio);
-    if (!this.moved) this.showAll();
+    this.viewpoint.jump(this.room);
     this.paint();
   }
 
   private whole(): Camera {
     const world = this.scene?.world;
-    if (world === undefined) return ORIGIN;
+    if (world === undefined) return this.camera;
     // Who draws a world sees all of it; who runs one sees what is there.
     if (this.margin !== null) return fit(world, this.room, this.margin);
     const poses = this.seen(performance.now()).seen.map(({ pose }) => pose);
     return fitBox(contentOf(world, poses), this.room, world.walls.length > 0 ? WALL_MARGIN : 0);
   }
 
+  /** What is to be seen of that; null for all of it. */
+  private subject(): Box | null {
+    const scene = this.scene;
+    if (scene === null || this.margin !== null) return null;
+    const robots = this.seen(performance.now()).seen.map(({ actor, pose }) => ({
+      ...pose,
+      length_mm: actor.length_mm,
+    }));
+    return subjectOf(scene.world, robots, scene.running ? (this.layers?.been() ?? EMPTY) : EMPTY, this.whole());
+  }
+
   showAll(): void {
-    this.moved = false;
-    this.camera = this.whole();
+    this.viewpoint.showAll();
+    this.paintSoon();
+  }
+
+  showSubject(): void {
+    this.viewpoint.showSubject();
+    this.paintSoon();
+  }
+
+  /** A run begins, or what it did can be looked at whole. */
+  setOpen(open: boolean): void {
+    this.viewpoint.setOpen(open);
+    this.paintSoon();
+  }
+
+  /** So many px at the bottom are covered. */
+  setCovered(px: number): void {
+    this.viewpoint.setCovered(px);
     this.paintSoon();
   }
 
   zoom(factor: number, x = this.room.width / 2, y = this.room.height / 2): void {
-    this.camera = zoomAt(this.camera, this.whole(), factor, x, y);
-    this.moved = true;
+    this.viewpoint.take(zoomAt(this.camera, this.whole(), factor, x, y));
     this.paintSoon();
   }
 
   pan(dx: number, dy: number): void {
-    this.camera = { ...this.camera, x: this.camera.x + dx, y: this.camera.y + dy };
-    this.moved = true;
+    this.viewpoint.take({ ...this.camera, x: this.camera.x + dx, y: this.camera.y + dy });
     this.paintSoon();
   }
 
@@ -202,6 +235,10 @@ export class Painter {
       });
   }
 
+  closeTagAt(x: number, y: number): boolean {
+    return this.layers?.closeTagAt(x, y) === true;
+  }
+
   /** What a hand does to boards; null until it was fetched. */
   get boards(): Boards | null {
     return this.seldom.boards;
@@ -227,8 +264,11 @@ export class Painter {
     if (one === undefined) return;
     const { scale } = this.camera;
     const { width, height } = this.room;
-    this.camera = { scale, x: width / 2 - one.pose.x_mm * scale, y: height / 2 + one.pose.y_mm * scale };
-    this.moved = true;
+    this.viewpoint.take({
+      scale,
+      x: width / 2 - one.pose.x_mm * scale,
+      y: height / 2 + one.pose.y_mm * scale,
+    });
   }
 
   private seen(now: number): { seen: Seen[]; still: boolean } {
@@ -256,6 +296,7 @@ export class Painter {
     if (pen === null || this.scene === null || this.room.width === 0) return;
     const { seen, still } = this.seen(performance.now());
     this.keepUp(seen);
+    const eases = this.viewpoint.step(this.scene.running, this.smooth());
     const ratio = window.devicePixelRatio || 1;
     pen.setTransform(ratio, 0, 0, ratio, 0, 0);
     this.colours ??= readColours();
@@ -266,11 +307,13 @@ export class Painter {
     }
     const brush = { pen, camera, room, unit: unitOf(camera, this.scene.world), colours };
     drawWorld(brush, this.scene);
-    this.layers?.ground(brush, this.scene);
+    drawRing(brush, seen, this.selected);
+    this.layers?.ground(brush, this.scene, seen);
     this.drawOnFloor(brush, seen);
     const moves = this.layers?.under(brush, this.scene, seen) === true;
-    drawActors(brush, this.scene, seen, this.selected, this.program, this.seldom, this.said);
-    if (this.layers?.over(brush, this.scene, seen) === true || moves || !still) this.paintSoon();
+    const said = { ...this.said, place: this.said.place && !this.viewpoint.isCovered };
+    drawActors(brush, this.scene, seen, this.selected, this.program, this.seldom, said);
+    if (this.layers?.over(brush, this.scene, seen) === true || moves || eases || !still) this.paintSoon();
   }
 
   /** Fetches what draws there once there is something; a fetch that failed is tried again. */

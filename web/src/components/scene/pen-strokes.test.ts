@@ -31,7 +31,7 @@ test("a line is drawn along its marks in the colour and the width of the pen, to
   expect(drawn(marks, [110, 60])).toEqual([{ what: "stroke", colour: "#1d6ad4", width: 8, path }]);
 });
 
-test("each line has its own colour, black is the theme's ink, and none is thinner than two px", () => {
+test("each line has its own colour, black is the theme's ink, and none is thinner than three px", () => {
   const marks: PenMark[] = [
     [0, 2, 0, 0, 1, 10],
     [1, 2, 0, 500, 0, 1],
@@ -40,7 +40,7 @@ test("each line has its own colour, black is the theme's ink, and none is thinne
   ];
   expect(drawn(marks, undefined).map(({ colour, width }) => [colour, width])).toEqual([
     ["#d3202f", 20],
-    ["ink", 2],
+    ["ink", 3],
   ]);
 });
 

@@ -1,11 +1,11 @@
-/** Lines of pens, made of their marks, and drawn plainly: round ends, as wide as they are, two px at least. */
+/** Lines of pens, made of their marks, and drawn plainly: round ends, as wide as they are, three px at least. */
 import type { PenMark } from "../../session/pen-marks";
 import { toScreen } from "./camera";
 import type { Brush } from "./draw-world";
 
 /** What becomes of a point: a line begins there, or ends. */
 const [BEGINS, ENDS] = [2, 4];
-const LEAST_PX = 2;
+const LEAST_PX = 3;
 
 /** Colours of pens by number; black is ink, which the theme says. */
 export const PEN_COLOURS = [null, "#d3202f", "#1c8548", "#1d6ad4", "#e07a1f", "#7549cc", "#d9a400", "#d9529a"] as const;

@@ -37,8 +37,8 @@ export interface Actor {
   /** How it is drawn (`figures.ts`), and in which of the colours of robots (`lids.ts`). */
   figure: string;
   lid: number;
-  /** "Sign = 4", "Cargo": what its sensors say now. */
-  senses: string[];
+  /** "Sign = 4", "Cargo": what its sensors say now, by their names. */
+  senses: { name: string; words: string }[];
   failed: boolean;
   /** What it shows, when it is a board with a display. */
   face: Face | null;
@@ -129,19 +129,20 @@ export function totalOf(world: World, goals: readonly Goal[]): number {
 export type SceneAgent = Pick<RunAgent, "name" | "program" | "robot" | "number" | "state" | "inputs" | "shown">;
 
 /** A robot's sensors in words; tests say their name only while they are true. */
-function sensesOf(agent: SceneAgent, robot: Robot | undefined): string[] {
+function sensesOf(agent: SceneAgent, robot: Robot | undefined): Actor["senses"] {
   const objects = robot?.objects ?? [];
-  const words: string[] = [];
+  const senses: Actor["senses"] = [];
+  const say = (name: string, words: string) => senses.push({ name, words });
   for (const [name, value] of Object.entries(agent.inputs)) {
     // An actuator may have the same name.
     const object = objects.find((one) => one.name === name && one.category === "sensor");
     if (object === undefined) continue;
     const label = text(object.label, name);
-    if (object.meaning != null || object.unit) words.push(`${label}: ${valueWords(object, value)}`);
-    else if (object.type !== "boolean") words.push(`${label} = ${String(value)}`);
-    else if (value !== 0) words.push(label);
+    if (object.meaning != null || object.unit) say(name, `${label}: ${valueWords(object, value)}`);
+    else if (object.type !== "boolean") say(name, `${label} = ${String(value)}`);
+    else if (value !== 0) say(name, label);
   }
-  return words;
+  return senses;
 }
 
 /** Arms, boards and robots that are not at hand have no length of their own. */

@@ -2,7 +2,7 @@
 import { t } from "../../i18n/words";
 import { type Panel, useLayout } from "../../session/layout";
 import { toggleRoom, useNarrow } from "../../session/narrow";
-import { enlargeStage } from "../../session/stage";
+import { enlargeStage, setBeside } from "../../session/stage";
 import { Icon } from "../../theme";
 
 const ROOMS: readonly [room: Panel, icon: string][] = [
@@ -17,6 +17,7 @@ function open(room: Panel): void {
   // It may have been folded away on a wide page.
   if (folded[room]) toggle(room);
   enlargeStage(false);
+  if (room !== "arena") setBeside(false);
   toggleRoom(room);
 }
 

@@ -9,12 +9,13 @@ import {
   useState,
 } from "react";
 
+import { isEnded, useRun } from "../../session/run";
 import { startOf } from "../../model/starts";
 import { useStudio } from "../../model/studio";
 import { GRID_MM } from "../../model/world/thing";
 import { ARENA_KEYS, keyFor, keyIn } from "../../session/key-table";
 import { watchFrames } from "../../session/poses";
-import { useStage } from "../../session/stage";
+import { toggleText, useStage } from "../../session/stage";
 import { Seed } from "./Seed";
 import { useTheme } from "../../theme";
 import { decimal } from "../../i18n/numbers";
@@ -53,7 +54,7 @@ interface HeadingProps {
 }
 
 function Heading({ scene, painter, stage }: HeadingProps) {
-  const large = useStage((state) => state.large);
+  const { large, beside, text } = useStage();
   const world = scene?.world;
   const size = (mm: number) => decimal(mm / 1000);
   const what =
@@ -89,6 +90,17 @@ function Heading({ scene, painter, stage }: HeadingProps) {
             }}
           />
         )}
+        {(beside || text) && !large ? (
+          <Tool
+            small
+            icon="file"
+            label={t("arena.text")}
+            testId="arena-text"
+            aria-pressed={text}
+            data-wide="true"
+            onClick={toggleText}
+          />
+        ) : null}
         {tools.map(([icon, label, act]) => (
           <Tool key={icon} small icon={icon} label={label} data-zoom={icon.startsWith("zoom")} onClick={act} />
         ))}
@@ -127,6 +139,8 @@ export function Arena() {
   const { program, followed } = useRobots();
   const menu = useRobots((state) => state.menu !== null);
   const stage = useStageParts();
+  const name = useRun((run) => run.name);
+  const over = useRun((run) => isEnded(run.status));
 
   useEffect(() => {
     const [box, drawn] = [frame.current, canvas.current];
@@ -160,6 +174,9 @@ export function Arena() {
   useEffect(() => {
     painter?.setView(program, followed);
   }, [painter, program, followed]);
+  useEffect(() => {
+    painter?.setOpen(!over);
+  }, [painter, name, over, stage]);
   useEffect(() => {
     painter?.themeChanged();
   }, [painter, theme]);
@@ -275,7 +292,9 @@ export function Arena() {
     }
     if (held === null || held.moved) return;
     const place = event.currentTarget.getBoundingClientRect();
-    const found = painter?.actorAt(event.clientX - place.left, event.clientY - place.top);
+    const [x, y] = [event.clientX - place.left, event.clientY - place.top];
+    if (painter?.closeTagAt(x, y) === true) return;
+    const found = painter?.actorAt(x, y);
     if (found === null || found === undefined) return;
     choose(found.actor);
   };
@@ -343,6 +362,7 @@ export function Arena() {
           onPointerEnter={() => setNear(true)}
           onBlur={() => painter?.boards?.releaseAll()}
           onContextMenu={onContextMenu}
+          onDoubleClick={() => painter?.showSubject()}
           onPointerDown={onPointerDown}
           onPointerMove={onPointerMove}
           onPointerUp={onPointerUp}
@@ -359,7 +379,11 @@ export function Arena() {
           <stage.Shown scene={scene} selected={selected} painter={painter} />
         )}
       </div>
-      {stage === null ? null : <stage.Ending />}
+      {stage === null || painter === null ? null : (
+        <div className="stage-ending-place">
+          <stage.Ending painter={painter} />
+        </div>
+      )}
       {watched === undefined || watched.keys.length + watched.sliders.length === 0 ? null : (
         <Hands agent={selected} keys={watched.keys} sliders={watched.sliders} />
       )}

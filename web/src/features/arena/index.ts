@@ -5,6 +5,7 @@ import { keyFor } from "../../session/key-table";
 import type { MenuEntries } from "../../session/menu-table";
 import { useStage } from "../../session/stage";
 import { Arena } from "./Arena";
+import { keepBeside } from "./beside";
 import { toggleStage } from "./parts";
 import { StageSide } from "./StageSide";
 
@@ -22,4 +23,5 @@ export const arena: Feature = {
   slots: { below: StageSide },
   commands: { stage: toggleStage },
   useMenu,
+  start: keepBeside,
 };

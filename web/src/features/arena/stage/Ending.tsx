@@ -1,80 +1,118 @@
 /**
- * How the run ended, as a card: the sentence whole, what else there is to say, and ways on. Beside a small arena it stands
- * under it; on a large one it lies in the corner with the fewest robots. It goes with its ✕ and with the next run.
+ * What the run did, as a card over the arena, and ways on. The arena stays as large as it is, and its camera shows what
+ * matters above the card. It goes with its ✕ and with the next run.
  */
 import CircleCheck from "lucide-react/icons/circle-check";
 import CircleX from "lucide-react/icons/circle-x";
 import Locate from "lucide-react/icons/locate-fixed";
 import Play from "lucide-react/icons/rotate-ccw";
-import { useState } from "react";
+import TriangleAlert from "lucide-react/icons/triangle-alert";
+import { useEffect, useRef, useState } from "react";
+import { create } from "zustand";
 
+import type { Painter } from "../../../components/scene/painter";
 import { clock } from "../../../i18n/numbers";
 import { Said } from "../../../i18n/Said";
 import { t } from "../../../i18n/words";
 import { useStudio } from "../../../model/studio";
 import { can, isEnded, useRun } from "../../../session/run";
-import { useStage } from "../../../session/stage";
 import { Icon } from "../../../theme";
-import { reachedGoal } from "./confetti";
+import { accountOf, type Facts, type Tone } from "./account";
 import { causeOf } from "./cause";
 import { Button } from "../../../ui/Button";
 
-export function Ending() {
+/** What is known of the run that ended last, and its name. */
+const useFacts = create<{ facts: Facts | null; run: string }>(() => ({ facts: null, run: "" }));
+
+export function setFacts(facts: Facts, run: string): void {
+  useFacts.setState({ facts, run });
+}
+
+const SIGNS = { goal: CircleCheck, plain: CircleCheck, nothing: TriangleAlert, failure: CircleX } satisfies Record<
+  Tone,
+  unknown
+>;
+/** Room below the card and above it, in px. */
+const AROUND_PX = 20;
+
+/** Tells the camera how much of the arena the card covers. */
+function useCover(painter: Painter, shown: boolean) {
+  const card = useRef<HTMLElement>(null);
+  useEffect(() => {
+    const element = card.current;
+    if (!shown || element === null) return;
+    const watcher = new ResizeObserver(() => painter.setCovered(element.offsetHeight + AROUND_PX));
+    watcher.observe(element);
+    return () => {
+      watcher.disconnect();
+      painter.setCovered(0);
+    };
+  }, [painter, shown]);
+  return card;
+}
+
+export function Ending({ painter }: { painter: Painter }) {
   const run = useRun();
-  const large = useStage((stage) => stage.large);
+  const { facts, run: known } = useFacts();
   const [closed, setClosed] = useState("");
   const { sentence, status, name, tick, real } = run;
-  if (sentence === "" || real || !isEnded(status) || closed === name) return null;
-  const well = status === "done";
-  const cause = well ? null : causeOf(run);
+  const shown = sentence !== "" && !real && isEnded(status) && closed !== name && facts !== null && known === name;
+  const card = useCover(painter, shown);
+  if (!shown) return null;
+  const { tone, title, more } = accountOf(facts);
+  const cause = status === "done" ? null : causeOf(run);
   const seeks = can("seek", run);
-  const Sign = well ? CircleCheck : CircleX;
+  const Sign = SIGNS[tone];
   return (
-    <section className="stage-ending rigid" data-large={large} data-testid="ending" aria-label={t("arena.result")}>
+    <section className="stage-ending" data-tone={tone} data-testid="ending" aria-label={t("arena.result")} ref={card}>
       <Sign size={20} aria-hidden="true" />
       <div className="stage-ending-words">
         <p>
-          <Said text={sentence} />
+          <Said text={title} />
         </p>
-        {reachedGoal(run) ? (
-          <p className="stage-ending-more">{t("arena.reached", { time: clock(run.seconds) })}</p>
-        ) : null}
+        {[more.slice(0, 1), more.slice(1)].map((said, rest) =>
+          said.length === 0 ? null : (
+            <p key={rest} className="stage-ending-more" data-rest={rest > 0}>
+              <Said text={said.join(" ")} />
+            </p>
+          ),
+        )}
         {cause === null || cause.text === "" ? null : (
           <p className="stage-ending-more">
             {t("arena.cause", { time: clock((cause.tick * run.tickMs) / 1000) })} <Said text={cause.text} />
           </p>
         )}
-        {seeks ? (
-          <span className="stage-ending-ways wrap">
-            {cause === null || cause.tick >= tick ? null : (
-              <Button
-                testId="go-to-cause"
-                onClick={() => {
-                  const program = run.agents.find((agent) => agent.name === cause.agent)?.program;
-                  if (program !== undefined) {
-                    useStudio.getState().setActiveProgram(program);
-                    run.selectAgent(cause.agent, program);
-                  }
-                  run.seek(cause.tick);
-                }}
-              >
-                <Locate size={16} aria-hidden="true" />
-                {t("arena.go-to-cause")}
-              </Button>
-            )}
+      </div>
+      {seeks ? (
+        <span className="stage-ending-ways wrap">
+          {cause === null || cause.tick >= tick ? null : (
             <Button
-              testId="watch-again"
+              testId="go-to-cause"
               onClick={() => {
-                run.seek(0);
-                run.resume();
+                const program = run.agents.find((agent) => agent.name === cause.agent)?.program;
+                if (program !== undefined) {
+                  useStudio.getState().setActiveProgram(program);
+                  run.selectAgent(cause.agent, program);
+                }
+                run.seek(cause.tick);
               }}
             >
-              <Play size={16} aria-hidden="true" />
-              {t("arena.watch-again")}
+              <Locate size={16} aria-hidden="true" />
+              <span>{t("arena.go-to-cause")}</span>
             </Button>
-          </span>
-        ) : null}
-      </div>
+          )}
+          <Button
+            testId="watch-again"
+            onClick={() => {
+              run.seek(0);
+              run.resume();
+            }}
+          >
+            <Play size={16} aria-hidden="true" />
+            <span>{t("arena.watch-again")}</span>
+          </Button>
+        </span>
+      ) : null}
       <button
         type="button"
         className="tool small rigid"

@@ -3,9 +3,11 @@ import { useEffect, useMemo } from "react";
 
 import type { Painter } from "../../../components/scene/painter";
 import type { Scene } from "../../../components/scene/scene";
-import { lastFrame, watchFrames, wayToLast } from "../../../session/poses";
-import { useRun } from "../../../session/run";
+import { useOpenExercise } from "../../../session/open-exercise";
+import { recordFrames, watchFrames } from "../../../session/poses";
+import { isEnded, useRun } from "../../../session/run";
 import { useStage } from "../../../session/stage";
+import { setFacts } from "./Ending";
 import { useGamepad } from "./gamepad";
 import { StageLayers } from "./layers";
 import { ShownMenu } from "./shown-menu";
@@ -26,19 +28,22 @@ export function Shown({ scene, selected, painter }: ShownProps) {
   const layers = useMemo(() => new StageLayers(() => painter.paintSoon()), [painter]);
   useEffect(() => {
     layers.begin(run);
-    const record = () => {
-      const frame = lastFrame();
-      if (frame === null) layers.begin(run);
-      else layers.record(frame, wayToLast());
-    };
-    record();
-    return watchFrames(record);
+    return recordFrames((frame, joined) => layers.record(frame, joined));
   }, [layers, run]);
   useEffect(() => {
     layers.show(on, selected, !large);
     painter.setLayers({ place: !large, names: large && on.names }, layers);
   }, [painter, layers, on, large, selected]);
   useEffect(() => layers.celebrateRuns(), [layers]);
+  useEffect(() => {
+    const account = () => {
+      const now = useRun.getState();
+      if (isEnded(now.status)) setFacts(layers.facts(now), now.name);
+    };
+    account();
+    const ends = [useRun.subscribe(account), watchFrames(account), useOpenExercise.subscribe(account)];
+    return () => ends.forEach((end) => end());
+  }, [layers]);
   useSound(on.sound);
   useStatesSaid(scene);
   const actor = scene?.actors.find(({ name }) => name === selected);

@@ -12,7 +12,8 @@ import { t } from "../../../i18n/words";
 import { openKeep } from "./shown-menu";
 import { flip, SHOWS, type Shows, useOn } from "./switches";
 
-const ICONS: Readonly<Record<Shows, LucideIcon>> = {
+/** On a large arena nothing is said beside a robot: there is no tag to switch. */
+const ICONS: Readonly<Partial<Record<Shows, LucideIcon>>> = {
   trails: Route,
   rays: Radar,
   ahead: Navigation,
@@ -27,6 +28,7 @@ export function Switches() {
     <span className="stage-switches" role="group" aria-label={t("arena.show")}>
       {SHOWS.map(({ id, label }) => {
         const Picture = ICONS[id];
+        if (Picture === undefined) return null;
         return (
           <button
             key={id}

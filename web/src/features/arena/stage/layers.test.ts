@@ -31,7 +31,7 @@ function running(eyes: Record<string, number>): Seen[] {
     ...{ name, program: "p", robot: "rover", number: at + 1, kind: "robot", active: [], state: "running" as const },
     ...{ inputs: { Eye: eye }, values: {}, fault: 0, forced: [], shown: {}, placed: true },
   }));
-  useRun.setState({ agents });
+  useRun.setState({ agents, status: "running" });
   return agents.map(({ name }, at) => seenAt(name, 300 - 100 * at));
 }
 
@@ -40,7 +40,7 @@ function drawn(seen: Seen[], selected: string, shows: string) {
   const scene = { running: true, real: false, actors: seen.map(({ actor }) => actor), world: {} } as unknown as Scene;
   const layers = new StageLayers(() => undefined);
   layers.show(readSwitches(shows), selected, false);
-  layers.ground(recording.brush, scene);
+  layers.ground(recording.brush, scene, seen);
   layers.under(recording.brush, scene, seen);
   layers.over(recording.brush, scene, seen);
   return recording;

@@ -3,22 +3,27 @@
  * a small celebration. Under the robots lies what is on the floor, over them only words and paper.
  */
 import type { PoseFrame } from "../../../api/wire";
-import { toScreen } from "../../../components/scene/camera";
+import { type Box, toScreen } from "../../../components/scene/camera";
 import { type Brush, robotUnit, write } from "../../../components/scene/draw-world";
 import { ROBOT_MM } from "../../../components/scene/geometry";
 import { LIDS } from "../../../components/scene/lids";
 import type { Layers } from "../../../components/scene/painter";
 import type { Scene, Seen } from "../../../components/scene/scene";
-import { PEN_COLOURS } from "../../../components/scene/pen-strokes";
+import { PEN_COLOURS, type PenStroke, strokesOf } from "../../../components/scene/pen-strokes";
+import type { Area } from "../../../components/scene/tag-place";
 import { decimal } from "../../../i18n/numbers";
 import { useStudio } from "../../../model/studio";
-import { useRun } from "../../../session/run";
+import { drawnByPens } from "../../../session/pen-marks";
+import { isLive, type RunState, useRun } from "../../../session/run";
 import { fontOf, token, useTheme } from "../../../theme";
+import type { Facts } from "./account";
+import { awaitedAt } from "./awaited";
 import { Confetti, reachedGoal } from "./confetti";
 import { Motion } from "./motion";
 import { type Ray, raysOf } from "./rays";
-import { drawGlows, drawSigns, drawTag } from "./signs";
-import type { Shows } from "./switches";
+import { RunDiary } from "./run-diary";
+import { drawGlows, drawSigns, drawTag, lineAreas } from "./signs";
+import { flip, type Shows } from "./switches";
 import { Trails } from "./trails";
 
 /** Of more robots than this only those that are watched have rays and ranges. */
@@ -53,11 +58,14 @@ function lineColour(lid: number): string {
 export class StageLayers implements Layers {
   private readonly trails = new Trails();
   private readonly motion = new Motion();
+  private readonly diary = new RunDiary();
   private readonly confetti: Confetti;
   private run = "";
   private on: Readonly<Record<Shows, boolean>> | null = null;
   private selected = "";
   private tag = true;
+  /** Where the tag of the one that is watched stands. */
+  private tagArea: Area | null = null;
   /** What was found for the rays in this frame; drawn under the robots, labelled over them. */
   private rays: { ray: Ray; own: boolean }[] = [];
 
@@ -71,14 +79,33 @@ export class StageLayers implements Layers {
     this.run = run;
     this.trails.clear();
     this.motion.clear();
+    this.diary.clear();
     this.confetti.clear();
   }
 
-  /** `way`: the frames between the one before and this one. */
-  record(frame: PoseFrame, way: readonly PoseFrame[]): void {
-    for (const one of way) this.trails.record(one, true);
-    this.trails.record(frame, way.length > 0);
+  /** `joined`: the frame follows on the one before, however far apart they are. */
+  record(frame: PoseFrame, joined: boolean): void {
+    this.trails.record(frame, joined);
     this.motion.record(frame);
+    this.diary.record(frame);
+    this.diary.look(useRun.getState());
+  }
+
+  been(): Box {
+    return this.trails.been;
+  }
+
+  facts(run: RunState): Facts {
+    this.diary.look(run);
+    return this.diary.facts(run, this.trails);
+  }
+
+  /** Closes the tag where it stands at a point of the canvas. */
+  closeTagAt(x: number, y: number): boolean {
+    const { tagArea: at } = this;
+    if (at === null || x < at.left || x > at.left + at.width || y < at.top || y > at.top + at.height) return false;
+    flip("tag");
+    return true;
   }
 
   /** `tag`: whether what the robot that is watched senses stands beside it. */
@@ -101,18 +128,18 @@ export class StageLayers implements Layers {
     return seen.actor.name === this.selected || count <= MANY;
   }
 
-  /** Trails lie under what pens drew: a drawn line is never dotted. */
-  ground(brush: Brush, scene: Scene): void {
-    if (this.on?.trails !== true || !scene.running || scene.real) return;
-    this.trails.draw(brush, (index) => lineColour(scene.actors[index]?.lid ?? 0));
+  /** Trails and rays lie under what pens drew: a drawn line is never dotted. Who has ended looks at nothing any more. */
+  ground(brush: Brush, scene: Scene, seen: readonly Seen[]): void {
+    this.rays = [];
+    if (this.on === null || !scene.running || scene.real) return;
+    if (this.on.trails) this.trails.draw(brush, (index) => lineColour(scene.actors[index]?.lid ?? 0));
+    if (this.on.rays && isLive(useRun.getState().status)) this.drawRays(brush, seen);
   }
 
   under(brush: Brush, scene: Scene, seen: readonly Seen[]): boolean {
-    this.rays = [];
     if (this.on === null || !scene.running || scene.real) return false;
     if (this.on.radio) this.drawRadio(brush, seen);
     if (this.on.ahead) this.drawAhead(brush, seen);
-    if (this.on.rays) this.drawRays(brush, seen);
     drawGlows(brush, seen);
     return false;
   }
@@ -122,11 +149,37 @@ export class StageLayers implements Layers {
       this.drawPenTips(brush, seen);
       drawSigns(brush, scene, seen);
     }
-    const watched = this.tag ? seen.find(({ actor }) => actor.name === this.selected) : undefined;
+    const tagged = this.tag && this.on?.tag === true && isLive(useRun.getState().status);
+    const watched = tagged ? seen.find(({ actor }) => actor.name === this.selected) : undefined;
+    const lines = this.drawnLines(seen);
     // A board shows itself; what it senses changes all the time.
-    if (watched !== undefined && watched.actor.face === null) drawTag(brush, scene, seen, watched);
-    for (const { ray, own } of this.rays) if (own && ray.ends) this.label(brush, ray);
+    this.tagArea =
+      watched === undefined || watched.actor.face !== null
+        ? null
+        : drawTag(brush, scene, seen, watched, { awaited: this.awaited(watched), lines });
+    for (const { ray, own } of this.rays) if (own && ray.ends) this.label(brush, ray, lines);
     return this.confetti.draw(brush);
+  }
+
+  /** What pens drew so far. */
+  private drawnLines(seen: readonly Seen[]): PenStroke[] {
+    const { marks, pens } = drawnByPens();
+    return strokesOf(marks, (pen) => {
+      const at = seen[pens[pen] ?? -1]?.pose;
+      return at === undefined ? undefined : [at.x_mm, at.y_mm];
+    });
+  }
+
+  private awaited({ actor }: Seen): ReadonlySet<string> {
+    const { mission, agents } = useRun.getState();
+    const program = mission?.programs.find(({ name }) => name === actor.program);
+    const active = agents.find(({ name }) => name === actor.name)?.active ?? [];
+    return program === undefined
+      ? new Set()
+      : awaitedAt(
+          program,
+          active.map(([, vertex]) => vertex),
+        );
   }
 
   /** On robots whose pen is down: its tip, in its colour. */
@@ -233,7 +286,7 @@ export class StageLayers implements Layers {
   }
 
   /** The length of a ray at its middle, beside its robot where it is short. */
-  private label(brush: Brush, { from, to, mm }: Ray): void {
+  private label(brush: Brush, { from, to, mm }: Ray, lines: readonly PenStroke[]): void {
     const { pen, camera, room, colours } = brush;
     const { line, tint, word } = tintsOf(colours);
     const [ax, ay] = toScreen(camera, ...from);
@@ -249,6 +302,7 @@ export class StageLayers implements Layers {
     const inside = (value: number, most: number) => Math.min(Math.max(value, 0), Math.max(most, 0));
     const left = inside((ax + bx) / 2 + uy * off - width / 2, room.width - width);
     const top = inside((ay + by) / 2 - ux * off - 12, room.height - 24);
+    if (lineAreas(camera, lines, { left, top, width, height: 24 }).length > 0) return;
     pen.beginPath();
     pen.roundRect(left, top, width, 24, 5);
     pen.fillStyle = tint;

@@ -3,16 +3,19 @@
  * (✕ failed, ‖ stalled, a struck-out sender: no radio), and what the one that is watched senses.
  */
 import { LAMP } from "../../../api/wire";
-import { toScreen } from "../../../components/scene/camera";
+import { type Camera, toScreen } from "../../../components/scene/camera";
 import { isCrowd } from "../../../components/scene/crowd-size";
 import { keeperPlace, ringOf, scoreAt } from "../../../components/scene/draw-robots";
 import { type Brush, robotUnit, write } from "../../../components/scene/draw-world";
 import { drawGlow } from "../../../components/scene/figures";
+import type { PenStroke } from "../../../components/scene/pen-strokes";
 import type { Scene, Seen } from "../../../components/scene/scene";
 import { type Area, placeTag } from "../../../components/scene/tag-place";
 import { fontOf } from "../../../theme";
 
 const MOST_SENSES = 3;
+/** Further than this from its robot no tag reaches. */
+const TAG_PX = 420;
 
 /** In units of a badge's radius, around its middle. */
 const SIGNS = {
@@ -119,28 +122,62 @@ function takenAreas(brush: Brush, scene: Scene, seen: readonly Seen[], own: Seen
   return [...houses, ...others, ...shown, ...(middle === null ? [] : [around(middle[0], middle[1], 55 * u, 28 * u)])];
 }
 
-/** The tag beside the robot that is watched: its number and what it senses. */
-export function drawTag(brush: Brush, scene: Scene, seen: readonly Seen[], one: Seen): void {
+/** A line that somebody drew, as areas along it that a tag leaves free. */
+export function lineAreas(camera: Camera, lines: readonly PenStroke[], near: Area): Area[] {
+  const [step, half] = [10, 8];
+  const areas: Area[] = [];
+  const inside = (x: number, y: number) =>
+    x > near.left && x < near.left + near.width && y > near.top && y < near.top + near.height;
+  for (const { points } of lines) {
+    points.forEach((point, at) => {
+      const [x0, y0] = toScreen(camera, ...(points[at - 1] ?? point));
+      const [x1, y1] = toScreen(camera, ...point);
+      const pieces = Math.max(1, Math.ceil(Math.hypot(x1 - x0, y1 - y0) / step));
+      for (let piece = 1; piece <= pieces; piece++) {
+        const [x, y] = [x0 + ((x1 - x0) * piece) / pieces, y0 + ((y1 - y0) * piece) / pieces];
+        if (inside(x, y)) areas.push({ left: x - half, top: y - half, width: 2 * half, height: 2 * half });
+      }
+    });
+  }
+  return areas;
+}
+
+interface Tag {
+  awaited: ReadonlySet<string>;
+  lines: readonly PenStroke[];
+}
+
+/** The tag beside the robot that is watched: what it waits for now, clear of what is drawn. Gives where it stands. */
+export function drawTag(
+  brush: Brush,
+  scene: Scene,
+  seen: readonly Seen[],
+  one: Seen,
+  { awaited, lines }: Tag,
+): Area | null {
   const { pen, camera, room, colours } = brush;
-  const { senses, number, role, name } = one.actor;
-  if (senses.length === 0 || role === "keeper") return;
+  const { number, role, name } = one.actor;
+  const senses = one.actor.senses.flatMap((sense) => (awaited.has(sense.name) ? [sense.words] : []));
+  if (senses.length === 0 || role === "keeper") return null;
   const [x, y] = toScreen(camera, one.pose.x_mm, one.pose.y_mm);
   pen.font = fontOf(600, 13);
   const away = ringOf(one.actor, robotUnit(camera, one.actor.length_mm));
   const taken = [
     ...takenAreas(brush, scene, seen, one),
+    ...lineAreas(camera, lines, { left: x - TAG_PX, top: y - TAG_PX, width: 2 * TAG_PX, height: 2 * TAG_PX }),
     { left: x - away, top: y - away, width: 2 * away, height: 2 * away },
   ];
   // As many senses as have room beside everybody; where not even one has, the panel of the stage and the watch tell them.
   const found = [...Array(Math.min(MOST_SENSES, senses.length)).keys()]
     .map((less) => {
       const few = senses.slice(0, Math.min(MOST_SENSES, senses.length) - less);
-      const words = [role === "robot" ? String(number) : name, ...few].join(" · ");
+      const who = seen.length < 2 ? [] : [role === "robot" ? String(number) : name];
+      const words = [...who, ...few, "✕"].join(" · ");
       const size = { width: pen.measureText(words).width + 24, height: 24 };
       return { words, place: placeTag(x, y, away, size, room, taken) };
     })
     .find(({ place }) => place.cost === 0);
-  if (found === undefined) return;
+  if (found === undefined) return null;
   const { words } = found;
   const { area, right, below } = found.place;
   const middle = area.top + area.height / 2;
@@ -158,4 +195,5 @@ export function drawTag(brush: Brush, scene: Scene, seen: readonly Seen[], one: 
   pen.textAlign = "center";
   pen.textBaseline = "middle";
   write(brush, words, area.left + area.width / 2, middle + 0.5, 13, 600, colours.onInk);
+  return area;
 }

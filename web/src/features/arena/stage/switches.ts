@@ -4,7 +4,7 @@ import { create } from "zustand";
 import type { Key } from "../../../i18n/words";
 import { useStage } from "../../../session/stage";
 
-export type Shows = "trails" | "rays" | "ahead" | "radio" | "names" | "sound";
+export type Shows = "trails" | "rays" | "ahead" | "radio" | "names" | "tag" | "sound";
 
 type On = Readonly<Record<Shows, boolean>>;
 
@@ -15,12 +15,13 @@ export const SHOWS: readonly { id: Shows; label: Key }[] = [
   { id: "ahead", label: "arena.ahead" },
   { id: "radio", label: "arena.radio" },
   { id: "names", label: "arena.names" },
+  { id: "tag", label: "arena.tag" },
   { id: "sound", label: "arena.sound" },
 ];
 
 const KEY = "kitrobot.arena";
-const USUAL: On = { trails: true, rays: true, ahead: false, radio: false, names: true, sound: true };
-const LESSON: On = { trails: true, rays: true, ahead: true, radio: true, names: true, sound: true };
+const USUAL: On = { trails: true, rays: true, ahead: false, radio: false, names: true, tag: true, sound: true };
+const LESSON: On = { trails: true, rays: true, ahead: true, radio: true, names: true, tag: true, sound: true };
 
 /** What was remembered, as far as it makes sense. */
 export function readSwitches(text: string | null): On {

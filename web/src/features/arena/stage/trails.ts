@@ -7,8 +7,9 @@
  * new is added to it. Another scale, or the edge of the layer, draws it anew.
  */
 import type { PoseFrame } from "../../../api/wire";
-import type { Camera } from "../../../components/scene/camera";
+import type { Box, Camera } from "../../../components/scene/camera";
 import type { Brush } from "../../../components/scene/draw-world";
+import { around, EMPTY, union } from "../../../components/scene/framing";
 
 const [DOT_PX, EACH_PX] = [3, 8];
 /** Places nearer than this to the last one are not kept, in mm. */
@@ -28,13 +29,15 @@ interface Trail {
   ticks: number[];
   /** Whether it was seen on its way to a place from the one before. */
   seen: boolean[];
+  /** How long the way was that is not kept any more, in mm. */
+  before: number;
   /** So many of its places are on the layer, and how far the last dot is behind the last of them, in px. */
   drawn: number;
   behind: number;
 }
 
 function empty(): Trail {
-  return { xs: [], ys: [], ticks: [], seen: [], drawn: 0, behind: 0 };
+  return { xs: [], ys: [], ticks: [], seen: [], before: 0, drawn: 0, behind: 0 };
 }
 
 export class Trails {
@@ -45,11 +48,35 @@ export class Trails {
   private ratio = 1;
   private stale = true;
   private colours = "";
+  private box: Box | null = null;
 
   clear(): void {
     this.trails = [];
     this.tick = -1;
     this.stale = true;
+    this.box = null;
+  }
+
+  /** Where robots have been. */
+  get been(): Box {
+    this.box ??= this.trails.reduce(
+      (box, { xs, ys }) => xs.reduce((so, x, at) => union(so, around(x, ys[at] ?? 0, 0)), box),
+      EMPTY,
+    );
+    return this.box;
+  }
+
+  /** How far each robot drove, in mm. */
+  get driven(): number[] {
+    return this.trails.map(({ before, xs }, at) => before + xs.reduce((sum, _, end) => sum + this.piece(at, end), 0));
+  }
+
+  /** How long the way of a robot to a place is, from the one before. */
+  private piece(at: number, end: number): number {
+    const { xs = [], ys = [] } = this.trails[at] ?? {};
+    if (end < 1) return 0;
+    const long = Math.hypot((xs[end] ?? 0) - (xs[end - 1] ?? 0), (ys[end] ?? 0) - (ys[end - 1] ?? 0));
+    return long > JUMP_MM ? 0 : long;
   }
 
   /** The places of each robot that are kept. */
@@ -79,6 +106,7 @@ export class Trails {
       const end = xs.length - 1;
       const far = end < 0 ? Infinity : Math.hypot(x_mm - (xs[end] ?? 0), y_mm - (ys[end] ?? 0));
       if (far < LEAST_MM) return;
+      if (this.box !== null) this.box = union(this.box, around(x_mm, y_mm, 0));
       xs.push(x_mm);
       ys.push(y_mm);
       ticks.push(tick);
@@ -86,6 +114,8 @@ export class Trails {
       if (xs.length <= most * 1.25) return;
       // The oldest go, many at a time: each time the layer is drawn anew.
       const gone = xs.length - most;
+      for (let end = 1; end <= gone; end++) trail.before += this.piece(index, end);
+      this.box = null;
       for (const list of [xs, ys, ticks, seen]) list.splice(0, gone);
       this.stale = true;
     });
@@ -94,6 +124,7 @@ export class Trails {
   /** Forgets what is later than a tick: what comes next follows on the last place that is left. */
   private forget(tick: number): void {
     this.tick = -Infinity;
+    this.box = null;
     for (const { xs, ys, ticks, seen } of this.trails) {
       let left = ticks.length;
       while (left > 0 && (ticks[left - 1] ?? 0) > tick) left--;
