@@ -45,7 +45,7 @@ def a_new_program_offers_four_examples_with_pictures_of_what_they_do(studio: Stu
     expect(cards.last).to_contain_text("No box is lost")
     expect(cards.last).to_contain_text("a team of")
     cards.first.click()
-    studio.expect_code("Captor.GreaterThan(8)")
+    studio.expect_code("Motor.LeftBy(90)")
 
 
 def an_example_that_gets_the_focus_comes_into_sight_and_stays_there(studio: Studio) -> None:

@@ -87,6 +87,7 @@ def a_finger_that_rests_opens_the_menu_and_an_entry_is_tapped(studio: Studio) ->
 
 def a_part_is_dragged_from_the_palette_onto_an_arc(studio: Studio) -> None:
     hand = RobotSession(studio)
+    studio.at("part-Wait").scroll_into_view_if_needed()
     begin, end = middle(studio.at("part-Wait")), middle(studio.at("arc-start.next"))
     hand.put("touchStart", begin)
     expect(studio.page.locator(".ghost")).to_be_visible()
@@ -105,12 +106,14 @@ def a_tap_on_a_part_adds_it(studio: Studio) -> None:
 
 def a_swipe_over_parts_scrolls_them_and_drags_none(studio: Studio) -> None:
     hand = RobotSession(studio)
+    studio.at("part-Wait").scroll_into_view_if_needed()
+    before = studio.page.evaluate("document.querySelector('.palette-list').scrollTop")
     x, y = middle(studio.at("part-Wait"))
     hand.put("touchStart", (x, y))
     hand.move(((x, y), (x + 4, y - 160)), steps=8)
     expect(studio.page.locator(".ghost")).to_have_count(0)
     hand.put("touchEnd")
-    studio.page.wait_for_function("document.querySelector('.palette-list').scrollTop > 60")
+    studio.page.wait_for_function(f"document.querySelector('.palette-list').scrollTop > {before + 60}")
     expect(studio.at("saved-state")).to_have_text("saved")
 
 
