@@ -100,7 +100,7 @@ def open_studio(tabs: Tabs, servers: ServerThread, tmp_path: Path, monkeypatch: 
             target.mkdir()
         running = servers.serve(target if example is None else target / Path(example).name)
         words = {"viewport": {"width": WIDTH, "height": HEIGHT}, "reduced_motion": "reduce", **device}
-        tab = tabs.make(words) if first_visit else tabs.take(words)
+        tab = tabs.make(words, first_visit=True) if first_visit else tabs.take(words)
         page = tab.page
         faults: list[str] = []
         tab.hear("pageerror", lambda error: faults.append(str(error)))

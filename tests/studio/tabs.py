@@ -21,6 +21,10 @@ NOTHING = "/nothing"
 """The path of the empty page: between two tests a tab is of no studio, and yet at the address of all of them."""
 IDLE, USES = 2, 12
 """How many tabs wait for the next test, and how many tests use one: the browser frees little between them."""
+KEEP_TEXT = """try {
+    if (localStorage.getItem("kitrobot.text") === null) localStorage.setItem("kitrobot.text", "yes");
+} catch {}"""
+"""Somebody who works with the text asks once that it stays."""
 HANDS_MS = int(os.environ.get("KITROBOT_HANDS_MS", "0"))
 """How long a test waits between two things it does: what comes late in the page has come by then."""
 LINE_MS = int(os.environ.get("KITROBOT_LINE_MS", "0"))
@@ -86,9 +90,11 @@ class Tabs:
             return found
         return self.make(device)
 
-    def make(self, device: dict[str, Any]) -> Tab:
-        """A tab in which nothing was opened before."""
+    def make(self, device: dict[str, Any], *, first_visit: bool = False) -> Tab:
+        """A tab in which nothing was opened before; unless it is a first visit, its text stays beside what runs."""
         context = self._browser.new_context(**device)
+        if not first_visit:
+            context.add_init_script(KEEP_TEXT)
         context.set_default_timeout(STATE_MS)
         page = context.new_page()
         if LINE_MS > 0:

@@ -17,7 +17,7 @@ WIDTH_OF = "(one) => one.getBoundingClientRect().width"
 
 
 def test_one_key_makes_the_arena_large_and_shows_the_robot_that_is_watched(open_studio: OpenStudio) -> None:
-    studio = open_studio("square/square.krt")
+    studio = open_studio("square/square.krt", first_visit=True)
     small = studio.at("arena-canvas").evaluate(WIDTH_OF)
     studio.at("canvas").focus()
     studio.page.keyboard.press("f")
@@ -70,7 +70,7 @@ ORANGE, LID = (0xE0, 0x7A, 0x1F), (0xF7, 0xA1, 0x54)
 def test_what_the_first_program_draws_is_large_and_free_beside_the_card(
     open_studio: OpenStudio, width: int, height: int, least: int
 ) -> None:
-    studio = open_studio("draw-square/draw-square.krt", viewport={"width": width, "height": height})
+    studio = open_studio("draw-square/draw-square.krt", first_visit=True, viewport={"width": width, "height": height})
     studio.at("menu-Run").click()
     studio.at("menu-run-as-fast").click()
     studio.at("run-button").click()
@@ -103,7 +103,7 @@ def test_what_the_first_program_draws_is_large_and_free_beside_the_card(
     "web/src/features/arena/stage/stage.test.ts; web/src/session/run.test.ts: a run can be gone back in"
 )
 def test_a_run_that_failed_leads_to_its_cause(open_studio: OpenStudio) -> None:
-    studio = open_studio("transport/transport.krt")
+    studio = open_studio("transport/transport.krt", first_visit=True)
     studio.at("run-button").click()
     expect(studio.at("status")).to_have_attribute("data-status", "running")
     studio.at("pause-button").click()
@@ -122,7 +122,7 @@ def test_a_run_that_failed_leads_to_its_cause(open_studio: OpenStudio) -> None:
 
 @pytest.mark.thorough("tests/studio/test_clipping.py, the screen stage on 390 px; test_one_key_makes_the_arena_large…")
 def test_on_a_phone_the_stage_is_all_there_is_and_a_room_ends_it(open_studio: OpenStudio) -> None:
-    studio = open_studio("square/square.krt", viewport={"width": 390, "height": 844})
+    studio = open_studio("square/square.krt", first_visit=True, viewport={"width": 390, "height": 844})
     studio.at("room-arena").click()
     # The graph above it is small: tools over it would cover the end of a row. They are back with its place.
     expect(studio.page.locator(".zoom")).to_be_hidden()

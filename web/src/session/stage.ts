@@ -14,16 +14,32 @@ interface Stage {
   lesson: boolean;
 }
 
-export const useStage = create<Stage>(() => ({ large: false, beside: false, text: false, lesson: false }));
+const KEY = "kitrobot.text";
+
+/** Whether somebody asked for the text in this browser, and did not send it away since. */
+function wantsText(): boolean {
+  try {
+    return localStorage.getItem(KEY) === "yes";
+  } catch {
+    return false;
+  }
+}
+
+export const useStage = create<Stage>(() => ({ large: false, beside: false, text: wantsText(), lesson: false }));
 
 /** Something runs, or nothing does any more. */
 export function setBeside(beside: boolean): void {
   useStage.setState(({ text }) => ({ beside: beside && !text }));
 }
 
-/** The text comes back beside the arena and stays there, or goes again. */
+/** The text comes back beside the arena and stays there, or goes again; this browser remembers which. */
 export function toggleText(): void {
   useStage.setState(({ beside }) => ({ beside: !beside, text: beside }));
+  try {
+    localStorage.setItem(KEY, useStage.getState().text ? "yes" : "no");
+  } catch {
+    // It is remembered as long as the page is open.
+  }
 }
 
 export function enlargeStage(large: boolean): void {
