@@ -53,6 +53,7 @@ def grip(at: Locator) -> Locator:
 
 def arcs_light_up_and_a_drop_on_one_splices_the_part_in(studio: Studio) -> None:
     mouse = studio.page.mouse
+    studio.at("part-Wait").scroll_into_view_if_needed()
     part = studio.at("part-Wait").bounding_box()
     arc = studio.at("arc-start.next").bounding_box()
     assert part is not None
@@ -69,6 +70,7 @@ def arcs_light_up_and_a_drop_on_one_splices_the_part_in(studio: Studio) -> None:
 
 def escape_ends_a_drag_without_a_change(studio: Studio) -> None:
     mouse = studio.page.mouse
+    studio.at("part-Wait").scroll_into_view_if_needed()
     part = studio.at("part-Wait").bounding_box()
     arc = studio.at("arc-start.next").bounding_box()
     assert part is not None

@@ -177,7 +177,7 @@ def a_program_is_written_with_completion_and_keys_alone(studio: Studio) -> None:
     expect(options.first).to_contain_text("Advance")
     take_first(studio, "Wheel.Advance(")
     page.keyboard.type("33")
-    expect_vertices(studio, "Drive", 1)
+    expect_vertices(studio, "Keep driving", 1)
     studio.expect_code("Wheel.Advance(33);")
 
 
@@ -202,7 +202,7 @@ def test_a_block_of_a_team_is_written_with_completion(open_studio: OpenStudio) -
 
 def hover_shows_the_help_of_the_xml_and_outlines_the_vertex(studio: Studio) -> None:
     replace_all(studio, "Wheel.Advance(33);")
-    expect_vertices(studio, "Drive", 1)
+    expect_vertices(studio, "Keep driving", 1)
     box = studio.at("code").locator(".lll-action", has_text="Advance").first
     box.hover()
     expect(studio.page.locator(".code-help")).to_contain_text("0…100")

@@ -121,7 +121,7 @@ def the_inspector_has_the_same_field_with_what_fits_and_the_name_of_lll(studio: 
     vertex(studio, "When").click(position={"x": 20, "y": 20})
     groups = inspector.locator("select").first.locator("optgroup")
     expect(groups.first).to_have_attribute("label", "Distance sensor")
-    expect(groups.last).to_have_attribute("label", "Conditions")
+    expect(groups.last).to_have_attribute("label", "Values")
     vertex(studio, "When").locator(".chip").click()
     ruler = inspector.get_by_role("slider", name="distance")
     expect(ruler).to_have_attribute("aria-valuetext", "20 cm")
@@ -234,6 +234,7 @@ def an_empty_body_shows_where_to_drop_and_what_follows_a_new_loop_goes_inside(st
     expect(place).to_have_count(1)
     # The whole frame takes what is dropped.
     frame = studio.page.locator(".frame-loop").last.bounding_box()
+    studio.at("part-Wait").scroll_into_view_if_needed()
     part = studio.at("part-Wait").bounding_box()
     assert frame is not None
     assert part is not None

@@ -72,7 +72,7 @@ function Ring({ selector }: { selector: string }) {
   if (selector === "") return null;
   return (
     <style data-testid="tutorial-ring">
-      {`:is(${selector}) { outline: var(--tutorial-ring); outline-offset: var(--tutorial-ring-away); border-radius: var(--radius-inner); }`}
+      {`:root:root :is(${selector}) { outline: var(--tutorial-ring); outline-offset: var(--tutorial-ring-away); border-radius: var(--radius-inner); }`}
     </style>
   );
 }
