@@ -66,6 +66,7 @@ import Palette from "lucide-react/icons/palette";
 import Pause from "lucide-react/icons/pause";
 import PencilOff from "lucide-react/icons/pencil-off";
 import Ruler from "lucide-react/icons/ruler";
+import Music from "lucide-react/icons/music";
 import Pencil from "lucide-react/icons/pencil";
 import Play from "lucide-react/icons/play";
 import Plus from "lucide-react/icons/plus";
@@ -161,6 +162,7 @@ export const ICONS: Readonly<Record<string, LucideIcon>> = {
   pause: Pause,
   "pencil-off": PencilOff,
   ruler: Ruler,
+  music: Music,
   pencil: Pencil,
   play: Play,
   plus: Plus,

@@ -16,7 +16,6 @@ import Grid3x3 from "lucide-react/icons/grid-3x3";
 import Hand from "lucide-react/icons/hand";
 import HardDrive from "lucide-react/icons/hard-drive";
 import ListOrdered from "lucide-react/icons/list-ordered";
-import Music from "lucide-react/icons/music";
 import PackageMinus from "lucide-react/icons/package-minus";
 import PackagePlus from "lucide-react/icons/package-plus";
 import Rows3 from "lucide-react/icons/rows-3";
@@ -51,7 +50,6 @@ export const MORE_ICONS: Readonly<Record<string, LucideIcon>> = {
   hand: Hand,
   "hard-drive": HardDrive,
   "list-ordered": ListOrdered,
-  music: Music,
   "package-minus": PackageMinus,
   "package-plus": PackagePlus,
   "rows-3": Rows3,
