@@ -109,7 +109,7 @@ def test_search_filters_and_arrows_lead_to_an_example_that_runs_to_its_end(open_
     expect(studio.at("example-star")).to_be_focused()
     keys.press("Enter")
     expect(dialog).to_have_count(0)
-    studio.expect_code("Motor.AbsoluteTurn(40, 50)")
+    studio.expect_code("Motor.LeftBy(144)")
     studio.full_speed()
     studio.at("run-button").click()
     studio.wait_until_done()
