@@ -141,9 +141,9 @@ def robot(number: int) -> Robot:
                 <procedure name="Advance" stop="Stop"><parameter name="speed" min="0" max="100"/></procedure>
                 <procedure name="Reverse" stop="Stop"><parameter name="speed" min="0" max="100"/></procedure>
                 <procedure name="DriveBy" completes="later" stop="Stop">
-                <parameter name="distance" min="0" max="60"/></procedure>
+                <parameter name="distance" min="0" max="100"/></procedure>
                 <procedure name="BackBy" completes="later" stop="Stop">
-                <parameter name="distance" min="0" max="60"/></procedure>
+                <parameter name="distance" min="0" max="100"/></procedure>
                 <procedure name="Stop"/></actuator>"""
             )
             parts.append(

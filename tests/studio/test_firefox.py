@@ -36,6 +36,8 @@ def a_mission_runs_to_its_end(tab: Tab) -> None:
 
 
 def it_is_edited_by_the_mouse_and_by_keys_and_saved_under_a_name_of_its_own(tab: Tab) -> None:
+    tab.click("arena-text")
+    tab.until("() => { at('part-Wait').scrollIntoView(); return true; }")
     tab.drag("part-Wait", "arc-start.next")
     tab.shows("code", "WAIT(10);")
     tab.click(':[data-testid="inspector"] input:not([type="range"])')

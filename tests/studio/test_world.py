@@ -256,7 +256,7 @@ def a_robot_dragged_in_the_arena_starts_there(studio: Studio) -> None:
     box = studio.at("arena-canvas").bounding_box()
     assert box is not None
     middle = (box["x"] + box["width"] / 2, box["y"] + box["height"] / 2)
-    drag(studio, middle, (middle[0] - 80, middle[1]))
+    drag(studio, middle, (middle[0] - 120, middle[1]))
     expect(studio.page.get_by_text("is part of this mission now", exact=False).first).to_be_visible()
     expect(studio.at("arena-summary")).not_to_contain_text(re.compile("2[,\u202f]?000"))
     assert place_of_robot(studio) < 1700
