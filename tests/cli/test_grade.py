@@ -75,7 +75,7 @@ def test_every_submission_gets_a_row_and_the_file_that_was_named_is_all_that_is_
     assert list(rows) == [path.name for path in files]
     assert (rows["ada.krt"]["points"], rows["ada.krt"]["of"], rows["ada.krt"]["problem"]) == (4, 4, None)
     assert [goal["reached"] for goal in rows["ben.krt"]["goals"]] == [True, False, True, True]
-    assert (rows["ben.krt"]["goals"][1]["seed"], rows["ben.krt"]["goals"][1]["seconds"]) == (1, 7.52)
+    assert (rows["ben.krt"]["goals"][1]["seed"], rows["ben.krt"]["goals"][1]["seconds"]) == (1, 8.36)
     # What the exercise begins with is no merit by itself.
     assert rows["for-ever.krt"]["points"] == rows["untouched.krt"]["points"] == 0
     assert [goal["condition"] for goal in rows["ada.krt"]["goals"]] == [True, False, False, True]

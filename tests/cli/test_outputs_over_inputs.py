@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 from collections.abc import Callable
 from pathlib import Path
+from typing import get_type_hints
 
 import pytest
 
@@ -132,7 +133,8 @@ def linked(path: Path, link: Callable[[Path, Path], None]) -> str:
 def test_every_output_of_every_command_is_tried_here():
     found = set()
     for command in app.registered_commands:
-        for name, annotation in getattr(command.callback, "__annotations__", {}).items():
+        assert command.callback is not None
+        for name, annotation in get_type_hints(command.callback, include_extras=True).items():
             if "Path" in str(annotation) and name not in ONLY_READ:
                 found.add((command.name, name))
     assert found - FOLDERS <= {*OUTPUTS, NO_BOARD}

@@ -81,7 +81,8 @@ export function useViewport(root: RefObject<HTMLDivElement | null>, drawing: Dra
 
   const begin = useEffectEvent(() => {
     const size = sizeOf(root.current);
-    const isNew = size.width > 0 && leftCamera(file, name) === undefined;
+    // An empty program is seen from its beginning, whatever an empty one of that name was left as.
+    const isNew = size.width > 0 && (leftCamera(file, name) === undefined || drawing.nodes.has("place"));
     const least = leastAtFirst();
     const whole = isNew ? { camera: wholeOf(size, drawing, least), least } : null;
     stood.current = { width: size.width, whole };
