@@ -104,6 +104,7 @@ ONLY_READ = {
     "file",
     "files",
     "inputs",
+    "key",
     "mission",
     "ours",
     "parts",

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import pytest
 
 from kitrobot.compiler.compilation import CompiledProgram, compile_lll, compile_program, compile_text
@@ -14,7 +16,15 @@ from kitrobot.primitives.robot import Robot
 from kitrobot.primitives.robot_xml import read_robot
 from tests.compiler.graphs import graph, shipped
 
-MINI = shipped().robots["mini-robot"]
+_SHIPPED = shipped().robots["mini-robot"]
+MINI = replace(
+    _SHIPPED,
+    actuators=tuple(
+        replace(one, methods=tuple(method for method in one.methods if not method.name.endswith("By")))
+        for one in _SHIPPED.actuators
+    ),
+)
+"""The robot of the paper, whose images have the fewest cells: without distances and degrees."""
 MARKED = ("Motor.Turn(1)", "Wheel.Advance(1)", "Light.LightOn()", "Switch.SwitchOn()")
 
 
