@@ -7,7 +7,11 @@ import { PARTS } from "./testing/parts";
 import type { Catalogue, Mission, Program } from "./types";
 
 const program = (name: string, robot: string): Program => ({ name, robot, vertices: [], arcs: [] });
-const BLOCK = { ...PARTS.groups.flatMap(({ constructors }) => constructors)[0], name: "Together", level: "group" as const };
+const BLOCK = {
+  ...PARTS.groups.flatMap(({ constructors }) => constructors)[0],
+  name: "Together",
+  level: "group" as const,
+};
 const FILES = {
   ...PARTS,
   groups: [...PARTS.groups, { name: "Team", colour: "team", label: {}, constructors: [BLOCK] }],
