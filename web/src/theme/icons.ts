@@ -66,6 +66,8 @@ import Palette from "lucide-react/icons/palette";
 import Pause from "lucide-react/icons/pause";
 import PencilOff from "lucide-react/icons/pencil-off";
 import Ruler from "lucide-react/icons/ruler";
+import Eraser from "lucide-react/icons/eraser";
+import ToggleLeft from "lucide-react/icons/toggle-left";
 import Music from "lucide-react/icons/music";
 import Pencil from "lucide-react/icons/pencil";
 import Play from "lucide-react/icons/play";
@@ -162,6 +164,8 @@ export const ICONS: Readonly<Record<string, LucideIcon>> = {
   pause: Pause,
   "pencil-off": PencilOff,
   ruler: Ruler,
+  eraser: Eraser,
+  "toggle-left": ToggleLeft,
   music: Music,
   pencil: Pencil,
   play: Play,

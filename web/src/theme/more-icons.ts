@@ -7,7 +7,6 @@ import CircleDashed from "lucide-react/icons/circle-dashed";
 import Clapperboard from "lucide-react/icons/clapperboard";
 import ClipboardCheck from "lucide-react/icons/clipboard-check";
 import ClipboardList from "lucide-react/icons/clipboard-list";
-import Eraser from "lucide-react/icons/eraser";
 import FileCode from "lucide-react/icons/file-code";
 import FolderDown from "lucide-react/icons/folder-down";
 import Footprints from "lucide-react/icons/footprints";
@@ -24,7 +23,6 @@ import Sun from "lucide-react/icons/sun";
 import Thermometer from "lucide-react/icons/thermometer";
 import Send from "lucide-react/icons/send";
 import Snowflake from "lucide-react/icons/snowflake";
-import ToggleLeft from "lucide-react/icons/toggle-left";
 import UserCheck from "lucide-react/icons/user-check";
 import UserPlus from "lucide-react/icons/user-plus";
 import UserRound from "lucide-react/icons/user-round";
@@ -41,7 +39,6 @@ export const MORE_ICONS: Readonly<Record<string, LucideIcon>> = {
   clapperboard: Clapperboard,
   "clipboard-check": ClipboardCheck,
   "clipboard-list": ClipboardList,
-  eraser: Eraser,
   "file-code": FileCode,
   "folder-down": FolderDown,
   footprints: Footprints,
@@ -58,7 +55,6 @@ export const MORE_ICONS: Readonly<Record<string, LucideIcon>> = {
   thermometer: Thermometer,
   send: Send,
   snowflake: Snowflake,
-  "toggle-left": ToggleLeft,
   "user-check": UserCheck,
   "user-plus": UserPlus,
   "user-round": UserRound,
