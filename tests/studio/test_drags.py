@@ -87,6 +87,7 @@ def escape_ends_a_drag_without_a_change(studio: Studio) -> None:
 
 def a_drop_on_the_void_parks_a_part_and_a_drag_brings_it_in(studio: Studio) -> None:
     before = studio.code()
+    studio.at("part-Wait").scroll_into_view_if_needed()
     canvas, part = studio.at("canvas").bounding_box(), studio.at("part-Wait").bounding_box()
     assert canvas is not None
     assert part is not None
