@@ -207,7 +207,7 @@ def hover_shows_the_help_of_the_xml_and_outlines_the_vertex(studio: Studio) -> N
     box.hover()
     expect(studio.page.locator(".code-help")).to_contain_text("0…100")
     assert studio.page.evaluate("document.adoptedStyleSheets.some(one => one.cssRules.length === 1)")
-    studio.page.locator(".vertex", has_text="Drive").hover()
+    studio.page.locator(".vertex", has_text="Keep driving").hover()
     expect(studio.at("code").locator(".line-pointed")).to_contain_text("Wheel.Advance")
 
 
