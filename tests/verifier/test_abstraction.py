@@ -146,7 +146,7 @@ def test_a_distance_and_an_angle_are_done_at_any_time_and_have_no_length_on_a_ro
     guided = WHEEL.format(settings='guide="road"').replace("</actuator>", f"{by}</actuator>")
     ring = shipped_world("ring")
     start = next(one for one in ring.starts if one.road)
-    world = replace(ring, starts=[replace(start, name="a")])
+    world = replace(ring, starts=(replace(start, name="a"),))
     run = run_of({"a": (avatar(guided), "Wheel.DriveBy(30);")}, world)
     with pytest.raises(AbstractionError, match=r"`a` drives a distance or turns on a road \(`Wheel\.DriveBy`\)"):
         abstract_run(run)
