@@ -5,8 +5,8 @@ from __future__ import annotations
 import pytest
 from playwright.sync_api import expect
 
+from tests.studio.robot_rows import OpenStudio
 from tests.studio.studio_page import Studio
-from tests.studio.test_tutorials import OpenStudio
 
 NEAR_TOP = """(section) => {
     const list = section.closest('.palette-list');
